@@ -1,0 +1,90 @@
+#include "command_line.hpp"
+
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <vector>
+
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/version.hpp"
+#include "verb.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+void add_common_flags(CLI::App& app, CommonFlags& flags) {
+  app.add_flag("--json", flags.json,
+               "Print one JSON object on standard output, nothing else there");
+  app.add_flag("--quiet", flags.quiet, "No messages, no progress");
+  app.add_flag("--force", flags.force, "Replace files that exist");
+  app.add_option("--jobs", flags.jobs, "Threads to use, 0 for one a core; never changes a result")
+      ->check(CLI::Range(0, 1024));
+  app.add_option("--seed", flags.seed, "Seed of everything that chance decides")
+      ->capture_default_str();
+}
+
+int report(int code, const std::string& message) {
+  fmt::print(stderr, "error: {}\n", message);
+  return code;
+}
+
+int run_guarded(Verb& verb, const CommonFlags& flags) {
+  try {
+    return verb.run(flags);
+  } catch (const InputError& error) {
+    return report(kExitBadInput, error.what());
+  } catch (const Interrupted& error) {
+    return report(kExitNoSolution, error.what());
+  } catch (const std::bad_alloc&) {
+    return report(kExitFault, "out of memory");
+  } catch (const std::exception& error) {
+    return report(kExitFault, error.what());
+  }
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app(
+      "limber makes soft robot arms plannable: characterise, collect, train, evaluate, plan, "
+      "execute.");
+  app.set_version_flag("--version", std::string("limber ") + version());
+  app.require_subcommand(1);
+  app.fallthrough(false);
+
+  CommonFlags flags;
+  const std::vector<std::unique_ptr<Verb>> verbs = all_verbs();
+  for (const std::unique_ptr<Verb>& verb : verbs) {
+    CLI::App* command = app.add_subcommand(verb->name(), verb->summary());
+    command->footer(std::string("Example:\n  ") + verb->example());
+    add_common_flags(*command, flags);
+    verb->add_flags(*command);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error, std::cout, std::cerr);
+    return code == 0 ? kExitDone : kExitBadInput;
+  }
+  install_interrupt_handler();
+  for (const std::unique_ptr<Verb>& verb : verbs) {
+    if (app.got_subcommand(verb->name())) {
+      return run_guarded(*verb, flags);
+    }
+  }
+  return kExitBadInput;
+}
+
+void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
+                  const std::string& text) {
+  if (flags.json) {
+    fmt::print("{}\n", result.dump(2));
+  } else if (!flags.quiet) {
+    fmt::print("{}\n", text);
+  }
+}
+
+}  // namespace limber

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/progress.hpp"
+
+namespace limber {
+
+enum ExitCode : int { kExitDone = 0, kExitNoSolution = 1, kExitBadInput = 2, kExitFault = 3 };
+
+/// Flags that every verb has.
+struct CommonFlags {
+  bool json = false;
+  bool quiet = false;
+  bool force = false;
+  int jobs = 0;  ///< 0: one a core
+  std::uint64_t seed = 1;
+
+  Progress::Mode progress() const {
+    return quiet ? Progress::Mode::quiet : Progress::Mode::automatic;
+  }
+};
+
+/// One verb of the program. `add_flags` declares, `run` works and returns an exit code; failures
+/// are exceptions (common/error.hpp), printed and turned into exit codes in one place.
+class Verb {
+ public:
+  virtual ~Verb() = default;
+  virtual const char* name() const = 0;
+  virtual const char* summary() const = 0;
+  /// A command that runs as it stands, for --help.
+  virtual const char* example() const = 0;
+  virtual void add_flags(CLI::App& app) = 0;
+  virtual int run(const CommonFlags& flags) = 0;
+};
+
+/// A line for people on standard error, unless quiet.
+template <class... Arguments>
+void say(const CommonFlags& flags, fmt::format_string<Arguments...> format,
+         Arguments&&... arguments) {
+  if (!flags.quiet) {
+    fmt::print(stderr, "{}\n", fmt::format(format, std::forward<Arguments>(arguments)...));
+  }
+}
+
+/// The verb's result on standard output: the JSON object with --json, otherwise `text`.
+void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
+                  const std::string& text);
+
+/// An arm file: the path given, or the name of one of limber's own ("three_segment") found in arms/
+/// beside the program or in its installed data folder.
+std::string find_arm_file(const std::string& name_or_path);
+
+}  // namespace limber

@@ -1,0 +1,11 @@
+#include "verbs.hpp"
+
+namespace limber {
+
+std::vector<std::unique_ptr<Verb>> all_verbs() {
+  std::vector<std::unique_ptr<Verb>> verbs;
+  verbs.push_back(make_doctor_verb());
+  return verbs;
+}
+
+}  // namespace limber

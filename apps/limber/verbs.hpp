@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "verb.hpp"
+
+namespace limber {
+
+/// Every verb, in the order of `limber --help`; each is made in its own file, verb_<name>.cpp.
+std::vector<std::unique_ptr<Verb>> all_verbs();
+
+std::unique_ptr<Verb> make_doctor_verb();
+
+}  // namespace limber

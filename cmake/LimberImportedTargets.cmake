@@ -1,0 +1,29 @@
+# Targets for the libraries whose own CMake packages are missing or awkward on Debian 12.
+# Used by our build and by the installed package, so that both see the same targets.
+
+# MuJoCo's own package wants qhull's development files, which a user of the shared library does not need.
+if(NOT TARGET limber_import::mujoco)
+  find_path(LIMBER_MUJOCO_INCLUDE_DIR mujoco/mujoco.h REQUIRED)
+  find_library(LIMBER_MUJOCO_LIBRARY mujoco REQUIRED)
+  add_library(limber_import::mujoco UNKNOWN IMPORTED)
+  set_target_properties(limber_import::mujoco PROPERTIES
+    IMPORTED_LOCATION "${LIMBER_MUJOCO_LIBRARY}"
+    INTERFACE_INCLUDE_DIRECTORIES "${LIMBER_MUJOCO_INCLUDE_DIR}")
+endif()
+
+# HDF5's find module sets variables, not a target, in CMake 3.25 when it goes through the compiler wrapper.
+if(NOT TARGET limber_import::hdf5)
+  add_library(limber_import::hdf5 INTERFACE IMPORTED)
+  set_target_properties(limber_import::hdf5 PROPERTIES
+    INTERFACE_INCLUDE_DIRECTORIES "${HDF5_INCLUDE_DIRS}"
+    INTERFACE_LINK_LIBRARIES "${HDF5_CXX_LIBRARIES}")
+endif()
+
+# Philox counter-based random numbers and xxHash: headers only.
+if(NOT TARGET limber_import::headers)
+  find_path(LIMBER_RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
+  find_path(LIMBER_XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+  add_library(limber_import::headers INTERFACE IMPORTED)
+  set_target_properties(limber_import::headers PROPERTIES
+    INTERFACE_INCLUDE_DIRECTORIES "${LIMBER_RANDOM123_INCLUDE_DIR};${LIMBER_XXHASH_INCLUDE_DIR}")
+endif()

@@ -1,0 +1,21 @@
+# Install, export and packaging: find_package(limber) gives limber::common … limber::experiment.
+
+include(CMakePackageConfigHelpers)
+get_property(libraries GLOBAL PROPERTY LIMBER_LIBRARIES)
+install(TARGETS ${libraries} EXPORT limberTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS limber_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY include/limber DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY arms environments DESTINATION ${CMAKE_INSTALL_DATADIR}/limber)
+install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(EXPORT limberTargets NAMESPACE limber:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/limber)
+configure_package_config_file(cmake/limberConfig.cmake.in "${CMAKE_BINARY_DIR}/limberConfig.cmake"
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/limber)
+write_basic_package_version_file("${CMAKE_BINARY_DIR}/limberConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
+install(FILES "${CMAKE_BINARY_DIR}/limberConfig.cmake" "${CMAKE_BINARY_DIR}/limberConfigVersion.cmake"
+              cmake/LimberImportedTargets.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/limber)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The limber developers")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+include(CPack)

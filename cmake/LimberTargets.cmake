@@ -1,0 +1,57 @@
+# How limber's targets are made: one place for language level, warnings and sanitizers.
+
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+# Everything that our own code, and only our own code, is compiled with.
+add_library(limber_private_settings INTERFACE)
+target_compile_options(limber_private_settings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual
+  $<$<BOOL:${LIMBER_WARNINGS_AS_ERRORS}>:-Werror>)
+if(LIMBER_SANITIZE)
+  target_compile_options(limber_private_settings INTERFACE
+    -fsanitize=${LIMBER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(limber_private_settings INTERFACE -fsanitize=${LIMBER_SANITIZE})
+endif()
+
+# limber_add_library(<module> SOURCES … [DEPENDS …] [PRIVATE_DEPENDS …])
+# A static library limber_<module>, known to others as limber::<module>, its headers in include/limber/<module>.
+function(limber_add_library module)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  add_library(limber_${module} STATIC ${ARG_SOURCES})
+  add_library(limber::${module} ALIAS limber_${module})
+  set_target_properties(limber_${module} PROPERTIES EXPORT_NAME ${module})
+  target_compile_features(limber_${module} PUBLIC cxx_std_20)
+  target_include_directories(limber_${module} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(limber_${module}
+    PUBLIC ${ARG_DEPENDS}
+    PRIVATE ${ARG_PRIVATE_DEPENDS} $<BUILD_INTERFACE:limber_private_settings>)
+  set_property(GLOBAL APPEND PROPERTY LIMBER_LIBRARIES limber_${module})
+endfunction()
+
+# limber_add_test(<module> SOURCES … [DEPENDS …] [LABEL unit|system])
+# One GoogleTest program a module, <module>_test; each of its tests is known to ctest on its own.
+function(limber_add_test module)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+  if(NOT ARG_LABEL)
+    set(ARG_LABEL unit)
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  add_executable(${module}_test ${ARG_SOURCES})
+  target_compile_features(${module}_test PRIVATE cxx_std_20)
+  target_include_directories(${module}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(${module}_test PRIVATE
+    LIMBER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LIMBER_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/tests/data")
+  target_link_libraries(${module}_test PRIVATE
+    ${ARG_DEPENDS} GTest::gmock GTest::gtest_main limber_private_settings)
+  gtest_discover_tests(${module}_test DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "limber/arm/virtual_arm_parameters.hpp"
+
+namespace limber {
+
+class YamlReader;
+
+/// Contraction strain of an inflated side over its gauge pressure, e = c1 p + c2 p² + c3 p³ + c4 p⁴
+/// (docs/model.md (9)); p in kPa, e ≥ 0 the amount of contraction. c[0] is c1, in 1/kPa.
+using StrainPolynomial = std::array<double, 4>;
+
+/// One bending segment: two actuators on each side.
+struct Segment {
+  double length_m = 0.0;            ///< l0, unpressurised, > 0
+  double width_m = 0.0;             ///< t, between the two sides, > 0
+  int gaps = 0;                     ///< spaces between support plates, ≥ 1
+  double pressure_limit_kpa = 0.0;  ///< p_max of either side, > 0
+  StrainPolynomial strain_polynomial{};
+};
+
+/// A planar arm as its file describes it (docs/formats.md, schema limber/arm/1). Plain values;
+/// `validate`d by the reader.
+struct ArmDescription {
+  std::string name;
+  std::vector<Segment> segments;  ///< base first
+  double frame_rate_hz = 20.0;    ///< of recordings, models and plans
+  double pressure_rate_limit_kpa_per_s =
+      0.0;                         ///< what the valves can follow; bounds a plan's frames
+  double actuator_radius_m = 0.0;  ///< collision radius of a gap is width/2 + this
+  VirtualArmParameters virtual_arm;
+
+  int segment_count() const { return static_cast<int>(segments.size()); }
+  /// Backbone points m: every plate, base included.
+  int point_count() const;
+  double length_m() const;
+  double frame_period_s() const { return 1.0 / frame_rate_hz; }
+  /// Largest change of a set point within one frame.
+  double pressure_step_limit_kpa() const { return pressure_rate_limit_kpa_per_s / frame_rate_hz; }
+  /// Segment that gap g (between plates g and g + 1) belongs to.
+  int segment_of_gap(int gap) const;
+
+  /// Hash of everything that the no-load model and planning depend on, virtual-arm parameters and
+  /// name excluded.
+  std::string hash() const;
+};
+
+/// Reads and validates an arm file. @throws InputError naming file, line, field, what was found and
+/// what is allowed.
+ArmDescription load_arm(const std::filesystem::path& path);
+ArmDescription read_arm(const YamlReader& root);
+
+/// The arm as YAML, readable by `load_arm`; floating-point values survive the round trip exactly.
+std::string arm_to_yaml(const ArmDescription& arm);
+
+}  // namespace limber

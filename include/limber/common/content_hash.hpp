@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace limber {
+
+/// 128-bit xxHash of `content` as 32 hexadecimal digits: tells whether a file is the one a plan or
+/// a model was made with. Against accidents, not attackers.
+std::string content_hash(std::string_view content);
+
+}  // namespace limber

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+namespace limber {
+
+/// One value of a YAML file with its place, "file:line: field.path": every refusal names both, with
+/// what was found and what is allowed. Numbers that are not finite are refused everywhere.
+class YamlReader {
+ public:
+  /// @throws InputError where the file is missing, empty or no YAML (with line and column).
+  static YamlReader from_file(const std::filesystem::path& path);
+  /// @param name  stands for the file in messages.
+  static YamlReader from_text(const std::string& text, const std::string& name);
+
+  bool has(const std::string& key) const;
+  /// The value at `key`. @throws InputError where it is missing or this is no mapping.
+  YamlReader at(const std::string& key) const;
+  /// The elements of a sequence. @throws InputError where this is no sequence.
+  std::vector<YamlReader> elements() const;
+  /// Keys of a mapping in the file's order.
+  std::vector<std::string> keys() const;
+  /// Refuses keys that are not in `allowed` (a misspelt key would otherwise be a silent default).
+  void refuse_unknown_keys(std::initializer_list<const char*> allowed) const;
+
+  std::string text() const;
+  bool boolean() const;
+  /// A finite number in [low, high]; `unit` only words the message ("a length in metres").
+  double number(const std::string& unit, double low = -std::numeric_limits<double>::max(),
+                double high = std::numeric_limits<double>::max()) const;
+  /// A finite number > 0.
+  double positive(const std::string& unit) const;
+  int integer(const std::string& what, int low, int high) const;
+  std::vector<double> numbers(const std::string& unit) const;
+
+  /// The schema line of the file: @throws InputError where it is another than `expected`.
+  void require_schema(const std::string& expected) const;
+
+  /// @throws InputError "file:line: field: message".
+  [[noreturn]] void refuse(const std::string& message) const;
+  /// The value as written in the file, for messages.
+  std::string found() const;
+  const std::string& field() const { return field_; }
+
+ private:
+  YamlReader(std::string file, std::string field, YAML::Node node, int line);
+
+  std::string file_;
+  std::string field_;
+  YAML::Node node_;
+  int line_;  // from 1
+};
+
+}  // namespace limber

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+
+namespace limber {
+
+/// How backbones enter and leave the network.
+enum class BackboneLayout {
+  base_poses,  ///< the paper's: 3m numbers, poses about the arm's base; 102-…-48 for n = 3, m = 16
+  gap_poses,   ///< each plate's pose about the plate before it: 3(m − 1) numbers; the default
+};
+
+/// Affine map of each number, (x − offset)·scale, so that training data lie in [0, 1] (or have unit
+/// spread).
+struct Normalisation {
+  Eigen::VectorXf offset;
+  Eigen::VectorXf scale;
+};
+
+/// One layer, y = W x + b, with ReLU behind every layer but the last.
+struct Layer {
+  Eigen::MatrixXf weight;  ///< out × in
+  Eigen::VectorXf bias;    ///< out
+};
+
+/// The network Φ of (5) with everything needed to use it: inputs (q_{t−1}, q_t, B_{t−1}, B̃_t),
+/// normalised; output the compensation B_t − B̃_t, normalised. Plain values.
+struct CompensationModel {
+  BackboneLayout layout = BackboneLayout::gap_poses;
+  std::vector<Layer> layers;
+  Normalisation input;
+  Normalisation output;
+  std::string arm_name;
+  std::string arm_hash;  ///< ArmDescription::hash()
+  int segment_count = 0;
+  int point_count = 0;
+  std::string preset;  ///< "paper" or "best"
+  std::map<std::string, std::string>
+      training;  ///< record: data files and hashes, seed, epochs, losses, seconds
+
+  /// "102-100-100-100-48".
+  std::string shape() const;
+};
+
+/// Writes safetensors, atomically.
+void write_model(const std::filesystem::path& path, const CompensationModel& model);
+
+/// Reads and validates. @throws InputError naming file and tensor or metadata key.
+CompensationModel read_model(const std::filesystem::path& path);
+
+}  // namespace limber

@@ -1,0 +1,134 @@
+#include "limber/arm/no_load_model.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kMonotoneChecks = 1000;
+
+double polynomial(const StrainPolynomial& c, double p) {
+  return p * (c[0] + p * (c[1] + p * (c[2] + p * c[3])));
+}
+
+double polynomial_slope(const StrainPolynomial& c, double p) {
+  return c[0] + p * (2.0 * c[1] + p * (3.0 * c[2] + p * 4.0 * c[3]));
+}
+
+void require_usable(const Segment& segment, int index) {
+  const double limit = segment.pressure_limit_kpa;
+  for (int k = 1; k <= kMonotoneChecks; ++k) {
+    const double p = limit * k / kMonotoneChecks;
+    const double before = polynomial(segment.strain_polynomial, limit * (k - 1) / kMonotoneChecks);
+    // A held slope (characterisation of data with a dead zone) is zero only up to rounding.
+    if (polynomial(segment.strain_polynomial, p) < before - 1e-12) {
+      throw InputError(fmt::format(
+          "segments[{}].strain_polynomial falls at {:.4g} kPa; expected strain that never "
+          "falls between 0 and the limit of {} kPa",
+          index, p, limit));
+    }
+  }
+  const double full = polynomial(segment.strain_polynomial, limit);
+  if (!(full > 0.0 && full < 1.0)) {
+    throw InputError(fmt::format(
+        "segments[{}].strain_polynomial gives a strain of {:.4g} at the limit of {} kPa; "
+        "expected between 0 and 1",
+        index, full, limit));
+  }
+}
+
+}  // namespace
+
+NoLoadModel::NoLoadModel(const ArmDescription& arm)
+    : segments_(arm.segments), point_count_(arm.point_count()) {
+  for (int i = 0; i < segment_count(); ++i) {
+    require_usable(segment(i), i);
+  }
+}
+
+double NoLoadModel::strain(int index, double pressure_kpa) const {
+  const Segment& s = segment(index);
+  const double p = std::abs(pressure_kpa);
+  if (p <= s.pressure_limit_kpa) {
+    return polynomial(s.strain_polynomial, p);
+  }
+  const double slope = std::max(0.0, polynomial_slope(s.strain_polynomial, s.pressure_limit_kpa));
+  return polynomial(s.strain_polynomial, s.pressure_limit_kpa) + slope * (p - s.pressure_limit_kpa);
+}
+
+SegmentShape NoLoadModel::segment_shape(int index, double pressure_kpa) const {
+  const Segment& s = segment(index);
+  const double e = strain(index, pressure_kpa);
+  const double curvature = e / (s.width_m * (1.0 - 0.5 * e));  // (3) without its pole at e = 0
+  return {pressure_kpa > 0.0 ? -curvature : curvature, (1.0 - 0.5 * e) * s.length_m};
+}
+
+SegmentPressure NoLoadModel::pressure_for_curvature(int index, double curvature_per_m) const {
+  const Segment& s = segment(index);
+  const double bend = s.width_m * std::abs(curvature_per_m);
+  const double e = 2.0 * bend / (2.0 + bend);
+  const double sign = curvature_per_m > 0.0 ? -1.0 : 1.0;
+  if (e > polynomial(s.strain_polynomial, s.pressure_limit_kpa)) {
+    return {sign * s.pressure_limit_kpa, false};
+  }
+  // P is monotone: bisection cannot fail, and 60 halvings reach the last bit.
+  double low = 0.0;
+  double high = s.pressure_limit_kpa;
+  for (int k = 0; k < 60; ++k) {
+    const double middle = 0.5 * (low + high);
+    (polynomial(s.strain_polynomial, middle) < e ? low : high) = middle;
+  }
+  return {sign * high, true};
+}
+
+double NoLoadModel::length_for_curvature(int index, double curvature_per_m) const {
+  const Segment& s = segment(index);
+  return 2.0 * s.length_m / (2.0 + s.width_m * std::abs(curvature_per_m));
+}
+
+double NoLoadModel::curvature_limit_per_m(int index) const {
+  return std::abs(segment_shape(index, segment(index).pressure_limit_kpa).curvature_per_m);
+}
+
+template <class Scalar>
+void NoLoadModel::chain(
+    const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>& pressures_kpa,
+    Eigen::Ref<BackboneOf<Scalar>> backbone) const {
+  assert(pressures_kpa.size() == segment_count() && backbone.rows() == point_count_);
+  backbone.row(0).setZero();
+  int point = 0;
+  for (int i = 0; i < segment_count(); ++i) {
+    const SegmentShape shape = segment_shape(i, double(pressures_kpa[i]));
+    const int gaps = segment(i).gaps;
+    const Scalar gap_length = Scalar(shape.length_m / gaps);
+    const Scalar gap_angle = Scalar(shape.curvature_per_m * shape.length_m / gaps);
+    const auto step = arc_end(gap_length, gap_angle);
+    for (int g = 0; g < gaps; ++g, ++point) {
+      const Scalar theta = backbone(point, 2);
+      const Scalar c = std::cos(theta);
+      const Scalar s = std::sin(theta);
+      backbone(point + 1, 0) = backbone(point, 0) + c * step.x() - s * step.y();
+      backbone(point + 1, 1) = backbone(point, 1) + s * step.x() + c * step.y();
+      backbone(point + 1, 2) = theta + gap_angle;
+    }
+  }
+}
+
+void NoLoadModel::backbone(const Eigen::Ref<const Eigen::VectorXf>& pressures_kpa,
+                           Eigen::Ref<Backbone> backbone) const {
+  chain<float>(pressures_kpa, backbone);
+}
+
+void NoLoadModel::backbone(const Eigen::Ref<const Eigen::VectorXd>& pressures_kpa,
+                           Eigen::Ref<BackboneD> backbone) const {
+  chain<double>(pressures_kpa, backbone);
+}
+
+}  // namespace limber

@@ -1,0 +1,192 @@
+#include "limber/common/yaml_reader.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+int line_of(const YAML::Node& node, int fallback) {
+  return node.Mark().is_null() ? fallback : node.Mark().line + 1;
+}
+
+/// The whole of `text` as a finite number, or NaN.
+double parse_number(const std::string& text) {
+  const char* first = text.data();
+  const char* last = first + text.size();
+  if (first != last && *first == '+') {
+    ++first;
+  }
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  return error == std::errc() && end == last ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+YamlReader::YamlReader(std::string file, std::string field, YAML::Node node, int line)
+    : file_(std::move(file)), field_(std::move(field)), node_(std::move(node)), line_(line) {}
+
+YamlReader YamlReader::from_file(const std::filesystem::path& path) {
+  return from_text(read_file(path), path.string());
+}
+
+YamlReader YamlReader::from_text(const std::string& text, const std::string& name) {
+  try {
+    YAML::Node root = YAML::Load(text);
+    if (!root.IsMap()) {
+      throw InputError(fmt::format("{}:1: expected a mapping (key: value …), found {}", name,
+                                   root.IsNull() ? "an empty file" : "something else"));
+    }
+    // A repeated key would silently win or lose; yaml-cpp lets it pass.
+    std::set<std::string> seen;
+    for (const auto& entry : root) {
+      if (!seen.insert(entry.first.Scalar()).second) {
+        throw InputError(fmt::format("{}:{}: {}: the key occurs twice", name,
+                                     line_of(entry.first, 1), entry.first.Scalar()));
+      }
+    }
+    return YamlReader(name, "", root, 1);
+  } catch (const YAML::Exception& error) {
+    throw InputError(fmt::format("{}:{}:{}: not valid YAML: {}", name, error.mark.line + 1,
+                                 error.mark.column + 1, error.msg));
+  }
+}
+
+void YamlReader::refuse(const std::string& message) const {
+  const std::string place = field_.empty() ? "" : field_ + ": ";
+  throw InputError(fmt::format("{}:{}: {}{}", file_, line_, place, message));
+}
+
+std::string YamlReader::found() const {
+  switch (node_.Type()) {
+    case YAML::NodeType::Scalar:
+      return fmt::format("'{}'", node_.Scalar());
+    case YAML::NodeType::Sequence:
+      return fmt::format("a list of {}", node_.size());
+    case YAML::NodeType::Map:
+      return "a mapping";
+    default:
+      return "nothing";
+  }
+}
+
+bool YamlReader::has(const std::string& key) const {
+  return node_.IsMap() && static_cast<bool>(node_[key]);
+}
+
+YamlReader YamlReader::at(const std::string& key) const {
+  if (!node_.IsMap()) {
+    refuse(fmt::format("{} found; expected a mapping with the key '{}'", found(), key));
+  }
+  const YAML::Node child = node_[key];
+  if (!child) {
+    refuse(fmt::format("the key '{}' is missing", key));
+  }
+  return YamlReader(file_, field_.empty() ? key : field_ + "." + key, child, line_of(child, line_));
+}
+
+std::vector<YamlReader> YamlReader::elements() const {
+  if (!node_.IsSequence()) {
+    refuse(fmt::format("{} found; expected a list", found()));
+  }
+  std::vector<YamlReader> result;
+  for (std::size_t i = 0; i < node_.size(); ++i) {
+    result.push_back(
+        YamlReader(file_, fmt::format("{}[{}]", field_, i), node_[i], line_of(node_[i], line_)));
+  }
+  return result;
+}
+
+std::vector<std::string> YamlReader::keys() const {
+  std::vector<std::string> result;
+  if (node_.IsMap()) {
+    for (const auto& entry : node_) {
+      result.push_back(entry.first.Scalar());
+    }
+  }
+  return result;
+}
+
+void YamlReader::refuse_unknown_keys(std::initializer_list<const char*> allowed) const {
+  if (!node_.IsMap()) {
+    refuse(fmt::format("{} found; expected a mapping", found()));
+  }
+  for (const std::string& key : keys()) {
+    if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) {
+      at(key).refuse(fmt::format("unknown key; allowed here: {}", fmt::join(allowed, ", ")));
+    }
+  }
+}
+
+std::string YamlReader::text() const {
+  if (!node_.IsScalar()) {
+    refuse(fmt::format("{} found; expected a text", found()));
+  }
+  return node_.Scalar();
+}
+
+bool YamlReader::boolean() const {
+  if (node_.IsScalar() && (node_.Scalar() == "true" || node_.Scalar() == "false")) {
+    return node_.Scalar() == "true";
+  }
+  refuse(fmt::format("{} found; expected true or false", found()));
+}
+
+double YamlReader::number(const std::string& unit, double low, double high) const {
+  const double value =
+      node_.IsScalar() ? parse_number(node_.Scalar()) : std::numeric_limits<double>::quiet_NaN();
+  if (!std::isfinite(value)) {
+    refuse(fmt::format("{} found; expected {}, a plain finite number", found(), unit));
+  }
+  if (value < low || value > high) {
+    constexpr double kUnbounded = std::numeric_limits<double>::max();
+    const std::string range = low == -kUnbounded   ? fmt::format("at most {}", high)
+                              : high == kUnbounded ? fmt::format("at least {}", low)
+                                                   : fmt::format("from {} to {}", low, high);
+    refuse(fmt::format("{} found; expected {}, {}", value, unit, range));
+  }
+  return value;
+}
+
+double YamlReader::positive(const std::string& unit) const {
+  const double value = number(unit);
+  if (value <= 0.0) {
+    refuse(fmt::format("{} found; expected {}, > 0", value, unit));
+  }
+  return value;
+}
+
+int YamlReader::integer(const std::string& what, int low, int high) const {
+  const double value = number(what, low, high);
+  if (value != std::floor(value)) {
+    refuse(fmt::format("{} found; expected {}, a whole number", value, what));
+  }
+  return static_cast<int>(value);
+}
+
+std::vector<double> YamlReader::numbers(const std::string& unit) const {
+  std::vector<double> result;
+  for (const YamlReader& element : elements()) {
+    result.push_back(element.number(unit));
+  }
+  return result;
+}
+
+void YamlReader::require_schema(const std::string& expected) const {
+  const YamlReader schema = at("schema");
+  if (schema.text() != expected) {
+    schema.refuse(fmt::format("{} found; this program reads '{}'", schema.found(), expected));
+  }
+}
+
+}  // namespace limber

@@ -1,0 +1,70 @@
+#include "limber/common/yaml_reader.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+YamlReader read(const std::string& text) {
+  return YamlReader::from_text(text, "f.yaml");
+}
+
+TEST(YamlReader, NamesFileLineFieldFoundAndAllowed) {
+  const auto reader = read("a: 1\nsegments:\n  - {width_m: -0.03}\n");
+  EXPECT_THAT(
+      [&] { reader.at("segments").elements()[0].at("width_m").positive("a length in metres"); },
+      ThrowsMessage<InputError>(
+          "f.yaml:3: segments[0].width_m: -0.03 found; expected a length in metres, > 0"));
+}
+
+TEST(YamlReader, RefusesNumbersThatAreNotFiniteOrNotPlain) {
+  for (const char* bad :
+       {".nan", ".inf", "-.inf", "nan", "inf", "1e999", "3 cm", "3cm", "0x10", "''", "[1]", "~"}) {
+    const auto reader = read(std::string("a: ") + bad + "\n");
+    EXPECT_THAT([&] { reader.at("a").number("a length in metres"); },
+                ThrowsMessage<InputError>(
+                    AllOf(HasSubstr("f.yaml:1: a: "), HasSubstr("a length in metres"))))
+        << bad;
+  }
+}
+
+TEST(YamlReader, AcceptsEveryUsualSpellingOfANumber) {
+  EXPECT_EQ(read("a: 1e-3").at("a").number("x"), 1e-3);
+  EXPECT_EQ(read("a: +2.5").at("a").number("x"), 2.5);
+  EXPECT_EQ(read("a: -7").at("a").integer("x", -10, 10), -7);
+}
+
+TEST(YamlReader, NamesTheMissingKey) {
+  EXPECT_THAT([] { read("a: 1").at("b"); },
+              ThrowsMessage<InputError>("f.yaml:1: the key 'b' is missing"));
+}
+
+TEST(YamlReader, RefusesUnknownAndRepeatedKeys) {
+  EXPECT_THAT(
+      [] {
+        read("a: 1\nwidht: 2").refuse_unknown_keys({"a", "width"});
+      },
+      ThrowsMessage<InputError>("f.yaml:2: widht: unknown key; allowed here: a, width"));
+  EXPECT_THAT([] { read("a: 1\na: 2"); },
+              ThrowsMessage<InputError>(HasSubstr("f.yaml:2: a: the key occurs twice")));
+}
+
+TEST(YamlReader, GivesLineAndColumnOfBrokenYaml) {
+  EXPECT_THAT([] { read("a: [1, 2\nb: 3\n"); }, ThrowsMessage<InputError>(HasSubstr("f.yaml:2:")));
+  EXPECT_THAT([] { read(""); }, ThrowsMessage<InputError>(HasSubstr("an empty file")));
+}
+
+TEST(YamlReader, RefusesAnotherSchema) {
+  EXPECT_THAT(
+      [] { read("schema: limber/plan/1").require_schema("limber/arm/1"); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("'limber/plan/1'"), HasSubstr("'limber/arm/1'"))));
+}
+
+}  // namespace
+}  // namespace limber
