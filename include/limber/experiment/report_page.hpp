@@ -1,0 +1,77 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limber {
+
+/// One figure that matters, shown large on a card.
+struct KeyFigure {
+  std::string label;  ///< "open-loop error"
+  std::string value;  ///< "5.1 cm"
+  std::string note;   ///< "paper: 5.8 ± 4.7 cm"; may be empty
+};
+
+/// Rows of text under one header row.
+struct ReportTable {
+  std::string caption;
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;  ///< each as long as the header
+  std::vector<int> highlighted_rows;           ///< indices of rows set off by colour and weight
+};
+
+/// A picture and what it shows.
+struct ReportFigure {
+  std::string svg;  ///< one <svg> element, as Chart and SvgDrawing make it; put in as it is
+  std::string caption;
+};
+
+/// Builds one self-contained HTML page: style sheet and pictures inside it, no scripts, nothing
+/// loaded from elsewhere; readable on a phone, in light and dark mode, and as XML (every element is
+/// closed). All text is escaped; only the figures' SVG is trusted.
+///
+///   ReportPage page("limber demo", "arm three_segment, seed 7");
+///   page.heading("Evaluation").paragraph("…").table(errors).figure({chart.svg(), "Error over
+///   time"}); write_file_atomically(folder / "report.html", page.html());
+class ReportPage {
+ public:
+  explicit ReportPage(std::string title, std::string subtitle = "");
+
+  /// A section's title; the page starts with a list of links to them.
+  ReportPage& heading(std::string_view text);
+  ReportPage& subheading(std::string_view text);
+  ReportPage& paragraph(std::string_view text);
+  /// A paragraph set off at the side, for what a reader must know before trusting a figure.
+  ReportPage& remark(std::string_view text);
+  ReportPage& list(const std::vector<std::string>& items);
+  /// Fixed-width text with its line breaks, such as commands.
+  ReportPage& code(std::string_view text);
+  ReportPage& key_figures(const std::vector<KeyFigure>& figures);
+  /// Wide tables scroll sideways on their own. @throws InputError where a row does not fit the
+  /// header.
+  ReportPage& table(const ReportTable& table);
+  ReportPage& figure(const ReportFigure& figure);
+  /// Side by side where the screen is wide enough, else below one another.
+  ReportPage& figures(const std::vector<ReportFigure>& figures);
+  /// What follows, until end_details(), is folded away under `summary`.
+  ReportPage& begin_details(std::string_view summary);
+  ReportPage& end_details();
+
+  /// The page; open details are closed in it.
+  std::string html() const;
+
+ private:
+  struct Section {
+    std::string title;
+    int number = 0;
+  };
+
+  std::string title_;
+  std::string subtitle_;
+  std::string body_;
+  std::vector<Section> sections_;
+  int open_details_ = 0;
+};
+
+}  // namespace limber
