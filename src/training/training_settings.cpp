@@ -1,0 +1,105 @@
+#include "limber/training/training_settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+void require(bool usable, const char* name, double found, const char* allowed) {
+  if (!usable) {
+    throw InputError(fmt::format("training setting {} = {}; expected {}", name, found, allowed));
+  }
+}
+
+}  // namespace
+
+int TrainingSettings::epoch_count() const {
+  int count = 0;
+  for (const TrainingStage& stage : stages) {
+    count += stage.epochs;
+  }
+  return count;
+}
+
+TrainingSettings paper_preset() {
+  TrainingSettings settings;
+  settings.preset = "paper";
+  settings.layout = BackboneLayout::base_poses;
+  settings.scaling = Scaling::unit_range;
+  settings.reduction = LossReduction::sum_over_batch;
+  settings.stages = {{32, 128, 6000}};
+  settings.optimiser = Optimiser::sgd;
+  settings.learning_rate = 1e-4;
+  settings.cosine_decay = false;
+  settings.shift_windows = false;
+  settings.validation_interval = 10;
+  return settings;
+}
+
+TrainingSettings best_preset() {
+  TrainingSettings settings;
+  settings.stages = {{2, 1024, 60}, {8, 256, 40}, {32, 128, 60}};
+  settings.gradient_norm_limit = 1.0;
+  return settings;
+}
+
+TrainingSettings training_preset(const std::string& name) {
+  if (name == "paper") {
+    return paper_preset();
+  }
+  if (name == "best") {
+    return best_preset();
+  }
+  throw InputError(fmt::format("--preset {}: expected paper or best", name));
+}
+
+void set_epoch_count(TrainingSettings& settings, int epochs) {
+  const int stages = static_cast<int>(settings.stages.size());
+  if (epochs < stages) {
+    throw InputError(
+        fmt::format("{} epochs; preset '{}' has {} stages (windows of growing length) and needs at "
+                    "least one epoch each",
+                    epochs, settings.preset, stages));
+  }
+  const int before = settings.epoch_count();
+  int left = epochs;
+  int left_before = before;
+  for (int k = 0; k < stages; ++k) {
+    TrainingStage& stage = settings.stages[static_cast<std::size_t>(k)];
+    const int share = static_cast<int>(std::lround(double(left) * stage.epochs / left_before));
+    left_before -= stage.epochs;
+    stage.epochs = std::clamp(share, 1, left - (stages - 1 - k));
+    left -= stage.epochs;
+  }
+}
+
+void require_usable(const TrainingSettings& settings) {
+  require(!settings.stages.empty(), "stages", 0, "at least one");
+  for (const TrainingStage& stage : settings.stages) {
+    require(stage.window_frames >= 1, "stages.window_frames", stage.window_frames, ">= 1");
+    require(stage.windows_per_batch >= 1, "stages.windows_per_batch", stage.windows_per_batch,
+            ">= 1");
+    require(stage.epochs >= 1, "stages.epochs", stage.epochs, ">= 1");
+  }
+  require(!settings.hidden_units.empty(), "hidden_units", 0, "at least one layer");
+  for (const int units : settings.hidden_units) {
+    require(units >= 1 && units <= 4096, "hidden_units", units, "1 to 4096 a layer");
+  }
+  const double rate = settings.learning_rate;
+  require(std::isfinite(rate) && rate > 0.0, "learning_rate", rate, "a finite number > 0");
+  require(settings.gradient_norm_limit >= 0.0, "gradient_norm_limit", settings.gradient_norm_limit,
+          ">= 0 (0: no limit)");
+  require(settings.average_decay >= 0.0 && settings.average_decay < 1.0, "average_decay",
+          settings.average_decay, "[0, 1)");
+  require(settings.input_noise >= 0.0, "input_noise", settings.input_noise, ">= 0");
+  require(settings.validation_interval >= 1, "validation_interval", settings.validation_interval,
+          ">= 1");
+}
+
+}  // namespace limber
