@@ -24,7 +24,13 @@ struct Episode {
       backbone;  ///< T×3m, poses (x_m, y_m, theta_rad) of the points, base first, θ unwrapped
   std::vector<int> motion_index;  ///< T, number of the commanded motion a frame belongs to, from 0
 
+  /// T, 1 where the backbone was seen, 0 where the frame was dropped and its backbone is filled in
+  /// between the neighbours that were; empty: all were seen. `read_recording` never leaves it
+  /// empty.
+  std::vector<std::uint8_t> tracked;
+
   int frame_count() const { return static_cast<int>(time_s.size()); }
+  int untracked_count() const;
 };
 
 /// Recorded motion of an arm (docs/formats.md, schema limber/recording/1).
@@ -36,21 +42,35 @@ struct Recording {
   double rate_hz = 0.0;
   std::uint64_t seed = 0;
   std::string source;           ///< "virtual arm", "motive log.csv", …
-  std::string program_version;  ///< of the program that wrote it
+  std::string settings;         ///< how it was collected: schedule, holds, noise; may be empty
+  std::string program_version;  ///< of the program that wrote it; `write_recording` fills it in
   std::vector<Episode> episodes;
 
   std::int64_t frame_count() const;
+  std::int64_t untracked_count() const;
+  /// Sum over episodes of frames / rate.
   double duration_s() const;
 };
 
-/// Writes atomically. @throws SystemFault where the disk refuses.
+/// An empty recording of `arm`: name, hash, sizes and rate filled in.
+Recording make_recording(const ArmDescription& arm, const std::string& source, std::uint64_t seed);
+
+/// Refuses a recording that has no episode or frame, whose sizes disagree, whose times do not
+/// increase or that holds a number that is not finite.
+/// @throws InputError naming `file`, the episode and the data set, what was found and is allowed.
+void validate(const Recording& recording, const std::string& file);
+
+/// Writes atomically, after `validate`. Threads: any; HDF5 itself is entered by one at a time.
+/// @throws InputError as `validate`; SystemFault where the disk refuses.
 void write_recording(const std::filesystem::path& path, const Recording& recording);
 
-/// Reads and validates: shapes agree, times increase, everything is finite.
-/// @throws InputError naming the file, the episode and the data set.
+/// Reads and validates. Threads: any; HDF5 itself is entered by one at a time.
+/// @throws InputError naming the file, the episode and the data set or attribute, what was found
+/// and what is allowed: also where the file is no HDF5, damaged or cut short.
 Recording read_recording(const std::filesystem::path& path);
 
-/// @throws InputError where the recording's segments, points or rate are not the arm's.
+/// @throws InputError where the recording's segments, points or rate are not the arm's. Another
+/// name or hash is let pass: a recording outlives small edits of the arm file.
 void require_recording_of(const Recording& recording, const ArmDescription& arm,
                           const std::string& file);
 

@@ -1,0 +1,188 @@
+#include "limber/data/recording.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/data/episode_path.hpp"
+
+namespace limber {
+
+namespace {
+
+/// Refuses one data set of one episode.
+class EpisodeCheck {
+ public:
+  EpisodeCheck(const std::string& file, std::size_t index) : file_(file), index_(index) {}
+
+  [[noreturn]] void refuse(const char* data_set, const std::string& message) const {
+    throw InputError(fmt::format("{}: {}/{}: {}", file_, episode_path(index_), data_set, message));
+  }
+
+  void shape(const char* data_set, const FrameMatrix& matrix, Eigen::Index rows,
+             Eigen::Index columns) const {
+    if (matrix.rows() != rows || matrix.cols() != columns) {
+      refuse(data_set, fmt::format("{} × {} numbers found; expected {} frames × {}", matrix.rows(),
+                                   matrix.cols(), rows, columns));
+    }
+  }
+
+  void finite(const char* data_set, const FrameMatrix& matrix) const {
+    if (matrix.allFinite()) {
+      return;
+    }
+    for (Eigen::Index t = 0; t < matrix.rows(); ++t) {
+      for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+        if (!std::isfinite(matrix(t, j))) {
+          refuse(data_set, fmt::format("frame {}, number {} is {}; expected a finite number", t, j,
+                                       matrix(t, j)));
+        }
+      }
+    }
+  }
+
+  template <class Values>
+  void length(const char* data_set, const Values& values, Eigen::Index frames) const {
+    if (static_cast<Eigen::Index>(values.size()) != frames) {
+      refuse(data_set, fmt::format("{} numbers found; expected one for each of the {} frames",
+                                   values.size(), frames));
+    }
+  }
+
+  void times(const Eigen::VectorXd& time_s) const {
+    if (time_s.size() == 0) {
+      refuse("time_s", "no frames; expected at least one");
+    }
+    for (Eigen::Index t = 0; t < time_s.size(); ++t) {
+      if (!std::isfinite(time_s[t])) {
+        refuse("time_s", fmt::format("frame {} is {}; expected a finite time", t, time_s[t]));
+      }
+      if (t > 0 && time_s[t] <= time_s[t - 1]) {
+        refuse("time_s",
+               fmt::format("frame {} at {} s follows frame {} at {} s; expected times to increase",
+                           t, time_s[t], t - 1, time_s[t - 1]));
+      }
+    }
+  }
+
+  void motions(const std::vector<int>& motion_index) const {
+    for (std::size_t t = 0; t < motion_index.size(); ++t) {
+      const int before = t == 0 ? 0 : motion_index[t - 1];
+      if (motion_index[t] < before) {
+        refuse("motion_index", fmt::format("frame {} is {}; expected {} or more: motions are "
+                                           "numbered from 0 and do not decrease",
+                                           t, motion_index[t], before));
+      }
+    }
+  }
+
+ private:
+  const std::string& file_;
+  std::size_t index_;
+};
+
+void validate_episode(const Recording& recording, std::size_t index, const std::string& file) {
+  const Episode& episode = recording.episodes[index];
+  const EpisodeCheck check(file, index);
+  check.times(episode.time_s);
+  const Eigen::Index frames = episode.time_s.size();
+  check.shape("pressure_kpa", episode.pressure_kpa, frames, recording.segment_count);
+  check.shape("setpoint_kpa", episode.setpoint_kpa, frames, recording.segment_count);
+  check.shape("backbone", episode.backbone, frames, 3 * recording.point_count);
+  check.length("motion_index", episode.motion_index, frames);
+  check.finite("pressure_kpa", episode.pressure_kpa);
+  check.finite("setpoint_kpa", episode.setpoint_kpa);
+  check.finite("backbone", episode.backbone);
+  check.motions(episode.motion_index);
+  if (!episode.tracked.empty()) {
+    check.length("tracked", episode.tracked, frames);
+  }
+}
+
+}  // namespace
+
+std::string episode_path(std::size_t index) {
+  return fmt::format("episodes/{:06}", index);
+}
+
+int Episode::untracked_count() const {
+  return static_cast<int>(std::count(tracked.begin(), tracked.end(), 0));
+}
+
+std::int64_t Recording::frame_count() const {
+  std::int64_t frames = 0;
+  for (const Episode& episode : episodes) {
+    frames += episode.frame_count();
+  }
+  return frames;
+}
+
+std::int64_t Recording::untracked_count() const {
+  std::int64_t frames = 0;
+  for (const Episode& episode : episodes) {
+    frames += episode.untracked_count();
+  }
+  return frames;
+}
+
+double Recording::duration_s() const {
+  return static_cast<double>(frame_count()) / rate_hz;
+}
+
+Recording make_recording(const ArmDescription& arm, const std::string& source, std::uint64_t seed) {
+  Recording recording;
+  recording.arm_name = arm.name;
+  recording.arm_hash = arm.hash();
+  recording.segment_count = arm.segment_count();
+  recording.point_count = arm.point_count();
+  recording.rate_hz = arm.frame_rate_hz;
+  recording.seed = seed;
+  recording.source = source;
+  return recording;
+}
+
+void validate(const Recording& recording, const std::string& file) {
+  if (recording.segment_count < 1) {
+    throw InputError(fmt::format("{}: attribute 'segments' is {}; expected a whole number ≥ 1",
+                                 file, recording.segment_count));
+  }
+  if (recording.point_count < 2) {
+    throw InputError(fmt::format("{}: attribute 'points' is {}; expected a whole number ≥ 2", file,
+                                 recording.point_count));
+  }
+  if (!std::isfinite(recording.rate_hz) || recording.rate_hz <= 0.0) {
+    throw InputError(fmt::format("{}: attribute 'rate_hz' is {}; expected a rate in Hz, > 0", file,
+                                 recording.rate_hz));
+  }
+  if (recording.episodes.empty()) {
+    throw InputError(fmt::format("{}: episodes: none found; expected at least one", file));
+  }
+  for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
+    validate_episode(recording, i, file);
+  }
+}
+
+void require_recording_of(const Recording& recording, const ArmDescription& arm,
+                          const std::string& file) {
+  const auto refuse = [&](const std::string& found, const std::string& expected) {
+    throw InputError(fmt::format("{}: recording of arm '{}' has {}; arm '{}' has {}", file,
+                                 recording.arm_name, found, arm.name, expected));
+  };
+  if (recording.segment_count != arm.segment_count()) {
+    refuse(fmt::format("{} segments", recording.segment_count),
+           fmt::format("{}", arm.segment_count()));
+  }
+  if (recording.point_count != arm.point_count()) {
+    refuse(fmt::format("{} backbone points", recording.point_count),
+           fmt::format("{}", arm.point_count()));
+  }
+  constexpr double kRateTolerance = 1e-6;  // relative; a rate is written once and copied
+  if (std::abs(recording.rate_hz - arm.frame_rate_hz) > kRateTolerance * arm.frame_rate_hz) {
+    refuse(fmt::format("{} frames a second", recording.rate_hz),
+           fmt::format("{}", arm.frame_rate_hz));
+  }
+}
+
+}  // namespace limber
