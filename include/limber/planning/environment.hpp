@@ -1,0 +1,100 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/backbone.hpp"
+
+namespace limber {
+
+class YamlReader;
+
+// Obstacles lie in the arm's plane, in the base frame B, in metres.
+
+struct Circle {
+  double x_m = 0.0;  ///< centre
+  double y_m = 0.0;
+  double radius_m = 0.0;  ///< > 0
+};
+
+struct Rectangle {
+  double x_m = 0.0;  ///< centre
+  double y_m = 0.0;
+  double width_m = 0.0;    ///< along its own x, > 0
+  double height_m = 0.0;   ///< along its own y, > 0
+  double angle_rad = 0.0;  ///< of its own x about B's x, counter-clockwise
+};
+
+/// A simple polygon, convex or not, either way round; the inside is solid.
+struct Polygon {
+  std::vector<Eigen::Vector2d> points_m;  ///< at least 3
+};
+
+using Obstacle = std::variant<Circle, Rectangle, Polygon>;
+
+/// "circle", "rectangle" or "polygon".
+const char* obstacle_kind(const Obstacle& obstacle);
+
+/// Corners of a rectangle, counter-clockwise.
+std::vector<Eigen::Vector2d> rectangle_corners(const Rectangle& rectangle);
+
+/// How far a tip pose is from the goal.
+struct GoalDistance {
+  double position_m = 0.0;
+  double orientation_rad = 0.0;  ///< in [0, π]; 0 where the goal asks for no orientation
+};
+
+/// Region of tip poses that counts as reached: a disc, and where `theta_rad` is set an interval of
+/// headings. A heading and the same one a full turn on are one goal.
+struct Goal {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  std::optional<double> theta_rad;
+  double position_tolerance_m = 0.02;
+  double orientation_tolerance_rad = 0.3;  ///< means something only with theta_rad
+
+  GoalDistance distance(const Pose& tip) const;
+  bool reached(const Pose& tip) const;
+};
+
+/// State of the arm that a motion starts from.
+struct ArmStart {
+  Pressures pressures_kpa;  ///< size n
+  Backbone backbone;        ///< m×3
+};
+
+/// What a plan is made for: obstacles, start and goal (docs/formats.md, schema
+/// limber/environment/1).
+struct Environment {
+  std::string name;
+  std::vector<Obstacle> obstacles;
+  std::optional<ArmStart> start;  ///< none: at rest, straight, all pressures zero
+  Goal goal;
+};
+
+/// Reads and validates an environment file. @throws InputError naming file, line, field, what was
+/// found and what is allowed.
+Environment load_environment(const std::filesystem::path& path);
+Environment read_environment(const YamlReader& root);
+
+/// The same, and refuses a start that does not fit the arm: sizes, pressure limits, reach.
+Environment load_environment(const std::filesystem::path& path, const ArmDescription& arm);
+Environment read_environment(const YamlReader& root, const ArmDescription& arm);
+
+/// The environment as YAML, readable by `load_environment`; floating-point values survive exactly.
+std::string environment_to_yaml(const Environment& environment);
+
+/// Hash of everything that planning depends on; name, comments and layout of the file excluded.
+std::string environment_hash(const Environment& environment);
+
+/// Start of `environment` for `arm`: as given (which the reader has checked against the arm), or
+/// the arm at rest.
+ArmStart start_state(const Environment& environment, const ArmDescription& arm);
+
+}  // namespace limber

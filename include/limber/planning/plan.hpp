@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/backbone.hpp"
+
+namespace limber {
+
+/// One frame of a plan. The set points of frame k are commanded at time (k − 1)/rate and held for
+/// one frame period; `backbone` is the shape predicted for its end, time k/rate.
+struct PlanFrame {
+  Pressures setpoint_kpa;  ///< size n
+  Backbone backbone;       ///< m×3, predicted
+};
+
+/// A motion in pressure space (docs/formats.md, schema limber/plan/1). Frames are part of it: the
+/// arm's shape depends on how the pressures were reached, so they are executed as they stand, never
+/// resampled.
+///
+/// `frames[0]` is the start (time 0, nothing to command); the last `hold_frame_count` frames repeat
+/// the final set point while the arm settles, after which the goal is judged.
+struct Plan {
+  std::string arm_name;
+  std::string arm_hash;    ///< ArmDescription::hash()
+  std::string model;       ///< "no_load" or "network"
+  std::string model_hash;  ///< content hash of the model file; empty for "no_load"
+  std::string environment_name;
+  std::string environment_hash;  ///< environment_hash()
+  std::string planner;
+  std::uint64_t seed = 0;
+  double margin_m = 0.0;  ///< clearance asked for
+  double frame_rate_hz = 0.0;
+
+  std::vector<Pressures> waypoints_kpa;  ///< start first; frames run straight between them
+  std::vector<PlanFrame> frames;
+  int hold_frame_count = 0;
+
+  double cost_kpa = 0.0;         ///< (2): Σ|Δp| over all segments and frames
+  double clearance_m = 0.0;      ///< smallest predicted, between frames too; +∞ without obstacles
+  double goal_distance_m = 0.0;  ///< predicted, after the hold
+  double goal_orientation_rad = 0.0;  ///< the same; 0 where the goal asks for none
+  std::string program_version;
+
+  int frame_count() const { return static_cast<int>(frames.size()); }
+  /// Time of the last frame, hold included.
+  double duration_s() const;
+};
+
+/// (2): Σ|Δp| over all segments and frames, in kPa.
+double path_cost_kpa(const std::vector<PlanFrame>& frames);
+
+/// Writes the plan as JSON, atomically; every number survives the round trip exactly.
+void write_plan(const std::filesystem::path& path, const Plan& plan);
+
+/// Reads and validates: sizes agree, numbers are finite, the cost is Σ|Δp|, frames start and end at
+/// the waypoints, the hold stands still.
+/// @throws InputError naming file and field.
+Plan read_plan(const std::filesystem::path& path);
+
+/// @throws InputError where the plan was made for another arm (hashes in the message), or breaks
+/// the arm's pressure limits or rate.
+void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file);
+
+/// Set points for a valve controller: `time_s,setpoint_1_kpa,…`, one row a frame, time at which the
+/// frame's set points are to be commanded.
+void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan);
+
+}  // namespace limber
