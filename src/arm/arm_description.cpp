@@ -13,7 +13,6 @@ namespace limber {
 namespace {
 
 constexpr const char* kSchema = "limber/arm/1";
-constexpr int kMostSegments = 64;
 constexpr int kMostGaps = 100;
 
 Segment read_segment(const YamlReader& node) {

@@ -11,6 +11,9 @@ namespace limber {
 
 class YamlReader;
 
+/// An arm of more segments is refused; sizes the stack storage of solvers.
+inline constexpr int kMostSegments = 64;
+
 /// Contraction strain of an inflated side over its gauge pressure, e = c1 p + c2 p² + c3 p³ + c4 p⁴
 /// (docs/model.md (9)); p in kPa, e ≥ 0 the amount of contraction. c[0] is c1, in 1/kPa.
 using StrainPolynomial = std::array<double, 4>;
