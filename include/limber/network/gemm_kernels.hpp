@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace limber {
+
+/// Single-precision matrix kernels for one level of CPU features, chosen once at run time: the
+/// program itself is compiled for the plainest CPU of its architecture.
+///
+/// Matrices are column-major with a leading dimension; no pointer needs alignment. C must not
+/// overlap A or B. Every sum runs over k in ascending order in one accumulator, so an element of C
+/// depends on its row of A and column of B alone: not on the other sizes, nor on its place.
+/// Threads: pure functions, single-threaded, no allocation.
+struct GemmKernels {
+  const char* name;  ///< "baseline", "avx2" or "avx512"
+  int lanes;         ///< floats in a vector register: 4, 8 or 16
+
+  /// C = A·B, or C += A·B with `accumulate`. A m×k, B k×n, C m×n; all sizes ≥ 0.
+  void (*nn)(int m, int n, int k, const float* a, int lda, const float* b, int ldb, float* c,
+             int ldc, bool accumulate);
+  /// C (+)= Aᵀ·B with A stored k×m.
+  void (*tn)(int m, int n, int k, const float* a, int lda, const float* b, int ldb, float* c,
+             int ldc, bool accumulate);
+  /// C (+)= A·Bᵀ with B stored n×k.
+  void (*nt)(int m, int n, int k, const float* a, int lda, const float* b, int ldb, float* c,
+             int ldc, bool accumulate);
+
+  /// A layer over n columns, C = A·B + bias, then max(·, 0) where `relu`: bias (m) is added per
+  /// row. A is the weight, a column of B one query.
+  void (*layer)(int m, int n, int k, const float* a, int lda, const float* b, int ldb,
+                const float* bias, bool relu, float* c, int ldc);
+  /// The same with queries along the rows: C = A·B + bias per column (n), A m×k one query a row, B
+  /// k×n the transposed weight. Bit for bit the transpose of `layer`.
+  void (*layer_of_rows)(int m, int n, int k, const float* a, int lda, const float* b, int ldb,
+                        const float* bias, bool relu, float* c, int ldc);
+
+  /// Back through ReLU: gradient(i, j) = 0 where activation(i, j) ≤ 0. Both m×n.
+  void (*relu_gradient)(int m, int n, const float* activation, int ld_activation, float* gradient,
+                        int ld_gradient);
+  /// sums(i) (+)= Σ_j a(i, j), A m×n: the gradient of a bias.
+  void (*row_sums)(int m, int n, const float* a, int lda, float* sums, bool accumulate);
+
+  /// sine[i], cosine[i] of angle_rad[i]; within 2e-7 for |angle| ≤ 100 rad.
+  void (*sincos)(int count, const float* angle_rad, float* sine, float* cosine);
+
+  /// `multiply_adds_per_round`·`rounds` independent multiply-adds that never leave the registers;
+  /// time it to know the machine's peak. Returns a value that depends on all of them.
+  float (*multiply_add)(long rounds);
+  int multiply_adds_per_round;
+};
+
+/// The fastest kernels this CPU runs. The environment variable LIMBER_CPU (baseline, avx2, avx512)
+/// forces a lower level, read once. @throws InputError where LIMBER_CPU names a level that does not
+/// exist or that this CPU lacks.
+const GemmKernels& gemm_kernels();
+
+/// Every level this CPU runs, lowest first: for tests and benchmarks.
+std::vector<const GemmKernels*> available_gemm_kernels();
+
+/// Model name of the CPU as the system gives it, or "unknown".
+std::string cpu_name();
+
+}  // namespace limber

@@ -1,0 +1,174 @@
+#pragma once
+
+// The matrix product behind GemmKernels, compiled once per CPU level by kernels_<level>.cpp. A tile
+// of C (up to kTileVectors vectors down, kTileColumns columns across) stays in registers while k
+// runs; each step loads one column piece of A and broadcasts one row piece of B.
+
+#include <cstddef>
+
+#include "vector_float.hpp"
+
+namespace limber {
+namespace {
+
+// What stands in C before the products are added.
+enum class Start { zero, c, row_bias, column_bias };
+
+// C (m×n, column-major) = start + A·B, A column-major, B(k, j) at b[k·b_step_k + j·b_step_j].
+struct Product {
+  int m, n, k;
+  const float* a;
+  std::ptrdiff_t lda;
+  const float* b;
+  std::ptrdiff_t b_step_k, b_step_j;
+  float* c;
+  std::ptrdiff_t ldc;
+  Start start;
+  const float* bias;
+  bool relu;
+};
+
+// The part of a product that starts at row i and column j; `tail` rows in the last vector, 0: full.
+struct Tile {
+  int i, j, tail;
+};
+
+template <bool kPartial>
+inline Vector load_rows(const float* p, int tail) {
+  return kPartial ? load_part(p, tail) : load(p);
+}
+
+template <int kVectors, int kColumns, bool kPartial>
+inline void start_tile(const Product& p, Tile t, Vector (&sum)[kColumns][kVectors]) {
+#pragma GCC unroll 8
+  for (int j = 0; j < kColumns; ++j) {
+    const float* c = p.c + t.i + (t.j + j) * p.ldc;
+#pragma GCC unroll 8
+    for (int v = 0; v < kVectors; ++v) {
+      const bool last = kPartial && v == kVectors - 1;
+      const float* source = p.start == Start::c ? c : p.bias + t.i;
+      if (p.start == Start::zero) {
+        sum[j][v] = Vector{};
+      } else if (p.start == Start::column_bias) {
+        sum[j][v] = broadcast(p.bias[t.j + j]);
+      } else {
+        sum[j][v] = last ? load_part(source + v * kLanes, t.tail) : load(source + v * kLanes);
+      }
+    }
+  }
+}
+
+template <int kVectors, int kColumns, bool kPartial>
+void multiply_tile(const Product& p, Tile t) {
+  Vector sum[kColumns][kVectors];
+  start_tile<kVectors, kColumns, kPartial>(p, t, sum);
+  const float* a = p.a + t.i;
+  const float* b = p.b + t.j * p.b_step_j;
+  for (int k = 0; k < p.k; ++k, a += p.lda, b += p.b_step_k) {
+    Vector rows[kVectors];
+#pragma GCC unroll 8
+    for (int v = 0; v < kVectors; ++v) {
+      const bool last = kPartial && v == kVectors - 1;
+      rows[v] = last ? load_part(a + v * kLanes, t.tail) : load(a + v * kLanes);
+    }
+#pragma GCC unroll 8
+    for (int j = 0; j < kColumns; ++j) {
+      const Vector column = broadcast(b[j * p.b_step_j]);
+#pragma GCC unroll 8
+      for (int v = 0; v < kVectors; ++v) {
+        sum[j][v] = multiply_add(rows[v], column, sum[j][v]);
+      }
+    }
+  }
+#pragma GCC unroll 8
+  for (int j = 0; j < kColumns; ++j) {
+    float* c = p.c + t.i + (t.j + j) * p.ldc;
+#pragma GCC unroll 8
+    for (int v = 0; v < kVectors; ++v) {
+      const Vector value = p.relu ? relu(sum[j][v]) : sum[j][v];
+      if (kPartial && v == kVectors - 1) {
+        store_part(c + v * kLanes, value, t.tail);
+      } else {
+        store(c + v * kLanes, value);
+      }
+    }
+  }
+}
+
+template <int kVectors, bool kPartial>
+void multiply_columns(const Product& p, Tile t, int columns) {
+  static_assert(kTileColumns <= 6);
+  switch (columns) {
+    case 1:
+      return multiply_tile<kVectors, 1, kPartial>(p, t);
+    case 2:
+      return multiply_tile<kVectors, 2, kPartial>(p, t);
+    case 3:
+      return multiply_tile<kVectors, 3, kPartial>(p, t);
+    case 4:
+      return multiply_tile<kVectors, 4, kPartial>(p, t);
+    case 5:
+      return multiply_tile<kVectors, (kTileColumns >= 5 ? 5 : 1), kPartial>(p, t);
+    default:
+      return multiply_tile<kVectors, (kTileColumns >= 6 ? 6 : 1), kPartial>(p, t);
+  }
+}
+
+template <bool kPartial>
+void multiply_vectors(const Product& p, Tile t, int vectors, int columns) {
+  static_assert(kTileVectors <= 4);
+  switch (vectors) {
+    case 1:
+      return multiply_columns<1, kPartial>(p, t, columns);
+    case 2:
+      return multiply_columns<2, kPartial>(p, t, columns);
+    case 3:
+      return multiply_columns<3, kPartial>(p, t, columns);
+    default:
+      return multiply_columns<(kTileVectors >= 4 ? 4 : 1), kPartial>(p, t, columns);
+  }
+}
+
+// Pieces of at most `largest` that are as equal as can be: 7 is 4 + 3, not 4 + 2 + 1.
+inline int balanced(int remaining, int largest) {
+  const int pieces = (remaining + largest - 1) / largest;
+  return (remaining + pieces - 1) / pieces;
+}
+
+inline void multiply_panels(const Product& p) {
+  int vectors_left = (p.m + kLanes - 1) / kLanes;
+  for (int i = 0; vectors_left > 0;) {
+    const int vectors = balanced(vectors_left, kTileVectors);
+    const int tail = p.m - i < vectors * kLanes ? (p.m - i) % kLanes : 0;
+    for (int j = 0; j < p.n;) {
+      const int columns = balanced(p.n - j, kTileColumns);
+      if (tail != 0) {
+        multiply_vectors<true>(p, {i, j, tail}, vectors, columns);
+      } else {
+        multiply_vectors<false>(p, {i, j, 0}, vectors, columns);
+      }
+      j += columns;
+    }
+    i += vectors * kLanes;
+    vectors_left -= vectors;
+  }
+}
+
+// Steps of k taken at a time: a panel of A, kTileVectors·kLanes rows, then fits the first cache.
+constexpr int kBlock = 128;
+
+void multiply(Product p) {
+  const int k = p.k;
+  const bool relu_at_end = p.relu;
+  for (int from = 0; from == 0 || from < k; from += kBlock) {
+    p.k = k - from < kBlock ? k - from : kBlock;
+    p.relu = relu_at_end && from + kBlock >= k;
+    multiply_panels(p);
+    p.a += kBlock * p.lda;
+    p.b += kBlock * p.b_step_k;
+    p.start = Start::c;
+  }
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,119 @@
+#pragma once
+
+// A vector of floats as wide as the instruction set that the including file is compiled for. Only
+// for the files kernels_<level>.cpp, each of which compiles it for another one: everything is in an
+// unnamed namespace and nothing of the standard library is called, so that no function compiled for
+// a newer CPU can be linked into code that runs on an older one.
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#elif defined(__aarch64__)
+#include <arm_neon.h>
+#endif
+
+namespace limber {
+namespace {
+
+#if defined(__AVX512F__)
+constexpr int kLanes = 16;
+#elif defined(__AVX2__)
+constexpr int kLanes = 8;
+#else
+constexpr int kLanes = 4;
+#endif
+
+// Registers for accumulators of a tile: vectors down, columns across.
+#if defined(__AVX512F__) || defined(__aarch64__)
+constexpr int kTileVectors = 4;
+constexpr int kTileColumns = 6;
+#else
+constexpr int kTileVectors = 3;
+constexpr int kTileColumns = 4;
+#endif
+
+typedef float Vector __attribute__((vector_size(4 * kLanes)));
+typedef int IntVector __attribute__((vector_size(4 * kLanes)));
+typedef float UnalignedVector __attribute__((vector_size(4 * kLanes), aligned(4), may_alias));
+
+inline Vector load(const float* p) {
+  return *reinterpret_cast<const UnalignedVector*>(p);
+}
+
+inline void store(float* p, Vector v) {
+  *reinterpret_cast<UnalignedVector*>(p) = v;
+}
+
+inline Vector broadcast(float x) {
+  return Vector{} + x;
+}
+
+#if !defined(__AVX512F__) && defined(__AVX2__)
+inline __m256i first_lanes(int count) {
+  return _mm256_cmpgt_epi32(_mm256_set1_epi32(count), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+}
+#endif
+
+// The first `count` ≤ kLanes floats at p, zeros behind; nothing past them is touched.
+inline Vector load_part(const float* p, int count) {
+#if defined(__AVX512F__)
+  return _mm512_maskz_loadu_ps(static_cast<__mmask16>((1U << count) - 1U), p);
+#elif defined(__AVX2__)
+  return _mm256_maskload_ps(p, first_lanes(count));
+#else
+  Vector v{};
+  for (int i = 0; i < count; ++i) {
+    v[i] = p[i];
+  }
+  return v;
+#endif
+}
+
+inline void store_part(float* p, Vector v, int count) {
+#if defined(__AVX512F__)
+  _mm512_mask_storeu_ps(p, static_cast<__mmask16>((1U << count) - 1U), v);
+#elif defined(__AVX2__)
+  _mm256_maskstore_ps(p, first_lanes(count), v);
+#else
+  for (int i = 0; i < count; ++i) {
+    p[i] = v[i];
+  }
+#endif
+}
+
+// a·b + c, rounded once where the level has fused multiply-add; spelt out, so that the compiler's
+// choice never makes two kernels differ in the last bit.
+inline Vector multiply_add(Vector a, Vector b, Vector c) {
+#if defined(__AVX512F__)
+  return _mm512_fmadd_ps(a, b, c);
+#elif defined(__AVX2__)
+  return _mm256_fmadd_ps(a, b, c);
+#elif defined(__aarch64__)
+  return vfmaq_f32(c, a, b);
+#else
+  return a * b + c;
+#endif
+}
+
+// A NaN stays a NaN, so that a diverging training run cannot hide behind a ReLU.
+inline Vector relu(Vector v) {
+#if defined(__AVX512F__)
+  return _mm512_max_ps(Vector{}, v);
+#elif defined(__AVX2__)
+  return _mm256_max_ps(Vector{}, v);
+#else
+  return v < Vector{} ? Vector{} : v;
+#endif
+}
+
+inline Vector absolute(Vector v) {
+  return reinterpret_cast<Vector>(reinterpret_cast<IntVector>(v) & 0x7fffffff);
+}
+
+// Nearest integer, for |v| < 2²².
+inline Vector round_to_integer(Vector v) {
+  const Vector magic = broadcast(12582912.0F);  // 1.5·2²³: adding it leaves no bits for a fraction
+  return (v + magic) - magic;
+}
+
+}  // namespace
+}  // namespace limber

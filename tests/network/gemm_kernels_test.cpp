@@ -1,0 +1,179 @@
+#include "limber/network/gemm_kernels.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <Eigen/Core>
+
+#include "limber/common/random_stream.hpp"
+
+namespace limber {
+namespace {
+
+using Eigen::MatrixXf;
+using Eigen::VectorXf;
+
+constexpr double kRounding = 1e-5;       // sums of up to 300 products of numbers below 1, in float
+constexpr double kSineTolerance = 2e-7;  // promised by the header
+constexpr float kUntouched = -77.0F;
+
+MatrixXf random_matrix(int rows, int columns, std::uint64_t stream) {
+  RandomStream random(11, stream);
+  return MatrixXf::NullaryExpr(rows, columns, [&] { return float(random.uniform(-1.0, 1.0)); });
+}
+
+struct Sizes {
+  int m, n, k;
+};
+
+// Around every edge: nothing, one, a vector and one more, several tiles, several blocks of k.
+const Sizes kSizes[] = {{1, 1, 1},     {3, 5, 7},      {16, 6, 4},   {17, 7, 0},    {33, 13, 129},
+                        {64, 12, 128}, {100, 65, 102}, {48, 1, 100}, {5, 300, 257}, {0, 3, 2}};
+
+class GemmKernelsOfLevel : public ::testing::TestWithParam<const GemmKernels*> {};
+
+INSTANTIATE_TEST_SUITE_P(Levels, GemmKernelsOfLevel, ::testing::ValuesIn(available_gemm_kernels()),
+                         [](const auto& level) { return std::string(level.param->name); });
+
+// C sits in a taller array whose other rows must stay as they are.
+struct Guarded {
+  explicit Guarded(const MatrixXf& c)
+      : storage(MatrixXf::Constant(c.rows() + 3, c.cols(), kUntouched)) {
+    storage.topRows(c.rows()) = c;
+  }
+  void expect(const Eigen::MatrixXd& wanted) const {
+    const MatrixXf c = storage.topRows(wanted.rows());
+    EXPECT_TRUE(wanted.size() == 0 ||
+                (c.cast<double>() - wanted).cwiseAbs().maxCoeff() < kRounding);
+    EXPECT_TRUE((storage.bottomRows(3).array() == kUntouched).all());
+  }
+  float* data() { return storage.data(); }
+  int ld() const { return static_cast<int>(storage.rows()); }
+  MatrixXf storage;
+};
+
+TEST_P(GemmKernelsOfLevel, ProductsAgreeWithDoublePrecision) {
+  const GemmKernels& kernels = *GetParam();
+  for (const auto [m, n, k] : kSizes) {
+    for (const bool accumulate : {false, true}) {
+      SCOPED_TRACE(testing::Message() << m << "x" << n << "x" << k << " += " << accumulate);
+      const MatrixXf a = random_matrix(m, k, 1);
+      const MatrixXf b = random_matrix(k, n, 2);
+      const MatrixXf c = random_matrix(m, n, 3);
+      const MatrixXf at = a.transpose();
+      const MatrixXf bt = b.transpose();
+      Eigen::MatrixXd wanted = a.cast<double>() * b.cast<double>();
+      if (accumulate) {
+        wanted += c.cast<double>();
+      }
+      Guarded nn(c);
+      kernels.nn(m, n, k, a.data(), m, b.data(), k, nn.data(), nn.ld(), accumulate);
+      nn.expect(wanted);
+      Guarded tn(c);
+      kernels.tn(m, n, k, at.data(), k, b.data(), k, tn.data(), tn.ld(), accumulate);
+      tn.expect(wanted);
+      Guarded nt(c);
+      kernels.nt(m, n, k, a.data(), m, bt.data(), n, nt.data(), nt.ld(), accumulate);
+      nt.expect(wanted);
+    }
+  }
+}
+
+TEST_P(GemmKernelsOfLevel, LayersAddTheirBiasAndCutBelowZero) {
+  const GemmKernels& kernels = *GetParam();
+  for (const auto [m, n, k] : kSizes) {
+    for (const bool relu : {false, true}) {
+      SCOPED_TRACE(testing::Message() << m << "x" << n << "x" << k << " relu " << relu);
+      const MatrixXf a = random_matrix(m, k, 1);
+      const MatrixXf b = random_matrix(k, n, 2);
+      const VectorXf bias = random_matrix(m, 1, 3);
+      Eigen::MatrixXd wanted =
+          (a.cast<double>() * b.cast<double>()).colwise() + bias.cast<double>().eval();
+      if (relu) {
+        wanted = wanted.cwiseMax(0.0);
+      }
+      Guarded c(MatrixXf::Zero(m, n));
+      kernels.layer(m, n, k, a.data(), m, b.data(), k, bias.data(), relu, c.data(), c.ld());
+      c.expect(wanted);
+
+      // Queries along the rows: the same bits, transposed.
+      const MatrixXf at = a.transpose();
+      const MatrixXf bt = b.transpose();
+      MatrixXf ct(n, m);
+      kernels.layer_of_rows(n, m, k, bt.data(), n, at.data(), k, bias.data(), relu, ct.data(), n);
+      EXPECT_TRUE(ct.transpose() == c.storage.topRows(m));
+    }
+  }
+}
+
+TEST_P(GemmKernelsOfLevel, ColumnDoesNotDependOnItsNeighbours) {
+  const GemmKernels& kernels = *GetParam();
+  const int m = 100;
+  const int n = 37;
+  const int k = 257;
+  const MatrixXf a = random_matrix(m, k, 1);
+  const MatrixXf b = random_matrix(k, n, 2);
+  MatrixXf together(m, n);
+  kernels.nn(m, n, k, a.data(), m, b.data(), k, together.data(), m, false);
+  for (int j = 0; j < n; ++j) {
+    VectorXf alone(m);
+    kernels.nn(m, 1, k, a.data(), m, b.col(j).data(), k, alone.data(), m, false);
+    EXPECT_TRUE(alone == together.col(j)) << "column " << j;
+  }
+}
+
+TEST_P(GemmKernelsOfLevel, NotANumberSurvivesRelu) {
+  const float nan = std::nanf("");
+  const float one = 1.0F;
+  const float zero = 0.0F;
+  float c = 0.0F;
+  GetParam()->layer(1, 1, 1, &nan, 1, &one, 1, &zero, true, &c, 1);
+  EXPECT_TRUE(std::isnan(c));
+}
+
+TEST_P(GemmKernelsOfLevel, ReluGradientPassesOnlyWhereTheUnitWasOn) {
+  const MatrixXf activation = random_matrix(37, 5, 1).cwiseMax(0.0F);
+  MatrixXf gradient = random_matrix(37, 5, 2);
+  const MatrixXf wanted = (activation.array() > 0.0F).select(gradient, 0.0F);
+  GetParam()->relu_gradient(37, 5, activation.data(), 37, gradient.data(), 37);
+  EXPECT_TRUE(gradient == wanted);
+}
+
+TEST_P(GemmKernelsOfLevel, RowSumsAddUpColumns) {
+  const MatrixXf a = random_matrix(53, 40, 1);
+  VectorXf sums = VectorXf::Ones(53);
+  GetParam()->row_sums(53, 40, a.data(), 53, sums.data(), true);
+  EXPECT_LT((sums - a.rowwise().sum() - VectorXf::Ones(53)).cwiseAbs().maxCoeff(), kRounding);
+  GetParam()->row_sums(53, 40, a.data(), 53, sums.data(), false);
+  EXPECT_LT((sums - a.rowwise().sum()).cwiseAbs().maxCoeff(), kRounding);
+}
+
+TEST_P(GemmKernelsOfLevel, SineAndCosineAgreeWithTheStandardLibrary) {
+  constexpr int kCount = 20001;
+  VectorXf angle = VectorXf::LinSpaced(kCount, -100.0F, 100.0F);
+  angle[7] = 0.0F;
+  VectorXf sine(kCount);
+  VectorXf cosine(kCount);
+  GetParam()->sincos(kCount, angle.data(), sine.data(), cosine.data());
+  for (int i = 0; i < kCount; ++i) {
+    ASSERT_NEAR(sine[i], std::sin(double(angle[i])), kSineTolerance) << angle[i];
+    ASSERT_NEAR(cosine[i], std::cos(double(angle[i])), kSineTolerance) << angle[i];
+  }
+}
+
+TEST_P(GemmKernelsOfLevel, MultiplyAddReachesItsFixedPoint) {
+  // x ← 0.999 x + 0.001 tends to 1 in every lane of every chain.
+  EXPECT_NEAR(GetParam()->multiply_add(20000), GetParam()->multiply_adds_per_round, 0.2);
+}
+
+TEST(GemmKernels, PicksTheHighestLevelUnlessForced) {
+  const char* forced = std::getenv("LIMBER_CPU");
+  EXPECT_STREQ(gemm_kernels().name,
+               forced != nullptr ? forced : available_gemm_kernels().back()->name);
+}
+
+}  // namespace
+}  // namespace limber
