@@ -5,8 +5,7 @@
 
 namespace limber {
 
-/// Marks of an axis: rising values and the text beside each. On a logarithmic axis a mark without
-/// text is a minor one.
+/// Marks of an axis: rising values and the text beside each.
 struct AxisTicks {
   std::vector<double> values;
   std::vector<std::string> labels;
@@ -28,6 +27,9 @@ NiceRange nice_range(double low, double high, int count = 5);
 
 /// All multiples of nice_step within the range (finite, low < high).
 AxisTicks linear_ticks(double low, double high, int count = 5);
+
+/// Positive `low` and `high` moved outwards to 1, 2 or 5 times a power of ten.
+NiceRange nice_logarithmic_range(double low, double high);
 
 /// Powers of ten within the range and, where there are fewer than three of them, their multiples
 /// by 2 and 5 (0 < low < high, finite).

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "limber/plot/chart_series.hpp"
+#include "limber/plot/palette.hpp"
 
 namespace limber {
 
@@ -109,9 +110,5 @@ class ChartGrid {
   std::string title_;
   std::vector<Chart> charts_;
 };
-
-/// Colour `index` of the palette as "#rrggbb"; it starts again after the last. Fixed meanings
-/// across limber's pictures: 0 no-load model (vermilion), 1 network (blue), 2 true arm (black).
-std::string palette_color(int index);
 
 }  // namespace limber

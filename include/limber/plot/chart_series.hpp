@@ -8,7 +8,7 @@ namespace limber {
 
 /// How one series looks. Lengths are pixels of the picture.
 struct SeriesStyle {
-  std::string color;      ///< any CSS colour; empty: the next one of the palette
+  std::string color{};    ///< any CSS colour; empty: the next one of the palette
   double width_px = 2.0;  ///< of lines and outlines
   double radius_px = 3.0;
   double opacity = 1.0;  ///< in [0, 1]

@@ -5,6 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "limber/plot/palette.hpp"
+#include "limber/plot/shape_style.hpp"
+
 namespace limber {
 
 /// A point of the drawn world: x to the right, y up.
@@ -17,24 +20,6 @@ struct WorldPoint {
 struct WorldBox {
   double x_min_m = 0.0, x_max_m = 1.0;
   double y_min_m = 0.0, y_max_m = 1.0;
-};
-
-/// How a shape looks: "none" leaves fill or stroke out. Colours are any of CSS's.
-struct ShapeStyle {
-  std::string fill = "none";
-  std::string stroke = "#222222";
-  double width_px = 2.0;
-  double opacity = 1.0;  ///< in [0, 1]
-  bool dashed = false;
-};
-
-enum class TextAnchor { kStart, kMiddle, kEnd };
-
-struct TextStyle {
-  std::string color = "#222222";
-  double size_px = 15.0;
-  TextAnchor anchor = TextAnchor::kStart;
-  bool bold = false;
 };
 
 /// A picture in world metres, y up, both axes to one scale: arms, obstacles, trees, goals. Shapes
@@ -90,16 +75,11 @@ class SvgDrawing {
  private:
   double pixel_x(double x_m) const;
   double pixel_y(double y_m) const;
-  double pixels(double length_m) const { return length_m * scale_; }
-  bool drawable(std::span<const WorldPoint> points);
+  double pixels(double length_m) const;
+  /// Counts what is not finite.
+  bool drawable(std::span<const WorldPoint> points, double size = 0.0);
   std::string path(std::span<const WorldPoint> points) const;
   std::string frame_and_ticks() const;
-  std::string key(double top_px, double& bottom_px) const;
-
-  struct LegendEntry {
-    std::string label;
-    ShapeStyle style;
-  };
 
   WorldBox box_;
   double scale_;  ///< [px/m]

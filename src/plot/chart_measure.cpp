@@ -1,0 +1,204 @@
+#include "chart_measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limber {
+
+namespace {
+
+/// Beyond this, differences and squares of values would overflow.
+constexpr double kLargest = 1e150;
+
+/// Looks at every series once and gathers what the axes must span.
+class Measurer {
+ public:
+  explicit Measurer(const ChartSettings& settings) : log_y_(settings.y.logarithmic) {}
+
+  void operator()(const LineSeries& series) { points(series.x, series.y); }
+  void operator()(const PointSeries& series) {
+    points(series.x, series.y);
+    padded_ = true;
+  }
+  void operator()(const BandSeries& series) {
+    points(series.x, series.low);
+    points(series.x, series.high);
+  }
+  void operator()(const BarSeries& series) {
+    from_zero_ = true;
+    for (std::size_t i = 0; i < series.values.size(); ++i) {
+      const double error = series.errors.empty() ? 0.0 : series.errors[i];
+      if (!is_drawable(series.values[i], log_y_) || !is_drawable(error)) {
+        ++undrawable;
+        continue;
+      }
+      value(series.values[i] + error);
+      value(series.values[i] - error);
+    }
+  }
+  void operator()(const HistogramSeries& series) {
+    for (const double each : series.values) {
+      include_or_count(binned, each, false);
+    }
+  }
+  void operator()(const DistributionSeries& series) {
+    for (const double each : series.values) {
+      include_or_count(y, each, log_y_);
+    }
+  }
+  void operator()(const ReferenceLine& series) {
+    include_or_count(series.horizontal ? y : x, series.at, series.horizontal && log_y_);
+  }
+
+  void value(double each) {
+    if (is_drawable(each, log_y_)) {
+      y.include(each);
+    }
+  }
+
+  bool starts_at_zero() const { return from_zero_; }
+  bool padded() const { return padded_; }
+
+  Extent x, y, binned;
+  int undrawable = 0;
+
+ private:
+  void include_or_count(Extent& extent, double each, bool logarithmic) {
+    if (is_drawable(each, logarithmic)) {
+      extent.include(each);
+    } else {
+      ++undrawable;
+    }
+  }
+
+  void points(const std::vector<double>& xs, const std::vector<double>& ys) {
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      if (is_drawable(xs[i]) && is_drawable(ys[i], log_y_)) {
+        x.include(xs[i]);
+        y.include(ys[i]);
+      } else {
+        ++undrawable;
+      }
+    }
+  }
+
+  bool log_y_;
+  bool from_zero_ = false;
+  bool padded_ = false;
+};
+
+std::vector<double> even_edges(const Extent& extent, int bins) {
+  double low = extent.low();
+  double high = extent.high();
+  if (low == high) {
+    const double half = low == 0.0 ? 0.5 : 0.05 * std::abs(low);
+    low -= half;
+    high += half;
+  }
+  std::vector<double> edges(static_cast<std::size_t>(bins) + 1);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const double share = static_cast<double>(i) / bins;
+    edges[i] = low + share * (high - low);
+  }
+  edges.back() = high;
+  return edges;
+}
+
+NiceRange x_range(const ChartSettings& settings, const Measurer& measured) {
+  if (!settings.categories.empty()) {
+    return {-0.5, static_cast<double>(settings.categories.size()) - 0.5};
+  }
+  if (settings.x.range) {
+    return {settings.x.range->first, settings.x.range->second};
+  }
+  if (measured.x.empty()) {
+    return {0.0, 1.0};
+  }
+  const double width = measured.x.high() - measured.x.low();
+  if (width <= 1e-9 * std::max(std::abs(measured.x.low()), std::abs(measured.x.high()))) {
+    return nice_range(measured.x.low(), measured.x.high());
+  }
+  const double margin = measured.padded() ? 0.03 * width : 0.0;
+  return {measured.x.low() - margin, measured.x.high() + margin};
+}
+
+NiceRange y_range(const ChartSettings& settings, const Measurer& measured) {
+  if (settings.y.range) {
+    const auto [low, high] = *settings.y.range;
+    return settings.y.logarithmic && low <= 0.0
+               ? NiceRange{high > 0.0 ? high * 1e-3 : 1e-3, high > 0.0 ? high : 1.0}
+               : NiceRange{low, high};
+  }
+  if (measured.y.empty()) {
+    return settings.y.logarithmic ? NiceRange{0.1, 1.0} : NiceRange{0.0, 1.0};
+  }
+  double low = measured.y.low();
+  double high = measured.y.high();
+  if (settings.y.logarithmic) {
+    return nice_logarithmic_range(low, high);
+  }
+  // Quantities that cannot be negative read best from zero.
+  if (measured.starts_at_zero() || (low >= 0.0 && low < 0.5 * high)) {
+    low = std::min(low, 0.0);
+    high = std::max(high, 0.0);
+  }
+  return nice_range(low, high, std::max(2, settings.height_px / 60));
+}
+
+}  // namespace
+
+void Extent::include(double value) {
+  if (empty()) {
+    low_ = value;
+    high_ = value;
+  }
+  low_ = std::min(low_, value);
+  high_ = std::max(high_, value);
+}
+
+bool is_drawable(double value, bool logarithmic) {
+  return std::isfinite(value) && std::abs(value) <= kLargest &&
+         (!logarithmic || value >= 1.0 / kLargest);
+}
+
+std::vector<int> bin_counts(const std::vector<double>& values, const std::vector<double>& edges) {
+  std::vector<int> counts(edges.size() - 1, 0);
+  for (const double value : values) {
+    if (!is_drawable(value) || value < edges.front() || value > edges.back()) {
+      continue;
+    }
+    const auto above = std::upper_bound(edges.begin(), edges.end(), value);
+    const auto bin =
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, above - edges.begin() - 1));
+    ++counts[std::min(bin, counts.size() - 1)];
+  }
+  return counts;
+}
+
+ChartMeasure measure_chart(const ChartSettings& settings, const std::vector<Series>& series) {
+  Measurer measured(settings);
+  for (const Series& each : series) {
+    std::visit(measured, each);
+  }
+  ChartMeasure out;
+  out.undrawable = measured.undrawable;
+  if (!measured.binned.empty()) {
+    out.bin_edges = even_edges(measured.binned, settings.bins);
+    measured.x.include(out.bin_edges.front());
+    measured.x.include(out.bin_edges.back());
+    measured.value(settings.y.logarithmic ? 0.5 : 0.0);
+    for (const Series& each : series) {
+      if (const auto* histogram = std::get_if<HistogramSeries>(&each)) {
+        for (const int count : bin_counts(histogram->values, out.bin_edges)) {
+          measured.value(count);
+        }
+      }
+    }
+  }
+  out.has_data = !measured.x.empty() || !measured.y.empty();
+  out.x = x_range(settings, measured);
+  out.y = y_range(settings, measured);
+  return out;
+}
+
+}  // namespace limber
