@@ -35,6 +35,7 @@ struct VirtualArmState {
   std::vector<double> pressure_kpa;    ///< true, signed, one a segment
   std::vector<double> flow_kpa_per_s;  ///< what the valves let through
   std::vector<double> setpoint_kpa;
+  bool vented = false;                 ///< `vent` was the last command
   std::vector<double> braid_anchor_m;  ///< spring-sliders of the braids, left and right of each gap
   std::vector<double> creep_m;         ///< relaxed part of each side's stretch, left and right
   std::vector<double> table_anchor_m;  ///< spring-sliders of the plates, x and y of each

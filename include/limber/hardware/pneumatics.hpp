@@ -1,0 +1,51 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "limber/arm/virtual_arm_parameters.hpp"
+
+namespace limber {
+
+/// Pressure of one segment: the side that holds it (right where positive) and its valves' flow.
+struct SegmentAir {
+  double pressure_kpa = 0.0;
+  double flow_kpa_per_s = 0.0;
+};
+
+/// Valves of one segment and the PD controller that drives them: docs/virtual-arm.md, (V8), (V9).
+///
+/// One signed pressure stands for both sides, so they are never pressurised together: a set point
+/// of the other sign vents one side and then inflates the other.
+/// Threads: constant after construction; share it freely.
+class Pneumatics {
+ public:
+  Pneumatics(const VirtualArmParameters& parameters, double time_step_s)
+      : parameters_(parameters), time_step_s_(time_step_s) {}
+
+  /// One simulator step toward `setpoint_kpa` (signed); errors within the dead band close the
+  /// valves, unless `exact` (a safety vent).
+  void step(double setpoint_kpa, bool exact, SegmentAir& air) const {
+    const double error = setpoint_kpa - air.pressure_kpa;
+    const bool closed = !exact && std::abs(error) <= parameters_.pressure_dead_band_kpa;
+    const double demand = closed
+                              ? 0.0
+                              : parameters_.controller_proportional_gain * error -
+                                    parameters_.controller_derivative_gain_s * air.flow_kpa_per_s;
+    const bool vents = demand * air.pressure_kpa < 0.0;
+    const double time_constant =
+        vents ? parameters_.vent_time_constant_s : parameters_.inflate_time_constant_s;
+    const double limit = parameters_.pressure_rate_limit_kpa_per_s;
+    const double flow = std::clamp(demand / time_constant, -limit, limit);
+    // Implicit, so that a lag shorter than the step is stable.
+    air.flow_kpa_per_s +=
+        time_step_s_ / (parameters_.valve_lag_s + time_step_s_) * (flow - air.flow_kpa_per_s);
+    air.pressure_kpa += time_step_s_ * air.flow_kpa_per_s;
+  }
+
+ private:
+  VirtualArmParameters parameters_;
+  double time_step_s_;
+};
+
+}  // namespace limber

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+namespace limber {
+
+/// Coulomb friction that really sticks: a spring from the body to an anchor that is dragged along
+/// once the spring would pull harder than `limit`, with a damper beside it; docs/virtual-arm.md,
+/// (V6). The total never exceeds the limit and is continuous where sliding begins, so it takes
+/// energy and never gives any but what the spring holds. Units are the caller's: N and m, or N m
+/// and rad.
+struct SpringSlider {
+  double stiffness = 0.0;  ///< > 0
+  double damping = 0.0;    ///< ≥ 0
+  double limit = 0.0;      ///< ≥ 0; may change from step to step
+
+  /// Force on the body at `position` moving with `velocity`. Moves `anchor`: call once a step.
+  double force(double position, double velocity, double& anchor) const {
+    const double reach = limit / stiffness;
+    anchor = std::clamp(anchor, position - reach, position + reach);
+    return std::clamp(stiffness * (anchor - position) - damping * velocity, -limit, limit);
+  }
+
+  /// The same in the plane: the limit is a circle.
+  Eigen::Vector2d force(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity,
+                        Eigen::Ref<Eigen::Vector2d> anchor) const {
+    Eigen::Vector2d stretch = anchor - position;
+    const double reach = limit / stiffness;
+    const double length_squared = stretch.squaredNorm();
+    if (length_squared > reach * reach) {
+      stretch *= reach / std::sqrt(length_squared);
+      anchor = position + stretch;
+    }
+    Eigen::Vector2d total = stiffness * stretch - damping * velocity;
+    const double total_squared = total.squaredNorm();
+    if (total_squared > limit * limit) {
+      total *= limit / std::sqrt(total_squared);
+    }
+    return total;
+  }
+
+  double energy(double position, double anchor) const {
+    return 0.5 * stiffness * (position - anchor) * (position - anchor);
+  }
+};
+
+}  // namespace limber

@@ -1,0 +1,82 @@
+#include "limber/hardware/bench_test.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/hardware/virtual_arm.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kStillStrain = 1e-9;  // change of the side's strain over one frame at rest
+constexpr double kLongestRestS = 60.0;
+constexpr int kFewestSteps = 4;
+
+/// The arm that stands on the bench: one segment, nothing that depends on history.
+ArmDescription bench_arm(const ArmDescription& arm, int segment) {
+  ArmDescription bench = arm;
+  bench.segments = {arm.segments[static_cast<std::size_t>(segment)]};
+  bench.name = fmt::format("{}, segment {} on the bench", arm.name, segment);
+  bench.virtual_arm.strength_spread = 0.0;
+  bench.virtual_arm.hysteresis_fraction = 0.0;
+  bench.virtual_arm.hysteresis_floor_n = 0.0;
+  bench.virtual_arm.friction_coefficient = 0.0;
+  bench.virtual_arm.creep_fraction = 0.0;
+  bench.virtual_arm.plate_offset_rad = 0.0;
+  bench.virtual_arm.base_misalignment_rad = 0.0;
+  bench.virtual_arm.pressure_dead_band_kpa = 0.0;
+  return bench;
+}
+
+/// Holds the right side's pressure until nothing moves.
+BenchPoint settled_point(VirtualArm& arm, double pressure_kpa) {
+  const Pressures setpoint = Pressures::Constant(1, static_cast<float>(pressure_kpa));
+  const double end_s = arm.state().time_s + kLongestRestS;
+  double before = 0.0;
+  double strain = arm.right_strain(0);
+  do {
+    before = strain;
+    arm.command(setpoint);
+    strain = arm.right_strain(0);
+    if (arm.state().time_s > end_s) {
+      throw SystemFault(fmt::format(
+          "bench test: the segment still moves after {} s at {} kPa; check virtual_arm's damping",
+          kLongestRestS, pressure_kpa));
+    }
+  } while (std::abs(strain - before) > kStillStrain ||
+           std::abs(arm.true_pressure_kpa()[0] - pressure_kpa) > 1e-3);
+  return {arm.true_pressure_kpa()[0], strain};
+}
+
+}  // namespace
+
+std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int steps) {
+  if (segment < 0 || segment >= arm.segment_count()) {
+    throw InputError(fmt::format("bench test: segment {}; arm '{}' has segments 0 to {}", segment,
+                                 arm.name, arm.segment_count() - 1));
+  }
+  if (steps < kFewestSteps) {
+    throw InputError(
+        fmt::format("bench test: {} steps; expected at least {}", steps, kFewestSteps));
+  }
+  VirtualArm bench(bench_arm(arm, segment));
+  const double limit = arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
+  std::vector<BenchPoint> points = {{0.0, 0.0}};
+  for (int step = 1; step <= steps; ++step) {
+    points.push_back(settled_point(bench, limit * step / steps));
+  }
+  return points;
+}
+
+std::vector<std::vector<BenchPoint>> bench_test_all(const ArmDescription& arm, int steps) {
+  std::vector<std::vector<BenchPoint>> all;
+  for (int segment = 0; segment < arm.segment_count(); ++segment) {
+    all.push_back(bench_test(arm, segment, steps));
+  }
+  return all;
+}
+
+}  // namespace limber

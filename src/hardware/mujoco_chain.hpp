@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <mujoco/mujoco.h>
+
+#include "limber/arm/arm_description.hpp"
+
+namespace limber {
+
+/// The chain of chain_mjcf in MuJoCo, advanced under generalised forces; the only place that calls
+/// MuJoCo. Generalised coordinates: slide [m] and hinge [rad] of each gap in turn, 2(m − 1) in all.
+///
+/// Threads: one object, one thread.
+class MujocoChain {
+ public:
+  /// @throws SystemFault where MuJoCo refuses the model.
+  MujocoChain(const ArmDescription& arm, double time_step_s);
+
+  int size() const { return model_->nv; }
+  const double* position() const { return data_->qpos; }
+  const double* velocity() const { return data_->qvel; }
+  const double* warm_start() const { return data_->qacc_warmstart; }
+  /// Overwrites the state; sizes are `size()` each.
+  void set_state(const std::vector<double>& position, const std::vector<double>& velocity,
+                 const std::vector<double>& warm_start, double time_s);
+
+  /// Forces of the next step, N and N m; `step` keeps them.
+  double* applied_force() { return data_->qfrc_applied; }
+
+  /// One step; the joints' damping is implicit.
+  /// @returns what MuJoCo complained of, empty where all is well. After a complaint the state is
+  /// lost: MuJoCo resets it.
+  [[nodiscard]] std::string step();
+
+ private:
+  struct DeleteModel {
+    void operator()(mjModel* model) const { mj_deleteModel(model); }
+  };
+  struct DeleteData {
+    void operator()(mjData* data) const { mj_deleteData(data); }
+  };
+
+  std::unique_ptr<mjModel, DeleteModel> model_;
+  std::unique_ptr<mjData, DeleteData> data_;
+};
+
+}  // namespace limber
