@@ -11,17 +11,21 @@
 
 namespace limber {
 
-/// How backbones enter and leave the network.
+/// How backbones enter and leave the network; sizes and order in network/backbone_layout.hpp.
 enum class BackboneLayout {
   base_poses,  ///< the paper's: 3m numbers, poses about the arm's base; 102-…-48 for n = 3, m = 16
   gap_poses,   ///< each plate's pose about the plate before it: 3(m − 1) numbers; the default
 };
 
-/// Affine map of each number, (x − offset)·scale, so that training data lie in [0, 1] (or have unit
-/// spread).
+/// "base_poses" or "gap_poses", as model files have it.
+const char* to_string(BackboneLayout layout);
+
+/// Affine map of each number, x ↦ (x − offset)·scale, so that training data lie in [0, 1] (or have
+/// unit spread). A number that never changes in the data (the base plate's pose) has no range: its
+/// scale is 1.
 struct Normalisation {
   Eigen::VectorXf offset;
-  Eigen::VectorXf scale;
+  Eigen::VectorXf scale;  ///< finite, not 0
 };
 
 /// One layer, y = W x + b, with ReLU behind every layer but the last.
@@ -31,7 +35,8 @@ struct Layer {
 };
 
 /// The network Φ of (5) with everything needed to use it: inputs (q_{t−1}, q_t, B_{t−1}, B̃_t),
-/// normalised; output the compensation B_t − B̃_t, normalised. Plain values.
+/// normalised by `input`; its result is the compensation B_t − B̃_t normalised by `output`, in the
+/// coordinates of `layout`. Plain values.
 struct CompensationModel {
   BackboneLayout layout = BackboneLayout::gap_poses;
   std::vector<Layer> layers;
@@ -42,14 +47,23 @@ struct CompensationModel {
   int segment_count = 0;
   int point_count = 0;
   std::string preset;  ///< "paper" or "best"
-  std::map<std::string, std::string>
-      training;  ///< record: data files and hashes, seed, epochs, losses, seconds
+  /// Record of the training: data files and hashes, seed, epochs, losses, seconds.
+  std::map<std::string, std::string> training;
 
   /// "102-100-100-100-48".
   std::string shape() const;
 };
 
-/// Writes safetensors, atomically.
+/// @throws InputError, its message beginning with `where`, unless the layers chain, fit the
+/// layout's sizes and the normalisations, and every number is finite.
+void validate(const CompensationModel& model, const std::string& where);
+
+/// @throws InputError, its message beginning with `where`, unless the model was trained for `arm`
+/// (equal hashes; both names and hashes in the message).
+void require_model_of(const CompensationModel& model, const ArmDescription& arm,
+                      const std::string& where);
+
+/// Writes safetensors (docs/formats.md), atomically. @pre the model is valid.
 void write_model(const std::filesystem::path& path, const CompensationModel& model);
 
 /// Reads and validates. @throws InputError naming file and tensor or metadata key.

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/network/compensation_model.hpp"
+
+namespace limber {
+
+/// Which numbers a network reads and writes, and where they sit (docs/model.md, (5)).
+///
+/// Input, one column a query:  q_{t−1} (n), q_t (n), B_{t−1} (backbone_size), B̃_t (no_load_size).
+/// Output:                     B_t − B̃_t (backbone_size).
+/// base_poses: B and B̃ are 3m numbers, poses about the arm's base: 102 → 48 for n = 3, m = 16.
+/// gap_poses:  B is 3(m − 1) numbers, each plate's pose about the plate before it; the base plate
+/// is
+///             the origin by definition and left out. B̃ is 3 numbers a segment, since all gaps of
+///             an unloaded segment are alike; the output is taken from it gap by gap: 60 → 45.
+/// Sizes: n segments, m points, k columns. Threads: constant after construction.
+class NetworkLayout {
+ public:
+  NetworkLayout(BackboneLayout layout, const ArmDescription& arm);
+
+  BackboneLayout backbone_layout() const { return layout_; }
+  int segment_count() const { return static_cast<int>(first_gap_.size()); }
+  int point_count() const { return point_count_; }
+  int backbone_size() const;
+  int no_load_size() const;
+  int input_size() const { return no_load_row() + no_load_size(); }
+  int output_size() const { return backbone_size(); }
+
+  /// Rows at which the parts of an input begin.
+  int previous_pressure_row() const { return 0; }
+  int pressure_row() const { return segment_count(); }
+  int backbone_row() const { return 2 * segment_count(); }
+  int no_load_row() const { return backbone_row() + backbone_size(); }
+
+  /// First gap of a segment; its shape stands for all of the unloaded segment.
+  int first_gap(int segment) const { return first_gap_[static_cast<std::size_t>(segment)]; }
+
+  /// Backbones 3m×k (base poses) in this layout, backbone_size×k; and back.
+  Eigen::MatrixXf encode(const Eigen::Ref<const Eigen::MatrixXf>& base_poses) const;
+  Eigen::MatrixXf decode(const Eigen::Ref<const Eigen::MatrixXf>& encoded) const;
+  /// The input rows no_load_size×k of unloaded backbones encoded by `encode`.
+  Eigen::MatrixXf no_load_input(const Eigen::Ref<const Eigen::MatrixXf>& encoded) const;
+
+ private:
+  BackboneLayout layout_;
+  int point_count_;
+  std::vector<int> first_gap_;
+};
+
+/// Each plate's pose about the plate before it: columns of 3m base poses to columns of 3(m − 1).
+/// Computed in double; θ is a plain difference, never wrapped.
+Eigen::MatrixXd gap_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& base_poses);
+
+/// The inverse, with the base plate at the origin: 3(m − 1) rows to 3m.
+Eigen::MatrixXd base_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& gap_poses);
+
+}  // namespace limber

@@ -1,0 +1,139 @@
+#include "limber/network/compensation_model.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+struct Sizes {
+  Eigen::Index input = 0;
+  Eigen::Index output = 0;
+};
+
+// As in NetworkLayout, from the counts alone: a model file carries no arm.
+Sizes expected_sizes(const CompensationModel& model) {
+  const Eigen::Index n = model.segment_count;
+  const Eigen::Index m = model.point_count;
+  if (model.layout == BackboneLayout::base_poses) {
+    return {2 * n + 6 * m, 3 * m};
+  }
+  return {2 * n + 3 * (m - 1) + 3 * n, 3 * (m - 1)};
+}
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+  throw InputError(where + ": " + what);
+}
+
+void require_finite(const std::string& where, const std::string& name,
+                    const Eigen::Ref<const Eigen::MatrixXf>& values) {
+  for (Eigen::Index j = 0; j < values.cols(); ++j) {
+    for (Eigen::Index i = 0; i < values.rows(); ++i) {
+      if (!std::isfinite(values(i, j))) {
+        refuse(where, fmt::format("tensor {}[{}, {}] is {}; expected a finite number", name, i, j,
+                                  values(i, j)));
+      }
+    }
+  }
+}
+
+void validate_normalisation(const std::string& where, const std::string& name,
+                            const Normalisation& normalisation, Eigen::Index size) {
+  for (const auto& [part, values] :
+       {std::pair{"offset", &normalisation.offset}, std::pair{"scale", &normalisation.scale}}) {
+    if (values->size() != size) {
+      refuse(where, fmt::format("tensor {}.{} has {} numbers; expected {}", name, part,
+                                values->size(), size));
+    }
+    require_finite(where, name + "." + part, *values);
+  }
+  for (Eigen::Index i = 0; i < size; ++i) {
+    if (normalisation.scale[i] == 0.0F) {
+      refuse(where, fmt::format("tensor {}.scale[{}] is 0; expected a scale other than 0 (1 for a "
+                                "number that never changes)",
+                                name, i));
+    }
+  }
+}
+
+void validate_layers(const std::string& where, const CompensationModel& model, Sizes sizes) {
+  if (model.layers.empty()) {
+    refuse(where, "no tensor layers.0.weight; expected at least one layer");
+  }
+  Eigen::Index inputs = sizes.input;
+  const char* source = "the layout's input";
+  for (std::size_t l = 0; l < model.layers.size(); ++l) {
+    const Layer& layer = model.layers[l];
+    if (layer.weight.cols() != inputs) {
+      refuse(where, fmt::format("tensor layers.{}.weight has {} columns; expected {}, the size of "
+                                "{}",
+                                l, layer.weight.cols(), inputs, source));
+    }
+    if (layer.bias.size() != layer.weight.rows()) {
+      refuse(where, fmt::format("tensor layers.{}.bias has {} numbers; expected {}, the rows of "
+                                "layers.{}.weight",
+                                l, layer.bias.size(), layer.weight.rows(), l));
+    }
+    require_finite(where, fmt::format("layers.{}.weight", l), layer.weight);
+    require_finite(where, fmt::format("layers.{}.bias", l), layer.bias);
+    inputs = layer.weight.rows();
+    source = "the layer before it";
+  }
+  if (inputs != sizes.output) {
+    refuse(where, fmt::format("tensor layers.{}.weight has {} rows; expected {}, the size of the "
+                              "layout's output",
+                              model.layers.size() - 1, inputs, sizes.output));
+  }
+}
+
+}  // namespace
+
+const char* to_string(BackboneLayout layout) {
+  return layout == BackboneLayout::base_poses ? "base_poses" : "gap_poses";
+}
+
+std::string CompensationModel::shape() const {
+  if (layers.empty()) {
+    return "";
+  }
+  std::string text = std::to_string(layers.front().weight.cols());
+  for (const Layer& layer : layers) {
+    text += "-" + std::to_string(layer.weight.rows());
+  }
+  return text;
+}
+
+void validate(const CompensationModel& model, const std::string& where) {
+  if (model.segment_count < 1 || model.point_count < model.segment_count + 1) {
+    refuse(where,
+           fmt::format("segment_count {} and point_count {}; expected at least 1 segment and "
+                       "one more point than segments",
+                       model.segment_count, model.point_count));
+  }
+  const Sizes sizes = expected_sizes(model);
+  validate_layers(where, model, sizes);
+  validate_normalisation(where, "normalisation.input", model.input, sizes.input);
+  validate_normalisation(where, "normalisation.output", model.output, sizes.output);
+}
+
+void require_model_of(const CompensationModel& model, const ArmDescription& arm,
+                      const std::string& where) {
+  if (model.arm_hash != arm.hash()) {
+    throw InputError(fmt::format(
+        "{}: trained for arm '{}' (hash {}); this is arm '{}' (hash {}). Use the arm file that the "
+        "model was trained with, or train a model for this one",
+        where, model.arm_name, model.arm_hash, arm.name, arm.hash()));
+  }
+  if (model.segment_count != arm.segment_count() || model.point_count != arm.point_count()) {
+    throw InputError(fmt::format("{}: made for {} segments and {} points; arm '{}' has {} and {}",
+                                 where, model.segment_count, model.point_count, arm.name,
+                                 arm.segment_count(), arm.point_count()));
+  }
+}
+
+}  // namespace limber
