@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/random_stream.hpp"
