@@ -7,10 +7,9 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 #include "limber/planning/environment.hpp"
+#include "limber/planning/obstacle_shape.hpp"
 
 namespace limber {
-
-struct ObstacleShape;
 
 /// Smallest distance between the arm's outside and an obstacle.
 struct Clearance {
@@ -35,9 +34,6 @@ class CollisionChecker {
   /// @param margin_m  added to the arm's radius everywhere, ≥ 0.
   CollisionChecker(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
                    double margin_m = 0.0);
-  ~CollisionChecker();
-  CollisionChecker(CollisionChecker&&) noexcept;
-  CollisionChecker& operator=(CollisionChecker&&) noexcept;
 
   /// Smallest clearance of one backbone (m×3), less the margin.
   Clearance clearance(const Eigen::Ref<const Backbone>& backbone) const;

@@ -1,0 +1,258 @@
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/version.hpp"
+#include "limber/planning/plan.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kSchema = "limber/plan/1";
+constexpr double kCostToleranceKpa = 1e-6;
+constexpr double kLargest = 1e6;  // of any number in a plan; nothing real comes near
+
+Json numbers(const Pressures& q) {
+  // As the shortest decimal that reads back to the same float, not as a float widened to double.
+  Json list = Json::array();
+  for (const float value : q) {
+    list.push_back(std::stod(fmt::format("{}", value)));
+  }
+  return list;
+}
+
+Json poses(const Backbone& backbone) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+    rows.push_back(numbers(backbone.row(i).transpose()));
+  }
+  return rows;
+}
+
+/// A value of the file with the name of its place, for messages.
+class Field {
+ public:
+  Field(const Json& value, std::string file, std::string name)
+      : value_(value), file_(std::move(file)), name_(std::move(name)) {}
+
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw InputError(fmt::format("{}: {}: {}", file_, name_, message));
+  }
+
+  Field at(const char* key) const {
+    if (!value_.is_object() || !value_.contains(key)) {
+      throw InputError(
+          fmt::format("{}: {}{}: missing", file_, name_.empty() ? "" : name_ + ".", key));
+    }
+    return {value_.at(key), file_, name_.empty() ? key : name_ + "." + key};
+  }
+
+  std::vector<Field> elements(const std::string& expected) const {
+    if (!value_.is_array()) {
+      refuse(fmt::format("{} found; expected {}", value_.type_name(), expected));
+    }
+    std::vector<Field> result;
+    for (std::size_t i = 0; i < value_.size(); ++i) {
+      result.emplace_back(value_[i], file_, fmt::format("{}[{}]", name_, i));
+    }
+    return result;
+  }
+
+  std::string text() const {
+    if (!value_.is_string()) {
+      refuse(fmt::format("{} found; expected a text", value_.dump()));
+    }
+    return value_.get<std::string>();
+  }
+
+  double number(double low = -kLargest, double high = kLargest) const {
+    if (!value_.is_number()) {
+      refuse(fmt::format("{} found; expected a finite number", shortened()));
+    }
+    const double value = value_.get<double>();
+    if (!(value >= low && value <= high)) {
+      refuse(fmt::format("{} found; expected a number from {} to {}", value, low, high));
+    }
+    return value;
+  }
+
+  std::uint64_t count(std::uint64_t most) const {
+    if (!value_.is_number_unsigned() || value_.get<std::uint64_t>() > most) {
+      refuse(fmt::format("{} found; expected a whole number from 0 to {}", shortened(), most));
+    }
+    return value_.get<std::uint64_t>();
+  }
+
+  bool is_null() const { return value_.is_null(); }
+
+  Pressures vector(Eigen::Index size, const char* what) const {
+    const std::vector<Field> items = elements(fmt::format("a list of {}", what));
+    if (static_cast<Eigen::Index>(items.size()) != size) {
+      refuse(fmt::format("{} numbers found; expected {} {}", items.size(), size, what));
+    }
+    Pressures result(size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      result[i] = static_cast<float>(items[static_cast<std::size_t>(i)].number());
+    }
+    return result;
+  }
+
+ private:
+  std::string shortened() const {
+    const std::string text = value_.dump();
+    return text.size() <= 40 ? text : text.substr(0, 40) + "…";
+  }
+
+  const Json& value_;
+  std::string file_;
+  std::string name_;
+};
+
+Backbone read_backbone(const Field& field, std::size_t point_count) {
+  const std::vector<Field> rows = field.elements("a list of poses [x_m, y_m, theta_rad]");
+  if (rows.size() != point_count) {
+    field.refuse(fmt::format("{} poses found; expected {}", rows.size(), point_count));
+  }
+  Backbone backbone(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    backbone.row(static_cast<Eigen::Index>(i)) =
+        rows[i].vector(3, "numbers [x_m, y_m, theta_rad]").transpose();
+  }
+  return backbone;
+}
+
+std::vector<PlanFrame> read_frames(const Field& field) {
+  const std::vector<Field> items = field.elements("a list of frames");
+  if (items.empty()) {
+    field.refuse("no frame found; expected at least the start");
+  }
+  const std::size_t segments =
+      items.front().at("setpoint_kpa").elements("a list of pressures").size();
+  const std::size_t points = items.front().at("backbone").elements("a list of poses").size();
+  if (segments == 0 || points < 2) {
+    items.front().refuse(fmt::format("{} pressures and {} poses found; expected at least 1 and 2",
+                                     segments, points));
+  }
+  std::vector<PlanFrame> frames;
+  for (const Field& item : items) {
+    frames.push_back(
+        {item.at("setpoint_kpa").vector(static_cast<Eigen::Index>(segments), "pressures in kPa"),
+         read_backbone(item.at("backbone"), points)});
+  }
+  return frames;
+}
+
+void require_consistent(const Field& root, const Plan& plan) {
+  const double cost = path_cost_kpa(plan.frames);
+  if (std::abs(cost - plan.cost_kpa) > kCostToleranceKpa * std::max(1.0, cost)) {
+    root.at("cost_kpa")
+        .refuse(fmt::format("{} found; its frames add up to {}", plan.cost_kpa, cost));
+  }
+  const std::size_t held = static_cast<std::size_t>(plan.hold_frame_count);
+  if (held >= plan.frames.size()) {
+    root.at("hold_frame_count")
+        .refuse(
+            fmt::format("{} found; expected less than the {} frames", held, plan.frames.size()));
+  }
+  for (std::size_t k = plan.frames.size() - held; k < plan.frames.size(); ++k) {
+    if (plan.frames[k].setpoint_kpa != plan.frames[k - 1].setpoint_kpa) {
+      root.at("frames").refuse(
+          fmt::format("frame {} moves; the last {} frames should hold still", k, held));
+    }
+  }
+  if (plan.waypoints_kpa.size() < 1 ||
+      plan.waypoints_kpa.front() != plan.frames.front().setpoint_kpa ||
+      plan.waypoints_kpa.back() != plan.frames.back().setpoint_kpa) {
+    root.at("waypoints_kpa").refuse("expected the first and last frame's set points at its ends");
+  }
+}
+
+Plan read_fields(const Field& root) {
+  Plan plan;
+  plan.program_version = root.at("program_version").text();
+  plan.arm_name = root.at("arm").at("name").text();
+  plan.arm_hash = root.at("arm").at("hash").text();
+  plan.model = root.at("model").at("kind").text();
+  plan.model_hash = root.at("model").at("hash").text();
+  if (plan.model != "no_load" && plan.model != "network") {
+    root.at("model").at("kind").refuse(
+        fmt::format("'{}' found; expected no_load or network", plan.model));
+  }
+  plan.environment_name = root.at("environment").at("name").text();
+  plan.environment_hash = root.at("environment").at("hash").text();
+  plan.planner = root.at("planner").text();
+  plan.seed = root.at("seed").count(std::numeric_limits<std::uint64_t>::max());
+  plan.margin_m = root.at("margin_m").number(0.0);
+  plan.frame_rate_hz = root.at("frame_rate_hz").number(1.0, 1000.0);
+  plan.cost_kpa = root.at("cost_kpa").number(0.0);
+  const Field clearance = root.at("clearance_m");
+  plan.clearance_m =
+      clearance.is_null() ? std::numeric_limits<double>::infinity() : clearance.number();
+  plan.goal_distance_m = root.at("goal_distance_m").number(0.0);
+  plan.goal_orientation_rad = root.at("goal_orientation_rad").number(0.0);
+  plan.hold_frame_count = static_cast<int>(root.at("hold_frame_count").count(1000000));
+  plan.frames = read_frames(root.at("frames"));
+  const Eigen::Index segments = plan.frames.front().setpoint_kpa.size();
+  for (const Field& point : root.at("waypoints_kpa").elements("a list of configurations")) {
+    plan.waypoints_kpa.push_back(point.vector(segments, "pressures in kPa"));
+  }
+  require_consistent(root, plan);
+  return plan;
+}
+
+}  // namespace
+
+void write_plan(const std::filesystem::path& path, const Plan& plan) {
+  Json root;
+  root["schema"] = kSchema;
+  root["program_version"] = plan.program_version.empty() ? version() : plan.program_version;
+  root["arm"] = {{"name", plan.arm_name}, {"hash", plan.arm_hash}};
+  root["model"] = {{"kind", plan.model}, {"hash", plan.model_hash}};
+  root["environment"] = {{"name", plan.environment_name}, {"hash", plan.environment_hash}};
+  root["planner"] = plan.planner;
+  root["seed"] = plan.seed;
+  root["margin_m"] = plan.margin_m;
+  root["frame_rate_hz"] = plan.frame_rate_hz;
+  root["cost_kpa"] = plan.cost_kpa;
+  root["clearance_m"] =
+      std::isfinite(plan.clearance_m) ? Json(plan.clearance_m) : Json(nullptr);  // no obstacles
+  root["goal_distance_m"] = plan.goal_distance_m;
+  root["goal_orientation_rad"] = plan.goal_orientation_rad;
+  root["hold_frame_count"] = plan.hold_frame_count;
+  root["waypoints_kpa"] = Json::array();
+  for (const Pressures& q : plan.waypoints_kpa) {
+    root["waypoints_kpa"].push_back(numbers(q));
+  }
+  root["frames"] = Json::array();
+  for (const PlanFrame& frame : plan.frames) {
+    root["frames"].push_back(
+        {{"setpoint_kpa", numbers(frame.setpoint_kpa)}, {"backbone", poses(frame.backbone)}});
+  }
+  write_file_atomically(path, root.dump(1) + "\n");
+}
+
+Plan read_plan(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  Json root;
+  try {
+    root = Json::parse(read_file(path));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: not valid JSON: {}", file, error.what()));
+  }
+  const Field fields(root, file, "");
+  const std::string schema = fields.at("schema").text();
+  if (schema != kSchema) {
+    fields.at("schema").refuse(fmt::format("'{}' found; this program reads '{}'", schema, kSchema));
+  }
+  return read_fields(fields);
+}
+
+}  // namespace limber
