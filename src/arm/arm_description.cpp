@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "limber/arm/no_load_model.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
@@ -31,6 +30,10 @@ Segment read_segment(const YamlReader& node) {
         coefficients.size()));
   }
   std::copy(coefficients.begin(), coefficients.end(), segment.strain_polynomial.begin());
+  const std::string reason = why_unusable(segment.strain_polynomial, segment.pressure_limit_kpa);
+  if (!reason.empty()) {
+    polynomial.refuse(reason);
+  }
   return segment;
 }
 
@@ -39,6 +42,14 @@ std::string segment_to_yaml(const Segment& s) {
       "{{length_m: {}, width_m: {}, gaps: {}, pressure_limit_kpa: {},\n     strain_polynomial: "
       "[{}]}}",
       s.length_m, s.width_m, s.gaps, s.pressure_limit_kpa, fmt::join(s.strain_polynomial, ", "));
+}
+
+/// A text as one line of YAML that reads back the same, whatever it holds.
+std::string quoted(const std::string& text) {
+  YAML::Emitter emitter;
+  emitter.SetStringFormat(YAML::DoubleQuoted);
+  emitter << text;
+  return emitter.c_str();
 }
 
 }  // namespace
@@ -83,6 +94,9 @@ ArmDescription read_arm(const YamlReader& root) {
                             "actuator_radius_m", "segments", "virtual_arm"});
   ArmDescription arm;
   arm.name = root.at("name").text();
+  if (arm.name.empty()) {
+    root.at("name").refuse("an empty text found; expected a name");
+  }
   arm.frame_rate_hz = root.at("frame_rate_hz").number("frames a second", 1.0, 1000.0);
   arm.pressure_rate_limit_kpa_per_s =
       root.at("pressure_rate_limit_kpa_per_s").positive("a pressure rate in kPa/s");
@@ -98,11 +112,6 @@ ArmDescription read_arm(const YamlReader& root) {
   if (root.has("virtual_arm")) {
     arm.virtual_arm = read_virtual_arm_parameters(root.at("virtual_arm"));
   }
-  try {
-    const NoLoadModel usable(arm);
-  } catch (const InputError& error) {
-    segments.refuse(error.what());
-  }
   return arm;
 }
 
@@ -114,12 +123,34 @@ std::string arm_to_yaml(const ArmDescription& arm) {
   std::string text = fmt::format(
       "schema: {}\nname: {}\nframe_rate_hz: {}\npressure_rate_limit_kpa_per_s: "
       "{}\nactuator_radius_m: {}\nsegments:\n",
-      kSchema, arm.name, arm.frame_rate_hz, arm.pressure_rate_limit_kpa_per_s,
+      kSchema, quoted(arm.name), arm.frame_rate_hz, arm.pressure_rate_limit_kpa_per_s,
       arm.actuator_radius_m);
   for (const Segment& segment : arm.segments) {
     text += "  - " + segment_to_yaml(segment) + "\n";
   }
   return text + "virtual_arm:\n" + virtual_arm_parameters_to_yaml(arm.virtual_arm, 2);
+}
+
+std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm) {
+  const YAML::Node segments = YAML::Load(yaml)["segments"];
+  std::string edited = yaml;
+  for (std::size_t i = segments.size(); i-- > 0;) {  // from the end: earlier places stay valid
+    const auto begin = std::size_t(segments[i]["strain_polynomial"].Mark().pos);
+    const std::size_t end = edited.find(']', begin);
+    if (begin < edited.size() && edited[begin] == '[' && end != std::string::npos) {
+      edited.replace(begin, end - begin,
+                     fmt::format("[{}", fmt::join(arm.segments[i].strain_polynomial, ", ")));
+    }
+  }
+  try {
+    if (arm_to_yaml(read_arm(YamlReader::from_text(edited, "the edited arm"))) ==
+        arm_to_yaml(arm)) {
+      return edited;
+    }
+  } catch (const InputError&) {
+    // The edit hit something else: shared anchors, a bracket in a comment.
+  }
+  return arm_to_yaml(arm);
 }
 
 }  // namespace limber

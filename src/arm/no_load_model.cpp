@@ -10,46 +10,14 @@
 
 namespace limber {
 
-namespace {
-
-constexpr int kMonotoneChecks = 1000;
-
-double polynomial(const StrainPolynomial& c, double p) {
-  return p * (c[0] + p * (c[1] + p * (c[2] + p * c[3])));
-}
-
-double polynomial_slope(const StrainPolynomial& c, double p) {
-  return c[0] + p * (2.0 * c[1] + p * (3.0 * c[2] + p * 4.0 * c[3]));
-}
-
-void require_usable(const Segment& segment, int index) {
-  const double limit = segment.pressure_limit_kpa;
-  for (int k = 1; k <= kMonotoneChecks; ++k) {
-    const double p = limit * k / kMonotoneChecks;
-    const double before = polynomial(segment.strain_polynomial, limit * (k - 1) / kMonotoneChecks);
-    // A held slope (characterisation of data with a dead zone) is zero only up to rounding.
-    if (polynomial(segment.strain_polynomial, p) < before - 1e-12) {
-      throw InputError(fmt::format(
-          "segments[{}].strain_polynomial falls at {:.4g} kPa; expected strain that never "
-          "falls between 0 and the limit of {} kPa",
-          index, p, limit));
-    }
-  }
-  const double full = polynomial(segment.strain_polynomial, limit);
-  if (!(full > 0.0 && full < 1.0)) {
-    throw InputError(fmt::format(
-        "segments[{}].strain_polynomial gives a strain of {:.4g} at the limit of {} kPa; "
-        "expected between 0 and 1",
-        index, full, limit));
-  }
-}
-
-}  // namespace
-
 NoLoadModel::NoLoadModel(const ArmDescription& arm)
     : segments_(arm.segments), point_count_(arm.point_count()) {
   for (int i = 0; i < segment_count(); ++i) {
-    require_usable(segment(i), i);
+    const std::string reason =
+        why_unusable(segment(i).strain_polynomial, segment(i).pressure_limit_kpa);
+    if (!reason.empty()) {
+      throw InputError(fmt::format("segments[{}].strain_polynomial {}", i, reason));
+    }
   }
 }
 
@@ -57,10 +25,10 @@ double NoLoadModel::strain(int index, double pressure_kpa) const {
   const Segment& s = segment(index);
   const double p = std::abs(pressure_kpa);
   if (p <= s.pressure_limit_kpa) {
-    return polynomial(s.strain_polynomial, p);
+    return strain_at(s.strain_polynomial, p);
   }
-  const double slope = std::max(0.0, polynomial_slope(s.strain_polynomial, s.pressure_limit_kpa));
-  return polynomial(s.strain_polynomial, s.pressure_limit_kpa) + slope * (p - s.pressure_limit_kpa);
+  const double slope = std::max(0.0, strain_slope_at(s.strain_polynomial, s.pressure_limit_kpa));
+  return strain_at(s.strain_polynomial, s.pressure_limit_kpa) + slope * (p - s.pressure_limit_kpa);
 }
 
 SegmentShape NoLoadModel::segment_shape(int index, double pressure_kpa) const {
@@ -75,7 +43,7 @@ SegmentPressure NoLoadModel::pressure_for_curvature(int index, double curvature_
   const double bend = s.width_m * std::abs(curvature_per_m);
   const double e = 2.0 * bend / (2.0 + bend);
   const double sign = curvature_per_m > 0.0 ? -1.0 : 1.0;
-  if (e > polynomial(s.strain_polynomial, s.pressure_limit_kpa)) {
+  if (e > strain_at(s.strain_polynomial, s.pressure_limit_kpa)) {
     return {sign * s.pressure_limit_kpa, false};
   }
   // P is monotone: bisection cannot fail, and 60 halvings reach the last bit.
@@ -83,7 +51,7 @@ SegmentPressure NoLoadModel::pressure_for_curvature(int index, double curvature_
   double high = s.pressure_limit_kpa;
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (low + high);
-    (polynomial(s.strain_polynomial, middle) < e ? low : high) = middle;
+    (strain_at(s.strain_polynomial, middle) < e ? low : high) = middle;
   }
   return {sign * high, true};
 }

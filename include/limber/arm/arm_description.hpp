@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "limber/arm/strain_polynomial.hpp"
 #include "limber/arm/virtual_arm_parameters.hpp"
 
 namespace limber {
@@ -13,10 +13,6 @@ class YamlReader;
 
 /// An arm of more segments is refused; sizes the stack storage of solvers.
 inline constexpr int kMostSegments = 64;
-
-/// Contraction strain of an inflated side over its gauge pressure, e = c1 p + c2 p² + c3 p³ + c4 p⁴
-/// (docs/model.md (9)); p in kPa, e ≥ 0 the amount of contraction. c[0] is c1, in 1/kPa.
-using StrainPolynomial = std::array<double, 4>;
 
 /// One bending segment: two actuators on each side.
 struct Segment {
@@ -60,5 +56,10 @@ ArmDescription read_arm(const YamlReader& root);
 
 /// The arm as YAML, readable by `load_arm`; floating-point values survive the round trip exactly.
 std::string arm_to_yaml(const ArmDescription& arm);
+
+/// `yaml`, the text of the arm's file, with the arm's strain polynomials in place of the old ones:
+/// everything else, comments too, stays as it is. Where the text has a form that cannot be edited
+/// in place, or differs from `arm` in more, `arm_to_yaml`. @throws InputError if it is no arm file.
+std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm);
 
 }  // namespace limber

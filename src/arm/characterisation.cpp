@@ -1,0 +1,191 @@
+#include "limber/arm/characterisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "monotone_fit.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kFewestPressures = 5;
+constexpr double kBeyondLimit = 1.05;         // × p_max: readings above are left out
+constexpr double kCoveredFrom = 0.3;          // × p_max: the lowest pressure > 0 must be below
+constexpr double kCoveredTo = 0.9;            // × p_max: the highest must be above
+constexpr double kRefusedResidual = 0.10;     // of full strain, of a refitted curve
+constexpr double kNotedResidual = 0.05;       // of full strain
+constexpr double kBareActuatorStrain = 0.24;  // between a mounted side (0.20) and a bare one (0.27)
+
+/// 7 significant digits: sums in another order, on another machine, give the same file.
+double rounded(double value) {
+  return std::strtod(fmt::format("{:.6e}", value).c_str(), nullptr);
+}
+
+StrainPolynomial per_kpa(const Eigen::Vector4d& fit, double limit_kpa) {
+  StrainPolynomial c;
+  for (int k = 0; k < 4; ++k) {
+    c[std::size_t(k)] = rounded(fit[k] / std::pow(limit_kpa, k + 1));
+  }
+  return c;
+}
+
+void require_plain_values(const std::vector<BenchPoint>& points, double limit_kpa) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const BenchPoint& point = points[i];
+    if (!std::isfinite(point.pressure_kpa) || !std::isfinite(point.strain)) {
+      throw InputError(fmt::format("bench point {}: ({} kPa, strain {}); expected finite numbers",
+                                   i + 1, point.pressure_kpa, point.strain));
+    }
+    if (point.pressure_kpa < -kBenchNoiseAroundZero * limit_kpa) {
+      throw InputError(
+          fmt::format("bench point {}: {} kPa; expected the gauge pressure of the inflated side, "
+                      "≥ 0 whichever side it is",
+                      i + 1, point.pressure_kpa));
+    }
+    if (std::abs(point.strain) >= 1.0) {
+      throw InputError(
+          fmt::format("bench point {}: strain {}; expected a fraction of the length, between -1 "
+                      "and 1 (per cent: divide by 100)",
+                      i + 1, point.strain));
+    }
+  }
+}
+
+void require_coverage(const std::vector<BenchPoint>& points, double limit_kpa) {
+  std::set<double> pressures;
+  double moment = 0.0;
+  for (const BenchPoint& point : points) {
+    pressures.insert(point.pressure_kpa);
+    moment += point.pressure_kpa * point.strain;
+  }
+  if (int(pressures.size()) < kFewestPressures) {
+    throw InputError(
+        fmt::format("{} bench points at {} distinct pressures up to {} kPa; expected at least {}",
+                    points.size(), pressures.size(), limit_kpa, kFewestPressures));
+  }
+  if (*pressures.rbegin() < kCoveredTo * limit_kpa) {
+    throw InputError(fmt::format(
+        "bench pressures end at {} kPa; expected at least {:.4g} kPa, 90 % of the segment's limit "
+        "(are they in psi? 1 psi = 6.894757 kPa)",
+        *pressures.rbegin(), kCoveredTo * limit_kpa));
+  }
+  const double lowest = *pressures.upper_bound(0.0);
+  if (lowest > kCoveredFrom * limit_kpa) {
+    throw InputError(fmt::format(
+        "the lowest bench pressure above 0 is {} kPa; expected one below {:.4g} kPa, 30 % of the "
+        "segment's limit, or the curve between is a guess",
+        lowest, kCoveredFrom * limit_kpa));
+  }
+  if (moment >= 0.0) {
+    throw InputError(
+        "the bench strain is positive: the side would lengthen under pressure. Expected "
+        "contraction "
+        "as a negative strain, (length - l0)/l0; where the data hold the amount of contraction, "
+        "change their sign");
+  }
+}
+
+/// Points inside the range, readings around zero at zero.
+std::vector<BenchPoint> within_range(const std::vector<BenchPoint>& points, double limit_kpa) {
+  std::vector<BenchPoint> result;
+  for (BenchPoint point : points) {
+    if (point.pressure_kpa <= kBeyondLimit * limit_kpa) {
+      point.pressure_kpa = std::max(0.0, point.pressure_kpa);
+      result.push_back(point);
+    }
+  }
+  return result;
+}
+
+void measure(const std::vector<BenchPoint>& points, StrainFit& fit) {
+  double squares = 0.0;
+  double largest = 0.0;
+  for (const BenchPoint& point : points) {
+    const double residual = -point.strain - strain_at(fit.polynomial, point.pressure_kpa);
+    squares += residual * residual;
+    largest = std::max(largest, std::abs(residual));
+  }
+  fit.points = int(points.size());
+  fit.full_strain = strain_at(fit.polynomial, fit.pressure_limit_kpa);
+  fit.rms_residual = std::sqrt(squares / double(points.size())) / fit.full_strain;
+  fit.max_residual = largest / fit.full_strain;
+}
+
+void add_warnings(std::size_t given, StrainFit& fit) {
+  if (const std::size_t left_out = given - std::size_t(fit.points); left_out > 0) {
+    fit.warnings.push_back(fmt::format("{} points above {:.4g} kPa, 1.05 × the limit, left out",
+                                       left_out, kBeyondLimit * fit.pressure_limit_kpa));
+  }
+  if (fit.rms_residual > kNotedResidual) {
+    fit.warnings.push_back(
+        fmt::format("the residual is {:.1f} % of full strain: scattered data, or a shape that a "
+                    "quartic cannot follow",
+                    100.0 * fit.rms_residual));
+  }
+  if (fit.full_strain > kBareActuatorStrain) {
+    fit.warnings.push_back(fmt::format(
+        "full strain is {:.2f}. Was a bare actuator measured? It contracts about a third more than "
+        "the side of a whole segment, whose elasticity holds it back; the no-load model then errs "
+        "by 26 cm instead of 16 on limber's virtual arm. Measure one whole, free segment",
+        fit.full_strain));
+  }
+}
+
+}  // namespace
+
+StrainFit fit_strain_polynomial(const std::vector<BenchPoint>& points, double pressure_limit_kpa) {
+  require_plain_values(points, pressure_limit_kpa);
+  const std::vector<BenchPoint> used = within_range(points, pressure_limit_kpa);
+  require_coverage(used, pressure_limit_kpa);
+
+  StrainFit fit;
+  fit.pressure_limit_kpa = pressure_limit_kpa;
+  const MonotoneFit problem(used, pressure_limit_kpa);
+  fit.polynomial = per_kpa(problem.unconstrained(), pressure_limit_kpa);
+  // Rounding can tip a slope that was held at exactly zero: hold it that much higher.
+  double held = 0.0;
+  for (LeastSlope least = least_strain_slope(fit.polynomial, pressure_limit_kpa);
+       least.slope_per_kpa < 0.0; least = least_strain_slope(fit.polynomial, pressure_limit_kpa)) {
+    held = fit.refitted ? held - 2.0 * least.slope_per_kpa * pressure_limit_kpa : 0.0;
+    fit.polynomial = per_kpa(problem.monotone(held), pressure_limit_kpa);
+    fit.refitted = true;
+  }
+  measure(used, fit);
+  if (const std::string reason = why_unusable(fit.polynomial, pressure_limit_kpa);
+      !reason.empty()) {
+    throw InputError("the fitted polynomial " + reason);
+  }
+  if (fit.refitted && fit.rms_residual > kRefusedResidual) {
+    throw InputError(fmt::format(
+        "the bench strain rises and falls with pressure: the best curve that never falls leaves a "
+        "residual of {:.1f} % of full strain, expected at most {:.0f} %",
+        100.0 * fit.rms_residual, 100.0 * kRefusedResidual));
+  }
+  add_warnings(points.size(), fit);
+  return fit;
+}
+
+CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench) {
+  if (int(bench.size()) != arm.segment_count()) {
+    throw InputError(fmt::format("bench data of {} segments; arm '{}' has {}", bench.size(),
+                                 arm.name, arm.segment_count()));
+  }
+  CharacterisedArm result{arm, {}};
+  for (std::size_t i = 0; i < bench.size(); ++i) {
+    try {
+      result.fits.push_back(fit_strain_polynomial(bench[i], arm.segments[i].pressure_limit_kpa));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("segment {}: {}", i, error.what()));
+    }
+    result.arm.segments[i].strain_polynomial = result.fits.back().polynomial;
+  }
+  return result;
+}
+
+}  // namespace limber
