@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/data/recording.hpp"
+#include "limber/hardware/arm_driver.hpp"
+
+namespace limber {
+
+/// Collects the frames of one run into an Episode whose time starts at 0. Where a frame came
+/// without a backbone (dropped, occluded), its backbone is filled in on the straight line between
+/// the frames before and after that had one (at the ends: the nearest), and marked in
+/// `Episode::tracked`, so that windows stay unbroken and nobody takes it for a measurement.
+class EpisodeRecorder {
+ public:
+  explicit EpisodeRecorder(const ArmDescription& arm);
+
+  /// @throws SystemFault where the state has other sizes than the arm, or a number that is not
+  /// finite: a driver's fault, kept out of the recording.
+  void add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index);
+
+  int frame_count() const { return static_cast<int>(time_s_.size()); }
+
+  /// The episode; the recorder is empty afterwards. @throws SystemFault where no frame had a
+  /// backbone.
+  Episode finish();
+
+ private:
+  Eigen::Index segments_;
+  Eigen::Index points_;
+  std::vector<double> time_s_;
+  std::vector<float> pressure_kpa_;
+  std::vector<float> setpoint_kpa_;
+  std::vector<float> backbone_;
+  std::vector<int> motion_index_;
+  std::vector<std::uint8_t> tracked_;
+};
+
+/// Fills the rows of `values` whose `present` is 0: linearly between the present rows around them,
+/// with the nearest at the ends. @pre one row is present.
+void fill_missing_rows(const std::vector<double>& time_s, const std::vector<std::uint8_t>& present,
+                       FrameMatrix& values);
+
+}  // namespace limber

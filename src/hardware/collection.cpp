@@ -1,0 +1,287 @@
+#include "limber/hardware/collection.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/data/reach.hpp"
+#include "limber/hardware/episode_recorder.hpp"
+#include "limber/hardware/vent_guard.hpp"
+
+namespace limber {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Drives one arm along one schedule.
+class EpisodeRun {
+ public:
+  EpisodeRun(const ArmDescription& arm, ArmDriver& driver, const CollectionSettings& settings)
+      : arm_(arm), driver_(driver), settings_(settings), recorder_(arm) {}
+
+  Episode run(const EpisodeSchedule& schedule, const std::function<void()>& motion_done) {
+    lead_to(schedule.first_kpa);
+    recorder_.add(driver_.state(), schedule.first_kpa, 0);
+    recording_ = true;
+    Pressures from = schedule.first_kpa;
+    for (const Motion& motion : schedule.motions) {
+      move(from, motion);
+      from = motion.setpoint_kpa;
+      ++motion_index_;
+      if (motion_done) {
+        motion_done();
+      }
+    }
+    return recorder_.finish();
+  }
+
+ private:
+  void lead_to(const Pressures& first_kpa) {
+    if (!first_kpa.isZero()) {
+      hold({first_kpa, settings_.schedule.hold_s, true});
+    }
+  }
+
+  void move(const Pressures& from, const Motion& motion) {
+    if (settings_.schedule.approach == Approach::straight) {
+      const std::vector<Pressures> frames = straight_frames(arm_, from, motion.setpoint_kpa);
+      for (std::size_t k = 0; k + 1 < frames.size(); ++k) {
+        command(frames[k]);
+      }
+    }
+    hold(motion);
+  }
+
+  void hold(const Motion& motion) {
+    const auto frames_in = [&](double seconds) {
+      return std::max(1, static_cast<int>(std::ceil(seconds * arm_.frame_rate_hz - 1e-9)));
+    };
+    const int least = frames_in(motion.hold_s);
+    const int most = std::max(least, frames_in(settings_.hold_limit_s));
+    for (int k = 0; k < least || (motion.until_reached && !reached(motion.setpoint_kpa)); ++k) {
+      if (k == most) {
+        refuse_unreached(motion, most * arm_.frame_period_s());
+      }
+      command(motion.setpoint_kpa);
+    }
+  }
+
+  void command(const Pressures& setpoint_kpa) {
+    throw_if_interrupted();
+    const ArmState& state = driver_.command(setpoint_kpa);
+    if (recording_) {
+      recorder_.add(state, setpoint_kpa, motion_index_);
+    }
+  }
+
+  double tolerance_kpa(Eigen::Index segment) const {
+    return kReachTolerance * arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
+  }
+
+  double distance_kpa(Eigen::Index segment, const Pressures& setpoint_kpa) const {
+    return std::abs(static_cast<double>(driver_.state().pressure_kpa[segment]) -
+                    static_cast<double>(setpoint_kpa[segment]));
+  }
+
+  bool reached(const Pressures& setpoint_kpa) const {
+    for (Eigen::Index s = 0; s < setpoint_kpa.size(); ++s) {
+      if (distance_kpa(s, setpoint_kpa) > tolerance_kpa(s)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[noreturn]] void refuse_unreached(const Motion& motion, double waited_s) const {
+    Eigen::Index worst = 0;
+    for (Eigen::Index s = 1; s < motion.setpoint_kpa.size(); ++s) {
+      if (distance_kpa(s, motion.setpoint_kpa) > distance_kpa(worst, motion.setpoint_kpa)) {
+        worst = s;
+      }
+    }
+    throw SystemFault(fmt::format(
+        "motion {}: segment {} is at {:.1f} kPa after {} s at set point {:.1f} kPa; expected to be "
+        "within {:.1f} kPa. Check supply pressure and leaks",
+        motion_index_, worst, driver_.state().pressure_kpa[worst], waited_s,
+        motion.setpoint_kpa[worst], tolerance_kpa(worst)));
+  }
+
+  const ArmDescription& arm_;
+  ArmDriver& driver_;
+  const CollectionSettings& settings_;
+  EpisodeRecorder recorder_;
+  int motion_index_ = 0;
+  bool recording_ = false;
+};
+
+/// Finished episodes of a collection, one file each, beside the file they will be joined to.
+class Parts {
+ public:
+  Parts(const fs::path& path, Recording identity)
+      : folder_(path.string() + ".parts"), identity_(std::move(identity)) {}
+
+  const fs::path& folder() const { return folder_; }
+  bool exist() const { return fs::exists(folder_); }
+  void remove() const { fs::remove_all(folder_); }
+
+  void write(std::size_t index, const Episode& episode) const {
+    Recording part = identity_;
+    part.episodes = {episode};
+    write_recording(path(index), part);
+  }
+
+  /// @throws InputError where the part is damaged or of other settings.
+  std::optional<Episode> read(std::size_t index) const {
+    if (!fs::exists(path(index))) {
+      return std::nullopt;
+    }
+    Recording part = read_recording(path(index));
+    require_same_origin(part, path(index).string());
+    return std::move(part.episodes.front());
+  }
+
+  void require_same_origin(const Recording& found, const std::string& file) const {
+    const auto compare = [&](const char* what, const std::string& was, const std::string& is) {
+      if (was != is) {
+        throw InputError(fmt::format(
+            "{}: --resume: recorded with {} '{}'; this run has '{}'. Use the same settings, or "
+            "--force to start anew",
+            file, what, was, is));
+      }
+    };
+    compare("source", found.source, identity_.source);
+    compare("arm", found.arm_name + " " + found.arm_hash,
+            identity_.arm_name + " " + identity_.arm_hash);
+    compare("seed", std::to_string(found.seed), std::to_string(identity_.seed));
+    compare("settings", found.settings, identity_.settings);
+  }
+
+ private:
+  fs::path path(std::size_t index) const { return folder_ / fmt::format("{:06}.h5", index); }
+
+  fs::path folder_;
+  Recording identity_;
+};
+
+/// Clears the way, or finds what is done already; see `collect` for what is refused.
+std::vector<std::optional<Episode>> prepare(const CollectionSettings& settings, const Parts& parts,
+                                            std::size_t episodes) {
+  std::vector<std::optional<Episode>> done(episodes);
+  if (!parts.exist()) {
+    return done;
+  }
+  if (settings.resume) {
+    for (std::size_t i = 0; i < episodes; ++i) {
+      done[i] = parts.read(i);
+    }
+  } else if (settings.force) {
+    parts.remove();
+  } else {
+    throw InputError(
+        fmt::format("{}: left by a collection that did not finish; --resume goes on from "
+                    "it, --force starts anew",
+                    parts.folder().string()));
+  }
+  return done;
+}
+
+std::uint64_t motions_left(const std::vector<EpisodeSchedule>& schedule,
+                           const std::vector<std::optional<Episode>>& done) {
+  std::uint64_t motions = 0;
+  for (std::size_t i = 0; i < schedule.size(); ++i) {
+    motions += done[i] ? 0 : schedule[i].motions.size();
+  }
+  return motions;
+}
+
+/// Records what is not done yet, in parallel over episodes.
+void record_missing(const ArmDescription& arm, const CollectionSettings& settings,
+                    const DriverFactory& make_driver, const std::vector<EpisodeSchedule>& schedule,
+                    const Parts& parts, std::vector<std::optional<Episode>>& done) {
+  Progress progress("collecting", "motions", motions_left(schedule, done), settings.progress);
+  const int jobs = settings.jobs > 0 ? settings.jobs : tbb::this_task_arena::max_concurrency();
+  // Lets --jobs exceed the number of cores without a warning from oneTBB.
+  const tbb::global_control allowance(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(jobs));
+  tbb::task_arena arena(jobs);
+  const auto record = [&](std::size_t i) {
+    if (done[i]) {
+      return;
+    }
+    throw_if_interrupted();
+    try {
+      const std::unique_ptr<ArmDriver> driver = make_driver(static_cast<int>(i));
+      done[i] = record_episode(arm, *driver, schedule[i], settings, [&] { progress.advance(); });
+    } catch (const SystemFault& fault) {
+      throw SystemFault(fmt::format("episode {}: {}", i, fault.what()));
+    }
+    parts.write(i, *done[i]);
+  };
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, schedule.size(), record, tbb::simple_partitioner());
+  });
+}
+
+}  // namespace
+
+Episode record_episode(const ArmDescription& arm, ArmDriver& driver,
+                       const EpisodeSchedule& schedule, const CollectionSettings& settings,
+                       const std::function<void()>& motion_done) {
+  const VentGuard vent_at_the_end(driver);
+  return EpisodeRun(arm, driver, settings).run(schedule, motion_done);
+}
+
+CollectionResult collect(const ArmDescription& arm, const CollectionSettings& settings,
+                         const DriverFactory& make_driver, const fs::path& path) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<EpisodeSchedule> schedule =
+      make_schedule(arm, settings.schedule, settings.seed);
+  CollectionResult result;
+  result.recording = make_recording(arm, settings.source, settings.seed);
+  result.recording.settings = describe(settings.schedule);
+  if (!settings.driver.empty()) {
+    result.recording.settings += "; " + settings.driver;
+  }
+  const Parts parts(path, result.recording);
+  if (settings.resume && fs::exists(path) && !parts.exist()) {
+    Recording finished = read_recording(path);
+    parts.require_same_origin(finished, path.string());
+    return {std::move(finished), static_cast<int>(schedule.size()), 0.0};
+  }
+  refuse_to_overwrite(path, settings.force);
+
+  std::vector<std::optional<Episode>> done = prepare(settings, parts, schedule.size());
+  for (const std::optional<Episode>& episode : done) {
+    result.kept_episodes += episode ? 1 : 0;
+  }
+  try {
+    record_missing(arm, settings, make_driver, schedule, parts, done);
+  } catch (const Interrupted&) {
+    const auto finished = std::count_if(done.begin(), done.end(),
+                                        [](const auto& episode) { return episode.has_value(); });
+    throw Interrupted(fmt::format(
+        "stopped on request; {} of {} episodes are kept in {}: the same command with --resume "
+        "goes on from there",
+        finished, schedule.size(), parts.folder().string()));
+  }
+  for (std::optional<Episode>& episode : done) {
+    result.recording.episodes.push_back(std::move(*episode));
+  }
+  write_recording(path, result.recording);
+  parts.remove();
+  result.wall_time_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace limber
