@@ -2,15 +2,9 @@
 
 #include <vector>
 
-#include "limber/arm/arm_description.hpp"
+#include "limber/arm/characterisation.hpp"
 
 namespace limber {
-
-/// One point of a bench test.
-struct BenchPoint {
-  double pressure_kpa = 0.0;  ///< of the inflated side, ≥ 0
-  double strain = 0.0;        ///< ε, change of that side's length over l0; negative is contraction
-};
 
 /// The characterisation experiment (docs/model.md (9)) on the virtual arm: segment `segment` alone
 /// on a frictionless table, without braid hysteresis, every actuator of nominal strength; one side
