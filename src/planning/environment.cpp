@@ -40,7 +40,7 @@ std::string to_yaml(const ArmStart& start) {
                      fmt::join(rows, ", "));
 }
 
-std::string to_yaml(const Goal& goal) {
+std::string to_yaml(const PoseGoal& goal) {
   std::string text = fmt::format("{{x_m: {}, y_m: {}", goal.x_m, goal.y_m);
   if (goal.theta_rad) {
     text += fmt::format(", theta_rad: {}", *goal.theta_rad);
@@ -86,22 +86,6 @@ std::vector<Eigen::Vector2d> rectangle_corners(const Rectangle& rectangle) {
   const Eigen::Vector2d v = 0.5 * rectangle.height_m * Eigen::Vector2d(-along.y(), along.x());
   const Eigen::Vector2d centre(rectangle.x_m, rectangle.y_m);
   return {centre - u - v, centre + u - v, centre + u + v, centre - u + v};
-}
-
-GoalDistance Goal::distance(const Pose& tip) const {
-  GoalDistance result;
-  result.position_m = std::hypot(tip.x_m - x_m, tip.y_m - y_m);
-  if (theta_rad) {
-    result.orientation_rad =
-        std::abs(std::remainder(tip.theta_rad - *theta_rad, 2.0 * std::numbers::pi));
-  }
-  return result;
-}
-
-bool Goal::reached(const Pose& tip) const {
-  const GoalDistance d = distance(tip);
-  return d.position_m <= position_tolerance_m &&
-         (!theta_rad || d.orientation_rad <= orientation_tolerance_rad);
 }
 
 std::string environment_to_yaml(const Environment& environment) {

@@ -13,6 +13,7 @@ namespace {
 constexpr const char* kSchema = "limber/environment/1";
 constexpr double kFarthestM = 1000.0;  // keeps squares of coordinates finite, and catches mm
 constexpr double kMostAngleRad = 1000.0;
+constexpr double kOrientationToleranceRad = 0.3;  // where the file gives theta alone
 constexpr std::size_t kMostObstacles = 10000;
 constexpr std::size_t kMostPolygonPoints = 1000;
 constexpr double kReachAllowance =
@@ -176,10 +177,11 @@ std::optional<ArmStart> read_start(const YamlReader& root) {
   return std::nullopt;
 }
 
-Goal read_goal(const YamlReader& node) {
+PoseGoal read_goal(const YamlReader& node) {
   node.refuse_unknown_keys(
       {"x_m", "y_m", "theta_rad", "position_tolerance_m", "orientation_tolerance_rad"});
-  Goal goal;
+  PoseGoal goal;
+  goal.orientation_tolerance_rad = kOrientationToleranceRad;
   goal.x_m = coordinate(node.at("x_m"));
   goal.y_m = coordinate(node.at("y_m"));
   goal.position_tolerance_m = size(node.at("position_tolerance_m"), "a distance in metres");

@@ -10,6 +10,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
+#include "limber/arm/inverse_kinematics.hpp"
 
 namespace limber {
 
@@ -44,25 +45,6 @@ const char* obstacle_kind(const Obstacle& obstacle);
 /// Corners of a rectangle, counter-clockwise.
 std::vector<Eigen::Vector2d> rectangle_corners(const Rectangle& rectangle);
 
-/// How far a tip pose is from the goal.
-struct GoalDistance {
-  double position_m = 0.0;
-  double orientation_rad = 0.0;  ///< in [0, π]; 0 where the goal asks for no orientation
-};
-
-/// Region of tip poses that counts as reached: a disc, and where `theta_rad` is set an interval of
-/// headings. A heading and the same one a full turn on are one goal.
-struct Goal {
-  double x_m = 0.0;
-  double y_m = 0.0;
-  std::optional<double> theta_rad;
-  double position_tolerance_m = 0.02;
-  double orientation_tolerance_rad = 0.3;  ///< means something only with theta_rad
-
-  GoalDistance distance(const Pose& tip) const;
-  bool reached(const Pose& tip) const;
-};
-
 /// State of the arm that a motion starts from.
 struct ArmStart {
   Pressures pressures_kpa;  ///< size n
@@ -75,7 +57,7 @@ struct Environment {
   std::string name;
   std::vector<Obstacle> obstacles;
   std::optional<ArmStart> start;  ///< none: at rest, straight, all pressures zero
-  Goal goal;
+  PoseGoal goal;                  ///< region of end-effector poses that counts as reached
 };
 
 /// Reads and validates an environment file. @throws InputError naming file, line, field, what was
