@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/network/compensation_model.hpp"
+
+namespace limber {
+
+/// Where the weights and biases of a network lie in one flat vector: layer by layer, the weight
+/// (out × in, column-major), then the bias. Optimisers see the flat vector alone.
+class ParameterLayout {
+ public:
+  /// @param widths  inputs, hidden layers, outputs: at least two numbers ≥ 1.
+  explicit ParameterLayout(std::vector<int> widths);
+
+  int layer_count() const { return static_cast<int>(widths_.size()) - 1; }
+  int inputs(int layer) const { return widths_[static_cast<std::size_t>(layer)]; }
+  int outputs(int layer) const { return widths_[static_cast<std::size_t>(layer) + 1]; }
+  /// Numbers in the flat vector.
+  Eigen::Index size() const { return size_; }
+  Eigen::Index weight_offset(int layer) const { return offsets_[static_cast<std::size_t>(layer)]; }
+  Eigen::Index bias_offset(int layer) const {
+    return weight_offset(layer) + Eigen::Index(inputs(layer)) * outputs(layer);
+  }
+
+ private:
+  std::vector<int> widths_;
+  std::vector<Eigen::Index> offsets_;
+  Eigen::Index size_ = 0;
+};
+
+/// Weights uniform within ± √(6 / inputs) (He et al. 2015, for ReLU), biases zero; the last layer a
+/// tenth of that, so that training starts near the no-load model.
+Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t seed);
+
+std::vector<Layer> to_layers(const ParameterLayout& layout, const Eigen::VectorXf& parameters);
+Eigen::VectorXf to_parameters(const ParameterLayout& layout, const std::vector<Layer>& layers);
+
+}  // namespace limber

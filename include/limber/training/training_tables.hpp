@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/data/recording.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/training/training_settings.hpp"
+#include "limber/training/window_gradient.hpp"
+
+namespace limber {
+
+/// Frames of one episode within a table's columns.
+struct EpisodeRange {
+  int first = 0;
+  int count = 0;
+};
+
+/// Episodes prepared for training: normalised columns, and where each episode lies.
+struct TrainingTables {
+  Normalisation input;   ///< 2n + 2D numbers
+  Normalisation output;  ///< D numbers
+  FrameTable<float> frames;
+  StateMap<float> map;
+  std::vector<EpisodeRange> episodes;
+};
+
+/// Converts backbones to `layout`, measures ranges (constant columns get scale 1) and normalises.
+/// @throws InputError where there is no frame, or no pressure ever changes.
+TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                                    BackboneLayout layout, Scaling scaling);
+
+/// The same with a given normalisation (fine-tuning).
+TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                                    BackboneLayout layout, const Normalisation& input,
+                                    const Normalisation& output);
+
+/// (5) in the normalised numbers of `input` and `output`; n segments, D numbers a backbone.
+StateMap<float> make_state_map(const Normalisation& input, const Normalisation& output,
+                               int segment_count);
+
+/// First frames of windows of `window_frames` predicted frames that do not overlap; each episode's
+/// first window begins `shift` frames after its start, or less where it would not fit.
+std::vector<int> window_starts(const std::vector<EpisodeRange>& episodes, int window_frames,
+                               int shift);
+
+}  // namespace limber

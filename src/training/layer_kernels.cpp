@@ -1,0 +1,65 @@
+#include "layer_kernels.hpp"
+
+namespace limber {
+
+namespace {
+
+template <class Scalar>
+using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Scalar>
+using View = Eigen::Map<Matrix<Scalar>, 0, Eigen::OuterStride<>>;
+template <class Scalar>
+using ConstView = Eigen::Map<const Matrix<Scalar>, 0, Eigen::OuterStride<>>;
+
+template <class Scalar>
+ConstView<Scalar> view(const Scalar* data, int rows, int columns, int stride) {
+  return {data, rows, columns, Eigen::OuterStride<>(stride)};
+}
+
+template <class Scalar>
+View<Scalar> view(Scalar* data, int rows, int columns, int stride) {
+  return {data, rows, columns, Eigen::OuterStride<>(stride)};
+}
+
+}  // namespace
+
+template <class Scalar>
+void LayerKernels<Scalar>::layer(int m, int n, int k, const Scalar* a, int lda, const Scalar* b,
+                                 int ldb, const Scalar* bias, bool relu, Scalar* c, int ldc) {
+  auto result = view(c, m, n, ldc);
+  result.noalias() = view(a, m, k, lda) * view(b, k, n, ldb);
+  result.colwise() += Eigen::Map<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>(bias, m);
+  if (relu) {
+    result = result.cwiseMax(Scalar(0));
+  }
+}
+
+template <class Scalar>
+void LayerKernels<Scalar>::tn(int m, int n, int k, const Scalar* a, int lda, const Scalar* b,
+                              int ldb, Scalar* c, int ldc) {
+  view(c, m, n, ldc).noalias() = view(a, k, m, lda).transpose() * view(b, k, n, ldb);
+}
+
+template <class Scalar>
+void LayerKernels<Scalar>::nt(int m, int n, int k, const Scalar* a, int lda, const Scalar* b,
+                              int ldb, Scalar* c, int ldc) {
+  view(c, m, n, ldc).noalias() = view(a, m, k, lda) * view(b, n, k, ldb).transpose();
+}
+
+template <class Scalar>
+void LayerKernels<Scalar>::relu_gradient(int m, int n, const Scalar* activation, int ld_activation,
+                                         Scalar* gradient, int ld_gradient) {
+  auto result = view(gradient, m, n, ld_gradient);
+  result = (view(activation, m, n, ld_activation).array() > Scalar(0)).select(result, Scalar(0));
+}
+
+template <class Scalar>
+void LayerKernels<Scalar>::row_sums(int m, int n, const Scalar* a, int lda, Scalar* sums) {
+  Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>(sums, m) =
+      view(a, m, n, lda).rowwise().sum();
+}
+
+template struct LayerKernels<float>;
+template struct LayerKernels<double>;
+
+}  // namespace limber

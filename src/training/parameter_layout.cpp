@@ -1,0 +1,63 @@
+#include "limber/training/parameter_layout.hpp"
+
+#include <cassert>
+#include <cmath>
+
+#include "limber/common/random_stream.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr float kLastLayerShare = 0.1F;
+
+}  // namespace
+
+ParameterLayout::ParameterLayout(std::vector<int> widths) : widths_(std::move(widths)) {
+  assert(widths_.size() >= 2);
+  for (int layer = 0; layer < layer_count(); ++layer) {
+    offsets_.push_back(size_);
+    size_ += Eigen::Index(outputs(layer)) * (inputs(layer) + 1);
+  }
+}
+
+Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t seed) {
+  Eigen::VectorXf parameters = Eigen::VectorXf::Zero(layout.size());
+  for (int layer = 0; layer < layout.layer_count(); ++layer) {
+    RandomStream stream(seed, static_cast<std::uint64_t>(layer));
+    const bool last = layer + 1 == layout.layer_count();
+    const float limit = std::sqrt(6.0F / static_cast<float>(layout.inputs(layer))) *
+                        (last ? kLastLayerShare : 1.0F);
+    for (Eigen::Index i = layout.weight_offset(layer); i < layout.bias_offset(layer); ++i) {
+      parameters[i] = static_cast<float>(stream.uniform(-limit, limit));
+    }
+  }
+  return parameters;
+}
+
+std::vector<Layer> to_layers(const ParameterLayout& layout, const Eigen::VectorXf& parameters) {
+  std::vector<Layer> layers;
+  for (int layer = 0; layer < layout.layer_count(); ++layer) {
+    const int in = layout.inputs(layer);
+    const int out = layout.outputs(layer);
+    layers.push_back({Eigen::Map<const Eigen::MatrixXf>(
+                          parameters.data() + layout.weight_offset(layer), out, in),
+                      parameters.segment(layout.bias_offset(layer), out)});
+  }
+  return layers;
+}
+
+Eigen::VectorXf to_parameters(const ParameterLayout& layout, const std::vector<Layer>& layers) {
+  Eigen::VectorXf parameters(layout.size());
+  for (int layer = 0; layer < layout.layer_count(); ++layer) {
+    const Layer& source = layers[static_cast<std::size_t>(layer)];
+    assert(source.weight.rows() == layout.outputs(layer));
+    assert(source.weight.cols() == layout.inputs(layer));
+    parameters.segment(layout.weight_offset(layer), source.weight.size()) =
+        source.weight.reshaped();
+    parameters.segment(layout.bias_offset(layer), source.bias.size()) = source.bias;
+  }
+  return parameters;
+}
+
+}  // namespace limber
