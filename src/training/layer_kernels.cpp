@@ -1,5 +1,7 @@
 #include "layer_kernels.hpp"
 
+#include "limber/network/gemm_kernels.hpp"
+
 namespace limber {
 
 namespace {
@@ -59,7 +61,35 @@ void LayerKernels<Scalar>::row_sums(int m, int n, const Scalar* a, int lda, Scal
       view(a, m, n, lda).rowwise().sum();
 }
 
-template struct LayerKernels<float>;
+template <>
+void LayerKernels<float>::layer(int m, int n, int k, const float* a, int lda, const float* b,
+                                int ldb, const float* bias, bool relu, float* c, int ldc) {
+  gemm_kernels().layer(m, n, k, a, lda, b, ldb, bias, relu, c, ldc);
+}
+
+template <>
+void LayerKernels<float>::tn(int m, int n, int k, const float* a, int lda, const float* b, int ldb,
+                             float* c, int ldc) {
+  gemm_kernels().tn(m, n, k, a, lda, b, ldb, c, ldc, false);
+}
+
+template <>
+void LayerKernels<float>::nt(int m, int n, int k, const float* a, int lda, const float* b, int ldb,
+                             float* c, int ldc) {
+  gemm_kernels().nt(m, n, k, a, lda, b, ldb, c, ldc, false);
+}
+
+template <>
+void LayerKernels<float>::relu_gradient(int m, int n, const float* activation, int ld_activation,
+                                        float* gradient, int ld_gradient) {
+  gemm_kernels().relu_gradient(m, n, activation, ld_activation, gradient, ld_gradient);
+}
+
+template <>
+void LayerKernels<float>::row_sums(int m, int n, const float* a, int lda, float* sums) {
+  gemm_kernels().row_sums(m, n, a, lda, sums, false);
+}
+
 template struct LayerKernels<double>;
 
 }  // namespace limber

@@ -16,34 +16,41 @@ namespace {
 // A column whose numbers spread by less than this (kPa, m or rad) is constant: float32's rounding.
 constexpr float kConstantSpread = 1e-6F;
 
-/// Unscaled columns: pressures n×F, no-load and recorded backbones D×F in the network's layout.
-FrameTable<float> gather(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                         BackboneLayout layout, std::vector<EpisodeRange>& ranges) {
-  int frames = 0;
+/// Columns of all episodes' frames in user units, backbones in the network's layout.
+struct RawFrames {
+  Eigen::MatrixXf pressure_kpa;  // n×F
+  Eigen::MatrixXf no_load;       // D×F
+  Eigen::MatrixXf state;         // D×F
+};
+
+RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                 const NetworkLayout& layout, std::vector<EpisodeRange>& ranges) {
+  int count = 0;
   for (const Episode& episode : episodes) {
-    ranges.push_back({frames, episode.frame_count()});
-    frames += episode.frame_count();
+    ranges.push_back({count, episode.frame_count()});
+    count += episode.frame_count();
   }
-  if (frames == 0) {
+  if (count == 0) {
     throw InputError("the training data hold no frame");
   }
-  const int size = layout_size(layout, arm.point_count());
-  FrameTable<float> table{Eigen::MatrixXf(arm.segment_count(), frames),
-                          Eigen::MatrixXf(size, frames), Eigen::MatrixXf(size, frames)};
+  const int poses = 3 * arm.point_count();
+  RawFrames raw{Eigen::MatrixXf(arm.segment_count(), count), Eigen::MatrixXf(poses, count),
+                Eigen::MatrixXf(poses, count)};
   const NoLoadModel no_load(arm);
-  Backbone prior(arm.point_count(), 3);
-  Eigen::Index column = 0;
-  for (const Episode& episode : episodes) {
-    for (int t = 0; t < episode.frame_count(); ++t, ++column) {
-      table.pressure.col(column) = episode.pressure_kpa.row(t).transpose();
-      no_load.backbone(table.pressure.col(column), prior);
-      to_layout(layout, prior, table.prior.col(column));
-      const Eigen::Map<const Backbone> recorded(episode.backbone.row(t).data(), arm.point_count(),
-                                                3);
-      to_layout(layout, recorded, table.state.col(column));
-    }
+  Backbone unloaded(arm.point_count(), 3);
+  for (std::size_t index = 0; index < episodes.size(); ++index) {
+    const EpisodeRange range = ranges[index];
+    raw.pressure_kpa.middleCols(range.first, range.count) =
+        episodes[index].pressure_kpa.transpose();
+    raw.state.middleCols(range.first, range.count) = episodes[index].backbone.transpose();
   }
-  return table;
+  for (Eigen::Index column = 0; column < count; ++column) {
+    no_load.backbone(raw.pressure_kpa.col(column), unloaded);
+    raw.no_load.col(column) = unloaded.reshaped<Eigen::RowMajor>();
+  }
+  raw.no_load = layout.encode(raw.no_load);
+  raw.state = layout.encode(raw.state);
+  return raw;
 }
 
 /// Offset and scale of each row of `columns`.
@@ -81,19 +88,25 @@ Normalisation stack(const std::vector<Normalisation>& parts) {
   return result;
 }
 
-void normalise(Eigen::MatrixXf& columns, const Normalisation& by, Eigen::Index first) {
+Eigen::MatrixXf normalised(Eigen::MatrixXf columns, const Normalisation& by, Eigen::Index first) {
   const Eigen::Index size = columns.rows();
   columns.colwise() -= by.offset.segment(first, size);
   columns.array().colwise() *= by.scale.segment(first, size).array();
+  return columns;
 }
 
-void normalise(TrainingTables& tables) {
-  const Eigen::Index n = tables.frames.pressure.rows();
-  const Eigen::Index size = tables.frames.state.rows();
-  normalise(tables.frames.pressure, tables.input, n);
-  normalise(tables.frames.state, tables.input, 2 * n);
-  normalise(tables.frames.prior, tables.input, 2 * n + size);
-  tables.map = make_state_map(tables.input, tables.output, static_cast<int>(n));
+void normalise(RawFrames raw, const NetworkLayout& layout, TrainingTables& tables) {
+  const Eigen::Index size = layout.backbone_size();
+  const auto state_scale = tables.input.scale.segment(layout.backbone_row(), size).array();
+  FrameTable<float>& frames = tables.frames;
+  frames.pressure = normalised(std::move(raw.pressure_kpa), tables.input, layout.pressure_row());
+  frames.state = normalised(std::move(raw.state), tables.input, layout.backbone_row());
+  frames.no_load =
+      normalised(layout.no_load_input(raw.no_load), tables.input, layout.no_load_row());
+  raw.no_load.colwise() += tables.output.offset;
+  frames.uncompensated = normalised(std::move(raw.no_load), tables.input, layout.backbone_row());
+  tables.map.output_scale = state_scale / tables.output.scale.array();
+  tables.map.loss_weight = tables.output.scale.array() / state_scale;
 }
 
 void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa) {
@@ -108,43 +121,28 @@ void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa) {
 
 }  // namespace
 
-StateMap<float> make_state_map(const Normalisation& input, const Normalisation& output,
-                               int segment_count) {
-  const Eigen::Index size = output.scale.size();
-  const Eigen::Index state = 2 * segment_count;
-  const Eigen::ArrayXf state_scale = input.scale.segment(state, size);
-  const Eigen::ArrayXf state_offset = input.offset.segment(state, size);
-  const Eigen::ArrayXf prior_scale = input.scale.segment(state + size, size);
-  const Eigen::ArrayXf prior_offset = input.offset.segment(state + size, size);
-  StateMap<float> map;
-  map.prior_scale = state_scale / prior_scale;
-  map.offset = (prior_offset + output.offset.array() - state_offset) * state_scale;
-  map.output_scale = state_scale / output.scale.array();
-  map.loss_weight = output.scale.array() / state_scale;
-  return map;
-}
-
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    BackboneLayout layout, Scaling scaling) {
+                                    BackboneLayout layout_kind, Scaling scaling) {
+  const NetworkLayout layout(layout_kind, arm);
   TrainingTables tables;
-  tables.frames = gather(arm, episodes, layout, tables.episodes);
-  require_varying_pressures(tables.frames.pressure);
-  const Normalisation pressure = measure(tables.frames.pressure, scaling);
-  tables.input = stack({pressure, pressure, measure(tables.frames.state, scaling),
-                        measure(tables.frames.prior, scaling)});
-  tables.output = measure(tables.frames.state - tables.frames.prior, scaling);
-  normalise(tables);
+  RawFrames raw = gather(arm, episodes, layout, tables.episodes);
+  require_varying_pressures(raw.pressure_kpa);
+  const Normalisation pressure = measure(raw.pressure_kpa, scaling);
+  tables.input = stack({pressure, pressure, measure(raw.state, scaling),
+                        measure(layout.no_load_input(raw.no_load), scaling)});
+  tables.output = measure(raw.state - raw.no_load, scaling);
+  normalise(std::move(raw), layout, tables);
   return tables;
 }
 
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    BackboneLayout layout, const Normalisation& input,
+                                    BackboneLayout layout_kind, const Normalisation& input,
                                     const Normalisation& output) {
+  const NetworkLayout layout(layout_kind, arm);
   TrainingTables tables;
   tables.input = input;
   tables.output = output;
-  tables.frames = gather(arm, episodes, layout, tables.episodes);
-  normalise(tables);
+  normalise(gather(arm, episodes, layout, tables.episodes), layout, tables);
   return tables;
 }
 

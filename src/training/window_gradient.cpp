@@ -14,9 +14,9 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
       segments_(segment_count),
       frames_(window_frames),
       window_limit_(window_limit) {
-  const Eigen::Index size = map.offset.size();
+  const Eigen::Index size = map.output_scale.size();
   const Eigen::Index columns = Eigen::Index(window_frames) * window_limit;
-  assert(layout.inputs(0) == 2 * segment_count + 2 * size);
+  assert(layout.inputs(0) >= 2 * segment_count + size);
   assert(layout.outputs(layout.layer_count() - 1) == size);
   input_.resize(layout.inputs(0), columns);
   for (int layer = 0; layer < layout.layer_count(); ++layer) {
@@ -26,6 +26,7 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
     }
   }
   recorded_.resize(size, columns);
+  uncompensated_.resize(size, columns);
   state_.resize(size, columns);
   error_sign_.resize(size, columns);
   state_gradient_.resize(size, window_limit);
@@ -43,7 +44,8 @@ void WindowGradient<Scalar>::load(const FrameTable<Scalar>& frames, std::span<co
       const Eigen::Index c = column(k) + j;
       input_.col(c).segment(0, n) = frames.pressure.col(frame);
       input_.col(c).segment(n, n) = frames.pressure.col(frame + 1);
-      input_.col(c).segment(2 * n + size, size) = frames.prior.col(frame + 1);
+      input_.col(c).tail(frames.no_load.rows()) = frames.no_load.col(frame + 1);
+      uncompensated_.col(c) = frames.uncompensated.col(frame + 1);
       recorded_.col(c) = frames.state.col(frame + 1);
       if (k == 0) {
         input_.col(c).segment(2 * n, size) = frames.state.col(frame);
@@ -91,8 +93,7 @@ double WindowGradient<Scalar>::forward(const Vector& parameters) {
     forward_layers(parameters, k);
     for (Eigen::Index c = column(k); c < column(k + 1); ++c) {
       auto state = state_.col(c).array();
-      state = state * map_.output_scale.array() + map_.offset.array() +
-              map_.prior_scale.array() * input_.col(c).tail(size).array();
+      state = state * map_.output_scale.array() + uncompensated_.col(c).array();
       const auto error = state - recorded_.col(c).array();
       loss += static_cast<double>((error.abs() * map_.loss_weight.array()).sum());
       error_sign_.col(c).array() = error.sign() * map_.loss_weight.array();

@@ -18,7 +18,7 @@ struct EpisodeRange {
 
 /// Episodes prepared for training: normalised columns, and where each episode lies.
 struct TrainingTables {
-  Normalisation input;   ///< 2n + 2D numbers
+  Normalisation input;   ///< 2n + D + N numbers
   Normalisation output;  ///< D numbers
   FrameTable<float> frames;
   StateMap<float> map;
@@ -34,10 +34,6 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     BackboneLayout layout, const Normalisation& input,
                                     const Normalisation& output);
-
-/// (5) in the normalised numbers of `input` and `output`; n segments, D numbers a backbone.
-StateMap<float> make_state_map(const Normalisation& input, const Normalisation& output,
-                               int segment_count);
 
 /// First frames of windows of `window_frames` predicted frames that do not overlap; each episode's
 /// first window begins `shift` frames after its start, or less where it would not fit.

@@ -9,22 +9,21 @@
 namespace limber {
 
 /// Training data as the network sees them, one column a frame, normalised. n segments, D numbers a
-/// backbone (in the network's layout).
+/// backbone, N numbers of the unloaded backbone among the inputs (network/backbone_layout.hpp).
 template <class Scalar>
 struct FrameTable {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-  Matrix pressure;  ///< n×F
-  Matrix prior;     ///< D×F, no-load backbones B̃
-  Matrix state;     ///< D×F, recorded backbones
+  Matrix pressure;       ///< n×F
+  Matrix no_load;        ///< N×F, B̃ as the network reads it
+  Matrix uncompensated;  ///< D×F, the state that a network output of zero would give
+  Matrix state;          ///< D×F, recorded backbones
 };
 
-/// (5) in normalised numbers: state_t = prior_scale ∘ prior_t + offset + output_scale ∘ y_t, with
-/// y_t the network's output. The frame error is Σ_j loss_weight_j |state_t − recorded_t|_j.
+/// (5) in normalised numbers: state_t = uncompensated_t + output_scale ∘ y_t, with y_t the
+/// network's output. The frame error is Σ_j loss_weight_j |state_t − recorded_t|_j.
 template <class Scalar>
 struct StateMap {
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-  Vector prior_scale;   ///< D
-  Vector offset;        ///< D
   Vector output_scale;  ///< D
   Vector loss_weight;   ///< D
 };
@@ -42,7 +41,7 @@ class WindowGradient {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  /// @param layout  2n + 2D inputs (q_{t−1}, q_t, B_{t−1}, B̃_t), D outputs.
+  /// @param layout  2n + D + N inputs (q_{t−1}, q_t, B_{t−1}, B̃_t), D outputs.
   WindowGradient(const ParameterLayout& layout, const StateMap<Scalar>& map, int segment_count,
                  int window_frames, int window_limit);
 
@@ -76,10 +75,11 @@ class WindowGradient {
   int frames_;
   int window_limit_;
   int windows_ = 0;
-  Matrix input_;                ///< (2n+2D) × TC
+  Matrix input_;                ///< (2n+D+N) × TC
   std::vector<Matrix> hidden_;  ///< outputs of the hidden layers, units × TC
   std::vector<Matrix> delta_;   ///< ∂loss/∂(layer's output before ReLU), a layer each
   Matrix recorded_;             ///< D × TC
+  Matrix uncompensated_;        ///< D × TC
   Matrix state_;                ///< D × TC, predicted
   Matrix state_gradient_;       ///< D × C, ∂loss/∂state, carried from frame to frame
   Matrix error_sign_;           ///< D × TC, loss_weight ∘ sign(error)

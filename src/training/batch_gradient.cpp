@@ -1,0 +1,103 @@
+#include "limber/training/batch_gradient.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "limber/common/random_stream.hpp"
+
+namespace limber {
+
+namespace {
+
+// Frames of a chunk: many enough for efficient products, few enough for a core's cache.
+constexpr int kFramesPerChunk = 1024;
+constexpr int kLeastWindowsPerChunk = 16;
+
+int windows_per_chunk(int window_frames, int windows_per_batch) {
+  const int windows = std::max(kFramesPerChunk / window_frames, kLeastWindowsPerChunk);
+  return std::min(windows, windows_per_batch);
+}
+
+}  // namespace
+
+/// The arena, and a workspace for each thread in it.
+struct BatchGradient::Threads {
+  explicit Threads(int jobs) : arena(jobs > 0 ? jobs : tbb::task_arena::automatic) {}
+
+  tbb::task_arena arena;
+  std::vector<WindowGradient<float>> workspaces;
+  std::vector<Eigen::MatrixXf> noise;
+};
+
+BatchGradient::BatchGradient(const TrainingTables& tables, const ParameterLayout& layout,
+                             int window_frames, int windows_per_batch, int jobs)
+    : tables_(tables),
+      windows_per_chunk_(windows_per_chunk(window_frames, windows_per_batch)),
+      threads_(std::make_unique<Threads>(jobs)) {
+  const int chunks = (windows_per_batch + windows_per_chunk_ - 1) / windows_per_chunk_;
+  gradients_.assign(static_cast<std::size_t>(chunks), Eigen::VectorXf::Zero(layout.size()));
+  losses_.assign(static_cast<std::size_t>(chunks), 0.0);
+  const int segments = static_cast<int>(tables.frames.pressure.rows());
+  for (int thread = 0; thread < threads_->arena.max_concurrency(); ++thread) {
+    threads_->workspaces.emplace_back(layout, tables.map, segments, window_frames,
+                                      windows_per_chunk_);
+    threads_->noise.emplace_back(tables.frames.state.rows(), windows_per_chunk_);
+  }
+}
+
+BatchGradient::~BatchGradient() = default;
+
+int BatchGradient::chunk_count() const {
+  return static_cast<int>(gradients_.size());
+}
+
+void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
+                                  const Eigen::VectorXf& parameters, double noise,
+                                  std::uint64_t seed, std::uint64_t stream) {
+  const auto thread = static_cast<std::size_t>(tbb::this_task_arena::current_thread_index());
+  const auto index = static_cast<std::size_t>(chunk);
+  const std::size_t first = index * static_cast<std::size_t>(windows_per_chunk_);
+  const std::size_t count =
+      std::min(starts.size() - first, static_cast<std::size_t>(windows_per_chunk_));
+  WindowGradient<float>& workspace = threads_->workspaces[thread];
+  workspace.load(tables_.frames, starts.subspan(first, count));
+  if (noise > 0.0) {
+    RandomStream random(seed, stream + index);
+    Eigen::MatrixXf& added = threads_->noise[thread];
+    for (float& value : added.reshaped()) {
+      value = static_cast<float>(noise * random.normal());
+    }
+    workspace.disturb(added);
+  }
+  losses_[index] = workspace.forward(parameters);
+  workspace.backward(parameters, gradients_[index]);
+}
+
+double BatchGradient::compute(std::span<const int> starts, const Eigen::VectorXf& parameters,
+                              double noise, std::uint64_t seed, std::uint64_t stream,
+                              Eigen::VectorXf& gradient) {
+  const std::size_t per_chunk = static_cast<std::size_t>(windows_per_chunk_);
+  const std::size_t chunks = (starts.size() + per_chunk - 1) / per_chunk;
+  assert(chunks >= 1 && chunks <= gradients_.size());
+  threads_->arena.execute([&] {
+    tbb::parallel_for(
+        std::size_t{0}, chunks,
+        [&](std::size_t chunk) {
+          compute_chunk(static_cast<int>(chunk), starts, parameters, noise, seed, stream);
+        },
+        tbb::simple_partitioner());
+  });
+  gradient = gradients_[0];
+  double loss = losses_[0];
+  for (std::size_t chunk = 1; chunk < chunks; ++chunk) {
+    gradient += gradients_[chunk];
+    loss += losses_[chunk];
+  }
+  return loss;
+}
+
+}  // namespace limber

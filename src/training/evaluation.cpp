@@ -1,0 +1,217 @@
+#include "limber/training/evaluation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/error.hpp"
+#include "limber/common/units.hpp"
+#include "limber/training/rollout.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kWindowFrames = 32;
+constexpr int kLeastFrames = 3;  // constant velocity needs two frames before the one it predicts
+
+std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Restart restart) {
+  switch (restart) {
+    case Restart::every_frame:
+      return pieces_of_length(episodes, 1);
+    case Restart::every_32_frames:
+      return pieces_of_length(episodes, kWindowFrames);
+    case Restart::every_motion:
+      return pieces_of_motions(episodes);
+    case Restart::at_the_start_only:
+      break;
+  }
+  return pieces_of_length(episodes, std::numeric_limits<int>::max());
+}
+
+ErrorStatistics statistics(std::vector<double> values) {
+  ErrorStatistics result;
+  if (values.empty()) {
+    return result;
+  }
+  const auto count = static_cast<double>(values.size());
+  for (const double value : values) {
+    result.mean += value / count;
+  }
+  double variance = 0.0;
+  for (const double value : values) {
+    variance += (value - result.mean) * (value - result.mean) / count;
+  }
+  result.std = std::sqrt(variance);
+  // The smallest value that 95 % of the values do not exceed.
+  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * count)) - 1;
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  result.p95 = values[static_cast<std::size_t>(rank)];
+  return result;
+}
+
+TipErrors errors_over(const std::vector<FrameMatrix>& predicted,
+                      const std::vector<Episode>& episodes, int first) {
+  TipErrorSeries all;
+  for (std::size_t i = 0; i < episodes.size(); ++i) {
+    const TipErrorSeries one = tip_errors(predicted[i], episodes[i].backbone, first);
+    all.position_cm.insert(all.position_cm.end(), one.position_cm.begin(), one.position_cm.end());
+    all.orientation_rad.insert(all.orientation_rad.end(), one.orientation_rad.begin(),
+                               one.orientation_rad.end());
+  }
+  return summarise(all);
+}
+
+TipErrors rollout_errors(const ForwardModel& model, const std::vector<Episode>& episodes,
+                         Restart restart, int jobs) {
+  return errors_over(roll_out(model, episodes, pieces_for(episodes, restart), jobs), episodes, 1);
+}
+
+std::vector<FrameMatrix> hold(const std::vector<Episode>& episodes) {
+  std::vector<FrameMatrix> predicted;
+  for (const Episode& episode : episodes) {
+    const Eigen::Index frames = episode.backbone.rows();
+    FrameMatrix held = episode.backbone;
+    held.bottomRows(frames - 1) = episode.backbone.topRows(frames - 1);
+    predicted.push_back(std::move(held));
+  }
+  return predicted;
+}
+
+std::vector<FrameMatrix> constant_velocity(const std::vector<Episode>& episodes) {
+  std::vector<FrameMatrix> predicted;
+  for (const Episode& episode : episodes) {
+    const Eigen::Index frames = episode.backbone.rows();
+    FrameMatrix moved = episode.backbone;
+    moved.bottomRows(frames - 2) =
+        2.0F * episode.backbone.middleRows(1, frames - 2) - episode.backbone.topRows(frames - 2);
+    predicted.push_back(std::move(moved));
+  }
+  return predicted;
+}
+
+double reduction_percent(double before, double after) {
+  return before > 0.0 ? 100.0 * (1.0 - after / before) : 0.0;
+}
+
+nlohmann::ordered_json to_json(const ErrorStatistics& value) {
+  return {{"mean", value.mean}, {"std", value.std}, {"p95", value.p95}};
+}
+
+nlohmann::ordered_json to_json(const TipErrors& value) {
+  return {{"position_error_cm", to_json(value.position_cm)},
+          {"orientation_error_rad", to_json(value.orientation_rad)}};
+}
+
+std::string row(const char* name, const TipErrors& errors) {
+  return fmt::format("{:<32} {:7.2f} {:7.2f} {:7.2f}   {:7.3f} {:7.3f} {:7.3f}\n", name,
+                     errors.position_cm.mean, errors.position_cm.std, errors.position_cm.p95,
+                     errors.orientation_rad.mean, errors.orientation_rad.std,
+                     errors.orientation_rad.p95);
+}
+
+}  // namespace
+
+FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart, int jobs) {
+  const std::vector<Episode> episodes = {episode};
+  return std::move(roll_out(model, episodes, pieces_for(episodes, restart), jobs).front());
+}
+
+TipErrorSeries tip_errors(const FrameMatrix& predicted, const FrameMatrix& recorded, int first) {
+  TipErrorSeries errors;
+  const Eigen::Index tip = recorded.cols() - 3;
+  for (Eigen::Index t = first; t < recorded.rows(); ++t) {
+    const Eigen::Vector3d difference =
+        (predicted.row(t).segment<3>(tip) - recorded.row(t).segment<3>(tip)).cast<double>();
+    errors.position_cm.push_back(kCmPerM * difference.head<2>().norm());
+    errors.orientation_rad.push_back(std::abs(difference[2]));
+  }
+  return errors;
+}
+
+TipErrors summarise(const TipErrorSeries& series) {
+  return {statistics(series.position_cm), statistics(series.orientation_rad)};
+}
+
+Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
+                    const std::vector<Episode>& all_episodes, int jobs) {
+  std::vector<Episode> episodes;
+  Evaluation result;
+  for (const Episode& episode : all_episodes) {
+    result.frames += episode.frame_count();
+    if (episode.frame_count() >= kLeastFrames) {
+      episodes.push_back(episode);
+    }
+  }
+  if (episodes.empty()) {
+    throw InputError(
+        fmt::format("the recording is too short to evaluate on: {} frames in {} episodes; expected "
+                    "an episode of at least {} frames",
+                    result.frames, all_episodes.size(), kLeastFrames));
+  }
+  // The no-load model has no memory: restarting it would change nothing.
+  result.no_load_open_loop = rollout_errors(no_load, episodes, Restart::every_frame, jobs);
+  result.hold_one_step = errors_over(hold(episodes), episodes, 1);
+  result.constant_velocity_one_step = errors_over(constant_velocity(episodes), episodes, 2);
+  if (network != nullptr) {
+    RolloutErrors errors;
+    errors.one_step = rollout_errors(*network, episodes, Restart::every_frame, jobs);
+    errors.window_32 = rollout_errors(*network, episodes, Restart::every_32_frames, jobs);
+    errors.per_motion = rollout_errors(*network, episodes, Restart::every_motion, jobs);
+    errors.open_loop = rollout_errors(*network, episodes, Restart::at_the_start_only, jobs);
+    result.position_reduction_percent = reduction_percent(result.no_load_open_loop.position_cm.mean,
+                                                          errors.open_loop.position_cm.mean);
+    result.orientation_reduction_percent = reduction_percent(
+        result.no_load_open_loop.orientation_rad.mean, errors.open_loop.orientation_rad.mean);
+    result.network = errors;
+  }
+  return result;
+}
+
+nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation) {
+  nlohmann::ordered_json json;
+  json["frames"] = evaluation.frames;
+  json["no_load"]["open_loop"] = to_json(evaluation.no_load_open_loop);
+  if (evaluation.network) {
+    nlohmann::ordered_json& network = json["network"];
+    network["one_step"] = to_json(evaluation.network->one_step);
+    network["window_32"] = to_json(evaluation.network->window_32);
+    network["per_motion"] = to_json(evaluation.network->per_motion);
+    network["open_loop"] = to_json(evaluation.network->open_loop);
+  }
+  json["baselines"]["hold"]["one_step"] = to_json(evaluation.hold_one_step);
+  json["baselines"]["constant_velocity"]["one_step"] =
+      to_json(evaluation.constant_velocity_one_step);
+  if (evaluation.network) {
+    json["reduction_percent"] = {{"position", evaluation.position_reduction_percent},
+                                 {"orientation", evaluation.orientation_reduction_percent}};
+  }
+  return json;
+}
+
+std::string evaluation_to_text(const Evaluation& evaluation) {
+  std::string text =
+      fmt::format("{:<32} {:>23}   {:>23}\n{:<32} {:>7} {:>7} {:>7}   {:>7} {:>7} {:>7}\n",
+                  fmt::format("{} frames", evaluation.frames), "tip position [cm]",
+                  "tip orientation [rad]", "", "mean", "std", "p95", "mean", "std", "p95");
+  text += row("no load, open loop", evaluation.no_load_open_loop);
+  if (evaluation.network) {
+    text += row("network, open loop", evaluation.network->open_loop);
+    text += row("network, per motion", evaluation.network->per_motion);
+    text += row("network, 32-frame windows", evaluation.network->window_32);
+    text += row("network, one step", evaluation.network->one_step);
+  }
+  text += row("hold the pose, one step", evaluation.hold_one_step);
+  text += row("constant velocity, one step", evaluation.constant_velocity_one_step);
+  if (evaluation.network) {
+    text += fmt::format("open loop, the network's errors are smaller by {:.1f} % and {:.1f} %\n",
+                        evaluation.position_reduction_percent,
+                        evaluation.orientation_reduction_percent);
+  }
+  return text;
+}
+
+}  // namespace limber
