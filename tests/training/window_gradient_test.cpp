@@ -1,0 +1,159 @@
+#include "limber/training/window_gradient.hpp"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/training/training_tables.hpp"
+#include "training/toy_arm.hpp"
+
+namespace limber {
+namespace {
+
+// Central differences of step 1e-6 in double: rounding 1e-10 of the loss, truncation below that.
+constexpr double kDifferenceStep = 1e-6;
+constexpr double kDifferenceTolerance = 1e-6;
+// Both sides compute in double, in another order of summation.
+constexpr double kPyTorchTolerance = 1e-12;
+// float32 sums of a thousand terms.
+constexpr double kSinglePrecisionTolerance = 2e-4;
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+FrameTable<double> in_double(const FrameTable<float>& frames) {
+  return {frames.pressure.cast<double>(), frames.no_load.cast<double>(),
+          frames.uncompensated.cast<double>(), frames.state.cast<double>()};
+}
+
+StateMap<double> in_double(const StateMap<float>& map) {
+  return {map.output_scale.cast<double>(), map.loss_weight.cast<double>()};
+}
+
+class GradientInLayout : public testing::TestWithParam<BackboneLayout> {};
+
+TEST_P(GradientInLayout, AgreesWithFiniteDifferencesOverAWholeWindow) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingTables tables =
+      make_training_tables(arm, {toy_episode(arm, 4, 20, 3)}, GetParam(), Scaling::unit_range);
+  const int inputs = static_cast<int>(tables.input.scale.size());
+  const int outputs = static_cast<int>(tables.output.scale.size());
+  const ParameterLayout layout({inputs, 9, 8, outputs});
+  Vector parameters = (0.3 * initial_parameters(layout, 5)).cast<double>();
+  const FrameTable<double> frames = in_double(tables.frames);
+  WindowGradient<double> window(layout, in_double(tables.map), arm.segment_count(), 7, 3);
+  const std::vector<int> starts = {2, 20, 45};
+  window.load(frames, starts);
+
+  Vector gradient(layout.size());
+  window.forward(parameters);
+  window.backward(parameters, gradient);
+  ASSERT_GT(gradient.norm(), 1e-3);
+  for (Eigen::Index i = 0; i < layout.size(); i += 3) {
+    const double value = parameters[i];
+    parameters[i] = value + kDifferenceStep;
+    const double above = window.forward(parameters);
+    parameters[i] = value - kDifferenceStep;
+    const double below = window.forward(parameters);
+    parameters[i] = value;
+    EXPECT_NEAR(gradient[i], (above - below) / (2 * kDifferenceStep),
+                kDifferenceTolerance * (1.0 + std::abs(gradient[i])))
+        << "parameter " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(BothLayouts, GradientInLayout,
+                         testing::Values(BackboneLayout::base_poses, BackboneLayout::gap_poses));
+
+struct PyTorchCase {
+  nlohmann::json values =
+      nlohmann::json::parse(std::ifstream(LIMBER_TEST_DATA_DIR "/pytorch_gradients.json"));
+
+  Vector vector(const char* key) const {
+    const auto numbers = values.at(key).get<std::vector<double>>();
+    return Eigen::Map<const Vector>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+  }
+  Matrix matrix(const char* key, Eigen::Index rows) const {
+    const Vector numbers = vector(key);
+    return numbers.reshaped(rows, numbers.size() / rows);
+  }
+  FrameTable<double> frames() const {
+    const Eigen::Index state = vector("output_scale").size();
+    const auto widths = values.at("widths").get<std::vector<int>>();
+    const Eigen::Index segments = values.at("segments").get<int>();
+    return {matrix("pressure", segments), matrix("no_load", widths[0] - 2 * segments - state),
+            matrix("uncompensated", state), matrix("state", state)};
+  }
+};
+
+TEST(WindowGradient, EqualsPyTorchs) {
+  const PyTorchCase stored;
+  const ParameterLayout layout(stored.values.at("widths").get<std::vector<int>>());
+  const auto starts = stored.values.at("starts").get<std::vector<int>>();
+  WindowGradient<double> window(layout,
+                                {stored.vector("output_scale"), stored.vector("loss_weight")},
+                                stored.values.at("segments"), stored.values.at("window_frames"), 5);
+  window.load(stored.frames(), starts);
+  const Vector parameters = stored.vector("parameters");
+  Vector gradient(layout.size());
+  EXPECT_NEAR(window.forward(parameters), stored.values.at("loss"), kPyTorchTolerance * 100);
+  window.backward(parameters, gradient);
+  const Vector expected = stored.vector("gradient");
+  EXPECT_LT((gradient - expected).lpNorm<Eigen::Infinity>(),
+            kPyTorchTolerance * expected.lpNorm<Eigen::Infinity>());
+}
+
+TEST(WindowGradient, SinglePrecisionFollowsDouble) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingTables tables = make_training_tables(
+      arm, {toy_episode(arm, 4, 20, 3)}, BackboneLayout::gap_poses, Scaling::unit_spread);
+  const ParameterLayout layout({static_cast<int>(tables.input.scale.size()), 100, 100, 100,
+                                static_cast<int>(tables.output.scale.size())});
+  const Eigen::VectorXf parameters = initial_parameters(layout, 5);
+  const std::vector<int> starts = {2, 20, 45};
+  WindowGradient<float> single(layout, tables.map, arm.segment_count(), 7, 3);
+  WindowGradient<double> reference(layout, in_double(tables.map), arm.segment_count(), 7, 3);
+  single.load(tables.frames, starts);
+  reference.load(in_double(tables.frames), starts);
+  Eigen::VectorXf gradient(layout.size());
+  Vector expected(layout.size());
+  const double loss = reference.forward(parameters.cast<double>());
+  EXPECT_NEAR(single.forward(parameters), loss, kSinglePrecisionTolerance * loss);
+  single.backward(parameters, gradient);
+  reference.backward(parameters.cast<double>(), expected);
+  EXPECT_LT((gradient.cast<double>() - expected).norm(),
+            kSinglePrecisionTolerance * expected.norm());
+}
+
+TEST(WindowGradient, AWindowDoesNotDependOnItsNeighbours) {
+  const PyTorchCase stored;
+  const ParameterLayout layout(stored.values.at("widths").get<std::vector<int>>());
+  const StateMap<double> map{stored.vector("output_scale"), stored.vector("loss_weight")};
+  const Vector parameters = stored.vector("parameters");
+  const FrameTable<double> frames = stored.frames();
+  WindowGradient<double> window(layout, map, 2, 6, 3);
+  const auto loss_of = [&](std::vector<int> starts) {
+    window.load(frames, starts);
+    return window.forward(parameters);
+  };
+  EXPECT_NEAR(loss_of({0, 7, 14}), loss_of({0}) + loss_of({7}) + loss_of({14}), 1e-12);
+}
+
+TEST(WindowGradient, PerfectOutputHasNoLossAndNoGradient) {
+  const PyTorchCase stored;
+  const ParameterLayout layout(stored.values.at("widths").get<std::vector<int>>());
+  FrameTable<double> frames = stored.frames();
+  frames.state = frames.uncompensated;
+  const Vector parameters = Vector::Zero(layout.size());
+  WindowGradient<double> window(
+      layout, {stored.vector("output_scale"), stored.vector("loss_weight")}, 2, 6, 3);
+  window.load(frames, std::vector<int>{0, 7});
+  EXPECT_EQ(window.forward(parameters), 0.0);
+  Vector gradient(layout.size());
+  window.backward(parameters, gradient);
+  EXPECT_EQ(gradient.norm(), 0.0);
+}
+
+}  // namespace
+}  // namespace limber
