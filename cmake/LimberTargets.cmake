@@ -49,7 +49,8 @@ function(limber_add_test module)
   target_compile_features(${module}_test PRIVATE cxx_std_20)
   target_include_directories(${module}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${module}_test PRIVATE
-    LIMBER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LIMBER_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/tests/data")
+    LIMBER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LIMBER_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/tests/data"
+    LIMBER_PYTHON="${LIMBER_PYTHON}")
   target_link_libraries(${module}_test PRIVATE
     ${ARG_DEPENDS} GTest::gmock GTest::gtest_main limber_private_settings)
   gtest_discover_tests(${module}_test DISCOVERY_TIMEOUT 60

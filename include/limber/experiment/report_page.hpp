@@ -8,17 +8,17 @@ namespace limber {
 
 /// One figure that matters, shown large on a card.
 struct KeyFigure {
-  std::string label;  ///< "open-loop error"
-  std::string value;  ///< "5.1 cm"
-  std::string note;   ///< "paper: 5.8 ± 4.7 cm"; may be empty
+  std::string label;   ///< "open-loop error"
+  std::string value;   ///< "5.1 cm"
+  std::string note{};  ///< "paper: 5.8 ± 4.7 cm"; may be empty
 };
 
 /// Rows of text under one header row.
 struct ReportTable {
-  std::string caption;
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;  ///< each as long as the header
-  std::vector<int> highlighted_rows;           ///< indices of rows set off by colour and weight
+  std::string caption{};
+  std::vector<std::string> header{};
+  std::vector<std::vector<std::string>> rows{};  ///< each as long as the header
+  std::vector<int> highlighted_rows{};           ///< indices of rows set off by colour and weight
 };
 
 /// A picture and what it shows.
