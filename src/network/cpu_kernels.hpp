@@ -3,9 +3,10 @@
 // The kernels of GemmKernels for the instruction set that the including file is compiled for; see
 // vector_float.hpp for why nothing here may leave the unnamed namespace.
 
+#include "common/vector_sincos.hpp"
 #include "gemm_tiles.hpp"
 #include "limber/network/gemm_kernels.hpp"
-#include "vector_sincos.hpp"
+#include "query_layer.hpp"
 
 namespace limber {
 namespace {
@@ -123,14 +124,14 @@ float multiply_add_rounds(long rounds) {
   return total;
 }
 
-constexpr GemmKernels kernels_of_this_level(const char* name) {
-  return {name,
-          kLanes,
+constexpr GemmKernels kernels_of_this_level() {
+  return {kLanes,
           gemm_nn,
           gemm_tn,
           gemm_nt,
           layer,
           layer_of_rows,
+          query_layer,
           relu_gradient,
           row_sums,
           sincos_array,

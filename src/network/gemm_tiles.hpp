@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "vector_float.hpp"
+#include "common/vector_float.hpp"
 
 namespace limber {
 namespace {

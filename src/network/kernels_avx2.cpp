@@ -1,9 +1,9 @@
-// GemmKernels at level avx2; src/network/CMakeLists.txt gives this file its instruction set.
+// GemmKernels of CpuLevel::avx2; CMakeLists.txt gives this file its instruction set.
 #include "cpu_kernels.hpp"
 
 namespace limber {
 
-extern const GemmKernels kGemmKernels_avx2;
-constexpr GemmKernels kGemmKernels_avx2 = kernels_of_this_level("avx2");
+extern const GemmKernels kAvx2Kernels;
+constexpr GemmKernels kAvx2Kernels = kernels_of_this_level();
 
 }  // namespace limber

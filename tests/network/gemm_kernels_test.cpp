@@ -1,7 +1,6 @@
 #include "limber/network/gemm_kernels.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -33,10 +32,10 @@ struct Sizes {
 const Sizes kSizes[] = {{1, 1, 1},     {3, 5, 7},      {16, 6, 4},   {17, 7, 0},    {33, 13, 129},
                         {64, 12, 128}, {100, 65, 102}, {48, 1, 100}, {5, 300, 257}, {0, 3, 2}};
 
-class GemmKernelsOfLevel : public ::testing::TestWithParam<const GemmKernels*> {};
+class GemmKernelsOfLevel : public ::testing::TestWithParam<CpuLevel> {};
 
-INSTANTIATE_TEST_SUITE_P(Levels, GemmKernelsOfLevel, ::testing::ValuesIn(available_gemm_kernels()),
-                         [](const auto& level) { return std::string(level.param->name); });
+INSTANTIATE_TEST_SUITE_P(Levels, GemmKernelsOfLevel, ::testing::ValuesIn(available_cpu_levels()),
+                         [](const auto& level) { return std::string(to_string(level.param)); });
 
 // C sits in a taller array whose other rows must stay as they are.
 struct Guarded {
@@ -56,7 +55,7 @@ struct Guarded {
 };
 
 TEST_P(GemmKernelsOfLevel, ProductsAgreeWithDoublePrecision) {
-  const GemmKernels& kernels = *GetParam();
+  const GemmKernels& kernels = gemm_kernels(GetParam());
   for (const auto [m, n, k] : kSizes) {
     for (const bool accumulate : {false, true}) {
       SCOPED_TRACE(testing::Message() << m << "x" << n << "x" << k << " += " << accumulate);
@@ -83,7 +82,7 @@ TEST_P(GemmKernelsOfLevel, ProductsAgreeWithDoublePrecision) {
 }
 
 TEST_P(GemmKernelsOfLevel, LayersAddTheirBiasAndCutBelowZero) {
-  const GemmKernels& kernels = *GetParam();
+  const GemmKernels& kernels = gemm_kernels(GetParam());
   for (const auto [m, n, k] : kSizes) {
     for (const bool relu : {false, true}) {
       SCOPED_TRACE(testing::Message() << m << "x" << n << "x" << k << " relu " << relu);
@@ -110,7 +109,7 @@ TEST_P(GemmKernelsOfLevel, LayersAddTheirBiasAndCutBelowZero) {
 }
 
 TEST_P(GemmKernelsOfLevel, ColumnDoesNotDependOnItsNeighbours) {
-  const GemmKernels& kernels = *GetParam();
+  const GemmKernels& kernels = gemm_kernels(GetParam());
   const int m = 100;
   const int n = 37;
   const int k = 257;
@@ -125,12 +124,30 @@ TEST_P(GemmKernelsOfLevel, ColumnDoesNotDependOnItsNeighbours) {
   }
 }
 
+TEST_P(GemmKernelsOfLevel, QueryLayerIsALayerWithOneColumn) {
+  const GemmKernels& kernels = gemm_kernels(GetParam());
+  for (const int m : {16, 48, 112, 144, 272}) {
+    for (const int k : {0, 1, 31, 102, 129, 300}) {
+      SCOPED_TRACE(testing::Message() << m << "x" << k);
+      const MatrixXf a = random_matrix(m, k, 1);
+      // Half the inputs are off, as behind a ReLU.
+      const VectorXf x = random_matrix(k, 1, 2).cwiseMax(0.0F);
+      const VectorXf bias = random_matrix(m, 1, 3);
+      VectorXf wanted(m);
+      VectorXf y(m);
+      kernels.layer(m, 1, k, a.data(), m, x.data(), k, bias.data(), true, wanted.data(), m);
+      kernels.query_layer(m, k, a.data(), x.data(), bias.data(), true, y.data());
+      EXPECT_TRUE(y == wanted);
+    }
+  }
+}
+
 TEST_P(GemmKernelsOfLevel, NotANumberSurvivesRelu) {
   const float nan = std::nanf("");
   const float one = 1.0F;
   const float zero = 0.0F;
   float c = 0.0F;
-  GetParam()->layer(1, 1, 1, &nan, 1, &one, 1, &zero, true, &c, 1);
+  gemm_kernels(GetParam()).layer(1, 1, 1, &nan, 1, &one, 1, &zero, true, &c, 1);
   EXPECT_TRUE(std::isnan(c));
 }
 
@@ -138,16 +155,16 @@ TEST_P(GemmKernelsOfLevel, ReluGradientPassesOnlyWhereTheUnitWasOn) {
   const MatrixXf activation = random_matrix(37, 5, 1).cwiseMax(0.0F);
   MatrixXf gradient = random_matrix(37, 5, 2);
   const MatrixXf wanted = (activation.array() > 0.0F).select(gradient, 0.0F);
-  GetParam()->relu_gradient(37, 5, activation.data(), 37, gradient.data(), 37);
+  gemm_kernels(GetParam()).relu_gradient(37, 5, activation.data(), 37, gradient.data(), 37);
   EXPECT_TRUE(gradient == wanted);
 }
 
 TEST_P(GemmKernelsOfLevel, RowSumsAddUpColumns) {
   const MatrixXf a = random_matrix(53, 40, 1);
   VectorXf sums = VectorXf::Ones(53);
-  GetParam()->row_sums(53, 40, a.data(), 53, sums.data(), true);
+  gemm_kernels(GetParam()).row_sums(53, 40, a.data(), 53, sums.data(), true);
   EXPECT_LT((sums - a.rowwise().sum() - VectorXf::Ones(53)).cwiseAbs().maxCoeff(), kRounding);
-  GetParam()->row_sums(53, 40, a.data(), 53, sums.data(), false);
+  gemm_kernels(GetParam()).row_sums(53, 40, a.data(), 53, sums.data(), false);
   EXPECT_LT((sums - a.rowwise().sum()).cwiseAbs().maxCoeff(), kRounding);
 }
 
@@ -157,7 +174,7 @@ TEST_P(GemmKernelsOfLevel, SineAndCosineAgreeWithTheStandardLibrary) {
   angle[7] = 0.0F;
   VectorXf sine(kCount);
   VectorXf cosine(kCount);
-  GetParam()->sincos(kCount, angle.data(), sine.data(), cosine.data());
+  gemm_kernels(GetParam()).sincos(kCount, angle.data(), sine.data(), cosine.data());
   for (int i = 0; i < kCount; ++i) {
     ASSERT_NEAR(sine[i], std::sin(double(angle[i])), kSineTolerance) << angle[i];
     ASSERT_NEAR(cosine[i], std::cos(double(angle[i])), kSineTolerance) << angle[i];
@@ -166,13 +183,8 @@ TEST_P(GemmKernelsOfLevel, SineAndCosineAgreeWithTheStandardLibrary) {
 
 TEST_P(GemmKernelsOfLevel, MultiplyAddReachesItsFixedPoint) {
   // x ← 0.999 x + 0.001 tends to 1 in every lane of every chain.
-  EXPECT_NEAR(GetParam()->multiply_add(20000), GetParam()->multiply_adds_per_round, 0.2);
-}
-
-TEST(GemmKernels, PicksTheHighestLevelUnlessForced) {
-  const char* forced = std::getenv("LIMBER_CPU");
-  EXPECT_STREQ(gemm_kernels().name,
-               forced != nullptr ? forced : available_gemm_kernels().back()->name);
+  EXPECT_NEAR(gemm_kernels(GetParam()).multiply_add(20000),
+              gemm_kernels(GetParam()).multiply_adds_per_round, 0.2);
 }
 
 }  // namespace

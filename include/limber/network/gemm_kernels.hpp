@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "limber/common/cpu_level.hpp"
 
 namespace limber {
 
@@ -13,8 +12,7 @@ namespace limber {
 /// depends on its row of A and column of B alone: not on the other sizes, nor on its place.
 /// Threads: pure functions, single-threaded, no allocation.
 struct GemmKernels {
-  const char* name;  ///< "baseline", "avx2" or "avx512"
-  int lanes;         ///< floats in a vector register: 4, 8 or 16
+  int lanes;  ///< floats in a vector register: 4, 8 or 16
 
   /// C = A·B, or C += A·B with `accumulate`. A m×k, B k×n, C m×n; all sizes ≥ 0.
   void (*nn)(int m, int n, int k, const float* a, int lda, const float* b, int ldb, float* c,
@@ -35,6 +33,12 @@ struct GemmKernels {
   void (*layer_of_rows)(int m, int n, int k, const float* a, int lda, const float* b, int ldb,
                         const float* bias, bool relu, float* c, int ldc);
 
+  /// A layer for one query, y = A·x + bias, max(·, 0) where `relu`: m a multiple of `lanes`, A m×k
+  /// without gaps between its columns. Skips the columns where x is 0, which after a ReLU is about
+  /// every other one: half the weights never leave the second cache. A finite. Bit for bit `layer`.
+  void (*query_layer)(int m, int k, const float* a, const float* x, const float* bias, bool relu,
+                      float* y);
+
   /// Back through ReLU: gradient(i, j) = 0 where activation(i, j) ≤ 0. Both m×n.
   void (*relu_gradient)(int m, int n, const float* activation, int ld_activation, float* gradient,
                         int ld_gradient);
@@ -50,15 +54,7 @@ struct GemmKernels {
   int multiply_adds_per_round;
 };
 
-/// The fastest kernels this CPU runs. The environment variable LIMBER_CPU (baseline, avx2, avx512)
-/// forces a lower level, read once. @throws InputError where LIMBER_CPU names a level that does not
-/// exist or that this CPU lacks.
-const GemmKernels& gemm_kernels();
-
-/// Every level this CPU runs, lowest first: for tests and benchmarks.
-std::vector<const GemmKernels*> available_gemm_kernels();
-
-/// Model name of the CPU as the system gives it, or "unknown".
-std::string cpu_name();
+/// The kernels of `level`. @pre this CPU runs it.
+const GemmKernels& gemm_kernels(CpuLevel level = cpu_level());
 
 }  // namespace limber

@@ -2,7 +2,7 @@
 
 // Sine and cosine of a whole vector at once (Cody and Waite's reduction, Cephes' sinf and cosf).
 
-#include "vector_float.hpp"
+#include "common/vector_float.hpp"
 
 namespace limber {
 namespace {

@@ -1,0 +1,92 @@
+#include "limber/network/packed_network.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace limber {
+
+namespace {
+
+struct FoldedLayer {
+  Eigen::MatrixXd weight;
+  Eigen::VectorXd bias;
+};
+
+// W (x − offset)·scale + b for the first layer, (W x + b)/scale + offset for the last, as plain
+// layers in the user's units.
+std::vector<FoldedLayer> fold(const CompensationModel& model) {
+  std::vector<FoldedLayer> layers;
+  for (const Layer& layer : model.layers) {
+    layers.push_back({layer.weight.cast<double>(), layer.bias.cast<double>()});
+  }
+  FoldedLayer& first = layers.front();
+  first.weight = first.weight * model.input.scale.cast<double>().asDiagonal();
+  first.bias -= first.weight * model.input.offset.cast<double>();
+  FoldedLayer& last = layers.back();
+  const Eigen::VectorXd range = model.output.scale.cast<double>().cwiseInverse();
+  last.weight = range.asDiagonal() * last.weight;
+  last.bias = last.bias.cwiseProduct(range) + model.output.offset.cast<double>();
+  return layers;
+}
+
+}  // namespace
+
+PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level)
+    : kernels_(gemm_kernels(level)) {
+  for (const FoldedLayer& folded : fold(model)) {
+    PackedLayer layer;
+    layer.inputs = static_cast<int>(folded.weight.cols());
+    layer.outputs = static_cast<int>(folded.weight.rows());
+    layer.padded_outputs = (layer.outputs + kernels_.lanes - 1) / kernels_.lanes * kernels_.lanes;
+    layer.relu = layers_.size() + 1 < model.layers.size();
+    const auto padded = static_cast<std::size_t>(layer.padded_outputs);
+    layer.weight.assign(padded * static_cast<std::size_t>(layer.inputs), 0.0F);
+    layer.bias.assign(padded, 0.0F);
+    layer.transposed_weight.resize(static_cast<std::size_t>(layer.inputs) *
+                                   static_cast<std::size_t>(layer.outputs));
+    Eigen::Map<Eigen::MatrixXf>(layer.weight.data(), layer.padded_outputs, layer.inputs)
+        .topRows(layer.outputs) = folded.weight.cast<float>();
+    Eigen::Map<Eigen::MatrixXf>(layer.transposed_weight.data(), layer.inputs, layer.outputs) =
+        folded.weight.transpose().cast<float>();
+    Eigen::Map<Eigen::VectorXf>(layer.bias.data(), layer.outputs) = folded.bias.cast<float>();
+    padded_width_ = std::max(padded_width_, layer.padded_outputs);
+    layers_.push_back(std::move(layer));
+  }
+}
+
+long PackedNetwork::multiply_adds() const {
+  long sum = 0;
+  for (const PackedLayer& layer : layers_) {
+    sum += static_cast<long>(layer.inputs) * layer.outputs;
+  }
+  return sum;
+}
+
+const float* PackedNetwork::evaluate(const float* input, float* scratch) const {
+  const float* x = input;
+  float* y = scratch;
+  float* other = scratch + padded_width_;
+  for (const PackedLayer& layer : layers_) {
+    kernels_.query_layer(layer.padded_outputs, layer.inputs, layer.weight.data(), x,
+                         layer.bias.data(), layer.relu, y);
+    x = y;
+    std::swap(y, other);
+  }
+  return x;
+}
+
+const float* PackedNetwork::evaluate_rows(int queries, const float* input, float* scratch) const {
+  const float* x = input;
+  float* y = scratch;
+  float* other = scratch + static_cast<std::ptrdiff_t>(padded_width_) * queries;
+  for (const PackedLayer& layer : layers_) {
+    kernels_.layer_of_rows(queries, layer.outputs, layer.inputs, x, queries,
+                           layer.transposed_weight.data(), layer.inputs, layer.bias.data(),
+                           layer.relu, y, queries);
+    x = y;
+    std::swap(y, other);
+  }
+  return x;
+}
+
+}  // namespace limber
