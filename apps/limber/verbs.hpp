@@ -11,5 +11,6 @@ namespace limber {
 std::vector<std::unique_ptr<Verb>> all_verbs();
 
 std::unique_ptr<Verb> make_doctor_verb();
+std::unique_ptr<Verb> make_characterize_verb();
 
 }  // namespace limber

@@ -1,0 +1,147 @@
+#include <filesystem>
+
+#include "limber/arm/characterisation.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/experiment/bench_chart.hpp"
+#include "limber/hardware/bench_test.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr const char* kCsvHelp =
+    "Fit your own bench data: a CSV file with the header pressure_kpa,strain and optionally "
+    "segment (0 is the base). Strain is the change of a side's length over its length at rest, "
+    "negative in contraction, measured on one whole free segment: a bare actuator contracts about "
+    "a third more, and a model fitted to that errs half as much again";
+
+nlohmann::ordered_json to_json(const StrainFit& fit, const std::vector<BenchPoint>& points) {
+  nlohmann::ordered_json json;
+  json["strain_polynomial"] = fit.polynomial;
+  json["pressure_limit_kpa"] = fit.pressure_limit_kpa;
+  json["full_strain"] = fit.full_strain;
+  json["rms_residual"] = fit.rms_residual;
+  json["max_residual"] = fit.max_residual;
+  json["refitted"] = fit.refitted;
+  json["warnings"] = fit.warnings;
+  json["points"] = nlohmann::ordered_json::array();
+  for (const BenchPoint& point : points) {
+    json["points"].push_back({{"pressure_kpa", point.pressure_kpa}, {"strain", point.strain}});
+  }
+  return json;
+}
+
+std::string to_text(int segment, const StrainFit& fit) {
+  const StrainPolynomial& c = fit.polynomial;
+  return fmt::format(
+      "segment {}: {} points, full strain {:.4f}, residual {:.2f} % rms, {:.2f} % at most{}\n"
+      "  e = {:g} p {:+g} p^2 {:+g} p^3 {:+g} p^4   (p in kPa)\n",
+      segment, fit.points, fit.full_strain, 100.0 * fit.rms_residual, 100.0 * fit.max_residual,
+      fit.refitted ? "; the plain fit fell somewhere, its slope is held at 0 or above" : "", c[0],
+      c[1], c[2], c[3]);
+}
+
+class CharacterizeVerb final : public Verb {
+ public:
+  const char* name() const override { return "characterize"; }
+  const char* summary() const override {
+    return "Bench test of one free segment, or a fit of your bench data, for the no-load model";
+  }
+  const char* example() const override {
+    return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
+        ->capture_default_str();
+    app.add_option("--csv", csv_, kCsvHelp);
+    app.add_option("--steps", steps_, "Pressure steps of the virtual arm's bench test")
+        ->capture_default_str()
+        ->check(CLI::Range(4, 1000));
+    app.add_option("--out", out_, "Write the arm file with the fitted polynomials here");
+    app.add_option("--plot", plot_, "Draw points and curves to this SVG file");
+  }
+
+  int run(const CommonFlags& flags) override {
+    const std::string arm_file = find_arm_file(arm_);
+    const ArmDescription arm = load_arm(arm_file);
+    for (const std::string& path : {out_, plot_}) {
+      if (!path.empty()) {
+        refuse_to_overwrite(path, flags.force);
+      }
+    }
+    const BenchData bench = csv_.empty() ? bench_test_all(arm, steps_) : read_bench_csv(csv_, arm);
+    const CharacterisedArm result = fit(arm, bench);
+    warn(flags, result);
+    // Everything is ready before the first file is written.
+    const std::string yaml = with_strain_polynomials(read_file(arm_file), result.arm);
+    const std::string svg = bench_chart(result, bench).svg();
+    if (!out_.empty()) {
+      write_file_atomically(out_, yaml);
+    }
+    if (!plot_.empty()) {
+      write_file_atomically(plot_, svg);
+    }
+    report(flags, result, bench);
+    return kExitDone;
+  }
+
+ private:
+  CharacterisedArm fit(const ArmDescription& arm, const BenchData& bench) const {
+    try {
+      return characterise(arm, bench);
+    } catch (const InputError& error) {
+      throw InputError(
+          fmt::format("{}: {}", csv_.empty() ? "bench test of " + arm.name : csv_, error.what()));
+    }
+  }
+
+  static void warn(const CommonFlags& flags, const CharacterisedArm& result) {
+    for (std::size_t i = 0; i < result.fits.size(); ++i) {
+      for (const std::string& warning : result.fits[i].warnings) {
+        say(flags, "warning: segment {}: {}", i, warning);
+      }
+    }
+  }
+
+  void report(const CommonFlags& flags, const CharacterisedArm& result,
+              const BenchData& bench) const {
+    nlohmann::ordered_json json;
+    json["arm"] = result.arm.name;
+    json["source"] = csv_.empty() ? "bench test on the virtual arm" : csv_;
+    json["segments"] = nlohmann::ordered_json::array();
+    std::string text;
+    for (std::size_t i = 0; i < result.fits.size(); ++i) {
+      json["segments"].push_back(to_json(result.fits[i], bench[i]));
+      text += to_text(int(i), result.fits[i]);
+    }
+    if (!out_.empty()) {
+      json["out"] = out_;
+      text += fmt::format("arm written to {}\n", out_);
+    }
+    if (!plot_.empty()) {
+      json["plot"] = plot_;
+      text += fmt::format("plot written to {}\n", plot_);
+    }
+    if (!text.empty()) {
+      text.pop_back();
+    }
+    print_result(flags, json, text);
+  }
+
+  std::string arm_ = "three_segment";
+  std::string csv_;
+  std::string out_;
+  std::string plot_;
+  int steps_ = 20;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_characterize_verb() {
+  return std::make_unique<CharacterizeVerb>();
+}
+
+}  // namespace limber
