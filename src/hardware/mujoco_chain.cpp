@@ -61,6 +61,13 @@ mjModel* load_model(const std::string& xml) {
 MujocoChain::MujocoChain(const ArmDescription& arm, double time_step_s) {
   install_handlers();
   model_.reset(load_model(chain_mjcf(arm, time_step_s)));
+  // MuJoCo's Euler solves (M + h D) a = f − D v for implicit damping, with a second factorisation of
+  // its own. The same system, factorised once: h D goes into the armature, −D v into f.
+  damping_.assign(model_->dof_damping, model_->dof_damping + size());
+  for (int dof = 0; dof < size(); ++dof) {
+    model_->dof_armature[dof] += time_step_s * model_->dof_damping[dof];
+    model_->dof_damping[dof] = 0.0;
+  }
   data_.reset(mj_makeData(model_.get()));
 }
 
@@ -75,6 +82,9 @@ void MujocoChain::set_state(const std::vector<double>& position,
 }
 
 std::string MujocoChain::step() {
+  for (std::size_t dof = 0; dof < damping_.size(); ++dof) {
+    data_->qfrc_applied[dof] -= damping_[dof] * data_->qvel[dof];
+  }
   mj_step(model_.get(), data_.get());
   for (int kind = 0; kind < mjNWARNING; ++kind) {
     if (data_->warning[kind].number > 0) {

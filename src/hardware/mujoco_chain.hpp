@@ -27,7 +27,7 @@ class MujocoChain {
   void set_state(const std::vector<double>& position, const std::vector<double>& velocity,
                  const std::vector<double>& warm_start, double time_s);
 
-  /// Forces of the next step, N and N m; `step` keeps them.
+  /// Forces of the next step, N and N m; write all of them before each `step`.
   double* applied_force() { return data_->qfrc_applied; }
 
   /// One step; the joints' damping is implicit.
@@ -45,6 +45,7 @@ class MujocoChain {
 
   std::unique_ptr<mjModel, DeleteModel> model_;
   std::unique_ptr<mjData, DeleteData> data_;
+  std::vector<double> damping_;
 };
 
 }  // namespace limber
