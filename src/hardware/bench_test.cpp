@@ -71,8 +71,8 @@ std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int s
   return points;
 }
 
-std::vector<std::vector<BenchPoint>> bench_test_all(const ArmDescription& arm, int steps) {
-  std::vector<std::vector<BenchPoint>> all;
+BenchData bench_test_all(const ArmDescription& arm, int steps) {
+  BenchData all;
   for (int segment = 0; segment < arm.segment_count(); ++segment) {
     all.push_back(bench_test(arm, segment, steps));
   }

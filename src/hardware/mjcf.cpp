@@ -89,7 +89,7 @@ std::string chain_mjcf(const ArmDescription& arm, double time_step_s) {
   }
   for (std::size_t i = links.size(); i > 0; --i) {
     margin.pop_back();
-    text += margin + "</body>\n";
+    text += fmt::format("{}</body>\n", margin);
   }
   return text + "    </body>\n  </worldbody>\n</mujoco>\n";
 }
