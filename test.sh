@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds limber, and runs every test: C++, Python, examples, and the whole
+# chain from end to end. Arguments go to ctest: ./test.sh -L unit, ./test.sh -R Chart.
+set -euo pipefail
+root=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
+# shellcheck source=tools/packages.sh
+. "$root/tools/packages.sh"
+
+install_packages build test
+# Unit tests run with assertions; the program that users run is the one that system tests run.
+build release
+build dev -DLIMBER_SYSTEM_BUILD_DIR="$root/build/release"
+
+say "testing"
+cd -- "$root"
+exec ctest --preset dev --no-tests=error "$@"
