@@ -33,6 +33,7 @@ std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Resta
 }
 
 ErrorStatistics statistics(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
   ErrorStatistics result;
   if (values.empty()) {
     return result;
@@ -57,7 +58,7 @@ TipErrors errors_over(const std::vector<FrameMatrix>& predicted,
                       const std::vector<Episode>& episodes, int first) {
   TipErrorSeries all;
   for (std::size_t i = 0; i < episodes.size(); ++i) {
-    const TipErrorSeries one = tip_errors(predicted[i], episodes[i].backbone, first);
+    const TipErrorSeries one = tip_errors(predicted[i], episodes[i], first);
     all.position_cm.insert(all.position_cm.end(), one.position_cm.begin(), one.position_cm.end());
     all.orientation_rad.insert(all.orientation_rad.end(), one.orientation_rad.begin(),
                                one.orientation_rad.end());
@@ -120,14 +121,17 @@ FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart r
   return std::move(roll_out(model, episodes, pieces_for(episodes, restart), jobs).front());
 }
 
-TipErrorSeries tip_errors(const FrameMatrix& predicted, const FrameMatrix& recorded, int first) {
+TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first) {
   TipErrorSeries errors;
+  const FrameMatrix& recorded = episode.backbone;
   const Eigen::Index tip = recorded.cols() - 3;
   for (Eigen::Index t = first; t < recorded.rows(); ++t) {
+    const bool seen = episode.tracked.empty() || episode.tracked[static_cast<std::size_t>(t)] != 0;
     const Eigen::Vector3d difference =
         (predicted.row(t).segment<3>(tip) - recorded.row(t).segment<3>(tip)).cast<double>();
-    errors.position_cm.push_back(kCmPerM * difference.head<2>().norm());
-    errors.orientation_rad.push_back(std::abs(difference[2]));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    errors.position_cm.push_back(seen ? kCmPerM * difference.head<2>().norm() : nan);
+    errors.orientation_rad.push_back(seen ? std::abs(difference[2]) : nan);
   }
   return errors;
 }

@@ -25,6 +25,9 @@ Episode slice(const Episode& episode, int first, int count) {
   part.backbone = episode.backbone.middleRows(first, count);
   part.motion_index.assign(episode.motion_index.begin() + first,
                            episode.motion_index.begin() + first + count);
+  if (!episode.tracked.empty()) {
+    part.tracked.assign(episode.tracked.begin() + first, episode.tracked.begin() + first + count);
+  }
   return part;
 }
 

@@ -64,8 +64,10 @@ struct TipErrorSeries {
   std::vector<double> position_cm;
   std::vector<double> orientation_rad;
 };
-/// Frames `first` and later of `predicted` against the recorded ones; both T×3m.
-TipErrorSeries tip_errors(const FrameMatrix& predicted, const FrameMatrix& recorded, int first);
+/// Frames `first` and later of `predicted` (T×3m) against those recorded; NaN where the arm was not
+/// seen.
+TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first);
+/// Statistics over the frames that are not NaN.
 TipErrors summarise(const TipErrorSeries& series);
 
 /// @param network  null: no-load model only.

@@ -1,0 +1,63 @@
+#include "limber/training/evaluation.hpp"
+#include "limber/training/evaluation_plots.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+class EvaluateVerb final : public Verb {
+ public:
+  const char* name() const override { return "evaluate"; }
+  const char* summary() const override {
+    return "Errors of the no-load and the network model on a recording";
+  }
+  const char* example() const override {
+    return "limber collect --schedule random --count 100 --seed 7 --out test.h5\n"
+           "  limber evaluate --model model.safetensors --data test.h5 --plots plots";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_option("--model", model_, "Network model; without it, the no-load model alone");
+    app.add_option("--data", data_, "Recording that was not trained on")->required();
+    app.add_option("--plots", plots_, "Folder for error_over_time.svg and other pictures");
+  }
+
+  int run(const CommonFlags& flags) override {
+    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ForwardModel no_load(arm);
+    std::optional<ForwardModel> network;
+    if (!model_.empty()) {
+      network.emplace(arm, read_model(model_));
+    }
+    const Recording recording = read_recording(data_);
+    require_recording_of(recording, arm, data_);
+    const ForwardModel* compared = network ? &*network : nullptr;
+    const Evaluation evaluation = evaluate(no_load, compared, recording.episodes, flags.jobs);
+    if (!plots_.empty()) {
+      const EvaluationPlots plots =
+          plot_evaluation(no_load, compared, recording.episodes, flags.jobs);
+      for (const auto& path : write_evaluation_plots(plots_, plots)) {
+        say(flags, "wrote {}", path.string());
+      }
+    }
+    print_result(flags, evaluation_to_json(evaluation), evaluation_to_text(evaluation));
+    return kExitDone;
+  }
+
+ private:
+  std::string arm_ = "three_segment";
+  std::string model_;
+  std::string data_;
+  std::string plots_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_evaluate_verb() {
+  return std::make_unique<EvaluateVerb>();
+}
+
+}  // namespace limber

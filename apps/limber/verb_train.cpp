@@ -1,0 +1,168 @@
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/training/trainer.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class TrainVerb final : public Verb {
+ public:
+  const char* name() const override { return "train"; }
+  const char* summary() const override { return "Train a compensation network on recordings"; }
+  const char* example() const override {
+    return "limber collect --schedule transitions --out train.h5\n"
+           "  limber train --data train.h5 --out model.safetensors";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_option("--data", data_, "Recording to learn from; repeat for more")->required();
+    app.add_option("--validation", validation_,
+                   "Recording that chooses the best epoch; else whole episodes are held back");
+    app.add_option("--preset", preset_, "paper: as published; best: the default")
+        ->check(CLI::IsMember({"paper", "best"}))
+        ->capture_default_str();
+    app.add_option("--from", from_, "Model to go on from (fine-tuning)");
+    app.add_option("--epochs", epochs_, "Epochs in all, in the preset's proportions")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--time-limit-s", time_limit_s_,
+                   "Fixes the number of epochs at the start to what fits")
+        ->check(CLI::PositiveNumber)
+        ->excludes("--epochs");
+    app.add_option("--learning-rate", learning_rate_, "Instead of the preset's")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--hidden", hidden_, "Units of each hidden layer, such as --hidden 100 100 100")
+        ->check(CLI::Range(1, 4096));
+    app.add_option("--out", out_, "Model to write; the learning curve goes beside it")
+        ->capture_default_str();
+  }
+
+  int run(const CommonFlags& flags) override {
+    refuse_to_overwrite(out_, flags.force);
+    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const TrainingSettings settings = make_settings(flags);
+    std::string sources;
+    const TrainingData data = load_data(arm, settings, sources);
+    say(flags, "training on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
+        data.training.size(), data.validation.size(), settings.preset, settings.epoch_count(),
+        settings.seed);
+    TrainingResult result = from_.empty() ? train(arm, data, settings)
+                                          : fine_tune(arm, data, settings, read_model(from_));
+    if (result.status == TrainingStatus::diverged) {
+      fmt::print(stderr, "error: {}\n", result.message);
+    }
+    if (result.best_epoch == 0) {
+      return kExitNoSolution;
+    }
+    result.model.training["data"] = sources;
+    if (!from_.empty()) {
+      result.model.training["from"] = content_hash(read_file(from_));
+    }
+    write(result);
+    report(flags, result);
+    return result.status == TrainingStatus::finished ? kExitDone : kExitNoSolution;
+  }
+
+ private:
+  TrainingSettings make_settings(const CommonFlags& flags) const {
+    TrainingSettings settings = training_preset(preset_);
+    if (epochs_) {
+      set_epoch_count(settings, *epochs_);
+    }
+    settings.time_limit_s = time_limit_s_.value_or(0.0);
+    settings.learning_rate = learning_rate_.value_or(settings.learning_rate);
+    if (!hidden_.empty()) {
+      settings.hidden_units = hidden_;
+    }
+    settings.seed = flags.seed;
+    settings.jobs = flags.jobs;
+    settings.progress = flags.progress();
+    return settings;
+  }
+
+  TrainingData load_data(const ArmDescription& arm, const TrainingSettings& settings,
+                         std::string& sources) const {
+    std::vector<Episode> episodes;
+    for (const std::string& path : data_) {
+      Recording recording = read_recording(path);
+      require_recording_of(recording, arm, path);
+      sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ",
+                             fs::path(path).filename().string(), content_hash(read_file(path)));
+      for (Episode& episode : recording.episodes) {
+        episodes.push_back(std::move(episode));
+      }
+    }
+    if (validation_.empty()) {
+      return hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
+    }
+    Recording recording = read_recording(validation_);
+    require_recording_of(recording, arm, validation_);
+    return {std::move(episodes), std::move(recording.episodes)};
+  }
+
+  fs::path curve_path(const char* extension) const {
+    return fs::path(out_).replace_extension(extension);
+  }
+
+  void write(const TrainingResult& result) const {
+    write_model(out_, result.model);
+    write_learning_curve_csv(curve_path(".curve.csv"), result.curve);
+    write_file_atomically(curve_path(".curve.svg"), learning_curve_svg(result.curve));
+  }
+
+  void report(const CommonFlags& flags, const TrainingResult& result) const {
+    const char* status = result.status == TrainingStatus::finished      ? "finished"
+                         : result.status == TrainingStatus::interrupted ? "interrupted"
+                                                                        : "diverged";
+    const LearningCurvePoint& last = result.curve.back();
+    nlohmann::ordered_json json;
+    json["status"] = status;
+    json["model"] = out_;
+    json["learning_curve"] = curve_path(".curve.csv").string();
+    json["preset"] = result.model.preset;
+    json["shape"] = result.model.shape();
+    json["seed"] = flags.seed;
+    json["epochs"] = last.epoch;
+    json["best_epoch"] = result.best_epoch;
+    json["loss"] = last.loss;
+    json["validation_position_error_cm"] = result.best_validation_position_error_cm;
+    json["wall_time_s"] = result.wall_time_s;
+    print_result(
+        flags, json,
+        fmt::format("{}: {} ({}), {} epochs in {:.1f} s, {}; best by validation: epoch "
+                    "{}, open-loop tip error {:.2f} cm",
+                    out_, result.model.shape(), result.model.preset, last.epoch, result.wall_time_s,
+                    status, result.best_epoch, result.best_validation_position_error_cm));
+  }
+
+  static constexpr double kValidationShare = 0.1;
+
+  std::string arm_ = "three_segment";
+  std::vector<std::string> data_;
+  std::string validation_;
+  std::string preset_ = "best";
+  std::string from_;
+  std::optional<int> epochs_;
+  std::optional<double> time_limit_s_;
+  std::optional<double> learning_rate_;
+  std::vector<int> hidden_;
+  std::string out_ = "model.safetensors";
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_train_verb() {
+  return std::make_unique<TrainVerb>();
+}
+
+}  // namespace limber

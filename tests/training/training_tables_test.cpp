@@ -1,0 +1,108 @@
+#include "limber/training/training_tables.hpp"
+
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "limber/network/backbone_layout.hpp"
+#include "training/toy_arm.hpp"
+
+namespace limber {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr float kRounding = 2e-4F;  // float32 through a subtraction of near numbers
+
+TEST(TrainingTables, RangesFillZeroToOne) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingTables tables = make_training_tables(
+      arm, {toy_episode(arm, 6, 20, 3)}, BackboneLayout::base_poses, Scaling::unit_range);
+  EXPECT_EQ(tables.input.scale.size(), 102);
+  EXPECT_EQ(tables.output.scale.size(), 48);
+  const Eigen::MatrixXf& state = tables.frames.state;
+  EXPECT_NEAR(state.minCoeff(), 0.0F, kRounding);
+  EXPECT_NEAR(state.maxCoeff(), 1.0F, kRounding);
+  EXPECT_NEAR(tables.frames.pressure.row(1).maxCoeff(), 1.0F, kRounding);
+}
+
+// The base plate never moves: its three columns are constant.
+TEST(TrainingTables, ConstantColumnsKeepScaleOne) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingTables tables = make_training_tables(
+      arm, {toy_episode(arm, 6, 20, 3)}, BackboneLayout::base_poses, Scaling::unit_range);
+  EXPECT_EQ(tables.output.scale.head(3), Eigen::Vector3f::Ones());
+  EXPECT_TRUE(tables.frames.state.topRows(3).isZero());
+  EXPECT_TRUE(tables.input.scale.allFinite());
+}
+
+TEST(TrainingTables, UnitSpreadHasMeanZeroAndDeviationOne) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingTables tables = make_training_tables(
+      arm, {toy_episode(arm, 6, 20, 3)}, BackboneLayout::gap_poses, Scaling::unit_spread);
+  EXPECT_EQ(tables.input.scale.size(), 60);
+  for (const Eigen::Index row : {2, 17, 44}) {
+    const auto values = tables.frames.state.row(row).array();
+    EXPECT_NEAR(values.mean(), 0.0F, kRounding);
+    EXPECT_NEAR((values - values.mean()).square().mean(), 1.0F, kRounding);
+  }
+}
+
+// The output that undoes normalisation exactly must lead back to the recorded backbone: (5).
+TEST(TrainingTables, TheRightCompensationGivesTheRecordedState) {
+  const ArmDescription arm = three_segment_arm();
+  for (const auto kind : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
+    const Episode episode = toy_episode(arm, 6, 20, 3);
+    const TrainingTables tables = make_training_tables(arm, {episode}, kind, Scaling::unit_range);
+    const NetworkLayout layout(kind, arm);
+    const NoLoadModel no_load(arm);
+    for (const int t : {0, 33, 100}) {
+      Backbone unloaded(arm.point_count(), 3);
+      no_load.backbone(episode.pressure_kpa.row(t).transpose(), unloaded);
+      const Eigen::VectorXf prior = layout.encode(unloaded.reshaped<Eigen::RowMajor>());
+      const Eigen::VectorXf recorded = layout.encode(episode.backbone.row(t).transpose());
+      const Eigen::VectorXf output =
+          (recorded - prior - tables.output.offset).cwiseProduct(tables.output.scale);
+      const Eigen::VectorXf state =
+          tables.frames.uncompensated.col(t) + tables.map.output_scale.cwiseProduct(output);
+      EXPECT_LT((state - tables.frames.state.col(t)).lpNorm<Eigen::Infinity>(), kRounding);
+    }
+  }
+}
+
+TEST(TrainingTables, RefusesConstantPressures) {
+  const ArmDescription arm = three_segment_arm();
+  Episode still = toy_episode(arm, 2, 40, 3);
+  still.pressure_kpa.setConstant(20.0F);
+  EXPECT_THAT(
+      [&] { make_training_tables(arm, {still}, BackboneLayout::gap_poses, Scaling::unit_spread); },
+      ThrowsMessage<InputError>(HasSubstr("no pressure changes in the training data (81 frames)")));
+  EXPECT_THAT(
+      [&] { make_training_tables(arm, {}, BackboneLayout::gap_poses, Scaling::unit_spread); },
+      ThrowsMessage<InputError>(HasSubstr("hold no frame")));
+}
+
+TEST(WindowStarts, DoNotOverlapAndStayInsideTheirEpisode) {
+  const std::vector<EpisodeRange> episodes = {{0, 100}, {100, 20}, {120, 33}, {153, 65}};
+  for (int shift = 0; shift < 32; ++shift) {
+    std::set<int> predicted;
+    for (const int start : window_starts(episodes, 32, shift)) {
+      for (int frame = start + 1; frame <= start + 32; ++frame) {
+        EXPECT_TRUE(predicted.insert(frame).second) << "frame " << frame << ", shift " << shift;
+      }
+      bool inside = false;
+      for (const EpisodeRange& episode : episodes) {
+        inside |= start >= episode.first && start + 32 < episode.first + episode.count;
+      }
+      EXPECT_TRUE(inside) << start;
+    }
+    // An episode of exactly one window keeps it, whatever the shift.
+    EXPECT_TRUE(predicted.contains(152));
+  }
+  EXPECT_EQ(window_starts(episodes, 32, 0), (std::vector<int>{0, 32, 64, 120, 153, 185}));
+}
+
+}  // namespace
+}  // namespace limber
