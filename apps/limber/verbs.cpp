@@ -4,6 +4,7 @@ namespace limber {
 
 std::vector<std::unique_ptr<Verb>> all_verbs() {
   std::vector<std::unique_ptr<Verb>> verbs;
+  verbs.push_back(make_collect_verb());
   verbs.push_back(make_doctor_verb());
   verbs.push_back(make_characterize_verb());
   return verbs;

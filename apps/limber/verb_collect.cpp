@@ -1,0 +1,110 @@
+#include "limber/arm/arm_description.hpp"
+#include "limber/common/error.hpp"
+#include "limber/hardware/virtual_arm_factory.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+class CollectVerb final : public Verb {
+ public:
+  const char* name() const override { return "collect"; }
+  const char* summary() const override { return "Record an arm while it follows a schedule"; }
+  const char* example() const override {
+    return "limber collect --arm three_segment --schedule random --count 20 --out random.h5";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_option("--schedule", schedule_.kind,
+                   "transitions: every ordered pair of fully left, off, fully right per segment; "
+                   "random: uniform set points within the limits")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, ScheduleKind>{
+            {"transitions", ScheduleKind::transitions}, {"random", ScheduleKind::random}}))
+        ->default_str("transitions");
+    app.add_option("--count", schedule_.count,
+                   "Motions of each random episode; or how many transitions, all by default");
+    app.add_option("--episodes", schedule_.episodes,
+                   "Unbroken runs: 16 for transitions and 1 for random by default");
+    app.add_option("--approach", schedule_.approach,
+                   "step: set points jump; straight: they move together along a straight line at "
+                   "the arm's rate limit, as a plan's do")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Approach>{
+            {"step", Approach::step}, {"straight", Approach::straight}}))
+        ->default_str("step");
+    app.add_option("--hold-s", schedule_.hold_s,
+                   "Seconds that a motion's final set point is commanded; longer until reached")
+        ->capture_default_str();
+    app.add_option("--hold-min-s", schedule_.hold_min_s,
+                   "Draw each hold between this and --hold-s, reached or not");
+    app.add_option("--driver", driver_, "What moves: virtual")->capture_default_str();
+    app.add_option("--noise-m", options_.noise_m, "Noise of measured positions, std deviation");
+    app.add_option("--noise-rad", options_.noise_rad, "Noise of measured headings");
+    app.add_option("--noise-kpa", options_.noise_kpa, "Noise of measured pressures");
+    app.add_option("--drop-rate", options_.drop_rate, "Probability that a frame has no backbone");
+    app.add_option("--latency-s", options_.latency_s, "Delay of everything measured");
+    app.add_option("--out", out_, "Recording to write")->required();
+    app.add_flag("--resume", resume_, "Go on from the finished episodes of a stopped run");
+  }
+
+  int run(const CommonFlags& flags) override {
+    if (driver_ != "virtual") {
+      throw InputError(fmt::format("--driver {}: expected virtual", driver_));
+    }
+    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    options_.seed = flags.seed;
+    CollectionSettings settings = virtual_collection(arm, schedule_, options_);
+    settings.jobs = flags.jobs;
+    settings.resume = resume_;
+    settings.force = flags.force;
+    settings.progress = flags.progress();
+    const CollectionResult result =
+        collect(arm, settings, virtual_arm_factory(arm, options_), out_);
+    report(flags, result);
+    return kExitDone;
+  }
+
+ private:
+  void report(const CommonFlags& flags, const CollectionResult& result) const {
+    const Recording& recording = result.recording;
+    std::size_t motions = 0;
+    for (const Episode& episode : recording.episodes) {
+      motions += static_cast<std::size_t>(episode.motion_index.back() + 1);
+    }
+    nlohmann::ordered_json json;
+    json["file"] = out_;
+    json["arm"] = recording.arm_name;
+    json["seed"] = recording.seed;
+    json["settings"] = recording.settings;
+    json["episodes"] = recording.episodes.size();
+    json["episodes_kept_from_before"] = result.kept_episodes;
+    json["motions"] = motions;
+    json["frames"] = recording.frame_count();
+    json["frames_dropped"] = recording.untracked_count();
+    json["arm_time_s"] = recording.duration_s();
+    json["wall_time_s"] = result.wall_time_s;
+    print_result(
+        flags, json,
+        fmt::format("{}: {} motions in {} episodes, {} frames ({} of arm time), seed {}, "
+                    "recorded in {:.1f} s",
+                    out_, motions, recording.episodes.size(), recording.frame_count(),
+                    format_duration(recording.duration_s()), recording.seed, result.wall_time_s));
+  }
+
+  std::string arm_ = "three_segment";
+  std::string driver_ = "virtual";
+  std::string out_;
+  ScheduleSettings schedule_;
+  VirtualArmOptions options_;
+  bool resume_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_collect_verb() {
+  return std::make_unique<CollectVerb>();
+}
+
+}  // namespace limber
