@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154
 # Sourced by demo.sh and test.sh, which set `root` to the project's folder.
 
 say() { printf '==> %s\n' "$*" >&2; }
@@ -12,7 +13,7 @@ packages_of() {
   local section
   for section in "$@"; do
     sed -n "/^\[$section\]/,/^\[/p" "$root/packages.txt" | sed -e 's/#.*//' -e '/^\[/d' |
-      tr -s ' \t' '\n\n' | sed '/^$/d'
+      tr -s '[:blank:]' '\n' | sed '/^$/d'
   done
 }
 
