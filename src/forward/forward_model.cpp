@@ -1,0 +1,128 @@
+#include "limber/forward/forward_model.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "forward/forward_pipeline.hpp"
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kPressureSlack = 1.05;  // a measured pressure overshoots its limit a little
+
+CompensationModel checked(CompensationModel compensation, const ArmDescription& arm) {
+  validate(compensation, "compensation model");
+  require_model_of(compensation, arm, "compensation model");
+  return compensation;
+}
+
+template <class Derived>
+ConstColumns columns_of(const Eigen::MatrixBase<Derived>& m) {
+  return {m.derived().data(), static_cast<int>(m.derived().outerStride())};
+}
+
+void require_pressures(const char* name, const Pressures& pressures, const NoLoadModel& arm) {
+  if (pressures.size() != arm.segment_count()) {
+    throw InputError(fmt::format("{}: {} pressures; the arm has {} segments", name,
+                                 pressures.size(), arm.segment_count()));
+  }
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const double limit = arm.segment(i).pressure_limit_kpa;
+    if (!(std::abs(pressures[i]) <= kPressureSlack * limit)) {
+      throw InputError(
+          fmt::format("{}[{}] = {} kPa; expected within ±{:.6g} kPa, the segment's "
+                      "limit of {} and 5 % for overshoot",
+                      name, i, pressures[i], kPressureSlack * limit, limit));
+    }
+  }
+}
+
+void require_backbone(const char* name, const Backbone& backbone, int points) {
+  if (backbone.rows() != points) {
+    throw InputError(fmt::format("{}: {} points; the arm has {}", name, backbone.rows(), points));
+  }
+  for (int p = 0; p < points; ++p) {
+    if (!backbone.row(p).allFinite()) {
+      throw InputError(fmt::format("{}[{}] = ({}, {}, {}); expected finite metres and radians",
+                                   name, p, backbone(p, 0), backbone(p, 1), backbone(p, 2)));
+    }
+  }
+}
+
+}  // namespace
+
+ForwardModel::ForwardModel(const ArmDescription& arm, CpuLevel level)
+    : no_load_(arm), pipeline_(std::make_unique<ForwardPipeline>(arm, nullptr, level)) {}
+
+ForwardModel::ForwardModel(const ArmDescription& arm, CompensationModel compensation,
+                           CpuLevel level)
+    : no_load_(arm),
+      compensation_(checked(std::move(compensation), arm)),
+      pipeline_(std::make_unique<ForwardPipeline>(arm, &*compensation_, level)) {}
+
+ForwardModel::ForwardModel(ForwardModel&&) noexcept = default;
+ForwardModel& ForwardModel::operator=(ForwardModel&&) noexcept = default;
+ForwardModel::~ForwardModel() = default;
+
+float* ForwardModel::scratch_of(Workspace& workspace) const {
+  const std::size_t size = pipeline_->scratch_size();
+  if (workspace.scratch_.size() < size) {
+    workspace.scratch_.resize(size);
+  }
+  return workspace.scratch_.data();
+}
+
+void ForwardModel::step(const Eigen::Ref<const Pressures>& previous_kpa,
+                        const Eigen::Ref<const Pressures>& current_kpa,
+                        const Eigen::Ref<const Backbone>& previous, Eigen::Ref<Backbone> next,
+                        Workspace& workspace) const {
+  assert(previous_kpa.size() == segment_count() && current_kpa.size() == segment_count());
+  assert(previous.rows() == point_count() && next.rows() == point_count());
+  assert(previous_kpa.allFinite() && current_kpa.allFinite() && previous.allFinite());
+  // A contiguous backbone is a column of 3m numbers; a row of a wider matrix is not.
+  assert(previous.outerStride() == 3 && next.outerStride() == 3);
+  const int size = 3 * point_count();
+  pipeline_->run(1, {previous_kpa.data(), segment_count()}, {current_kpa.data(), segment_count()},
+                 {previous.data(), size}, {next.data(), size}, scratch_of(workspace));
+}
+
+void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
+                              const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
+                              const Eigen::Ref<const Eigen::MatrixXf>& previous,
+                              Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const {
+  assert(previous_kpa.rows() == segment_count() && current_kpa.rows() == segment_count());
+  assert(previous.rows() == 3 * point_count() && next.rows() == 3 * point_count());
+  assert(previous_kpa.cols() == next.cols() && current_kpa.cols() == next.cols() &&
+         previous.cols() == next.cols());
+  assert(previous_kpa.allFinite() && current_kpa.allFinite() && previous.allFinite());
+  pipeline_->run(static_cast<int>(next.cols()), columns_of(previous_kpa), columns_of(current_kpa),
+                 columns_of(previous), {next.data(), static_cast<int>(next.outerStride())},
+                 scratch_of(workspace));
+}
+
+Backbone ForwardModel::checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
+                                    const Backbone& previous) const {
+  require_pressures("previous_kpa", previous_kpa, no_load_);
+  require_pressures("current_kpa", current_kpa, no_load_);
+  require_backbone("previous", previous, point_count());
+  Backbone next(point_count(), 3);
+  Workspace workspace;
+  step(previous_kpa, current_kpa, previous, next, workspace);
+  return next;
+}
+
+void ForwardModel::rollout(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
+                           Eigen::Ref<Eigen::MatrixXf> backbones, Workspace& workspace) const {
+  assert(pressures_kpa.cols() == backbones.cols());
+  for (Eigen::Index t = 1; t < pressures_kpa.cols(); ++t) {
+    step_batch(pressures_kpa.col(t - 1), pressures_kpa.col(t), backbones.col(t - 1),
+               backbones.col(t), workspace);
+  }
+}
+
+}  // namespace limber

@@ -1,0 +1,182 @@
+#pragma once
+
+// RowKernels for the instruction set that the including file is compiled for (see
+// common/vector_float.hpp). Every multiply-add is spelt out, so a query's result is the same to the
+// bit in whichever lane it is computed.
+
+#include <cstddef>
+
+#include "common/vector_float.hpp"
+#include "common/vector_sincos.hpp"
+#include "forward/row_kernels.hpp"
+
+namespace limber {
+namespace {
+
+struct Rotation {
+  Vector cosine;
+  Vector sine;
+};
+
+inline Rotation rotation_of(Vector angle) {
+  Rotation r;
+  sincos(angle, r.sine, r.cosine);
+  return r;
+}
+
+// The rotation by the sum of both angles.
+inline Rotation then(Rotation a, Rotation b) {
+  return {multiply_add(a.cosine, b.cosine, -(a.sine * b.sine)),
+          multiply_add(a.sine, b.cosine, a.cosine * b.sine)};
+}
+
+void gather(int rows, int count, const float* columns, int ld, float* row, int stride) {
+  for (int q = 0; q < count; ++q) {
+    const float* column = columns + static_cast<std::ptrdiff_t>(q) * ld;
+    for (int r = 0; r < rows; ++r) {
+      row[r * stride + q] = column[r];
+    }
+  }
+  for (int r = 0; r < rows && count < stride; ++r) {
+    for (int q = count; q < stride; ++q) {
+      row[r * stride + q] = 0.0F;
+    }
+  }
+}
+
+void scatter(int rows, int count, const float* row, int stride, float* columns, int ld) {
+  for (int q = 0; q < count; ++q) {
+    float* column = columns + static_cast<std::ptrdiff_t>(q) * ld;
+    for (int r = 0; r < rows; ++r) {
+      column[r] = row[r * stride + q];
+    }
+  }
+}
+
+// e = P(|p|), along the end slope above the limit.
+inline Vector strain_of(const NoLoadSegment& s, Vector pressure) {
+  const Vector limit = broadcast(s.pressure_limit_kpa);
+  const Vector p = absolute(pressure);
+  Vector e =
+      multiply_add(p, broadcast(s.strain_coefficient[3]), broadcast(s.strain_coefficient[2]));
+  e = multiply_add(p, e, broadcast(s.strain_coefficient[1]));
+  e = multiply_add(p, e, broadcast(s.strain_coefficient[0]));
+  const Vector above =
+      multiply_add(p - limit, broadcast(s.slope_at_limit_per_kpa), broadcast(s.strain_at_limit));
+  return select(p > limit, above, p * e);
+}
+
+void no_load_gaps(const NoLoadSegment* segments, int n, const float* pressure_kpa, float* gap,
+                  int stride) {
+  for (int i = 0; i < n; ++i) {
+    const NoLoadSegment& s = segments[i];
+    const float gap_length = s.length_m / static_cast<float>(s.gaps);
+    for (int q = 0; q < stride; q += kLanes) {
+      const Vector pressure = load(pressure_kpa + i * stride + q);
+      const Vector e = strain_of(s, pressure);
+      // κ l = e l0/t, negative where the right side is inflated; half of a gap's share of it.
+      const Vector turn = e * broadcast(0.5F * gap_length / s.width_m);
+      const Vector half = select(pressure > Vector{}, -turn, turn);
+      const Rotation chord = rotation_of(half);
+      // The chord of an arc: its length times sin(h)/h, along its middle.
+      const Vector series = multiply_add(half * half, broadcast(-1.0F / 6.0F), broadcast(1.0F));
+      const Vector sinc = select(turn < broadcast(1e-3F), series, chord.sine / half);
+      const Vector length =
+          multiply_add(e, broadcast(-0.5F), broadcast(1.0F)) * broadcast(gap_length) * sinc;
+      float* out = gap + 3 * i * stride + q;
+      store(out, length * chord.cosine);
+      store(out + stride, length * chord.sine);
+      store(out + 2 * stride, half + half);
+    }
+  }
+}
+
+void chain_segments(const NoLoadSegment* segments, int n, const float* gap, float* base,
+                    int stride) {
+  for (int q = 0; q < stride; q += kLanes) {
+    float* out = base + q;
+    Vector x{};
+    Vector y{};
+    Vector theta{};
+    store(out, x);
+    store(out + stride, y);
+    store(out + 2 * stride, theta);
+    Rotation heading = {broadcast(1.0F), Vector{}};
+    for (int i = 0; i < n; ++i) {
+      const float* in = gap + 3 * i * stride + q;
+      const Vector dx = load(in);
+      const Vector dy = load(in + stride);
+      const Vector turn = load(in + 2 * stride);
+      const Rotation rotation = rotation_of(turn);
+      for (int g = 0; g < segments[i].gaps; ++g) {
+        out += 3 * stride;
+        x = multiply_add(heading.cosine, dx, multiply_add(-heading.sine, dy, x));
+        y = multiply_add(heading.sine, dx, multiply_add(heading.cosine, dy, y));
+        theta += turn;
+        heading = then(heading, rotation);
+        store(out, x);
+        store(out + stride, y);
+        store(out + 2 * stride, theta);
+      }
+    }
+  }
+}
+
+void encode_gaps(int gaps, const float* base, float* gap, int stride) {
+  for (int g = 0; g < gaps; ++g) {
+    const float* from = base + 3 * g * stride;
+    const float* to = from + 3 * stride;
+    float* out = gap + 3 * g * stride;
+    for (int q = 0; q < stride; q += kLanes) {
+      const Vector theta = load(from + 2 * stride + q);
+      const Rotation heading = rotation_of(theta);
+      const Vector x = load(to + q) - load(from + q);
+      const Vector y = load(to + stride + q) - load(from + stride + q);
+      store(out + q, multiply_add(heading.cosine, x, heading.sine * y));
+      store(out + stride + q, multiply_add(heading.cosine, y, -(heading.sine * x)));
+      store(out + 2 * stride + q, load(to + 2 * stride + q) - theta);
+    }
+  }
+}
+
+void decode_gaps(int gaps, const float* gap, float* base, int stride) {
+  for (int q = 0; q < stride; q += kLanes) {
+    Vector x{};
+    Vector y{};
+    Vector theta{};
+    float* out = base + q;
+    store(out, x);
+    store(out + stride, y);
+    store(out + 2 * stride, theta);
+    for (int g = 0; g < gaps; ++g) {
+      const float* in = gap + 3 * g * stride + q;
+      const Rotation heading = rotation_of(theta);
+      const Vector dx = load(in);
+      const Vector dy = load(in + stride);
+      x = multiply_add(heading.cosine, dx, multiply_add(-heading.sine, dy, x));
+      y = multiply_add(heading.sine, dx, multiply_add(heading.cosine, dy, y));
+      theta += load(in + 2 * stride);
+      out += 3 * stride;
+      store(out, x);
+      store(out + stride, y);
+      store(out + 2 * stride, theta);
+    }
+  }
+}
+
+void add(int count, const float* a, const float* b, float* sum) {
+  int i = 0;
+  for (; i + kLanes <= count; i += kLanes) {
+    store(sum + i, load(a + i) + load(b + i));
+  }
+  for (; i < count; ++i) {
+    sum[i] = a[i] + b[i];
+  }
+}
+
+constexpr RowKernels row_kernels_of_this_level() {
+  return {kLanes, gather, scatter, no_load_gaps, chain_segments, encode_gaps, decode_gaps, add};
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,79 @@
+#include "limber/network/untrained_model.hpp"
+
+#include <cassert>
+#include <cmath>
+
+#include "limber/common/random_stream.hpp"
+#include "limber/network/backbone_layout.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr float kBend_rad = 3.0F;          // a segment's largest turn, about
+constexpr float kCompensation_m = 0.02F;   // output range of a position
+constexpr float kCompensation_rad = 0.1F;  // and of an angle
+
+Layer random_layer(int inputs, int outputs, RandomStream& random) {
+  // He's bound: the spread of the numbers stays the same from layer to layer.
+  const double bound = std::sqrt(6.0 / inputs);
+  Layer layer;
+  layer.weight = Eigen::MatrixXf::NullaryExpr(
+      outputs, inputs, [&] { return static_cast<float>(random.uniform(-bound, bound)); });
+  layer.bias = Eigen::VectorXf::NullaryExpr(
+      outputs, [&] { return static_cast<float>(random.uniform(-0.1, 0.1)); });
+  return layer;
+}
+
+// Largest magnitudes of poses, three numbers a pose.
+Eigen::VectorXf pose_ranges(Eigen::Index size, float metres, float radians) {
+  return Eigen::VectorXf::NullaryExpr(
+      size, [&](Eigen::Index i) { return i % 3 == 2 ? radians : metres; });
+}
+
+}  // namespace
+
+CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layout,
+                                  const std::vector<int>& hidden, std::uint64_t seed) {
+  const NetworkLayout sizes(layout, arm);
+  CompensationModel model;
+  model.layout = layout;
+  model.arm_name = arm.name;
+  model.arm_hash = arm.hash();
+  model.segment_count = arm.segment_count();
+  model.point_count = arm.point_count();
+  model.preset = "untrained";
+
+  RandomStream random(seed, 0);
+  int inputs = sizes.input_size();
+  for (const int units : hidden) {
+    assert(units > 0);
+    model.layers.push_back(random_layer(inputs, units, random));
+    inputs = units;
+  }
+  model.layers.push_back(random_layer(inputs, sizes.output_size(), random));
+
+  // In base poses the arm's whole length and all segments' turns count, in gap poses one gap's.
+  const bool base = layout == BackboneLayout::base_poses;
+  const auto length = static_cast<float>(arm.length_m());
+  const float share = base ? 1.0F : 1.0F / static_cast<float>(arm.point_count() - 1);
+  const float turn = kBend_rad * static_cast<float>(arm.segment_count());
+  Eigen::VectorXf range(sizes.input_size());
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const auto limit =
+        static_cast<float>(arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa);
+    range[sizes.previous_pressure_row() + i] = limit;
+    range[sizes.pressure_row() + i] = limit;
+  }
+  range.tail(sizes.backbone_size() + sizes.no_load_size()) =
+      pose_ranges(sizes.backbone_size() + sizes.no_load_size(), length * share, turn * share);
+  model.input.offset = -range;
+  model.input.scale = (2.0F * range).cwiseInverse();
+  const Eigen::VectorXf output =
+      pose_ranges(sizes.output_size(), kCompensation_m * share, kCompensation_rad * share);
+  model.output.offset = -output;
+  model.output.scale = (2.0F * output).cwiseInverse();
+  return model;
+}
+
+}  // namespace limber
