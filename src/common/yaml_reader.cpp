@@ -31,6 +31,31 @@ double parse_number(const std::string& text) {
   return error == std::errc() && end == last ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// A repeated key would silently win or lose; yaml-cpp lets it pass. `seen` holds the places of
+/// visited collections, so that aliases are walked once however often they are named.
+void refuse_repeated_keys(const YAML::Node& node, const std::string& name, const std::string& field,
+                          std::set<int>& seen) {
+  if ((!node.IsMap() && !node.IsSequence()) || !seen.insert(node.Mark().pos).second) {
+    return;
+  }
+  if (node.IsSequence()) {
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      refuse_repeated_keys(node[i], name, fmt::format("{}[{}]", field, i), seen);
+    }
+    return;
+  }
+  std::set<std::string> keys;
+  for (const auto& entry : node) {
+    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "?";
+    const std::string path = field.empty() ? key : field + "." + key;
+    if (!keys.insert(key).second) {
+      throw InputError(
+          fmt::format("{}:{}: {}: the key occurs twice", name, line_of(entry.first, 1), path));
+    }
+    refuse_repeated_keys(entry.second, name, path, seen);
+  }
+}
+
 }  // namespace
 
 YamlReader::YamlReader(std::string file, std::string field, YAML::Node node, int line)
@@ -47,14 +72,8 @@ YamlReader YamlReader::from_text(const std::string& text, const std::string& nam
       throw InputError(fmt::format("{}:1: expected a mapping (key: value …), found {}", name,
                                    root.IsNull() ? "an empty file" : "something else"));
     }
-    // A repeated key would silently win or lose; yaml-cpp lets it pass.
-    std::set<std::string> seen;
-    for (const auto& entry : root) {
-      if (!seen.insert(entry.first.Scalar()).second) {
-        throw InputError(fmt::format("{}:{}: {}: the key occurs twice", name,
-                                     line_of(entry.first, 1), entry.first.Scalar()));
-      }
-    }
+    std::set<int> seen_nodes;
+    refuse_repeated_keys(root, name, "", seen_nodes);
     return YamlReader(name, "", root, 1);
   } catch (const YAML::Exception& error) {
     throw InputError(fmt::format("{}:{}:{}: not valid YAML: {}", name, error.mark.line + 1,
@@ -92,7 +111,13 @@ YamlReader YamlReader::at(const std::string& key) const {
   if (!child) {
     refuse(fmt::format("the key '{}' is missing", key));
   }
-  return YamlReader(file_, field_.empty() ? key : field_ + "." + key, child, line_of(child, line_));
+  int line = line_of(child, line_);
+  if (child.IsNull()) {  // yaml-cpp puts an absent value where the next token is
+    for (const auto& entry : node_) {
+      line = entry.second.is(child) ? line_of(entry.first, line) : line;
+    }
+  }
+  return YamlReader(file_, field_.empty() ? key : field_ + "." + key, child, line);
 }
 
 std::vector<YamlReader> YamlReader::elements() const {
@@ -108,19 +133,17 @@ std::vector<YamlReader> YamlReader::elements() const {
 }
 
 std::vector<std::string> YamlReader::keys() const {
+  if (!node_.IsMap()) {
+    refuse(fmt::format("{} found; expected a mapping", found()));
+  }
   std::vector<std::string> result;
-  if (node_.IsMap()) {
-    for (const auto& entry : node_) {
-      result.push_back(entry.first.Scalar());
-    }
+  for (const auto& entry : node_) {
+    result.push_back(entry.first.IsScalar() ? entry.first.Scalar() : "?");
   }
   return result;
 }
 
 void YamlReader::refuse_unknown_keys(std::initializer_list<const char*> allowed) const {
-  if (!node_.IsMap()) {
-    refuse(fmt::format("{} found; expected a mapping", found()));
-  }
   for (const std::string& key : keys()) {
     if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) {
       at(key).refuse(fmt::format("unknown key; allowed here: {}", fmt::join(allowed, ", ")));

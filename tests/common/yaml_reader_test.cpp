@@ -55,6 +55,26 @@ TEST(YamlReader, RefusesUnknownAndRepeatedKeys) {
               ThrowsMessage<InputError>(HasSubstr("f.yaml:2: a: the key occurs twice")));
 }
 
+TEST(YamlReader, RefusesKeysThatAreRepeatedFurtherDown) {
+  EXPECT_THAT([] { read("a:\n  - {b: 1}\n  - {b: 1, c: 2,\n     b: 3}"); },
+              ThrowsMessage<InputError>("f.yaml:4: a[1].b: the key occurs twice"));
+}
+
+// Each level names the one above twice: walked naively, 2^40 nodes.
+TEST(YamlReader, WalksSharedAnchorsOnce) {
+  std::string text = "a0: &a0 {x: 1}\n";
+  for (int i = 1; i <= 40; ++i) {
+    text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [*a" + std::to_string(i - 1) +
+            ", *a" + std::to_string(i - 1) + "]\n";
+  }
+  EXPECT_EQ(read(text).keys().size(), 41u);
+}
+
+TEST(YamlReader, RefusesAListOrANumberWhereAMappingIsExpected) {
+  EXPECT_THAT([] { read("a: 3").at("a").keys(); },
+              ThrowsMessage<InputError>("f.yaml:1: a: '3' found; expected a mapping"));
+}
+
 TEST(YamlReader, GivesLineAndColumnOfBrokenYaml) {
   EXPECT_THAT([] { read("a: [1, 2\nb: 3\n"); }, ThrowsMessage<InputError>(HasSubstr("f.yaml:2:")));
   EXPECT_THAT([] { read(""); }, ThrowsMessage<InputError>(HasSubstr("an empty file")));

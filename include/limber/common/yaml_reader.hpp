@@ -24,7 +24,7 @@ class YamlReader {
   YamlReader at(const std::string& key) const;
   /// The elements of a sequence. @throws InputError where this is no sequence.
   std::vector<YamlReader> elements() const;
-  /// Keys of a mapping in the file's order.
+  /// Keys of a mapping in the file's order. @throws InputError where this is no mapping.
   std::vector<std::string> keys() const;
   /// Refuses keys that are not in `allowed` (a misspelt key would otherwise be a silent default).
   void refuse_unknown_keys(std::initializer_list<const char*> allowed) const;

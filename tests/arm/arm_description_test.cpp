@@ -1,0 +1,289 @@
+#include "limber/arm/arm_description.hpp"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "arm/test_arms.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/yaml_reader.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using ::testing::ThrowsMessage;
+
+constexpr const char* kGood = R"(schema: limber/arm/1
+name: small
+frame_rate_hz: 20
+pressure_rate_limit_kpa_per_s: 100
+actuator_radius_m: 0.006
+segments:
+  - length_m: 0.2
+    width_m: 0.05
+    gaps: 4
+    pressure_limit_kpa: 80
+    strain_polynomial: [1.0e-3, 1.0e-5, 0, 0]
+virtual_arm:
+  friction_coefficient: 0.2
+  strength_seed: 3
+)";
+
+ArmDescription read(const std::string& text) {
+  return read_arm(YamlReader::from_text(text, "a.yaml"));
+}
+
+/// kGood with one piece replaced; the piece must be there.
+std::string with(const std::string& piece, const std::string& replacement) {
+  std::string text = kGood;
+  const std::size_t place = text.find(piece);
+  EXPECT_NE(place, std::string::npos) << piece;
+  return text.replace(place, piece.size(), replacement);
+}
+
+TEST(ArmDescription, ReadsEveryKey) {
+  const ArmDescription arm = read(kGood);
+  EXPECT_EQ(arm.name, "small");
+  EXPECT_EQ(arm.frame_rate_hz, 20.0);
+  EXPECT_EQ(arm.pressure_step_limit_kpa(), 5.0);
+  EXPECT_EQ(arm.actuator_radius_m, 0.006);
+  ASSERT_EQ(arm.segment_count(), 1);
+  EXPECT_EQ(arm.segments[0].length_m, 0.2);
+  EXPECT_EQ(arm.segments[0].width_m, 0.05);
+  EXPECT_EQ(arm.segments[0].gaps, 4);
+  EXPECT_EQ(arm.segments[0].pressure_limit_kpa, 80.0);
+  EXPECT_EQ(arm.segments[0].strain_polynomial, (StrainPolynomial{1e-3, 1e-5, 0.0, 0.0}));
+  EXPECT_EQ(arm.virtual_arm.friction_coefficient, 0.2);
+  EXPECT_EQ(arm.virtual_arm.strength_seed, 3u);
+  EXPECT_EQ(arm.point_count(), 5);
+}
+
+struct Breakage {
+  const char* piece;
+  const char* replacement;
+  const char* message;  // from its beginning
+};
+
+class BrokenArm : public ::testing::TestWithParam<Breakage> {};
+
+TEST_P(BrokenArm, GetsOneMessageWithFileLineFieldFoundAndAllowed) {
+  const Breakage& broken = GetParam();
+  EXPECT_THAT([&] { read(with(broken.piece, broken.replacement)); },
+              ThrowsMessage<InputError>(StartsWith(broken.message)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, BrokenArm,
+    ::testing::Values(
+        Breakage{"schema: limber/arm/1\n", "", "a.yaml:1: the key 'schema' is missing"},
+        Breakage{"limber/arm/1", "limber/arm/2",
+                 "a.yaml:1: schema: 'limber/arm/2' found; this program reads 'limber/arm/1'"},
+        Breakage{"name: small\n", "", "a.yaml:1: the key 'name' is missing"},
+        Breakage{"name: small", "name: ''", "a.yaml:2: name: an empty text found"},
+        Breakage{"name: small", "name: [a, b]",
+                 "a.yaml:2: name: a list of 2 found; expected a text"},
+        Breakage{"frame_rate_hz: 20\n", "", "a.yaml:1: the key 'frame_rate_hz' is missing"},
+        Breakage{"frame_rate_hz: 20", "frame_rate_hz: 0",
+                 "a.yaml:3: frame_rate_hz: 0 found; expected frames a second, from 1 to 1000"},
+        Breakage{"actuator_radius_m: 0.006", "actuator_radius_m: -0.006",
+                 "a.yaml:5: actuator_radius_m: -0.006 found; expected a length in metres, at least "
+                 "0"},
+        Breakage{"frame_rate_hz", "framerate_hz", "a.yaml:3: framerate_hz: unknown key; allowed"},
+        Breakage{"name: small\n", "name: small\nname: other\n",
+                 "a.yaml:3: name: the key occurs twice"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Segments, BrokenArm,
+    ::testing::Values(
+        Breakage{"    width_m: 0.05\n", "", "a.yaml:7: segments[0]: the key 'width_m' is missing"},
+        Breakage{"length_m: 0.2", "length_m: 20 cm",
+                 "a.yaml:7: segments[0].length_m: '20 cm' found; expected a length in metres, a "
+                 "plain finite number"},
+        Breakage{"width_m: 0.05", "width_m: -0.05",
+                 "a.yaml:8: segments[0].width_m: -0.05 found; expected a length in metres, > 0"},
+        Breakage{"width_m: 0.05", "width_m: .nan",
+                 "a.yaml:8: segments[0].width_m: '.nan' found; expected a length in metres"},
+        Breakage{"width_m: 0.05", "width_m:",
+                 "a.yaml:8: segments[0].width_m: nothing found; expected a length in metres"},
+        Breakage{"gaps: 4", "gaps: 4.5",
+                 "a.yaml:9: segments[0].gaps: 4.5 found; expected a number "
+                 "of gaps between plates, a whole number"},
+        Breakage{"gaps: 4", "gaps: 0", "a.yaml:9: segments[0].gaps: 0 found"},
+        Breakage{"pressure_limit_kpa: 80", "pressure_limit_kpa: 0",
+                 "a.yaml:10: segments[0].pressure_limit_kpa: 0 found; expected a gauge pressure in "
+                 "kPa, > 0"},
+        Breakage{"    gaps: 4", "    gaps: 4\n    gaps: 5",
+                 "a.yaml:10: segments[0].gaps: the key occurs twice"},
+        Breakage{"    gaps: 4", "    plates: 4",
+                 "a.yaml:9: segments[0].plates: unknown key; allowed here: length_m"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    StrainPolynomials, BrokenArm,
+    ::testing::Values(
+        Breakage{"[1.0e-3, 1.0e-5, 0, 0]", "[1.0e-3, 1.0e-5, 0]",
+                 "a.yaml:11: segments[0].strain_polynomial: 3 coefficients found; expected 4"},
+        Breakage{"[1.0e-3, 1.0e-5, 0, 0]", "1.0e-3",
+                 "a.yaml:11: segments[0].strain_polynomial: '1.0e-3' found; expected a list"},
+        Breakage{"[1.0e-3, 1.0e-5, 0, 0]", "[1.0e-3, big, 0, 0]",
+                 "a.yaml:11: segments[0].strain_polynomial[1]: 'big' found; expected a "
+                 "coefficient"},
+        Breakage{"[1.0e-3, 1.0e-5, 0, 0]", "[4.0e-3, -3.0e-5, 0, 0]",
+                 "a.yaml:11: segments[0].strain_polynomial: falls at 80 kPa; expected strain that "
+                 "never falls between 0 and the limit of 80 kPa"},
+        Breakage{"[1.0e-3, 1.0e-5, 0, 0]", "[1.0e-1, 0, 0, 0]",
+                 "a.yaml:11: segments[0].strain_polynomial: gives a strain of 8 at the limit"},
+        Breakage{"[1.0e-3, 1.0e-5, 0, 0]", "[0, 0, 0, 0]",
+                 "a.yaml:11: segments[0].strain_polynomial: gives a strain of 0 at the limit"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    VirtualArm, BrokenArm,
+    ::testing::Values(Breakage{"friction_coefficient: 0.2", "friction_coefficient: -1",
+                               "a.yaml:13: virtual_arm.friction_coefficient: -1 found"},
+                      Breakage{
+                          "friction_coefficient", "friction",
+                          "a.yaml:13: virtual_arm.friction: unknown parameter of the virtual arm"},
+                      Breakage{"strength_seed: 3", "strength_seed: 3\n  strength_seed: 4",
+                               "a.yaml:15: virtual_arm.strength_seed: the key occurs twice"},
+                      Breakage{"\n  friction_coefficient: 0.2\n  strength_seed: 3\n", " 3\n",
+                               "a.yaml:12: virtual_arm: '3' found; expected a mapping"}));
+
+TEST(BrokenArm, EmptyTruncatedOrOtherFiles) {
+  EXPECT_THAT([] { read(""); }, ThrowsMessage<InputError>(HasSubstr("a.yaml:1: expected a mapping "
+                                                                    "(key: value …), found an "
+                                                                    "empty file")));
+  EXPECT_THAT([] { read("- 1\n- 2\n"); }, ThrowsMessage<InputError>(HasSubstr("a.yaml:1: ")));
+  EXPECT_THAT([] { read("{\"schema\": "); }, ThrowsMessage<InputError>(StartsWith("a.yaml:1:")));
+  const std::string text = kGood;
+  // Cut anywhere: either an arm without its virtual part, or one message that names the file.
+  const std::size_t complete = text.find("virtual_arm");
+  for (std::size_t length = 0; length < complete - 1; ++length) {
+    try {
+      read(text.substr(0, length));
+      // A shortened last number or list is another valid file only on the last line.
+      EXPECT_GT(length, text.find("strain_polynomial")) << length;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), StartsWith("a.yaml:")) << length;
+    }
+  }
+}
+
+TEST(BrokenArm, NoSegmentsOrTooMany) {
+  const std::string head = std::string(kGood).substr(0, std::string(kGood).find("segments:"));
+  EXPECT_THAT([&] { read(head + "segments: []\n"); },
+              ThrowsMessage<InputError>("a.yaml:6: segments: 0 segments found; expected 1 to 64"));
+  EXPECT_THAT([&] { read(head + "segments: 3\n"); },
+              ThrowsMessage<InputError>("a.yaml:6: segments: '3' found; expected a list"));
+  EXPECT_THAT([&] { read(arm_to_yaml(arm_of(1)) + "  {"); },
+              ThrowsMessage<InputError>(HasSubstr("a.yaml:")));
+}
+
+TEST(BrokenArm, MissingFileIsNamed) {
+  EXPECT_THAT([] { load_arm("no/such/arm.yaml"); },
+              ThrowsMessage<InputError>(HasSubstr("no/such/arm.yaml")));
+}
+
+TEST(ArmDescription, SurvivesTheRoundTripExactly) {
+  ArmDescription arm = arm_of(5);
+  arm.frame_rate_hz = 1000.0 / 7.0;
+  arm.actuator_radius_m = 0.1 + 0.2;  // 0.30000000000000004
+  arm.segments[2].strain_polynomial = {1.0 / 3.0e3, 1e-300, 0.0, 5e-324};
+  arm.virtual_arm.friction_coefficient = 1.0 / 3.0;
+  arm.virtual_arm.strength_seed = 999;
+  const ArmDescription back = read(arm_to_yaml(arm));
+  EXPECT_EQ(arm_to_yaml(back), arm_to_yaml(arm));
+  EXPECT_EQ(back.hash(), arm.hash());
+  EXPECT_EQ(back.frame_rate_hz, arm.frame_rate_hz);
+  EXPECT_EQ(back.actuator_radius_m, arm.actuator_radius_m);
+  EXPECT_EQ(back.segments[2].strain_polynomial, arm.segments[2].strain_polynomial);
+  EXPECT_EQ(back.virtual_arm.friction_coefficient, arm.virtual_arm.friction_coefficient);
+}
+
+TEST(ArmDescription, AnyNameSurvivesTheRoundTrip) {
+  for (const char* name : {"plain",
+                           "two words",
+                           "a: b",
+                           "# no comment",
+                           "- dash",
+                           "[x]",
+                           "{y}",
+                           "&a",
+                           "*b",
+                           "!t",
+                           "%d",
+                           "@at",
+                           "'q'",
+                           "\"dq\"",
+                           "back\\slash",
+                           "null",
+                           "~",
+                           "true",
+                           "3.5",
+                           "été 臂",
+                           "tab\there",
+                           "line\nbreak",
+                           " lead and trail "}) {
+    ArmDescription arm = arm_of(1);
+    arm.name = name;
+    EXPECT_EQ(read(arm_to_yaml(arm)).name, name);
+  }
+}
+
+TEST(ArmDescription, HashDependsOnTheShapeAloneAndOnAllOfIt) {
+  const ArmDescription arm = arm_of(2);
+  ArmDescription other = arm;
+  other.name = "renamed";
+  other.virtual_arm.friction_coefficient = 0.7;
+  EXPECT_EQ(other.hash(), arm.hash());
+  other.segments[1].strain_polynomial[3] += 1e-15;
+  EXPECT_NE(other.hash(), arm.hash());
+}
+
+TEST(ArmDescription, FindsTheSegmentOfAGap) {
+  const ArmDescription arm = arm_of(3);  // 3, 4 and 5 gaps
+  const std::vector<int> expected = {0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 2};
+  for (int gap = 0; gap < int(expected.size()); ++gap) {
+    EXPECT_EQ(arm.segment_of_gap(gap), expected[std::size_t(gap)]) << gap;
+  }
+}
+
+TEST(WithStrainPolynomials, KeepsEveryCommentAndChangesNothingElse) {
+  const std::filesystem::path file =
+      std::filesystem::path(LIMBER_SOURCE_DIR) / "arms/five_segment.yaml";
+  const std::string text = read_file(file);
+  ArmDescription arm = load_arm(file);
+  EXPECT_EQ(with_strain_polynomials(text, arm), text);  // the same numbers: the same file
+  arm.segments[3].strain_polynomial = {1.25e-3, 0.0, 0.0, 0.0};
+  const std::string edited = with_strain_polynomials(text, arm);
+  EXPECT_EQ(arm_to_yaml(read(edited)), arm_to_yaml(arm));
+  EXPECT_THAT(edited, HasSubstr("[0.00125, 0, 0, 0]"));
+  EXPECT_THAT(edited, HasSubstr("# [C] braid friction"));
+}
+
+TEST(WithStrainPolynomials, WritesAnewWhatCannotBeEditedInPlace) {
+  ArmDescription arm = read(kGood);
+  arm.segments[0].strain_polynomial = {2e-3, 0.0, 0.0, 0.0};
+  const std::string block =
+      with("[1.0e-3, 1.0e-5, 0, 0]", "\n      - 1.0e-3\n      - 1.0e-5\n      - 0\n      - 0");
+  EXPECT_EQ(with_strain_polynomials(block, arm), arm_to_yaml(arm));
+}
+
+TEST(OwnArms, LoadAndAreWhatTheirNamesSay) {
+  const std::filesystem::path folder = std::filesystem::path(LIMBER_SOURCE_DIR) / "arms";
+  const std::pair<const char*, int> arms[] = {
+      {"two_segment", 2}, {"three_segment", 3}, {"five_segment", 5}};
+  for (const auto& [name, segments] : arms) {
+    const ArmDescription arm = load_arm(folder / (std::string(name) + ".yaml"));
+    EXPECT_EQ(arm.name, name);
+    EXPECT_EQ(arm.segment_count(), segments);
+  }
+  const ArmDescription paper = load_arm(folder / "three_segment.yaml");
+  EXPECT_EQ(paper.point_count(), 16);
+  EXPECT_NEAR(paper.length_m(), 0.705, 1e-12);
+}
+
+}  // namespace
+}  // namespace limber
