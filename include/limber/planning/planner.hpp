@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/planning/environment.hpp"
+#include "limber/planning/plan.hpp"
+
+namespace limber {
+
+/// What is to be solved. Borrowed: everything outlives the call that gets it.
+struct PlanningProblem {
+  const ArmDescription& arm;
+  const ForwardModel& model;
+  const Environment& environment;
+  double margin_m = 0.0;  ///< clearance kept from every obstacle, ≥ 0
+};
+
+/// When to stop; whichever comes first. At least one of time, iterations and queries is set.
+struct PlannerLimits {
+  std::optional<double> time_s;
+  std::optional<std::uint64_t> iterations;
+  std::optional<std::uint64_t> queries;      ///< of the forward model
+  std::optional<double> memory_mb;           ///< of the tree
+  std::optional<double> cost_threshold_kpa;  ///< stop at a plan this cheap
+};
+
+enum class PlanStatus {
+  solved,             ///< a plan exists that keeps every constraint and ends in the goal
+  limit,              ///< a limit came first
+  no_solution,        ///< everything was searched
+  invalid_start,      ///< the arm starts in an obstacle
+  goal_unreachable,   ///< beyond the arm's length
+  goal_in_collision,  ///< no tip in the goal's region is free
+};
+
+enum class PlanLimit { time, iterations, queries, memory };
+
+/// Names as in files and JSON: "goal_unreachable", "iterations".
+const char* to_string(PlanStatus status);
+const char* to_string(PlanLimit limit);
+
+struct PlannerProgress {
+  double time_s = 0.0;
+  std::uint64_t iterations = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t queries = 0;
+  std::optional<double> best_cost_kpa;  ///< none before the first solution
+};
+
+/// Called about ten times a second, on the planner's own thread. False asks the planner to stop.
+using PlannerCallback = std::function<bool(const PlannerProgress&)>;
+
+/// Something that was true at the moment the first plan was found.
+struct FirstSolution {
+  double time_s = 0.0;
+  double cost_kpa = 0.0;
+};
+
+struct PlannerStatistics {
+  double time_s = 0.0;
+  std::uint64_t iterations = 0;
+  std::uint64_t queries = 0;  ///< of the forward model
+  std::uint64_t nodes = 0;
+  std::uint64_t goal_nodes = 0;
+  std::uint64_t rewires_tried = 0;     ///< cheaper parents whose edge was simulated
+  std::uint64_t rewires_accepted = 0;  ///< of these, same backbone and everything downstream free
+};
+
+/// Tip of a node and of its parent, for pictures.
+struct TreeEdge {
+  Eigen::Vector2f from_m;
+  Eigen::Vector2f to_m;
+};
+
+struct PlanResult {
+  PlanStatus status = PlanStatus::limit;
+  std::string reason;  ///< a sentence: what ended the search, or what is wrong with the problem
+  std::vector<std::string> warnings;
+  std::optional<PlanLimit> limit;  ///< the limit that ended the search; none at the cost threshold
+  std::optional<Plan> plan;        ///< set if and only if solved
+  /// The motion that came nearest to the goal, where there is no plan. Free of collision, but not
+  /// in the goal: never to be executed as a solution.
+  std::optional<Plan> best_partial;
+  std::optional<FirstSolution> first_solution;
+  PlannerStatistics statistics;
+  std::vector<TreeEdge> tree;  ///< at most kMostTreeEdges, the oldest
+
+  static constexpr std::size_t kMostTreeEdges = 20000;
+};
+
+/// A planner in pressure space.
+///
+/// Laws: a plan is simulated anew from the start, frame by frame, before it is returned, and every
+/// frame and the motion between frames is free; its last frame, after the hold, is in the goal. The
+/// cost never rises with the budget. Runs limited by iterations or queries alone depend on the seed
+/// and nothing else; the time limit is kept to 50 ms. Threads: one planner, one thread.
+class Planner {
+ public:
+  virtual ~Planner() = default;
+  virtual const char* name() const = 0;
+  /// @throws InputError where no limit is set or one is not positive.
+  [[nodiscard]] virtual PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits,
+                                        std::uint64_t seed,
+                                        const PlannerCallback& callback = {}) = 0;
+};
+
+/// Names that `make_planner` knows, the default first.
+std::vector<std::string> planner_names();
+
+/// @throws InputError naming the planners there are.
+std::unique_ptr<Planner> make_planner(const std::string& name);
+
+/// Time that the arm holds its last pressures before the goal is judged; execution does the same.
+inline constexpr double kHoldS = 1.0;
+
+/// Frames of the hold at the arm's rate.
+int hold_frame_count(const ArmDescription& arm);
+
+}  // namespace limber

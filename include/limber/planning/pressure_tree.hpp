@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/backbone.hpp"
+
+namespace limber {
+
+/// Tree of states (q, B) that grows from one root: the same pressures reached another way are
+/// another state. Node 0 is the root. References into it hold until the next `add`.
+class PressureTree {
+ public:
+  PressureTree(int segment_count, int point_count)
+      : segment_count_(segment_count), point_count_(point_count) {}
+
+  /// @param parent  −1 for the root, which comes first
+  /// @param cost_kpa  of the motion from the root
+  int add(const Eigen::Ref<const Pressures>& pressures_kpa,
+          const Eigen::Ref<const Backbone>& backbone, int parent, double cost_kpa);
+
+  int size() const { return static_cast<int>(nodes_.size()); }
+  int parent(int i) const { return node(i).parent; }
+  double cost_kpa(int i) const { return node(i).cost_kpa; }
+  Eigen::Map<const Pressures> pressures_kpa(int i) const;
+  Eigen::Map<const Backbone> backbone(int i) const;
+
+  /// Calls visit(child) for the children of i.
+  template <class Visit>
+  void visit_children(int i, Visit&& visit) const {
+    for (int child = node(i).first_child; child >= 0; child = node(child).next_sibling) {
+      visit(child);
+    }
+  }
+
+  /// Hangs i, with everything below it, under another parent. @pre `parent` is not below i.
+  void set_parent(int i, int parent);
+  void set_cost_kpa(int i, double cost_kpa) { node(i).cost_kpa = cost_kpa; }
+  void set_backbone(int i, const Eigen::Ref<const Backbone>& backbone);
+
+  /// Pressures of the nodes from the root to i.
+  std::vector<Pressures> path_to(int i) const;
+
+  /// Bytes that one more node takes.
+  std::size_t bytes_per_node() const;
+
+ private:
+  struct Node {
+    int parent = -1;
+    int first_child = -1;
+    int next_sibling = -1;
+    double cost_kpa = 0.0;
+  };
+
+  Node& node(int i) { return nodes_[static_cast<std::size_t>(i)]; }
+  const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
+  void attach(int i, int parent);
+
+  int segment_count_;
+  int point_count_;
+  std::vector<Node> nodes_;
+  std::vector<float> pressures_kpa_;  // n a node
+  std::vector<float> backbones_;      // 3m a node
+};
+
+}  // namespace limber

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/planning/collision.hpp"
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+/// What is wrong with a problem before any planning. Only what is certain is refused; what the
+/// no-load model alone doubts is a warning, since the arm moves differently.
+struct ProblemCheck {
+  std::optional<PlanStatus> refusal;  ///< invalid_start, goal_unreachable or goal_in_collision
+  std::string reason;                 ///< names obstacle, plates and amount
+  std::vector<std::string> warnings;
+};
+
+/// @param seed  of the inverse kinematics behind the warnings
+ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecker& checker,
+                           std::uint64_t seed);
+
+/// "obstacle 2 (circle)", counted from 1.
+std::string obstacle_name(const Environment& environment, int obstacle);
+
+/// "between plates 4 and 5 (segment 1)", counted from 1 at the base.
+std::string gap_name(const ArmDescription& arm, int gap);
+
+}  // namespace limber

@@ -1,0 +1,71 @@
+#include "plan_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "limber/arm/inverse_kinematics.hpp"
+#include "limber/common/version.hpp"
+
+namespace limber {
+
+namespace {
+
+PoseError final_error(const PlanningProblem& problem, const Plan& plan) {
+  return pose_error(problem.environment.goal, tip_pose<float>(plan.frames.back().backbone));
+}
+
+/// Smallest clearance over all frames and between them, the margin given back.
+double plan_clearance_m(const CollisionChecker& checker, double margin_m, const Plan& plan) {
+  double smallest = checker.clearance(plan.frames.front().backbone).value_m;
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    smallest = std::min(
+        smallest,
+        checker.motion_clearance(plan.frames[k - 1].backbone, plan.frames[k].backbone).value_m);
+  }
+  return smallest + margin_m;
+}
+
+}  // namespace
+
+Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
+                const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
+                std::uint64_t seed) {
+  Plan plan;
+  plan.arm_name = problem.arm.name;
+  plan.arm_hash = problem.arm.hash();
+  plan.model = problem.model.has_network() ? "network" : "no_load";
+  plan.environment_name = problem.environment.name;
+  plan.environment_hash = environment_hash(problem.environment);
+  plan.planner = planner;
+  plan.seed = seed;
+  plan.margin_m = problem.margin_m;
+  plan.frame_rate_hz = problem.arm.frame_rate_hz;
+  plan.program_version = version();
+  plan.waypoints_kpa = waypoints_kpa;
+  plan.frames.push_back(
+      {waypoints_kpa.front(), start_state(problem.environment, problem.arm).backbone});
+  for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
+    simulator.append_motion(waypoints_kpa[w], plan.frames);
+  }
+  plan.hold_frame_count = hold_frame_count(problem.arm);
+  simulator.append_hold(plan.hold_frame_count, plan.frames);
+  plan.cost_kpa = path_cost_kpa(plan.frames);
+  plan.clearance_m = plan_clearance_m(simulator.checker(), problem.margin_m, plan);
+  const PoseError error = final_error(problem, plan);
+  plan.goal_distance_m = error.position_m;
+  plan.goal_orientation_rad = error.orientation_rad;
+  return plan;
+}
+
+bool is_solution(const PlanningProblem& problem, const CollisionChecker& checker,
+                 const Plan& plan) {
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    if (!checker.is_motion_free(plan.frames[k - 1].backbone, plan.frames[k].backbone)) {
+      return false;
+    }
+  }
+  return is_within(problem.environment.goal, final_error(problem, plan));
+}
+
+}  // namespace limber

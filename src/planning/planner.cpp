@@ -1,0 +1,67 @@
+#include "limber/planning/planner.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "limber/common/error.hpp"
+#include "limber/planning/pressure_rrt_star.hpp"
+
+namespace limber {
+
+const char* to_string(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::solved:
+      return "solved";
+    case PlanStatus::limit:
+      return "limit";
+    case PlanStatus::no_solution:
+      return "no_solution";
+    case PlanStatus::invalid_start:
+      return "invalid_start";
+    case PlanStatus::goal_unreachable:
+      return "goal_unreachable";
+    case PlanStatus::goal_in_collision:
+      return "goal_in_collision";
+  }
+  return "";
+}
+
+const char* to_string(PlanLimit limit) {
+  switch (limit) {
+    case PlanLimit::time:
+      return "time";
+    case PlanLimit::iterations:
+      return "iterations";
+    case PlanLimit::queries:
+      return "queries";
+    case PlanLimit::memory:
+      return "memory";
+  }
+  return "";
+}
+
+std::vector<std::string> planner_names() {
+  return {"default", "paper", "paper-steer-all"};
+}
+
+std::unique_ptr<Planner> make_planner(const std::string& name) {
+  if (name == "default") {
+    return make_improving_planner();
+  }
+  if (name == "paper") {
+    return make_pressure_rrt_star(ParentRule::lazy);
+  }
+  if (name == "paper-steer-all") {
+    return make_pressure_rrt_star(ParentRule::steer_all);
+  }
+  throw InputError(
+      fmt::format("planner '{}'; expected one of {}", name, fmt::join(planner_names(), ", ")));
+}
+
+int hold_frame_count(const ArmDescription& arm) {
+  return static_cast<int>(std::lround(kHoldS * arm.frame_rate_hz));
+}
+
+}  // namespace limber

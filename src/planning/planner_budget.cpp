@@ -1,0 +1,86 @@
+#include "planner_budget.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kCallPeriodS = 0.1;
+constexpr double kReserveS = 0.005;  // for the last simulation of the best plan
+constexpr double kBytesPerMb = 1e6;
+
+template <class Number>
+void require_positive(const std::optional<Number>& limit, const char* name) {
+  if (limit && !(*limit > Number(0) && std::isfinite(static_cast<double>(*limit)))) {
+    throw InputError(fmt::format("{} of {}; expected a number > 0", name, *limit));
+  }
+}
+
+}  // namespace
+
+PlannerBudget::PlannerBudget(const PlannerLimits& limits, const PlannerCallback& callback)
+    : limits_(limits), callback_(callback), start_(Clock::now()) {
+  if (!limits.time_s && !limits.iterations && !limits.queries) {
+    throw InputError("a planner needs a limit of time, iterations or queries; none is set");
+  }
+  require_positive(limits.time_s, "time limit [s]");
+  require_positive(limits.iterations, "limit of iterations");
+  require_positive(limits.queries, "limit of queries");
+  require_positive(limits.memory_mb, "memory limit [MB]");
+  require_positive(limits.cost_threshold_kpa, "cost threshold [kPa]");
+}
+
+double PlannerBudget::elapsed_s() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+bool PlannerBudget::out_of_time() const {
+  return stopped_ || (limits_.time_s && elapsed_s() >= *limits_.time_s - kReserveS);
+}
+
+bool PlannerBudget::spent(const PlannerProgress& progress, double bytes) {
+  if (limit_ || stopped_) {
+    return true;
+  }
+  if (limits_.iterations && progress.iterations >= *limits_.iterations) {
+    limit_ = PlanLimit::iterations;
+  } else if (limits_.queries && progress.queries >= *limits_.queries) {
+    limit_ = PlanLimit::queries;
+  } else if (limits_.memory_mb && bytes >= *limits_.memory_mb * kBytesPerMb) {
+    limit_ = PlanLimit::memory;
+  } else if (out_of_time()) {
+    limit_ = PlanLimit::time;
+  }
+  if (callback_ && progress.time_s >= next_call_s_) {
+    next_call_s_ = progress.time_s + kCallPeriodS;
+    stopped_ = !callback_(progress);
+  }
+  return limit_ || stopped_;
+}
+
+std::string PlannerBudget::reason() const {
+  if (stopped_) {
+    return "stopped by the user";
+  }
+  if (!limit_) {
+    return "";
+  }
+  switch (*limit_) {
+    case PlanLimit::time:
+      return fmt::format("{} s spent", *limits_.time_s);
+    case PlanLimit::iterations:
+      return fmt::format("{} iterations spent", *limits_.iterations);
+    case PlanLimit::queries:
+      return fmt::format("{} model queries spent", *limits_.queries);
+    case PlanLimit::memory:
+      return fmt::format("{} MB spent", *limits_.memory_mb);
+  }
+  return "";
+}
+
+}  // namespace limber

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+/// Watches a planner's limits and calls its callback now and then.
+class PlannerBudget {
+ public:
+  /// @throws InputError where no limit is set or one is not positive.
+  PlannerBudget(const PlannerLimits& limits, const PlannerCallback& callback);
+
+  double elapsed_s() const;
+
+  /// True where the time is up or the callback has asked to stop; looked at inside long steps.
+  bool out_of_time() const;
+
+  /// Looks at every limit; true from the moment one is spent.
+  /// @param bytes  that the tree takes
+  bool spent(const PlannerProgress& progress, double bytes);
+
+  /// The limit that ended the search, if one did.
+  std::optional<PlanLimit> limit() const { return limit_; }
+  bool stopped_by_callback() const { return stopped_; }
+  /// True where the best cost is at or below the threshold asked for.
+  bool good_enough(const std::optional<double>& cost_kpa) const {
+    return cost_kpa && limits_.cost_threshold_kpa && *cost_kpa <= *limits_.cost_threshold_kpa;
+  }
+  /// "10 s spent", "5000 iterations spent", …
+  std::string reason() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  PlannerLimits limits_;
+  PlannerCallback callback_;
+  Clock::time_point start_;
+  double next_call_s_ = 0.0;
+  std::optional<PlanLimit> limit_;
+  bool stopped_ = false;
+};
+
+}  // namespace limber

@@ -1,0 +1,119 @@
+#include "limber/planning/problem_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/arm/inverse_kinematics.hpp"
+#include "limber/common/random_stream.hpp"
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::uint64_t kCheckStream = 0x636865636bULL;  // apart from the planners' streams
+
+std::string margin_note(const PlanningProblem& problem) {
+  return problem.margin_m > 0.0
+             ? fmt::format(" (margin of {:.2f} cm included)", problem.margin_m * kCmPerM)
+             : std::string();
+}
+
+/// Refused where no point of the goal's disc is far enough from some one obstacle: the distance to
+/// an obstacle rises by at most the tolerance within it.
+void check_goal_clearance(const PlanningProblem& problem, const CollisionChecker& checker,
+                          ProblemCheck& result) {
+  const Environment& environment = problem.environment;
+  const PoseGoal& goal = environment.goal;
+  const double tip_radius = checker.radius_m(problem.arm.point_count() - 2);
+  for (std::size_t i = 0; i < environment.obstacles.size(); ++i) {
+    const ObstacleShape shape = make_obstacle_shape(environment.obstacles[i], static_cast<int>(i));
+    const double distance = signed_distance(shape, Eigen::Vector2d(goal.x_m, goal.y_m));
+    const double missing = tip_radius - distance - goal.position_tolerance_m;
+    if (missing > 0.0) {
+      result.refusal = PlanStatus::goal_in_collision;
+      result.reason = fmt::format(
+          "the goal ({:.3f}, {:.3f}) m is {:.2f} cm {} {}; the tip, {:.2f} cm thick to each side"
+          "{}, can't be there: even at the edge of the tolerance {:.2f} cm are missing",
+          goal.x_m, goal.y_m, std::abs(distance) * kCmPerM, distance < 0.0 ? "inside" : "away from",
+          obstacle_name(environment, static_cast<int>(i)), tip_radius * kCmPerM,
+          margin_note(problem), missing * kCmPerM);
+      return;
+    }
+  }
+}
+
+void check_goal_reach(const PlanningProblem& problem, ProblemCheck& result) {
+  const PoseGoal& goal = problem.environment.goal;
+  const double distance = std::hypot(goal.x_m, goal.y_m);
+  const double beyond = distance - goal.position_tolerance_m - problem.arm.length_m();
+  if (beyond > 0.0) {
+    result.refusal = PlanStatus::goal_unreachable;
+    result.reason = fmt::format(
+        "the goal ({:.3f}, {:.3f}) m is {:.2f} cm beyond the arm's reach: {:.1f} cm from the base, "
+        "the arm is {:.1f} cm long, the tolerance {:.2f} cm",
+        goal.x_m, goal.y_m, beyond * kCmPerM, distance * kCmPerM, problem.arm.length_m() * kCmPerM,
+        goal.position_tolerance_m * kCmPerM);
+  }
+}
+
+void check_start(const PlanningProblem& problem, const CollisionChecker& checker,
+                 ProblemCheck& result) {
+  const Clearance clearance =
+      checker.clearance(start_state(problem.environment, problem.arm).backbone);
+  if (clearance.value_m <= 0.0) {
+    result.refusal = PlanStatus::invalid_start;
+    result.reason = fmt::format(
+        "the arm starts {:.2f} cm deep in {}, {}{}: move the obstacle or the start",
+        -clearance.value_m * kCmPerM, obstacle_name(problem.environment, clearance.obstacle),
+        gap_name(problem.arm, clearance.gap), margin_note(problem));
+  }
+}
+
+void warn_of_no_load_reach(const PlanningProblem& problem, std::uint64_t seed,
+                           ProblemCheck& result) {
+  RandomStream random(seed, kCheckStream);
+  InverseKinematicsSettings settings;
+  settings.most_solutions = 1;
+  const InverseKinematicsResult found =
+      solve_inverse_kinematics(problem.model.no_load(), problem.environment.goal, settings, random);
+  if (!found.reachable()) {
+    result.warnings.push_back(fmt::format(
+        "the no-load model reaches no closer to the goal than {:.1f} cm and {:.2f} rad (from {} "
+        "starts); the arm may differ",
+        found.best_error.position_m * kCmPerM, found.best_error.orientation_rad,
+        found.starts_used));
+  }
+}
+
+}  // namespace
+
+std::string obstacle_name(const Environment& environment, int obstacle) {
+  return fmt::format("obstacle {} ({})", obstacle + 1,
+                     obstacle_kind(environment.obstacles[static_cast<std::size_t>(obstacle)]));
+}
+
+std::string gap_name(const ArmDescription& arm, int gap) {
+  return fmt::format("between plates {} and {} (segment {})", gap + 1, gap + 2,
+                     arm.segment_of_gap(gap) + 1);
+}
+
+ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecker& checker,
+                           std::uint64_t seed) {
+  ProblemCheck result;
+  check_start(problem, checker, result);
+  if (!result.refusal) {
+    check_goal_reach(problem, result);
+  }
+  if (!result.refusal) {
+    check_goal_clearance(problem, checker, result);
+  }
+  if (!result.refusal) {
+    warn_of_no_load_reach(problem, seed, result);
+  }
+  return result;
+}
+
+}  // namespace limber

@@ -1,0 +1,315 @@
+#include "rrt_star_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "limber/arm/inverse_kinematics.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::uint64_t kTreeStream = 1;
+constexpr float kSamePoint = 1e-4F;         // of the limit: a sample this close adds nothing
+constexpr double kImprovementKpa = 1e-6;    // rounding of a sum of pressures
+constexpr double kNewtonToleranceM = 1e-3;  // of an inverse-kinematics solution
+constexpr double kNewtonToleranceRad = 0.01;
+
+/// Least gain γ of the near radius γ (ln N / N)^(1/n) for which RRT* is asymptotically optimal on a
+/// cube of side 2: 2 (1 + 1/n)^(1/n) (volume / volume of the unit ball)^(1/n) (Karaman and
+/// Frazzoli 2011, theorem 38).
+double least_near_gain(int n) {
+  const double ball = std::pow(std::numbers::pi, 0.5 * n) / std::tgamma(0.5 * n + 1.0);
+  return 2.0 * std::pow((1.0 + 1.0 / n) * std::pow(2.0, n) / ball, 1.0 / n);
+}
+
+/// Distance to the goal in tolerances; compares nodes only.
+double goal_error(const PoseGoal& goal, const PoseError& error) {
+  return error.position_m / goal.position_tolerance_m +
+         (goal.theta_rad ? error.orientation_rad / goal.orientation_tolerance_rad : 0.0);
+}
+
+}  // namespace
+
+const Pressures& GoalSampler::sample(RandomStream& random) {
+  if (static_cast<int>(drawn_kpa_.size()) >= count_) {
+    return drawn_kpa_[random.index(static_cast<std::uint32_t>(drawn_kpa_.size()))];
+  }
+  // A pose of the region: uniform in the disc, and in the interval of headings.
+  const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+  const double radius = goal_.position_tolerance_m * std::sqrt(random.uniform());
+  PoseGoal target = goal_;
+  target.x_m += radius * std::cos(angle);
+  target.y_m += radius * std::sin(angle);
+  target.position_tolerance_m = std::min(kNewtonToleranceM, goal_.position_tolerance_m);
+  if (goal_.theta_rad) {
+    *target.theta_rad += random.uniform(-1.0, 1.0) * goal_.orientation_tolerance_rad;
+    target.orientation_tolerance_rad =
+        std::min(kNewtonToleranceRad, goal_.orientation_tolerance_rad);
+  }
+  InverseKinematicsSettings settings;
+  settings.starts = 4;
+  settings.most_solutions = 1;
+  settings.convergence_m = 0.1 * kNewtonToleranceM;
+  const InverseKinematicsResult found = solve_inverse_kinematics(model_, target, settings, random);
+  drawn_kpa_.emplace_back(
+      (found.reachable() ? found.pressures_kpa.front() : found.best_pressures_kpa).cast<float>());
+  return drawn_kpa_.back();
+}
+
+RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& simulator,
+                             ParentRule rule, const PressureRrtStarSettings& settings,
+                             std::uint64_t seed)
+    : problem_(problem),
+      simulator_(simulator),
+      rule_(rule),
+      settings_(settings),
+      random_(seed, kTreeStream),
+      goal_sampler_(problem.model.no_load(), problem.environment.goal,
+                    settings.goal_configurations),
+      limit_kpa_(problem.arm.segment_count()),
+      near_gain_(settings.near_factor * least_near_gain(problem.arm.segment_count())),
+      tree_(problem.arm.segment_count(), problem.arm.point_count()),
+      index_(problem.arm.segment_count()),
+      new_kpa_(problem.arm.segment_count()),
+      new_backbone_(problem.arm.point_count(), 3) {
+  for (int i = 0; i < limit_kpa_.size(); ++i) {
+    limit_kpa_[i] =
+        static_cast<float>(problem.arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa);
+  }
+  const ArmStart start = start_state(problem.environment, problem.arm);
+  tree_.add(start.pressures_kpa, start.backbone, -1, 0.0);
+  index_.add(scaled(start.pressures_kpa));
+  in_goal_.push_back(0);
+  nearest_error_ = std::numeric_limits<double>::infinity();
+  judge(0);
+}
+
+Eigen::VectorXf RrtStarSearch::scaled(const PressuresRef& pressures_kpa) const {
+  return pressures_kpa.cwiseQuotient(limit_kpa_);
+}
+
+Pressures RrtStarSearch::sample() {
+  Pressures q(limit_kpa_.size());
+  if (random_.uniform() < settings_.goal_bias) {
+    q = goal_sampler_.sample(random_);
+    for (int i = 0; i < q.size(); ++i) {
+      q[i] += static_cast<float>(random_.normal() * settings_.goal_spread) * limit_kpa_[i];
+    }
+    return q.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
+  }
+  for (int i = 0; i < q.size(); ++i) {
+    q[i] = static_cast<float>(random_.uniform(-1.0, 1.0)) * limit_kpa_[i];
+  }
+  return q;
+}
+
+bool RrtStarSearch::steer(const Pressures& sample, int nearest) {
+  const auto from = tree_.pressures_kpa(nearest);
+  const float distance = scaled(sample - from).norm();
+  if (distance <= kSamePoint) {
+    return false;
+  }
+  const float step = static_cast<float>(settings_.step_size);
+  new_kpa_ = distance <= step ? sample : Pressures(from + (sample - from) * (step / distance));
+  new_kpa_ = new_kpa_.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
+  return true;
+}
+
+void RrtStarSearch::find_near(int nearest) {
+  const double count = tree_.size() + 1.0;
+  const double radius =
+      std::min(near_gain_ * std::pow(std::log(count) / count, 1.0 / double(limit_kpa_.size())),
+               settings_.step_size);
+  index_.within(scaled(new_kpa_), static_cast<float>(radius), near_);
+  if (!std::binary_search(near_.begin(), near_.end(), nearest)) {
+    near_.insert(std::lower_bound(near_.begin(), near_.end(), nearest), nearest);
+  }
+}
+
+void RrtStarSearch::simulate_all_candidates() {
+  const auto count = static_cast<Eigen::Index>(near_.size());
+  batch_kpa_.resize(limit_kpa_.size(), count);
+  batch_backbones_.resize(3 * problem_.arm.point_count(), count);
+  for (Eigen::Index c = 0; c < count; ++c) {
+    const int node = near_[static_cast<std::size_t>(c)];
+    batch_kpa_.col(c) = tree_.pressures_kpa(node);
+    batch_backbones_.col(c) =
+        Eigen::Map<const Eigen::VectorXf>(tree_.backbone(node).data(), batch_backbones_.rows());
+  }
+  batch_.run(simulator_, batch_kpa_, batch_backbones_, new_kpa_);
+}
+
+bool RrtStarSearch::edge_is_free(const Candidate& candidate) {
+  if (rule_ == ParentRule::lazy) {
+    return simulator_.move(tree_.pressures_kpa(candidate.node), tree_.backbone(candidate.node),
+                           new_kpa_, new_backbone_);
+  }
+  new_backbone_ = batch_.frame(candidate.column, batch_.frame_count(candidate.column));
+  return batch_.is_free(candidate.column, simulator_.checker());
+}
+
+int RrtStarSearch::connect() {
+  if (rule_ == ParentRule::steer_all) {
+    simulate_all_candidates();
+  }
+  candidates_.clear();
+  for (std::size_t c = 0; c < near_.size(); ++c) {
+    const int node = near_[c];
+    candidates_.push_back(
+        {tree_.cost_kpa(node) + motion_cost_kpa(tree_.pressures_kpa(node), new_kpa_), node,
+         static_cast<int>(c)});
+  }
+  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+    return a.cost_kpa < b.cost_kpa || (a.cost_kpa == b.cost_kpa && a.node < b.node);
+  });
+  for (const Candidate& candidate : candidates_) {
+    if (edge_is_free(candidate)) {
+      const int node = tree_.add(new_kpa_, new_backbone_, candidate.node, candidate.cost_kpa);
+      index_.add(scaled(new_kpa_));
+      in_goal_.push_back(0);
+      return node;
+    }
+  }
+  return -1;
+}
+
+bool RrtStarSearch::matches(const BackboneRef& a, const BackboneRef& b) const {
+  return ((a - b).leftCols<2>().rowwise().norm().array() <=
+          static_cast<float>(settings_.match_position_m))
+             .all() &&
+         ((a - b).col(2).array().abs() <= static_cast<float>(settings_.match_orientation_rad))
+             .all();
+}
+
+/// Simulates everything below changed_[0] anew, appending to changed_. False where something
+/// collides or the time is up; then nothing has changed in the tree.
+bool RrtStarSearch::simulate_below(const PlannerBudget& budget) {
+  Backbone end(problem_.arm.point_count(), 3);
+  for (std::size_t k = 0; k < changed_.size(); ++k) {
+    if (budget.out_of_time()) {
+      return false;
+    }
+    const int node = changed_[k].node;
+    bool is_free = true;
+    tree_.visit_children(node, [&](int child) {
+      const double cost = changed_[k].cost_kpa +
+                          motion_cost_kpa(tree_.pressures_kpa(node), tree_.pressures_kpa(child));
+      if (!is_free || !changed_[k].backbone) {
+        // The same state as before leads to the same states below.
+        changed_.push_back({child, cost, std::nullopt});
+        return;
+      }
+      const Backbone from = *changed_[k].backbone;
+      is_free = simulator_.move(tree_.pressures_kpa(node), from, tree_.pressures_kpa(child), end);
+      const bool as_before = end == tree_.backbone(child);
+      changed_.push_back({child, cost, as_before ? std::nullopt : std::optional<Backbone>(end)});
+    });
+    if (!is_free) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void RrtStarSearch::rewire(int from, const PlannerBudget& budget) {
+  Backbone end(problem_.arm.point_count(), 3);
+  for (const int node : near_) {
+    const double cost = tree_.cost_kpa(from) +
+                        motion_cost_kpa(tree_.pressures_kpa(from), tree_.pressures_kpa(node));
+    if (cost >= tree_.cost_kpa(node) - kImprovementKpa) {
+      continue;
+    }
+    ++statistics_.rewires_tried;
+    if (!simulator_.move(tree_.pressures_kpa(from), tree_.backbone(from), tree_.pressures_kpa(node),
+                         end) ||
+        !matches(end, tree_.backbone(node))) {
+      continue;
+    }
+    changed_.clear();
+    const bool as_before = end == tree_.backbone(node);
+    changed_.push_back({node, cost, as_before ? std::nullopt : std::optional<Backbone>(end)});
+    if (!simulate_below(budget)) {
+      continue;
+    }
+    ++statistics_.rewires_accepted;
+    tree_.set_parent(node, from);
+    for (const Changed& change : changed_) {
+      tree_.set_cost_kpa(change.node, change.cost_kpa);
+      if (change.backbone) {
+        tree_.set_backbone(change.node, *change.backbone);
+      }
+    }
+    for (const Changed& change : changed_) {
+      change.backbone ? judge(change.node) : consider_best(change.node);
+    }
+  }
+}
+
+bool RrtStarSearch::ends_in_goal(int node) {
+  const PoseGoal& goal = problem_.environment.goal;
+  const PoseError error = pose_error(goal, tip_pose<float>(tree_.backbone(node)));
+  if (error.position_m > goal.position_tolerance_m + settings_.hold_position_m ||
+      error.orientation_rad > goal.orientation_tolerance_rad + settings_.hold_orientation_rad) {
+    return false;
+  }
+  Backbone held(problem_.arm.point_count(), 3);
+  return simulator_.hold(tree_.pressures_kpa(node), tree_.backbone(node),
+                         hold_frame_count(problem_.arm), held) &&
+         is_within(goal, pose_error(goal, tip_pose<float>(held)));
+}
+
+void RrtStarSearch::judge(int node) {
+  const PoseGoal& goal = problem_.environment.goal;
+  const double error = goal_error(goal, pose_error(goal, tip_pose<float>(tree_.backbone(node))));
+  if (error < nearest_error_) {
+    nearest_error_ = error;
+    nearest_node_ = node;
+  }
+  const bool reached = ends_in_goal(node);
+  statistics_.goal_nodes += reached ? 1 : 0;
+  statistics_.goal_nodes -= in_goal_[static_cast<std::size_t>(node)] ? 1 : 0;
+  in_goal_[static_cast<std::size_t>(node)] = reached ? 1 : 0;
+  consider_best(node);
+}
+
+void RrtStarSearch::consider_best(int node) {
+  const double cost = tree_.cost_kpa(node);
+  if (in_goal_[static_cast<std::size_t>(node)] &&
+      (!best_cost_kpa_ || cost < *best_cost_kpa_ - kImprovementKpa)) {
+    best_cost_kpa_ = cost;
+    best_waypoints_kpa_ = tree_.path_to(node);
+  }
+}
+
+void RrtStarSearch::iterate(const PlannerBudget& budget) {
+  ++statistics_.iterations;
+  const Pressures target = sample();
+  const int nearest = index_.nearest(scaled(target));
+  if (!steer(target, nearest)) {
+    return;
+  }
+  find_near(nearest);
+  const int node = connect();
+  if (node >= 0) {
+    judge(node);
+    rewire(node, budget);
+  }
+}
+
+double RrtStarSearch::bytes() const {
+  const std::size_t index_bytes =
+      static_cast<std::size_t>(limit_kpa_.size()) * sizeof(float) + 2 * sizeof(int);
+  return double(tree_.size()) * double(tree_.bytes_per_node() + index_bytes + 1);
+}
+
+void RrtStarSearch::fill(PlannerStatistics& statistics) const {
+  statistics.iterations = statistics_.iterations;
+  statistics.nodes = static_cast<std::uint64_t>(tree_.size());
+  statistics.goal_nodes = statistics_.goal_nodes;
+  statistics.rewires_tried = statistics_.rewires_tried;
+  statistics.rewires_accepted = statistics_.rewires_accepted;
+}
+
+}  // namespace limber

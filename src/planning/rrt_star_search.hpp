@@ -1,0 +1,109 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limber/common/random_stream.hpp"
+#include "limber/planning/motion_simulator.hpp"
+#include "limber/planning/pressure_index.hpp"
+#include "limber/planning/pressure_rrt_star.hpp"
+#include "limber/planning/pressure_tree.hpp"
+#include "planner_budget.hpp"
+
+namespace limber {
+
+/// Configurations whose no-load tip lies in the goal's region, drawn one by one (the paper's goal
+/// biasing); where the no-load model does not reach it, the nearest configurations found.
+class GoalSampler {
+ public:
+  GoalSampler(const NoLoadModel& model, const PoseGoal& goal, int count)
+      : model_(model), goal_(goal), count_(count) {}
+
+  const Pressures& sample(RandomStream& random);
+
+ private:
+  const NoLoadModel& model_;
+  const PoseGoal& goal_;
+  int count_;
+  std::vector<Pressures> drawn_kpa_;
+};
+
+/// The tree of pressure-space RRT*, grown iteration by iteration. Everything given is borrowed.
+class RrtStarSearch {
+ public:
+  RrtStarSearch(const PlanningProblem& problem, MotionSimulator& simulator, ParentRule rule,
+                const PressureRrtStarSettings& settings, std::uint64_t seed);
+
+  /// One sample: at most one new node, and the rewiring about it.
+  void iterate(const PlannerBudget& budget);
+
+  /// Waypoints of the cheapest solution so far; empty before the first.
+  const std::vector<Pressures>& best_waypoints_kpa() const { return best_waypoints_kpa_; }
+  std::optional<double> best_cost_kpa() const { return best_cost_kpa_; }
+  /// Waypoints to the node whose tip is nearest to the goal.
+  std::vector<Pressures> nearest_waypoints_kpa() const { return tree_.path_to(nearest_node_); }
+
+  const PressureTree& tree() const { return tree_; }
+  double bytes() const;
+  /// Writes iterations, nodes and rewires; leaves the rest.
+  void fill(PlannerStatistics& statistics) const;
+
+ private:
+  struct Candidate {
+    double cost_kpa;
+    int node;
+    int column;  // in the batch of all near nodes
+  };
+  /// A node below a rewired one, simulated anew.
+  struct Changed {
+    int node;
+    double cost_kpa;
+    std::optional<Backbone> backbone;  // none: as before
+  };
+
+  Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const;
+  Pressures sample();
+  /// False where the sample falls on a node.
+  bool steer(const Pressures& sample, int nearest);
+  void find_near(int nearest);
+  /// The new node, −1 where no near node has a free way.
+  int connect();
+  bool edge_is_free(const Candidate& candidate);
+  void simulate_all_candidates();
+  void rewire(int from, const PlannerBudget& budget);
+  bool simulate_below(const PlannerBudget& budget);
+  bool matches(const BackboneRef& a, const BackboneRef& b) const;
+  void judge(int node);
+  bool ends_in_goal(int node);
+  void consider_best(int node);
+
+  const PlanningProblem& problem_;
+  MotionSimulator& simulator_;
+  ParentRule rule_;
+  PressureRrtStarSettings settings_;
+  RandomStream random_;
+  GoalSampler goal_sampler_;
+  Pressures limit_kpa_;
+  double near_gain_;
+
+  PressureTree tree_;
+  PressureIndex index_;
+  std::vector<char> in_goal_;  // one a node
+  std::optional<double> best_cost_kpa_;
+  std::vector<Pressures> best_waypoints_kpa_;
+  int nearest_node_ = 0;
+  double nearest_error_ = 0.0;
+  PlannerStatistics statistics_;
+
+  // Scratch.
+  Pressures new_kpa_;
+  Backbone new_backbone_;
+  std::vector<int> near_;
+  std::vector<Candidate> candidates_;
+  std::vector<Changed> changed_;
+  MotionBatch batch_;
+  Eigen::MatrixXf batch_kpa_;
+  Eigen::MatrixXf batch_backbones_;
+};
+
+}  // namespace limber
