@@ -12,7 +12,7 @@ namespace limber {
 namespace {
 
 PoseError final_error(const PlanningProblem& problem, const Plan& plan) {
-  return pose_error(problem.environment.goal, tip_pose<float>(plan.frames.back().backbone));
+  return pose_error(problem.environment.goal, tip_pose(plan.frames.back().backbone));
 }
 
 /// Smallest clearance over all frames and between them, the margin given back.

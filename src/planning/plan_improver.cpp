@@ -118,8 +118,7 @@ bool PlanImprover::candidate_is_solution() {
   }
   return simulator_.hold(candidate_kpa_.back(), candidate_backbones_.back(),
                          hold_frame_count(problem_.arm), end) &&
-         is_within(problem_.environment.goal,
-                   pose_error(problem_.environment.goal, tip_pose<float>(end)));
+         is_within(problem_.environment.goal, pose_error(problem_.environment.goal, tip_pose(end)));
 }
 
 bool PlanImprover::try_once() {

@@ -249,7 +249,7 @@ void RrtStarSearch::rewire(int from, const PlannerBudget& budget) {
 
 bool RrtStarSearch::ends_in_goal(int node) {
   const PoseGoal& goal = problem_.environment.goal;
-  const PoseError error = pose_error(goal, tip_pose<float>(tree_.backbone(node)));
+  const PoseError error = pose_error(goal, tip_pose(tree_.backbone(node)));
   if (error.position_m > goal.position_tolerance_m + settings_.hold_position_m ||
       error.orientation_rad > goal.orientation_tolerance_rad + settings_.hold_orientation_rad) {
     return false;
@@ -257,12 +257,12 @@ bool RrtStarSearch::ends_in_goal(int node) {
   Backbone held(problem_.arm.point_count(), 3);
   return simulator_.hold(tree_.pressures_kpa(node), tree_.backbone(node),
                          hold_frame_count(problem_.arm), held) &&
-         is_within(goal, pose_error(goal, tip_pose<float>(held)));
+         is_within(goal, pose_error(goal, tip_pose(held)));
 }
 
 void RrtStarSearch::judge(int node) {
   const PoseGoal& goal = problem_.environment.goal;
-  const double error = goal_error(goal, pose_error(goal, tip_pose<float>(tree_.backbone(node))));
+  const double error = goal_error(goal, pose_error(goal, tip_pose(tree_.backbone(node))));
   if (error < nearest_error_) {
     nearest_error_ = error;
     nearest_node_ = node;

@@ -16,6 +16,12 @@ namespace limber {
 using PressuresRef = Eigen::Ref<const Pressures>;
 using BackboneRef = Eigen::Ref<const Backbone>;
 
+/// The last pose of a backbone that lies in a larger array.
+inline Pose tip_pose(const BackboneRef& backbone) {
+  const auto last = backbone.row(backbone.rows() - 1);
+  return {double(last[0]), double(last[1]), double(last[2])};
+}
+
 /// The frame rule: a straight motion in pressure takes the fewest frames in which no segment moves
 /// faster than the arm's rate limit, ⌈max |Δp| / step⌉, at least one.
 /// @param step_limit_kpa  largest change of a pressure in one frame, > 0
