@@ -1,0 +1,166 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "network/safetensors.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr const char* kSchema = "limber/model/1";
+constexpr const char* kTrainingPrefix = "training.";
+using RowMajorMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+  throw InputError(where + ": " + what);
+}
+
+Tensor matrix_tensor(const Eigen::MatrixXf& matrix) {
+  const RowMajorMatrix rows = matrix;
+  return {{static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())},
+          {rows.data(), rows.data() + rows.size()}};
+}
+
+Tensor vector_tensor(const Eigen::VectorXf& vector) {
+  return {{static_cast<std::size_t>(vector.size())},
+          {vector.data(), vector.data() + vector.size()}};
+}
+
+// The file's tensors, each to be asked for once; what nobody asked for is a mistake.
+class TensorReader {
+ public:
+  TensorReader(Safetensors& content, const std::string& where) : content_(content), where_(where) {}
+
+  bool has(const std::string& name) const { return content_.tensors.count(name) > 0; }
+
+  Eigen::MatrixXf matrix(const std::string& name) {
+    const Tensor tensor = take(name, 2, "[out, in]");
+    return Eigen::Map<const RowMajorMatrix>(tensor.values.data(),
+                                            static_cast<Eigen::Index>(tensor.shape[0]),
+                                            static_cast<Eigen::Index>(tensor.shape[1]));
+  }
+
+  Eigen::VectorXf vector(const std::string& name) {
+    const Tensor tensor = take(name, 1, "[size]");
+    return Eigen::Map<const Eigen::VectorXf>(tensor.values.data(),
+                                             static_cast<Eigen::Index>(tensor.shape[0]));
+  }
+
+  void require_all_taken() const {
+    if (!content_.tensors.empty()) {
+      refuse(where_, fmt::format("tensor {} does not belong into a model file",
+                                 content_.tensors.begin()->first));
+    }
+  }
+
+ private:
+  Tensor take(const std::string& name, std::size_t dimensions, const char* expected) {
+    const auto found = content_.tensors.find(name);
+    if (found == content_.tensors.end()) {
+      refuse(where_, fmt::format("no tensor {}", name));
+    }
+    if (found->second.shape.size() != dimensions) {
+      refuse(where_, fmt::format("tensor {} has {} dimensions; expected {}", name,
+                                 found->second.shape.size(), expected));
+    }
+    Tensor tensor = std::move(found->second);
+    content_.tensors.erase(found);
+    return tensor;
+  }
+
+  Safetensors& content_;
+  const std::string& where_;
+};
+
+std::string text_at(const Safetensors& content, const std::string& key, const std::string& where) {
+  const auto found = content.metadata.find(key);
+  if (found == content.metadata.end()) {
+    refuse(where, fmt::format("no metadata key {}", key));
+  }
+  return found->second;
+}
+
+int count_at(const Safetensors& content, const std::string& key, const std::string& where) {
+  const std::string text = text_at(content, key, where);
+  if (text.empty() || text.size() > 6 ||
+      !std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+    refuse(where, fmt::format("metadata {} = '{}'; expected a whole number", key, text));
+  }
+  return std::stoi(text);
+}
+
+BackboneLayout layout_at(const Safetensors& content, const std::string& where) {
+  const std::string text = text_at(content, "layout", where);
+  for (const BackboneLayout layout : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
+    if (text == to_string(layout)) {
+      return layout;
+    }
+  }
+  refuse(where, fmt::format("metadata layout = '{}'; expected base_poses or gap_poses", text));
+}
+
+}  // namespace
+
+void write_model(const std::filesystem::path& path, const CompensationModel& model) {
+  validate(model, path.string());
+  Safetensors content;
+  for (std::size_t l = 0; l < model.layers.size(); ++l) {
+    content.tensors[fmt::format("layers.{}.weight", l)] = matrix_tensor(model.layers[l].weight);
+    content.tensors[fmt::format("layers.{}.bias", l)] = vector_tensor(model.layers[l].bias);
+  }
+  content.tensors["normalisation.input.offset"] = vector_tensor(model.input.offset);
+  content.tensors["normalisation.input.scale"] = vector_tensor(model.input.scale);
+  content.tensors["normalisation.output.offset"] = vector_tensor(model.output.offset);
+  content.tensors["normalisation.output.scale"] = vector_tensor(model.output.scale);
+  content.metadata = {{"schema", kSchema},
+                      {"arm_name", model.arm_name},
+                      {"arm_hash", model.arm_hash},
+                      {"layout", to_string(model.layout)},
+                      {"segment_count", std::to_string(model.segment_count)},
+                      {"point_count", std::to_string(model.point_count)},
+                      {"preset", model.preset}};
+  for (const auto& [key, value] : model.training) {
+    content.metadata[kTrainingPrefix + key] = value;
+  }
+  write_file_atomically(path, safetensors_bytes(content));
+}
+
+CompensationModel read_model(const std::filesystem::path& path) {
+  const std::string where = path.string();
+  Safetensors content = parse_safetensors(read_file(path), where);
+  const std::string schema = text_at(content, "schema", where);
+  if (schema != kSchema) {
+    refuse(where, fmt::format("metadata schema = '{}'; expected {}", schema, kSchema));
+  }
+  CompensationModel model;
+  model.arm_name = text_at(content, "arm_name", where);
+  model.arm_hash = text_at(content, "arm_hash", where);
+  model.layout = layout_at(content, where);
+  model.segment_count = count_at(content, "segment_count", where);
+  model.point_count = count_at(content, "point_count", where);
+  model.preset = text_at(content, "preset", where);
+  for (const auto& [key, value] : content.metadata) {
+    if (key.rfind(kTrainingPrefix, 0) == 0) {
+      model.training[key.substr(std::char_traits<char>::length(kTrainingPrefix))] = value;
+    }
+  }
+  TensorReader tensors(content, where);
+  for (std::size_t l = 0; l == 0 || tensors.has(fmt::format("layers.{}.weight", l)); ++l) {
+    model.layers.push_back({tensors.matrix(fmt::format("layers.{}.weight", l)),
+                            tensors.vector(fmt::format("layers.{}.bias", l))});
+  }
+  model.input = {tensors.vector("normalisation.input.offset"),
+                 tensors.vector("normalisation.input.scale")};
+  model.output = {tensors.vector("normalisation.output.offset"),
+                  tensors.vector("normalisation.output.scale")};
+  tensors.require_all_taken();
+  validate(model, where);
+  return model;
+}
+
+}  // namespace limber

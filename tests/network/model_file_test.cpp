@@ -1,0 +1,157 @@
+#include <fstream>
+#include <functional>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/network/untrained_model.hpp"
+#include "network/safetensors.hpp"
+#include "support/sample_arm.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace limber {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing::ThrowsMessage;
+
+TEST(ModelFile, ComesBackAfterARoundTrip) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "model.safetensors";
+  for (const BackboneLayout layout : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
+    CompensationModel model = untrained_model(sample_arm(3), layout, {7, 9}, 1);
+    model.training = {{"seed", "4"}, {"data", "train.h5"}};
+    write_model(path, model);
+    const CompensationModel back = read_model(path);
+    EXPECT_EQ(back.layout, model.layout);
+    EXPECT_EQ(back.arm_name, model.arm_name);
+    EXPECT_EQ(back.arm_hash, model.arm_hash);
+    EXPECT_EQ(back.segment_count, 3);
+    EXPECT_EQ(back.point_count, 16);
+    EXPECT_EQ(back.preset, model.preset);
+    EXPECT_EQ(back.training, model.training);
+    EXPECT_EQ(back.shape(), model.shape());
+    for (std::size_t l = 0; l < model.layers.size(); ++l) {
+      EXPECT_TRUE(back.layers[l].weight == model.layers[l].weight);
+      EXPECT_TRUE(back.layers[l].bias == model.layers[l].bias);
+    }
+    EXPECT_TRUE(back.input.offset == model.input.offset && back.input.scale == model.input.scale);
+    EXPECT_TRUE(back.output.offset == model.output.offset &&
+                back.output.scale == model.output.scale);
+  }
+}
+
+TEST(ModelFile, ShapeOfThePapersNetwork) {
+  EXPECT_EQ(untrained_model(sample_arm(3), BackboneLayout::base_poses, {100, 100, 100}, 1).shape(),
+            "102-100-100-100-48");
+}
+
+TEST(ModelFile, IsNotWrittenFromAnInvalidModel) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "model.safetensors";
+  CompensationModel model = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {5}, 1);
+  model.layers[0].bias[2] = std::numeric_limits<float>::infinity();
+  EXPECT_THROW(write_model(path, model), InputError);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(ModelFile, MissingFileIsNamed) {
+  EXPECT_THAT([] { (void)read_model("nowhere/model.safetensors"); },
+              ThrowsMessage<InputError>(HasSubstr("nowhere/model.safetensors")));
+}
+
+struct Damage {
+  const char* name;
+  std::function<void(Safetensors&)> inflict;
+  const char* message;
+};
+
+class DamagedModelFile : public ::testing::TestWithParam<Damage> {};
+
+TEST_P(DamagedModelFile, IsRefusedByName) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "model.safetensors";
+  write_model(path, untrained_model(sample_arm(3), BackboneLayout::base_poses, {7, 9}, 1));
+  Safetensors content = parse_safetensors(read_file(path), path);
+  GetParam().inflict(content);
+  write_file_atomically(path, safetensors_bytes(content));
+  EXPECT_THAT(
+      [&] { (void)read_model(path); },
+      ThrowsMessage<InputError>(AllOf(StartsWith(path + ": "), HasSubstr(GetParam().message))));
+}
+
+Damage metadata_damage(const char* name, const char* key, const char* value, const char* message) {
+  return {name, [=](Safetensors& s) { s.metadata[key] = value; }, message};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Ways, DamagedModelFile,
+    ::testing::Values(
+        metadata_damage("schema", "schema", "limber/model/9",
+                        "metadata schema = 'limber/model/9'; expected limber/model/1"),
+        metadata_damage("layout", "layout", "sideways",
+                        "metadata layout = 'sideways'; expected base_poses or gap_poses"),
+        metadata_damage("count", "segment_count", "-3",
+                        "metadata segment_count = '-3'; expected a whole number"),
+        metadata_damage("no_segment", "segment_count", "0", "segment_count 0 and point_count 16"),
+        metadata_damage("other_size", "point_count", "17",
+                        "tensor layers.0.weight has 102 columns; expected 108"),
+        Damage{"no_schema", [](Safetensors& s) { s.metadata.erase("schema"); },
+               "no metadata key schema"},
+        Damage{"no_hash", [](Safetensors& s) { s.metadata.erase("arm_hash"); },
+               "no metadata key arm_hash"},
+        Damage{"no_layers",
+               [](Safetensors& s) {
+                 std::erase_if(s.tensors, [](const auto& item) { return item.first[0] == 'l'; });
+               },
+               "no tensor layers.0.weight"},
+        Damage{"no_bias", [](Safetensors& s) { s.tensors.erase("layers.1.bias"); },
+               "no tensor layers.1.bias"},
+        Damage{"layer_left_out",
+               [](Safetensors& s) {
+                 s.tensors.erase("layers.1.weight");
+                 s.tensors.erase("layers.1.bias");
+               },
+               "tensor layers.2.bias does not belong into a model file"},
+        Damage{"no_scale", [](Safetensors& s) { s.tensors.erase("normalisation.input.scale"); },
+               "no tensor normalisation.input.scale"},
+        Damage{"zero_scale",
+               [](Safetensors& s) { s.tensors["normalisation.output.scale"].values[4] = 0.0F; },
+               "tensor normalisation.output.scale[4] is 0"},
+        Damage{"not_a_number",
+               [](Safetensors& s) {
+                 s.tensors["layers.1.weight"].values[7] = std::numeric_limits<float>::quiet_NaN();
+               },
+               "tensor layers.1.weight[1, 0] is nan; expected a finite number"},
+        Damage{"flat_weight",
+               [](Safetensors& s) { s.tensors["layers.0.weight"].shape = {7 * 102}; },
+               "tensor layers.0.weight has 1 dimensions; expected [out, in]"},
+        Damage{"layers_do_not_chain",
+               [](Safetensors& s) {
+                 s.tensors["layers.1.weight"].shape = {7, 9};
+               },
+               "tensor layers.1.weight has 9 columns; expected 7, the size of the layer before it"},
+        Damage{"bias_of_another_layer",
+               [](Safetensors& s) { s.tensors["layers.1.bias"] = s.tensors["layers.0.bias"]; },
+               "tensor layers.1.bias has 7 numbers; expected 9"},
+        Damage{"output_of_another_layout",
+               [](Safetensors& s) {
+                 s.tensors["layers.2.weight"] = {{45, 9}, std::vector<float>(45 * 9)};
+                 s.tensors["layers.2.bias"] = {{45}, std::vector<float>(45)};
+               },
+               "tensor layers.2.weight has 45 rows; expected 48"},
+        Damage{"stray_tensor",
+               [](Safetensors& s) {
+                 s.tensors["extra"] = {{1}, {0.0F}};
+               },
+               "tensor extra does not belong into a model file"}),
+    [](const auto& damage) { return std::string(damage.param.name); });
+
+}  // namespace
+}  // namespace limber
