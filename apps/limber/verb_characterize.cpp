@@ -1,4 +1,6 @@
-#include <filesystem>
+#include <map>
+
+#include <fmt/ranges.h>
 
 #include "limber/arm/characterisation.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -98,11 +100,16 @@ class CharacterizeVerb final : public Verb {
     }
   }
 
+  /// Segments fitted to the same data share their warnings.
   static void warn(const CommonFlags& flags, const CharacterisedArm& result) {
+    std::map<std::string, std::vector<std::size_t>> segments_of;
     for (std::size_t i = 0; i < result.fits.size(); ++i) {
       for (const std::string& warning : result.fits[i].warnings) {
-        say(flags, "warning: segment {}: {}", i, warning);
+        segments_of[warning].push_back(i);
       }
+    }
+    for (const auto& [warning, segments] : segments_of) {
+      say(flags, "warning: segment {}: {}", fmt::join(segments, ", "), warning);
     }
   }
 

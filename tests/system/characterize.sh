@@ -1,0 +1,50 @@
+#!/bin/bash
+# limber characterize: its own bench test, a user's CSV, and what it refuses: exit codes, messages,
+# and that nothing is left behind by a failure.
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+fail() { echo "FAILED: $*"; exit 1; }
+
+# expect <exit code> <text in the output> <arguments…>
+expect() {
+  local code=0 wanted=$1 text=$2
+  shift 2
+  "$LIMBER_PROGRAM" characterize "$@" >output.txt 2>&1 || code=$?
+  [ "$code" -eq "$wanted" ] || fail "'$*' exits with $code, not $wanted: $(cat output.txt)"
+  grep -qF -- "$text" output.txt || fail "'$*' does not say '$text': $(cat output.txt)"
+}
+
+# The bench test finds what the arm file says, and writes the very same file.
+expect 0 "arm written to arm.yaml" --arm two_segment --out arm.yaml --plot bench.svg
+grep -q "^</svg>" bench.svg || fail "bench.svg is not whole"
+grep -qF "# [C] braid friction" arm.yaml || fail "comments of the arm file are lost"
+expect 0 "arm written to again.yaml" --arm arm.yaml --out again.yaml
+cmp arm.yaml again.yaml || fail "characterising twice gives two arms"
+
+# A user's data: a straight line of 0.2 % contraction a kPa.
+{ echo "pressure_kpa,strain"; for p in 0 10 20 40 60 80 100; do
+    echo "$p,$(awk "BEGIN {print -0.002 * $p}")"; done; } >line.csv
+expect 0 '"refitted": false' --arm two_segment --csv line.csv --json
+expect 0 "full strain 0.2000" --arm two_segment --csv line.csv --out line.yaml
+expect 0 "full strain 0.2000" --arm line.yaml --csv line.csv
+
+# Bad input: exit 2, one message, no file.
+expect 2 "arm.yaml: exists already; --force replaces it" --arm two_segment --out arm.yaml
+sed 's/,-/,/' line.csv >positive.csv
+expect 2 "positive.csv: segment 0: the bench strain is positive" --arm two_segment \
+  --csv positive.csv --out none.yaml
+sed 's/40,/forty,/' line.csv >text.csv
+expect 2 "text.csv:5:1: 'forty' found; expected a gauge pressure in kPa" --arm two_segment \
+  --csv text.csv --out none.yaml
+head -4 line.csv >short.csv
+expect 2 "short.csv: segment 0: 3 bench points at 3 distinct pressures" --arm two_segment \
+  --csv short.csv --out none.yaml
+expect 2 "nowhere.csv" --arm two_segment --csv nowhere.csv --out none.yaml
+sed 's/width_m: 0.0300/width_m: 3 cm/' arm.yaml >broken.yaml
+expect 2 "segments[1].width_m: '3 cm' found; expected a length in metres" --arm broken.yaml \
+  --out none.yaml
+[ ! -e none.yaml ] || fail "a refused run wrote an arm"
+expect 3 "can't be" --arm two_segment --csv line.csv --out /proc/nowhere/none.yaml
