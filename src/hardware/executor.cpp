@@ -1,0 +1,229 @@
+#include "limber/hardware/executor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/hardware/episode_recorder.hpp"
+#include "limber/hardware/schedule.hpp"
+#include "limber/hardware/vent_guard.hpp"
+#include "limber/hardware/virtual_arm.hpp"
+
+namespace limber {
+
+namespace {
+
+/// What is known of the arm's shape now: measured, or the truth of a virtual arm.
+using Look = std::function<std::optional<BackboneD>()>;
+
+double tip_distance_m(const Backbone& a, const BackboneD& b) {
+  const Eigen::Index last = a.rows() - 1;
+  return (a.row(last).head<2>().cast<double>() - b.row(last).head<2>()).norm();
+}
+
+class Execution {
+ public:
+  Execution(const ArmDescription& arm, const Environment& environment, const Plan& plan,
+            ArmDriver& driver, Look look, const ExecutionSettings& settings)
+      : arm_(arm),
+        environment_(environment),
+        plan_(plan),
+        driver_(driver),
+        look_(std::move(look)),
+        settings_(settings),
+        watch_(arm, environment),
+        recorder_(arm) {}
+
+  CollisionWatch& watch() { return watch_; }
+
+  /// Unrecorded: from rest to where the plan starts.
+  void approach_start() {
+    const Pressures& start_kpa = plan_.frames.front().setpoint_kpa;
+    if (start_kpa.isZero()) {
+      return;
+    }
+    constexpr double kSettling_s = 3.0;  // what full reversals take
+    for (const Pressures& setpoint_kpa :
+         straight_frames(arm_, Pressures::Zero(arm_.segment_count()), start_kpa)) {
+      driver_.command(setpoint_kpa);
+    }
+    for (int k = 0; k < frames_in(kSettling_s); ++k) {
+      throw_if_interrupted();
+      driver_.command(start_kpa);
+    }
+  }
+
+  ExecutionResult run() {
+    const VentGuard vent_at_the_end(driver_);
+    try {
+      approach_start();
+      start_time_s_ = driver_.state().time_s;
+      note_start();
+      recorder_.add(driver_.state(), plan_.frames.front().setpoint_kpa, 0);
+      for (std::size_t k = 1; k < plan_.frames.size(); ++k) {
+        command(plan_.frames[k].setpoint_kpa);
+        compare_with_prediction(plan_.frames[k].backbone);
+        count_motion(plan_.frames[k].setpoint_kpa);
+      }
+      for (int k = 0; k < frames_in(settings_.hold_s); ++k) {
+        command(plan_.frames.back().setpoint_kpa);
+      }
+    } catch (const SystemFault& fault) {
+      result_.status = ExecutionStatus::fault;
+      result_.message = fault.what();
+    } catch (const Interrupted&) {
+      result_.status = ExecutionStatus::stopped;
+      result_.message = fmt::format("stopped on request after {} frames; the arm was vented",
+                                    result_.frames);
+    }
+    judge();
+    return std::move(result_);
+  }
+
+ private:
+  int frames_in(double seconds) const {
+    return static_cast<int>(std::ceil(seconds * arm_.frame_rate_hz - 1e-9));
+  }
+
+  void command(const Pressures& setpoint_kpa) {
+    throw_if_interrupted();
+    const ArmState& state = driver_.command(setpoint_kpa);
+    ++result_.frames;
+    recorder_.add(state, setpoint_kpa, motion_);
+    see();
+  }
+
+  /// Takes in the arm's shape of this frame, where there is one.
+  void see() {
+    if (std::optional<BackboneD> seen = look_()) {
+      watch_.observe(driver_.state().time_s, *seen);
+      seen_ = std::move(seen);
+      seen_frame_ = result_.frames;
+    }
+  }
+
+  void note_start() {
+    see();
+    if (seen_) {
+      const BackboneD planned = plan_.frames.front().backbone.cast<double>();
+      result_.start_error_m = (*seen_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
+    }
+  }
+
+  void compare_with_prediction(const Backbone& predicted) {
+    if (!seen_ || seen_frame_ != result_.frames) {
+      return;
+    }
+    const double distance_m = tip_distance_m(predicted, *seen_);
+    prediction_.largest_m = std::max(prediction_.largest_m, distance_m);
+    prediction_.final_m = distance_m;
+    prediction_sum_m_ += distance_m;
+    ++prediction_count_;
+  }
+
+  /// A motion ends where its edge of the plan does.
+  void count_motion(const Pressures& setpoint_kpa) {
+    const auto next = static_cast<std::size_t>(motion_) + 1;
+    if (next + 1 < plan_.waypoints_kpa.size() && setpoint_kpa == plan_.waypoints_kpa[next]) {
+      ++motion_;
+    }
+  }
+
+  void judge() {
+    if (seen_) {
+      result_.final_backbone = seen_->cast<float>();
+      result_.goal_distance = environment_.goal.distance(tip_pose<double>(*seen_));
+      result_.goal_reached = result_.status == ExecutionStatus::done &&
+                             environment_.goal.reached(tip_pose<double>(*seen_));
+      result_.episode = recorder_.frame_count() > 0 ? recorder_.finish() : Episode{};
+    }
+    if (prediction_count_ > 0) {
+      prediction_.mean_m = prediction_sum_m_ / prediction_count_;
+      result_.prediction = prediction_;
+    }
+    const auto since_start = [&](std::optional<Contact> contact) {
+      if (contact) {
+        contact->time_s -= start_time_s_;
+      }
+      return contact;
+    };
+    result_.closest = since_start(watch_.closest());
+    result_.first_collision = since_start(watch_.first_collision());
+    result_.collided = result_.first_collision.has_value();
+  }
+
+  const ArmDescription& arm_;
+  const Environment& environment_;
+  const Plan& plan_;
+  ArmDriver& driver_;
+  Look look_;
+  const ExecutionSettings& settings_;
+  CollisionWatch watch_;
+  EpisodeRecorder recorder_;
+  ExecutionResult result_;
+  std::optional<BackboneD> seen_;
+  int seen_frame_ = -1;
+  int motion_ = 0;
+  double start_time_s_ = 0.0;
+  PredictionError prediction_;
+  double prediction_sum_m_ = 0.0;
+  int prediction_count_ = 0;
+};
+
+void check(const ArmDescription& arm, const Environment& environment, const Plan& plan,
+           const ExecutionSettings& settings) {
+  require_plan_of(plan, arm, "plan");
+  const std::string hash = environment_hash(environment);
+  if (plan.environment_hash != hash) {
+    throw InputError(
+        fmt::format("plan: made for environment '{}' (hash {}); this one is '{}' (hash {})",
+                    plan.environment_name, plan.environment_hash, environment.name, hash));
+  }
+  if (!(settings.hold_s >= 0.0) || settings.hold_s > 3600.0) {
+    throw InputError(
+        fmt::format("hold_s = {}; expected seconds from 0 to 3600", settings.hold_s));
+  }
+}
+
+}  // namespace
+
+const char* to_string(ExecutionStatus status) {
+  switch (status) {
+    case ExecutionStatus::done:
+      return "done";
+    case ExecutionStatus::fault:
+      return "fault";
+    default:
+      return "stopped";
+  }
+}
+
+ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
+                        const Plan& plan, ArmDriver& driver, const ExecutionSettings& settings) {
+  check(arm, environment, plan, settings);
+  const Look measured = [&driver]() -> std::optional<BackboneD> {
+    const std::optional<Backbone>& backbone = driver.state().backbone;
+    return backbone ? std::optional<BackboneD>(backbone->cast<double>()) : std::nullopt;
+  };
+  return Execution(arm, environment, plan, driver, measured, settings).run();
+}
+
+ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
+                        const Plan& plan, VirtualArm& driver, const ExecutionSettings& settings) {
+  check(arm, environment, plan, settings);
+  Execution execution(arm, environment, plan, driver,
+                      [&driver] { return std::optional<BackboneD>(driver.true_backbone()); },
+                      settings);
+  driver.set_observer([&execution](double time_s, const BackboneD& backbone) {
+    execution.watch().observe(time_s, backbone);
+  });
+  ExecutionResult result = execution.run();
+  driver.set_observer({});
+  return result;
+}
+
+}  // namespace limber
