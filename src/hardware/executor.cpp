@@ -38,8 +38,42 @@ class Execution {
         watch_(arm, environment),
         recorder_(arm) {}
 
-  CollisionWatch& watch() { return watch_; }
+  /// Takes in the arm between frames; what happens before the plan starts does not count.
+  void observe(double time_s, const BackboneD& backbone) {
+    if (started_) {
+      watch_.observe(time_s, backbone);
+    }
+  }
 
+  ExecutionResult run() {
+    const VentGuard vent_at_the_end(driver_);
+    try {
+      approach_start();
+      started_ = true;
+      start_time_s_ = driver_.state().time_s;
+      note_start();
+      recorder_.add(driver_.state(), plan_.frames.front().setpoint_kpa, 0);
+      for (std::size_t k = 1; k < plan_.frames.size(); ++k) {
+        command(plan_.frames[k].setpoint_kpa);
+        compare_with_prediction(plan_.frames[k].backbone);
+        count_motion(plan_.frames[k].setpoint_kpa);
+      }
+      for (int k = 0; k < frames_in(settings_.hold_s); ++k) {
+        command(plan_.frames.back().setpoint_kpa);
+      }
+    } catch (const SystemFault& fault) {
+      result_.status = ExecutionStatus::fault;
+      result_.message = fault.what();
+    } catch (const Interrupted&) {
+      result_.status = ExecutionStatus::stopped;
+      result_.message =
+          fmt::format("stopped on request after {} frames; the arm was vented", result_.frames);
+    }
+    judge();
+    return std::move(result_);
+  }
+
+ private:
   /// Unrecorded: from rest to where the plan starts.
   void approach_start() {
     const Pressures& start_kpa = plan_.frames.front().setpoint_kpa;
@@ -57,34 +91,6 @@ class Execution {
     }
   }
 
-  ExecutionResult run() {
-    const VentGuard vent_at_the_end(driver_);
-    try {
-      approach_start();
-      start_time_s_ = driver_.state().time_s;
-      note_start();
-      recorder_.add(driver_.state(), plan_.frames.front().setpoint_kpa, 0);
-      for (std::size_t k = 1; k < plan_.frames.size(); ++k) {
-        command(plan_.frames[k].setpoint_kpa);
-        compare_with_prediction(plan_.frames[k].backbone);
-        count_motion(plan_.frames[k].setpoint_kpa);
-      }
-      for (int k = 0; k < frames_in(settings_.hold_s); ++k) {
-        command(plan_.frames.back().setpoint_kpa);
-      }
-    } catch (const SystemFault& fault) {
-      result_.status = ExecutionStatus::fault;
-      result_.message = fault.what();
-    } catch (const Interrupted&) {
-      result_.status = ExecutionStatus::stopped;
-      result_.message = fmt::format("stopped on request after {} frames; the arm was vented",
-                                    result_.frames);
-    }
-    judge();
-    return std::move(result_);
-  }
-
- private:
   int frames_in(double seconds) const {
     return static_cast<int>(std::ceil(seconds * arm_.frame_rate_hz - 1e-9));
   }
@@ -136,9 +142,9 @@ class Execution {
   void judge() {
     if (seen_) {
       result_.final_backbone = seen_->cast<float>();
-      result_.goal_distance = environment_.goal.distance(tip_pose<double>(*seen_));
+      result_.goal_error = pose_error(environment_.goal, tip_pose(*seen_));
       result_.goal_reached = result_.status == ExecutionStatus::done &&
-                             environment_.goal.reached(tip_pose<double>(*seen_));
+                             is_within(environment_.goal, result_.goal_error);
       result_.episode = recorder_.frame_count() > 0 ? recorder_.finish() : Episode{};
     }
     if (prediction_count_ > 0) {
@@ -167,6 +173,7 @@ class Execution {
   ExecutionResult result_;
   std::optional<BackboneD> seen_;
   int seen_frame_ = -1;
+  bool started_ = false;
   int motion_ = 0;
   double start_time_s_ = 0.0;
   PredictionError prediction_;
@@ -174,8 +181,25 @@ class Execution {
   int prediction_count_ = 0;
 };
 
+/// Sees every simulator step as long as it lives.
+class ObserverGuard {
+ public:
+  ObserverGuard(VirtualArm& driver, StepObserver observer) : driver_(driver) {
+    driver_.set_observer(std::move(observer));
+  }
+  ~ObserverGuard() { driver_.set_observer({}); }
+  ObserverGuard(const ObserverGuard&) = delete;
+  ObserverGuard& operator=(const ObserverGuard&) = delete;
+
+ private:
+  VirtualArm& driver_;
+};
+
 void check(const ArmDescription& arm, const Environment& environment, const Plan& plan,
            const ExecutionSettings& settings) {
+  if (plan.frames.empty()) {
+    throw InputError("plan: no frames; expected at least its start");
+  }
   require_plan_of(plan, arm, "plan");
   const std::string hash = environment_hash(environment);
   if (plan.environment_hash != hash) {
@@ -184,8 +208,7 @@ void check(const ArmDescription& arm, const Environment& environment, const Plan
                     plan.environment_name, plan.environment_hash, environment.name, hash));
   }
   if (!(settings.hold_s >= 0.0) || settings.hold_s > 3600.0) {
-    throw InputError(
-        fmt::format("hold_s = {}; expected seconds from 0 to 3600", settings.hold_s));
+    throw InputError(fmt::format("hold_s = {}; expected seconds from 0 to 3600", settings.hold_s));
   }
 }
 
@@ -202,8 +225,8 @@ const char* to_string(ExecutionStatus status) {
   }
 }
 
-ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
-                        const Plan& plan, ArmDriver& driver, const ExecutionSettings& settings) {
+ExecutionResult execute(const ArmDescription& arm, const Environment& environment, const Plan& plan,
+                        ArmDriver& driver, const ExecutionSettings& settings) {
   check(arm, environment, plan, settings);
   const Look measured = [&driver]() -> std::optional<BackboneD> {
     const std::optional<Backbone>& backbone = driver.state().backbone;
@@ -212,18 +235,16 @@ ExecutionResult execute(const ArmDescription& arm, const Environment& environmen
   return Execution(arm, environment, plan, driver, measured, settings).run();
 }
 
-ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
-                        const Plan& plan, VirtualArm& driver, const ExecutionSettings& settings) {
+ExecutionResult execute(const ArmDescription& arm, const Environment& environment, const Plan& plan,
+                        VirtualArm& driver, const ExecutionSettings& settings) {
   check(arm, environment, plan, settings);
-  Execution execution(arm, environment, plan, driver,
-                      [&driver] { return std::optional<BackboneD>(driver.true_backbone()); },
-                      settings);
-  driver.set_observer([&execution](double time_s, const BackboneD& backbone) {
-    execution.watch().observe(time_s, backbone);
+  Execution execution(
+      arm, environment, plan, driver,
+      [&driver] { return std::optional<BackboneD>(driver.true_backbone()); }, settings);
+  const ObserverGuard observer(driver, [&execution](double time_s, const BackboneD& backbone) {
+    execution.observe(time_s, backbone);
   });
-  ExecutionResult result = execution.run();
-  driver.set_observer({});
-  return result;
+  return execution.run();
 }
 
 }  // namespace limber

@@ -1,12 +1,14 @@
 #include "limber/hardware/collection.hpp"
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 #include <gmock/gmock.h>
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/hardware/episode_recorder.hpp"
 #include "support/fake_arm.hpp"
 #include "support/temporary_folder.hpp"
@@ -199,6 +201,34 @@ TEST_F(Collection, GoesOnFromItsPartsWithoutRecordingThemAgain) {
   drivers_ = 0;
   EXPECT_EQ(collect(arm_, settings, factory(), path_).kept_episodes, 5);
   EXPECT_EQ(drivers_, 0) << "a finished file needs no arm";
+}
+
+TEST_F(Collection, LeavesValidPartsOnCtrlCAndSaysHowToGoOn) {
+  ::testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(
+      {
+        install_interrupt_handler();
+        CollectionSettings settings = quick_settings();
+        settings.jobs = 1;
+        const DriverFactory interrupted = [this](int i) {
+          if (i == 2) {
+            std::raise(SIGINT);
+          }
+          return std::make_unique<FakeArm>(arm_, kLag_s);
+        };
+        try {
+          collect(arm_, settings, interrupted, path_);
+        } catch (const Interrupted& stop) {
+          std::fputs(stop.what(), stderr);
+          int valid = 0;
+          for (const fs::directory_entry& part : fs::directory_iterator(parts_)) {
+            valid += static_cast<int>(read_recording(part.path()).episodes.size());
+          }
+          std::exit(valid == 2 && !fs::exists(path_) ? 0 : 1);
+        }
+        std::exit(1);
+      },
+      ::testing::ExitedWithCode(0), "2 of 5 episodes are kept in .*parts: .*--resume");
 }
 
 TEST_F(Collection, RefusesPartsOfOtherSettings) {

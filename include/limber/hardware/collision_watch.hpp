@@ -39,7 +39,7 @@ class CollisionWatch {
 
   CollisionChecker checker_;
   double longest_gap_m_;
-  BackboneD checked_;          // backbone that the checker saw last
+  BackboneD checked_;             // backbone that the checker saw last
   double checked_value_m_ = 0.0;  // and its clearance
   std::optional<Contact> closest_;
   std::optional<Contact> first_collision_;

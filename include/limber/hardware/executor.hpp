@@ -5,7 +5,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
-#include "limber/common/progress.hpp"
+#include "limber/arm/inverse_kinematics.hpp"
 #include "limber/data/recording.hpp"
 #include "limber/hardware/arm_driver.hpp"
 #include "limber/hardware/collision_watch.hpp"
@@ -50,7 +50,7 @@ struct ExecutionResult {
   std::optional<Contact> closest;
 
   std::optional<Backbone> final_backbone;  ///< after the hold, or at the fault; none if untracked
-  GoalDistance goal_distance;              ///< of it; meaningless without `final_backbone`
+  PoseError goal_error;                    ///< of it; meaningless without `final_backbone`
   bool goal_reached = false;
   std::optional<PredictionError> prediction;  ///< none where nothing was tracked
 
@@ -64,7 +64,8 @@ struct ExecutionResult {
 /// pressure is approached first, straight in pressure space and held 3 s, unrecorded.
 ///
 /// Collision: the backbones that the driver returns, once a frame.
-/// @throws InputError where plan, environment and arm don't belong together (hashes in the message).
+/// @throws InputError where plan, environment and arm don't belong together (hashes in the
+/// message).
 [[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
                                       const Plan& plan, ArmDriver& driver,
                                       const ExecutionSettings& settings = {});
