@@ -11,7 +11,7 @@ namespace limber {
 /// Least squares for e(u) = a1 u + a2 u² + a3 u³ + a4 u⁴ over u = p/p_max, with or without the
 /// demand that the slope e'(u), a cubic, nowhere falls below a bound on [0, 1].
 ///
-/// docs/model.md (12): a cubic that is ≥ 0 on [0, 1] and touches 0 there does so in one of four
+/// docs/model.md (10): a cubic that is ≥ 0 on [0, 1] and touches 0 there does so in one of four
 /// ways, so the constrained optimum is the best of four small problems, each solved exactly:
 ///   e' = u q(u), e' = (1 − u) q(u), q any quadratic that leaves e' ≥ 0;
 ///   e' = u (1 − u) (α u + β (1 − u));

@@ -39,7 +39,7 @@ struct StrainFit {
 /// Least-squares fit of (9) over [0, p_max].
 ///
 /// Where the plain fit is not monotone, the least-squares fit among all quartics without constant
-/// term whose slope is ≥ 0 on [0, p_max] (docs/model.md (12)); exact, not a restriction of it.
+/// term whose slope is ≥ 0 on [0, p_max] (docs/model.md (10)); exact, not a restriction of it.
 /// Pressures down to −1 % of the limit count as 0; those above 1.05 p_max are left out.
 /// @throws InputError where a value is not finite, a pressure is negative, fewer than 5 pressures
 /// are distinct, they do not cover the range up to p_max, the strain extends instead of contracting

@@ -57,7 +57,7 @@ struct InverseKinematicsResult {
 };
 
 /// Configurations whose no-load tip is at the goal: Newton–Raphson over curvatures from many random
-/// starts within the pressure limits, then curvature → strain → pressure (docs/model.md (11)).
+/// starts within the pressure limits, then curvature → strain → pressure (docs/model.md (14)).
 ///
 /// Steps use the damped pseudo-inverse, J⁺ = Jᵀ (J Jᵀ + λI)⁻¹, on two rows for a position and three
 /// for a pose; the damping vanishes as the steps succeed. A segment at its limit that the step

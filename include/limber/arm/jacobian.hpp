@@ -31,7 +31,7 @@ Pose tip_at_curvatures(const NoLoadModel& model, const Eigen::Ref<const SegmentV
 void spatial_jacobian(const NoLoadModel& model, const Eigen::Ref<const SegmentVector>& curvatures,
                       PlanarJacobian& jacobian, Pose& tip);
 
-/// (10): velocity (ẋ, ẏ, θ̇) of the end effector itself, column i per unit rate of curvature i.
+/// (13): velocity (ẋ, ẏ, θ̇) of the end effector itself, column i per unit rate of curvature i.
 void tip_jacobian(const NoLoadModel& model, const Eigen::Ref<const SegmentVector>& curvatures,
                   PlanarJacobian& jacobian, Pose& tip);
 

@@ -20,7 +20,8 @@ struct SegmentPressure {
       false;  ///< false where more than the limit would be needed; the pressure is then the limit
 };
 
-/// Shape of the unloaded, frictionless arm at given pressures: docs/model.md, (3) and (4).
+/// Shape of the unloaded, frictionless arm at given pressures: docs/model.md, (3), (4), (11) and
+/// (12).
 ///
 /// Sizes:   n segments, m backbone points (plates, base included).
 /// Frame:   B, the arm's base: x along the straight arm, y left, θ counter-clockwise and unwrapped.
@@ -46,7 +47,7 @@ class NoLoadModel {
   SegmentShape segment_shape(int segment, double pressure_kpa) const;
   /// Contraction strain e = P(|p|) ≥ 0.
   double strain(int segment, double pressure_kpa) const;
-  /// Inverse of (3): e = 2t|κ|/(2 + t|κ|), p = −sign(κ) P⁻¹(e).
+  /// Inverse of (3), (11): e = 2t|κ|/(2 + t|κ|), p = −sign(κ) P⁻¹(e).
   SegmentPressure pressure_for_curvature(int segment, double curvature_per_m) const;
   /// Length that goes with a curvature, l = 2 l0/(2 + t|κ|), (3) in (4).
   double length_for_curvature(int segment, double curvature_per_m) const;
@@ -64,8 +65,8 @@ class NoLoadModel {
   int point_count_ = 0;
 };
 
-/// Displacement along an arc that starts along x and turns by `angle_rad` over `length`: (x, y) of
-/// its end. Series near zero; exact to rounding everywhere.
+/// (12): displacement along an arc that starts along x and turns by `angle_rad` over `length`: (x,
+/// y) of its end. Series near zero; exact to rounding everywhere.
 template <class Scalar>
 Eigen::Matrix<Scalar, 2, 1> arc_end(Scalar length, Scalar angle_rad) {
   using std::abs;
