@@ -18,7 +18,7 @@ struct VirtualArmParameters {
   double slide_damping_n_s_per_m = 2.0;
   double slide_armature_kg = 0.01;
   double hinge_stiffness_n_m_per_rad = 0.02;
-  double hinge_damping_n_m_s_per_rad = 0.15;  ///< at the reference width; proportional to w
+  double hinge_damping_n_m_s_per_rad = 0.25;  ///< at the reference width; proportional to w
   double hinge_armature_kg_m2 = 2e-5;
   double reference_width_m = 0.05;         ///< the width that scaled parameters are given at
   double plate_mass_kg = 0.012;            ///< at the reference width
@@ -52,7 +52,7 @@ struct VirtualArmParameters {
 
   // Table.
   double gravity_m_per_s2 = 9.81;  ///< normal to the plane
-  double friction_coefficient = 0.2;
+  double friction_coefficient = 0.16;
   double friction_stiffness_n_per_m = 3000.0;
   double friction_damping_n_s_per_m = 2.0;
   double friction_torsion_arm = 0.3;  ///< × w
