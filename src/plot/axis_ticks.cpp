@@ -62,10 +62,11 @@ NiceRange nice_range(double low, double high, int count) {
 AxisTicks linear_ticks(double low, double high, int count) {
   const double step = nice_step(low, high, count);
   const double first = std::ceil(low / step - kSlack);
-  const double last = std::floor(high / step + kSlack);
+  const int tick_count = 1 + static_cast<int>(std::floor(high / step + kSlack) - first);
   AxisTicks ticks;
-  for (double index = first; index <= last; index += 1.0) {
-    const double value = index == 0.0 ? 0.0 : index * step;
+  for (int i = 0; i < tick_count; ++i) {
+    const double index = first + i;
+    const double value = index == 0.0 ? 0.0 : index * step;  // never −0
     ticks.values.push_back(value);
     ticks.labels.push_back(tick_label(value, step));
   }

@@ -58,8 +58,8 @@ DensityOutline density_outline(const std::vector<double>& values, int steps) {
   constexpr int kFineBins = 512;
   std::vector<double> counts(kFineBins, 0.0);
   for (const double value : values) {
-    const auto bin = static_cast<std::size_t>((value - low) / width * (kFineBins - 1) + 0.5);
-    counts[bin] += 1.0;
+    const long bin = std::lround((value - low) / width * (kFineBins - 1));
+    counts[static_cast<std::size_t>(bin)] += 1.0;
   }
   DensityOutline outline;
   for (int step = 0; step < steps; ++step) {
