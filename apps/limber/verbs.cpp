@@ -5,6 +5,8 @@ namespace limber {
 std::vector<std::unique_ptr<Verb>> all_verbs() {
   std::vector<std::unique_ptr<Verb>> verbs;
   verbs.push_back(make_collect_verb());
+  verbs.push_back(make_train_verb());
+  verbs.push_back(make_evaluate_verb());
   verbs.push_back(make_doctor_verb());
   verbs.push_back(make_characterize_verb());
   return verbs;

@@ -12,6 +12,8 @@ std::vector<std::unique_ptr<Verb>> all_verbs();
 
 std::unique_ptr<Verb> make_collect_verb();
 std::unique_ptr<Verb> make_doctor_verb();
+std::unique_ptr<Verb> make_evaluate_verb();
+std::unique_ptr<Verb> make_train_verb();
 std::unique_ptr<Verb> make_characterize_verb();
 
 }  // namespace limber

@@ -1,0 +1,192 @@
+#include "limber/training/evaluation.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/error.hpp"
+#include "limber/training/rollout.hpp"
+#include "training/toy_arm.hpp"
+
+namespace limber {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr double kMicrometre_cm = 1e-4;
+// A hundred additions of float32 in base poses of half a metre.
+constexpr double kDriftRounding_cm = 1e-3;
+
+/// A network of zero weights: (5) with Φ = 0, the no-load model itself.
+CompensationModel zero_network(const ArmDescription& arm) {
+  CompensationModel model;
+  model.layout = BackboneLayout::base_poses;
+  const int size = 3 * arm.point_count();
+  const int inputs = 2 * arm.segment_count() + 2 * size;
+  model.layers = {{Eigen::MatrixXf::Zero(size, inputs), Eigen::VectorXf::Zero(size)}};
+  model.input = {Eigen::VectorXf::Zero(inputs), Eigen::VectorXf::Ones(inputs)};
+  model.output = {Eigen::VectorXf::Zero(size), Eigen::VectorXf::Ones(size)};
+  model.arm_name = arm.name;
+  model.arm_hash = arm.hash();
+  model.segment_count = arm.segment_count();
+  model.point_count = arm.point_count();
+  model.preset = "paper";
+  return model;
+}
+
+/// A network that reads B̃ and B_{t−1} to answer B_t = B_{t−1} + 1 mm in every x: its error grows
+/// frame by frame, and every restart sets it back.
+CompensationModel drifting_network(const ArmDescription& arm) {
+  CompensationModel model = zero_network(arm);
+  const int size = 3 * arm.point_count();
+  const int state = 2 * arm.segment_count();
+  Eigen::MatrixXf& weight = model.layers[0].weight;
+  weight.middleCols(state, size).setIdentity();
+  weight.middleCols(state + size, size) = -Eigen::MatrixXf::Identity(size, size);
+  for (int i = 0; i < size; i += 3) {
+    model.layers[0].bias[i] = 0.001F;
+  }
+  return model;
+}
+
+/// A still arm: pressures change nothing, motions of 40 frames.
+Episode still_episode(const ArmDescription& arm, int frames) {
+  Episode episode = toy_episode(arm, 1, frames - 1, 1, 1e6F);
+  for (int t = 0; t < frames; ++t) {
+    episode.motion_index[static_cast<std::size_t>(t)] = std::max(0, t - 1) / 40;
+  }
+  return episode;
+}
+
+TEST(Evaluate, ErrorsOfADriftFollowTheRestarts) {
+  const ArmDescription arm = three_segment_arm();
+  const ForwardModel no_load(arm);
+  const ForwardModel network(arm, drifting_network(arm));
+  const Evaluation evaluation = evaluate(no_load, &network, {still_episode(arm, 161)});
+  ASSERT_TRUE(evaluation.network.has_value());
+  const RolloutErrors& errors = *evaluation.network;
+  EXPECT_EQ(evaluation.frames, 161);
+  EXPECT_NEAR(errors.one_step.position_cm.mean, 0.1, kMicrometre_cm);
+  EXPECT_NEAR(errors.window_32.position_cm.mean, 0.1 * 33 / 2, kMicrometre_cm);
+  EXPECT_NEAR(errors.per_motion.position_cm.mean, 0.1 * 41 / 2, kMicrometre_cm);
+  EXPECT_NEAR(errors.open_loop.position_cm.mean, 0.1 * 161 / 2, kDriftRounding_cm);
+  EXPECT_NEAR(errors.open_loop.position_cm.p95, 0.1 * 152, kDriftRounding_cm);
+  // Uniform over 160 values 0.1 cm apart.
+  EXPECT_NEAR(errors.open_loop.position_cm.std, 0.1 * std::sqrt((160.0 * 160.0 - 1) / 12),
+              kMicrometre_cm);
+  EXPECT_NEAR(errors.open_loop.orientation_rad.mean, 0.0, 1e-6);
+}
+
+TEST(Evaluate, AZeroNetworkIsTheNoLoadModel) {
+  const ArmDescription arm = three_segment_arm();
+  const ForwardModel no_load(arm);
+  const ForwardModel network(arm, zero_network(arm));
+  const Evaluation evaluation = evaluate(no_load, &network, {toy_episode(arm, 10, 20, 4)});
+  EXPECT_GT(evaluation.no_load_open_loop.position_cm.mean, 1.0);
+  EXPECT_NEAR(evaluation.network->open_loop.position_cm.mean,
+              evaluation.no_load_open_loop.position_cm.mean, kMicrometre_cm);
+  EXPECT_NEAR(evaluation.position_reduction_percent, 0.0, 1e-3);
+}
+
+TEST(Evaluate, BaselinesOfSteadyMotion) {
+  const ArmDescription arm = three_segment_arm();
+  Episode episode = still_episode(arm, 50);
+  const Eigen::Index tip = episode.backbone.cols() - 3;
+  for (int t = 0; t < 50; ++t) {
+    episode.backbone(t, tip) = 0.01F * static_cast<float>(t);      // 1 cm a frame
+    episode.backbone(t, tip + 2) = 0.02F * static_cast<float>(t);  // 0.02 rad a frame
+  }
+  const Evaluation evaluation = evaluate(ForwardModel(arm), nullptr, {episode});
+  EXPECT_FALSE(evaluation.network.has_value());
+  EXPECT_NEAR(evaluation.hold_one_step.position_cm.mean, 1.0, kMicrometre_cm);
+  EXPECT_NEAR(evaluation.hold_one_step.orientation_rad.mean, 0.02, 1e-6);
+  EXPECT_NEAR(evaluation.constant_velocity_one_step.position_cm.mean, 0.0, kMicrometre_cm);
+}
+
+TEST(Evaluate, LeavesOutFramesInWhichTheArmWasNotSeen) {
+  const ArmDescription arm = three_segment_arm();
+  Episode episode = still_episode(arm, 50);
+  episode.tracked.assign(50, 1);
+  episode.tracked[20] = 0;
+  episode.backbone(20, episode.backbone.cols() - 3) = 100.0F;
+  const Evaluation evaluation = evaluate(ForwardModel(arm), nullptr, {episode});
+  EXPECT_LT(evaluation.no_load_open_loop.position_cm.p95, 100.0);
+  EXPECT_NEAR(evaluation.no_load_open_loop.position_cm.mean,
+              evaluate(ForwardModel(arm), nullptr, {still_episode(arm, 50)})
+                  .no_load_open_loop.position_cm.mean,
+              5.0);
+}
+
+TEST(Evaluate, DoesNotDependOnTheNumberOfJobs) {
+  const ArmDescription arm = three_segment_arm();
+  const ForwardModel no_load(arm);
+  const ForwardModel network(arm, drifting_network(arm));
+  std::vector<Episode> episodes;
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    episodes.push_back(toy_episode(arm, 4 + static_cast<int>(seed), 20, seed));
+  }
+  EXPECT_EQ(evaluation_to_json(evaluate(no_load, &network, episodes, 1)),
+            evaluation_to_json(evaluate(no_load, &network, episodes, 4)));
+}
+
+TEST(Evaluate, RefusesRecordingsTooShort) {
+  const ArmDescription arm = three_segment_arm();
+  EXPECT_THAT([&] { evaluate(ForwardModel(arm), nullptr, {still_episode(arm, 2)}); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("2 frames in 1 episodes; expected an episode of at least 3 frames")));
+}
+
+TEST(EvaluationJson, HasTheContractsKeys) {
+  const ArmDescription arm = three_segment_arm();
+  const ForwardModel no_load(arm);
+  const ForwardModel network(arm, zero_network(arm));
+  const nlohmann::ordered_json json =
+      evaluation_to_json(evaluate(no_load, &network, {toy_episode(arm, 2, 20, 4)}));
+  for (const char* path : {"/no_load/open_loop", "/network/one_step", "/network/window_32",
+                           "/network/per_motion", "/network/open_loop", "/baselines/hold/one_step",
+                           "/baselines/constant_velocity/one_step"}) {
+    for (const char* quantity : {"position_error_cm", "orientation_error_rad"}) {
+      for (const char* statistic : {"mean", "std", "p95"}) {
+        const nlohmann::ordered_json::json_pointer pointer(std::string(path) + "/" + quantity +
+                                                           "/" + statistic);
+        EXPECT_TRUE(json.contains(pointer)) << pointer;
+      }
+    }
+  }
+  EXPECT_EQ(json.at("frames"), 41);
+  EXPECT_TRUE(json.at("reduction_percent").contains("position"));
+  EXPECT_TRUE(json.at("reduction_percent").contains("orientation"));
+}
+
+TEST(Pieces, OfMotionsStartFromTheFrameBeforeEach) {
+  Episode episode;
+  episode.time_s.setLinSpaced(7, 0.0, 0.3);
+  episode.motion_index = {0, 0, 0, 1, 1, 2, 2};
+  std::vector<std::array<int, 3>> pieces;
+  for (const RolloutPiece& piece : pieces_of_motions({episode})) {
+    pieces.push_back({piece.episode, piece.first, piece.frames});
+  }
+  EXPECT_THAT(pieces, ElementsAre(std::array{0, 0, 2}, std::array{0, 2, 2}, std::array{0, 4, 2}));
+}
+
+TEST(RollOut, BatchesAgreeWithOneQueryAfterTheOther) {
+  const ArmDescription arm = three_segment_arm();
+  const ForwardModel network(arm, drifting_network(arm));
+  const Episode episode = toy_episode(arm, 8, 20, 4);
+  const FrameMatrix predicted = predict(network, episode, Restart::every_32_frames);
+  ForwardModel::Workspace workspace;
+  Backbone state(arm.point_count(), 3);
+  for (int t = 1; t < episode.frame_count(); ++t) {
+    if ((t - 1) % 32 == 0) {
+      state.reshaped<Eigen::RowMajor>() = episode.backbone.row(t - 1).transpose();
+    }
+    const Pressures before = episode.pressure_kpa.row(t - 1);
+    const Pressures now = episode.pressure_kpa.row(t);
+    network.step(before, now, state, state, workspace);
+    EXPECT_TRUE(predicted.row(t).transpose() == state.reshaped<Eigen::RowMajor>()) << "frame " << t;
+  }
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,192 @@
+#include "limber/training/trainer.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/training/evaluation.hpp"
+#include "support/temporary_folder.hpp"
+#include "training/toy_arm.hpp"
+
+namespace limber {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing::ThrowsMessage;
+
+TrainingData toy_data(const ArmDescription& arm) {
+  TrainingData data;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    data.training.push_back(toy_episode(arm, 20, 20, seed));
+  }
+  data.validation = {toy_episode(arm, 10, 20, 50)};
+  return data;
+}
+
+TrainingSettings small_settings() {
+  TrainingSettings settings = best_preset();
+  settings.hidden_units = {32, 32};
+  settings.stages = {{2, 64, 30}, {8, 32, 10}};
+  settings.jobs = 2;
+  return settings;
+}
+
+bool same_weights(const CompensationModel& a, const CompensationModel& b) {
+  for (std::size_t i = 0; i < a.layers.size(); ++i) {
+    if (a.layers[i].weight != b.layers[i].weight || a.layers[i].bias != b.layers[i].bias) {
+      return false;
+    }
+  }
+  return a.layers.size() == b.layers.size();
+}
+
+// The toy's memory is in its backbone alone, so a pure function of (q, B) can learn it.
+TEST(Train, LearnsAnArmWithPlay) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = small_settings();
+  settings.stages = {{2, 32, 100}, {8, 16, 50}};
+  const TrainingResult result = train(arm, toy_data(arm), settings);
+  ASSERT_EQ(result.status, TrainingStatus::finished);
+  ASSERT_EQ(result.curve.size(), 150U);
+  EXPECT_LT(result.curve.back().loss, 0.5 * result.curve.front().loss);
+  const ForwardModel no_load(arm);
+  const ForwardModel network(arm, result.model);
+  const Evaluation evaluation = evaluate(no_load, &network, {toy_episode(arm, 20, 20, 99)});
+  EXPECT_GT(evaluation.position_reduction_percent, 25.0);  // 38 measured, 0 untrained
+}
+
+TEST(Train, GivesTheSameBitsForAnyNumberOfJobs) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = small_settings();
+  settings.stages = {{2, 64, 2}, {8, 32, 2}};
+  settings.input_noise = 0.05;
+  settings.average_decay = 0.9;
+  settings.jobs = 1;
+  const TrainingResult one = train(arm, toy_data(arm), settings);
+  settings.jobs = 3;
+  const TrainingResult three = train(arm, toy_data(arm), settings);
+  EXPECT_TRUE(same_weights(one.model, three.model));
+  EXPECT_EQ(one.best_validation_position_error_cm, three.best_validation_position_error_cm);
+  settings.seed = 2;
+  EXPECT_FALSE(same_weights(one.model, train(arm, toy_data(arm), settings).model));
+}
+
+TEST(Train, PaperPresetLowersItsLoss) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = paper_preset();
+  set_epoch_count(settings, 30);
+  const TrainingResult result = train(arm, toy_data(arm), settings);
+  ASSERT_EQ(result.status, TrainingStatus::finished);
+  EXPECT_EQ(result.model.shape(), "102-100-100-100-48");
+  EXPECT_LT(result.curve.back().loss, result.curve.front().loss);
+}
+
+TEST(Train, KeepsTheBestByValidation) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingResult result = train(arm, toy_data(arm), small_settings());
+  double least = result.curve.front().validation_position_error_cm;
+  for (const LearningCurvePoint& point : result.curve) {
+    least = std::min(least, point.validation_position_error_cm);
+  }
+  EXPECT_EQ(result.best_validation_position_error_cm, least);
+  const auto best = static_cast<std::size_t>(result.best_epoch - 1);
+  EXPECT_EQ(result.curve.at(best).validation_position_error_cm, least);
+}
+
+TEST(Train, StopsWhereItDivergesAndSaysWhatToTry) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = paper_preset();
+  settings.learning_rate = 10.0;
+  set_epoch_count(settings, 50);
+  const TrainingResult result = train(arm, toy_data(arm), settings);
+  EXPECT_EQ(result.status, TrainingStatus::diverged);
+  EXPECT_THAT(result.message, StartsWith("training diverged in epoch "));
+  EXPECT_THAT(result.message, HasSubstr("at learning rate 10: loss "));
+  EXPECT_THAT(result.message, HasSubstr("Try --learning-rate 1"));
+}
+
+TEST(Train, RefusesEpisodesShorterThanAWindow) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingData data{{toy_episode(arm, 1, 20, 1), toy_episode(arm, 1, 29, 2)}, {}};
+  EXPECT_THAT(
+      [&] { (void)train(arm, data, best_preset()); },
+      ThrowsMessage<InputError>(HasSubstr(
+          "the longest training episode has 30 frames; preset 'best' needs windows of 32")));
+}
+
+TEST(Train, TimeLimitFixesTheEpochs) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = small_settings();
+  settings.stages = {{2, 64, 300}, {8, 32, 100}};
+  settings.time_limit_s = 1.5;  // most of it goes to the measurement itself
+  const TrainingResult result = train(arm, toy_data(arm), settings);
+  EXPECT_EQ(result.status, TrainingStatus::finished);
+  EXPECT_EQ(std::to_string(result.curve.size()), result.model.training.at("epochs"));
+}
+
+TEST(FineTune, GoesOnFromTheWeightsGiven) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingData data = toy_data(arm);
+  const TrainingResult first = train(arm, data, small_settings());
+  TrainingSettings settings = small_settings();
+  settings.stages = {{8, 32, 1}};
+  settings.learning_rate = 1e-9;
+  settings.hidden_units = {7};  // the model's own count
+  const TrainingResult second = fine_tune(arm, data, settings, first.model);
+  EXPECT_EQ(second.model.shape(), first.model.shape());
+  EXPECT_NEAR(second.best_validation_position_error_cm, first.best_validation_position_error_cm,
+              1e-2);
+}
+
+TEST(FineTune, RefusesAnotherArmsModel) {
+  const ArmDescription arm = three_segment_arm();
+  CompensationModel other;
+  other.arm_name = "octopus";
+  other.arm_hash = "0123";
+  EXPECT_THAT([&] { (void)fine_tune(arm, toy_data(arm), small_settings(), other); },
+              ThrowsMessage<InputError>(HasSubstr("trained for arm 'octopus' (hash 0123)")));
+}
+
+TEST(HoldBackValidation, HoldsBackWholeEpisodes) {
+  const ArmDescription arm = three_segment_arm();
+  std::vector<Episode> episodes;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    episodes.push_back(toy_episode(arm, 2 + static_cast<int>(seed), 20, seed));
+  }
+  const TrainingData data = hold_back_validation(episodes, 0.2, 3);
+  EXPECT_EQ(data.training.size() + data.validation.size(), 10U);
+  int held = 0;
+  for (const Episode& episode : data.validation) {
+    held += episode.frame_count();
+  }
+  EXPECT_GT(held, 0);
+  EXPECT_LE(held, 0.2 * 1310);
+}
+
+TEST(HoldBackValidation, CutsASingleEpisode) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingData data = hold_back_validation({toy_episode(arm, 5, 20, 1)}, 0.2, 1);
+  ASSERT_EQ(data.training.size(), 1U);
+  ASSERT_EQ(data.validation.size(), 1U);
+  EXPECT_EQ(data.training[0].frame_count(), 81);
+  EXPECT_EQ(data.validation[0].frame_count(), 20);
+  EXPECT_EQ(data.validation[0].backbone.rows(), 20);
+  EXPECT_THAT([&] { hold_back_validation({toy_episode(arm, 1, 2, 1)}, 0.1, 1); },
+              ThrowsMessage<InputError>(HasSubstr("3 frames are too few")));
+}
+
+TEST(LearningCurve, LeavesCellsEmptyWhereNothingWasMeasured) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "curve.csv";
+  write_learning_curve_csv(path, {{1, 2, 1e-3, 12.5, std::nan(""), 0.25}, {2, 8, 5e-4, 6, 3.5, 1}});
+  EXPECT_EQ(read_file(path),
+            "epoch,window_frames,learning_rate,loss,validation_position_error_cm,elapsed_s\n"
+            "1,2,0.001,12.5,,0.250\n"
+            "2,8,0.0005,6,3.5,1.000\n");
+}
+
+}  // namespace
+}  // namespace limber
