@@ -1,0 +1,57 @@
+"""What the system tests share: running the program as a user does."""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("LIMBER_PROGRAM", str(ROOT / "build" / "release" / "bin" / "limber"))
+
+
+def limber(*arguments, folder=None, environment=None):
+    """Runs the program to its end."""
+    return subprocess.run(
+        [PROGRAM, *map(str, arguments)],
+        cwd=folder,
+        env={**os.environ, **(environment or {})},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+
+
+def verbs():
+    """Every verb that the program has."""
+    subcommands = limber("--help").stdout.split("Subcommands:")[1]
+    return re.findall(r"^  ([a-z]+) ", subcommands, flags=re.M)
+
+
+class InFolder(unittest.TestCase):
+    """A test with a fresh folder of its own, self.folder."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="limber_test_")
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def run_limber(self, *arguments, code=0):
+        result = limber(*arguments, folder=self.folder)
+        self.assertEqual(
+            result.returncode, code, f"limber {' '.join(map(str, arguments))}\n{result.stderr}"
+        )
+        return result
+
+    def run_json(self, *arguments, code=0):
+        """The one JSON object that --json prints: nothing else may be on standard output."""
+        result = self.run_limber(*arguments, "--json", code=code)
+        return json.loads(result.stdout)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text, encoding="utf-8")
+        return path
