@@ -22,13 +22,15 @@ constexpr int kLanes = 8;
 constexpr int kLanes = 4;
 #endif
 
-// Registers for accumulators of a tile: vectors down, columns across.
+// Registers that a tile of a matrix product may fill with sums, of 32 or of 16.
 #if defined(__AVX512F__) || defined(__aarch64__)
 constexpr int kTileVectors = 4;
-constexpr int kTileColumns = 6;
+constexpr int kAccumulators = 24;
+constexpr int kWidestTile = 12;
 #else
 constexpr int kTileVectors = 3;
-constexpr int kTileColumns = 4;
+constexpr int kAccumulators = 12;
+constexpr int kWidestTile = 12;
 #endif
 
 typedef float Vector __attribute__((vector_size(4 * kLanes)));
@@ -102,6 +104,23 @@ inline Vector relu(Vector v) {
   return _mm256_max_ps(Vector{}, v);
 #else
   return v < Vector{} ? Vector{} : v;
+#endif
+}
+
+// Bit i says whether lane i is other than 0.
+inline unsigned non_zero_lanes(Vector v) {
+#if defined(__AVX512F__)
+  return _mm512_cmp_ps_mask(v, Vector{}, _CMP_NEQ_UQ);
+#elif defined(__AVX2__)
+  return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(v, Vector{}, _CMP_NEQ_UQ)));
+#elif defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_ps(_mm_cmpneq_ps(v, Vector{})));
+#else
+  unsigned mask = 0;
+  for (int i = 0; i < kLanes; ++i) {
+    mask |= (v[i] != 0.0F ? 1U : 0U) << i;
+  }
+  return mask;
 #endif
 }
 

@@ -87,8 +87,12 @@ void ForwardModel::step(const Eigen::Ref<const Pressures>& previous_kpa,
   // A contiguous backbone is a column of 3m numbers; a row of a wider matrix is not.
   assert(previous.outerStride() == 3 && next.outerStride() == 3);
   const int size = 3 * point_count();
-  pipeline_->run(1, {previous_kpa.data(), segment_count()}, {current_kpa.data(), segment_count()},
-                 {previous.data(), size}, {next.data(), size}, scratch_of(workspace));
+  pipeline_->run(1,
+                 {{previous_kpa.data(), segment_count()},
+                  {current_kpa.data(), segment_count()},
+                  {previous.data(), size},
+                  {next.data(), size}},
+                 scratch_of(workspace));
 }
 
 void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
@@ -100,8 +104,11 @@ void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_
   assert(previous_kpa.cols() == next.cols() && current_kpa.cols() == next.cols() &&
          previous.cols() == next.cols());
   assert(previous_kpa.allFinite() && current_kpa.allFinite() && previous.allFinite());
-  pipeline_->run(static_cast<int>(next.cols()), columns_of(previous_kpa), columns_of(current_kpa),
-                 columns_of(previous), {next.data(), static_cast<int>(next.outerStride())},
+  pipeline_->run(static_cast<int>(next.cols()),
+                 {columns_of(previous_kpa),
+                  columns_of(current_kpa),
+                  columns_of(previous),
+                  {next.data(), static_cast<int>(next.outerStride())}},
                  scratch_of(workspace));
 }
 

@@ -6,11 +6,17 @@ namespace limber {
 
 namespace {
 
-// Queries in flight: four AVX-512 vectors; a hidden layer of 100 then fits the first cache.
+// Queries of a tile: four AVX-512 vectors; a hidden layer of 100 then fits the first cache.
 constexpr int kTileQueries = 64;
-// Up to here queries ask the network one by one: their weights come from the second cache each
-// time, but none of their lanes is idle.
-constexpr int kFewQueries = 3;
+
+// Rows pay where at least two vectors of queries are nearly full; below, columns keep more lanes
+// busy.
+int fewest_rows(int lanes) {
+  return 2 * lanes;
+}
+int most_columns(int lanes) {
+  return fewest_rows(lanes) * 7 / 8;
+}
 
 NoLoadSegment pack(const Segment& segment) {
   const StrainPolynomial& c = segment.strain_polynomial;
@@ -52,81 +58,119 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
 }
 
 std::size_t ForwardPipeline::scratch_size() const {
-  const int base = 3 * points_;
-  const int gaps = 3 * segments_;
+  // Base poses and gap poses as rows, then a network's input and two layers as rows or as columns.
   const int network = network_ ? layout_.input_size() + 2 * network_->padded_width() : segments_;
-  // The gathered input of one query and its padding, for `compensate`.
-  const int alone = network_ ? layout_.input_size() + 2 * network_->padded_width() : 0;
-  return static_cast<std::size_t>((base + gaps + network) * kTileQueries + alone);
+  return static_cast<std::size_t>((3 * points_ + 3 * points_ + network) * kTileQueries);
 }
 
-void ForwardPipeline::run(int count, ConstColumns previous_kpa, ConstColumns current_kpa,
-                          ConstColumns previous, Columns next, float* scratch) const {
-  for (int j = 0; j < count; j += kTileQueries) {
-    run_tile(std::min(kTileQueries, count - j), {previous_kpa.column(j), previous_kpa.ld},
-             {current_kpa.column(j), current_kpa.ld}, {previous.column(j), previous.ld},
-             {next.column(j), next.ld}, scratch);
+void ForwardPipeline::run(int count, const QueryColumns& queries, float* scratch) const {
+  for (int j = 0; j < count;) {
+    int tile = std::min(kTileQueries, count - j);
+    if (!network_) {
+      run_no_load(tile, queries.from(j), scratch);
+    } else if (tile <= most_columns(rows_.lanes)) {
+      run_few(tile, queries.from(j), scratch);
+    } else {
+      // A remainder of few queries comes after the full vectors.
+      const int rest = tile % fewest_rows(rows_.lanes);
+      tile -= tile > rest && rest <= most_columns(rows_.lanes) ? rest : 0;
+      run_many(tile, queries.from(j), scratch);
+    }
+    j += tile;
   }
 }
 
-void ForwardPipeline::run_tile(int count, ConstColumns previous_kpa, ConstColumns current_kpa,
-                               ConstColumns previous, Columns next, float* scratch) const {
+void ForwardPipeline::run_no_load(int count, const QueryColumns& queries, float* scratch) const {
   const int stride = padded(count, rows_.lanes);
   float* const base = scratch;
   float* const gap = base + 3 * points_ * stride;
-  float* const input = gap + 3 * segments_ * stride;
-  if (!network_) {
-    rows_.gather(segments_, count, current_kpa.data, current_kpa.ld, input, stride);
-    rows_.no_load_gaps(no_load_.data(), segments_, input, gap, stride);
-    rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
-    rows_.scatter(3 * points_, count, base, stride, next.data, next.ld);
-    return;
-  }
-  const bool in_base_poses = layout_.backbone_layout() == BackboneLayout::base_poses;
+  float* const pressure = gap + 3 * points_ * stride;
+  rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
+               stride);
+  rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
+  rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
+  rows_.scatter(3 * points_, count, base, stride, queries.next.data, queries.next.ld);
+}
+
+void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* scratch) const {
+  const int stride = padded(count, rows_.lanes);
+  float* const base = scratch;
+  float* const gap = base + 3 * points_ * stride;
+  float* const input = gap + 3 * points_ * stride;
   float* const pressure = input + layout_.pressure_row() * stride;
   float* const backbone = input + layout_.backbone_row() * stride;
   float* const no_load = input + layout_.no_load_row() * stride;
-  float* const behind = input + layout_.input_size() * stride;
-  rows_.gather(segments_, count, previous_kpa.data, previous_kpa.ld, input, stride);
-  rows_.gather(segments_, count, current_kpa.data, current_kpa.ld, pressure, stride);
-  if (in_base_poses) {
-    rows_.gather(3 * points_, count, previous.data, previous.ld, backbone, stride);
+  float* const layers = input + layout_.input_size() * stride;
+  rows_.gather(segments_, count, queries.previous_kpa.data, queries.previous_kpa.ld, input, stride);
+  rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
+               stride);
+  if (layout_.backbone_layout() == BackboneLayout::base_poses) {
+    rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, backbone, stride);
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
     rows_.chain_segments(no_load_.data(), segments_, gap, no_load, stride);
-    const float* compensation = compensate(count, stride, input, behind);
+    const float* compensation = network_->evaluate_rows(stride, input, layers);
     rows_.add(3 * points_ * stride, no_load, compensation, base);
   } else {
-    rows_.gather(3 * points_, count, previous.data, previous.ld, base, stride);
+    rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, base, stride);
     rows_.encode_gaps(points_ - 1, base, backbone, stride);
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, no_load, stride);
-    const float* compensation = compensate(count, stride, input, behind);
-    // B_{t−1} has been read: its place takes the gap poses of B_t.
-    for (int g = 0; g + 1 < points_; ++g) {
-      const int segment = segment_of_gap_[static_cast<std::size_t>(g)];
-      rows_.add(3 * stride, no_load + 3 * segment * stride, compensation + 3 * g * stride,
-                backbone + 3 * g * stride);
-    }
-    rows_.decode_gaps(points_ - 1, backbone, base, stride);
+    add_gaps(stride, no_load, network_->evaluate_rows(stride, input, layers), gap);
+    rows_.decode_gaps(points_ - 1, gap, base, stride);
   }
-  rows_.scatter(3 * points_, count, base, stride, next.data, next.ld);
+  rows_.scatter(3 * points_, count, base, stride, queries.next.data, queries.next.ld);
 }
 
-const float* ForwardPipeline::compensate(int count, int stride, const float* input,
-                                         float* scratch) const {
-  if (count > kFewQueries) {
-    return network_->evaluate_rows(stride, input, scratch);
-  }
-  float* const alone = scratch + network_->padded_width() * stride;
+void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scratch) const {
+  const int stride = padded(count, rows_.lanes);
+  const int ld = layout_.input_size();
+  const int width = network_->padded_width();
+  float* const base = scratch;
+  float* const gap = base + 3 * points_ * stride;
+  float* const input = gap + 3 * points_ * stride;  // columns from here on
+  float* const layers = input + ld * count;
+  float* const pressure = layers;  // rows again, read before the layers are written
+  float* const no_load_gap = pressure + segments_ * stride;
   for (int q = 0; q < count; ++q) {
-    for (int r = 0; r < network_->input_size(); ++r) {
-      alone[r] = input[r * stride + q];
-    }
-    const float* output = network_->evaluate(alone, alone + network_->input_size());
-    for (int r = 0; r < network_->output_size(); ++r) {
-      scratch[r * stride + q] = output[r];
-    }
+    std::copy_n(queries.previous_kpa.column(q), segments_, input + q * ld);
+    std::copy_n(queries.current_kpa.column(q), segments_, input + q * ld + segments_);
   }
-  return scratch;
+  rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
+               stride);
+  if (layout_.backbone_layout() == BackboneLayout::base_poses) {
+    for (int q = 0; q < count; ++q) {
+      std::copy_n(queries.previous.column(q), 3 * points_, input + q * ld + layout_.backbone_row());
+    }
+    rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
+    rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
+    rows_.scatter(3 * points_, count, base, stride, input + layout_.no_load_row(), ld);
+    const float* compensation = network_->evaluate_columns(count, input, ld, layers);
+    for (int q = 0; q < count; ++q) {
+      rows_.add(3 * points_, input + q * ld + layout_.no_load_row(), compensation + q * width,
+                queries.next.column(q));
+    }
+  } else {
+    rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, base, stride);
+    rows_.encode_gaps(points_ - 1, base, gap, stride);
+    rows_.scatter(3 * (points_ - 1), count, gap, stride, input + layout_.backbone_row(), ld);
+    rows_.no_load_gaps(no_load_.data(), segments_, pressure, no_load_gap, stride);
+    rows_.scatter(3 * segments_, count, no_load_gap, stride, input + layout_.no_load_row(), ld);
+    const float* compensation = network_->evaluate_columns(count, input, ld, layers);
+    rows_.gather(3 * (points_ - 1), count, compensation, width, gap, stride);
+    rows_.gather(3 * segments_, count, input + layout_.no_load_row(), ld, base, stride);
+    add_gaps(stride, base, gap, gap);
+    rows_.decode_gaps(points_ - 1, gap, base, stride);
+    rows_.scatter(3 * points_, count, base, stride, queries.next.data, queries.next.ld);
+  }
+}
+
+// B̃'s gap poses, one a segment, and the compensation of each gap.
+void ForwardPipeline::add_gaps(int stride, const float* no_load, const float* compensation,
+                               float* sum) const {
+  for (int g = 0; g + 1 < points_; ++g) {
+    const int segment = segment_of_gap_[static_cast<std::size_t>(g)];
+    rows_.add(3 * stride, no_load + 3 * segment * stride, compensation + 3 * g * stride,
+              sum + 3 * g * stride);
+  }
 }
 
 }  // namespace limber

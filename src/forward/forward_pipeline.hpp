@@ -15,16 +15,29 @@ struct ConstColumns {
   const float* data;
   int ld;
   const float* column(int j) const { return data + static_cast<std::ptrdiff_t>(j) * ld; }
+  ConstColumns from(int j) const { return {column(j), ld}; }
 };
 struct Columns {
   float* data;
   int ld;
   float* column(int j) const { return data + static_cast<std::ptrdiff_t>(j) * ld; }
+  Columns from(int j) const { return {column(j), ld}; }
 };
 
-/// How ForwardModel computes: a batch is cut into tiles of kTileQueries; a tile's numbers are
-/// gathered into rows (one vector lane a query), pass through row kernels and the packed network
-/// and are scattered back. Few queries share the row kernels, but ask the network one by one.
+/// Queries and the places of their answers.
+struct QueryColumns {
+  ConstColumns previous_kpa;
+  ConstColumns current_kpa;
+  ConstColumns previous;
+  Columns next;
+  QueryColumns from(int j) const {
+    return {previous_kpa.from(j), current_kpa.from(j), previous.from(j), next.from(j)};
+  }
+};
+
+/// How ForwardModel computes. What is not the network, and the network for many queries, works on
+/// rows: one number of all queries of a tile after the other, one vector lane a query. The network
+/// for a few queries works on columns, so that no lane idles. Both give the same bits.
 /// Constant after construction.
 class ForwardPipeline {
  public:
@@ -35,13 +48,13 @@ class ForwardPipeline {
   std::size_t scratch_size() const;
 
   /// `count` queries. `next` may be `previous`.
-  void run(int count, ConstColumns previous_kpa, ConstColumns current_kpa, ConstColumns previous,
-           Columns next, float* scratch) const;
+  void run(int count, const QueryColumns& queries, float* scratch) const;
 
  private:
-  void run_tile(int count, ConstColumns previous_kpa, ConstColumns current_kpa,
-                ConstColumns previous, Columns next, float* scratch) const;
-  const float* compensate(int count, int stride, const float* input, float* scratch) const;
+  void run_no_load(int count, const QueryColumns& queries, float* scratch) const;
+  void run_many(int count, const QueryColumns& queries, float* scratch) const;
+  void run_few(int count, const QueryColumns& queries, float* scratch) const;
+  void add_gaps(int stride, const float* no_load, const float* compensation, float* sum) const;
 
   int segments_;
   int points_;

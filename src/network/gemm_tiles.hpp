@@ -1,8 +1,8 @@
 #pragma once
 
 // The matrix product behind GemmKernels, compiled once per CPU level by kernels_<level>.cpp. A tile
-// of C (up to kTileVectors vectors down, kTileColumns columns across) stays in registers while k
-// runs; each step loads one column piece of A and broadcasts one row piece of B.
+// of C (up to kTileVectors vectors down, as many columns across as kAccumulators allow) stays in
+// registers while k runs; each step loads one column piece of A and broadcasts one row piece of B.
 
 #include <cstddef>
 
@@ -40,10 +40,10 @@ inline Vector load_rows(const float* p, int tail) {
 
 template <int kVectors, int kColumns, bool kPartial>
 inline void start_tile(const Product& p, Tile t, Vector (&sum)[kColumns][kVectors]) {
-#pragma GCC unroll 8
+#pragma GCC unroll 12
   for (int j = 0; j < kColumns; ++j) {
     const float* c = p.c + t.i + (t.j + j) * p.ldc;
-#pragma GCC unroll 8
+#pragma GCC unroll 12
     for (int v = 0; v < kVectors; ++v) {
       const bool last = kPartial && v == kVectors - 1;
       const float* source = p.start == Start::c ? c : p.bias + t.i;
@@ -66,24 +66,24 @@ void multiply_tile(const Product& p, Tile t) {
   const float* b = p.b + t.j * p.b_step_j;
   for (int k = 0; k < p.k; ++k, a += p.lda, b += p.b_step_k) {
     Vector rows[kVectors];
-#pragma GCC unroll 8
+#pragma GCC unroll 12
     for (int v = 0; v < kVectors; ++v) {
       const bool last = kPartial && v == kVectors - 1;
       rows[v] = last ? load_part(a + v * kLanes, t.tail) : load(a + v * kLanes);
     }
-#pragma GCC unroll 8
+#pragma GCC unroll 12
     for (int j = 0; j < kColumns; ++j) {
       const Vector column = broadcast(b[j * p.b_step_j]);
-#pragma GCC unroll 8
+#pragma GCC unroll 12
       for (int v = 0; v < kVectors; ++v) {
         sum[j][v] = multiply_add(rows[v], column, sum[j][v]);
       }
     }
   }
-#pragma GCC unroll 8
+#pragma GCC unroll 12
   for (int j = 0; j < kColumns; ++j) {
     float* c = p.c + t.i + (t.j + j) * p.ldc;
-#pragma GCC unroll 8
+#pragma GCC unroll 12
     for (int v = 0; v < kVectors; ++v) {
       const Vector value = p.relu ? relu(sum[j][v]) : sum[j][v];
       if (kPartial && v == kVectors - 1) {
@@ -95,41 +95,46 @@ void multiply_tile(const Product& p, Tile t) {
   }
 }
 
-template <int kVectors, bool kPartial>
+// The widest tile that fits into `columns` after one of `kColumns` did not.
+constexpr int narrower(int columns) {
+  return columns > 8 ? 8 : columns > 6 ? 6 : columns - 1;
+}
+
+// Columns t.j … t.j + columns, in tiles as wide as the registers allow.
+template <int kVectors, int kColumns, bool kPartial>
 void multiply_columns(const Product& p, Tile t, int columns) {
-  static_assert(kTileColumns <= 6);
-  switch (columns) {
-    case 1:
-      return multiply_tile<kVectors, 1, kPartial>(p, t);
-    case 2:
-      return multiply_tile<kVectors, 2, kPartial>(p, t);
-    case 3:
-      return multiply_tile<kVectors, 3, kPartial>(p, t);
-    case 4:
-      return multiply_tile<kVectors, 4, kPartial>(p, t);
-    case 5:
-      return multiply_tile<kVectors, (kTileColumns >= 5 ? 5 : 1), kPartial>(p, t);
-    default:
-      return multiply_tile<kVectors, (kTileColumns >= 6 ? 6 : 1), kPartial>(p, t);
+  for (; columns >= kColumns; columns -= kColumns, t.j += kColumns) {
+    multiply_tile<kVectors, kColumns, kPartial>(p, t);
   }
+  if constexpr (kColumns > 1) {
+    if (columns > 0) {
+      multiply_columns<kVectors, narrower(kColumns), kPartial>(p, t, columns);
+    }
+  }
+}
+
+template <int kVectors, bool kPartial>
+void multiply_panel(const Product& p, Tile t) {
+  constexpr int kFit = kAccumulators / kVectors;
+  multiply_columns<kVectors, (kFit < kWidestTile ? kFit : kWidestTile), kPartial>(p, t, p.n);
 }
 
 template <bool kPartial>
-void multiply_vectors(const Product& p, Tile t, int vectors, int columns) {
+void multiply_vectors(const Product& p, Tile t, int vectors) {
   static_assert(kTileVectors <= 4);
   switch (vectors) {
     case 1:
-      return multiply_columns<1, kPartial>(p, t, columns);
+      return multiply_panel<1, kPartial>(p, t);
     case 2:
-      return multiply_columns<2, kPartial>(p, t, columns);
+      return multiply_panel<2, kPartial>(p, t);
     case 3:
-      return multiply_columns<3, kPartial>(p, t, columns);
+      return multiply_panel<3, kPartial>(p, t);
     default:
-      return multiply_columns<(kTileVectors >= 4 ? 4 : 1), kPartial>(p, t, columns);
+      return multiply_panel<kTileVectors, kPartial>(p, t);
   }
 }
 
-// Pieces of at most `largest` that are as equal as can be: 7 is 4 + 3, not 4 + 2 + 1.
+// Pieces of at most `largest` that are as equal as can be: 7 is 4 + 3, 9 is 3 + 3 + 3.
 inline int balanced(int remaining, int largest) {
   const int pieces = (remaining + largest - 1) / largest;
   return (remaining + pieces - 1) / pieces;
@@ -140,14 +145,10 @@ inline void multiply_panels(const Product& p) {
   for (int i = 0; vectors_left > 0;) {
     const int vectors = balanced(vectors_left, kTileVectors);
     const int tail = p.m - i < vectors * kLanes ? (p.m - i) % kLanes : 0;
-    for (int j = 0; j < p.n;) {
-      const int columns = balanced(p.n - j, kTileColumns);
-      if (tail != 0) {
-        multiply_vectors<true>(p, {i, j, tail}, vectors, columns);
-      } else {
-        multiply_vectors<false>(p, {i, j, 0}, vectors, columns);
-      }
-      j += columns;
+    if (tail != 0) {
+      multiply_vectors<true>(p, {i, 0, tail}, vectors);
+    } else {
+      multiply_vectors<false>(p, {i, 0, 0}, vectors);
     }
     i += vectors * kLanes;
     vectors_left -= vectors;

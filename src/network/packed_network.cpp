@@ -54,9 +54,10 @@ PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level)
   }
 }
 
-long PackedNetwork::multiply_adds() const {
+long PackedNetwork::multiply_adds(int count) const {
   long sum = 0;
-  for (const PackedLayer& layer : layers_) {
+  for (int l = 0; l < count; ++l) {
+    const PackedLayer& layer = layers_[static_cast<std::size_t>(l)];
     sum += static_cast<long>(layer.inputs) * layer.outputs;
   }
   return sum;
@@ -75,11 +76,36 @@ const float* PackedNetwork::evaluate(const float* input, float* scratch) const {
   return x;
 }
 
-const float* PackedNetwork::evaluate_rows(int queries, const float* input, float* scratch) const {
+const float* PackedNetwork::evaluate_columns(int queries, const float* input, int ld,
+                                             float* scratch) const {
+  if (queries == 1) {
+    return evaluate(input, scratch);
+  }
   const float* x = input;
   float* y = scratch;
   float* other = scratch + static_cast<std::ptrdiff_t>(padded_width_) * queries;
   for (const PackedLayer& layer : layers_) {
+    kernels_.layer(layer.padded_outputs, queries, layer.inputs, layer.weight.data(),
+                   layer.padded_outputs, x, ld, layer.bias.data(), layer.relu, y, padded_width_);
+    x = y;
+    ld = padded_width_;
+    std::swap(y, other);
+  }
+  return x;
+}
+
+const float* PackedNetwork::evaluate_rows(int queries, const float* input, float* scratch) const {
+  return evaluate_layers_of_rows(layer_count(), queries, input, scratch);
+}
+
+const float* PackedNetwork::evaluate_layers_of_rows(int count, int queries, const float* input,
+                                                    float* scratch) const {
+  assert(count <= layer_count());
+  const float* x = input;
+  float* y = scratch;
+  float* other = scratch + static_cast<std::ptrdiff_t>(padded_width_) * queries;
+  for (int l = 0; l < count; ++l) {
+    const PackedLayer& layer = layers_[static_cast<std::size_t>(l)];
     kernels_.layer_of_rows(queries, layer.outputs, layer.inputs, x, queries,
                            layer.transposed_weight.data(), layer.inputs, layer.bias.data(),
                            layer.relu, y, queries);

@@ -10,35 +10,17 @@
 namespace limber {
 namespace {
 
-constexpr int kQueryBlock = 128;  // inputs listed at a time
 constexpr int kQueryVectors = 8;  // vectors of outputs in registers at a time
+constexpr int kMaskBits = 64;     // inputs looked at together
 
-// Positions and values of the numbers other than 0 among x[0 … count), in order.
-struct NonZeros {
-  int count;
-  int index[kQueryBlock + kLanes];
-  float value[kQueryBlock + kLanes];
-};
-
-inline void list_non_zeros(const float* x, int count, NonZeros& list) {
-  list.count = 0;
-#if defined(__AVX512F__)
-  const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+// Bit i says whether x[i] is other than 0, i < count ≤ 64.
+inline unsigned long long non_zeros(const float* x, int count) {
+  unsigned long long mask = 0;
   for (int i = 0; i < count; i += kLanes) {
     const Vector v = load_part(x + i, count - i < kLanes ? count - i : kLanes);
-    const __mmask16 keep = _mm512_cmp_ps_mask(v, Vector{}, _CMP_NEQ_UQ);
-    const __m512i position = _mm512_add_epi32(lane, _mm512_set1_epi32(i));
-    _mm512_storeu_si512(list.index + list.count, _mm512_maskz_compress_epi32(keep, position));
-    store(list.value + list.count, _mm512_maskz_compress_ps(keep, v));
-    list.count += __builtin_popcount(keep);
+    mask |= static_cast<unsigned long long>(non_zero_lanes(v)) << i;
   }
-#else
-  for (int i = 0; i < count; ++i) {
-    list.index[list.count] = i;
-    list.value[list.count] = x[i];
-    list.count += x[i] != 0.0F ? 1 : 0;
-  }
-#endif
+  return mask;
 }
 
 template <int kVectors>
@@ -49,12 +31,12 @@ void query_rows(int k, const float* a, std::ptrdiff_t lda, const float* x, const
   for (int v = 0; v < kVectors; ++v) {
     sum[v] = load(bias + v * kLanes);
   }
-  NonZeros list;
-  for (int from = 0; from < k; from += kQueryBlock) {
-    list_non_zeros(x + from, k - from < kQueryBlock ? k - from : kQueryBlock, list);
-    for (int s = 0; s < list.count; ++s) {
-      const float* column = a + (from + list.index[s]) * lda;
-      const Vector value = broadcast(list.value[s]);
+  for (int from = 0; from < k; from += kMaskBits) {
+    const int count = k - from < kMaskBits ? k - from : kMaskBits;
+    for (unsigned long long mask = non_zeros(x + from, count); mask != 0; mask &= mask - 1) {
+      const int i = from + __builtin_ctzll(mask);
+      const float* column = a + i * lda;
+      const Vector value = broadcast(x[i]);
 #pragma GCC unroll 8
       for (int v = 0; v < kVectors; ++v) {
         sum[v] = multiply_add(load(column + v * kLanes), value, sum[v]);

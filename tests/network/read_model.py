@@ -13,7 +13,7 @@ try:
 except ImportError:
     sys.exit(77)  # ctest counts it as skipped
 
-RELATIVE_TOLERANCE = 2e-6  # of the largest output: float32 sums of about 100 products, four layers
+RELATIVE_TOLERANCE = 5e-6  # of the largest output: float32 sums of about 100 products, four layers
 
 
 def read_safetensors(path):

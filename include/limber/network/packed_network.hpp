@@ -24,15 +24,28 @@ class PackedNetwork {
   /// Numbers that the widest layer writes for one query, padded to whole vectors.
   int padded_width() const { return padded_width_; }
   /// Multiply-adds of one query, padding not counted.
-  long multiply_adds() const;
+  long multiply_adds() const { return multiply_adds(layer_count()); }
+  /// Of the first `count` layers.
+  long multiply_adds(int count) const;
+  int layer_count() const { return static_cast<int>(layers_.size()); }
 
   /// One query. `input` holds input_size numbers; `scratch` 2·padded_width. Returns the output_size
   /// results, somewhere in `scratch`.
   const float* evaluate(const float* input, float* scratch) const;
 
-  /// `queries` along the rows: `input` input_size rows of `queries` numbers, row after row;
-  /// `scratch` 2·padded_width·queries. Returns output_size such rows, somewhere in `scratch`.
+  /// A few queries: `input` input_size×queries with `ld` ≥ input_size; `scratch`
+  /// 2·padded_width·queries. Returns output_size×queries, columns padded_width apart, somewhere in
+  /// `scratch`.
+  const float* evaluate_columns(int queries, const float* input, int ld, float* scratch) const;
+
+  /// Many queries along the rows: `input` input_size rows of `queries` numbers, row after row;
+  /// `scratch` 2·padded_width·queries. Returns output_size such rows, somewhere in `scratch`. Best
+  /// where `queries` is a multiple of the vector's lanes.
   const float* evaluate_rows(int queries, const float* input, float* scratch) const;
+
+  /// The first `count` layers of `evaluate_rows` alone, to be timed.
+  const float* evaluate_layers_of_rows(int count, int queries, const float* input,
+                                       float* scratch) const;
 
  private:
   struct PackedLayer {
