@@ -14,7 +14,24 @@ namespace {
 constexpr const char* kSchema = "limber/arm/1";
 constexpr int kMostGaps = 100;
 
-Segment read_segment(const YamlReader& node) {
+StrainPolynomial read_strain_polynomial(const YamlReader& node, double pressure_limit_kpa) {
+  const std::vector<double> coefficients = node.numbers("a coefficient c1 … c4 for kPa");
+  StrainPolynomial polynomial{};
+  if (coefficients.size() != polynomial.size()) {
+    node.refuse(fmt::format(
+        "{} coefficients found; expected 4: c1 … c4 of e = c1 p + c2 p² + c3 p³ + c4 p⁴ "
+        "('limber characterize' fits them)",
+        coefficients.size()));
+  }
+  std::copy(coefficients.begin(), coefficients.end(), polynomial.begin());
+  const std::string reason = why_unusable(polynomial, pressure_limit_kpa);
+  if (!reason.empty()) {
+    node.refuse(reason);
+  }
+  return polynomial;
+}
+
+Segment read_segment(const YamlReader& node, PolynomialsOf polynomials) {
   node.refuse_unknown_keys(
       {"length_m", "width_m", "gaps", "pressure_limit_kpa", "strain_polynomial"});
   Segment segment;
@@ -22,17 +39,9 @@ Segment read_segment(const YamlReader& node) {
   segment.width_m = node.at("width_m").positive("a length in metres");
   segment.gaps = node.at("gaps").integer("a number of gaps between plates", 1, kMostGaps);
   segment.pressure_limit_kpa = node.at("pressure_limit_kpa").positive("a gauge pressure in kPa");
-  const YamlReader polynomial = node.at("strain_polynomial");
-  const std::vector<double> coefficients = polynomial.numbers("a coefficient c1 … c4 for kPa");
-  if (coefficients.size() != segment.strain_polynomial.size()) {
-    polynomial.refuse(fmt::format(
-        "{} coefficients found; expected 4: c1 … c4 of e = c1 p + c2 p² + c3 p³ + c4 p⁴",
-        coefficients.size()));
-  }
-  std::copy(coefficients.begin(), coefficients.end(), segment.strain_polynomial.begin());
-  const std::string reason = why_unusable(segment.strain_polynomial, segment.pressure_limit_kpa);
-  if (!reason.empty()) {
-    polynomial.refuse(reason);
+  if (polynomials == PolynomialsOf::model) {
+    segment.strain_polynomial =
+        read_strain_polynomial(node.at("strain_polynomial"), segment.pressure_limit_kpa);
   }
   return segment;
 }
@@ -88,7 +97,7 @@ std::string ArmDescription::hash() const {
   return content_hash(text);
 }
 
-ArmDescription read_arm(const YamlReader& root) {
+ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   root.require_schema(kSchema);
   root.refuse_unknown_keys({"schema", "name", "frame_rate_hz", "pressure_rate_limit_kpa_per_s",
                             "actuator_radius_m", "segments", "virtual_arm"});
@@ -103,7 +112,7 @@ ArmDescription read_arm(const YamlReader& root) {
   arm.actuator_radius_m = root.at("actuator_radius_m").number("a length in metres", 0.0);
   const YamlReader segments = root.at("segments");
   for (const YamlReader& node : segments.elements()) {
-    arm.segments.push_back(read_segment(node));
+    arm.segments.push_back(read_segment(node, polynomials));
   }
   if (arm.segments.empty() || arm.segments.size() > kMostSegments) {
     segments.refuse(
@@ -115,8 +124,8 @@ ArmDescription read_arm(const YamlReader& root) {
   return arm;
 }
 
-ArmDescription load_arm(const std::filesystem::path& path) {
-  return read_arm(YamlReader::from_file(path));
+ArmDescription load_arm(const std::filesystem::path& path, PolynomialsOf polynomials) {
+  return read_arm(YamlReader::from_file(path), polynomials);
 }
 
 std::string arm_to_yaml(const ArmDescription& arm) {
@@ -132,10 +141,16 @@ std::string arm_to_yaml(const ArmDescription& arm) {
 }
 
 std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm) {
+  read_arm(YamlReader::from_text(yaml, "the arm file"), PolynomialsOf::characterisation);
   const YAML::Node segments = YAML::Load(yaml)["segments"];
   std::string edited = yaml;
-  for (std::size_t i = segments.size(); i-- > 0;) {  // from the end: earlier places stay valid
-    const auto begin = std::size_t(segments[i]["strain_polynomial"].Mark().pos);
+  // From the end: earlier places stay valid.
+  for (std::size_t i = std::min(segments.size(), arm.segments.size()); i-- > 0;) {
+    const YAML::Node polynomial = segments[i]["strain_polynomial"];
+    if (!polynomial) {
+      continue;
+    }
+    const auto begin = std::size_t(polynomial.Mark().pos);
     const std::size_t end = edited.find(']', begin);
     if (begin < edited.size() && edited[begin] == '[' && end != std::string::npos) {
       edited.replace(begin, end - begin,

@@ -263,6 +263,20 @@ TEST(WithStrainPolynomials, KeepsEveryCommentAndChangesNothingElse) {
   EXPECT_THAT(edited, HasSubstr("# [C] braid friction"));
 }
 
+TEST(WithStrainPolynomials, FillsAnArmThatWasNeverCharacterised) {
+  const std::string empty = with("[1.0e-3, 1.0e-5, 0, 0]", "[]  # to be measured");
+  EXPECT_THAT([&] { read(empty); },
+              ThrowsMessage<InputError>(StartsWith(
+                  "a.yaml:11: segments[0].strain_polynomial: 0 coefficients found; expected 4")));
+  ArmDescription arm =
+      read_arm(YamlReader::from_text(empty, "a.yaml"), PolynomialsOf::characterisation);
+  arm.segments[0].strain_polynomial = {2e-3, 0.0, 0.0, 0.0};
+  EXPECT_EQ(with_strain_polynomials(empty, arm),
+            with("[1.0e-3, 1.0e-5, 0, 0]", "[0.002, 0, 0, 0]  # to be measured"));
+  const std::string missing = with("    strain_polynomial: [1.0e-3, 1.0e-5, 0, 0]\n", "");
+  EXPECT_EQ(with_strain_polynomials(missing, arm), arm_to_yaml(arm));
+}
+
 TEST(WithStrainPolynomials, WritesAnewWhatCannotBeEditedInPlace) {
   ArmDescription arm = read(kGood);
   arm.segments[0].strain_polynomial = {2e-3, 0.0, 0.0, 0.0};

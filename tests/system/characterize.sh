@@ -31,6 +31,11 @@ expect 0 '"refitted": false' --arm two_segment --csv line.csv --json
 expect 0 "full strain 0.2000" --arm two_segment --csv line.csv --out line.yaml
 expect 0 "full strain 0.2000" --arm line.yaml --csv line.csv
 
+# An arm that was never characterised.
+sed 's/strain_polynomial: \[.*\]/strain_polynomial: []/' arm.yaml >raw.yaml
+expect 0 "full strain 0.2000" --arm raw.yaml --csv line.csv --out filled.yaml
+cmp filled.yaml line.yaml || fail "an empty polynomial is not filled in place"
+
 # Bad input: exit 2, one message, no file.
 expect 2 "arm.yaml: exists already; --force replaces it" --arm two_segment --out arm.yaml
 sed 's/,-/,/' line.csv >positive.csv

@@ -49,10 +49,15 @@ struct ArmDescription {
   std::string hash() const;
 };
 
+/// Whether an arm file must hold strain polynomials that a model can use. Only characterisation,
+/// which is about to fit them, does without: there the key may be missing, empty or outdated.
+enum class PolynomialsOf { model, characterisation };
+
 /// Reads and validates an arm file. @throws InputError naming file, line, field, what was found and
 /// what is allowed.
-ArmDescription load_arm(const std::filesystem::path& path);
-ArmDescription read_arm(const YamlReader& root);
+ArmDescription load_arm(const std::filesystem::path& path,
+                        PolynomialsOf polynomials = PolynomialsOf::model);
+ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials = PolynomialsOf::model);
 
 /// The arm as YAML, readable by `load_arm`; floating-point values survive the round trip exactly.
 std::string arm_to_yaml(const ArmDescription& arm);
