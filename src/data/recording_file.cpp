@@ -78,6 +78,8 @@ void write_data_set(const H5::Group& group, const char* name, const char* unit,
   properties.setShuffle();
   properties.setDeflate(kDeflateLevel);
   properties.setFletcher32();
+  // Without times of day, equal recordings are equal bytes.
+  H5Pset_obj_track_times(properties.getId(), false);
   const H5::DataSpace space(static_cast<int>(shape.size()), shape.data());
   H5::DataSet data_set = group.createDataSet(name, type, space, properties);
   data_set.write(data, type);
