@@ -56,4 +56,7 @@ void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result
 /// beside the program or in its installed data folder.
 std::string find_arm_file(const std::string& name_or_path);
 
+/// An environment file, found the same way ("01_pillar" in environments/).
+std::string find_environment_file(const std::string& name_or_path);
+
 }  // namespace limber

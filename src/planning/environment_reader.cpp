@@ -168,13 +168,13 @@ std::optional<ArmStart> read_start(const YamlReader& root) {
     root.refuse("the key 'start' is missing; " + expected);
   }
   const YamlReader node = root.at("start");
-  if (!node.keys().empty()) {
-    return read_given_start(node);
+  if (node.found() == "'rest'") {
+    return std::nullopt;
   }
-  if (node.found() != "'rest'") {
+  if (node.found() != "a mapping") {
     node.refuse(node.found() + " found; " + expected);
   }
-  return std::nullopt;
+  return read_given_start(node);
 }
 
 PoseGoal read_goal(const YamlReader& node) {

@@ -1,0 +1,23 @@
+#include <filesystem>
+
+#include "limber/common/data_folder.hpp"
+#include "limber/common/error.hpp"
+#include "verb.hpp"
+
+namespace limber {
+
+std::string find_environment_file(const std::string& name_or_path) {
+  namespace fs = std::filesystem;
+  if (fs::exists(name_or_path)) {
+    return name_or_path;
+  }
+  const fs::path own = data_folder() / "environments" / (name_or_path + ".yaml");
+  if (name_or_path.find('/') == std::string::npos && fs::exists(own)) {
+    return own.string();
+  }
+  throw InputError(fmt::format(
+      "--environment {}: no such file, and none of limber's own environments has that name",
+      name_or_path));
+}
+
+}  // namespace limber

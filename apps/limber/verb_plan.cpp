@@ -1,0 +1,252 @@
+#include <cmath>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/data_folder.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/units.hpp"
+#include "limber/planning/plan_picture.hpp"
+#include "limber/planning/planner.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDefaultTimeLimitS = 10.0;
+
+/// NaN and infinities have no JSON; null says "none".
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json partial_to_json(const std::optional<Plan>& partial, const PoseGoal& goal) {
+  if (!partial) {
+    return nullptr;
+  }
+  Json json;
+  json["distance_to_goal_cm"] = partial->goal_distance_m * kCmPerM;
+  json["orientation_to_goal_rad"] = goal.theta_rad ? Json(partial->goal_orientation_rad) : nullptr;
+  json["cost_kpa"] = partial->cost_kpa;
+  json["frames"] = partial->frame_count();
+  return json;
+}
+
+Json to_json(const PlanResult& result, const PoseGoal& goal, const std::string& planner,
+             const std::string& model, std::uint64_t seed) {
+  Json json;
+  json["status"] = to_string(result.status);
+  json["reason"] = result.reason;
+  json["warnings"] = result.warnings;
+  json["limit"] = result.limit ? Json(to_string(*result.limit)) : Json(nullptr);
+  json["best_partial"] = partial_to_json(result.best_partial, goal);
+  json["planner"] = planner;
+  json["model"] = model;
+  json["seed"] = seed;
+  const Plan* plan = result.plan ? &*result.plan : nullptr;
+  json["cost_kpa"] = plan ? Json(plan->cost_kpa) : nullptr;
+  json["cost_psi"] = plan ? Json(plan->cost_kpa / kKpaPerPsi) : nullptr;
+  json["first_solution"] = nullptr;
+  if (result.first_solution) {
+    json["first_solution"] = {{"time_s", result.first_solution->time_s},
+                              {"cost_kpa", result.first_solution->cost_kpa}};
+  }
+  json["time_s"] = result.statistics.time_s;
+  json["iterations"] = result.statistics.iterations;
+  json["queries"] = result.statistics.queries;
+  json["nodes"] = result.statistics.nodes;
+  json["rewires_tried"] = result.statistics.rewires_tried;
+  json["rewires_accepted"] = result.statistics.rewires_accepted;
+  json["distance_to_goal_cm"] = plan ? Json(plan->goal_distance_m * kCmPerM) : nullptr;
+  json["orientation_to_goal_rad"] =
+      plan && goal.theta_rad ? Json(plan->goal_orientation_rad) : nullptr;
+  json["clearance_cm"] = plan ? finite(plan->clearance_m * kCmPerM) : nullptr;
+  json["frames"] = plan ? Json(plan->frame_count()) : nullptr;
+  json["duration_s"] = plan ? Json(plan->duration_s()) : nullptr;
+  return json;
+}
+
+std::string to_text(const PlanResult& result) {
+  if (!result.plan) {
+    return fmt::format("no plan: {}: {}", to_string(result.status), result.reason);
+  }
+  const Plan& plan = *result.plan;
+  return fmt::format(
+      "plan: {} frames, {:.1f} s, cost {:.1f} kPa ({:.1f} psi); ends {:.2f} cm from the goal, "
+      "clearance {:.2f} cm, both as the {} model predicts\n"
+      "first solution after {:.3f} s ({:.1f} kPa); {} nodes, {} rewires of {} tried, {} model "
+      "queries in {:.2f} s ({:.0f} a second); {}",
+      plan.frame_count(), plan.duration_s(), plan.cost_kpa, plan.cost_kpa / kKpaPerPsi,
+      plan.goal_distance_m * kCmPerM, plan.clearance_m * kCmPerM, plan.model,
+      result.first_solution->time_s, result.first_solution->cost_kpa, result.statistics.nodes,
+      result.statistics.rewires_accepted, result.statistics.rewires_tried,
+      result.statistics.queries, result.statistics.time_s,
+      double(result.statistics.queries) / result.statistics.time_s, result.reason);
+}
+
+int exit_code(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::solved:
+      return kExitDone;
+    case PlanStatus::limit:
+    case PlanStatus::no_solution:
+      return kExitNoSolution;
+    default:
+      return kExitBadInput;
+  }
+}
+
+/// Bar over the time limit where there is one, else over the iterations or queries.
+class PlanProgress {
+ public:
+  PlanProgress(const PlannerLimits& limits, Progress::Mode mode)
+      : limits_(limits), progress_("plan", unit(limits), total(limits), mode) {}
+
+  void update(const PlannerProgress& now) {
+    const std::string cost =
+        now.best_cost_kpa ? fmt::format("best {:.1f} kPa", *now.best_cost_kpa) : "no plan yet";
+    const double rate = now.time_s > 0.0 ? double(now.queries) / now.time_s : 0.0;
+    const std::uint64_t done = limits_.time_s       ? std::uint64_t(now.time_s * 1000.0)
+                               : limits_.iterations ? now.iterations
+                                                    : now.queries;
+    progress_.update(done, fmt::format("{} nodes, {}, {:.0f} queries/s", now.nodes, cost, rate));
+  }
+
+  void finish() { progress_.finish(); }
+
+ private:
+  static std::string unit(const PlannerLimits& limits) {
+    return limits.time_s ? "ms" : limits.iterations ? "iterations" : "queries";
+  }
+  static std::uint64_t total(const PlannerLimits& limits) {
+    return limits.time_s       ? std::uint64_t(*limits.time_s * 1000.0)
+           : limits.iterations ? *limits.iterations
+                               : limits.queries.value_or(0);
+  }
+
+  PlannerLimits limits_;
+  Progress progress_;
+};
+
+class PlanVerb final : public Verb {
+ public:
+  const char* name() const override { return "plan"; }
+  const char* summary() const override {
+    return "Plan a motion in pressure space that reaches a goal without collision";
+  }
+  const char* example() const override {
+    return "limber plan --arm three_segment --no-load --environment 01_pillar --time-limit-s 5 "
+           "--out plan.json --svg plan.svg";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
+        ->capture_default_str();
+    CLI::Option* model = app.add_option("--model", model_, "Network model to plan with");
+    app.add_flag("--no-load", no_load_, "Plan with the no-load model alone")->excludes(model);
+    app.add_option("--environment", environment_,
+                   "Environment file, or the name of one of limber's own")
+        ->required();
+    app.add_option("--planner", planner_,
+                   "default: the paper's, its best plan then improved; paper: RRT* in pressure "
+                   "space; paper-steer-all: the same, simulating from every near node")
+        ->capture_default_str()
+        ->check(CLI::IsMember(planner_names()));
+    app.add_option(
+        "--time-limit-s", limits_.time_s,
+        fmt::format("Stop after so many seconds; {} where no limit is given", kDefaultTimeLimitS));
+    app.add_option("--max-iterations", limits_.iterations,
+                   "Stop after so many samples; with this limit alone a run can be repeated");
+    app.add_option("--max-queries", limits_.queries, "Stop after so many queries of the model");
+    app.add_option("--max-memory-mb", limits_.memory_mb, "Stop when the tree takes so much");
+    app.add_option("--cost-threshold-kpa", limits_.cost_threshold_kpa,
+                   "Stop at a plan this cheap; a large number stops at the first");
+    app.add_option("--margin-m", margin_m_,
+                   "Clearance kept from every obstacle. A model errs by centimetres; with no "
+                   "margin its errors become collisions")
+        ->capture_default_str();
+    app.add_option("--out", out_, "Write the plan here (JSON); not written without a solution");
+    app.add_option("--csv", csv_, "Write its set points here, for a valve controller");
+    app.add_option("--svg", svg_, "Draw arm, plan, tree and obstacles here");
+  }
+
+  int run(const CommonFlags& flags) override {
+    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    if (model_.empty() && !no_load_) {
+      throw InputError("nothing to predict with: give --model MODEL.safetensors, or --no-load");
+    }
+    const ForwardModel model =
+        model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
+    const Environment environment = load_environment(find_environment_file(environment_), arm);
+    for (const std::string& path : {out_, csv_, svg_}) {
+      if (!path.empty()) {
+        refuse_to_overwrite(path, flags.force);
+      }
+    }
+    PlanResult result = search({arm, model, environment, margin_m_}, flags);
+    if (result.plan && !model_.empty()) {
+      result.plan->model_hash = content_hash(read_file(model_));
+    }
+    write(result, arm, environment);
+    const std::string model_name = model.has_network() ? "network" : "no_load";
+    print_result(flags, to_json(result, environment.goal, planner_, model_name, flags.seed),
+                 result.plan ? to_text(result) : "");
+    if (!result.plan) {
+      say(flags, "{}", to_text(result));
+    }
+    return exit_code(result.status);
+  }
+
+ private:
+  PlanResult search(const PlanningProblem& problem, const CommonFlags& flags) {
+    if (!limits_.time_s && !limits_.iterations && !limits_.queries) {
+      limits_.time_s = kDefaultTimeLimitS;
+    }
+    PlanProgress progress(limits_, flags.progress());
+    PlanResult result =
+        make_planner(planner_)->plan(problem, limits_, flags.seed, [&](const PlannerProgress& now) {
+          progress.update(now);
+          return !interrupt_requested();
+        });
+    progress.finish();
+    for (const std::string& warning : result.warnings) {
+      say(flags, "warning: {}", warning);
+    }
+    return result;
+  }
+
+  void write(const PlanResult& result, const ArmDescription& arm,
+             const Environment& environment) const {
+    if (result.plan && !out_.empty()) {
+      write_plan(out_, *result.plan);
+    }
+    if (result.plan && !csv_.empty()) {
+      write_setpoints_csv(csv_, *result.plan);
+    }
+    if (!svg_.empty()) {
+      write_file_atomically(svg_, plan_picture(arm, environment, result));
+    }
+  }
+
+  std::string arm_ = "three_segment";
+  std::string model_;
+  bool no_load_ = false;
+  std::string environment_;
+  std::string planner_ = "default";
+  PlannerLimits limits_;
+  double margin_m_ = 0.0;
+  std::string out_;
+  std::string csv_;
+  std::string svg_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_plan_verb() {
+  return std::make_unique<PlanVerb>();
+}
+
+}  // namespace limber
