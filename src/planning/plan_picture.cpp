@@ -58,7 +58,7 @@ void draw_tip_path(SvgDrawing& drawing, const Plan& plan, const ShapeStyle& styl
 
 WorldBox picture_box(const ArmDescription& arm, const Environment& environment) {
   const double reach = arm.length_m();
-  WorldBox box{-0.2 * reach, 1.1 * reach, -0.7 * reach, 0.7 * reach};
+  WorldBox box{-0.2 * reach, 1.1 * reach, -0.8 * reach, 0.8 * reach};
   const double room = 0.1 * reach;
   const PoseGoal& goal = environment.goal;
   const auto include = [&](double x, double y) {
@@ -165,7 +165,7 @@ std::string plan_picture(const ArmDescription& arm, const Environment& environme
     drawing.legend("way of its tip", {.stroke = "#222222", .width_px = 1.5});
   } else if (result.best_partial) {
     const ShapeStyle nearest{
-        .stroke = plan_color(*result.best_partial), .width_px = 2.0, .dashed = true};
+        .fill = plan_color(*result.best_partial), .stroke = "none", .opacity = 0.4};
     draw_arm(drawing, arm, result.best_partial->frames.back().backbone, nearest);
     draw_tip_path(drawing, *result.best_partial, {.stroke = "#222222", .dashed = true});
     drawing.legend("no plan; the nearest motion found", nearest);
