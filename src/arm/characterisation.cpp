@@ -132,7 +132,7 @@ void add_warnings(std::size_t given, StrainFit& fit) {
     fit.warnings.push_back(fmt::format(
         "full strain is {:.2f}. Was a bare actuator measured? It contracts about a third more than "
         "the side of a whole segment, whose elasticity holds it back; the no-load model then errs "
-        "by 28 cm instead of 17 on limber's virtual arm. Measure one whole, free segment",
+        "by 27 cm instead of 16 on limber's virtual arm. Measure one whole, free segment",
         fit.full_strain));
   }
 }
