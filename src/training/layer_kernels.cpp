@@ -1,5 +1,7 @@
 #include "layer_kernels.hpp"
 
+#include <cmath>
+
 #include "limber/network/gemm_kernels.hpp"
 
 namespace limber {
@@ -61,6 +63,15 @@ void LayerKernels<Scalar>::row_sums(int m, int n, const Scalar* a, int lda, Scal
       view(a, m, n, lda).rowwise().sum();
 }
 
+template <class Scalar>
+void LayerKernels<Scalar>::sincos(int count, const Scalar* angle_rad, Scalar* sine,
+                                  Scalar* cosine) {
+  for (int i = 0; i < count; ++i) {
+    sine[i] = std::sin(angle_rad[i]);
+    cosine[i] = std::cos(angle_rad[i]);
+  }
+}
+
 template <>
 void LayerKernels<float>::layer(int m, int n, int k, const float* a, int lda, const float* b,
                                 int ldb, const float* bias, bool relu, float* c, int ldc) {
@@ -88,6 +99,11 @@ void LayerKernels<float>::relu_gradient(int m, int n, const float* activation, i
 template <>
 void LayerKernels<float>::row_sums(int m, int n, const float* a, int lda, float* sums) {
   gemm_kernels().row_sums(m, n, a, lda, sums, false);
+}
+
+template <>
+void LayerKernels<float>::sincos(int count, const float* angle_rad, float* sine, float* cosine) {
+  gemm_kernels().sincos(count, angle_rad, sine, cosine);
 }
 
 template struct LayerKernels<double>;

@@ -23,6 +23,7 @@ struct LayerKernels {
                             Scalar* gradient, int ld_gradient);
   /// sums(i) = Σ_j a(i, j), A m×n.
   static void row_sums(int m, int n, const Scalar* a, int lda, Scalar* sums);
+  static void sincos(int count, const Scalar* angle_rad, Scalar* sine, Scalar* cosine);
 };
 
 }  // namespace limber

@@ -36,17 +36,19 @@ TrainingTables tables_for(const ArmDescription& arm, const TrainingData& data,
                           const TrainingSettings& settings, const CompensationModel* start) {
   require_usable(settings);
   if (start != nullptr) {
-    return make_training_tables(arm, data.training, start->layout, start->input, start->output);
+    return make_training_tables(arm, data.training, settings, start->input, start->output);
   }
-  return make_training_tables(arm, data.training, settings.layout, settings.scaling);
+  return make_training_tables(arm, data.training, settings);
 }
 
-void take_form_of(const CompensationModel& start, TrainingSettings& settings) {
+/// The settings with the layout and hidden units of `start`.
+TrainingSettings in_form_of(const CompensationModel& start, TrainingSettings settings) {
   settings.layout = start.layout;
   settings.hidden_units.clear();
   for (std::size_t layer = 0; layer + 1 < start.layers.size(); ++layer) {
     settings.hidden_units.push_back(static_cast<int>(start.layers[layer].bias.size()));
   }
+  return settings;
 }
 
 }  // namespace
@@ -55,13 +57,10 @@ TrainingRun::TrainingRun(const ArmDescription& arm, const TrainingData& data,
                          TrainingSettings settings, const CompensationModel* start)
     : arm_(arm),
       data_(data),
-      settings_(std::move(settings)),
+      settings_(start != nullptr ? in_form_of(*start, std::move(settings)) : std::move(settings)),
       tables_(tables_for(arm, data, settings_, start)),
       layout_({1, 1}),
       begin_(std::chrono::steady_clock::now()) {
-  if (start != nullptr) {
-    take_form_of(*start, settings_);
-  }
   layout_ = ParameterLayout(widths(tables_, settings_.hidden_units));
   for (const TrainingStage& stage : settings_.stages) {
     if (window_starts(tables_.episodes, stage.window_frames, 0).empty()) {

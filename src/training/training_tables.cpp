@@ -18,9 +18,11 @@ constexpr float kConstantSpread = 1e-6F;
 
 /// Columns of all episodes' frames in user units, backbones in the network's layout.
 struct RawFrames {
-  Eigen::MatrixXf pressure_kpa;  // n×F
-  Eigen::MatrixXf no_load;       // D×F
-  Eigen::MatrixXf state;         // D×F
+  Eigen::MatrixXf pressure_kpa;   // n×F
+  Eigen::MatrixXf poses;          // 3m×F, recorded, about the base
+  Eigen::MatrixXf no_load_poses;  // 3m×F
+  Eigen::MatrixXf state;          // D×F, recorded, in the network's layout
+  Eigen::MatrixXf no_load;        // D×F
 };
 
 RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes,
@@ -34,22 +36,24 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
     throw InputError("the training data hold no frame");
   }
   const int poses = 3 * arm.point_count();
-  RawFrames raw{Eigen::MatrixXf(arm.segment_count(), count), Eigen::MatrixXf(poses, count),
-                Eigen::MatrixXf(poses, count)};
+  RawFrames raw;
+  raw.pressure_kpa.resize(arm.segment_count(), count);
+  raw.poses.resize(poses, count);
+  raw.no_load_poses.resize(poses, count);
   const NoLoadModel no_load(arm);
   Backbone unloaded(arm.point_count(), 3);
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     const EpisodeRange range = ranges[index];
     raw.pressure_kpa.middleCols(range.first, range.count) =
         episodes[index].pressure_kpa.transpose();
-    raw.state.middleCols(range.first, range.count) = episodes[index].backbone.transpose();
+    raw.poses.middleCols(range.first, range.count) = episodes[index].backbone.transpose();
   }
   for (Eigen::Index column = 0; column < count; ++column) {
     no_load.backbone(raw.pressure_kpa.col(column), unloaded);
-    raw.no_load.col(column) = unloaded.reshaped<Eigen::RowMajor>();
+    raw.no_load_poses.col(column) = unloaded.reshaped<Eigen::RowMajor>();
   }
-  raw.no_load = layout.encode(raw.no_load);
-  raw.state = layout.encode(raw.state);
+  raw.no_load = layout.encode(raw.no_load_poses);
+  raw.state = layout.encode(raw.poses);
   return raw;
 }
 
@@ -95,18 +99,34 @@ Eigen::MatrixXf normalised(Eigen::MatrixXf columns, const Normalisation& by, Eig
   return columns;
 }
 
-void normalise(RawFrames raw, const NetworkLayout& layout, TrainingTables& tables) {
+/// Frame errors over base poses, in units of the spread that compensation has in each of them.
+FrameError<float> chained_error(const RawFrames& raw, const Normalisation& input,
+                                const NetworkLayout& layout, Scaling scaling) {
+  const Eigen::Index size = layout.backbone_size();
+  const Normalisation spread = measure((raw.poses - raw.no_load_poses).bottomRows(size), scaling);
+  return FrameError<float>(spread.scale,
+                           input.scale.segment(layout.backbone_row(), size).cwiseInverse(),
+                           input.offset.segment(layout.backbone_row(), size));
+}
+
+void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSettings& settings,
+               TrainingTables& tables) {
   const Eigen::Index size = layout.backbone_size();
   const auto state_scale = tables.input.scale.segment(layout.backbone_row(), size).array();
   FrameTable<float>& frames = tables.frames;
+  tables.map.output_scale = state_scale / tables.output.scale.array();
+  if (layout.backbone_layout() == BackboneLayout::gap_poses && settings.error_in_base_poses) {
+    tables.map.error = chained_error(raw, tables.input, layout, settings.scaling);
+    frames.target = raw.poses.bottomRows(size);
+  } else {
+    tables.map.error = FrameError<float>(tables.output.scale.array() / state_scale);
+  }
   frames.pressure = normalised(std::move(raw.pressure_kpa), tables.input, layout.pressure_row());
   frames.state = normalised(std::move(raw.state), tables.input, layout.backbone_row());
   frames.no_load =
       normalised(layout.no_load_input(raw.no_load), tables.input, layout.no_load_row());
   raw.no_load.colwise() += tables.output.offset;
   frames.uncompensated = normalised(std::move(raw.no_load), tables.input, layout.backbone_row());
-  tables.map.output_scale = state_scale / tables.output.scale.array();
-  tables.map.loss_weight = tables.output.scale.array() / state_scale;
 }
 
 void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa) {
@@ -122,27 +142,27 @@ void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa) {
 }  // namespace
 
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    BackboneLayout layout_kind, Scaling scaling) {
-  const NetworkLayout layout(layout_kind, arm);
+                                    const TrainingSettings& settings) {
+  const NetworkLayout layout(settings.layout, arm);
   TrainingTables tables;
   RawFrames raw = gather(arm, episodes, layout, tables.episodes);
   require_varying_pressures(raw.pressure_kpa);
-  const Normalisation pressure = measure(raw.pressure_kpa, scaling);
-  tables.input = stack({pressure, pressure, measure(raw.state, scaling),
-                        measure(layout.no_load_input(raw.no_load), scaling)});
-  tables.output = measure(raw.state - raw.no_load, scaling);
-  normalise(std::move(raw), layout, tables);
+  const Normalisation pressure = measure(raw.pressure_kpa, settings.scaling);
+  tables.input = stack({pressure, pressure, measure(raw.state, settings.scaling),
+                        measure(layout.no_load_input(raw.no_load), settings.scaling)});
+  tables.output = measure(raw.state - raw.no_load, settings.scaling);
+  normalise(std::move(raw), layout, settings, tables);
   return tables;
 }
 
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    BackboneLayout layout_kind, const Normalisation& input,
+                                    const TrainingSettings& settings, const Normalisation& input,
                                     const Normalisation& output) {
-  const NetworkLayout layout(layout_kind, arm);
+  const NetworkLayout layout(settings.layout, arm);
   TrainingTables tables;
   tables.input = input;
   tables.output = output;
-  normalise(gather(arm, episodes, layout, tables.episodes), layout, tables);
+  normalise(gather(arm, episodes, layout, tables.episodes), layout, settings, tables);
   return tables;
 }
 

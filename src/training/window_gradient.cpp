@@ -25,10 +25,10 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
       hidden_.emplace_back(layout.outputs(layer), columns);
     }
   }
-  recorded_.resize(size, columns);
+  target_.resize(size, columns);
   uncompensated_.resize(size, columns);
   state_.resize(size, columns);
-  error_sign_.resize(size, columns);
+  error_gradient_.resize(size, columns);
   state_gradient_.resize(size, window_limit);
 }
 
@@ -37,7 +37,7 @@ void WindowGradient<Scalar>::load(const FrameTable<Scalar>& frames, std::span<co
   assert(static_cast<int>(starts.size()) <= window_limit_);
   windows_ = static_cast<int>(starts.size());
   const Eigen::Index n = segments_;
-  const Eigen::Index size = recorded_.rows();
+  const Eigen::Index size = target_.rows();
   for (int k = 0; k < frames_; ++k) {
     for (int j = 0; j < windows_; ++j) {
       const Eigen::Index frame = starts[static_cast<std::size_t>(j)] + k;
@@ -46,7 +46,7 @@ void WindowGradient<Scalar>::load(const FrameTable<Scalar>& frames, std::span<co
       input_.col(c).segment(n, n) = frames.pressure.col(frame + 1);
       input_.col(c).tail(frames.no_load.rows()) = frames.no_load.col(frame + 1);
       uncompensated_.col(c) = frames.uncompensated.col(frame + 1);
-      recorded_.col(c) = frames.state.col(frame + 1);
+      target_.col(c) = frames.targets().col(frame + 1);
       if (k == 0) {
         input_.col(c).segment(2 * n, size) = frames.state.col(frame);
       }
@@ -56,7 +56,7 @@ void WindowGradient<Scalar>::load(const FrameTable<Scalar>& frames, std::span<co
 
 template <class Scalar>
 void WindowGradient<Scalar>::disturb(const Matrix& noise) {
-  input_.block(2 * segments_, 0, recorded_.rows(), windows_) += noise.leftCols(windows_);
+  input_.block(2 * segments_, 0, target_.rows(), windows_) += noise.leftCols(windows_);
 }
 
 template <class Scalar>
@@ -82,7 +82,7 @@ void WindowGradient<Scalar>::forward_layers(const Vector& parameters, int frame)
 
 template <class Scalar>
 double WindowGradient<Scalar>::forward(const Vector& parameters) {
-  const Eigen::Index size = recorded_.rows();
+  const Eigen::Index size = target_.rows();
   const Eigen::Index state_row = 2 * segments_;
   double loss = 0.0;
   for (int k = 0; k < frames_; ++k) {
@@ -91,13 +91,12 @@ double WindowGradient<Scalar>::forward(const Vector& parameters) {
           state_.middleCols(column(k - 1), windows_);
     }
     forward_layers(parameters, k);
-    for (Eigen::Index c = column(k); c < column(k + 1); ++c) {
-      auto state = state_.col(c).array();
-      state = state * map_.output_scale.array() + uncompensated_.col(c).array();
-      const auto error = state - recorded_.col(c).array();
-      loss += static_cast<double>((error.abs() * map_.loss_weight.array()).sum());
-      error_sign_.col(c).array() = error.sign() * map_.loss_weight.array();
-    }
+    auto state = state_.middleCols(column(k), windows_);
+    state.array().colwise() *= map_.output_scale.array();
+    state += uncompensated_.middleCols(column(k), windows_);
+    loss += static_cast<double>(map_.error.compute(windows_, state.data(),
+                                                   target_.col(column(k)).data(),
+                                                   error_gradient_.col(column(k)).data()));
   }
   return loss / frames_;
 }
@@ -107,7 +106,7 @@ void WindowGradient<Scalar>::backward_frame(const Vector& parameters, int frame)
   using Kernels = LayerKernels<Scalar>;
   const Eigen::Index first = column(frame);
   auto carried = state_gradient_.leftCols(windows_);
-  carried += error_sign_.middleCols(first, windows_) / Scalar(frames_);
+  carried += error_gradient_.middleCols(first, windows_) / Scalar(frames_);
   delta_.back().middleCols(first, windows_) =
       (carried.array().colwise() * map_.output_scale.array()).matrix();
   for (int layer = layout_.layer_count() - 1; layer > 0; --layer) {
@@ -123,7 +122,7 @@ void WindowGradient<Scalar>::backward_frame(const Vector& parameters, int frame)
     // Only the columns of the first weight that read B_{t−1} lead back in time.
     const int k = layout_.outputs(0);
     const Eigen::Index skipped = Eigen::Index(2 * segments_) * k;
-    const int size = static_cast<int>(recorded_.rows());
+    const int size = static_cast<int>(target_.rows());
     Kernels::tn(size, windows_, k, parameters.data() + layout_.weight_offset(0) + skipped, k,
                 delta_.front().col(first).data(), k, state_gradient_.data(), size);
   }

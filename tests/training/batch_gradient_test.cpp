@@ -12,8 +12,7 @@ constexpr float kRounding = 1e-5F;  // relative, of float32 sums in another orde
 class BatchGradientTest : public testing::Test {
  protected:
   BatchGradientTest()
-      : tables_(make_training_tables(arm_, {toy_episode(arm_, 60, 20, 3)},
-                                     BackboneLayout::gap_poses, Scaling::unit_spread)),
+      : tables_(make_training_tables(arm_, {toy_episode(arm_, 60, 20, 3)}, best_preset())),
         layout_({60, 20, 45}),
         parameters_(initial_parameters(layout_, 5)),
         starts_(window_starts(tables_.episodes, 4, 0)) {}

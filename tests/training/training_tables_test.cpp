@@ -14,12 +14,20 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
+TrainingSettings settings_for(BackboneLayout layout, Scaling scaling) {
+  TrainingSettings settings;
+  settings.layout = layout;
+  settings.scaling = scaling;
+  return settings;
+}
+
 constexpr float kRounding = 2e-4F;  // float32 through a subtraction of near numbers
 
 TEST(TrainingTables, RangesFillZeroToOne) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingTables tables = make_training_tables(
-      arm, {toy_episode(arm, 6, 20, 3)}, BackboneLayout::base_poses, Scaling::unit_range);
+  const TrainingTables tables =
+      make_training_tables(arm, {toy_episode(arm, 6, 20, 3)},
+                           settings_for(BackboneLayout::base_poses, Scaling::unit_range));
   EXPECT_EQ(tables.input.scale.size(), 102);
   EXPECT_EQ(tables.output.scale.size(), 48);
   const Eigen::MatrixXf& state = tables.frames.state;
@@ -31,8 +39,9 @@ TEST(TrainingTables, RangesFillZeroToOne) {
 // The base plate never moves: its three columns are constant.
 TEST(TrainingTables, ConstantColumnsKeepScaleOne) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingTables tables = make_training_tables(
-      arm, {toy_episode(arm, 6, 20, 3)}, BackboneLayout::base_poses, Scaling::unit_range);
+  const TrainingTables tables =
+      make_training_tables(arm, {toy_episode(arm, 6, 20, 3)},
+                           settings_for(BackboneLayout::base_poses, Scaling::unit_range));
   EXPECT_EQ(tables.output.scale.head(3), Eigen::Vector3f::Ones());
   EXPECT_TRUE(tables.frames.state.topRows(3).isZero());
   EXPECT_TRUE(tables.input.scale.allFinite());
@@ -40,8 +49,9 @@ TEST(TrainingTables, ConstantColumnsKeepScaleOne) {
 
 TEST(TrainingTables, UnitSpreadHasMeanZeroAndDeviationOne) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingTables tables = make_training_tables(
-      arm, {toy_episode(arm, 6, 20, 3)}, BackboneLayout::gap_poses, Scaling::unit_spread);
+  const TrainingTables tables =
+      make_training_tables(arm, {toy_episode(arm, 6, 20, 3)},
+                           settings_for(BackboneLayout::gap_poses, Scaling::unit_spread));
   EXPECT_EQ(tables.input.scale.size(), 60);
   for (const Eigen::Index row : {2, 17, 44}) {
     const auto values = tables.frames.state.row(row).array();
@@ -55,7 +65,8 @@ TEST(TrainingTables, TheRightCompensationGivesTheRecordedState) {
   const ArmDescription arm = three_segment_arm();
   for (const auto kind : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
     const Episode episode = toy_episode(arm, 6, 20, 3);
-    const TrainingTables tables = make_training_tables(arm, {episode}, kind, Scaling::unit_range);
+    const TrainingTables tables =
+        make_training_tables(arm, {episode}, settings_for(kind, Scaling::unit_range));
     const NetworkLayout layout(kind, arm);
     const NoLoadModel no_load(arm);
     for (const int t : {0, 33, 100}) {
@@ -77,10 +88,16 @@ TEST(TrainingTables, RefusesConstantPressures) {
   Episode still = toy_episode(arm, 2, 40, 3);
   still.pressure_kpa.setConstant(20.0F);
   EXPECT_THAT(
-      [&] { make_training_tables(arm, {still}, BackboneLayout::gap_poses, Scaling::unit_spread); },
+      [&] {
+        make_training_tables(arm, {still},
+                             settings_for(BackboneLayout::gap_poses, Scaling::unit_spread));
+      },
       ThrowsMessage<InputError>(HasSubstr("no pressure changes in the training data (81 frames)")));
   EXPECT_THAT(
-      [&] { make_training_tables(arm, {}, BackboneLayout::gap_poses, Scaling::unit_spread); },
+      [&] {
+        make_training_tables(arm, {},
+                             settings_for(BackboneLayout::gap_poses, Scaling::unit_spread));
+      },
       ThrowsMessage<InputError>(HasSubstr("hold no frame")));
 }
 

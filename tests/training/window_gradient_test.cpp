@@ -24,19 +24,29 @@ using Vector = Eigen::VectorXd;
 
 FrameTable<double> in_double(const FrameTable<float>& frames) {
   return {frames.pressure.cast<double>(), frames.no_load.cast<double>(),
-          frames.uncompensated.cast<double>(), frames.state.cast<double>()};
+          frames.uncompensated.cast<double>(), frames.state.cast<double>(),
+          frames.target.cast<double>()};
 }
 
 StateMap<double> in_double(const StateMap<float>& map) {
-  return {map.output_scale.cast<double>(), map.loss_weight.cast<double>()};
+  return {map.output_scale.cast<double>(), map.error.cast<double>()};
 }
 
-class GradientInLayout : public testing::TestWithParam<BackboneLayout> {};
+TrainingSettings settings_for(BackboneLayout layout, bool error_in_base_poses, Scaling scaling) {
+  TrainingSettings settings;
+  settings.layout = layout;
+  settings.error_in_base_poses = error_in_base_poses;
+  settings.scaling = scaling;
+  return settings;
+}
+
+class GradientInLayout : public testing::TestWithParam<std::tuple<BackboneLayout, bool>> {};
 
 TEST_P(GradientInLayout, AgreesWithFiniteDifferencesOverAWholeWindow) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingTables tables =
-      make_training_tables(arm, {toy_episode(arm, 4, 20, 3)}, GetParam(), Scaling::unit_range);
+  const TrainingTables tables = make_training_tables(
+      arm, {toy_episode(arm, 4, 20, 3)},
+      settings_for(std::get<0>(GetParam()), std::get<1>(GetParam()), Scaling::unit_range));
   const int inputs = static_cast<int>(tables.input.scale.size());
   const int outputs = static_cast<int>(tables.output.scale.size());
   const ParameterLayout layout({inputs, 9, 8, outputs});
@@ -64,7 +74,9 @@ TEST_P(GradientInLayout, AgreesWithFiniteDifferencesOverAWholeWindow) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BothLayouts, GradientInLayout,
-                         testing::Values(BackboneLayout::base_poses, BackboneLayout::gap_poses));
+                         testing::Values(std::tuple(BackboneLayout::base_poses, true),
+                                         std::tuple(BackboneLayout::gap_poses, true),
+                                         std::tuple(BackboneLayout::gap_poses, false)));
 
 struct PyTorchCase {
   nlohmann::json values =
@@ -82,8 +94,11 @@ struct PyTorchCase {
     const Eigen::Index state = vector("output_scale").size();
     const auto widths = values.at("widths").get<std::vector<int>>();
     const Eigen::Index segments = values.at("segments").get<int>();
-    return {matrix("pressure", segments), matrix("no_load", widths[0] - 2 * segments - state),
-            matrix("uncompensated", state), matrix("state", state)};
+    return {matrix("pressure", segments),
+            matrix("no_load", widths[0] - 2 * segments - state),
+            matrix("uncompensated", state),
+            matrix("state", state),
+            {}};
   }
 };
 
@@ -91,9 +106,9 @@ TEST(WindowGradient, EqualsPyTorchs) {
   const PyTorchCase stored;
   const ParameterLayout layout(stored.values.at("widths").get<std::vector<int>>());
   const auto starts = stored.values.at("starts").get<std::vector<int>>();
-  WindowGradient<double> window(layout,
-                                {stored.vector("output_scale"), stored.vector("loss_weight")},
-                                stored.values.at("segments"), stored.values.at("window_frames"), 5);
+  WindowGradient<double> window(
+      layout, {stored.vector("output_scale"), FrameError<double>(stored.vector("loss_weight"))},
+      stored.values.at("segments"), stored.values.at("window_frames"), 5);
   window.load(stored.frames(), starts);
   const Vector parameters = stored.vector("parameters");
   Vector gradient(layout.size());
@@ -106,8 +121,9 @@ TEST(WindowGradient, EqualsPyTorchs) {
 
 TEST(WindowGradient, SinglePrecisionFollowsDouble) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingTables tables = make_training_tables(
-      arm, {toy_episode(arm, 4, 20, 3)}, BackboneLayout::gap_poses, Scaling::unit_spread);
+  const TrainingTables tables =
+      make_training_tables(arm, {toy_episode(arm, 4, 20, 3)},
+                           settings_for(BackboneLayout::gap_poses, true, Scaling::unit_spread));
   const ParameterLayout layout({static_cast<int>(tables.input.scale.size()), 100, 100, 100,
                                 static_cast<int>(tables.output.scale.size())});
   const Eigen::VectorXf parameters = initial_parameters(layout, 5);
@@ -129,7 +145,8 @@ TEST(WindowGradient, SinglePrecisionFollowsDouble) {
 TEST(WindowGradient, AWindowDoesNotDependOnItsNeighbours) {
   const PyTorchCase stored;
   const ParameterLayout layout(stored.values.at("widths").get<std::vector<int>>());
-  const StateMap<double> map{stored.vector("output_scale"), stored.vector("loss_weight")};
+  const StateMap<double> map{stored.vector("output_scale"),
+                             FrameError<double>(stored.vector("loss_weight"))};
   const Vector parameters = stored.vector("parameters");
   const FrameTable<double> frames = stored.frames();
   WindowGradient<double> window(layout, map, 2, 6, 3);
@@ -147,7 +164,8 @@ TEST(WindowGradient, PerfectOutputHasNoLossAndNoGradient) {
   frames.state = frames.uncompensated;
   const Vector parameters = Vector::Zero(layout.size());
   WindowGradient<double> window(
-      layout, {stored.vector("output_scale"), stored.vector("loss_weight")}, 2, 6, 3);
+      layout, {stored.vector("output_scale"), FrameError<double>(stored.vector("loss_weight"))}, 2,
+      6, 3);
   window.load(frames, std::vector<int>{0, 7});
   EXPECT_EQ(window.forward(parameters), 0.0);
   Vector gradient(layout.size());

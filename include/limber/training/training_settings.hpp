@@ -39,6 +39,9 @@ struct TrainingSettings {
   BackboneLayout layout = BackboneLayout::gap_poses;
   std::vector<int> hidden_units = {100, 100, 100};
   Scaling scaling = Scaling::unit_spread;
+  /// Frame errors are taken over poses about the base, whatever the layout; otherwise over the
+  /// network's own numbers. The same thing for base_poses.
+  bool error_in_base_poses = true;
   LossReduction reduction = LossReduction::mean_over_batch;
   std::vector<TrainingStage> stages;
 

@@ -25,14 +25,15 @@ struct TrainingTables {
   std::vector<EpisodeRange> episodes;
 };
 
-/// Converts backbones to `layout`, measures ranges (constant columns get scale 1) and normalises.
+/// Converts backbones to the settings' layout, measures ranges (constant columns get scale 1) and
+/// normalises.
 /// @throws InputError where there is no frame, or no pressure ever changes.
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    BackboneLayout layout, Scaling scaling);
+                                    const TrainingSettings& settings);
 
 /// The same with a given normalisation (fine-tuning).
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
-                                    BackboneLayout layout, const Normalisation& input,
+                                    const TrainingSettings& settings, const Normalisation& input,
                                     const Normalisation& output);
 
 /// First frames of windows of `window_frames` predicted frames that do not overlap; each episode's

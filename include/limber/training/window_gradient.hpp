@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "limber/training/frame_error.hpp"
 #include "limber/training/parameter_layout.hpp"
 
 namespace limber {
@@ -17,15 +18,18 @@ struct FrameTable {
   Matrix no_load;        ///< N×F, B̃ as the network reads it
   Matrix uncompensated;  ///< D×F, the state that a network output of zero would give
   Matrix state;          ///< D×F, recorded backbones
+  Matrix target;         ///< D×F, what the frame error compares with; empty: `state`
+
+  const Matrix& targets() const { return target.size() > 0 ? target : state; }
 };
 
 /// (5) in normalised numbers: state_t = uncompensated_t + output_scale ∘ y_t, with y_t the
-/// network's output. The frame error is Σ_j loss_weight_j |state_t − recorded_t|_j.
+/// network's output.
 template <class Scalar>
 struct StateMap {
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
   Vector output_scale;  ///< D
-  Vector loss_weight;   ///< D
+  FrameError<Scalar> error;
 };
 
 /// Loss and gradient over a chunk of windows: the network is rolled over each window with its own
@@ -78,11 +82,11 @@ class WindowGradient {
   Matrix input_;                ///< (2n+D+N) × TC
   std::vector<Matrix> hidden_;  ///< outputs of the hidden layers, units × TC
   std::vector<Matrix> delta_;   ///< ∂loss/∂(layer's output before ReLU), a layer each
-  Matrix recorded_;             ///< D × TC
+  Matrix target_;               ///< D × TC
   Matrix uncompensated_;        ///< D × TC
   Matrix state_;                ///< D × TC, predicted
   Matrix state_gradient_;       ///< D × C, ∂loss/∂state, carried from frame to frame
-  Matrix error_sign_;           ///< D × TC, loss_weight ∘ sign(error)
+  Matrix error_gradient_;       ///< D × TC, ∂(frame error)/∂state
 };
 
 extern template class WindowGradient<float>;
