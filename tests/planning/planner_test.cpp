@@ -1,0 +1,390 @@
+#include "limber/planning/planner.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "limber/planning/collision.hpp"
+#include "limber/planning/pressure_rrt_star.hpp"
+#include "planning/dense_oracle.hpp"
+#include "planning/play_model.hpp"
+#include "src/planning/rrt_star_search.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr float kPlayM = 0.01F;
+
+/// A pillar to the left, a slanted block to the right, a goal behind the pillar.
+Environment pillars() {
+  Environment e;
+  e.name = "pillars";
+  e.obstacles = {Circle{0.45, 0.22, 0.025}, Rectangle{0.6, -0.1, 0.04, 0.1, 0.3},
+                 Polygon{{{0.1, 0.3}, {0.2, 0.3}, {0.15, 0.4}}}};
+  e.goal = {0.30, 0.40, std::nullopt, 0.02, 0.3};
+  return e;
+}
+
+/// Everything one search needs, kept alive together.
+struct Setting {
+  ArmDescription arm = three_segment_arm();
+  ForwardModel model;
+  Environment environment = pillars();
+
+  explicit Setting(bool play)
+      : model(play ? ForwardModel(arm, play_network(arm, kPlayM)) : ForwardModel(arm)) {}
+
+  PlanResult plan(const std::string& planner, std::uint64_t iterations, std::uint64_t seed = 3) {
+    PlannerLimits limits;
+    limits.iterations = iterations;
+    return make_planner(planner)->plan({arm, model, environment}, limits, seed);
+  }
+};
+
+/// Every law of Planner on a plan, by means other than the planner's own.
+void expect_lawful(const Setting& s, const Plan& plan) {
+  EXPECT_NO_THROW(require_plan_of(plan, s.arm, "plan")) << "limits, rates, sizes";
+  EXPECT_EQ(plan.cost_kpa, path_cost_kpa(plan.frames));
+  EXPECT_EQ(plan.hold_frame_count, 20);
+  EXPECT_EQ(plan.environment_hash, environment_hash(s.environment));
+  const int frames = plan.frame_count();
+
+  Eigen::MatrixXf pressures(3, frames);
+  Eigen::MatrixXf backbones(48, frames);
+  for (int k = 0; k < frames; ++k) {
+    pressures.col(k) = plan.frames[static_cast<std::size_t>(k)].setpoint_kpa;
+  }
+  const Backbone rest = start_state(s.environment, s.arm).backbone;
+  backbones.col(0) = Eigen::Map<const Eigen::VectorXf>(rest.data(), 48);
+  ForwardModel::Workspace workspace;
+  s.model.rollout(pressures, backbones, workspace);
+  for (int k = 0; k < frames; ++k) {
+    EXPECT_EQ(Backbone(Eigen::Map<const Backbone>(backbones.col(k).data(), 16, 3)),
+              plan.frames[static_cast<std::size_t>(k)].backbone)
+        << "frame " << k;
+  }
+
+  constexpr int kSamplesPerGap = 6;
+  constexpr double kRoundingM = 1e-6;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    for (const float t : {0.0F, 0.5F, 1.0F}) {
+      const Backbone between =
+          (1.0F - t) * plan.frames[k - 1].backbone + t * plan.frames[k].backbone;
+      smallest = std::min(
+          smallest, oracle::clearance(s.arm, between, s.environment.obstacles, kSamplesPerGap));
+    }
+  }
+  EXPECT_GT(smallest, 0.0);
+  EXPECT_LE(plan.clearance_m, smallest + kRoundingM);
+
+  const Pose tip = tip_pose<float>(plan.frames.back().backbone);
+  const double distance =
+      std::hypot(tip.x_m - s.environment.goal.x_m, tip.y_m - s.environment.goal.y_m);
+  EXPECT_LE(distance, s.environment.goal.position_tolerance_m);
+  EXPECT_NEAR(distance, plan.goal_distance_m, kRoundingM);
+}
+
+TEST(Planner, EveryPlanIsLawful) {
+  for (const bool play : {false, true}) {
+    Setting s(play);
+    for (const char* planner : {"paper", "default"}) {
+      const PlanResult result = s.plan(planner, 1500, 3);
+      ASSERT_EQ(result.status, PlanStatus::solved) << planner << ' ' << play;
+      EXPECT_EQ(result.limit, PlanLimit::iterations);
+      EXPECT_FALSE(result.best_partial);
+      EXPECT_GE(result.first_solution->cost_kpa, result.plan->cost_kpa - 1e-3);
+      EXPECT_EQ(result.plan->planner, planner);
+      EXPECT_EQ(result.plan->model, play ? "network" : "no_load");
+      expect_lawful(s, *result.plan);
+    }
+  }
+}
+
+TEST(Planner, PosesWithAHeadingAreReachedInIt) {
+  Setting s(false);
+  s.environment.goal.theta_rad = 2.2;
+  s.environment.goal.orientation_tolerance_rad = 0.2;
+  const PlanResult result = s.plan("paper", 3000);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_LE(std::abs(std::remainder(result.plan->frames.back().backbone(15, 2) - 2.2, 2 * M_PI)),
+            0.2);
+  expect_lawful(s, *result.plan);
+}
+
+TEST(Planner, CostNeverRisesWithTheBudget) {
+  for (const char* planner : {"paper", "default"}) {
+    Setting s(true);
+    double before = std::numeric_limits<double>::infinity();
+    for (const std::uint64_t iterations : {200, 400, 800, 1600}) {
+      const PlanResult result = s.plan(planner, iterations);
+      const double cost =
+          result.plan ? result.plan->cost_kpa : std::numeric_limits<double>::infinity();
+      EXPECT_LE(cost, before + 1e-3) << planner << ' ' << iterations;
+      before = cost;
+    }
+    EXPECT_LT(before, 1000.0) << "solved in the end";
+  }
+}
+
+TEST(Planner, ImprovingFindsCheaperPlansThanTheTreeAlone) {
+  Setting s(true);
+  const PlanResult paper = s.plan("paper", 800);
+  const PlanResult improved = s.plan("default", 800);
+  ASSERT_TRUE(paper.plan && improved.plan);
+  EXPECT_LT(improved.plan->cost_kpa, paper.plan->cost_kpa);
+}
+
+bool same_tree(const PlanResult& a, const PlanResult& b) {
+  return a.tree.size() == b.tree.size() && std::equal(a.tree.begin(), a.tree.end(), b.tree.begin(),
+                                                      [](const TreeEdge& x, const TreeEdge& y) {
+                                                        return x.from_m == y.from_m &&
+                                                               x.to_m == y.to_m;
+                                                      });
+}
+
+TEST(PressureRrtStar, LazyAndSteerAllGrowTheSameTree) {
+  for (const bool play : {false, true}) {
+    for (const std::uint64_t seed : {3, 4}) {
+      Setting s(play);
+      const PlanResult lazy = s.plan("paper", 400, seed);
+      const PlanResult all = s.plan("paper-steer-all", 400, seed);
+      EXPECT_GT(lazy.tree.size(), 100U);
+      EXPECT_TRUE(same_tree(lazy, all)) << play << ' ' << seed;
+      EXPECT_EQ(lazy.statistics.rewires_accepted, all.statistics.rewires_accepted);
+      EXPECT_EQ(lazy.plan.has_value(), all.plan.has_value());
+      EXPECT_LT(lazy.statistics.queries, all.statistics.queries / 2);
+    }
+  }
+}
+
+TEST(Planner, DependsOnTheSeedAndNothingElse) {
+  for (const char* planner : {"paper", "default"}) {
+    Setting s(true);
+    const PlanResult a = s.plan(planner, 500, 7);
+    const PlanResult b = s.plan(planner, 500, 7);
+    EXPECT_TRUE(same_tree(a, b));
+    EXPECT_EQ(a.statistics.queries, b.statistics.queries);
+    ASSERT_EQ(a.plan.has_value(), b.plan.has_value());
+    if (a.plan) {
+      EXPECT_EQ(a.plan->waypoints_kpa, b.plan->waypoints_kpa);
+    }
+    EXPECT_FALSE(same_tree(a, s.plan(planner, 500, 8)));
+  }
+}
+
+/// Grows a tree and checks what must hold of every node after any number of rewirings.
+void expect_sound_tree(const Setting& s, int iterations, std::uint64_t* accepted) {
+  const PlanningProblem problem{s.arm, s.model, s.environment};
+  const CollisionChecker checker(s.arm, s.environment.obstacles);
+  MotionSimulator simulator(s.arm, s.model, checker);
+  RrtStarSearch search(problem, simulator, ParentRule::lazy, PressureRrtStarSettings(), 5);
+  PlannerLimits limits;
+  limits.iterations = static_cast<std::uint64_t>(iterations);
+  const PlannerBudget budget(limits, {});
+  for (int k = 0; k < iterations; ++k) {
+    search.iterate(budget);
+  }
+  const PressureTree& tree = search.tree();
+  Backbone end(16, 3);
+  for (int i = 1; i < tree.size(); ++i) {
+    const int parent = tree.parent(i);
+    constexpr double kSumKpa = 1e-9;
+    EXPECT_NEAR(
+        tree.cost_kpa(i),
+        tree.cost_kpa(parent) + motion_cost_kpa(tree.pressures_kpa(parent), tree.pressures_kpa(i)),
+        kSumKpa);
+    ASSERT_TRUE(simulator.move(tree.pressures_kpa(parent), tree.backbone(parent),
+                               tree.pressures_kpa(i), end));
+    ASSERT_EQ(end, Backbone(tree.backbone(i))) << "node " << i;
+  }
+  PlannerStatistics statistics;
+  search.fill(statistics);
+  *accepted = statistics.rewires_accepted;
+  EXPECT_GT(statistics.rewires_tried, statistics.rewires_accepted);
+}
+
+TEST(PressureRrtStar, EveryNodeIsWhatItsParentLeadsToAfterAnyRewiring) {
+  std::uint64_t without_memory = 0;
+  std::uint64_t with_memory = 0;
+  expect_sound_tree(Setting(false), 600, &without_memory);
+  expect_sound_tree(Setting(true), 1500, &with_memory);
+  EXPECT_GT(without_memory, 20U);
+  EXPECT_GT(with_memory, 0U) << "the test should hold rewirings that change shapes downstream";
+}
+
+TEST(PressureRrtStar, RewiresOnlyWhereTheBackboneMatches) {
+  Setting s(true);
+  PressureRrtStarSettings strict;
+  strict.match_position_m = 0.0;
+  PlannerLimits limits;
+  limits.iterations = 500;
+  const PlanResult exact = make_pressure_rrt_star(ParentRule::lazy, strict)
+                               ->plan({s.arm, s.model, s.environment}, limits, 5);
+  PressureRrtStarSettings loose;
+  loose.match_position_m = 0.05;
+  const PlanResult anything = make_pressure_rrt_star(ParentRule::lazy, loose)
+                                  ->plan({s.arm, s.model, s.environment}, limits, 5);
+  EXPECT_LT(exact.statistics.rewires_accepted, anything.statistics.rewires_accepted);
+}
+
+// The paper's point: a plan made without the arm's memory misses the goal on the arm that has one.
+TEST(Planner, APlanOfTheNoLoadModelMissesTheGoalOnAnArmWithPlay) {
+  Setting s(false);
+  const PlanResult result = s.plan("paper", 800);
+  ASSERT_TRUE(result.plan);
+  constexpr float kWidePlayM = 0.05F;
+  const ForwardModel arm(s.arm, play_network(s.arm, kWidePlayM));
+  Backbone b = result.plan->frames.front().backbone;
+  for (std::size_t k = 1; k < result.plan->frames.size(); ++k) {
+    b = arm.checked_step(result.plan->frames[k - 1].setpoint_kpa,
+                         result.plan->frames[k].setpoint_kpa, b);
+  }
+  EXPECT_GT(std::hypot(b(15, 0) - 0.30, b(15, 1) - 0.40), 0.02);
+}
+
+TEST(Planner, CallsNothingASolutionThatIsNone) {
+  Setting s(false);
+  // A ring of four walls about the goal.
+  s.environment.obstacles = {
+      Rectangle{0.30, 0.46, 0.16, 0.02, 0.0}, Rectangle{0.30, 0.34, 0.16, 0.02, 0.0},
+      Rectangle{0.37, 0.40, 0.02, 0.14, 0.0}, Rectangle{0.23, 0.40, 0.02, 0.14, 0.0}};
+  const PlanResult result = s.plan("default", 600);
+  EXPECT_EQ(result.status, PlanStatus::limit);
+  EXPECT_EQ(result.limit, PlanLimit::iterations);
+  EXPECT_FALSE(result.plan);
+  EXPECT_FALSE(result.first_solution);
+  ASSERT_TRUE(result.best_partial);
+  EXPECT_GT(result.best_partial->goal_distance_m, 0.02);
+  EXPECT_GT(result.best_partial->clearance_m, 0.0);
+  EXPECT_THAT(result.reason, AllOf(HasSubstr("600 iterations spent"), HasSubstr("seed 3"),
+                                   HasSubstr("(tolerance 2.0 cm)")));
+}
+
+TEST(Planner, StopsAtEachLimitAndSaysWhich) {
+  Setting s(false);
+  const auto planner = make_planner("paper");
+  const PlanningProblem problem{s.arm, s.model, s.environment};
+  PlannerLimits queries;
+  queries.queries = 2000;
+  const PlanResult by_queries = planner->plan(problem, queries, 1);
+  EXPECT_EQ(by_queries.limit, PlanLimit::queries);
+  EXPECT_GE(by_queries.statistics.queries, 2000U);
+
+  PlannerLimits memory;
+  memory.iterations = 100000;
+  memory.memory_mb = 0.05;
+  EXPECT_EQ(planner->plan(problem, memory, 1).limit, PlanLimit::memory);
+
+  PlannerLimits time;
+  time.time_s = 0.05;
+  EXPECT_EQ(planner->plan(problem, time, 1).limit, PlanLimit::time);
+
+  PlannerLimits first;
+  first.iterations = 100000;
+  first.cost_threshold_kpa = 1e6;
+  const PlanResult at_first = planner->plan(problem, first, 1);
+  EXPECT_EQ(at_first.status, PlanStatus::solved);
+  EXPECT_FALSE(at_first.limit);
+  EXPECT_LT(at_first.statistics.iterations, 100000U);
+
+  PlannerLimits many;
+  many.iterations = 1000000;
+  int calls = 0;
+  const PlanResult stopped = planner->plan(problem, many, 1, [&](const PlannerProgress& now) {
+    EXPECT_GE(now.nodes, 1U);
+    return ++calls < 2;
+  });
+  EXPECT_EQ(calls, 2);
+  EXPECT_EQ(stopped.reason.rfind("stopped by the user", 0), 0U);
+}
+
+TEST(Planner, RefusesMissingAndSenselessLimitsAndSettings) {
+  Setting s(false);
+  const PlanningProblem problem{s.arm, s.model, s.environment};
+  const auto plan_with = [&](const PlannerLimits& limits) {
+    (void)make_planner("paper")->plan(problem, limits, 1);
+  };
+  EXPECT_THAT([&] { plan_with({}); },
+              ThrowsMessage<InputError>(HasSubstr("needs a limit of time, iterations or queries")));
+  PlannerLimits negative;
+  negative.time_s = -1.0;
+  EXPECT_THAT([&] { plan_with(negative); },
+              ThrowsMessage<InputError>(HasSubstr("time limit [s] of -1; expected a number > 0")));
+  EXPECT_THAT([] { make_planner("fast"); },
+              ThrowsMessage<InputError>(HasSubstr("'fast'; expected one of default, paper")));
+  PressureRrtStarSettings settings;
+  settings.goal_bias = 1.5;
+  EXPECT_THAT([&] { make_pressure_rrt_star(ParentRule::lazy, settings); },
+              ThrowsMessage<InputError>(HasSubstr("goal_bias = 1.5; expected 0 to 1")));
+}
+
+TEST(Planner, AGoalAtTheStartIsAPlanThatStandsStill) {
+  Setting s(false);
+  s.environment.goal = {0.705, 0.0, std::nullopt, 0.02, 0.3};
+  const PlanResult result = s.plan("default", 50);
+  ASSERT_EQ(result.status, PlanStatus::solved);
+  EXPECT_EQ(result.plan->cost_kpa, 0.0);
+  EXPECT_EQ(result.plan->frame_count(), 21);
+}
+
+TEST(Planner, NamesWhatIsWrongWithAProblemBeforePlanning) {
+  Setting s(false);
+  s.environment.obstacles.push_back(Circle{0.3, 0.04, 0.05});
+  PlanResult result = s.plan("paper", 10);
+  EXPECT_EQ(result.status, PlanStatus::invalid_start);
+  EXPECT_THAT(result.reason, AllOf(HasSubstr("cm deep in obstacle 4 (circle)"),
+                                   HasSubstr("between plates 7 and 8 (segment 2)")));
+  EXPECT_EQ(result.statistics.queries, 0U);
+
+  s.environment = pillars();
+  s.environment.goal.x_m = 0.7;
+  result = s.plan("paper", 10);
+  EXPECT_EQ(result.status, PlanStatus::goal_unreachable);
+  EXPECT_THAT(result.reason, AllOf(HasSubstr("8.12 cm beyond the arm's reach"),
+                                   HasSubstr("the arm is 70.5 cm long")));
+
+  s.environment = pillars();
+  s.environment.goal.x_m = 0.45;
+  s.environment.goal.y_m = 0.22;
+  result = s.plan("paper", 10);
+  EXPECT_EQ(result.status, PlanStatus::goal_in_collision);
+  EXPECT_THAT(result.reason, AllOf(HasSubstr("2.50 cm inside obstacle 1 (circle)"),
+                                   HasSubstr("1.96 cm are missing")));
+
+  // Within the arm's length, but no arc of it bends there: only a warning.
+  s.environment = pillars();
+  s.environment.obstacles.clear();
+  s.environment.goal.x_m = -0.6;
+  s.environment.goal.y_m = 0.0;
+  result = s.plan("paper", 10);
+  EXPECT_EQ(result.status, PlanStatus::limit);
+  ASSERT_EQ(result.warnings.size(), 1U);
+  EXPECT_THAT(result.warnings[0], HasSubstr("the no-load model reaches no closer to the goal"));
+}
+
+TEST(Planner, MarginKeepsTheArmAway) {
+  Setting s(false);
+  PlannerLimits limits;
+  limits.iterations = 2000;
+  constexpr double kMarginM = 0.01;
+  const PlanResult result =
+      make_planner("default")->plan({s.arm, s.model, s.environment, kMarginM}, limits, 3);
+  ASSERT_TRUE(result.plan);
+  EXPECT_GE(result.plan->clearance_m, kMarginM);
+  EXPECT_EQ(result.plan->margin_m, kMarginM);
+}
+
+TEST(Planner, NamesOfStatusesAndLimitsAreThoseOfTheFiles) {
+  EXPECT_STREQ(to_string(PlanStatus::goal_in_collision), "goal_in_collision");
+  EXPECT_STREQ(to_string(PlanStatus::no_solution), "no_solution");
+  EXPECT_STREQ(to_string(PlanLimit::queries), "queries");
+  EXPECT_THAT(planner_names(), ElementsAre("default", "paper", "paper-steer-all"));
+}
+
+}  // namespace
+}  // namespace limber
