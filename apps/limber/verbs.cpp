@@ -7,6 +7,8 @@ std::vector<std::unique_ptr<Verb>> all_verbs() {
   verbs.push_back(make_collect_verb());
   verbs.push_back(make_train_verb());
   verbs.push_back(make_evaluate_verb());
+  verbs.push_back(make_execute_verb());
+  verbs.push_back(make_inspect_verb());
   verbs.push_back(make_doctor_verb());
   verbs.push_back(make_characterize_verb());
   verbs.push_back(make_plan_verb());

@@ -1,5 +1,6 @@
 #include "limber/data/recording.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -109,6 +110,13 @@ TEST_F(RecordingFile, ReturnsEveryNumberAndAttributeAsWritten) {
   EXPECT_EQ(read.frame_count(), 10);
   EXPECT_EQ(read.untracked_count(), 2);
   EXPECT_DOUBLE_EQ(read.duration_s(), 0.5);
+}
+
+TEST_F(RecordingFile, IsTheSameToTheByteWhenWrittenLater) {
+  const std::string before = read_file(path_);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 stamps whole seconds
+  write_recording(path_, test_recording());
+  EXPECT_EQ(read_file(path_), before);
 }
 
 TEST_F(RecordingFile, CountsEveryFrameAsTrackedWhereNothingElseIsSaid) {

@@ -1,0 +1,86 @@
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/hardware/execution_report.hpp"
+#include "limber/hardware/virtual_arm.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+class ExecuteVerb final : public Verb {
+ public:
+  const char* name() const override { return "execute"; }
+  const char* summary() const override { return "Run a plan on an arm, open loop"; }
+  const char* example() const override {
+    return "limber execute --plan plan.json --environment environments/01_open.yaml --out run.h5";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--plan", plan_, "Plan to run, as `limber plan` wrote it")->required();
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_option("--environment", environment_,
+                   "Environment that the plan was made for; or the name of one of limber's own")
+        ->required();
+    app.add_option("--driver", driver_, "What moves: virtual")->capture_default_str();
+    app.add_option("--hold-s", settings_.hold_s,
+                   "Seconds to hold the last set point after the plan, before judging the goal")
+        ->capture_default_str();
+    app.add_option("--out", out_, "Recording of the run to write");
+  }
+
+  int run(const CommonFlags& flags) override {
+    if (driver_ != "virtual") {
+      throw InputError(fmt::format("--driver {}: expected virtual", driver_));
+    }
+    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const Environment environment = load_environment(find_environment_file(environment_), arm);
+    const Plan plan = read_plan(plan_);
+    require_plan_of(plan, arm, plan_);
+    if (!out_.empty()) {
+      refuse_to_overwrite(out_, flags.force);
+    }
+    VirtualArm driver(arm);
+    const ExecutionResult result = execute(arm, environment, plan, driver, settings_);
+    write_run(arm, plan, result);
+    print_result(flags, execution_to_json(result, environment),
+                 execution_to_text(result, environment));
+    switch (result.status) {
+      case ExecutionStatus::done:
+        return kExitDone;
+      case ExecutionStatus::fault:
+        return kExitFault;
+      default:
+        return kExitNoSolution;
+    }
+  }
+
+ private:
+  void write_run(const ArmDescription& arm, const Plan& plan, const ExecutionResult& result) const {
+    if (out_.empty() || result.episode.frame_count() == 0) {
+      return;
+    }
+    Recording recording = make_recording(arm, "virtual arm", plan.seed);
+    recording.settings =
+        fmt::format("executed plan, environment '{}', model {}, planner {}, {}",
+                    plan.environment_name, plan.model, plan.planner, to_string(result.status));
+    recording.episodes = {result.episode};
+    write_recording(out_, recording);
+  }
+
+  std::string plan_;
+  std::string arm_ = "three_segment";
+  std::string environment_;
+  std::string driver_ = "virtual";
+  std::string out_;
+  ExecutionSettings settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_execute_verb() {
+  return std::make_unique<ExecuteVerb>();
+}
+
+}  // namespace limber

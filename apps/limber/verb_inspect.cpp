@@ -1,0 +1,238 @@
+#include <cmath>
+#include <optional>
+
+#include <fmt/ranges.h>
+
+#include "limber/arm/no_load_model.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/yaml_reader.hpp"
+#include "limber/data/recording_inspection.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/planning/environment.hpp"
+#include "limber/planning/plan.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+/// What was found, for programs and for people.
+struct Finding {
+  nlohmann::ordered_json json;
+  std::string text;
+};
+
+enum class FileKind { recording, model, plan, yaml };
+
+/// By content, never by name.
+FileKind kind_of(const std::string& content) {
+  if (content.rfind("\x89HDF\r\n", 0) == 0) {
+    return FileKind::recording;
+  }
+  constexpr std::size_t kSafetensorsHeader = 8;  // its length, then JSON
+  if (content.size() > kSafetensorsHeader && content[kSafetensorsHeader] == '{' &&
+      content[kSafetensorsHeader - 1] == '\0') {
+    return FileKind::model;
+  }
+  const std::size_t first = content.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && content[first] == '{' ? FileKind::plan : FileKind::yaml;
+}
+
+Finding inspect_recording(const std::string& file, const std::optional<ArmDescription>& arm) {
+  const Recording recording = read_recording(file);
+  const RecordingInspection inspection = inspect(recording, arm ? &*arm : nullptr, file);
+  return {inspection_to_json(recording, inspection), inspection_to_text(recording, inspection)};
+}
+
+Finding inspect_arm(const YamlReader& root) {
+  const ArmDescription arm = read_arm(root);
+  const NoLoadModel model(arm);
+  Finding finding;
+  finding.json = {{"kind", "arm"},
+                  {"name", arm.name},
+                  {"hash", arm.hash()},
+                  {"segments", arm.segment_count()},
+                  {"points", arm.point_count()},
+                  {"length_m", arm.length_m()},
+                  {"frame_rate_hz", arm.frame_rate_hz},
+                  {"pressure_rate_limit_kpa_per_s", arm.pressure_rate_limit_kpa_per_s}};
+  finding.text = fmt::format(
+      "arm '{}', hash {}\n  {} segments, {} plates, {:.3f} m long, {} Hz, "
+      "at most {} kPa/s",
+      arm.name, arm.hash(), arm.segment_count(), arm.point_count(), arm.length_m(),
+      arm.frame_rate_hz, arm.pressure_rate_limit_kpa_per_s);
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    const SegmentShape full = model.segment_shape(i, segment.pressure_limit_kpa);
+    const double turn_rad = std::abs(full.curvature_per_m) * full.length_m;
+    finding.json["full_bend_rad"].push_back(turn_rad);
+    finding.text += fmt::format(
+        "\n  segment {}: {} m long, {} m wide, {} gaps, ± {} kPa bends it by {:.2f} rad", i,
+        segment.length_m, segment.width_m, segment.gaps, segment.pressure_limit_kpa, turn_rad);
+  }
+  return finding;
+}
+
+Finding inspect_environment(const YamlReader& root, const std::optional<ArmDescription>& arm) {
+  const Environment environment = arm ? read_environment(root, *arm) : read_environment(root);
+  Finding finding;
+  finding.json = {{"kind", "environment"},
+                  {"name", environment.name},
+                  {"hash", environment_hash(environment)},
+                  {"start", environment.start ? "given" : "rest"},
+                  {"obstacles", nlohmann::ordered_json::array()}};
+  for (const Obstacle& obstacle : environment.obstacles) {
+    finding.json["obstacles"].push_back(obstacle_kind(obstacle));
+  }
+  const PoseGoal& goal = environment.goal;
+  finding.json["goal"] = {
+      {"x_m", goal.x_m}, {"y_m", goal.y_m}, {"position_tolerance_m", goal.position_tolerance_m}};
+  finding.text = fmt::format(
+      "environment '{}', hash {}\n  {} obstacles{}; start {}\n  goal ({:.3f}, {:.3f}) m within "
+      "{} m",
+      environment.name, environment_hash(environment), environment.obstacles.size(),
+      environment.obstacles.empty()
+          ? ""
+          : fmt::format(": {}",
+                        fmt::join(finding.json["obstacles"].get<std::vector<std::string>>(), ", ")),
+      environment.start ? "given" : "at rest", goal.x_m, goal.y_m, goal.position_tolerance_m);
+  if (goal.theta_rad) {
+    finding.json["goal"]["theta_rad"] = *goal.theta_rad;
+    finding.json["goal"]["orientation_tolerance_rad"] = goal.orientation_tolerance_rad;
+    finding.text +=
+        fmt::format(", {:.3f} rad within {} rad", *goal.theta_rad, goal.orientation_tolerance_rad);
+  }
+  return finding;
+}
+
+Finding inspect_yaml(const std::string& file, const std::string& content,
+                     const std::optional<ArmDescription>& arm) {
+  if (content.find("schema") == std::string::npos) {
+    throw InputError(fmt::format(
+        "{}: none of limber's files; expected a recording (HDF5), a model (safetensors), a plan "
+        "(JSON), or an arm or environment (YAML with a line 'schema: limber/…')",
+        file));
+  }
+  const YamlReader root = YamlReader::from_file(file);
+  const YamlReader schema = root.at("schema");
+  if (schema.text() == "limber/arm/1") {
+    return inspect_arm(root);
+  }
+  if (schema.text() == "limber/environment/1") {
+    return inspect_environment(root, arm);
+  }
+  schema.refuse(
+      fmt::format("{} found; this program reads 'limber/arm/1' and 'limber/environment/1' as YAML",
+                  schema.found()));
+}
+
+Finding inspect_model(const std::string& file, const std::optional<ArmDescription>& arm) {
+  const CompensationModel model = read_model(file);
+  if (arm && model.arm_hash != arm->hash()) {
+    throw InputError(fmt::format("{}: trained for arm '{}' ({}); --arm is '{}' ({})", file,
+                                 model.arm_name, model.arm_hash, arm->name, arm->hash()));
+  }
+  const char* layout = model.layout == BackboneLayout::gap_poses ? "gap_poses" : "base_poses";
+  Finding finding;
+  finding.json = {{"kind", "model"},
+                  {"arm", model.arm_name},
+                  {"arm_hash", model.arm_hash},
+                  {"preset", model.preset},
+                  {"layout", layout},
+                  {"shape", model.shape()},
+                  {"segments", model.segment_count},
+                  {"points", model.point_count},
+                  {"training", model.training}};
+  finding.text = fmt::format("model of arm '{}' ({}), preset {}\n  {}, {}", model.arm_name,
+                             model.arm_hash, model.preset, model.shape(), layout);
+  for (const auto& [key, value] : model.training) {
+    finding.text += fmt::format("\n  {}: {}", key, value);
+  }
+  return finding;
+}
+
+Finding inspect_plan(const std::string& file, const std::optional<ArmDescription>& arm) {
+  const Plan plan = read_plan(file);
+  if (arm) {
+    require_plan_of(plan, *arm, file);
+  }
+  Finding finding;
+  finding.json = {{"kind", "plan"},
+                  {"arm", plan.arm_name},
+                  {"arm_hash", plan.arm_hash},
+                  {"model", plan.model},
+                  {"model_hash", plan.model_hash},
+                  {"environment", plan.environment_name},
+                  {"environment_hash", plan.environment_hash},
+                  {"planner", plan.planner},
+                  {"seed", plan.seed},
+                  {"frames", plan.frame_count()},
+                  {"waypoints", plan.waypoints_kpa.size()},
+                  {"duration_s", plan.duration_s()},
+                  {"cost_kpa", plan.cost_kpa},
+                  {"distance_to_goal_cm", 100.0 * plan.goal_distance_m}};
+  std::string clearance = "no obstacles";
+  finding.json["clearance_cm"] = nullptr;
+  if (std::isfinite(plan.clearance_m)) {
+    finding.json["clearance_cm"] = 100.0 * plan.clearance_m;
+    clearance = fmt::format("clearance {:.1f} cm", 100.0 * plan.clearance_m);
+  }
+  finding.text = fmt::format(
+      "plan for arm '{}' in '{}' by {} with the {} model, seed {}\n  {} frames ({:.1f} s), {} "
+      "waypoints, {:.1f} kPa; predicted: {:.1f} cm from the goal, {}",
+      plan.arm_name, plan.environment_name, plan.planner, plan.model, plan.seed, plan.frame_count(),
+      plan.duration_s(), plan.waypoints_kpa.size(), plan.cost_kpa, 100.0 * plan.goal_distance_m,
+      clearance);
+  return finding;
+}
+
+Finding inspect_file(const std::string& file, const std::optional<ArmDescription>& arm) {
+  const std::string content = read_file(file);
+  switch (kind_of(content)) {
+    case FileKind::recording:
+      return inspect_recording(file, arm);
+    case FileKind::model:
+      return inspect_model(file, arm);
+    case FileKind::plan:
+      return inspect_plan(file, arm);
+    default:
+      return inspect_yaml(file, content, arm);
+  }
+}
+
+class InspectVerb final : public Verb {
+ public:
+  const char* name() const override { return "inspect"; }
+  const char* summary() const override { return "What a file holds, and what is wrong with it"; }
+  const char* example() const override { return "limber inspect arms/three_segment.yaml"; }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("file", file_, "Recording, model, plan, arm or environment")->required();
+    app.add_option("--arm", arm_, "Arm that the file has to fit; its limits are used");
+  }
+
+  int run(const CommonFlags& flags) override {
+    std::optional<ArmDescription> arm;
+    if (!arm_.empty()) {
+      arm = load_arm(find_arm_file(arm_));
+    }
+    Finding finding = inspect_file(file_, arm);
+    nlohmann::ordered_json json = {{"file", file_}};
+    json.update(finding.json);
+    print_result(flags, json, file_ + ": " + finding.text);
+    return kExitDone;
+  }
+
+ private:
+  std::string file_;
+  std::string arm_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_inspect_verb() {
+  return std::make_unique<InspectVerb>();
+}
+
+}  // namespace limber

@@ -1,0 +1,261 @@
+#include "limber/data/recording_inspection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace limber {
+
+namespace {
+
+constexpr double kGapPeriods = 1.5;            // a longer time between frames is a gap
+constexpr double kFastestPlate_m_per_s = 4.0;  // three times what a full reversal does at 0.7 m
+constexpr double kBaseMotion_m = 0.005;        // motion capture is better than that
+constexpr double kOvershoot = 1.1;             // of the limit, measured
+constexpr double kSetpointOvershoot = 1.001;
+constexpr int kFrozenFrames = 10;             // exactly equal backbones, while …
+constexpr double kFrozenPressure_kpa = 10.0;  // … a pressure changes by more than this
+
+/// Collects what is odd, by kind, in the order of first appearance.
+class Suspicions {
+ public:
+  void add(const std::string& what, std::size_t episode, int frame, const std::string& numbers) {
+    for (Suspicion& known : list_) {
+      if (known.what == what) {
+        ++known.count;
+        return;
+      }
+    }
+    list_.push_back({what, 1, static_cast<int>(episode), frame, numbers});
+  }
+
+  std::vector<Suspicion> take() { return std::move(list_); }
+
+ private:
+  std::vector<Suspicion> list_;
+};
+
+class EpisodeInspector {
+ public:
+  EpisodeInspector(const Recording& recording, std::size_t index,
+                   const std::vector<double>& limits_kpa, Suspicions& suspicions)
+      : recording_(recording),
+        episode_(recording.episodes[index]),
+        index_(index),
+        limits_kpa_(limits_kpa),
+        suspicions_(suspicions) {}
+
+  void run() {
+    for (int t = 0; t < episode_.frame_count(); ++t) {
+      look_at_pressures(t);
+      if (t > 0) {
+        look_at_time(t);
+        look_at_motion(t);
+        look_for_frozen_backbones(t);
+      }
+    }
+  }
+
+ private:
+  void look_at_time(int t) {
+    const double step_s = episode_.time_s[t] - episode_.time_s[t - 1];
+    if (step_s > kGapPeriods / recording_.rate_hz) {
+      suspicions_.add("a gap in time", index_, t,
+                      fmt::format("{:.3f} s between frames, the rate gives {:.3f}", step_s,
+                                  1.0 / recording_.rate_hz));
+    }
+  }
+
+  void look_at_pressures(int t) {
+    for (std::size_t s = 0; s < limits_kpa_.size(); ++s) {
+      const auto column = static_cast<Eigen::Index>(s);
+      const double pressure_kpa = episode_.pressure_kpa(t, column);
+      const double setpoint_kpa = episode_.setpoint_kpa(t, column);
+      if (std::abs(setpoint_kpa) > kSetpointOvershoot * limits_kpa_[s]) {
+        suspicions_.add(
+            "a set point beyond the segment's limit", index_, t,
+            fmt::format("segment {}: {:.1f} kPa, limit {:.1f}", s, setpoint_kpa, limits_kpa_[s]));
+      }
+      if (std::abs(pressure_kpa) > kOvershoot * limits_kpa_[s]) {
+        suspicions_.add(
+            "a measured pressure more than 10 % beyond the segment's limit", index_, t,
+            fmt::format("segment {}: {:.1f} kPa, limit {:.1f}", s, pressure_kpa, limits_kpa_[s]));
+      }
+    }
+  }
+
+  void look_at_motion(int t) {
+    const double step_s = episode_.time_s[t] - episode_.time_s[t - 1];
+    for (int i = 0; i < recording_.point_count; ++i) {
+      const auto now = episode_.backbone.row(t).segment<3>(3 * i);
+      const auto before = episode_.backbone.row(t - 1).segment<3>(3 * i);
+      const double way_m = (now - before).head<2>().norm();
+      const double turn_rad = std::abs(now[2] - before[2]);
+      if (way_m > kFastestPlate_m_per_s * step_s) {
+        suspicions_.add("a plate that jumps", index_, t,
+                        fmt::format("plate {}: {:.3f} m in {:.3f} s", i, way_m, step_s));
+      }
+      if (turn_rad > std::numbers::pi) {
+        suspicions_.add("a heading that jumps by more than half a turn (wrapped?)", index_, t,
+                        fmt::format("plate {}: {:.2f} rad in {:.3f} s", i, turn_rad, step_s));
+      }
+      if (i == 0) {
+        const auto first = episode_.backbone.row(0).head<2>();
+        const double base_m = (now.head<2>() - first).norm();
+        if (base_m > kBaseMotion_m) {
+          suspicions_.add("a base that is not where it was at the episode's start", index_, t,
+                          fmt::format("{:.3f} m away", base_m));
+        }
+      }
+    }
+  }
+
+  /// A tracker that hangs repeats its last frame to the bit.
+  void look_for_frozen_backbones(int t) {
+    const bool same = episode_.backbone.row(t) == episode_.backbone.row(t - 1);
+    equal_frames_ = same ? equal_frames_ + 1 : 0;
+    if (equal_frames_ < kFrozenFrames) {
+      return;
+    }
+    const double change_kpa =
+        (episode_.pressure_kpa.row(t) - episode_.pressure_kpa.row(t - equal_frames_))
+            .cwiseAbs()
+            .maxCoeff();
+    if (change_kpa > kFrozenPressure_kpa) {
+      suspicions_.add(
+          "a backbone that stands still to the bit while pressures change", index_, t,
+          fmt::format("{} frames, pressures change by {:.1f} kPa", equal_frames_, change_kpa));
+    }
+  }
+
+  const Recording& recording_;
+  const Episode& episode_;
+  std::size_t index_;
+  const std::vector<double>& limits_kpa_;
+  Suspicions& suspicions_;
+  int equal_frames_ = 0;
+};
+
+std::vector<PressureRange> pressure_ranges(const Recording& recording) {
+  std::vector<PressureRange> ranges(static_cast<std::size_t>(recording.segment_count));
+  for (std::size_t s = 0; s < ranges.size(); ++s) {
+    PressureRange& range = ranges[s];
+    const auto column = static_cast<Eigen::Index>(s);
+    bool first = true;
+    for (const Episode& episode : recording.episodes) {
+      const auto measured = episode.pressure_kpa.col(column);
+      const auto commanded = episode.setpoint_kpa.col(column);
+      const PressureRange own{measured.minCoeff(), measured.maxCoeff(), commanded.minCoeff(),
+                              commanded.maxCoeff()};
+      range = first ? own
+                    : PressureRange{std::min(range.lowest_kpa, own.lowest_kpa),
+                                    std::max(range.highest_kpa, own.highest_kpa),
+                                    std::min(range.lowest_setpoint_kpa, own.lowest_setpoint_kpa),
+                                    std::max(range.highest_setpoint_kpa, own.highest_setpoint_kpa)};
+      first = false;
+    }
+  }
+  return ranges;
+}
+
+std::vector<double> limits_of(const ArmDescription* arm,
+                              const std::vector<PressureRange>& pressures) {
+  std::vector<double> limits_kpa;
+  for (std::size_t s = 0; s < pressures.size(); ++s) {
+    limits_kpa.push_back(arm != nullptr ? arm->segments[s].pressure_limit_kpa
+                                        : std::max(std::abs(pressures[s].lowest_setpoint_kpa),
+                                                   std::abs(pressures[s].highest_setpoint_kpa)));
+  }
+  return limits_kpa;
+}
+
+}  // namespace
+
+RecordingInspection inspect(const Recording& recording, const ArmDescription* arm,
+                            const std::string& file) {
+  if (arm != nullptr) {
+    require_recording_of(recording, *arm, file);
+  }
+  RecordingInspection inspection;
+  inspection.pressures = pressure_ranges(recording);
+  inspection.limits_kpa = limits_of(arm, inspection.pressures);
+  inspection.transitions = transition_coverage(recording, inspection.limits_kpa);
+  Suspicions suspicions;
+  for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
+    EpisodeInspector(recording, i, inspection.limits_kpa, suspicions).run();
+  }
+  inspection.suspicions = suspicions.take();
+  return inspection;
+}
+
+nlohmann::ordered_json inspection_to_json(const Recording& recording,
+                                          const RecordingInspection& inspection) {
+  nlohmann::ordered_json json;
+  json["kind"] = "recording";
+  json["arm"] = recording.arm_name;
+  json["arm_hash"] = recording.arm_hash;
+  json["source"] = recording.source;
+  json["settings"] = recording.settings;
+  json["seed"] = recording.seed;
+  json["program_version"] = recording.program_version;
+  json["rate_hz"] = recording.rate_hz;
+  json["segments"] = recording.segment_count;
+  json["points"] = recording.point_count;
+  json["episodes"] = recording.episodes.size();
+  json["frames"] = recording.frame_count();
+  json["frames_dropped"] = recording.untracked_count();
+  json["duration_s"] = recording.duration_s();
+  for (const PressureRange& range : inspection.pressures) {
+    json["pressure_kpa"].push_back({range.lowest_kpa, range.highest_kpa});
+    json["setpoint_kpa"].push_back({range.lowest_setpoint_kpa, range.highest_setpoint_kpa});
+  }
+  json["transitions"] = {{"possible", static_cast<std::int64_t>(inspection.transitions.possible)},
+                         {"attempted", inspection.transitions.attempted},
+                         {"covered", inspection.transitions.covered}};
+  json["suspicions"] = nlohmann::ordered_json::array();
+  for (const Suspicion& suspicion : inspection.suspicions) {
+    json["suspicions"].push_back({{"what", suspicion.what},
+                                  {"count", suspicion.count},
+                                  {"episode", suspicion.episode},
+                                  {"frame", suspicion.frame},
+                                  {"first", suspicion.first}});
+  }
+  return json;
+}
+
+std::string inspection_to_text(const Recording& recording, const RecordingInspection& inspection) {
+  std::string text = fmt::format(
+      "recording of arm '{}' ({}), seed {}, limber {}\n"
+      "  {}\n"
+      "  {} episodes, {} frames at {} Hz ({:.1f} s), {} dropped\n"
+      "  {} segments [kPa], {} backbone points [m, m, rad]\n",
+      recording.arm_name, recording.source, recording.seed, recording.program_version,
+      recording.settings.empty() ? "no settings stored" : recording.settings,
+      recording.episodes.size(), recording.frame_count(), recording.rate_hz, recording.duration_s(),
+      recording.untracked_count(), recording.segment_count, recording.point_count);
+  for (std::size_t s = 0; s < inspection.pressures.size(); ++s) {
+    const PressureRange& range = inspection.pressures[s];
+    text += fmt::format("  segment {}: measured {:.1f} … {:.1f} kPa, set {:.1f} … {:.1f} kPa\n", s,
+                        range.lowest_kpa, range.highest_kpa, range.lowest_setpoint_kpa,
+                        range.highest_setpoint_kpa);
+  }
+  const TransitionCoverage& transitions = inspection.transitions;
+  text += fmt::format("  {} of {:.0f} transitions covered (both ends reached), {} commanded\n",
+                      transitions.covered, transitions.possible, transitions.attempted);
+  if (inspection.suspicions.empty()) {
+    text += "  nothing suspicious";
+    return text;
+  }
+  text += "  suspicious:";
+  for (const Suspicion& suspicion : inspection.suspicions) {
+    text += fmt::format("\n    {}: {} times, first in episode {}, frame {}: {}", suspicion.what,
+                        suspicion.count, suspicion.episode, suspicion.frame, suspicion.first);
+  }
+  return text;
+}
+
+}  // namespace limber
