@@ -35,7 +35,7 @@ nav ul { padding: 0; margin: 1rem 0; list-style: none; display: flex; flex-wrap:
 .remark { border-left: 4px solid var(--accent); padding: 0.2rem 0 0.2rem 0.9rem; }
 .cards { display: grid; gap: 0.8rem; grid-template-columns: repeat(auto-fit, minmax(11rem, 1fr)); }
 .card { background: var(--card); border-radius: 0.6rem; padding: 0.8rem 1rem; }
-.card .value { font-size: 1.7rem; font-weight: 700; line-height: 1.25; }
+.card .value { font-size: clamp(1.25rem, 5.2vw, 1.7rem); font-weight: 700; line-height: 1.25; }
 .card .note { font-size: 0.9rem; }
 .scroll { overflow-x: auto; margin: 1rem 0; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }

@@ -15,6 +15,7 @@ namespace {
 constexpr double kRightPx = 16.0;
 constexpr double kTickPx = 5.0;
 constexpr double kSlantRad = 0.5;
+constexpr double kMargin = 1.08;  // shapes do not touch the frame
 
 /// Where a value lies between `low` (0) and `high` (1).
 double share(double value, double low, double high, bool logarithmic) {
@@ -22,6 +23,12 @@ double share(double value, double low, double high, bool logarithmic) {
     return std::log(value / low) / std::log(high / low);
   }
   return (value - low) / (high - low);
+}
+
+/// Makes a range `factor` times as wide about its middle.
+void widen(double factor, NiceRange& range) {
+  const double grow = 0.5 * (factor - 1.0) * (range.high - range.low);
+  range = {range.low - grow, range.high + grow};
 }
 
 double widest(const std::vector<std::string>& labels) {
@@ -51,6 +58,8 @@ ChartArea::ChartArea(const ChartSettings& settings, const ChartMeasure& measure)
   below_px_ += slanted_ ? longest * std::sin(kSlantRad) : 0.0;
   height_px_ = std::max(60.0, settings.height_px - top_px_ - below_px_);
   if (settings.equal_aspect && !logarithmic_ && settings.categories.empty()) {
+    widen(settings.x.range ? 1.0 : kMargin, x_);
+    widen(settings.y.range ? 1.0 : kMargin, y_);
     widen_to_equal_aspect();
     make_y_ticks();
     widen_to_equal_aspect();
@@ -63,14 +72,10 @@ ChartArea::ChartArea(const ChartSettings& settings, const ChartMeasure& measure)
 void ChartArea::widen_to_equal_aspect() {
   const double x_scale = width_px_ / (x_.high - x_.low);
   const double y_scale = height_px_ / (y_.high - y_.low);
-  const auto widen = [](NiceRange& range, double factor) {
-    const double grow = 0.5 * (factor - 1.0) * (range.high - range.low);
-    range = {range.low - grow, range.high + grow};
-  };
   if (x_scale > y_scale) {
-    widen(x_, x_scale / y_scale);
+    widen(x_scale / y_scale, x_);
   } else {
-    widen(y_, y_scale / x_scale);
+    widen(y_scale / x_scale, y_);
   }
 }
 
