@@ -1,0 +1,137 @@
+"""`limber plan` with the no-load model: results, exit codes, pictures, broken environments."""
+
+import copy
+import json
+import unittest
+
+from program import InFolder
+
+ARM = ("--arm", "two_segment", "--no-load")
+BUDGET = ("--max-iterations", 400)
+
+# Easy for the arm of two segments, 0.47 m long: a pillar beside its way.
+PILLAR = {
+    "schema": "limber/environment/1",
+    "name": "pillar",
+    "obstacles": [{"circle": {"x_m": 0.3, "y_m": -0.25, "radius_m": 0.04}}],
+    "start": "rest",
+    "goal": {"x_m": 0.38, "y_m": 0.2, "position_tolerance_m": 0.03},
+}
+
+KEYS = {
+    "status", "reason", "limit", "best_partial", "planner", "model", "seed", "cost_kpa", "cost_psi",
+    "first_solution", "time_s", "queries", "nodes", "distance_to_goal_cm", "clearance_cm", "frames",
+}
+
+
+def changed(**parts):
+    environment = copy.deepcopy(PILLAR)
+    environment.update(parts)
+    return environment
+
+
+class Plan(InFolder):
+    def plan_file(self, environment, name="e.yaml"):
+        return self.write(name, json.dumps(environment))  # JSON is YAML
+
+    def plan(self, environment, *arguments, code=0):
+        path = self.plan_file(environment)
+        return self.run_json("plan", *ARM, *BUDGET, "--environment", path, *arguments, code=code)
+
+    def test_finds_a_plan_and_draws_it(self):
+        found = self.plan(PILLAR, "--out", "p.json", "--csv", "p.csv", "--svg", "p.svg")
+        self.assertEqual(found["status"], "solved")
+        self.assertLessEqual(KEYS, set(found))
+        self.assertLessEqual(found["distance_to_goal_cm"], 3.0)
+        self.assertGreaterEqual(found["clearance_cm"], 0.0)
+        self.assertGreater(found["cost_kpa"], 0.0)
+        plan = json.loads((self.folder / "p.json").read_text(encoding="utf-8"))
+        self.assertEqual(len(plan["frames"]), found["frames"])
+        # (2), by an independent sum over the file's frames.
+        points = [frame["setpoint_kpa"] for frame in plan["frames"]]
+        cost = sum(
+            abs(b - a) for p, q in zip(points, points[1:]) for a, b in zip(p, q, strict=True)
+        )
+        self.assertAlmostEqual(cost, found["cost_kpa"], delta=1e-3 * cost)
+        self.assertIn("<svg", (self.folder / "p.svg").read_text(encoding="utf-8"))
+        rows = (self.folder / "p.csv").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(rows[0], "time_s,setpoint_1_kpa,setpoint_2_kpa")
+
+    def test_the_same_seed_gives_the_same_plan(self):
+        for name, jobs in (("one.json", 1), ("two.json", 2)):
+            self.plan(PILLAR, "--seed", 5, "--jobs", jobs, "--out", name)
+        self.assertEqual(
+            (self.folder / "one.json").read_bytes(), (self.folder / "two.json").read_bytes()
+        )
+
+    def test_a_walled_in_goal_ends_with_1_and_no_file(self):
+        wall = [
+            {"rectangle": {"x_m": x, "y_m": y, "width_m": w, "height_m": h}}
+            for x, y, w, h in (
+                (0.38, 0.11, 0.2, 0.01), (0.38, 0.29, 0.2, 0.01),
+                (0.29, 0.2, 0.01, 0.2), (0.47, 0.2, 0.01, 0.2),
+            )
+        ]
+        found = self.plan(changed(obstacles=wall), "--out", "p.json", code=1)
+        self.assertIn(found["status"], ("limit", "no_solution"))
+        self.assertFalse((self.folder / "p.json").exists())
+
+    def test_what_cannot_be_planned_is_said_before_planning(self):
+        cases = {
+            "invalid_start": changed(
+                obstacles=[{"circle": {"x_m": 0.2, "y_m": 0.0, "radius_m": 0.05}}]
+            ),
+            "goal_unreachable": changed(
+                goal={"x_m": 3.0, "y_m": 0.2, "position_tolerance_m": 0.03}
+            ),
+            "goal_in_collision": changed(
+                obstacles=[{"circle": {"x_m": 0.38, "y_m": 0.2, "radius_m": 0.1}}]
+            ),
+        }
+        for status, environment in cases.items():
+            with self.subTest(status=status):
+                found = self.plan(environment, "--out", "p.json", code=2)
+                self.assertEqual(found["status"], status)
+                self.assertRegex(found["reason"], r"\d")  # by how much
+                self.assertFalse((self.folder / "p.json").exists())
+
+    def refused(self, environment, *expected):
+        text = environment if isinstance(environment, str) else json.dumps(environment)
+        path = self.write("e.yaml", text)
+        result = self.run_limber(
+            "plan", *ARM, *BUDGET, "--environment", path, "--out", "p.json", code=2
+        )
+        for part in ("e.yaml", *expected):
+            self.assertIn(part, result.stderr)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["e.yaml"])
+
+    def test_broken_environments_are_refused_by_file_and_field(self):
+        goal = PILLAR["goal"]
+        self.refused("")
+        self.refused("goal: [")
+        self.refused(changed(schema="limber/arm/1"), "limber/environment/1")
+        for key in PILLAR:
+            with self.subTest(missing=key):
+                self.refused({k: v for k, v in PILLAR.items() if k != key}, key)
+        for key in goal:
+            with self.subTest(missing=key):
+                self.refused(changed(goal={k: v for k, v in goal.items() if k != key}), key)
+        self.refused(changed(color="red"), "color")
+        self.refused(changed(start="here"), "start")
+        for value in (float("nan"), -0.02, 0, "wide", None, [1]):
+            with self.subTest(tolerance=value):
+                text = json.dumps(changed(goal={**goal, "position_tolerance_m": value}))
+                self.refused(text.replace("NaN", ".nan"), "position_tolerance_m")
+        for obstacle, field in (
+            ({"circle": {"x_m": 0.3, "y_m": 0.3}}, "radius_m"),
+            ({"circle": {"x_m": 0.3, "y_m": 0.3, "radius_m": -1}}, "radius_m"),
+            ({"square": {}}, "square"),
+            ({"polygon": [[0, 0.3], [0.1, 0.3]]}, "polygon"),
+            ({"polygon": [[0, 0.3], [0.1, 0.4], [0.1, 0.3], [0, 0.4]]}, "simple polygon"),
+        ):
+            with self.subTest(obstacle=obstacle):
+                self.refused(changed(obstacles=[obstacle]), field)
+
+
+if __name__ == "__main__":
+    unittest.main()
