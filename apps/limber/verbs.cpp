@@ -12,6 +12,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs() {
   verbs.push_back(make_doctor_verb());
   verbs.push_back(make_characterize_verb());
   verbs.push_back(make_plan_verb());
+  verbs.push_back(make_environment_verb());
   return verbs;
 }
 

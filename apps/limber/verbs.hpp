@@ -14,6 +14,7 @@ std::unique_ptr<Verb> make_collect_verb();
 std::unique_ptr<Verb> make_doctor_verb();
 std::unique_ptr<Verb> make_evaluate_verb();
 std::unique_ptr<Verb> make_train_verb();
+std::unique_ptr<Verb> make_environment_verb();
 std::unique_ptr<Verb> make_plan_verb();
 std::unique_ptr<Verb> make_execute_verb();
 std::unique_ptr<Verb> make_inspect_verb();

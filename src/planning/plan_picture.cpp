@@ -16,9 +16,11 @@ namespace {
 constexpr int kShapes = 9;          // of the arm along the plan, the last one included
 constexpr double kFaintest = 0.10;  // opacity of the first of them
 constexpr double kStarRadiusM = 0.016;
+constexpr double kPictureWidthPx = 640.0;
 
 const ShapeStyle kObstacleStyle{.fill = "#9a9a9a", .stroke = "#555555", .width_px = 1.0};
 const ShapeStyle kGoalStyle{.fill = "#009e73", .stroke = "#00523c", .width_px = 1.0};
+const ShapeStyle kStartStyle{.fill = "#dddddd", .stroke = "#222222", .width_px = 1.0};
 const ShapeStyle kTreeStyle{.stroke = "#cc79a7", .width_px = 0.6, .opacity = 0.35};
 
 WorldPoint world(const Eigen::Vector2d& p) {
@@ -145,6 +147,17 @@ void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan)
   draw_tip_path(drawing, plan, {.stroke = "#222222", .width_px = 1.5});
 }
 
+std::string environment_picture(const ArmDescription& arm, const Environment& environment) {
+  SvgDrawing drawing(picture_box(arm, environment), kPictureWidthPx, environment.name);
+  drawing.axes();
+  draw_arm(drawing, arm, start_state(environment, arm).backbone, kStartStyle);
+  draw_environment(drawing, environment);
+  drawing.legend("the arm at its start", kStartStyle);
+  drawing.legend("goal and its tolerance", kGoalStyle);
+  drawing.legend("obstacle", kObstacleStyle);
+  return drawing.svg();
+}
+
 std::string plan_picture(const ArmDescription& arm, const Environment& environment,
                          const PlanResult& result) {
   std::string title = environment.name;
@@ -155,7 +168,7 @@ std::string plan_picture(const ArmDescription& arm, const Environment& environme
   } else {
     title += fmt::format(": {}", to_string(result.status));
   }
-  SvgDrawing drawing(picture_box(arm, environment), 640.0, title);
+  SvgDrawing drawing(picture_box(arm, environment), kPictureWidthPx, title);
   drawing.axes();
   draw_tree(drawing, result.tree);
   if (result.plan) {
@@ -170,8 +183,7 @@ std::string plan_picture(const ArmDescription& arm, const Environment& environme
     draw_tip_path(drawing, *result.best_partial, {.stroke = "#222222", .dashed = true});
     drawing.legend("no plan; the nearest motion found", nearest);
   } else {
-    draw_arm(drawing, arm, start_state(environment, arm).backbone,
-             {.fill = "#dddddd", .stroke = "#222222", .width_px = 1.0});
+    draw_arm(drawing, arm, start_state(environment, arm).backbone, kStartStyle);
   }
   draw_environment(drawing, environment);
   if (!result.tree.empty()) {

@@ -26,6 +26,9 @@ void draw_tree(SvgDrawing& drawing, const std::vector<TreeEdge>& tree);
 /// The arm along a plan, early shapes faint, the last one full, with the way of its tip.
 void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan);
 
+/// The environment with the arm at its start, as an SVG file's text.
+std::string environment_picture(const ArmDescription& arm, const Environment& environment);
+
 /// All of it: environment, tree and plan (or the nearest motion, drawn dashed, where there is no
 /// plan) as an SVG file's text.
 std::string plan_picture(const ArmDescription& arm, const Environment& environment,

@@ -1,0 +1,152 @@
+#include <filesystem>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/units.hpp"
+#include "limber/planning/collision.hpp"
+#include "limber/planning/environment_measures.hpp"
+#include "limber/planning/plan_picture.hpp"
+#include "limber/planning/problem_check.hpp"
+#include "limber/planning/random_environment.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kStraightLineStarts = 100;
+
+class EnvironmentVerb final : public Verb {
+ public:
+  const char* name() const override { return "environment"; }
+  const char* summary() const override { return "Check an environment file, or draw random ones"; }
+  const char* example() const override {
+    return "limber environment --random --seed 7 --count 5 --out my_environments\n"
+           "  limber environment check my_environments/random_7_001.yaml";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("action", words_, "check FILE: start free, goal in reach and free?")
+        ->expected(0, 2)
+        ->option_text("[check FILE]");
+    app.add_flag("--random", random_, "Draw environments by the rules of limber's own eight");
+    app.add_option("--count", count_, "How many to draw")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 100000));
+    app.add_option("--out", out_, "Folder for random environments");
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
+        ->capture_default_str();
+    app.add_option("--model", model_,
+                   "Network model that says what is in reach; the no-load model where not given");
+    app.add_option("--margin-m", margin_m_, "Clearance that a check asks for")
+        ->capture_default_str();
+    app.add_option("--svg", svg_, "Draw the environment that is checked here");
+  }
+
+  int run(const CommonFlags& flags) override {
+    const bool check = words_.size() == 2 && words_.front() == "check";
+    if (check == random_ || (!check && !words_.empty())) {
+      throw InputError(
+          "expected either 'limber environment check FILE' or 'limber environment --random "
+          "--count N --out DIR'");
+    }
+    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ForwardModel model =
+        model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
+    return check ? run_check(arm, model, flags) : run_random(arm, model, flags);
+  }
+
+ private:
+  int run_check(const ArmDescription& arm, const ForwardModel& model, const CommonFlags& flags) {
+    const Environment environment = load_environment(find_environment_file(words_[1]), arm);
+    if (!svg_.empty()) {
+      refuse_to_overwrite(svg_, flags.force);
+    }
+    const PlanningProblem problem{arm, model, environment, margin_m_};
+    const CollisionChecker checker(arm, environment.obstacles, margin_m_);
+    const ProblemCheck check = check_problem(problem, checker, flags.seed);
+    const Clearance start = checker.clearance(start_state(environment, arm).backbone);
+    const bool has_clearance = start.obstacle >= 0;
+    const bool easy =
+        !check.refusal && straight_line_solves(problem, {}, kStraightLineStarts, flags.seed);
+    Json json;
+    json["status"] = check.refusal ? to_string(*check.refusal) : "ok";
+    json["reason"] = check.reason;
+    json["warnings"] = check.warnings;
+    json["name"] = environment.name;
+    json["obstacles"] = environment.obstacles.size();
+    json["start_clearance_cm"] = has_clearance ? Json(start.value_m * kCmPerM) : Json(nullptr);
+    json["straight_line_solves"] = easy;
+    std::string text =
+        check.refusal
+            ? fmt::format("{}: {}: {}", words_[1], to_string(*check.refusal), check.reason)
+            : fmt::format(
+                  "{}: '{}' is fine: {} obstacles, start {}, a straight motion in "
+                  "pressure {} it",
+                  words_[1], environment.name, environment.obstacles.size(),
+                  has_clearance ? fmt::format("{:.2f} cm clear of {}", start.value_m * kCmPerM,
+                                              obstacle_name(environment, start.obstacle))
+                                : "free",
+                  easy ? "solves" : "does not solve");
+    for (const std::string& warning : check.warnings) {
+      text += "\nwarning: " + warning;
+    }
+    if (!svg_.empty()) {
+      write_file_atomically(svg_, environment_picture(arm, environment));
+    }
+    print_result(flags, json, text);
+    return check.refusal ? kExitNoSolution : kExitDone;
+  }
+
+  int run_random(const ArmDescription& arm, const ForwardModel& model, const CommonFlags& flags) {
+    if (out_.empty()) {
+      throw InputError("--random needs --out DIR, the folder for the environments");
+    }
+    const auto path = [&](int k) {
+      return std::filesystem::path(out_) / fmt::format("random_{}_{:03}.yaml", flags.seed, k);
+    };
+    for (int k = 1; k <= count_; ++k) {
+      refuse_to_overwrite(path(k), flags.force);
+    }
+    Progress progress("environments", "drawn", static_cast<std::uint64_t>(count_),
+                      flags.progress());
+    Json files = Json::array();
+    for (int k = 1; k <= count_; ++k) {
+      throw_if_interrupted();
+      const std::optional<RandomEnvironment> drawn =
+          random_environment(arm, model, flags.seed, static_cast<std::uint64_t>(k));
+      if (!drawn) {
+        throw InputError(fmt::format(
+            "no environment {} of seed {} for arm '{}': too many attempts; try another --seed", k,
+            flags.seed, arm.name));
+      }
+      write_file_atomically(path(k), environment_to_yaml(drawn->environment));
+      files.push_back(path(k).string());
+      progress.advance();
+    }
+    progress.finish();
+    print_result(flags, {{"count", count_}, {"seed", flags.seed}, {"files", files}},
+                 fmt::format("{} environments in {} (seed {})", count_, out_, flags.seed));
+    return kExitDone;
+  }
+
+  std::vector<std::string> words_;
+  bool random_ = false;
+  int count_ = 1;
+  std::string out_;
+  std::string arm_ = "three_segment";
+  std::string model_;
+  double margin_m_ = 0.0;
+  std::string svg_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_environment_verb() {
+  return std::make_unique<EnvironmentVerb>();
+}
+
+}  // namespace limber
