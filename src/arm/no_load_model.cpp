@@ -68,7 +68,7 @@ double NoLoadModel::curvature_limit_per_m(int index) const {
 template <class Scalar>
 void NoLoadModel::chain(
     const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>& pressures_kpa,
-    Eigen::Ref<BackboneOf<Scalar>> backbone) const {
+    Eigen::Ref<BackboneOf<Scalar>>& backbone) const {
   assert(pressures_kpa.size() == segment_count() && backbone.rows() == point_count_);
   backbone.row(0).setZero();
   int point = 0;

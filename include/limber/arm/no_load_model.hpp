@@ -59,7 +59,7 @@ class NoLoadModel {
  private:
   template <class Scalar>
   void chain(const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>& pressures_kpa,
-             Eigen::Ref<BackboneOf<Scalar>> backbone) const;
+             Eigen::Ref<BackboneOf<Scalar>>& backbone) const;
 
   std::vector<Segment> segments_;
   int point_count_ = 0;
