@@ -16,6 +16,12 @@ install(FILES "${CMAKE_BINARY_DIR}/limberConfig.cmake" "${CMAKE_BINARY_DIR}/limb
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/limber)
 
 set(CPACK_GENERATOR DEB)
+set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_CONTACT "The limber developers")
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What the library's headers include, for those who build on it.
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libfmt-dev, libhdf5-dev, libmujoco-dev, \
+librandom123-dev, libtbb-dev, libxxhash-dev, libyaml-cpp-dev, nlohmann-json3-dev")
 include(CPack)
