@@ -1,5 +1,6 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/hardware/execution_picture.hpp"
 #include "limber/hardware/execution_report.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "verbs.hpp"
@@ -28,6 +29,7 @@ class ExecuteVerb final : public Verb {
                    "Seconds to hold the last set point after the plan, before judging the goal")
         ->capture_default_str();
     app.add_option("--out", out_, "Recording of the run to write");
+    app.add_option("--svg", svg_, "Picture of the run to write, beside the prediction");
   }
 
   int run(const CommonFlags& flags) override {
@@ -38,12 +40,17 @@ class ExecuteVerb final : public Verb {
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
-    if (!out_.empty()) {
-      refuse_to_overwrite(out_, flags.force);
+    for (const std::string& file : {out_, svg_}) {
+      if (!file.empty()) {
+        refuse_to_overwrite(file, flags.force);
+      }
     }
     VirtualArm driver(arm);
     const ExecutionResult result = execute(arm, environment, plan, driver, settings_);
     write_run(arm, plan, result);
+    if (!svg_.empty()) {
+      write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
+    }
     print_result(flags, execution_to_json(result, environment),
                  execution_to_text(result, environment));
     switch (result.status) {
@@ -74,6 +81,7 @@ class ExecuteVerb final : public Verb {
   std::string environment_;
   std::string driver_ = "virtual";
   std::string out_;
+  std::string svg_;
   ExecutionSettings settings_;
 };
 

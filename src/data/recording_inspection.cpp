@@ -181,6 +181,7 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
     require_recording_of(recording, *arm, file);
   }
   RecordingInspection inspection;
+  inspection.limits_known = arm != nullptr;
   inspection.pressures = pressure_ranges(recording);
   inspection.limits_kpa = limits_of(arm, inspection.pressures);
   inspection.transitions = transition_coverage(recording, inspection.limits_kpa);
@@ -213,6 +214,8 @@ nlohmann::ordered_json inspection_to_json(const Recording& recording,
     json["pressure_kpa"].push_back({range.lowest_kpa, range.highest_kpa});
     json["setpoint_kpa"].push_back({range.lowest_setpoint_kpa, range.highest_setpoint_kpa});
   }
+  json["limits_kpa"] = inspection.limits_kpa;
+  json["limits_known"] = inspection.limits_known;
   json["transitions"] = {{"possible", static_cast<std::int64_t>(inspection.transitions.possible)},
                          {"attempted", inspection.transitions.attempted},
                          {"covered", inspection.transitions.covered}};
@@ -244,8 +247,9 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
                         range.highest_setpoint_kpa);
   }
   const TransitionCoverage& transitions = inspection.transitions;
-  text += fmt::format("  {} of {:.0f} transitions covered (both ends reached), {} commanded\n",
-                      transitions.covered, transitions.possible, transitions.attempted);
+  text += fmt::format("  {} of {:.0f} transitions covered (both ends reached), {} commanded{}\n",
+                      transitions.covered, transitions.possible, transitions.attempted,
+                      inspection.limits_known ? "" : "; limits guessed from the set points");
   if (inspection.suspicions.empty()) {
     text += "  nothing suspicious";
     return text;

@@ -8,6 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/hardware/execution_picture.hpp"
 #include "limber/hardware/schedule.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "support/fake_arm.hpp"
@@ -62,7 +63,11 @@ class Executor : public ::testing::Test {
     environment_.goal.orientation_tolerance_rad = 0.3;
   }
 
-  Plan plan() const { return bending_plan(arm_, environment_); }
+  Plan plan() const {
+    Plan plan = bending_plan(arm_, environment_);
+    plan.model = "no_load";
+    return plan;
+  }
 
   /// A circle that the tip of the arm bends into.
   void add_obstacle(double y_m) { environment_.obstacles = {Circle{0.33, y_m, 0.02}}; }
@@ -288,6 +293,21 @@ TEST_F(Executor, ApproachesAStartUnderPressureUnrecorded) {
   EXPECT_NEAR(result.episode.pressure_kpa(0, 0), 80.0F, 1e-3F);
   EXPECT_EQ(result.frames, 36);
   EXPECT_NEAR(result.start_error_m, 0.0, 1e-6);
+}
+
+TEST_F(Executor, DrawsRunPredictionAndCollision) {
+  add_obstacle(-0.10);
+  FakeArm driver(arm_, 0.2);
+  const ExecutionResult result = execute(arm_, environment_, plan(), driver);
+  const std::string svg = execution_picture(arm_, environment_, plan(), result);
+  EXPECT_THAT(svg, HasSubstr("test: done, "));
+  EXPECT_THAT(svg, HasSubstr(", collided"));
+  EXPECT_THAT(svg, HasSubstr("first collision, "));
+  EXPECT_THAT(svg, HasSubstr("end that the no-load model predicts"));
+  EXPECT_THAT(svg, HasSubstr("</svg>"));
+  ExecutionResult unseen;
+  unseen.status = ExecutionStatus::fault;
+  EXPECT_THAT(execution_picture(arm_, environment_, plan(), unseen), HasSubstr("test: fault"));
 }
 
 TEST(CollisionWatch, MissesNothingWhileSkippingMostChecks) {

@@ -39,6 +39,7 @@ struct Suspicion {
 struct RecordingInspection {
   std::vector<PressureRange> pressures;  ///< one a segment
   std::vector<double> limits_kpa;        ///< that coverage was judged by
+  bool limits_known = false;             ///< from an arm file, not guessed from the set points
   TransitionCoverage transitions;
   std::vector<Suspicion> suspicions;
 };
