@@ -1,13 +1,46 @@
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
 #include <thread>
 
+#include <oneapi/tbb/version.h>
 #include <Eigen/Core>
 
+#include "limber/common/cpu_level.hpp"
+#include "limber/common/data_folder.hpp"
 #include "limber/common/version.hpp"
+#include "limber/data/hdf5_version.hpp"
+#include "limber/hardware/mujoco_version.hpp"
 #include "verbs.hpp"
 
 namespace limber {
 
 namespace {
+
+/// A program that limber's results can be used with, but that limber does without.
+struct OptionalProgram {
+  const char* name;
+  const char* use;
+  const char* how_to_get;
+};
+
+constexpr OptionalProgram kOptionalPrograms[] = {
+    {"python3", "recordings and models in scripts, with h5py and numpy",
+     "apt install python3-h5py python3-numpy"},
+    {"rsvg-convert", "limber's SVG pictures as PNG or PDF", "apt install librsvg2-bin"},
+};
+
+bool on_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::error_code ignored;
+    if (!folder.empty() && std::filesystem::exists(folder + "/" + program, ignored)) {
+      return true;
+    }
+  }
+  return false;
+}
 
 class DoctorVerb final : public Verb {
  public:
@@ -19,19 +52,59 @@ class DoctorVerb final : public Verb {
   void add_flags(CLI::App&) override {}
 
   int run(const CommonFlags& flags) override {
+    const nlohmann::ordered_json result = examine();
+    print_result(flags, result, describe(result));
+    return kExitDone;
+  }
+
+ private:
+  static nlohmann::ordered_json examine() {
     nlohmann::ordered_json result;
     result["limber"] = version();
     result["compiler"] = __VERSION__;
+    result["data_folder"] = data_folder().string();
+    result["cpu"] = cpu_name();
     result["threads"] = std::thread::hardware_concurrency();
+    result["kernels"] = to_string(cpu_level());
+    for (const CpuLevel level : available_cpu_levels()) {
+      result["kernels_available"].push_back(to_string(level));
+    }
     result["eigen"] =
         fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+    result["mujoco"] = mujoco_version();
+    result["hdf5"] = hdf5_version();
+    result["yaml-cpp"] = LIMBER_YAML_CPP_VERSION;
+    result["onetbb"] = TBB_runtime_version();
+    result["optional"] = nlohmann::ordered_json::array();
+    for (const OptionalProgram& program : kOptionalPrograms) {
+      result["optional"].push_back({{"name", program.name},
+                                    {"present", on_path(program.name)},
+                                    {"use", program.use},
+                                    {"how_to_get", program.how_to_get}});
+    }
+    return result;
+  }
+
+  static std::string describe(const nlohmann::ordered_json& result) {
     std::string text;
     for (const auto& [key, value] : result.items()) {
-      text += fmt::format("{:<10} {}\n", key,
-                          value.is_string() ? value.get<std::string>() : value.dump());
+      if (value.is_string()) {
+        text += fmt::format("{:<18} {}\n", key, value.get<std::string>());
+      } else if (key == "kernels_available") {
+        text += fmt::format("{:<18} {}; LIMBER_CPU=… forces one\n", key, value.dump());
+      } else if (key != "optional") {
+        text += fmt::format("{:<18} {}\n", key, value.dump());
+      }
     }
-    print_result(flags, result, text);
-    return kExitDone;
+    text += "\nOptional:\n";
+    for (const auto& program : result["optional"]) {
+      const bool present = program["present"];
+      text += fmt::format("{:<18} {}: {}{}\n", program["name"].get<std::string>(),
+                          present ? "present" : "missing", program["use"].get<std::string>(),
+                          present ? "" : "; " + program["how_to_get"].get<std::string>());
+    }
+    text.pop_back();
+    return text;
   }
 };
 

@@ -9,6 +9,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs() {
   verbs.push_back(make_evaluate_verb());
   verbs.push_back(make_execute_verb());
   verbs.push_back(make_inspect_verb());
+  verbs.push_back(make_bench_verb());
   verbs.push_back(make_doctor_verb());
   verbs.push_back(make_characterize_verb());
   verbs.push_back(make_plan_verb());

@@ -5,35 +5,29 @@
 
 namespace limber {
 
-namespace {
-
-struct FoldedLayer {
-  Eigen::MatrixXd weight;
-  Eigen::VectorXd bias;
-};
-
-// W (x − offset)·scale + b for the first layer, (W x + b)/scale + offset for the last, as plain
-// layers in the user's units.
-std::vector<FoldedLayer> fold(const CompensationModel& model) {
-  std::vector<FoldedLayer> layers;
-  for (const Layer& layer : model.layers) {
-    layers.push_back({layer.weight.cast<double>(), layer.bias.cast<double>()});
+// W (x − offset)·scale + b for the first layer, (W x + b)/scale + offset for the last.
+std::vector<Layer> folded_layers(const CompensationModel& model) {
+  std::vector<Layer> layers = model.layers;
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    Eigen::MatrixXd weight = layers[l].weight.cast<double>();
+    Eigen::VectorXd bias = layers[l].bias.cast<double>();
+    if (l == 0) {
+      weight = weight * model.input.scale.cast<double>().asDiagonal();
+      bias -= weight * model.input.offset.cast<double>();
+    }
+    if (l + 1 == layers.size()) {
+      const Eigen::VectorXd range = model.output.scale.cast<double>().cwiseInverse();
+      weight = range.asDiagonal() * weight;
+      bias = bias.cwiseProduct(range) + model.output.offset.cast<double>();
+    }
+    layers[l] = {weight.cast<float>(), bias.cast<float>()};
   }
-  FoldedLayer& first = layers.front();
-  first.weight = first.weight * model.input.scale.cast<double>().asDiagonal();
-  first.bias -= first.weight * model.input.offset.cast<double>();
-  FoldedLayer& last = layers.back();
-  const Eigen::VectorXd range = model.output.scale.cast<double>().cwiseInverse();
-  last.weight = range.asDiagonal() * last.weight;
-  last.bias = last.bias.cwiseProduct(range) + model.output.offset.cast<double>();
   return layers;
 }
 
-}  // namespace
-
 PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level)
     : kernels_(gemm_kernels(level)) {
-  for (const FoldedLayer& folded : fold(model)) {
+  for (const Layer& folded : folded_layers(model)) {
     PackedLayer layer;
     layer.inputs = static_cast<int>(folded.weight.cols());
     layer.outputs = static_cast<int>(folded.weight.rows());
@@ -45,10 +39,10 @@ PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level)
     layer.transposed_weight.resize(static_cast<std::size_t>(layer.inputs) *
                                    static_cast<std::size_t>(layer.outputs));
     Eigen::Map<Eigen::MatrixXf>(layer.weight.data(), layer.padded_outputs, layer.inputs)
-        .topRows(layer.outputs) = folded.weight.cast<float>();
+        .topRows(layer.outputs) = folded.weight;
     Eigen::Map<Eigen::MatrixXf>(layer.transposed_weight.data(), layer.inputs, layer.outputs) =
-        folded.weight.transpose().cast<float>();
-    Eigen::Map<Eigen::VectorXf>(layer.bias.data(), layer.outputs) = folded.bias.cast<float>();
+        folded.weight.transpose();
+    Eigen::Map<Eigen::VectorXf>(layer.bias.data(), layer.outputs) = folded.bias;
     padded_width_ = std::max(padded_width_, layer.padded_outputs);
     layers_.push_back(std::move(layer));
   }

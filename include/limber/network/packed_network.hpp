@@ -9,6 +9,10 @@
 
 namespace limber {
 
+/// The model's layers with its normalisations folded into the first and the last one (in double
+/// precision): from numbers in the layout's units to numbers in the layout's units. @pre valid
+std::vector<Layer> folded_layers(const CompensationModel& model);
+
 /// A network ready to be asked: normalisation folded into the first and last layers (in double
 /// precision), weights padded and stored once for single queries and once for batches.
 ///
