@@ -26,7 +26,7 @@ using Eigen::MatrixXf;
 constexpr int kInputs = 1024;  // different queries, asked again and again
 constexpr int kParts = 20;     // of a measurement; the fastest counts
 constexpr int kBatchSizes[] = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024};
-constexpr int kParallelBatch = 65536;    // split over threads
+constexpr int kParallelBatch = 16384;    // split over threads
 constexpr int kTile = 64;                // queries at a time while the layers are timed
 constexpr long kPeakRounds = 1'000'000;  // 1.5 ms at 4 GHz
 constexpr double kSteadyPeak = 0.05;  // largest relative difference of the peak, before and after

@@ -48,7 +48,7 @@ TEST(SpeedBenchmark, ReportsThePapersShapeAndAModelThatDiffers) {
   EXPECT_THAT(sizes_of(json["peers"][0]["batches"]),
               ElementsAre(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024));
   EXPECT_THAT(sizes_of(json["network"]["batches"]),
-              ElementsAre(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 65536, 65536));
+              ElementsAre(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 16384, 16384));
   EXPECT_EQ(json["network"]["batches"].back()["threads"], 2);
 
   EXPECT_THAT(to_text(report), AllOf(HasSubstr("network 102-100-100-100-48"),
