@@ -146,13 +146,15 @@ void lower_by_arc(const std::vector<ObstacleShape>& shapes, const GapArc& arc, d
     if (reach > 0.0 && squared_distance(box, shape.box) >= reach * reach) {
       continue;
     }
-    double value = signed_distance(shape, arc.start, arc.end) - radius - bulge;
+    const double whole = signed_distance(shape, arc.start, arc.end) - radius - bulge;
+    double value = whole;
     if (value < best.value_m && bulge > kArcToleranceM) {
-      value = kInfinity;
+      double pieces = kInfinity;
       visit_pieces(arc, bulge, [&](const Vector2d& a, const Vector2d& b, double piece_bulge) {
-        value = std::min(value, signed_distance(shape, a, b) - radius - piece_bulge);
+        pieces = std::min(pieces, signed_distance(shape, a, b) - radius - piece_bulge);
         return true;
       });
+      value = std::max(whole, pieces);  // both are bounds
     }
     if (value < best.value_m) {
       best = {value, gap, shape.index};
@@ -177,24 +179,27 @@ bool motion_is_free(const std::vector<ObstacleShape>& shapes, const GapMotion& m
          motion_is_free(shapes, motion, radius, travel, middle, high);
 }
 
+/// Lowers `best` to a bound on the gap's clearance between the fractions `low` and `high`.
+/// @param known  bound on it from a longer interval; so that what motion_is_free calls free is > 0
 void lower_by_motion(const std::vector<ObstacleShape>& shapes, const GapMotion& motion,
-                     double radius, double travel, double low, double high, int gap,
+                     double radius, double travel, double low, double high, int gap, double known,
                      Clearance& best) {
   const double way = 0.5 * (high - low) * travel;
-  Clearance here{kInfinity, -1, -1};
-  here.value_m = best.value_m + way;  // farther than this can't matter
+  Clearance here{best.value_m + way, -1, -1};  // farther than this can't matter
   lower_by_arc(shapes, motion.at(0.5 * (low + high)), radius, gap, here);
   if (here.obstacle < 0) {
     return;
   }
+  known = std::max(known, here.value_m - way);
   if (!(way > kMotionToleranceM)) {
-    here.value_m -= way;
-    best = here;
+    if (known < best.value_m) {
+      best = {known, gap, here.obstacle};
+    }
     return;
   }
   const double middle = 0.5 * (low + high);
-  lower_by_motion(shapes, motion, radius, travel, low, middle, gap, best);
-  lower_by_motion(shapes, motion, radius, travel, middle, high, gap, best);
+  lower_by_motion(shapes, motion, radius, travel, low, middle, gap, known, best);
+  lower_by_motion(shapes, motion, radius, travel, middle, high, gap, known, best);
 }
 
 template <class Scalar>
@@ -274,11 +279,14 @@ Clearance CollisionChecker::motion_clearance(const Eigen::Ref<const Backbone>& f
                                              const Eigen::Ref<const Backbone>& to) const {
   const Clearance at_start = clearance(from);
   const Clearance at_end = clearance(to);
+  // The ends bound the search from above; both are bounds from below, hence the tolerance.
   Clearance best = at_start.value_m <= at_end.value_m ? at_start : at_end;
+  best.value_m += kToleranceM;
   for (std::size_t gap = 0; gap < radius_m_.size(); ++gap) {
     const int g = static_cast<int>(gap);
     const GapMotion motion{gap_arc<float>(from, g), gap_arc<float>(to, g)};
-    lower_by_motion(obstacles_, motion, radius_m_[gap], motion.travel_bound_m(), 0.0, 1.0, g, best);
+    lower_by_motion(obstacles_, motion, radius_m_[gap], motion.travel_bound_m(), 0.0, 1.0, g,
+                    -kInfinity, best);
   }
   return best;
 }

@@ -37,6 +37,24 @@ Json poses(const Backbone& backbone) {
   return rows;
 }
 
+std::string lines(const Json& list) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    text += (i == 0 ? "\n  " : ",\n  ") + list[i].dump();
+  }
+  return text + "\n ]";
+}
+
+/// JSON that a person can read: a line a value, a waypoint and a frame.
+std::string one_line_an_entry(const Json& head, const Json& waypoints, const Json& frames) {
+  std::string text = "{\n";
+  for (const auto& [key, value] : head.items()) {
+    text += fmt::format(" \"{}\": {},\n", key, value.dump());
+  }
+  text += fmt::format(" \"waypoints_kpa\": {},\n", lines(waypoints));
+  return text + fmt::format(" \"frames\": {}\n}}\n", lines(frames));
+}
+
 /// A value of the file with the name of its place, for messages.
 class Field {
  public:
@@ -227,16 +245,16 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   root["goal_distance_m"] = plan.goal_distance_m;
   root["goal_orientation_rad"] = plan.goal_orientation_rad;
   root["hold_frame_count"] = plan.hold_frame_count;
-  root["waypoints_kpa"] = Json::array();
+  Json waypoints = Json::array();
   for (const Pressures& q : plan.waypoints_kpa) {
-    root["waypoints_kpa"].push_back(numbers(q));
+    waypoints.push_back(numbers(q));
   }
-  root["frames"] = Json::array();
+  Json frames = Json::array();
   for (const PlanFrame& frame : plan.frames) {
-    root["frames"].push_back(
+    frames.push_back(
         {{"setpoint_kpa", numbers(frame.setpoint_kpa)}, {"backbone", poses(frame.backbone)}});
   }
-  write_file_atomically(path, root.dump(1) + "\n");
+  write_file_atomically(path, one_line_an_entry(root, waypoints, frames));
 }
 
 Plan read_plan(const std::filesystem::path& path) {
