@@ -71,7 +71,7 @@ inline std::vector<Point> arc_points(const Backbone& b, int gap, int count) {
   const Point chord = Point(b(gap + 1, 0), b(gap + 1, 1)) - start;
   const long double turn = static_cast<long double>(b(gap + 1, 2)) - b(gap, 2);
   std::vector<Point> walk{Point(0.0L, 0.0L)};
-  constexpr int kSteps = 2000;
+  constexpr int kSteps = 480;
   for (int k = 0; k < kSteps; ++k) {
     const long double heading = turn * (k + 0.5L) / kSteps;
     walk.push_back(walk.back() + Point(std::cos(heading), std::sin(heading)));
