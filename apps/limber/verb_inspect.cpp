@@ -35,8 +35,12 @@ FileKind kind_of(const std::string& content) {
       content[kSafetensorsHeader - 1] == '\0') {
     return FileKind::model;
   }
+  // JSON is YAML too: arms and environments may be written either way.
   const std::size_t first = content.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && content[first] == '{' ? FileKind::plan : FileKind::yaml;
+  const bool braced = first != std::string::npos && content[first] == '{';
+  const bool names_yaml_schema = content.find("limber/arm/") != std::string::npos ||
+                                 content.find("limber/environment/") != std::string::npos;
+  return braced && !names_yaml_schema ? FileKind::plan : FileKind::yaml;
 }
 
 Finding inspect_recording(const std::string& file, const std::optional<ArmDescription>& arm) {

@@ -1,0 +1,107 @@
+"""`limber execute` and `limber inspect`: a plan runs on the virtual arm, and files that do not fit are
+refused before anything moves."""
+
+import json
+import unittest
+
+from program import InFolder
+
+ARM = ("--arm", "two_segment")
+GOAL = {"x_m": 0.38, "y_m": 0.2, "position_tolerance_m": 0.03}
+KEYS = {
+    "status", "collided", "min_clearance_cm", "distance_to_goal_cm", "orientation_to_goal_rad",
+    "replans", "frames",
+}
+
+
+class Execute(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.environment("e.yaml", [{"circle": {"x_m": 0.3, "y_m": -0.25, "radius_m": 0.04}}])
+        self.run_limber(
+            "plan", *ARM, "--no-load", "--max-iterations", 300, "--environment", "e.yaml",
+            "--out", "p.json",
+        )
+
+    def environment(self, name, obstacles):
+        content = {
+            "schema": "limber/environment/1", "name": name, "obstacles": obstacles,
+            "start": "rest", "goal": GOAL,
+        }
+        self.write(name, json.dumps(content))
+
+    def execute(self, *arguments, code=0):
+        return self.run_json(
+            "execute", *ARM, "--plan", "p.json", "--environment", "e.yaml", *arguments, code=code
+        )
+
+    def test_runs_to_the_end_and_judges_the_goal(self):
+        found = self.execute("--out", "run.h5")
+        self.assertLessEqual(KEYS, set(found))
+        self.assertEqual((found["status"], found["collided"], found["replans"]), ("done", False, 0))
+        self.assertGreater(found["min_clearance_cm"], 0.0)
+        # The no-load model errs on this arm, but not by the arm's length.
+        self.assertTrue(0.0 < found["distance_to_goal_cm"] < 40.0)
+        recording = self.run_json("inspect", "run.h5")
+        self.assertIn("two_segment", json.dumps(recording))
+
+    def test_repeats_exactly(self):
+        self.assertEqual(self.execute(), self.execute())
+
+    def test_refuses_what_the_plan_was_not_made_for(self):
+        self.environment("other.yaml", [])
+        cases = [
+            ("--arm", "three_segment", "--plan", "p.json", "--environment", "e.yaml"),
+            (*ARM, "--plan", "p.json", "--environment", "other.yaml"),
+            (*ARM, "--plan", "e.yaml", "--environment", "e.yaml"),
+            (*ARM, "--plan", "none.json", "--environment", "e.yaml"),
+        ]
+        for arguments in cases:
+            with self.subTest(arguments=arguments):
+                result = self.run_limber("execute", *arguments, "--out", "run.h5", code=2)
+                self.assertRegex(result.stderr, r"p\.json|e\.yaml|none\.json|other\.yaml")
+                self.assertFalse((self.folder / "run.h5").exists())
+
+    def test_refuses_broken_plans(self):
+        whole = json.loads((self.folder / "p.json").read_text(encoding="utf-8"))
+        frames = whole["frames"]
+
+        def with_pressure(value):
+            broken = json.loads(json.dumps(frames))
+            broken[len(broken) // 2]["setpoint_kpa"][0] = value
+            return {**whole, "frames": broken}
+
+        cases = [
+            ("", "p.json"),
+            ("{", "p.json"),
+            (json.dumps(whole)[:-30], "p.json"),
+            ({**whole, "schema": "limber/plan/99"}, "schema"),
+            ({**whole, "frames": []}, "frames"),
+            (with_pressure("much"), "setpoint_kpa"),
+            (with_pressure(1e9), "setpoint_kpa"),
+            (with_pressure(frames[0]["setpoint_kpa"][0] + 99.0), "p.json"),
+            *(({k: v for k, v in whole.items() if k != key}, key) for key in ("arm", "frames")),
+        ]
+        for content, field in cases:
+            text = content if isinstance(content, str) else json.dumps(content)
+            with self.subTest(field=field, text=text[:60]):
+                self.write("p.json", text)
+                result = self.run_limber(
+                    "execute", *ARM, "--plan", "p.json", "--environment", "e.yaml", code=2
+                )
+                self.assertIn("p.json", result.stderr)
+                self.assertIn(field, result.stderr)
+
+    def test_inspect_knows_every_kind_of_file(self):
+        self.run_limber(
+            "collect", *ARM, "--schedule", "random", "--count", 1, "--out", "r.h5", "--quiet"
+        )
+        for name, kind in (("p.json", "plan"), ("e.yaml", "environment"), ("r.h5", "recording")):
+            with self.subTest(name=name):
+                self.assertIn(kind, self.run_limber("inspect", name).stdout)
+        self.write("x.bin", "\x00\x01")
+        self.assertIn("x.bin", self.run_limber("inspect", "x.bin", code=2).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
