@@ -43,12 +43,18 @@ class TrainVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--hidden", hidden_, "Units of each hidden layer, such as --hidden 100 100 100")
         ->check(CLI::Range(1, 4096));
+    app.add_flag("--resume", resume_,
+                 "Go on from the checkpoint that a stopped run left beside --out");
     app.add_option("--out", out_, "Model to write; the learning curve goes beside it")
         ->capture_default_str();
   }
 
   int run(const CommonFlags& flags) override {
-    refuse_to_overwrite(out_, flags.force);
+    refuse_to_overwrite(out_, flags.force || resume_);
+    if (resume_ && !fs::exists(checkpoint_path())) {
+      throw InputError(fmt::format("--resume: there is no checkpoint {}; leave --resume out",
+                                   checkpoint_path().string()));
+    }
     const ArmDescription arm = load_arm(find_arm_file(arm_));
     const TrainingSettings settings = make_settings(flags);
     std::string sources;
@@ -70,6 +76,9 @@ class TrainVerb final : public Verb {
     }
     write(result);
     report(flags, result);
+    if (result.status == TrainingStatus::interrupted) {
+      say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
+    }
     return result.status == TrainingStatus::finished ? kExitDone : kExitNoSolution;
   }
 
@@ -84,6 +93,8 @@ class TrainVerb final : public Verb {
     if (!hidden_.empty()) {
       settings.hidden_units = hidden_;
     }
+    settings.checkpoint = checkpoint_path();
+    settings.resume = resume_;
     settings.seed = flags.seed;
     settings.jobs = flags.jobs;
     settings.progress = flags.progress();
@@ -110,6 +121,7 @@ class TrainVerb final : public Verb {
     return {std::move(episodes), std::move(recording.episodes)};
   }
 
+  fs::path checkpoint_path() const { return out_ + ".checkpoint"; }
   fs::path curve_path(const char* extension) const {
     return fs::path(out_).replace_extension(extension);
   }
@@ -156,6 +168,7 @@ class TrainVerb final : public Verb {
   std::optional<double> time_limit_s_;
   std::optional<double> learning_rate_;
   std::vector<int> hidden_;
+  bool resume_ = false;
   std::string out_ = "model.safetensors";
 };
 

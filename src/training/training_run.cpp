@@ -5,7 +5,10 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "checkpoint.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
@@ -81,7 +84,8 @@ TrainingRun::TrainingRun(const ArmDescription& arm, const TrainingData& data,
 }
 
 double TrainingRun::elapsed_s() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  return elapsed_before_s_ +
+         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
 double TrainingRun::learning_rate(double epochs) const {
@@ -130,8 +134,8 @@ TrainingRun::EpochLoss TrainingRun::train_epoch(const TrainingStage& stage,
         kNoiseStreams + step_number * static_cast<std::uint64_t>(gradient.chunk_count()),
         gradient_);
     const double mean = loss / static_cast<double>(count);
-    first_loss_ = first_loss_ > 0.0 ? first_loss_ : mean;
-    if (!std::isfinite(mean) || mean > kExplosion * first_loss_) {
+    state_.stage_first_loss = state_.stage_first_loss > 0.0 ? state_.stage_first_loss : mean;
+    if (!std::isfinite(mean) || mean > kExplosion * state_.stage_first_loss) {
       return {mean, true};
     }
     sum += loss;
@@ -141,7 +145,7 @@ TrainingRun::EpochLoss TrainingRun::train_epoch(const TrainingStage& stage,
          learning_rate(state_.epochs_done + progress));
   }
   const double mean = sum / static_cast<double>(starts.size());
-  return {mean, mean > kWorsening * first_loss_};
+  return {mean, mean > kWorsening * state_.stage_first_loss};
 }
 
 CompensationModel TrainingRun::model_of(const Eigen::VectorXf& parameters) const {
@@ -220,7 +224,8 @@ std::string TrainingRun::divergence_message(int epoch, double loss) const {
   return fmt::format(
       "training diverged in epoch {} at learning rate {:.3g}: loss {:.4g}, {:.4g} at the start of "
       "this stage. Try --learning-rate {:.1g}",
-      epoch, learning_rate(epoch - 1), loss, first_loss_, settings_.learning_rate / 10.0);
+      epoch, learning_rate(epoch - 1), loss, state_.stage_first_loss,
+      settings_.learning_rate / 10.0);
 }
 
 TrainingResult TrainingRun::result(TrainingStatus status, std::string message) const {
@@ -251,43 +256,110 @@ TrainingResult TrainingRun::result(TrainingStatus status, std::string message) c
   return result;
 }
 
+std::string TrainingRun::identity() const {
+  const auto bytes = [](const Eigen::MatrixXf& matrix) {
+    return std::string_view(reinterpret_cast<const char*>(matrix.data()),
+                            static_cast<std::size_t>(matrix.size()) * sizeof(float));
+  };
+  std::string text =
+      fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm_.hash(), settings_.preset,
+                  fmt::join(settings_.hidden_units, "-"), static_cast<int>(settings_.layout),
+                  static_cast<int>(settings_.scaling), settings_.error_in_base_poses,
+                  static_cast<int>(settings_.reduction), static_cast<int>(settings_.optimiser),
+                  settings_.learning_rate, settings_.cosine_decay, settings_.gradient_norm_limit,
+                  settings_.average_decay, settings_.input_noise, settings_.seed);
+  text += content_hash(bytes(tables_.frames.pressure)) + content_hash(bytes(tables_.frames.state));
+  for (const Episode& episode : data_.validation) {
+    text += content_hash(bytes(episode.backbone));
+  }
+  return content_hash(text);
+}
+
+void TrainingRun::resume() {
+  Checkpoint checkpoint = read_checkpoint(settings_.checkpoint, identity_);
+  if (checkpoint.state.parameters.size() != layout_.size()) {
+    throw InputError(fmt::format("{}: {} parameters; expected {}", settings_.checkpoint.string(),
+                                 checkpoint.state.parameters.size(), layout_.size()));
+  }
+  settings_.stages = std::move(checkpoint.stages);
+  settings_.time_limit_s = 0.0;
+  state_ = std::move(checkpoint.state);
+  elapsed_before_s_ = state_.curve.empty() ? 0.0 : state_.curve.back().elapsed_s;
+}
+
+void TrainingRun::store(bool now) {
+  if (!settings_.checkpoint.empty() &&
+      (now || elapsed_s() - stored_s_ > settings_.checkpoint_interval_s)) {
+    write_checkpoint(settings_.checkpoint, {identity_, settings_.stages, state_});
+    stored_s_ = elapsed_s();
+  }
+}
+
+std::optional<TrainingResult> TrainingRun::run_stage(const TrainingStage& stage, int last_epoch,
+                                                     Progress& progress) {
+  BatchGradient gradient(tables_, layout_, stage.window_frames, stage.windows_per_batch,
+                         settings_.jobs);
+  const int stop_epoch = settings_.stop_after_epochs > 0 ? settings_.stop_after_epochs : -1;
+  while (state_.epochs_done < last_epoch) {
+    if (interrupt_requested() || state_.epochs_done == stop_epoch) {
+      store(true);
+      return result(TrainingStatus::interrupted, "stopped by the user");
+    }
+    LearningCurvePoint point;
+    point.epoch = state_.epochs_done + 1;
+    point.window_frames = stage.window_frames;
+    point.learning_rate = learning_rate(state_.epochs_done);
+    const EpochLoss loss = train_epoch(stage, gradient);
+    if (loss.diverged) {
+      return result(TrainingStatus::diverged, divergence_message(point.epoch, loss.mean));
+    }
+    ++state_.epochs_done;
+    if (state_.epochs_done == last_epoch) {
+      state_.stage_first_loss = 0.0;
+    }
+    point.loss = loss.mean;
+    point.validation_position_error_cm = std::numeric_limits<double>::quiet_NaN();
+    if (point.epoch % settings_.validation_interval == 0 ||
+        point.epoch == settings_.epoch_count()) {
+      validate(point);
+    }
+    point.elapsed_s = elapsed_s();
+    state_.curve.push_back(point);
+    progress.update(static_cast<std::uint64_t>(point.epoch),
+                    fmt::format("window {}, loss {:.3f}, best validation {:.2f} cm",
+                                point.window_frames, point.loss, kCmPerM * state_.best_error_m));
+    store(false);
+  }
+  return std::nullopt;
+}
+
 TrainingResult TrainingRun::run() {
+  if (!settings_.checkpoint.empty()) {
+    identity_ = identity();
+    if (settings_.resume) {
+      resume();
+    }
+  }
   if (settings_.time_limit_s > 0.0) {
     fit_epochs_to_time_limit();
   }
-  const int total = settings_.epoch_count();
-  Progress progress("train", "epochs", static_cast<std::uint64_t>(total), settings_.progress);
+  Progress progress("train", "epochs", static_cast<std::uint64_t>(settings_.epoch_count()),
+                    settings_.progress);
+  int last_epoch = 0;
   for (const TrainingStage& stage : settings_.stages) {
-    BatchGradient gradient(tables_, layout_, stage.window_frames, stage.windows_per_batch,
-                           settings_.jobs);
-    first_loss_ = 0.0;
-    for (int k = 0; k < stage.epochs; ++k) {
-      if (interrupt_requested()) {
-        return result(TrainingStatus::interrupted, "stopped by the user");
-      }
-      LearningCurvePoint point;
-      point.epoch = state_.epochs_done + 1;
-      point.window_frames = stage.window_frames;
-      point.learning_rate = learning_rate(state_.epochs_done);
-      const EpochLoss loss = train_epoch(stage, gradient);
-      if (loss.diverged) {
-        return result(TrainingStatus::diverged, divergence_message(point.epoch, loss.mean));
-      }
-      ++state_.epochs_done;
-      point.loss = loss.mean;
-      point.validation_position_error_cm = std::numeric_limits<double>::quiet_NaN();
-      if (point.epoch % settings_.validation_interval == 0 || point.epoch == total) {
-        validate(point);
-      }
-      point.elapsed_s = elapsed_s();
-      state_.curve.push_back(point);
-      progress.update(
-          static_cast<std::uint64_t>(point.epoch),
-          fmt::format("window {}, loss {:.3f}, validation {:.2f} cm", point.window_frames,
-                      point.loss, point.validation_position_error_cm));
+    last_epoch += stage.epochs;
+    if (state_.epochs_done >= last_epoch) {
+      continue;
+    }
+    if (std::optional<TrainingResult> ended = run_stage(stage, last_epoch, progress)) {
+      return std::move(*ended);
     }
   }
   progress.finish();
+  if (!settings_.checkpoint.empty()) {
+    std::error_code ignored;  // a checkpoint that stays behind harms nobody
+    std::filesystem::remove(settings_.checkpoint, ignored);
+  }
   return result(TrainingStatus::finished, "");
 }
 

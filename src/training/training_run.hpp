@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct TrainingState {
   OptimiserState optimiser;
   Eigen::VectorXf best;  ///< parameters with the least validation error so far
   double best_error_m = 0.0;
-  int best_epoch = 0;  ///< 0: none yet
+  int best_epoch = 0;             ///< 0: none yet
+  double stage_first_loss = 0.0;  ///< of the first batch of the stage that runs; 0: not begun
   std::vector<LearningCurvePoint> curve;
 };
 
@@ -40,6 +42,12 @@ class TrainingRun {
   };
 
   void fit_epochs_to_time_limit();
+  std::string identity() const;
+  void resume();
+  void store(bool now);
+  /// Trains epochs of one stage up to its last, from where the state is. Empty where it finished.
+  std::optional<TrainingResult> run_stage(const TrainingStage& stage, int last_epoch,
+                                          Progress& progress);
   double seconds_per_epoch(const TrainingStage& stage);
   EpochLoss train_epoch(const TrainingStage& stage, BatchGradient& gradient);
   std::vector<int> shuffled_starts(const TrainingStage& stage) const;
@@ -58,8 +66,10 @@ class TrainingRun {
   ParameterLayout layout_;
   TrainingState state_;
   Eigen::VectorXf gradient_;
-  double first_loss_ = 0.0;  ///< of the first batch of the stage
+  std::string identity_;  ///< of the checkpoint, where one is asked for
   std::chrono::steady_clock::time_point begin_;
+  double elapsed_before_s_ = 0.0;  ///< in the run that this one resumes
+  double stored_s_ = 0.0;          ///< when the last checkpoint was written
 };
 
 }  // namespace limber

@@ -44,7 +44,8 @@ TrainingSettings paper_preset() {
 
 TrainingSettings best_preset() {
   TrainingSettings settings;
-  settings.stages = {{2, 1024, 60}, {8, 256, 40}, {32, 128, 60}};
+  settings.stages = {{2, 1024, 150}, {8, 256, 120}, {32, 128, 180}};
+  settings.validation_interval = 2;
   settings.gradient_norm_limit = 1.0;
   return settings;
 }

@@ -117,6 +117,48 @@ TEST(Train, RefusesEpisodesShorterThanAWindow) {
           "the longest training episode has 30 frames; preset 'best' needs windows of 32")));
 }
 
+TEST(Train, ResumesWithTheBitsOfAnUnbrokenRun) {
+  const ArmDescription arm = three_segment_arm();
+  const TemporaryFolder folder;
+  TrainingSettings settings = small_settings();
+  settings.stages = {{2, 64, 3}, {8, 32, 3}};
+  const TrainingResult unbroken = train(arm, toy_data(arm), settings);
+
+  settings.checkpoint = folder.path() / "model.safetensors.checkpoint";
+  settings.checkpoint_interval_s = 0.0;
+  settings.stop_after_epochs = 4;
+  const TrainingResult first = train(arm, toy_data(arm), settings);
+  ASSERT_EQ(first.status, TrainingStatus::interrupted);
+  ASSERT_EQ(first.curve.size(), 4U);
+  ASSERT_TRUE(std::filesystem::exists(settings.checkpoint));
+  settings.stop_after_epochs = 0;
+  settings.resume = true;
+  const TrainingResult second = train(arm, toy_data(arm), settings);
+  ASSERT_EQ(second.status, TrainingStatus::finished);
+  EXPECT_TRUE(same_weights(second.model, unbroken.model));
+  EXPECT_EQ(second.best_epoch, unbroken.best_epoch);
+  ASSERT_EQ(second.curve.size(), 6U);
+  EXPECT_EQ(second.curve[5].loss, unbroken.curve[5].loss);
+  EXPECT_FALSE(std::filesystem::exists(settings.checkpoint));
+}
+
+TEST(Train, RefusesTheCheckpointOfAnotherRun) {
+  const ArmDescription arm = three_segment_arm();
+  const TemporaryFolder folder;
+  TrainingSettings settings = small_settings();
+  settings.checkpoint = folder.path() / "run.checkpoint";
+  settings.stop_after_epochs = 1;
+  (void)train(arm, toy_data(arm), settings);
+  settings.resume = true;
+  settings.learning_rate *= 2.0;
+  EXPECT_THAT([&] { (void)train(arm, toy_data(arm), settings); },
+              ThrowsMessage<InputError>(HasSubstr(
+                  "run.checkpoint: the checkpoint of a run with other data or settings")));
+  write_file_atomically(settings.checkpoint, read_file(settings.checkpoint).substr(0, 500));
+  EXPECT_THAT([&] { (void)train(arm, toy_data(arm), settings); },
+              ThrowsMessage<InputError>(HasSubstr("run.checkpoint")));
+}
+
 TEST(Train, TimeLimitFixesTheEpochs) {
   const ArmDescription arm = three_segment_arm();
   TrainingSettings settings = small_settings();

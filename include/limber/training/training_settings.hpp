@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -46,7 +47,7 @@ struct TrainingSettings {
   std::vector<TrainingStage> stages;
 
   Optimiser optimiser = Optimiser::adam;
-  double learning_rate = 1.5e-3;
+  double learning_rate = 3e-3;
   bool cosine_decay = true;        ///< towards zero over the whole run, otherwise constant
   double gradient_norm_limit = 0;  ///< longer gradients are shortened to this; 0: never
   double average_decay = 0;        ///< of the exponential moving average of the weights; 0: none
@@ -59,6 +60,13 @@ struct TrainingSettings {
       0;  ///< > 0: the epochs of every stage are scaled to about this, once, at the start
   int validation_interval = 1;  ///< epochs between validations
   Progress::Mode progress = Progress::Mode::quiet;
+
+  /// File that the run is stored in now and then and when it is interrupted, and that is removed
+  /// when it finishes; empty: none.
+  std::filesystem::path checkpoint;
+  double checkpoint_interval_s = 20.0;  ///< between storing, at least
+  int stop_after_epochs = 0;            ///< > 0: stop there as if interrupted
+  bool resume = false;  ///< go on from that file; the result has the bits of an unbroken run
 
   int epoch_count() const;
 };
