@@ -74,7 +74,7 @@ TEST(Evaluate, ErrorsOfADriftFollowTheRestarts) {
   EXPECT_NEAR(errors.open_loop.position_cm.p95, 0.1 * 152, kDriftRounding_cm);
   // Uniform over 160 values 0.1 cm apart.
   EXPECT_NEAR(errors.open_loop.position_cm.std, 0.1 * std::sqrt((160.0 * 160.0 - 1) / 12),
-              kMicrometre_cm);
+              kDriftRounding_cm);
   EXPECT_NEAR(errors.open_loop.orientation_rad.mean, 0.0, 1e-6);
 }
 
