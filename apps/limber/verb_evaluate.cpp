@@ -1,3 +1,5 @@
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/evaluation_plots.hpp"
 #include "verbs.hpp"
@@ -34,6 +36,9 @@ class EvaluateVerb final : public Verb {
     }
     const Recording recording = read_recording(data_);
     require_recording_of(recording, arm, data_);
+    if (network && was_trained_on(network->compensation())) {
+      say(flags, "warning: the model was trained on {}; its errors there say nothing", data_);
+    }
     const ForwardModel* compared = network ? &*network : nullptr;
     const Evaluation evaluation = evaluate(no_load, compared, recording.episodes, flags.jobs);
     if (!plots_.empty()) {
@@ -48,6 +53,13 @@ class EvaluateVerb final : public Verb {
   }
 
  private:
+  /// The record of a model's training names each data file with its hash.
+  bool was_trained_on(const CompensationModel& model) const {
+    const auto found = model.training.find("data");
+    return found != model.training.end() &&
+           found->second.find(content_hash(read_file(data_))) != std::string::npos;
+  }
+
   std::string arm_ = "three_segment";
   std::string model_;
   std::string data_;

@@ -252,7 +252,6 @@ TrainingResult TrainingRun::result(TrainingStatus status, std::string message) c
   record["validation_position_error_cm"] =
       fmt::format("{:.4g}", result.best_validation_position_error_cm);
   record["training_frames"] = std::to_string(tables_.frames.state.cols());
-  record["wall_time_s"] = fmt::format("{:.1f}", result.wall_time_s);
   return result;
 }
 
