@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/hardware/schedule.hpp"
+#include "limber/training/training_settings.hpp"
+
+namespace limber {
+
+/// How much `limber demo` does of everything: the choices that decide its time and its figures.
+struct DemoRecipe {
+  /// Recorded one after another and joined; schedule k is drawn by its own seed.
+  std::vector<ScheduleSettings> training_schedules;
+  ScheduleSettings validation_schedule;
+  ScheduleSettings test_schedule;  ///< one unbroken episode, never trained on
+  TrainingSettings training;
+  std::uint64_t bench_queries = 1'000'000;
+  std::vector<std::string> environments;  ///< names of files in environments/; for the paper's arm
+  int random_environments = 3;            ///< for any other arm, for which none are drawn up
+  int plans_per_environment = 3;          ///< of each model, each by its own seed
+  double planning_time_limit_s = 5.0;
+  /// Clearance asked of every plan, of both models alike: the model's error eats it up.
+  double margin_m = 0.01;
+};
+
+/// Everything, in under six minutes on two cores.
+DemoRecipe full_recipe(const ArmDescription& arm);
+/// The same chain on little data, in under a minute; its figures are worse, and the report says so.
+DemoRecipe quick_recipe(const ArmDescription& arm);
+
+/// Seed of part `index` of a run, so that no two parts share their chance.
+std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index);
+
+}  // namespace limber

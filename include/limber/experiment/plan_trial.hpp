@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/forward/forward_model.hpp"
+#include "limber/hardware/executor.hpp"
+#include "limber/planning/environment.hpp"
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+/// One plan and what became of it on the virtual arm.
+struct PlanTrial {
+  std::string environment;
+  std::string model;  ///< "no_load" or "network"
+  std::uint64_t seed = 0;
+  PlanResult planning;
+  std::optional<ExecutionResult> execution;  ///< none without a plan
+
+  bool solved() const { return planning.status == PlanStatus::solved; }
+};
+
+struct PlanTrialSettings {
+  std::string planner = "default";
+  PlannerLimits limits;
+  double margin_m = 0.0;
+  std::string model_hash;  ///< goes into the plan of a network; docs/formats.md
+};
+
+/// Plans in `environment` with `model`. The result's execution is not set.
+PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
+                     const Environment& environment, const PlanTrialSettings& settings,
+                     std::uint64_t seed);
+
+/// Executes the trial's plan, if it has one, on a fresh virtual arm at rest without sensor faults.
+void execute_trial(const ArmDescription& arm, const Environment& environment, PlanTrial& trial);
+
+/// Means over the trials of one model in one environment, or in all of them.
+struct TrialSummary {
+  int trials = 0;
+  int solved = 0;
+  int collided = 0;
+  double mean_first_solution_s = 0.0;  ///< over solved trials
+  double mean_cost_kpa = 0.0;          ///< over solved trials
+  double mean_distance_m = 0.0;        ///< executed, runs that collided included
+  double mean_orientation_rad = 0.0;   ///< the same
+  double mean_distance_free_m = 0.0;   ///< executed runs without collision only
+};
+/// @param environment, model  empty: any.
+TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
+                       const std::string& model);
+
+/// The keys of `plan --json` and `execute --json`, with environment, model and seed before them.
+nlohmann::ordered_json planning_to_json(const PlanTrial& trial);
+nlohmann::ordered_json execution_to_json(const PlanTrial& trial);
+
+}  // namespace limber

@@ -1,0 +1,125 @@
+// The demo's stages from the bench test to the evaluated model.
+#include <nlohmann/json.hpp>
+
+#include "demo_stages.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/version.hpp"
+#include "limber/experiment/bench_chart.hpp"
+#include "limber/hardware/bench_test.hpp"
+#include "limber/hardware/collection.hpp"
+#include "limber/hardware/virtual_arm.hpp"
+#include "limber/hardware/virtual_arm_factory.hpp"
+
+namespace limber {
+
+namespace {
+
+// Parts of a run that draw by chance, so that none shares another's (derived_seed).
+enum SeedOf : std::uint64_t {
+  kTestSeed = 0,
+  kValidationSeed = 1,
+  kTrainingSeed = 2,
+  kScheduleSeed = 16
+};
+
+constexpr double kInflateS = 3.0;
+constexpr double kDeflateS = 4.0;
+
+Recording record(const DemoResults& results, const ScheduleSettings& schedule, std::uint64_t seed,
+                 const std::filesystem::path& path) {
+  CollectionSettings settings;
+  settings.schedule = schedule;
+  settings.seed = seed;
+  settings.jobs = results.settings->jobs;
+  settings.progress = results.settings->progress;
+  settings.force = true;
+  const DriverFactory factory = virtual_arm_factory(results.arm(), {});
+  return collect(results.arm(), settings, factory, path).recording;
+}
+
+/// The run behind the paper's Fig. 1: the right side of every segment inflated fully, then vented.
+Episode inflate_and_deflate(const ArmDescription& arm) {
+  EpisodeSchedule schedule;
+  schedule.first_kpa = Pressures::Zero(arm.segment_count());
+  Pressures full(arm.segment_count());
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    full[i] = static_cast<float>(arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa);
+  }
+  schedule.motions.push_back({full, kInflateS, true});
+  schedule.motions.push_back({Pressures::Zero(arm.segment_count()), kDeflateS, true});
+  VirtualArm driver(arm);
+  return record_episode(arm, driver, schedule, {});
+}
+
+}  // namespace
+
+void characterise_stage(DemoResults& results) {
+  results.bench_points = bench_test_all(results.settings->arm);
+  results.characterised = characterise(results.settings->arm, results.bench_points);
+  write_file_atomically(results.file("arm.yaml"), arm_to_yaml(results.arm()));
+  write_file_atomically(results.file("characterisation.svg"),
+                        bench_chart(results.characterised, results.bench_points).svg());
+}
+
+void collect_stage(DemoResults& results) {
+  const std::uint64_t seed = results.settings->seed;
+  Recording& training = results.training_recording;
+  std::uint64_t index = kScheduleSeed;
+  for (const ScheduleSettings& schedule : results.recipe.training_schedules) {
+    const std::filesystem::path part = results.file("train_part.h5");
+    Recording recording = record(results, schedule, derived_seed(seed, index++), part);
+    std::filesystem::remove(part);
+    if (training.episodes.empty()) {
+      training = std::move(recording);
+    } else {
+      std::move(recording.episodes.begin(), recording.episodes.end(),
+                std::back_inserter(training.episodes));
+    }
+  }
+  training.seed = seed;
+  write_recording(results.file("train.h5"), training);
+  results.validation = record(results, results.recipe.validation_schedule,
+                              derived_seed(seed, kValidationSeed), results.file("validation.h5"))
+                           .episodes;
+  results.test_recording = record(results, results.recipe.test_schedule,
+                                  derived_seed(seed, kTestSeed), results.file("test.h5"));
+}
+
+void train_stage(DemoResults& results) {
+  TrainingSettings settings = results.recipe.training;
+  settings.seed = derived_seed(results.settings->seed, kTrainingSeed);
+  settings.jobs = results.settings->jobs;
+  settings.progress = results.settings->progress;
+  const TrainingData data{results.training_recording.episodes, results.validation};
+  results.training = train(results.arm(), data, settings);
+  throw_if_interrupted();
+  if (results.training.status == TrainingStatus::diverged) {
+    throw SystemFault("training diverged: " + results.training.message);
+  }
+  write_model(results.file("model.safetensors"), results.training.model);
+  results.model_hash = content_hash(read_file(results.file("model.safetensors")));
+  write_learning_curve_csv(results.file("learning_curve.csv"), results.training.curve);
+  write_file_atomically(results.file("learning_curve.svg"),
+                        learning_curve_svg(results.training.curve));
+  results.no_load.emplace(results.arm());
+  results.network.emplace(results.arm(), results.training.model);
+}
+
+void evaluate_stage(DemoResults& results) {
+  const ForwardModel& no_load = *results.no_load;
+  const ForwardModel* network = &*results.network;
+  const std::vector<Episode>& test = results.test_recording.episodes;
+  results.evaluation = evaluate(no_load, network, test, results.settings->jobs);
+  results.evaluation_plots = plot_evaluation(no_load, network, test, results.settings->jobs);
+  write_evaluation_plots(results.file("plots"), results.evaluation_plots);
+  results.inflate_deflate_svg =
+      plot_inflate_deflate(no_load, network, inflate_and_deflate(results.arm()));
+  write_file_atomically(results.file("plots/inflate_deflate.svg"), results.inflate_deflate_svg);
+  write_file_atomically(results.file("evaluation.json"),
+                        evaluation_to_json(results.evaluation).dump(2) + "\n");
+}
+
+}  // namespace limber

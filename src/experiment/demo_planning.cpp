@@ -1,0 +1,126 @@
+// The demo's stages from the trained model to executed plans.
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <fmt/format.h>
+
+#include "demo_stages.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/data_folder.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/experiment/execution_picture.hpp"
+#include "limber/planning/random_environment.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::uint64_t kEnvironmentSeed = 64;
+constexpr std::uint64_t kPlanSeed = 128;
+constexpr const char* kPaperArm = "three_segment";
+
+/// limber's own environments are drawn up for the paper's arm; another arm gets random ones.
+std::vector<Environment> choose_environments(const DemoResults& results) {
+  std::vector<Environment> environments;
+  if (results.arm().name == kPaperArm) {
+    for (const std::string& name : results.recipe.environments) {
+      environments.push_back(
+          load_environment(data_folder() / "environments" / (name + ".yaml"), results.arm()));
+    }
+    return environments;
+  }
+  return random_environments(results.arm(), *results.network,
+                             derived_seed(results.settings->seed, kEnvironmentSeed),
+                             results.recipe.random_environments);
+}
+
+int thread_count(const DemoResults& results) {
+  return results.settings->jobs > 0 ? results.settings->jobs
+                                    : tbb::this_task_arena::max_concurrency();
+}
+
+/// Every trial of every environment with both models, in the order of DemoResults::trials.
+struct TrialTask {
+  const Environment* environment;
+  const ForwardModel* model;
+  int number;
+};
+
+std::vector<TrialTask> all_tasks(const DemoResults& results) {
+  std::vector<TrialTask> tasks;
+  for (const Environment& environment : results.environments) {
+    for (const ForwardModel* model : {&*results.no_load, &*results.network}) {
+      for (int k = 0; k < results.recipe.plans_per_environment; ++k) {
+        tasks.push_back({&environment, model, k});
+      }
+    }
+  }
+  return tasks;
+}
+
+const Environment& environment_of(const DemoResults& results, const PlanTrial& trial) {
+  for (const Environment& environment : results.environments) {
+    if (environment.name == trial.environment) {
+      return environment;
+    }
+  }
+  throw SystemFault("a trial without environment: " + trial.environment);
+}
+
+}  // namespace
+
+void plan_stage(DemoResults& results) {
+  results.environments = choose_environments(results);
+  for (const Environment& environment : results.environments) {
+    write_file_atomically(results.file("environments/" + environment.name + ".yaml"),
+                          environment_to_yaml(environment));
+  }
+  PlanTrialSettings settings;
+  settings.limits.time_s = results.recipe.planning_time_limit_s;
+  settings.margin_m = results.recipe.margin_m;
+  settings.model_hash = results.model_hash;
+  const std::vector<TrialTask> tasks = all_tasks(results);
+  results.trials.resize(tasks.size());
+  Progress progress("planning", "plans", tasks.size(), results.settings->progress);
+  tbb::task_arena arena(thread_count(results));
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
+      const TrialTask& task = tasks[i];
+      const std::uint64_t seed =
+          derived_seed(results.settings->seed, kPlanSeed + std::uint64_t(task.number));
+      if (!interrupt_requested()) {
+        results.trials[i] =
+            plan_trial(results.arm(), *task.model, *task.environment, settings, seed);
+      }
+      progress.advance();
+    });
+  });
+  progress.finish();
+  throw_if_interrupted();
+  for (const PlanTrial& trial : results.trials) {
+    if (trial.planning.plan) {
+      write_plan(results.file(fmt::format("plans/{}_{}_{}.json", trial.environment, trial.model,
+                                          trial.seed)),
+                 *trial.planning.plan);
+    }
+  }
+}
+
+void execute_stage(DemoResults& results) {
+  tbb::task_arena arena(thread_count(results));
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, results.trials.size(), [&](std::size_t i) {
+      PlanTrial& trial = results.trials[i];
+      execute_trial(results.arm(), environment_of(results, trial), trial);
+    });
+  });
+  throw_if_interrupted();
+  for (const Environment& environment : results.environments) {
+    std::string picture = execution_picture(results.arm(), environment, results.trials);
+    write_file_atomically(results.file("plots/executed_" + environment.name + ".svg"), picture);
+    results.plan_pictures.push_back(std::move(picture));
+  }
+}
+
+}  // namespace limber

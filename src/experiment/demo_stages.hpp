@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/arm/characterisation.hpp"
+#include "limber/data/recording.hpp"
+#include "limber/experiment/demo.hpp"
+#include "limber/experiment/demo_recipe.hpp"
+#include "limber/experiment/plan_trial.hpp"
+#include "limber/experiment/speed_benchmark.hpp"
+#include "limber/experiment/stage_clock.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/training/evaluation.hpp"
+#include "limber/training/evaluation_plots.hpp"
+#include "limber/training/trainer.hpp"
+
+namespace limber {
+
+/// What the stages leave behind for each other and for the report. A stage reads what earlier ones
+/// have set.
+struct DemoResults {
+  const DemoSettings* settings = nullptr;
+  DemoRecipe recipe;
+  StageClock clock;
+
+  BenchData bench_points;
+  CharacterisedArm characterised;
+
+  Recording training_recording;
+  std::vector<Episode> validation;
+  Recording test_recording;
+
+  TrainingResult training;
+  std::optional<ForwardModel> no_load;
+  std::optional<ForwardModel> network;
+  std::string model_hash;
+
+  Evaluation evaluation;
+  EvaluationPlots evaluation_plots;
+  std::string inflate_deflate_svg;  ///< the paper's Fig. 1
+
+  SpeedBenchmark speed;
+
+  std::vector<Environment> environments;
+  std::vector<PlanTrial> trials;           ///< environment by environment, no load before network
+  std::vector<std::string> plan_pictures;  ///< one an environment, as SVG
+
+  const ArmDescription& arm() const { return characterised.arm; }
+  std::filesystem::path file(const std::string& name) const { return settings->folder / name; }
+};
+
+void characterise_stage(DemoResults& results);
+void collect_stage(DemoResults& results);
+void train_stage(DemoResults& results);
+void evaluate_stage(DemoResults& results);
+void bench_stage(DemoResults& results);
+/// Plans with both models in every environment, and executes every plan at once.
+void plan_stage(DemoResults& results);
+void execute_stage(DemoResults& results);
+
+/// The page and the summary of a finished run.
+std::string demo_report(const DemoResults& results);
+nlohmann::ordered_json demo_summary(const DemoResults& results);
+
+}  // namespace limber

@@ -1,0 +1,64 @@
+#include "limber/experiment/plan_trial.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "limber/hardware/virtual_arm.hpp"
+
+namespace limber {
+
+PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
+                     const Environment& environment, const PlanTrialSettings& settings,
+                     std::uint64_t seed) {
+  PlanTrial trial;
+  trial.environment = environment.name;
+  trial.model = model.has_network() ? "network" : "no_load";
+  trial.seed = seed;
+  const PlanningProblem problem{arm, model, environment, settings.margin_m};
+  trial.planning = make_planner(settings.planner)->plan(problem, settings.limits, seed);
+  if (trial.planning.plan) {
+    trial.planning.plan->model_hash = model.has_network() ? settings.model_hash : "";
+  }
+  return trial;
+}
+
+void execute_trial(const ArmDescription& arm, const Environment& environment, PlanTrial& trial) {
+  if (trial.planning.plan) {
+    VirtualArm driver(arm);
+    trial.execution = execute(arm, environment, *trial.planning.plan, driver);
+  }
+}
+
+TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
+                       const std::string& model) {
+  TrialSummary sum;
+  int executed = 0;
+  int executed_free = 0;
+  for (const PlanTrial& trial : trials) {
+    const bool asked_for = (environment.empty() || trial.environment == environment) &&
+                           (model.empty() || trial.model == model);
+    sum.trials += asked_for ? 1 : 0;
+    if (!asked_for || !trial.solved()) {
+      continue;
+    }
+    ++sum.solved;
+    sum.mean_first_solution_s += trial.planning.first_solution->time_s;
+    sum.mean_cost_kpa += trial.planning.plan->cost_kpa;
+    if (trial.execution && trial.execution->status == ExecutionStatus::done) {
+      ++executed;
+      sum.mean_distance_m += trial.execution->goal_error.position_m;
+      sum.mean_orientation_rad += trial.execution->goal_error.orientation_rad;
+      sum.collided += trial.execution->collided ? 1 : 0;
+      executed_free += trial.execution->collided ? 0 : 1;
+      sum.mean_distance_free_m +=
+          trial.execution->collided ? 0.0 : trial.execution->goal_error.position_m;
+    }
+  }
+  sum.mean_first_solution_s /= std::max(1, sum.solved);
+  sum.mean_cost_kpa /= std::max(1, sum.solved);
+  sum.mean_distance_m /= std::max(1, executed);
+  sum.mean_orientation_rad /= std::max(1, executed);
+  sum.mean_distance_free_m /= std::max(1, executed_free);
+  return sum;
+}
+
+}  // namespace limber
