@@ -2,6 +2,9 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <cassert>
+
 #include <fmt/format.h>
 
 #include "demo_stages.hpp"
@@ -10,6 +13,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/experiment/execution_picture.hpp"
+#include "limber/planning/plan_picture.hpp"
 #include "limber/planning/random_environment.hpp"
 
 namespace limber {
@@ -21,18 +25,21 @@ constexpr std::uint64_t kPlanSeed = 128;
 constexpr const char* kPaperArm = "three_segment";
 
 /// limber's own environments are drawn up for the paper's arm; another arm gets random ones.
-std::vector<Environment> choose_environments(const DemoResults& results) {
-  std::vector<Environment> environments;
+std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
+  std::vector<EnvironmentCase> cases;
   if (results.arm().name == kPaperArm) {
-    for (const std::string& name : results.recipe.environments) {
-      environments.push_back(
-          load_environment(data_folder() / "environments" / (name + ".yaml"), results.arm()));
+    for (const std::string& id : results.recipe.environments) {
+      cases.push_back(
+          {id, load_environment(data_folder() / "environments" / (id + ".yaml"), results.arm())});
     }
-    return environments;
+    return cases;
   }
-  return random_environments(results.arm(), *results.network,
-                             derived_seed(results.settings->seed, kEnvironmentSeed),
-                             results.recipe.random_environments);
+  for (int k = 0; k < results.recipe.random_environments; ++k) {
+    const std::uint64_t seed = derived_seed(results.settings->seed, kEnvironmentSeed + std::uint64_t(k));
+    cases.push_back({fmt::format("random_{}", k + 1),
+                     random_environment(results.arm(), *results.network, seed)});
+  }
+  return cases;
 }
 
 int thread_count(const DemoResults& results) {
@@ -42,14 +49,14 @@ int thread_count(const DemoResults& results) {
 
 /// Every trial of every environment with both models, in the order of DemoResults::trials.
 struct TrialTask {
-  const Environment* environment;
+  const EnvironmentCase* environment;
   const ForwardModel* model;
   int number;
 };
 
 std::vector<TrialTask> all_tasks(const DemoResults& results) {
   std::vector<TrialTask> tasks;
-  for (const Environment& environment : results.environments) {
+  for (const EnvironmentCase& environment : results.environments) {
     for (const ForwardModel* model : {&*results.no_load, &*results.network}) {
       for (int k = 0; k < results.recipe.plans_per_environment; ++k) {
         tasks.push_back({&environment, model, k});
@@ -59,22 +66,21 @@ std::vector<TrialTask> all_tasks(const DemoResults& results) {
   return tasks;
 }
 
-const Environment& environment_of(const DemoResults& results, const PlanTrial& trial) {
-  for (const Environment& environment : results.environments) {
-    if (environment.name == trial.environment) {
-      return environment;
-    }
-  }
-  throw SystemFault("a trial without environment: " + trial.environment);
+const EnvironmentCase& environment_of(const DemoResults& results, const PlanTrial& trial) {
+  const auto found = std::find_if(
+      results.environments.begin(), results.environments.end(),
+      [&](const EnvironmentCase& item) { return item.id == trial.environment; });
+  assert(found != results.environments.end());
+  return *found;
 }
 
 }  // namespace
 
 void plan_stage(DemoResults& results) {
   results.environments = choose_environments(results);
-  for (const Environment& environment : results.environments) {
-    write_file_atomically(results.file("environments/" + environment.name + ".yaml"),
-                          environment_to_yaml(environment));
+  for (const EnvironmentCase& item : results.environments) {
+    write_file_atomically(results.file("environments/" + item.id + ".yaml"),
+                          environment_to_yaml(item.environment));
   }
   PlanTrialSettings settings;
   settings.limits.time_s = results.recipe.planning_time_limit_s;
@@ -112,14 +118,22 @@ void execute_stage(DemoResults& results) {
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, results.trials.size(), [&](std::size_t i) {
       PlanTrial& trial = results.trials[i];
-      execute_trial(results.arm(), environment_of(results, trial), trial);
+      execute_trial(results.arm(), environment_of(results, trial).environment, trial);
     });
   });
   throw_if_interrupted();
-  for (const Environment& environment : results.environments) {
-    std::string picture = execution_picture(results.arm(), environment, results.trials);
-    write_file_atomically(results.file("plots/executed_" + environment.name + ".svg"), picture);
-    results.plan_pictures.push_back(std::move(picture));
+  for (const EnvironmentCase& item : results.environments) {
+    const auto add = [&](const std::string& kind, std::string svg, const std::string& caption) {
+      write_file_atomically(results.file(fmt::format("plots/{}_{}.svg", kind, item.id)), svg);
+      results.plan_pictures.push_back({std::move(svg), item.environment.name + ": " + caption});
+    };
+    const PlanTrial* best = cheapest_plan(results.trials, item.id, "network");
+    if (best != nullptr) {
+      add("planned", plan_picture(results.arm(), item.environment, best->planning),
+          "the cheapest plan of the network model, its shapes from faint to full, and the tree");
+    }
+    add("executed", execution_picture(results.arm(), item, results.trials),
+        "where the arm ended, executing plans of the no-load and the network model");
   }
 }
 

@@ -10,6 +10,7 @@
 #include "limber/experiment/demo.hpp"
 #include "limber/experiment/demo_recipe.hpp"
 #include "limber/experiment/plan_trial.hpp"
+#include "limber/experiment/report_page.hpp"
 #include "limber/experiment/speed_benchmark.hpp"
 #include "limber/experiment/stage_clock.hpp"
 #include "limber/forward/forward_model.hpp"
@@ -44,9 +45,9 @@ struct DemoResults {
 
   SpeedBenchmark speed;
 
-  std::vector<Environment> environments;
+  std::vector<EnvironmentCase> environments;
   std::vector<PlanTrial> trials;           ///< environment by environment, no load before network
-  std::vector<std::string> plan_pictures;  ///< one an environment, as SVG
+  std::vector<ReportFigure> plan_pictures;  ///< planned and executed, environment by environment
 
   const ArmDescription& arm() const { return characterised.arm; }
   std::filesystem::path file(const std::string& name) const { return settings->folder / name; }

@@ -7,13 +7,13 @@
 namespace limber {
 
 PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
-                     const Environment& environment, const PlanTrialSettings& settings,
+                     const EnvironmentCase& item, const PlanTrialSettings& settings,
                      std::uint64_t seed) {
   PlanTrial trial;
-  trial.environment = environment.name;
+  trial.environment = item.id;
   trial.model = model.has_network() ? "network" : "no_load";
   trial.seed = seed;
-  const PlanningProblem problem{arm, model, environment, settings.margin_m};
+  const PlanningProblem problem{arm, model, item.environment, settings.margin_m};
   trial.planning = make_planner(settings.planner)->plan(problem, settings.limits, seed);
   if (trial.planning.plan) {
     trial.planning.plan->model_hash = model.has_network() ? settings.model_hash : "";

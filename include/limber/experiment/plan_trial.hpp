@@ -14,9 +14,15 @@
 
 namespace limber {
 
+/// An environment and the short name that files and tables know it by, "03_gap_in_a_wall".
+struct EnvironmentCase {
+  std::string id;
+  Environment environment;
+};
+
 /// One plan and what became of it on the virtual arm.
 struct PlanTrial {
-  std::string environment;
+  std::string environment;  ///< EnvironmentCase::id
   std::string model;  ///< "no_load" or "network"
   std::uint64_t seed = 0;
   PlanResult planning;
@@ -32,9 +38,9 @@ struct PlanTrialSettings {
   std::string model_hash;  ///< goes into the plan of a network; docs/formats.md
 };
 
-/// Plans in `environment` with `model`. The result's execution is not set.
+/// Plans in the environment with `model`. The result's execution is not set.
 PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
-                     const Environment& environment, const PlanTrialSettings& settings,
+                     const EnvironmentCase& item, const PlanTrialSettings& settings,
                      std::uint64_t seed);
 
 /// Executes the trial's plan, if it has one, on a fresh virtual arm at rest without sensor faults.
