@@ -35,7 +35,8 @@ std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
     return cases;
   }
   for (int k = 0; k < results.recipe.random_environments; ++k) {
-    const std::uint64_t seed = derived_seed(results.settings->seed, kEnvironmentSeed + std::uint64_t(k));
+    const std::uint64_t seed =
+        derived_seed(results.settings->seed, kEnvironmentSeed + std::uint64_t(k));
     cases.push_back({fmt::format("random_{}", k + 1),
                      random_environment(results.arm(), *results.network, seed)});
   }
@@ -67,9 +68,9 @@ std::vector<TrialTask> all_tasks(const DemoResults& results) {
 }
 
 const EnvironmentCase& environment_of(const DemoResults& results, const PlanTrial& trial) {
-  const auto found = std::find_if(
-      results.environments.begin(), results.environments.end(),
-      [&](const EnvironmentCase& item) { return item.id == trial.environment; });
+  const auto found =
+      std::find_if(results.environments.begin(), results.environments.end(),
+                   [&](const EnvironmentCase& item) { return item.id == trial.environment; });
   assert(found != results.environments.end());
   return *found;
 }

@@ -46,7 +46,7 @@ struct DemoResults {
   SpeedBenchmark speed;
 
   std::vector<EnvironmentCase> environments;
-  std::vector<PlanTrial> trials;           ///< environment by environment, no load before network
+  std::vector<PlanTrial> trials;            ///< environment by environment, no load before network
   std::vector<ReportFigure> plan_pictures;  ///< planned and executed, environment by environment
 
   const ArmDescription& arm() const { return characterised.arm; }

@@ -13,6 +13,7 @@ constexpr int kNetworkColor = 1;
 ShapeStyle body_style(const std::string& model) {
   ShapeStyle style;
   style.fill = palette_color(model == "network" ? kNetworkColor : kNoLoadColor);
+  style.stroke = "none";
   style.opacity = 0.35;
   return style;
 }
@@ -25,8 +26,7 @@ void draw_center_line(SvgDrawing& drawing, const Backbone& backbone, const PlanT
   ShapeStyle style;
   style.fill = "none";
   style.stroke = palette_color(trial.model == "network" ? kNetworkColor : kNoLoadColor);
-  style.stroke_width_px = 2.0;
-  style.dash = trial.execution->collided ? "6 4" : "";
+  style.dashed = trial.execution->collided;
   drawing.polyline(points, style);
 }
 

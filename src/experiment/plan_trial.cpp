@@ -28,14 +28,23 @@ void execute_trial(const ArmDescription& arm, const Environment& environment, Pl
   }
 }
 
+namespace {
+
+bool is_asked_for(const PlanTrial& trial, const std::string& environment,
+                  const std::string& model) {
+  return (environment.empty() || trial.environment == environment) &&
+         (model.empty() || trial.model == model);
+}
+
+}  // namespace
+
 TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
                        const std::string& model) {
   TrialSummary sum;
   int executed = 0;
   int executed_free = 0;
   for (const PlanTrial& trial : trials) {
-    const bool asked_for = (environment.empty() || trial.environment == environment) &&
-                           (model.empty() || trial.model == model);
+    const bool asked_for = is_asked_for(trial, environment, model);
     sum.trials += asked_for ? 1 : 0;
     if (!asked_for || !trial.solved()) {
       continue;
@@ -59,6 +68,18 @@ TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& 
   sum.mean_orientation_rad /= std::max(1, executed);
   sum.mean_distance_free_m /= std::max(1, executed_free);
   return sum;
+}
+
+const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials, const std::string& environment,
+                               const std::string& model) {
+  const PlanTrial* best = nullptr;
+  for (const PlanTrial& trial : trials) {
+    if (is_asked_for(trial, environment, model) && trial.solved() &&
+        (best == nullptr || trial.planning.plan->cost_kpa < best->planning.plan->cost_kpa)) {
+      best = &trial;
+    }
+  }
+  return best;
 }
 
 }  // namespace limber

@@ -23,7 +23,7 @@ struct EnvironmentCase {
 /// One plan and what became of it on the virtual arm.
 struct PlanTrial {
   std::string environment;  ///< EnvironmentCase::id
-  std::string model;  ///< "no_load" or "network"
+  std::string model;        ///< "no_load" or "network"
   std::uint64_t seed = 0;
   PlanResult planning;
   std::optional<ExecutionResult> execution;  ///< none without a plan
@@ -60,6 +60,10 @@ struct TrialSummary {
 /// @param environment, model  empty: any.
 TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
                        const std::string& model);
+
+/// The cheapest solved trial; null where there is none. @param environment, model  empty: any.
+const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials, const std::string& environment,
+                               const std::string& model);
 
 /// The keys of `plan --json` and `execute --json`, with environment, model and seed before them.
 nlohmann::ordered_json planning_to_json(const PlanTrial& trial);
