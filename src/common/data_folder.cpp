@@ -25,7 +25,7 @@ fs::path data_folder() {
     if (fs::is_directory(candidate / "arms")) {
       return fs::canonical(candidate);
     }
-    tried += " " + candidate.lexically_normal().string();
+    tried += fmt::format(" {}", candidate.lexically_normal().string());
   }
   throw SystemFault(fmt::format(
       "limber's arms/ and environments/ were not found in:{}; set LIMBER_DATA_DIR", tried));
