@@ -122,4 +122,14 @@ void evaluate_stage(DemoResults& results) {
                         evaluation_to_json(results.evaluation).dump(2) + "\n");
 }
 
+void bench_stage(DemoResults& results) {
+  SpeedSettings settings;
+  settings.queries = results.recipe.bench_queries;
+  settings.jobs = results.settings->jobs;
+  settings.progress = results.settings->progress;
+  results.speed = measure_speed(results.arm(), &results.training.model, settings);
+  write_file_atomically(results.file("bench.json"), to_json(results.speed).dump(2) + "\n");
+  write_file_atomically(results.file("plots/bench.svg"), speed_chart(results.speed).svg());
+}
+
 }  // namespace limber

@@ -34,11 +34,17 @@ std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
     }
     return cases;
   }
-  for (int k = 0; k < results.recipe.random_environments; ++k) {
-    const std::uint64_t seed =
-        derived_seed(results.settings->seed, kEnvironmentSeed + std::uint64_t(k));
-    cases.push_back({fmt::format("random_{}", k + 1),
-                     random_environment(results.arm(), *results.network, seed)});
+  for (int k = 1; k <= results.recipe.random_environments; ++k) {
+    std::optional<RandomEnvironment> drawn = random_environment(
+        results.arm(), *results.network, derived_seed(results.settings->seed, kEnvironmentSeed),
+        std::uint64_t(k));
+    if (!drawn) {
+      throw InputError(
+          fmt::format("arm '{}': no random environment was found in which it has to "
+                      "go round an obstacle",
+                      results.arm().name));
+    }
+    cases.push_back({fmt::format("random_{}", k), std::move(drawn->environment)});
   }
   return cases;
 }

@@ -47,8 +47,8 @@ void opening(ReportPage& page, const DemoResults& results) {
                     evaluation.orientation_reduction_percent)},
        {"network plans end off by", cm(network_plans.mean_distance_m),
         fmt::format("no-load plans {}", cm(no_load_plans.mean_distance_m))},
-       {"network queries a second", rate(results.speed.network_single_per_s()),
-        "single, one core; the paper 510"}});
+       {"network queries a second", rate(results.speed.paper_shape.single.queries_per_s),
+        "the paper's shape, one at a time, one core; the paper 510"}});
   if (results.settings->quick) {
     page.remark(
         "A quick run: little data and a short training, so that the chain can be seen in a minute. "
@@ -178,6 +178,24 @@ void planning(ReportPage& page, const DemoResults& results) {
       .figures(results.plan_pictures);
 }
 
+ReportTable speed_table(const SpeedReport& speed) {
+  ReportTable table;
+  table.caption = fmt::format("Forward-model queries a second on {}", speed.cpu);
+  table.header = {"model", "one at a time", "in batches", "batch"};
+  const auto add = [&](const std::string& name, const QueryRate& single, const QueryRate& batch) {
+    table.rows.push_back({name, rate(single.queries_per_s), rate(batch.queries_per_s),
+                          std::to_string(batch.batch_size)});
+  };
+  table.rows.push_back({"paper, no load", rate(kPaperNoLoadQueriesPerS), "–", "–"});
+  add("no load", speed.no_load_single, speed.no_load_batch);
+  table.rows.push_back({"paper, network", rate(kPaperNetworkQueriesPerS), "–", "–"});
+  add("network " + speed.paper_shape.shape, speed.paper_shape.single, speed.paper_shape.batch);
+  for (const NetworkSpeed& model : speed.model) {
+    add("this run's network " + model.shape, model.single, model.batch);
+  }
+  return table;
+}
+
 void times(ReportPage& page, const DemoResults& results) {
   page.heading("Speed")
       .table(speed_table(results.speed))
@@ -274,7 +292,7 @@ nlohmann::ordered_json demo_summary(const DemoResults& results) {
   json["quick"] = results.settings->quick;
   json["training"] = training_to_json(results);
   json["evaluation"] = evaluation_to_json(results.evaluation);
-  json["bench"] = speed_to_json(results.speed);
+  json["bench"] = to_json(results.speed);
   json["comparison"] = comparison_to_json(results.trials);
   json["plans"] = trials_to_json(results.trials, planning_to_json);
   json["executions"] = trials_to_json(results.trials, execution_to_json);

@@ -43,7 +43,7 @@ struct DemoResults {
   EvaluationPlots evaluation_plots;
   std::string inflate_deflate_svg;  ///< the paper's Fig. 1
 
-  SpeedBenchmark speed;
+  SpeedReport speed;
 
   std::vector<EnvironmentCase> environments;
   std::vector<PlanTrial> trials;            ///< environment by environment, no load before network

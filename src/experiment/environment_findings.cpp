@@ -3,15 +3,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include <nlohmann/json.hpp>
 
 #include "limber/common/random_stream.hpp"
 #include "limber/common/units.hpp"
+#include "limber/planning/environment_measures.hpp"
 #include "limber/planning/motion_simulator.hpp"
-#include "limber/planning/passage.hpp"
 
 namespace limber {
 
@@ -34,19 +31,12 @@ bool failed(const PlanTrial& trial) {
 /// Ways through an environment that need no planner.
 class SimpleWays {
  public:
-  SimpleWays(const ArmDescription& arm, const ForwardModel& model, const Environment& environment,
-             double margin_m)
-      : arm_(arm),
-        environment_(environment),
-        start_(start_state(environment, arm)),
-        checker_(arm, environment.obstacles, margin_m),
-        simulator_(arm, model, checker_) {}
-
-  /// True where the straight motion to `end_kpa` stays free.
-  bool straight_is_free(const Pressures& end_kpa) {
-    Backbone end(start_.backbone.rows(), 3);
-    return simulator_.move(start_.pressures_kpa, start_.backbone, end_kpa, end);
-  }
+  explicit SimpleWays(const PlanningProblem& problem)
+      : arm_(problem.arm),
+        environment_(problem.environment),
+        start_(start_state(problem.environment, problem.arm)),
+        checker_(problem.arm, problem.environment.obstacles),
+        simulator_(problem.arm, problem.model, checker_) {}
 
   /// True where the motion along the waypoints stays free and ends, after the hold, in the goal.
   bool solves(const std::vector<Pressures>& waypoints_kpa) {
@@ -113,11 +103,13 @@ std::vector<Pressures> plan_ends(const std::vector<PlanTrial>& trials, const cha
   return ends;
 }
 
-void look_for_simple_ways(EnvironmentFindings& findings, SimpleWays ways, int monotone_motions,
-                          std::uint64_t seed) {
+void look_for_simple_ways(EnvironmentFindings& findings, const PlanningProblem& problem,
+                          int monotone_motions, std::uint64_t seed) {
   const std::vector<Pressures> ends = plan_ends(findings.trials, "network");
-  findings.straight_line_collides = std::none_of(
-      ends.begin(), ends.end(), [&](const Pressures& end) { return ways.straight_is_free(end); });
+  findings.straight_line_collides =
+      std::all_of(ends.begin(), ends.end(),
+                  [&](const Pressures& end) { return straight_line_collides(problem, end); });
+  SimpleWays ways(problem);
   RandomStream random(seed, kMonotoneStream);
   findings.needs_reversal = true;
   for (int k = 0; k < monotone_motions && findings.needs_reversal; ++k) {
@@ -127,16 +119,17 @@ void look_for_simple_ways(EnvironmentFindings& findings, SimpleWays ways, int mo
 
 void measure_passage(EnvironmentFindings& findings, const ArmDescription& arm,
                      const Environment& environment) {
-  findings.passage_m = std::numeric_limits<double>::infinity();
   const PlanTrial* best = cheapest_plan(findings.trials, "", "network");
   if (best != nullptr) {
-    const Passage passage = narrowest_passage(arm, environment, *best->planning.plan);
-    findings.passage_m = passage.width_m;
-    findings.passage_limit_m = kNarrowWidths * passage.arm_width_m + kNarrowExtraM;
+    findings.passage = narrowest_passage(arm, environment, best->planning.plan->frames);
   }
 }
 
 }  // namespace
+
+bool EnvironmentFindings::is_narrow() const {
+  return passage && passage->width_m <= kNarrowWidths * passage->arm_width_m + kNarrowExtraM;
+}
 
 bool EnvironmentFindings::keeps_rules() const {
   return network.solved == network.trials && network_reached > 0 && straight_line_collides;
@@ -160,7 +153,7 @@ EnvironmentFindings find_out(const ArmDescription& arm, const ForwardModel& no_l
     findings.network_reached += trial.model == "network" && proven(trial) ? 1 : 0;
     findings.no_load_failed += trial.model == "no_load" && failed(trial) ? 1 : 0;
   }
-  look_for_simple_ways(findings, SimpleWays(arm, network, item.environment, 0.0),
+  look_for_simple_ways(findings, PlanningProblem{arm, network, item.environment, 0.0},
                        settings.monotone_motions, seed);
   measure_passage(findings, arm, item.environment);
   return findings;

@@ -17,7 +17,7 @@ struct DemoRecipe {
   ScheduleSettings validation_schedule;
   ScheduleSettings test_schedule;  ///< one unbroken episode, never trained on
   TrainingSettings training;
-  std::uint64_t bench_queries = 1'000'000;
+  std::int64_t bench_queries = 1000000;
   std::vector<std::string> environments;  ///< names of files in environments/; for the paper's arm
   int random_environments = 3;            ///< for any other arm, for which none are drawn up
   int plans_per_environment = 3;          ///< of each model, each by its own seed

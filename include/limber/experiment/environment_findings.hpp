@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/experiment/plan_trial.hpp"
+#include "limber/planning/environment_measures.hpp"
 
 namespace limber {
 
@@ -30,10 +31,9 @@ struct EnvironmentFindings {
   int no_load_failed = 0;   ///< no-load plans that collided or ended more than kMissedByM off
   bool straight_line_collides = false;  ///< to the end of every plan found, by the network model
   bool needs_reversal = false;          ///< no motion in which every pressure is monotone was found
-  double passage_m = 0.0;        ///< narrowest the cheapest network plan goes through; +∞: none
-  double passage_limit_m = 0.0;  ///< what counts as narrow there
+  std::optional<Passage> passage;  ///< the narrowest that the cheapest network plan goes through
 
-  bool is_narrow() const { return passage_m <= passage_limit_m; }
+  bool is_narrow() const;
   /// The network model solves every trial and at least one plan is proven on the arm; the straight
   /// line collides.
   bool keeps_rules() const;
