@@ -4,16 +4,17 @@ namespace limber {
 
 std::vector<std::unique_ptr<Verb>> all_verbs() {
   std::vector<std::unique_ptr<Verb>> verbs;
+  verbs.push_back(make_demo_verb());
+  verbs.push_back(make_characterize_verb());
   verbs.push_back(make_collect_verb());
+  verbs.push_back(make_inspect_verb());
   verbs.push_back(make_train_verb());
   verbs.push_back(make_evaluate_verb());
-  verbs.push_back(make_execute_verb());
-  verbs.push_back(make_inspect_verb());
   verbs.push_back(make_bench_verb());
-  verbs.push_back(make_doctor_verb());
-  verbs.push_back(make_characterize_verb());
-  verbs.push_back(make_plan_verb());
   verbs.push_back(make_environment_verb());
+  verbs.push_back(make_plan_verb());
+  verbs.push_back(make_execute_verb());
+  verbs.push_back(make_doctor_verb());
   return verbs;
 }
 

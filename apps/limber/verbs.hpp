@@ -12,6 +12,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs();
 
 std::unique_ptr<Verb> make_bench_verb();
 std::unique_ptr<Verb> make_collect_verb();
+std::unique_ptr<Verb> make_demo_verb();
 std::unique_ptr<Verb> make_doctor_verb();
 std::unique_ptr<Verb> make_evaluate_verb();
 std::unique_ptr<Verb> make_train_verb();

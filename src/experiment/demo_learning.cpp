@@ -30,14 +30,11 @@ constexpr double kDeflateS = 4.0;
 
 Recording record(const DemoResults& results, const ScheduleSettings& schedule, std::uint64_t seed,
                  const std::filesystem::path& path) {
-  CollectionSettings settings;
-  settings.schedule = schedule;
+  CollectionSettings settings = virtual_collection(results.arm(), schedule, {});
   settings.seed = seed;
   settings.jobs = results.settings->jobs;
   settings.progress = results.settings->progress;
-  settings.force = true;
-  const DriverFactory factory = virtual_arm_factory(results.arm(), {});
-  return collect(results.arm(), settings, factory, path).recording;
+  return collect(results.arm(), settings, virtual_arm_factory(results.arm(), {}), path).recording;
 }
 
 /// The run behind the paper's Fig. 1: the right side of every segment inflated fully, then vented.

@@ -73,15 +73,14 @@ std::vector<TrialTask> all_tasks(const DemoResults& results) {
   return tasks;
 }
 
-const EnvironmentCase& environment_of(const DemoResults& results, const PlanTrial& trial) {
-  const auto found =
-      std::find_if(results.environments.begin(), results.environments.end(),
-                   [&](const EnvironmentCase& item) { return item.id == trial.environment; });
-  assert(found != results.environments.end());
-  return *found;
-}
-
 }  // namespace
+
+const Environment& DemoResults::environment(const std::string& id) const {
+  const auto found = std::find_if(environments.begin(), environments.end(),
+                                  [&](const EnvironmentCase& item) { return item.id == id; });
+  assert(found != environments.end());
+  return found->environment;
+}
 
 void plan_stage(DemoResults& results) {
   results.environments = choose_environments(results);
@@ -125,7 +124,7 @@ void execute_stage(DemoResults& results) {
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, results.trials.size(), [&](std::size_t i) {
       PlanTrial& trial = results.trials[i];
-      execute_trial(results.arm(), environment_of(results, trial).environment, trial);
+      execute_trial(results.arm(), results.environment(trial.environment), trial);
     });
   });
   throw_if_interrupted();

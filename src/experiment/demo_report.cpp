@@ -243,15 +243,6 @@ nlohmann::ordered_json training_to_json(const DemoResults& results) {
           {"wall_time_s", training.wall_time_s}};
 }
 
-nlohmann::ordered_json trials_to_json(const std::vector<PlanTrial>& trials,
-                                      nlohmann::ordered_json (*to_json)(const PlanTrial&)) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const PlanTrial& trial : trials) {
-    list.push_back(to_json(trial));
-  }
-  return list;
-}
-
 nlohmann::ordered_json comparison_to_json(const std::vector<PlanTrial>& trials) {
   nlohmann::ordered_json json;
   for (const char* model : {"no_load", "network"}) {
@@ -294,8 +285,15 @@ nlohmann::ordered_json demo_summary(const DemoResults& results) {
   json["evaluation"] = evaluation_to_json(results.evaluation);
   json["bench"] = to_json(results.speed);
   json["comparison"] = comparison_to_json(results.trials);
-  json["plans"] = trials_to_json(results.trials, planning_to_json);
-  json["executions"] = trials_to_json(results.trials, execution_to_json);
+  json["plans"] = nlohmann::ordered_json::array();
+  json["executions"] = nlohmann::ordered_json::array();
+  for (const PlanTrial& trial : results.trials) {
+    const Environment& environment = results.environment(trial.environment);
+    json["plans"].push_back(planning_to_json(trial, environment));
+    if (trial.execution) {
+      json["executions"].push_back(execution_to_json(trial, environment));
+    }
+  }
   json["wall_time_s"] = times_to_json(results.clock);
   return json;
 }

@@ -49,6 +49,7 @@ struct DemoResults {
   std::vector<PlanTrial> trials;            ///< environment by environment, no load before network
   std::vector<ReportFigure> plan_pictures;  ///< planned and executed, environment by environment
 
+  const Environment& environment(const std::string& id) const;
   const ArmDescription& arm() const { return characterised.arm; }
   std::filesystem::path file(const std::string& name) const { return settings->folder / name; }
 };

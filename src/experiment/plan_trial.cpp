@@ -1,8 +1,12 @@
 #include "limber/experiment/plan_trial.hpp"
 
+#include <algorithm>
+
 #include <nlohmann/json.hpp>
 
+#include "limber/hardware/execution_report.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "limber/planning/plan_report.hpp"
 
 namespace limber {
 
@@ -12,6 +16,7 @@ PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
   PlanTrial trial;
   trial.environment = item.id;
   trial.model = model.has_network() ? "network" : "no_load";
+  trial.planner = settings.planner;
   trial.seed = seed;
   const PlanningProblem problem{arm, model, item.environment, settings.margin_m};
   trial.planning = make_planner(settings.planner)->plan(problem, settings.limits, seed);
@@ -80,6 +85,26 @@ const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials, const std::
     }
   }
   return best;
+}
+
+namespace {
+
+nlohmann::ordered_json with_names(const PlanTrial& trial, const nlohmann::ordered_json& object) {
+  nlohmann::ordered_json named = {
+      {"environment", trial.environment}, {"model", trial.model}, {"seed", trial.seed}};
+  named.update(object);
+  return named;
+}
+
+}  // namespace
+
+nlohmann::ordered_json planning_to_json(const PlanTrial& trial, const Environment& environment) {
+  return with_names(trial, plan_result_to_json(trial.planning, environment.goal, trial.planner,
+                                               trial.model, trial.seed));
+}
+
+nlohmann::ordered_json execution_to_json(const PlanTrial& trial, const Environment& environment) {
+  return with_names(trial, execution_to_json(*trial.execution, environment));
 }
 
 }  // namespace limber

@@ -24,6 +24,7 @@ struct EnvironmentCase {
 struct PlanTrial {
   std::string environment;  ///< EnvironmentCase::id
   std::string model;        ///< "no_load" or "network"
+  std::string planner;
   std::uint64_t seed = 0;
   PlanResult planning;
   std::optional<ExecutionResult> execution;  ///< none without a plan
@@ -66,7 +67,8 @@ const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials, const std::
                                const std::string& model);
 
 /// The keys of `plan --json` and `execute --json`, with environment, model and seed before them.
-nlohmann::ordered_json planning_to_json(const PlanTrial& trial);
-nlohmann::ordered_json execution_to_json(const PlanTrial& trial);
+nlohmann::ordered_json planning_to_json(const PlanTrial& trial, const Environment& environment);
+/// @pre the trial has been executed.
+nlohmann::ordered_json execution_to_json(const PlanTrial& trial, const Environment& environment);
 
 }  // namespace limber

@@ -1,0 +1,71 @@
+#include "limber/experiment/demo.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+std::string mean(const nlohmann::ordered_json& errors, const char* unit) {
+  return fmt::format("{:.2f} {}", errors.at("mean").get<double>(), unit);
+}
+
+std::string to_text(const nlohmann::ordered_json& summary, const std::string& folder) {
+  const nlohmann::ordered_json& evaluation = summary.at("evaluation");
+  const nlohmann::ordered_json& plans = summary.at("comparison");
+  return fmt::format(
+      "open-loop tip error: no load {}, network {}: {:.0f} % less\n"
+      "executed plans end off by: no load {:.1f} cm, network {:.1f} cm\n"
+      "report in {}/report.html, figures in {}/summary.json",
+      mean(evaluation.at("no_load").at("open_loop").at("position_error_cm"), "cm"),
+      mean(evaluation.at("network").at("open_loop").at("position_error_cm"), "cm"),
+      evaluation.at("reduction_percent").at("position").get<double>(),
+      plans.at("no_load").at("mean_distance_to_goal_cm").get<double>(),
+      plans.at("network").at("mean_distance_to_goal_cm").get<double>(), folder, folder);
+}
+
+class DemoVerb final : public Verb {
+ public:
+  const char* name() const override { return "demo"; }
+  const char* summary() const override {
+    return "The whole chain on the virtual arm, from bench test to executed plans and a report";
+  }
+  const char* example() const override { return "limber demo --quick --out out"; }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--out", out_,
+                   "Folder for every result; one that limber demo made itself is replaced")
+        ->capture_default_str();
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
+        ->capture_default_str();
+    app.add_flag("--quick", quick_,
+                 "Little data and a short training: under a minute, worse figures");
+  }
+
+  int run(const CommonFlags& flags) override {
+    DemoSettings settings;
+    settings.folder = out_;
+    settings.arm = load_arm(find_arm_file(arm_));
+    settings.quick = quick_;
+    settings.force = flags.force;
+    settings.seed = flags.seed;
+    settings.jobs = flags.jobs;
+    settings.progress = flags.progress();
+    settings.say = [&flags](const std::string& text) { say(flags, "{}", text); };
+    const nlohmann::ordered_json summary = run_demo(settings);
+    print_result(flags, summary, to_text(summary, out_));
+    return kExitDone;
+  }
+
+ private:
+  std::string out_ = "out";
+  std::string arm_ = "three_segment";
+  bool quick_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_demo_verb() {
+  return std::make_unique<DemoVerb>();
+}
+
+}  // namespace limber

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+/// The object of `limber plan --json`; what there is none of is null.
+/// @param planner, model  their names; @param seed  that the planner was given
+nlohmann::ordered_json plan_result_to_json(const PlanResult& result, const PoseGoal& goal,
+                                           const std::string& planner, const std::string& model,
+                                           std::uint64_t seed);
+
+/// The same in a few lines for people.
+std::string plan_result_to_text(const PlanResult& result);
+
+}  // namespace limber
