@@ -175,8 +175,11 @@ nlohmann::ordered_json findings_to_json(const EnvironmentFindings& findings) {
   json["no_load_failed"] = findings.no_load_failed;
   json["straight_line_collides"] = findings.straight_line_collides;
   json["needs_reversal"] = findings.needs_reversal;
-  const bool has_passage = std::isfinite(findings.passage_m);
-  json["passage_cm"] = has_passage ? nlohmann::ordered_json(findings.passage_m * kCmPerM) : nullptr;
+  json["passage_cm"] = nullptr;
+  if (findings.passage) {
+    json["passage_cm"] = findings.passage->width_m * kCmPerM;
+    json["arm_width_there_cm"] = findings.passage->arm_width_m * kCmPerM;
+  }
   json["narrow"] = findings.is_narrow();
   json["keeps_rules"] = findings.keeps_rules();
   return json;
