@@ -132,7 +132,7 @@ bool EnvironmentFindings::is_narrow() const {
 }
 
 bool EnvironmentFindings::keeps_rules() const {
-  return network.solved == network.trials && network_reached > 0 && straight_line_collides;
+  return network.solved == network.trials && straight_line_collides;
 }
 
 EnvironmentFindings find_out(const ArmDescription& arm, const ForwardModel& no_load,

@@ -3,7 +3,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/planning/environment.hpp"
-#include "limber/planning/random_environment.hpp"
+#include "styled_environment.hpp"
 
 namespace limber {
 

@@ -1,24 +1,20 @@
-#include "limber/planning/random_environment.hpp"
+#include "styled_environment.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
-#include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/planning/collision.hpp"
 #include "limber/planning/motion_simulator.hpp"
 #include "limber/planning/planner.hpp"
-#include "plan_builder.hpp"
+#include "planning/plan_builder.hpp"
 #include "random_obstacle.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr int kMotionDraws = 1000;
 constexpr int kObstacleDraws = 300;
 constexpr double kLeastBend =
     0.35;  // of the limit, of every segment at the end of the hidden motion
@@ -29,24 +25,14 @@ constexpr double kWallWidthM = 0.03;
 constexpr double kGoalToleranceM = 0.02;
 constexpr double kGoalToleranceRad = 0.3;
 
-void require_valid(const RandomEnvironmentSettings& s) {
-  if (s.waypoints < 1 || s.waypoints > 4) {
-    throw InputError(fmt::format("waypoints = {}; expected 1 to 4", s.waypoints));
-  }
-  if (!(s.least_clearance_m > 0.0) || !(s.largest_clearance_m > s.least_clearance_m)) {
-    throw InputError(fmt::format("clearances from {} to {} m; expected 0 < least < largest",
-                                 s.least_clearance_m, s.largest_clearance_m));
-  }
-}
-
 /// One draw: a motion, and obstacles about it.
 class Draft {
  public:
-  Draft(const ArmDescription& arm, const ForwardModel& model,
-        const RandomEnvironmentSettings& settings, std::uint64_t seed, std::uint64_t stream)
+  Draft(const ArmDescription& arm, const ForwardModel& model, const StyleSettings& settings,
+        std::uint64_t seed, std::uint64_t stream)
       : arm_(arm), model_(model), settings_(settings), random_(seed, stream) {}
 
-  std::optional<RandomEnvironment> draw() {
+  std::optional<StyledEnvironment> draw() {
     const std::vector<Pressures> waypoints = draw_waypoints();
     hidden_ = simulate(waypoints);
     straight_ = simulate({waypoints.front(), waypoints.back()});
@@ -216,7 +202,7 @@ class Draft {
   }
 
   /// The plan once more, now with obstacles and goal, judged as a planner's would be.
-  std::optional<RandomEnvironment> finish(const std::vector<Pressures>& waypoints) {
+  std::optional<StyledEnvironment> finish(const std::vector<Pressures>& waypoints) {
     const CollisionChecker checker(arm_, environment_.obstacles);
     MotionSimulator simulator(arm_, model_, checker);
     const PlanningProblem problem{arm_, model_, environment_, 0.0};
@@ -224,69 +210,24 @@ class Draft {
     if (!is_solution(problem, checker, plan)) {
       return std::nullopt;
     }
-    return RandomEnvironment{environment_, std::move(plan)};
+    return StyledEnvironment{environment_, std::move(plan)};
   }
 
   const ArmDescription& arm_;
   const ForwardModel& model_;
-  const RandomEnvironmentSettings& settings_;
+  const StyleSettings& settings_;
   RandomStream random_;
   Environment environment_;
   Plan hidden_;
   Plan straight_;
 };
 
-const char* style_name(EnvironmentStyle style) {
-  switch (style) {
-    case EnvironmentStyle::pillars:
-      return "pillars";
-    case EnvironmentStyle::gap_in_a_wall:
-      return "gap in a wall";
-    case EnvironmentStyle::reach_behind:
-      return "reach behind";
-    default:
-      return "clutter";
-  }
-}
-
 }  // namespace
 
-std::optional<RandomEnvironment> draw_environment(const ArmDescription& arm,
-                                                  const ForwardModel& model,
-                                                  const RandomEnvironmentSettings& settings,
-                                                  std::uint64_t seed) {
-  require_valid(settings);
-  for (int k = 0; k < kMotionDraws; ++k) {
-    if (auto drawn = Draft(arm, model, settings, seed, static_cast<std::uint64_t>(k)).draw()) {
-      drawn->environment.name = fmt::format("{}, seed {}", style_name(settings.style), seed);
-      return drawn;
-    }
-  }
-  return std::nullopt;
-}
-
-Environment random_environment(const ArmDescription& arm, const ForwardModel& model,
-                               std::uint64_t seed) {
-  constexpr std::uint64_t kDifficultyStream = 0x656e7600;  // apart from the drafts' streams
-  RandomStream random(seed, kDifficultyStream);
-  RandomEnvironmentSettings settings;
-  settings.style = static_cast<EnvironmentStyle>(random.index(4));
-  settings.waypoints = 2 + static_cast<int>(random.index(2));
-  settings.overshoot = random.uniform() < 0.3;
-  settings.orientation = random.uniform() < 0.3;
-  settings.obstacles = 3 + static_cast<int>(random.index(5));
-  auto drawn = draw_environment(arm, model, settings, seed);
-  if (!drawn) {
-    settings = RandomEnvironmentSettings{EnvironmentStyle::pillars, 2, false, false, 2, 0.01, 0.1};
-    drawn = draw_environment(arm, model, settings, seed);
-  }
-  if (!drawn) {
-    throw InputError(fmt::format(
-        "arm '{}': no random environment found in which it has to go round an obstacle; "
-        "does it bend?",
-        arm.name));
-  }
-  return drawn->environment;
+std::optional<StyledEnvironment> draw_styled(const ArmDescription& arm, const ForwardModel& model,
+                                             const StyleSettings& settings, std::uint64_t seed,
+                                             std::uint64_t number) {
+  return Draft(arm, model, settings, seed, number).draw();
 }
 
 }  // namespace limber

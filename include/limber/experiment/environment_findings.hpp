@@ -34,8 +34,8 @@ struct EnvironmentFindings {
   std::optional<Passage> passage;  ///< the narrowest that the cheapest network plan goes through
 
   bool is_narrow() const;
-  /// The network model solves every trial and at least one plan is proven on the arm; the straight
-  /// line collides.
+  /// The network model solves every trial, and the straight line collides. That the goal can be
+  /// reached on the arm is proven by environments/witnesses/.
   bool keeps_rules() const;
 };
 
