@@ -26,7 +26,7 @@ class ExecuteVerb final : public Verb {
         ->required();
     app.add_option("--driver", driver_, "What moves: virtual")->capture_default_str();
     app.add_option("--hold-s", settings_.hold_s,
-                   "Seconds to hold the last set point after the plan, before judging the goal")
+                   "Seconds that the last set point is held in all before the goal is judged")
         ->capture_default_str();
     app.add_option("--out", out_, "Recording of the run to write");
     app.add_option("--svg", svg_, "Picture of the run to write, beside the prediction");

@@ -127,8 +127,8 @@ void measure_passage(EnvironmentFindings& findings, const ArmDescription& arm,
 
 }  // namespace
 
-bool EnvironmentFindings::is_narrow() const {
-  return passage && passage->width_m <= kNarrowWidths * passage->arm_width_m + kNarrowExtraM;
+bool is_narrow(const Passage& passage) {
+  return passage.width_m <= kNarrowWidths * passage.arm_width_m + kNarrowExtraM;
 }
 
 bool EnvironmentFindings::keeps_rules() const {
@@ -180,7 +180,7 @@ nlohmann::ordered_json findings_to_json(const EnvironmentFindings& findings) {
     json["passage_cm"] = findings.passage->width_m * kCmPerM;
     json["arm_width_there_cm"] = findings.passage->arm_width_m * kCmPerM;
   }
-  json["narrow"] = findings.is_narrow();
+  json["narrow"] = findings.passage && is_narrow(*findings.passage);
   json["keeps_rules"] = findings.keeps_rules();
   return json;
 }

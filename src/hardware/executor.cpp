@@ -58,7 +58,8 @@ class Execution {
         compare_with_prediction(plan_.frames[k].backbone);
         count_motion(plan_.frames[k].setpoint_kpa);
       }
-      for (int k = 0; k < frames_in(settings_.hold_s); ++k) {
+      // A plan's own hold counts: planner and executor judge the goal at the same moment.
+      for (int k = plan_.hold_frame_count; k < frames_in(settings_.hold_s); ++k) {
         command(plan_.frames.back().setpoint_kpa);
       }
     } catch (const SystemFault& fault) {

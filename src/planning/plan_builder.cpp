@@ -1,4 +1,4 @@
-#include "plan_builder.hpp"
+#include "limber/planning/plan_builder.hpp"
 
 #include <algorithm>
 #include <cmath>

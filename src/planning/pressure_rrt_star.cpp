@@ -8,7 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/problem_check.hpp"
-#include "plan_builder.hpp"
+#include "limber/planning/plan_builder.hpp"
 #include "plan_improver.hpp"
 #include "rrt_star_search.hpp"
 

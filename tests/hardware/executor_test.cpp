@@ -91,6 +91,18 @@ TEST_F(Executor, CommandsEveryFrameThenHoldsOneSecond) {
   }
 }
 
+TEST_F(Executor, CountsThePlansOwnHold) {
+  Plan holding = plan();
+  for (int k = 0; k < 15; ++k) {
+    holding.frames.push_back(holding.frames.back());
+  }
+  holding.hold_frame_count = 15;
+  FakeArm driver(arm_, kInstant_s);
+  EXPECT_EQ(execute(arm_, environment_, holding, driver).frames, 16 + 20);
+  FakeArm again(arm_, kInstant_s);
+  EXPECT_EQ(execute(arm_, environment_, holding, again, {0.0}).frames, 16 + 15);
+}
+
 TEST_F(Executor, MeasuresTheGoalAfterTheHold) {
   FakeArm driver(arm_, kInstant_s);
   const ExecutionResult result = execute(arm_, environment_, plan(), driver);

@@ -47,7 +47,7 @@ constexpr EnvironmentStyle kClutter = EnvironmentStyle::clutter;
 const Family kFamilies[] = {
     {"01_pillar",
      "round a pillar",
-     {kPillars, 2, false, false, 1, 0.03, 0.08},
+     {kPillars, 2, false, false, false, 1, 0.03, 0.08},
      15,
      34,
      true,
@@ -56,7 +56,7 @@ const Family kFamilies[] = {
      12.5},
     {"02_two_pillars",
      "between two pillars",
-     {kPillars, 2, false, false, 2, 0.025, 0.06},
+     {kPillars, 2, false, false, false, 2, 0.025, 0.06},
      16,
      40,
      true,
@@ -65,7 +65,7 @@ const Family kFamilies[] = {
      8},
     {"03_gap_in_a_wall",
      "through a gap in a wall",
-     {kGap, 2, false, false, 3, 0.02, 0.035},
+     {kGap, 2, false, true, false, 3, 0.012, 0.03},
      18,
      44,
      true,
@@ -74,7 +74,7 @@ const Family kFamilies[] = {
      12.5},
     {"04_reach_behind",
      "reaching behind",
-     {kBehind, 3, false, true, 3, 0.02, 0.05},
+     {kBehind, 3, false, false, true, 3, 0.02, 0.05},
      20,
      50,
      true,
@@ -83,7 +83,7 @@ const Family kFamilies[] = {
      8},
     {"05_between_pillars",
      "a narrow way between pillars",
-     {kPillars, 3, false, false, 6, 0.015, 0.03},
+     {kPillars, 3, false, true, false, 6, 0.012, 0.03},
      20,
      52,
      true,
@@ -92,7 +92,7 @@ const Family kFamilies[] = {
      12.5},
     {"06_overshoot",
      "overshoot and return",
-     {kPillars, 3, true, false, 4, 0.02, 0.05},
+     {kPillars, 3, true, false, false, 4, 0.02, 0.05},
      25,
      60,
      false,
@@ -101,7 +101,7 @@ const Family kFamilies[] = {
      0},
     {"07_clutter",
      "clutter",
-     {kClutter, 3, false, true, 7, 0.015, 0.03},
+     {kClutter, 3, false, true, true, 7, 0.012, 0.03},
      22,
      60,
      false,
@@ -110,7 +110,7 @@ const Family kFamilies[] = {
      0},
     {"08_overshoot_in_clutter",
      "overshoot and return in clutter",
-     {kClutter, 3, true, true, 6, 0.02, 0.035},
+     {kClutter, 3, true, false, true, 6, 0.02, 0.035},
      28,
      62,
      false,
@@ -155,13 +155,21 @@ bool hidden_plan_works(const Models& models, const StyledEnvironment& drawn) {
   return !run.collided && run.goal_reached;
 }
 
+/// Seen on the motion that the environment was drawn around, before any planning.
+bool is_promising(const Models& models, const Family& family, const StyledEnvironment& drawn) {
+  const std::optional<Passage> passage =
+      narrowest_passage(models.arm, drawn.environment, drawn.hidden_plan.frames);
+  return (!family.narrow || (passage && is_narrow(*passage))) && hidden_plan_works(models, drawn);
+}
+
 /// What holds of few trials as well as of many.
 bool worth_a_closer_look(const Family& family, const EnvironmentFindings& found) {
   return found.keeps_rules() && found.no_load.solved == found.no_load.trials &&
          found.network.mean_distance_m < kNetworkMissM &&
          found.no_load.mean_distance_m * kCmPerM >= family.least_no_load_miss_cm &&
          (!family.no_load_must_fail || 2 * found.no_load_failed > found.no_load.trials) &&
-         (!family.needs_reversal || found.needs_reversal) && (!family.narrow || found.is_narrow());
+         (!family.needs_reversal || found.needs_reversal) &&
+         (!family.narrow || (found.passage && is_narrow(*found.passage)));
 }
 
 bool suits(const Family& family, const EnvironmentFindings& found) {
@@ -183,7 +191,7 @@ std::string row(const std::string& id, const EnvironmentFindings& found) {
       found.passage ? fmt::format("{:.1f}/{:.1f} cm", found.passage->width_m * kCmPerM,
                                   found.passage->arm_width_m * kCmPerM)
                     : "-",
-      found.is_narrow() ? "yes" : "no");
+      (found.passage && is_narrow(*found.passage)) ? "yes" : "no");
 }
 
 /// Waypoints of a motion that was executed: the proof, kept beside the environment, that its goal
@@ -205,7 +213,7 @@ bool find(const Models& models, const Family& family, const std::filesystem::pat
   for (std::uint64_t number = 0; number < kMostDraws; ++number) {
     auto drawn = draw_styled(models.arm, models.network, family.style, kSeed, number);
     drawn_count += drawn ? 1 : 0;
-    if (!drawn || !hidden_plan_works(models, *drawn)) {
+    if (!drawn || !is_promising(models, family, *drawn)) {
       continue;
     }
     drawn->environment.name = family.name;

@@ -81,9 +81,8 @@ Obstacle draw_obstacle_at(EnvironmentStyle style, const PlacedPlate& plate, Rand
 }
 
 Obstacle draw_obstacle_beside(EnvironmentStyle style, const PlacedPlate& plate, double clearance_m,
-                              RandomStream& random) {
+                              double side, RandomStream& random) {
   const double size = draw_size(random);
-  const double side = random.uniform() < 0.5 ? -1.0 : 1.0;
   const double distance = side * (plate.radius_m + clearance_m + size);
   return draw_shape(style, plate.x_m - distance * std::sin(plate.theta_rad),
                     plate.y_m + distance * std::cos(plate.theta_rad), size, random);

@@ -18,9 +18,10 @@ struct PlacedPlate {
 /// An obstacle of the style's kinds, centred on the plate give or take a few centimetres.
 Obstacle draw_obstacle_at(EnvironmentStyle style, const PlacedPlate& plate, RandomStream& random);
 
-/// One to the left or right of the plate, about `clearance_m` from the arm's side.
+/// One to the left (side 1) or right (side −1) of the plate, about `clearance_m` from the arm's
+/// side.
 Obstacle draw_obstacle_beside(EnvironmentStyle style, const PlacedPlate& plate, double clearance_m,
-                              RandomStream& random);
+                              double side, RandomStream& random);
 
 /// The middle line of a wall: through a point, along `angle_rad`; places on it are counted from the
 /// point.

@@ -5,10 +5,11 @@
 #include <limits>
 
 #include "limber/common/random_stream.hpp"
+#include "limber/experiment/environment_findings.hpp"
 #include "limber/planning/collision.hpp"
 #include "limber/planning/motion_simulator.hpp"
+#include "limber/planning/plan_builder.hpp"
 #include "limber/planning/planner.hpp"
-#include "planning/plan_builder.hpp"
 #include "random_obstacle.hpp"
 
 namespace limber {
@@ -41,6 +42,9 @@ class Draft {
     }
     set_goal();
     if (settings_.style == EnvironmentStyle::gap_in_a_wall && !place_wall()) {
+      return std::nullopt;
+    }
+    if (settings_.narrow && settings_.style != EnvironmentStyle::gap_in_a_wall && !place_gate()) {
       return std::nullopt;
     }
     if (!block_straight_line()) {
@@ -130,12 +134,12 @@ class Draft {
     return true;
   }
 
-  /// A plate of the outer two thirds of the arm at some frame of a motion.
+  /// A plate of the arm, not the first two, at some frame of a motion.
   PlacedPlate draw_plate(const Plan& motion) {
     const PlanFrame& frame =
         motion.frames[random_.index(static_cast<std::uint32_t>(motion.frames.size()))];
     const auto points = static_cast<std::uint32_t>(frame.backbone.rows());
-    const auto plate = static_cast<Eigen::Index>(points / 3 + random_.index(points - points / 3));
+    const auto plate = static_cast<Eigen::Index>(2 + random_.index(points - 2));
     const int gap = std::min(static_cast<int>(plate), arm_.point_count() - 2);
     const Segment& segment = arm_.segments[static_cast<std::size_t>(arm_.segment_of_gap(gap))];
     return {frame.backbone(plate, 0), frame.backbone(plate, 1), frame.backbone(plate, 2),
@@ -168,9 +172,33 @@ class Draft {
          ++k) {
       const double clearance =
           random_.uniform(settings_.least_clearance_m, settings_.largest_clearance_m);
-      accept(draw_obstacle_beside(settings_.style, draw_plate(hidden_), clearance, random_),
+      accept(draw_obstacle_beside(settings_.style, draw_plate(hidden_), clearance,
+                                  random_.uniform() < 0.5 ? -1.0 : 1.0, random_),
              settings_.largest_clearance_m);
     }
+  }
+
+  /// The widest that counts as narrow at a plate.
+  static double narrow_m(const PlacedPlate& plate) {
+    return kNarrowWidths * 2.0 * plate.radius_m + kNarrowExtraM;
+  }
+
+  /// Two obstacles, one on either side of a plate at some moment, a narrow passage apart.
+  bool place_gate() {
+    constexpr double kAny = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < kObstacleDraws; ++k) {
+      const PlacedPlate plate = draw_plate(hidden_);
+      const double room = 0.5 * narrow_m(plate) - plate.radius_m;
+      const double left = room * random_.uniform(0.6, 0.95);
+      if (accept(draw_obstacle_beside(settings_.style, plate, left, 1.0, random_), kAny)) {
+        const double right = room * random_.uniform(0.6, 0.95);
+        if (accept(draw_obstacle_beside(settings_.style, plate, right, -1.0, random_), kAny)) {
+          return true;
+        }
+        environment_.obstacles.pop_back();
+      }
+    }
+    return false;
   }
 
   /// A wall across the way, its gap as wide as the hidden motion needs and the clearance.
@@ -185,7 +213,8 @@ class Draft {
       }
       const double room =
           random_.uniform(settings_.least_clearance_m, settings_.largest_clearance_m);
-      if (!(high - low < kGapLargestM)) {
+      const double largest_m = settings_.narrow ? narrow_m(plate) : kGapLargestM;
+      if (!(high - low + 2.0 * room < largest_m)) {
         continue;
       }
       const Obstacle left = wall_piece(line, high + room, high + room + kWallLengthM, kWallWidthM);

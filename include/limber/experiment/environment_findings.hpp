@@ -16,6 +16,9 @@ inline constexpr double kMissedByM = 0.08;    ///< a no-load plan that ends fart
 inline constexpr double kNarrowWidths = 1.5;  ///< narrow: at most this × the arm's local width …
 inline constexpr double kNarrowExtraM = 0.02;  ///< … + this
 
+/// Whether a passage counts as narrow for the arm's local width.
+bool is_narrow(const Passage& passage);
+
 struct FindingsSettings {
   int trials = 3;  ///< plans of each model, ≥ 1
   PlanTrialSettings planning;
@@ -33,7 +36,6 @@ struct EnvironmentFindings {
   bool needs_reversal = false;          ///< no motion in which every pressure is monotone was found
   std::optional<Passage> passage;  ///< the narrowest that the cheapest network plan goes through
 
-  bool is_narrow() const;
   /// The network model solves every trial, and the straight line collides. That the goal can be
   /// reached on the arm is proven by environments/witnesses/.
   bool keeps_rules() const;

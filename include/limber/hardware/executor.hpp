@@ -25,8 +25,8 @@ enum class ExecutionStatus {
 const char* to_string(ExecutionStatus status);
 
 struct ExecutionSettings {
-  /// The last set point is commanded this much longer after the plan's last frame (which may be a
-  /// hold already); then the goal is judged. [s], ≥ 0.
+  /// The last set point is held this long in all, the plan's own hold counted (and never cut); then
+  /// the goal is judged. [s], ≥ 0.
   double hold_s = 1.0;
 };
 
