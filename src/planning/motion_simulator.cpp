@@ -111,13 +111,14 @@ void MotionSimulator::append_hold(int count, std::vector<PlanFrame>& frames) {
 }
 
 void MotionBatch::run(MotionSimulator& simulator, const Eigen::Ref<const Eigen::MatrixXf>& from_kpa,
-                      const Eigen::Ref<const Eigen::MatrixXf>& from, const PressuresRef& to_kpa) {
+                      const Eigen::Ref<const Eigen::MatrixXf>& from,
+                      const Eigen::Ref<const Eigen::MatrixXf>& to_kpa) {
   const int motions = static_cast<int>(from_kpa.cols());
   point_count_ = static_cast<int>(from.rows()) / 3;
   frame_counts_.resize(static_cast<std::size_t>(motions));
   for (int j = 0; j < motions; ++j) {
-    frame_counts_[static_cast<std::size_t>(j)] =
-        motion_frame_count(from_kpa.col(j), to_kpa, simulator.arm().pressure_step_limit_kpa());
+    frame_counts_[static_cast<std::size_t>(j)] = motion_frame_count(
+        from_kpa.col(j), to_kpa.col(j), simulator.arm().pressure_step_limit_kpa());
   }
   std::vector<int> order(static_cast<std::size_t>(motions));
   std::iota(order.begin(), order.end(), 0);
@@ -144,7 +145,7 @@ void MotionBatch::run(MotionSimulator& simulator, const Eigen::Ref<const Eigen::
     }
     for (int c = 0; c < moving; ++c) {
       const int j = order[static_cast<std::size_t>(c)];
-      motion_setpoint(from_kpa.col(j), to_kpa, k, frame_count(j), current_kpa_.col(c));
+      motion_setpoint(from_kpa.col(j), to_kpa.col(j), k, frame_count(j), current_kpa_.col(c));
     }
     const auto index = static_cast<std::size_t>(k);
     simulator.model().step_batch(previous_kpa_.leftCols(moving), current_kpa_.leftCols(moving),

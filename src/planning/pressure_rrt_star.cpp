@@ -27,6 +27,8 @@ void require_valid(const PressureRrtStarSettings& s) {
   require_between("step_size", s.step_size, 1e-3, 10.0);
   require_between("near_factor", s.near_factor, 1.0, 100.0);
   require_between("goal_bias", s.goal_bias, 0.0, 1.0);
+  require_between("goal_shots", s.goal_shots, 0.0, 1.0);
+  require_between("goal_bias + goal_shots", s.goal_bias + s.goal_shots, 0.0, 1.0);
   require_between("goal_spread", s.goal_spread, 0.0, 10.0);
   require_between("goal_configurations", s.goal_configurations, 1, 1e6);
   require_between("match_position_m", s.match_position_m, 0.0, 1.0);
@@ -186,6 +188,14 @@ std::unique_ptr<Planner> make_pressure_rrt_star(ParentRule rule,
                                                 const PressureRrtStarSettings& settings) {
   return std::make_unique<PressureRrtStar>(rule == ParentRule::lazy ? "paper" : "paper-steer-all",
                                            rule, settings, 0);
+}
+
+PressureRrtStarSettings default_planner_settings() {
+  PressureRrtStarSettings settings;
+  settings.goal_bias = 0.1;
+  settings.goal_shots = 0.1;
+  settings.rewire = false;
+  return settings;
 }
 
 std::unique_ptr<Planner> make_improving_planner(const PressureRrtStarSettings& settings,

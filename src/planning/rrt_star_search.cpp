@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
+#include <Eigen/Cholesky>
+
 #include "limber/arm/inverse_kinematics.hpp"
+#include "limber/arm/jacobian.hpp"
 
 namespace limber {
 
@@ -15,6 +19,10 @@ constexpr float kSamePoint = 1e-4F;         // of the limit: a sample this close
 constexpr double kImprovementKpa = 1e-6;    // rounding of a sum of pressures
 constexpr double kNewtonToleranceM = 1e-3;  // of an inverse-kinematics solution
 constexpr double kNewtonToleranceRad = 0.01;
+
+constexpr int kShotChoices = 8;        // nodes of which the nearest to the goal is shot from
+constexpr double kShotDamping = 1e-3;  // of the step's normal matrix, of its trace
+constexpr double kShotSpread = 0.01;   // standard deviation, of the limit
 
 /// Least gain γ of the near radius γ (ln N / N)^(1/n) for which RRT* is asymptotically optimal on a
 /// cube of side 2: 2 (1 + 1/n)^(1/n) (volume / volume of the unit ball)^(1/n) (Karaman and
@@ -92,7 +100,11 @@ Eigen::VectorXf RrtStarSearch::scaled(const PressuresRef& pressures_kpa) const {
 
 Pressures RrtStarSearch::sample() {
   Pressures q(limit_kpa_.size());
-  if (random_.uniform() < settings_.goal_bias) {
+  const double kind = random_.uniform();
+  if (kind >= 1.0 - settings_.goal_shots) {
+    return goal_shot();
+  }
+  if (kind < settings_.goal_bias) {
     q = goal_sampler_.sample(random_);
     for (int i = 0; i < q.size(); ++i) {
       q[i] += static_cast<float>(random_.normal() * settings_.goal_spread) * limit_kpa_[i];
@@ -103,6 +115,49 @@ Pressures RrtStarSearch::sample() {
     q[i] = static_cast<float>(random_.uniform(-1.0, 1.0)) * limit_kpa_[i];
   }
   return q;
+}
+
+/// From a node with its tip near the goal, the Newton step of the no-load model that would take its
+/// own tip, where the forward model has it, into the goal: J⁺ of the remaining error.
+Pressures RrtStarSearch::goal_shot() {
+  const PoseGoal& goal = problem_.environment.goal;
+  const auto error_at = [&](int i) {
+    return goal_error(goal, pose_error(goal, tip_pose(tree_.backbone(i))));
+  };
+  int node = nearest_node_;
+  if (random_.uniform() < 0.5) {
+    node = static_cast<int>(random_.index(static_cast<std::uint32_t>(tree_.size())));
+    for (int k = 1; k < kShotChoices; ++k) {
+      const int other = static_cast<int>(random_.index(static_cast<std::uint32_t>(tree_.size())));
+      node = error_at(other) < error_at(node) ? other : node;
+    }
+  }
+  const NoLoadModel& model = problem_.model.no_load();
+  const auto from = tree_.pressures_kpa(node);
+  SegmentVector curvatures(from.size());
+  for (int i = 0; i < from.size(); ++i) {
+    curvatures[i] = model.segment_shape(i, double(from[i])).curvature_per_m;
+  }
+  PlanarJacobian jacobian;
+  Pose no_load_tip;
+  tip_jacobian(model, curvatures, jacobian, no_load_tip);
+  const Pose tip = tip_pose(tree_.backbone(node));
+  const double arm_length = problem_.arm.length_m();  // weighs a turn against a way
+  Eigen::Vector3d error(goal.x_m - tip.x_m, goal.y_m - tip.y_m, 0.0);
+  if (goal.theta_rad) {
+    error.z() =
+        arm_length * std::remainder(*goal.theta_rad - tip.theta_rad, 2.0 * std::numbers::pi);
+  }
+  jacobian.row(2) *= goal.theta_rad ? arm_length : 0.0;
+  Eigen::Matrix3d normal = jacobian * jacobian.transpose();
+  normal.diagonal().array() += kShotDamping * normal.trace();
+  curvatures += jacobian.transpose() * normal.ldlt().solve(error);
+  Pressures q(from.size());
+  for (int i = 0; i < q.size(); ++i) {
+    q[i] = static_cast<float>(model.pressure_for_curvature(i, curvatures[i]).pressure_kpa) +
+           static_cast<float>(random_.normal() * kShotSpread) * limit_kpa_[i];
+  }
+  return q.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
 }
 
 bool RrtStarSearch::steer(const Pressures& sample, int nearest) {
@@ -138,7 +193,8 @@ void RrtStarSearch::simulate_all_candidates() {
     batch_backbones_.col(c) =
         Eigen::Map<const Eigen::VectorXf>(tree_.backbone(node).data(), batch_backbones_.rows());
   }
-  batch_.run(simulator_, batch_kpa_, batch_backbones_, new_kpa_);
+  batch_to_kpa_ = new_kpa_.replicate(1, count);
+  batch_.run(simulator_, batch_kpa_, batch_backbones_, batch_to_kpa_);
 }
 
 bool RrtStarSearch::edge_is_free(const Candidate& candidate) {
@@ -183,8 +239,8 @@ bool RrtStarSearch::matches(const BackboneRef& a, const BackboneRef& b) const {
              .all();
 }
 
-/// Simulates everything below changed_[0] anew, appending to changed_. False where something
-/// collides or the time is up; then nothing has changed in the tree.
+/// Simulates all below changed_[0] anew, into changed_. False, the tree untouched, where it
+/// collides.
 bool RrtStarSearch::simulate_below(const PlannerBudget& budget) {
   Backbone end(problem_.arm.point_count(), 3);
   for (std::size_t k = 0; k < changed_.size(); ++k) {
@@ -213,37 +269,65 @@ bool RrtStarSearch::simulate_below(const PlannerBudget& budget) {
   return true;
 }
 
+void RrtStarSearch::simulate_rewirings(int from) {
+  const auto count = static_cast<Eigen::Index>(rewirings_.size());
+  batch_kpa_ = tree_.pressures_kpa(from).replicate(1, count);
+  batch_backbones_ =
+      Eigen::Map<const Eigen::VectorXf>(tree_.backbone(from).data(), 3 * problem_.arm.point_count())
+          .replicate(1, count);
+  batch_to_kpa_.resize(limit_kpa_.size(), count);
+  for (Eigen::Index c = 0; c < count; ++c) {
+    batch_to_kpa_.col(c) = tree_.pressures_kpa(rewirings_[static_cast<std::size_t>(c)]);
+  }
+  batch_.run(simulator_, batch_kpa_, batch_backbones_, batch_to_kpa_);
+}
+
 void RrtStarSearch::rewire(int from, const PlannerBudget& budget) {
-  Backbone end(problem_.arm.point_count(), 3);
-  for (const int node : near_) {
-    const double cost = tree_.cost_kpa(from) +
-                        motion_cost_kpa(tree_.pressures_kpa(from), tree_.pressures_kpa(node));
-    if (cost >= tree_.cost_kpa(node) - kImprovementKpa) {
-      continue;
+  const auto cost_through = [&](int node) {
+    return tree_.cost_kpa(from) +
+           motion_cost_kpa(tree_.pressures_kpa(from), tree_.pressures_kpa(node));
+  };
+  const auto is_cheaper = [&](int node) {
+    return cost_through(node) < tree_.cost_kpa(node) - kImprovementKpa;
+  };
+  rewirings_.clear();
+  std::copy_if(near_.begin(), near_.end(), std::back_inserter(rewirings_), is_cheaper);
+  if (rewirings_.empty() || budget.out_of_time()) {
+    return;
+  }
+  simulate_rewirings(from);
+  for (std::size_t c = 0; c < rewirings_.size(); ++c) {
+    const int node = rewirings_[c];
+    if (!is_cheaper(node)) {
+      continue;  // an earlier rewiring has made it so
     }
     ++statistics_.rewires_tried;
-    if (!simulator_.move(tree_.pressures_kpa(from), tree_.backbone(from), tree_.pressures_kpa(node),
-                         end) ||
-        !matches(end, tree_.backbone(node))) {
+    const auto motion = static_cast<int>(c);
+    const auto end = batch_.frame(motion, batch_.frame_count(motion));
+    if (!matches(end, tree_.backbone(node)) || !batch_.is_free(motion, simulator_.checker())) {
       continue;
     }
     changed_.clear();
     const bool as_before = end == tree_.backbone(node);
-    changed_.push_back({node, cost, as_before ? std::nullopt : std::optional<Backbone>(end)});
-    if (!simulate_below(budget)) {
-      continue;
+    changed_.push_back(
+        {node, cost_through(node), as_before ? std::nullopt : std::optional<Backbone>(end)});
+    if (simulate_below(budget)) {
+      accept_rewiring(node, from);
     }
-    ++statistics_.rewires_accepted;
-    tree_.set_parent(node, from);
-    for (const Changed& change : changed_) {
-      tree_.set_cost_kpa(change.node, change.cost_kpa);
-      if (change.backbone) {
-        tree_.set_backbone(change.node, *change.backbone);
-      }
+  }
+}
+
+void RrtStarSearch::accept_rewiring(int node, int from) {
+  ++statistics_.rewires_accepted;
+  tree_.set_parent(node, from);
+  for (const Changed& change : changed_) {
+    tree_.set_cost_kpa(change.node, change.cost_kpa);
+    if (change.backbone) {
+      tree_.set_backbone(change.node, *change.backbone);
     }
-    for (const Changed& change : changed_) {
-      change.backbone ? judge(change.node) : consider_best(change.node);
-    }
+  }
+  for (const Changed& change : changed_) {
+    change.backbone ? judge(change.node) : consider_best(change.node);
   }
 }
 
@@ -294,7 +378,9 @@ void RrtStarSearch::iterate(const PlannerBudget& budget) {
   const int node = connect();
   if (node >= 0) {
     judge(node);
-    rewire(node, budget);
+    if (settings_.rewire) {
+      rewire(node, budget);
+    }
   }
 }
 

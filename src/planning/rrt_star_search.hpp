@@ -63,6 +63,7 @@ class RrtStarSearch {
 
   Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const;
   Pressures sample();
+  Pressures goal_shot();
   /// False where the sample falls on a node.
   bool steer(const Pressures& sample, int nearest);
   void find_near(int nearest);
@@ -70,7 +71,10 @@ class RrtStarSearch {
   int connect();
   bool edge_is_free(const Candidate& candidate);
   void simulate_all_candidates();
+  /// Simulates from `from` to all of rewirings_ at once.
+  void simulate_rewirings(int from);
   void rewire(int from, const PlannerBudget& budget);
+  void accept_rewiring(int node, int from);
   bool simulate_below(const PlannerBudget& budget);
   bool matches(const BackboneRef& a, const BackboneRef& b) const;
   void judge(int node);
@@ -100,9 +104,11 @@ class RrtStarSearch {
   Backbone new_backbone_;
   std::vector<int> near_;
   std::vector<Candidate> candidates_;
+  std::vector<int> rewirings_;  // nodes that would be cheaper through the new one
   std::vector<Changed> changed_;
   MotionBatch batch_;
   Eigen::MatrixXf batch_kpa_;
+  Eigen::MatrixXf batch_to_kpa_;
   Eigen::MatrixXf batch_backbones_;
 };
 

@@ -83,14 +83,16 @@ class MotionSimulator {
   Backbone current_;
 };
 
-/// The straight motions from many states to one configuration, simulated side by side without
-/// looking at obstacles, with every frame kept. Threads: as MotionSimulator.
+/// Straight motions simulated side by side without looking at obstacles, with every frame kept.
+/// Threads: as MotionSimulator.
 class MotionBatch {
  public:
   /// @param from_kpa   n×k, states' pressures, one a column
   /// @param from       3m×k, their backbones in row order
+  /// @param to_kpa     n×k, where each goes
   void run(MotionSimulator& simulator, const Eigen::Ref<const Eigen::MatrixXf>& from_kpa,
-           const Eigen::Ref<const Eigen::MatrixXf>& from, const PressuresRef& to_kpa);
+           const Eigen::Ref<const Eigen::MatrixXf>& from,
+           const Eigen::Ref<const Eigen::MatrixXf>& to_kpa);
 
   int frame_count(int motion) const { return frame_counts_[static_cast<std::size_t>(motion)]; }
   /// Backbone of `motion` after frame k, 1 ≤ k ≤ frame_count.
