@@ -56,8 +56,8 @@ struct TrainingSettings {
 
   std::uint64_t seed = 1;
   int jobs = 0;  ///< threads, 0: one a core; never changes a result
-  double time_limit_s =
-      0;  ///< > 0: the epochs of every stage are scaled to about this, once, at the start
+  /// > 0: the epochs of every stage are scaled to about this, once, at the start.
+  double time_limit_s = 0;
   int validation_interval = 1;  ///< epochs between validations
   Progress::Mode progress = Progress::Mode::quiet;
 
