@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::uint64_t kEnvironmentSeed = 64;
 constexpr std::uint64_t kPlanSeed = 128;
+constexpr std::size_t kDrawnEdges = 3000;  // of the tree; more would weigh the page down
 constexpr const char* kPaperArm = "three_segment";
 
 /// limber's own environments are drawn up for the paper's arm; another arm gets random ones.
@@ -135,7 +136,9 @@ void execute_stage(DemoResults& results) {
     };
     const PlanTrial* best = cheapest_plan(results.trials, item.id, "network");
     if (best != nullptr) {
-      add("planned", plan_picture(results.arm(), item.environment, best->planning),
+      PlanResult drawn = best->planning;
+      drawn.tree.resize(std::min(drawn.tree.size(), kDrawnEdges));
+      add("planned", plan_picture(results.arm(), item.environment, drawn),
           "the cheapest plan of the network model, its shapes from faint to full, and the tree");
     }
     add("executed", execution_picture(results.arm(), item, results.trials),

@@ -155,11 +155,21 @@ bool hidden_plan_works(const Models& models, const StyledEnvironment& drawn) {
   return !run.collided && run.goal_reached;
 }
 
+/// How far the no-load model's tip is from the goal at the pressures that lead there: about what
+/// its plans miss by.
+double no_load_miss_m(const Models& models, const StyledEnvironment& drawn) {
+  Backbone backbone(models.arm.point_count(), 3);
+  models.no_load.no_load().backbone(drawn.hidden_plan.frames.back().setpoint_kpa, backbone);
+  return pose_error(drawn.environment.goal, tip_pose(backbone)).position_m;
+}
+
 /// Seen on the motion that the environment was drawn around, before any planning.
 bool is_promising(const Models& models, const Family& family, const StyledEnvironment& drawn) {
   const std::optional<Passage> passage =
       narrowest_passage(models.arm, drawn.environment, drawn.hidden_plan.frames);
-  return (!family.narrow || (passage && is_narrow(*passage))) && hidden_plan_works(models, drawn);
+  return (!family.narrow || (passage && is_narrow(*passage))) &&
+         no_load_miss_m(models, drawn) * kCmPerM >= family.least_no_load_miss_cm &&
+         hidden_plan_works(models, drawn);
 }
 
 /// What holds of few trials as well as of many.
