@@ -18,12 +18,12 @@ struct VirtualArmParameters {
   double slide_damping_n_s_per_m = 2.0;
   double slide_armature_kg = 0.01;
   double hinge_stiffness_n_m_per_rad = 0.02;
-  double hinge_damping_n_m_s_per_rad = 0.25;  ///< at the reference width; proportional to w
+  double hinge_damping_n_m_s_per_rad = 0.27;  ///< at the reference width; proportional to w
   double hinge_armature_kg_m2 = 2e-5;
   double reference_width_m = 0.05;         ///< the width that scaled parameters are given at
   double plate_mass_kg = 0.012;            ///< at the reference width
   double plate_mass_fixed_fraction = 0.4;  ///< of it that does not shrink with w
-  double plate_payload_kg = 0.024;         ///< added to every plate: fittings, hose, bladder
+  double plate_payload_kg = 0.012;         ///< added to every plate: fittings, hose, bladder
   double side_elasticity_n = 50.0;         ///< tension per unit strain of a side
 
   // McKibben actuator: tension [N] over strain e (contraction < 0) and pressure [kPa].
@@ -52,7 +52,7 @@ struct VirtualArmParameters {
 
   // Table.
   double gravity_m_per_s2 = 9.81;  ///< normal to the plane
-  double friction_coefficient = 0.16;
+  double friction_coefficient = 0.25;
   double friction_stiffness_n_per_m = 3000.0;
   double friction_damping_n_s_per_m = 2.0;
   double friction_torsion_arm = 0.3;  ///< × w
