@@ -1,6 +1,9 @@
 #include "limber/forward/parallel_forward.hpp"
 
+#include <algorithm>
+
 #include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
@@ -14,7 +17,11 @@ constexpr Eigen::Index kPart = 512;  // queries; about 0.1 ms, far above what ha
 }  // namespace
 
 struct ParallelForward::Threads {
-  explicit Threads(int jobs) : arena(jobs) {}
+  explicit Threads(int jobs)
+      : allowance(tbb::global_control::max_allowed_parallelism,
+                  static_cast<std::size_t>(std::max(jobs, tbb::info::default_concurrency()))),
+        arena(jobs) {}
+  tbb::global_control allowance;  // oneTBB would hold more jobs than cores back, with a warning
   tbb::task_arena arena;
   tbb::enumerable_thread_specific<ForwardModel::Workspace> workspaces;
 };
