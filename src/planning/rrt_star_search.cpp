@@ -253,8 +253,7 @@ bool RrtStarSearch::simulate_below(const PlannerBudget& budget) {
       const double cost = changed_[k].cost_kpa +
                           motion_cost_kpa(tree_.pressures_kpa(node), tree_.pressures_kpa(child));
       if (!is_free || !changed_[k].backbone) {
-        // The same state as before leads to the same states below.
-        changed_.push_back({child, cost, std::nullopt});
+        changed_.push_back({child, cost, std::nullopt});  // the same state: the same below
         return;
       }
       const Backbone from = *changed_[k].backbone;
