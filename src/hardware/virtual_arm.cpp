@@ -58,7 +58,7 @@ class VirtualArm::Simulation {
     frames_late_ = latency_steps / steps_per_frame_;
     steps_late_ = latency_steps % steps_per_frame_;
     delivered_ = measure();
-    for (int frame = 0; frame < frames_late_ + (steps_late_ > 0 ? 1 : 0); ++frame) {
+    for (int frame = 0; frame < frames_late_; ++frame) {
       delayed_.push_back(delivered_);
     }
   }
@@ -146,12 +146,12 @@ class VirtualArm::Simulation {
     std::vector<double> result;
     for (int s = 0; s < arm_.segment_count(); ++s) {
       const double limit = arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
-      const double value = setpoint_kpa[s];
+      const float value = setpoint_kpa[s];
       if (!(std::abs(value) <= limit + kRoundingKpa)) {
         throw InputError(fmt::format("set point of segment {} is {} kPa; expected {} to {} kPa", s,
                                      value, -limit, limit));
       }
-      result.push_back(std::clamp(value, -limit, limit));
+      result.push_back(std::clamp<double>(value, -limit, limit));
     }
     return result;
   }

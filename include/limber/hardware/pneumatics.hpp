@@ -21,7 +21,9 @@ struct SegmentAir {
 class Pneumatics {
  public:
   Pneumatics(const VirtualArmParameters& parameters, double time_step_s)
-      : parameters_(parameters), time_step_s_(time_step_s) {}
+      : parameters_(parameters),
+        time_step_s_(time_step_s),
+        valve_response_(1.0 - std::exp(-time_step_s / parameters.valve_lag_s)) {}
 
   /// One simulator step toward `setpoint_kpa` (signed); errors within the dead band close the
   /// valves, unless `exact` (a safety vent).
@@ -37,15 +39,16 @@ class Pneumatics {
         vents ? parameters_.vent_time_constant_s : parameters_.inflate_time_constant_s;
     const double limit = parameters_.pressure_rate_limit_kpa_per_s;
     const double flow = std::clamp(demand / time_constant, -limit, limit);
-    // Implicit, so that a lag shorter than the step is stable.
-    air.flow_kpa_per_s +=
-        time_step_s_ / (parameters_.valve_lag_s + time_step_s_) * (flow - air.flow_kpa_per_s);
-    air.pressure_kpa += time_step_s_ * air.flow_kpa_per_s;
+    // Exact for a demand that is constant over the step, and second order in the pressure.
+    const double before = air.flow_kpa_per_s;
+    air.flow_kpa_per_s += valve_response_ * (flow - before);
+    air.pressure_kpa += 0.5 * time_step_s_ * (before + air.flow_kpa_per_s);
   }
 
  private:
   VirtualArmParameters parameters_;
   double time_step_s_;
+  double valve_response_;
 };
 
 }  // namespace limber
