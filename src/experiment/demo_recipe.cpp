@@ -64,7 +64,7 @@ DemoRecipe quick_recipe(const ArmDescription& arm) {
   DemoRecipe recipe = full_recipe(arm);
   recipe.training_schedules = {transitions(arm, 729), random(300, Approach::step), plan_like(300)};
   recipe.validation_schedule = one_episode(30);
-  set_epoch_count(recipe.training, 30);
+  set_epoch_count(recipe.training, 200);
   recipe.bench_queries = 100'000;
   recipe.plans_per_environment = 1;
   recipe.planning_time_limit_s = 2.0;

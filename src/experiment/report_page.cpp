@@ -1,6 +1,7 @@
 #include "limber/experiment/report_page.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -48,6 +49,8 @@ tr.highlight td { background: var(--mark); font-weight: 600; }
 figure { margin: 1rem 0; }
 figure svg { display: block; width: 100%; height: auto; max-height: 90vh; border-radius: 0.4rem; }
 .single { max-width: 50rem; }
+.wide { grid-column: 1 / -1; max-width: none; overflow-x: auto; }
+.wide svg { min-width: 44rem; }
 figcaption { margin-top: 0.4rem; font-size: 0.95rem; }
 pre { background: var(--card); border-radius: 0.4rem; padding: 0.8rem; overflow-x: auto; }
 details { margin: 1rem 0; } summary { cursor: pointer; color: var(--accent); }
@@ -58,8 +61,19 @@ std::string element(std::string_view tag, std::string_view text, std::string_vie
   return fmt::format("<{0}{1}>{2}</{0}>\n", tag, attributes, escape_xml(text));
 }
 
-std::string figure_element(const ReportFigure& figure, std::string_view attributes) {
-  return fmt::format("<figure{}>\n{}{}</figure>\n", attributes, figure.svg,
+/// Width that the picture asks for, 0 where it does not say.
+int picture_width_px(const std::string& svg) {
+  const std::string_view key = " width=\"";
+  const std::size_t found = svg.substr(0, svg.find('>')).find(key);
+  return found == std::string::npos ? 0 : std::atoi(svg.c_str() + found + key.size());
+}
+
+/// Grids of charts would be too small to read on a phone: they keep a least width and scroll
+/// sideways.
+std::string figure_element(const ReportFigure& figure, std::string_view look) {
+  constexpr int kWidePx = 650;
+  const bool wide = picture_width_px(figure.svg) > kWidePx;
+  return fmt::format("<figure class=\"{}\">\n{}{}</figure>\n", wide ? "wide" : look, figure.svg,
                      element("figcaption", figure.caption));
 }
 
@@ -156,14 +170,14 @@ ReportPage& ReportPage::table(const ReportTable& table) {
 }
 
 ReportPage& ReportPage::figure(const ReportFigure& figure) {
-  body_ += figure_element(figure, " class=\"single\"");
+  body_ += figure_element(figure, "single");
   return *this;
 }
 
 ReportPage& ReportPage::figures(const std::vector<ReportFigure>& figures) {
   body_ += "<div class=\"figures\">\n";
   for (const ReportFigure& figure : figures) {
-    body_ += figure_element(figure, "");
+    body_ += figure_element(figure, "cell");
   }
   body_ += "</div>\n";
   return *this;

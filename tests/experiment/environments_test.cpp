@@ -1,4 +1,5 @@
-// limber's own environments, environments/01…08: what of their rules can be tested without a trained model.
+// limber's own environments, environments/01…08: what of their rules can be tested without a
+// trained model.
 #include <filesystem>
 #include <set>
 
@@ -38,7 +39,8 @@ std::vector<Pressures> read_witness(const fs::path& path) {
   for (const YamlReader& row : YamlReader::from_file(path).at("waypoints_kpa").elements()) {
     const std::vector<double> numbers = row.numbers("a pressure in kPa");
     waypoints.push_back(
-        Eigen::Map<const Eigen::VectorXd>(numbers.data(), Eigen::Index(numbers.size())).cast<float>());
+        Eigen::Map<const Eigen::VectorXd>(numbers.data(), Eigen::Index(numbers.size()))
+            .cast<float>());
   }
   return waypoints;
 }
@@ -60,13 +62,15 @@ TEST_P(OwnEnvironment, StartsStraightAndFreeWithTheUsualTolerances) {
   }
 }
 
-// The goal can be reached: a motion kept beside the environment does it on the arm, seen at every simulator step.
+// The goal can be reached: a motion kept beside the environment does it on the arm, seen at every
+// simulator step.
 TEST_P(OwnEnvironment, IsSolvedOnTheVirtualArmByItsWitness) {
   const ForwardModel model(arm_);
   const CollisionChecker checker(arm_, environment_.obstacles);
   MotionSimulator simulator(arm_, model, checker);
   const PlanningProblem problem{arm_, model, environment_};
-  const std::vector<Pressures> waypoints = read_witness(kFolder / "witnesses" / GetParam().filename());
+  const std::vector<Pressures> waypoints =
+      read_witness(kFolder / "witnesses" / GetParam().filename());
   const Plan plan = build_plan(problem, simulator, waypoints, "witness", 0);
   VirtualArm driver(arm_);
   const ExecutionResult run = execute(arm_, environment_, plan, driver);
@@ -76,7 +80,9 @@ TEST_P(OwnEnvironment, IsSolvedOnTheVirtualArmByItsWitness) {
                                 << run.goal_error.orientation_rad << " rad off";
 }
 
-std::string stem(const testing::TestParamInfo<fs::path>& info) { return "E" + info.param.stem().string(); }
+std::string stem(const testing::TestParamInfo<fs::path>& info) {
+  return "E" + info.param.stem().string();
+}
 
 INSTANTIATE_TEST_SUITE_P(All, OwnEnvironment, testing::ValuesIn(environment_files()), stem);
 
