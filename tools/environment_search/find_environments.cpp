@@ -220,10 +220,11 @@ std::string witness_to_yaml(const Plan& plan) {
 }
 
 bool find(const Models& models, const Family& family, const std::filesystem::path& folder) {
+  const auto seed = kSeed + std::uint64_t(&family - kFamilies);  // no two draw the same motions
   std::uint64_t drawn_count = 0;
   std::uint64_t examined = 0;
   for (std::uint64_t number = 0; number < kMostDraws; ++number) {
-    auto drawn = draw_styled(models.arm, models.network, family.style, kSeed, number);
+    auto drawn = draw_styled(models.arm, models.network, family.style, seed, number);
     drawn_count += drawn ? 1 : 0;
     if (!drawn || !is_promising(models, family, *drawn)) {
       continue;
