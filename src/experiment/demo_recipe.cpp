@@ -56,7 +56,7 @@ DemoRecipe full_recipe(const ArmDescription& arm) {
   recipe.validation_schedule = one_episode(60);
   recipe.test_schedule = one_episode(100);
   recipe.training = best_preset();
-  recipe.environments = {"01_pillar", "03_gap_in_a_wall", "05_between_pillars"};
+  recipe.environments = {"02_two_pillars", "03_gap_in_a_wall", "08_overshoot_in_clutter"};
   return recipe;
 }
 
