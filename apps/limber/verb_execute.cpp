@@ -14,7 +14,7 @@ class ExecuteVerb final : public Verb {
   const char* name() const override { return "execute"; }
   const char* summary() const override { return "Run a plan on an arm, open loop"; }
   const char* example() const override {
-    return "limber execute --plan plan.json --environment environments/01_open.yaml --out run.h5";
+    return "limber execute --plan plan.json --environment environments/01_pillar.yaml --out run.h5";
   }
 
   void add_flags(CLI::App& app) override {
