@@ -5,7 +5,7 @@ get_property(libraries GLOBAL PROPERTY LIMBER_LIBRARIES)
 install(TARGETS ${libraries} EXPORT limberTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS limber_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY include/limber DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY arms environments DESTINATION ${CMAKE_INSTALL_DATADIR}/limber OPTIONAL)
+install(DIRECTORY arms environments DESTINATION ${CMAKE_INSTALL_DATADIR}/limber)
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(EXPORT limberTargets NAMESPACE limber:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/limber)
 configure_package_config_file(cmake/limberConfig.cmake.in "${CMAKE_BINARY_DIR}/limberConfig.cmake"

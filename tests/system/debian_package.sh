@@ -19,7 +19,8 @@ done
 
 dpkg-deb --extract "$package" "$folder/root"
 for file in usr/bin/limber usr/share/limber/arms/three_segment.yaml \
-  usr/include/limber/common/version.hpp usr/share/doc/limber/LICENSE; do
+  usr/share/limber/environments/01_pillar.yaml usr/include/limber/common/version.hpp \
+  usr/share/doc/limber/LICENSE; do
   [ -e "$folder/root/$file" ] || {
     echo "not in the package: $file"
     exit 1

@@ -1,0 +1,61 @@
+"""`limber demo --quick`: the whole chain, its files, its report, and whose folder it may replace."""
+
+import json
+import re
+import subprocess
+import sys
+import unittest
+import xml.etree.ElementTree
+
+from program import ROOT, InFolder
+
+FILES = ("train.h5", "test.h5", "model.safetensors", "report.html", "summary.json")
+
+
+class Demo(InFolder):
+    def test_runs_from_bench_test_to_report(self):
+        self.run_limber("demo", "--quick", "--seed", 3)
+        out = self.folder / "out"
+        for name in FILES:
+            self.assertGreater((out / name).stat().st_size, 0, name)
+        self.check_summary(json.loads((out / "summary.json").read_text(encoding="utf-8")))
+        self.check_report((out / "report.html").read_text(encoding="utf-8"))
+        self.check_results_table()
+        self.check_folder_rules()
+
+    def check_summary(self, summary):
+        for key in ("evaluation", "bench", "plans", "executions", "wall_time_s"):
+            self.assertIn(key, summary)
+        self.assertGreaterEqual(len({plan["environment"] for plan in summary["plans"]}), 3)
+        self.assertEqual({run["model"] for run in summary["executions"]}, {"no_load", "network"})
+        # Even little data beats the model without any.
+        self.assertGreater(summary["evaluation"]["reduction_percent"]["position"], 0.0)
+
+    def check_report(self, html):
+        root = xml.etree.ElementTree.fromstring(html.split("\n", 1)[1])
+        self.assertGreaterEqual(sum(element.tag == "figure" for element in root.iter()), 5)
+        without_namespace = html.replace('xmlns="http://www.w3.org/2000/svg"', "")
+        loaded = re.findall(r"""(?:src|href)\s*=\s*["'](?!#)[^"']*|url\([^)]*|<script""",
+                            without_namespace)
+        self.assertEqual(loaded, [])
+        self.assertNotIn("nan", re.findall(r'="[^"]*\bnan\b', html))
+
+    def check_results_table(self):
+        table = subprocess.run(
+            [sys.executable, ROOT / "tools" / "results_table.py", "out/summary.json"],
+            cwd=self.folder, capture_output=True, encoding="utf-8", check=True,
+        )
+        self.assertIn("| reduction by the network", table.stdout)
+
+    def check_folder_rules(self):
+        """A folder with somebody's files is refused; nothing in it changes."""
+        other = self.folder / "precious"
+        other.mkdir()
+        (other / "thesis.txt").write_text("years of work", encoding="utf-8")
+        result = self.run_limber("demo", "--quick", "--out", "precious", code=2)
+        self.assertIn("--force", result.stderr)
+        self.assertEqual([path.name for path in other.iterdir()], ["thesis.txt"])
+
+
+if __name__ == "__main__":
+    unittest.main()
