@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -23,12 +22,13 @@ namespace {
 
 using Eigen::MatrixXf;
 
-constexpr int kInputs = 1024;  // different queries, asked again and again
-constexpr int kParts = 20;     // of a measurement; the fastest counts
+constexpr int kInputs = 1024;              // different queries, asked again and again
+constexpr std::int64_t kLeastPasses = 10;  // of a measurement; the median counts
 constexpr int kBatchSizes[] = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024};
-constexpr int kParallelBatch = 16384;    // split over threads
-constexpr int kTile = 64;                // queries at a time while the layers are timed
-constexpr long kPeakRounds = 1'000'000;  // 1.5 ms at 4 GHz
+constexpr int kParallelBatch = 16384;  // split over threads
+constexpr int kTile = 64;              // queries at a time while the layers are timed
+constexpr long kPeakRounds = 200'000;  // 0.3 ms at 4 GHz
+constexpr long kPeakPasses = 40;
 constexpr double kSteadyPeak = 0.05;  // largest relative difference of the peak, before and after
 constexpr int kPeakAttempts = 5;
 constexpr double kPeerAgreement = 1e-4;  // [m, rad] between limber's answers and a peer's, float32
@@ -39,21 +39,19 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Queries a second where `pass` asks `queries_per_pass`: the fastest of twenty equal parts, since
-// what slows a part down is the machine's other work.
+// Queries a second where `pass` asks `queries_per_pass`: from the median pass. Passes take less
+// than a millisecond, so that on a busy machine most of them run without being interrupted.
 double rate_of(std::int64_t queries, std::int64_t queries_per_pass,
                const std::function<void()>& pass) {
   pass();
-  const std::int64_t passes = std::max<std::int64_t>(1, queries / queries_per_pass / kParts);
-  double fastest_s = std::numeric_limits<double>::max();
-  for (int part = 0; part < kParts; ++part) {
-    fastest_s = std::min(fastest_s, seconds_of([&] {
-                           for (std::int64_t k = 0; k < passes; ++k) {
-                             pass();
-                           }
-                         }));
+  const std::int64_t passes = std::max(kLeastPasses, queries / queries_per_pass);
+  std::vector<double> seconds;
+  for (std::int64_t k = 0; k < passes; ++k) {
+    seconds.push_back(seconds_of(pass));
   }
-  return static_cast<double>(passes * queries_per_pass) / fastest_s;
+  const auto median = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
+  std::nth_element(seconds.begin(), median, seconds.end());
+  return static_cast<double>(queries_per_pass) / *median;
 }
 
 struct Queries {
@@ -107,8 +105,8 @@ double batch_rate(const ForwardModel& model, Queries& queries, int size, std::in
 double fma_peak_gmac_per_s() {
   const GemmKernels& kernels = gemm_kernels();
   volatile float keep = 0.0F;
-  const double rounds_per_s =
-      rate_of(kParts * kPeakRounds, kPeakRounds, [&] { keep = kernels.multiply_add(kPeakRounds); });
+  const double rounds_per_s = rate_of(kPeakPasses * kPeakRounds, kPeakRounds,
+                                      [&] { keep = kernels.multiply_add(kPeakRounds); });
   return rounds_per_s * kernels.multiply_adds_per_round / 1e9;
 }
 
