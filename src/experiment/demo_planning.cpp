@@ -12,7 +12,7 @@
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/experiment/execution_picture.hpp"
+#include "limber/experiment/final_shapes_picture.hpp"
 #include "limber/planning/plan_picture.hpp"
 #include "limber/planning/random_environment.hpp"
 
@@ -141,7 +141,7 @@ void execute_stage(DemoResults& results) {
       add("planned", plan_picture(results.arm(), item.environment, drawn),
           "the cheapest plan of the network model, its shapes from faint to full, and the tree");
     }
-    add("executed", execution_picture(results.arm(), item, results.trials),
+    add("executed", final_shapes_picture(results.arm(), item, results.trials),
         "where the arm ended, executing plans of the no-load and the network model");
   }
 }

@@ -1,4 +1,4 @@
-#include "limber/experiment/execution_picture.hpp"
+#include "limber/experiment/final_shapes_picture.hpp"
 
 #include "limber/planning/plan_picture.hpp"
 #include "limber/plot/svg_drawing.hpp"
@@ -32,8 +32,8 @@ void draw_center_line(SvgDrawing& drawing, const Backbone& backbone, const PlanT
 
 }  // namespace
 
-std::string execution_picture(const ArmDescription& arm, const EnvironmentCase& item,
-                              const std::vector<PlanTrial>& trials) {
+std::string final_shapes_picture(const ArmDescription& arm, const EnvironmentCase& item,
+                                 const std::vector<PlanTrial>& trials) {
   SvgDrawing drawing(picture_box(arm, item.environment), 560.0, item.environment.name);
   drawing.axes();
   for (const PlanTrial& trial : trials) {
