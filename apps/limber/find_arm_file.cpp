@@ -8,7 +8,7 @@ namespace limber {
 
 std::string find_arm_file(const std::string& name_or_path) {
   namespace fs = std::filesystem;
-  if (fs::exists(name_or_path)) {
+  if (fs::is_regular_file(name_or_path)) {
     return name_or_path;
   }
   const fs::path own = data_folder() / "arms" / (name_or_path + ".yaml");

@@ -9,18 +9,23 @@ std::string mean(const nlohmann::ordered_json& errors, const char* unit) {
   return fmt::format("{:.2f} {}", errors.at("mean").get<double>(), unit);
 }
 
+/// Where no plan was found, or none executed, there is no distance.
+std::string distance(const nlohmann::ordered_json& plans) {
+  const nlohmann::ordered_json& mean_cm = plans.at("mean_distance_to_goal_cm");
+  return mean_cm.is_null() ? "nothing to tell" : fmt::format("{:.1f} cm", mean_cm.get<double>());
+}
+
 std::string to_text(const nlohmann::ordered_json& summary, const std::string& folder) {
   const nlohmann::ordered_json& evaluation = summary.at("evaluation");
   const nlohmann::ordered_json& plans = summary.at("comparison");
   return fmt::format(
       "open-loop tip error: no load {}, network {}: {:.0f} % less\n"
-      "executed plans end off by: no load {:.1f} cm, network {:.1f} cm\n"
+      "executed plans end off by: no load {}, network {}\n"
       "report in {}/report.html, figures in {}/summary.json",
       mean(evaluation.at("no_load").at("open_loop").at("position_error_cm"), "cm"),
       mean(evaluation.at("network").at("open_loop").at("position_error_cm"), "cm"),
       evaluation.at("reduction_percent").at("position").get<double>(),
-      plans.at("no_load").at("mean_distance_to_goal_cm").get<double>(),
-      plans.at("network").at("mean_distance_to_goal_cm").get<double>(), folder, folder);
+      distance(plans.at("no_load")), distance(plans.at("network")), folder, folder);
 }
 
 class DemoVerb final : public Verb {

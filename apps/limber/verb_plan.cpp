@@ -82,9 +82,10 @@ class PlanVerb final : public Verb {
                    "space; paper-steer-all: the same, simulating from every near node")
         ->capture_default_str()
         ->check(CLI::IsMember(planner_names()));
-    app.add_option(
-        "--time-limit-s", limits_.time_s,
-        fmt::format("Stop after so many seconds; {} where no limit is given", kDefaultTimeLimitS));
+    app.add_option("--time-limit-s", limits_.time_s,
+                   fmt::format("Stop after so many seconds; {} where no limit is given",
+                               kDefaultTimeLimitS))
+        ->check(CLI::PositiveNumber);
     app.add_option("--max-iterations", limits_.iterations,
                    "Stop after so many samples; with this limit alone a run can be repeated");
     app.add_option("--max-queries", limits_.queries, "Stop after so many queries of the model");

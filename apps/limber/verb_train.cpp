@@ -68,6 +68,10 @@ class TrainVerb final : public Verb {
       fmt::print(stderr, "error: {}\n", result.message);
     }
     if (result.best_epoch == 0) {
+      const std::string why = "no epoch was validated before training ended; no model was written";
+      const char* status =
+          result.status == TrainingStatus::interrupted ? "interrupted" : "diverged";
+      print_result(flags, {{"status", status}, {"message", why}}, why);
       return kExitNoSolution;
     }
     result.model.training["data"] = sources;

@@ -22,6 +22,7 @@ struct Field {
   const char* key;
   double Parameters::*member;
   double low;
+  double high = std::numeric_limits<double>::max();
 };
 
 constexpr double kAboveZero = 1e-12;
@@ -61,7 +62,7 @@ constexpr std::array kFields = {
     Field{"controller_proportional_gain", &Parameters::controller_proportional_gain, kAboveZero},
     Field{"controller_derivative_gain_s", &Parameters::controller_derivative_gain_s, 0.0},
     Field{"pressure_dead_band_kpa", &Parameters::pressure_dead_band_kpa, 0.0},
-    Field{"time_step_s", &Parameters::time_step_s, kAboveZero},
+    Field{"time_step_s", &Parameters::time_step_s, 1e-5, 0.01},
 };
 
 /// Parameters that are four coefficients.
@@ -109,7 +110,7 @@ VirtualArmParameters read_virtual_arm_parameters(const YamlReader& node) {
       parameters.strength_seed =
           static_cast<std::uint64_t>(value.integer("a seed", 0, 1'000'000'000));
     } else if (const Field* field = find_field(kFields, key)) {
-      parameters.*(field->member) = value.number(kParameter, field->low);
+      parameters.*(field->member) = value.number(kParameter, field->low, field->high);
     } else if (const QuarticField* quartic = find_field(kQuarticFields, key)) {
       parameters.*(quartic->member) = read_quartic(value);
     } else {

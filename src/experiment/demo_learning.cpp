@@ -72,6 +72,7 @@ void collect_stage(DemoResults& results) {
     if (training.episodes.empty()) {
       training = std::move(recording);
     } else {
+      training.settings += "; " + recording.settings;
       std::move(recording.episodes.begin(), recording.episodes.end(),
                 std::back_inserter(training.episodes));
     }
@@ -96,6 +97,8 @@ void train_stage(DemoResults& results) {
   if (results.training.status == TrainingStatus::diverged) {
     throw SystemFault("training diverged: " + results.training.message);
   }
+  results.training.model.training["data"] =
+      "train.h5 " + content_hash(read_file(results.file("train.h5")));
   write_model(results.file("model.safetensors"), results.training.model);
   results.model_hash = content_hash(read_file(results.file("model.safetensors")));
   write_learning_curve_csv(results.file("learning_curve.csv"), results.training.curve);

@@ -3,10 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include "limber/common/random_stream.hpp"
-#include "limber/common/units.hpp"
 #include "limber/planning/environment_measures.hpp"
 #include "limber/planning/motion_simulator.hpp"
 
@@ -157,32 +154,6 @@ EnvironmentFindings find_out(const ArmDescription& arm, const ForwardModel& no_l
                        settings.monotone_motions, seed);
   measure_passage(findings, arm, item.environment);
   return findings;
-}
-
-nlohmann::ordered_json findings_to_json(const EnvironmentFindings& findings) {
-  const auto model_to_json = [](const TrialSummary& sum) {
-    return nlohmann::ordered_json{{"trials", sum.trials},
-                                  {"solved", sum.solved},
-                                  {"collided", sum.collided},
-                                  {"first_solution_s", sum.mean_first_solution_s},
-                                  {"cost_psi", sum.mean_cost_kpa / kKpaPerPsi},
-                                  {"distance_to_goal_cm", sum.mean_distance_m * kCmPerM}};
-  };
-  nlohmann::ordered_json json;
-  json["no_load"] = model_to_json(findings.no_load);
-  json["network"] = model_to_json(findings.network);
-  json["network_reached"] = findings.network_reached;
-  json["no_load_failed"] = findings.no_load_failed;
-  json["straight_line_collides"] = findings.straight_line_collides;
-  json["needs_reversal"] = findings.needs_reversal;
-  json["passage_cm"] = nullptr;
-  if (findings.passage) {
-    json["passage_cm"] = findings.passage->width_m * kCmPerM;
-    json["arm_width_there_cm"] = findings.passage->arm_width_m * kCmPerM;
-  }
-  json["narrow"] = findings.passage && is_narrow(*findings.passage);
-  json["keeps_rules"] = findings.keeps_rules();
-  return json;
 }
 
 }  // namespace limber

@@ -6,6 +6,7 @@
 
 #include "limber/hardware/execution_report.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "limber/planning/plan_builder.hpp"
 #include "limber/planning/plan_report.hpp"
 
 namespace limber {
@@ -18,9 +19,12 @@ PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
   trial.model = model.has_network() ? "network" : "no_load";
   trial.planner = settings.planner;
   trial.seed = seed;
-  const PlanningProblem problem{arm, model, item.environment, settings.margin_m};
+  trial.asks_heading = item.environment.goal.theta_rad.has_value();
+  const Environment tightened = with_tightened_goal(item.environment, settings.goal_share);
+  const PlanningProblem problem{arm, model, tightened, settings.margin_m};
   trial.planning = make_planner(settings.planner)->plan(problem, settings.limits, seed);
   if (trial.planning.plan) {
+    trial.planning.plan->environment_hash = environment_hash(item.environment);
     trial.planning.plan->model_hash = model.has_network() ? settings.model_hash : "";
   }
   return trial;
@@ -35,6 +39,21 @@ void execute_trial(const ArmDescription& arm, const Environment& environment, Pl
 
 namespace {
 
+class Mean {
+ public:
+  void add(double value) {
+    sum_ += value;
+    ++count_;
+  }
+  std::optional<double> value() const {
+    return count_ > 0 ? std::optional<double>(sum_ / count_) : std::nullopt;
+  }
+
+ private:
+  double sum_ = 0.0;
+  int count_ = 0;
+};
+
 bool is_asked_for(const PlanTrial& trial, const std::string& environment,
                   const std::string& model) {
   return (environment.empty() || trial.environment == environment) &&
@@ -46,32 +65,37 @@ bool is_asked_for(const PlanTrial& trial, const std::string& environment,
 TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
                        const std::string& model) {
   TrialSummary sum;
-  int executed = 0;
-  int executed_free = 0;
+  Mean first_solution_s, cost_kpa, distance_m, distance_free_m, orientation_rad;
   for (const PlanTrial& trial : trials) {
-    const bool asked_for = is_asked_for(trial, environment, model);
-    sum.trials += asked_for ? 1 : 0;
-    if (!asked_for || !trial.solved()) {
+    if (!is_asked_for(trial, environment, model)) {
       continue;
     }
-    ++sum.solved;
-    sum.mean_first_solution_s += trial.planning.first_solution->time_s;
-    sum.mean_cost_kpa += trial.planning.plan->cost_kpa;
-    if (trial.execution && trial.execution->status == ExecutionStatus::done) {
-      ++executed;
-      sum.mean_distance_m += trial.execution->goal_error.position_m;
-      sum.mean_orientation_rad += trial.execution->goal_error.orientation_rad;
-      sum.collided += trial.execution->collided ? 1 : 0;
-      executed_free += trial.execution->collided ? 0 : 1;
-      sum.mean_distance_free_m +=
-          trial.execution->collided ? 0.0 : trial.execution->goal_error.position_m;
+    ++sum.trials;
+    if (trial.solved()) {
+      ++sum.solved;
+      first_solution_s.add(trial.planning.first_solution->time_s);
+      cost_kpa.add(trial.planning.plan->cost_kpa);
+    }
+    if (!trial.execution || trial.execution->status != ExecutionStatus::done) {
+      continue;
+    }
+    const ExecutionResult& run = *trial.execution;
+    ++sum.executed;
+    sum.collided += run.collided ? 1 : 0;
+    sum.reached += run.goal_reached && !run.collided ? 1 : 0;
+    distance_m.add(run.goal_error.position_m);
+    if (!run.collided) {
+      distance_free_m.add(run.goal_error.position_m);
+    }
+    if (trial.asks_heading) {
+      orientation_rad.add(run.goal_error.orientation_rad);
     }
   }
-  sum.mean_first_solution_s /= std::max(1, sum.solved);
-  sum.mean_cost_kpa /= std::max(1, sum.solved);
-  sum.mean_distance_m /= std::max(1, executed);
-  sum.mean_orientation_rad /= std::max(1, executed);
-  sum.mean_distance_free_m /= std::max(1, executed_free);
+  sum.first_solution_s = first_solution_s.value();
+  sum.cost_kpa = cost_kpa.value();
+  sum.distance_m = distance_m.value();
+  sum.distance_free_m = distance_free_m.value();
+  sum.orientation_rad = orientation_rad.value();
   return sum;
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/units.hpp"
+#include "limber/planning/problem_check.hpp"
 
 namespace limber {
 
@@ -14,10 +15,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string place(const Contact& contact, const Environment& environment) {
-  const auto obstacle = static_cast<std::size_t>(contact.clearance.obstacle);
-  return fmt::format("obstacle {} ({}), plates {} and {}, {:.2f} s", obstacle,
-                     obstacle_kind(environment.obstacles[obstacle]), contact.clearance.gap,
-                     contact.clearance.gap + 1, contact.time_s);
+  const int obstacle = contact.clearance.obstacle;
+  // Counted from 1, as planning's messages are.
+  return fmt::format("{}, plates {} and {}, {:.2f} s", obstacle_name(environment, obstacle),
+                     contact.clearance.gap + 1, contact.clearance.gap + 2, contact.time_s);
 }
 
 Json contact_to_json(const std::optional<Contact>& contact, const Environment& environment) {
@@ -40,8 +41,9 @@ Json execution_to_json(const ExecutionResult& result, const Environment& environ
       result.closest ? Json(kCmPerM * result.closest->clearance.value_m) : Json(nullptr);
   json["distance_to_goal_cm"] =
       result.final_backbone ? Json(kCmPerM * result.goal_error.position_m) : Json(nullptr);
-  json["orientation_to_goal_rad"] =
-      result.final_backbone ? Json(result.goal_error.orientation_rad) : Json(nullptr);
+  json["orientation_to_goal_rad"] = result.final_backbone && environment.goal.theta_rad
+                                        ? Json(result.goal_error.orientation_rad)
+                                        : Json(nullptr);
   json["replans"] = 0;
   json["frames"] = result.frames;
   json["goal_reached"] = result.goal_reached;

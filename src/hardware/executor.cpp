@@ -53,6 +53,7 @@ class Execution {
       start_time_s_ = driver_.state().time_s;
       note_start();
       recorder_.add(driver_.state(), plan_.frames.front().setpoint_kpa, 0);
+      measured_ = driver_.state().backbone.has_value();
       for (std::size_t k = 1; k < plan_.frames.size(); ++k) {
         command(plan_.frames[k].setpoint_kpa);
         compare_with_prediction(plan_.frames[k].backbone);
@@ -101,6 +102,7 @@ class Execution {
     const ArmState& state = driver_.command(setpoint_kpa);
     ++result_.frames;
     recorder_.add(state, setpoint_kpa, motion_);
+    measured_ = measured_ || state.backbone.has_value();
     see();
   }
 
@@ -146,7 +148,7 @@ class Execution {
       result_.goal_error = pose_error(environment_.goal, tip_pose(*seen_));
       result_.goal_reached = result_.status == ExecutionStatus::done &&
                              is_within(environment_.goal, result_.goal_error);
-      result_.episode = recorder_.frame_count() > 0 ? recorder_.finish() : Episode{};
+      result_.episode = measured_ ? recorder_.finish() : Episode{};
     }
     if (prediction_count_ > 0) {
       prediction_.mean_m = prediction_sum_m_ / prediction_count_;
@@ -175,6 +177,8 @@ class Execution {
   std::optional<BackboneD> seen_;
   int seen_frame_ = -1;
   bool started_ = false;
+  bool measured_ =
+      false;  // in some frame; a virtual arm knows its shape even where none was delivered
   int motion_ = 0;
   double start_time_s_ = 0.0;
   PredictionError prediction_;

@@ -24,9 +24,9 @@ constexpr int kShotChoices = 8;        // nodes of which the nearest to the goal
 constexpr double kShotDamping = 1e-3;  // of the step's normal matrix, of its trace
 constexpr double kShotSpread = 0.01;   // standard deviation, of the limit
 
-/// Least gain γ of the near radius γ (ln N / N)^(1/n) for which RRT* is asymptotically optimal on a
-/// cube of side 2: 2 (1 + 1/n)^(1/n) (volume / volume of the unit ball)^(1/n) (Karaman and
-/// Frazzoli 2011, theorem 38).
+/// A gain γ of the near radius γ (ln N / N)^(1/n) for which RRT* is asymptotically optimal on a
+/// cube of side 2: 2 (1 + 1/n)^(1/n) (volume / volume of the unit ball)^(1/n), which PRM* needs and
+/// which is more than enough for RRT* (Karaman and Frazzoli 2011, theorems 34 and 38).
 double least_near_gain(int n) {
   const double ball = std::pow(std::numbers::pi, 0.5 * n) / std::tgamma(0.5 * n + 1.0);
   return 2.0 * std::pow((1.0 + 1.0 / n) * std::pow(2.0, n) / ball, 1.0 / n);

@@ -33,6 +33,7 @@ std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Resta
 }
 
 ErrorStatistics statistics(std::vector<double> values) {
+  // Frames in which the arm was not seen are marked NaN.
   std::erase_if(values, [](double value) { return std::isnan(value); });
   ErrorStatistics result;
   if (values.empty()) {
@@ -129,6 +130,10 @@ TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, 
     const bool seen = episode.tracked.empty() || episode.tracked[static_cast<std::size_t>(t)] != 0;
     const Eigen::Vector3d difference =
         (predicted.row(t).segment<3>(tip) - recorded.row(t).segment<3>(tip)).cast<double>();
+    if (seen && !difference.allFinite()) {
+      throw InputError(fmt::format(
+          "the model's prediction is not finite from frame {} on: it can't be rolled out", t));
+    }
     const double nan = std::numeric_limits<double>::quiet_NaN();
     errors.position_cm.push_back(seen ? kCmPerM * difference.head<2>().norm() : nan);
     errors.orientation_rad.push_back(seen ? std::abs(difference[2]) : nan);

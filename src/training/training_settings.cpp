@@ -94,6 +94,8 @@ void require_usable(const TrainingSettings& settings) {
   }
   const double rate = settings.learning_rate;
   require(std::isfinite(rate) && rate > 0.0, "learning_rate", rate, "a finite number > 0");
+  require(std::isfinite(settings.time_limit_s) && settings.time_limit_s >= 0.0, "time_limit_s",
+          settings.time_limit_s, "a finite number of seconds, 0: no limit");
   require(settings.gradient_norm_limit >= 0.0, "gradient_norm_limit", settings.gradient_norm_limit,
           ">= 0 (0: no limit)");
   require(settings.average_decay >= 0.0 && settings.average_decay < 1.0, "average_decay",

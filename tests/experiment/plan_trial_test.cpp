@@ -36,8 +36,17 @@ TEST(PlanTrials, DistanceCountsRunsThatCollidedAndIsGivenWithoutThemToo) {
   const TrialSummary sum = summarise(trials, "", "network");
   EXPECT_EQ(sum.solved, 2);
   EXPECT_EQ(sum.collided, 1);
-  EXPECT_DOUBLE_EQ(sum.mean_distance_m, 0.06);
-  EXPECT_DOUBLE_EQ(sum.mean_distance_free_m, 0.02);
+  EXPECT_DOUBLE_EQ(*sum.distance_m, 0.06);
+  EXPECT_DOUBLE_EQ(*sum.distance_free_m, 0.02);
+}
+
+TEST(PlanTrials, OrientationIsOverGoalsThatAskForAHeading) {
+  std::vector<PlanTrial> trials = {executed_trial("network", 0.02, false),
+                                   executed_trial("network", 0.02, false)};
+  EXPECT_FALSE(summarise(trials, "", "").orientation_rad.has_value());
+  trials[0].asks_heading = true;
+  trials[0].execution->goal_error.orientation_rad = 0.3;
+  EXPECT_DOUBLE_EQ(*summarise(trials, "", "").orientation_rad, 0.3);
 }
 
 TEST(PlanTrials, WithoutAPlanCountAsTrialsOnly) {
@@ -47,8 +56,9 @@ TEST(PlanTrials, WithoutAPlanCountAsTrialsOnly) {
   const TrialSummary sum = summarise(trials, "a", "network");
   EXPECT_EQ(sum.trials, 2);
   EXPECT_EQ(sum.solved, 1);
-  EXPECT_DOUBLE_EQ(sum.mean_distance_m, 0.02);
+  EXPECT_DOUBLE_EQ(*sum.distance_m, 0.02);
   EXPECT_EQ(summarise(trials, "b", "").trials, 0);
+  EXPECT_FALSE(summarise(trials, "b", "").distance_m.has_value());
 }
 
 TEST(PlanTrials, CheapestPlanIsSoughtAmongThoseAskedFor) {

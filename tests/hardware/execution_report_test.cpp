@@ -63,8 +63,8 @@ TEST(ExecutionReport, LeavesUnknownNumbersNull) {
 TEST(ExecutionReport, TellsPeopleWhereItCollided) {
   const std::string text = execution_to_text(collided_run(), environment_with_obstacles());
   EXPECT_THAT(text, HasSubstr("6.4 cm and 0.21 rad from the goal: not reached"));
-  EXPECT_THAT(text, HasSubstr("collided with obstacle 1 (rectangle), plates 4 and 5, 1.23 s"));
-  EXPECT_THAT(text, HasSubstr("deepest 1.2 cm at obstacle 1 (rectangle), plates 5 and 6, 1.50 s"));
+  EXPECT_THAT(text, HasSubstr("collided with obstacle 2 (rectangle), plates 5 and 6, 1.23 s"));
+  EXPECT_THAT(text, HasSubstr("deepest 1.2 cm at obstacle 2 (rectangle), plates 6 and 7, 1.50 s"));
   EXPECT_THAT(text, Not(HasSubstr("started")));
 }
 

@@ -1,8 +1,7 @@
-// Searches for limber's own environments, environments/01…08_*.yaml, and checks them.
+// Searches for limber's own environments, environments/01…08_*.yaml, and checks them:
 //
-//   find_environments find  MODEL.safetensors FOLDER [FAMILY]   draws until each family has one
-//   that keeps its rules find_environments check MODEL.safetensors FILE…             measures
-//   existing ones against the rules
+//   find_environments find  MODEL FOLDER [FAMILY]
+//   find_environments check MODEL FILE…
 //
 // The rules are in docs/environments.md. Planning is limited by iterations, so a search can be
 // repeated.
@@ -123,6 +122,8 @@ constexpr std::uint64_t kSeed = 2026;
 constexpr std::uint64_t kMostDraws = 200000;
 constexpr std::uint64_t kIterations = 8000;
 constexpr double kMarginM = 0.005;
+constexpr double kGoalShare = 0.5;       // as the demo plans
+constexpr double kUnknown = 9.99;        // [m], where no plan was executed
 constexpr double kLargestMissCm = 19.0;  // beyond it only a rare history leads to the goal
 constexpr double kNetworkMissM =
     0.05;  // network plans of a chosen environment end nearer than this on average
@@ -146,6 +147,7 @@ FindingsSettings search_settings() {
   settings.trials = 4;
   settings.planning.limits.iterations = kIterations;
   settings.planning.margin_m = kMarginM;
+  settings.planning.goal_share = kGoalShare;
   return settings;
 }
 
@@ -177,15 +179,15 @@ bool is_promising(const Models& models, const Family& family, const StyledEnviro
 /// What holds of few trials as well as of many.
 bool worth_a_closer_look(const Family& family, const EnvironmentFindings& found) {
   return found.keeps_rules() && found.no_load.solved == found.no_load.trials &&
-         found.network.mean_distance_m < kNetworkMissM &&
-         found.no_load.mean_distance_m * kCmPerM >= family.least_no_load_miss_cm &&
+         found.network.distance_m.value_or(kUnknown) < kNetworkMissM &&
+         found.no_load.distance_m.value_or(0.0) * kCmPerM >= family.least_no_load_miss_cm &&
          (!family.no_load_must_fail || 2 * found.no_load_failed > found.no_load.trials) &&
          (!family.needs_reversal || found.needs_reversal) &&
          (!family.narrow || (found.passage && is_narrow(*found.passage)));
 }
 
 bool suits(const Family& family, const EnvironmentFindings& found) {
-  const double cost_psi = found.network.mean_cost_kpa / kKpaPerPsi;
+  const double cost_psi = found.network.cost_kpa.value_or(0.0) / kKpaPerPsi;
   return worth_a_closer_look(family, found) && cost_psi >= family.least_cost_psi &&
          cost_psi <= family.largest_cost_psi && found.network.collided <= 1;
 }
@@ -195,11 +197,14 @@ std::string row(const std::string& id, const EnvironmentFindings& found) {
       "{:<26} network {}/{} solved {:5.1f} psi {:4.1f} cm {} collided {} reached | no load {}/{} "
       "{:5.1f} psi "
       "{:4.1f} cm {} collided {} failed | straight {} reversal {} passage {} narrow {}",
-      id, found.network.solved, found.network.trials, found.network.mean_cost_kpa / kKpaPerPsi,
-      found.network.mean_distance_m * kCmPerM, found.network.collided, found.network_reached,
-      found.no_load.solved, found.no_load.trials, found.no_load.mean_cost_kpa / kKpaPerPsi,
-      found.no_load.mean_distance_m * kCmPerM, found.no_load.collided, found.no_load_failed,
-      found.straight_line_collides ? "collides" : "free", found.needs_reversal ? "needed" : "-",
+      id, found.network.solved, found.network.trials,
+      found.network.cost_kpa.value_or(0.0) / kKpaPerPsi,
+      found.network.distance_m.value_or(kUnknown) * kCmPerM, found.network.collided,
+      found.network_reached, found.no_load.solved, found.no_load.trials,
+      found.no_load.cost_kpa.value_or(0.0) / kKpaPerPsi,
+      found.no_load.distance_m.value_or(0.0) * kCmPerM, found.no_load.collided,
+      found.no_load_failed, found.straight_line_collides ? "collides" : "free",
+      found.needs_reversal ? "needed" : "-",
       found.passage ? fmt::format("{:.1f}/{:.1f} cm", found.passage->width_m * kCmPerM,
                                   found.passage->arm_width_m * kCmPerM)
                     : "-",

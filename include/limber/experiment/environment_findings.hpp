@@ -4,8 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "limber/experiment/plan_trial.hpp"
 #include "limber/planning/environment_measures.hpp"
 
@@ -46,7 +44,5 @@ struct EnvironmentFindings {
 EnvironmentFindings find_out(const ArmDescription& arm, const ForwardModel& no_load,
                              const ForwardModel& network, const EnvironmentCase& item,
                              const FindingsSettings& settings, std::uint64_t seed);
-
-nlohmann::ordered_json findings_to_json(const EnvironmentFindings& findings);
 
 }  // namespace limber

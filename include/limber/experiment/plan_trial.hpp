@@ -26,6 +26,7 @@ struct PlanTrial {
   std::string model;        ///< "no_load" or "network"
   std::string planner;
   std::uint64_t seed = 0;
+  bool asks_heading = false;  ///< whether the goal does
   PlanResult planning;
   std::optional<ExecutionResult> execution;  ///< none without a plan
 
@@ -36,7 +37,8 @@ struct PlanTrialSettings {
   std::string planner = "default";
   PlannerLimits limits;
   double margin_m = 0.0;
-  std::string model_hash;  ///< goes into the plan of a network; docs/formats.md
+  double goal_share = 1.0;  ///< of the goal's tolerances that a plan may use up, in (0, 1]
+  std::string model_hash;   ///< goes into the plan of a network; docs/formats.md
 };
 
 /// Plans in the environment with `model`. The result's execution is not set.
@@ -47,16 +49,19 @@ PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
 /// Executes the trial's plan, if it has one, on a fresh virtual arm at rest without sensor faults.
 void execute_trial(const ArmDescription& arm, const Environment& environment, PlanTrial& trial);
 
-/// Means over the trials of one model in one environment, or in all of them.
+/// Means over the trials of one model in one environment, or in all of them; none where nothing
+/// counts.
 struct TrialSummary {
   int trials = 0;
   int solved = 0;
+  int executed = 0;  ///< to their end
   int collided = 0;
-  double mean_first_solution_s = 0.0;  ///< over solved trials
-  double mean_cost_kpa = 0.0;          ///< over solved trials
-  double mean_distance_m = 0.0;        ///< executed, runs that collided included
-  double mean_orientation_rad = 0.0;   ///< the same
-  double mean_distance_free_m = 0.0;   ///< executed runs without collision only
+  int reached = 0;  ///< ended within the goal's tolerances, without collision
+  std::optional<double> first_solution_s;  ///< over solved trials
+  std::optional<double> cost_kpa;          ///< over solved trials
+  std::optional<double> distance_m;        ///< executed, runs that collided included
+  std::optional<double> distance_free_m;   ///< executed without collision
+  std::optional<double> orientation_rad;   ///< executed, where the goal asks for a heading
 };
 /// @param environment, model  empty: any.
 TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
