@@ -4,11 +4,11 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
+#include "limber/experiment/proven_environment.hpp"
 #include "limber/planning/collision.hpp"
 #include "limber/planning/environment_measures.hpp"
 #include "limber/planning/plan_picture.hpp"
 #include "limber/planning/problem_check.hpp"
-#include "limber/planning/random_environment.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -116,14 +116,18 @@ class EnvironmentVerb final : public Verb {
     Json files = Json::array();
     for (int k = 1; k <= count_; ++k) {
       throw_if_interrupted();
-      const std::optional<RandomEnvironment> drawn =
-          random_environment(arm, model, flags.seed, static_cast<std::uint64_t>(k));
+      const std::optional<Environment> drawn =
+          draw_proven_environment(arm, model, flags.seed, static_cast<std::uint64_t>(k));
       if (!drawn) {
         throw InputError(fmt::format(
-            "no environment {} of seed {} for arm '{}': too many attempts; try another --seed", k,
-            flags.seed, arm.name));
+            "no environment {} of seed {} for arm '{}' whose motion, executed on the virtual arm, "
+            "reaches its goal; "
+            "try another --seed{}",
+            k, flags.seed, arm.name,
+            model_.empty() ? ", or --model MODEL, which is nearer to the arm than the no-load model"
+                           : ""));
       }
-      write_file_atomically(path(k), environment_to_yaml(drawn->environment));
+      write_file_atomically(path(k), environment_to_yaml(*drawn));
       files.push_back(path(k).string());
       progress.advance();
     }

@@ -13,8 +13,8 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/experiment/final_shapes_picture.hpp"
+#include "limber/experiment/proven_environment.hpp"
 #include "limber/planning/plan_picture.hpp"
-#include "limber/planning/random_environment.hpp"
 
 namespace limber {
 
@@ -45,7 +45,7 @@ std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
                       "go round an obstacle",
                       results.arm().name));
     }
-    cases.push_back({fmt::format("random_{}", k), std::move(drawn->environment)});
+    cases.push_back({fmt::format("random_{}", k), std::move(*drawn)});
   }
   return cases;
 }

@@ -16,12 +16,9 @@ std::string mean_std(const ErrorStatistics& error, int digits) {
   return fmt::format("{:.{}f} ± {:.{}f}", error.mean, digits, error.std, digits);
 }
 
-std::string psi(double pressure_kpa) {
-  return fmt::format("{:.1f}", pressure_kpa / kKpaPerPsi);
-}
-
-std::string cm(double length_m) {
-  return fmt::format("{:.1f} cm", length_m * kCmPerM);
+/// A mean in the unit that `factor` leads to; a dash where there is none.
+std::string show(const std::optional<double>& mean, double factor, int digits) {
+  return mean ? fmt::format("{:.{}f}", *mean * factor, digits) : "–";
 }
 
 std::string rate(double queries_per_s) {

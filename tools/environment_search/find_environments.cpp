@@ -122,7 +122,6 @@ constexpr std::uint64_t kSeed = 2026;
 constexpr std::uint64_t kMostDraws = 200000;
 constexpr std::uint64_t kIterations = 8000;
 constexpr double kMarginM = 0.005;
-constexpr double kGoalShare = 0.5;       // as the demo plans
 constexpr double kUnknown = 9.99;        // [m], where no plan was executed
 constexpr double kLargestMissCm = 19.0;  // beyond it only a rare history leads to the goal
 constexpr double kNetworkMissM =
@@ -147,7 +146,6 @@ FindingsSettings search_settings() {
   settings.trials = 4;
   settings.planning.limits.iterations = kIterations;
   settings.planning.margin_m = kMarginM;
-  settings.planning.goal_share = kGoalShare;
   return settings;
 }
 
