@@ -23,6 +23,7 @@ void add_common_flags(CLI::App& app, CommonFlags& flags) {
   app.add_option("--jobs", flags.jobs, "Threads to use, 0 for one a core; never changes a result")
       ->check(CLI::Range(0, 1024));
   app.add_option("--seed", flags.seed, "Seed of everything that chance decides")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
 }
 
@@ -33,7 +34,11 @@ int report(int code, const std::string& message) {
 
 int run_guarded(Verb& verb, const CommonFlags& flags) {
   try {
-    return verb.run(flags);
+    const int code = verb.run(flags);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw SystemFault("standard output can't be written");
+    }
+    return code;
   } catch (const InputError& error) {
     return report(kExitBadInput, error.what());
   } catch (const Interrupted& error) {
@@ -81,7 +86,8 @@ int run_command_line(int argc, char** argv) {
 void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
                   const std::string& text) {
   if (flags.json) {
-    fmt::print("{}\n", result.dump(2));
+    fmt::print("{}\n",
+               result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
   } else if (!flags.quiet) {
     fmt::print("{}\n", text);
   }

@@ -87,8 +87,10 @@ class PlanVerb final : public Verb {
                                kDefaultTimeLimitS))
         ->check(CLI::PositiveNumber);
     app.add_option("--max-iterations", limits_.iterations,
-                   "Stop after so many samples; with this limit alone a run can be repeated");
-    app.add_option("--max-queries", limits_.queries, "Stop after so many queries of the model");
+                   "Stop after so many samples; with this limit alone a run can be repeated")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--max-queries", limits_.queries, "Stop after so many queries of the model")
+        ->check(CLI::PositiveNumber);
     app.add_option("--max-memory-mb", limits_.memory_mb, "Stop when the tree takes so much");
     app.add_option("--cost-threshold-kpa", limits_.cost_threshold_kpa,
                    "Stop at a plan this cheap; a large number stops at the first");

@@ -98,6 +98,16 @@ std::string read_file(const fs::path& path) {
 }
 
 void refuse_to_overwrite(const fs::path& path, bool force) {
+  const fs::file_status status = fs::symlink_status(path);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    throw InputError(
+        fmt::format("{}: exists and is no plain file; it is never replaced", path.string()));
+  }
+  if (path.has_parent_path() && fs::exists(path.parent_path()) &&
+      !fs::is_directory(path.parent_path())) {
+    throw InputError(
+        fmt::format("{}: {} is no folder", path.string(), path.parent_path().string()));
+  }
   if (!force && fs::exists(path)) {
     throw InputError(fmt::format("{}: exists already; --force replaces it", path.string()));
   }

@@ -35,6 +35,10 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
         "{}: arm_hash: made for arm '{}' ({}); this is arm '{}' ({}): plan again for this arm",
         file, plan.arm_name, plan.arm_hash, arm.name, arm.hash()));
   }
+  if (plan.frame_rate_hz != arm.frame_rate_hz) {
+    throw InputError(fmt::format("{}: frame_rate_hz: {} found; arm '{}' takes {} frames a second",
+                                 file, plan.frame_rate_hz, arm.name, arm.frame_rate_hz));
+  }
   const int n = arm.segment_count();
   const double step_limit = arm.pressure_step_limit_kpa();
   for (std::size_t k = 0; k < plan.frames.size(); ++k) {

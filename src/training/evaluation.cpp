@@ -145,6 +145,21 @@ TipErrors summarise(const TipErrorSeries& series) {
   return {statistics(series.position_cm), statistics(series.orientation_rad)};
 }
 
+namespace {
+
+void require_tracked(const std::vector<Episode>& episodes) {
+  const auto is_seen = [](const Episode& episode) {
+    return episode.tracked.empty() || std::any_of(episode.tracked.begin(), episode.tracked.end(),
+                                                  [](auto seen) { return seen != 0; });
+  };
+  if (std::none_of(episodes.begin(), episodes.end(), is_seen)) {
+    throw InputError(
+        "the recording can't be evaluated on: the arm was tracked in none of its frames");
+  }
+}
+
+}  // namespace
+
 Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     const std::vector<Episode>& all_episodes, int jobs) {
   std::vector<Episode> episodes;
@@ -161,6 +176,7 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     "an episode of at least {} frames",
                     result.frames, all_episodes.size(), kLeastFrames));
   }
+  require_tracked(episodes);
   // The no-load model has no memory: restarting it would change nothing.
   result.no_load_open_loop = rollout_errors(no_load, episodes, Restart::every_frame, jobs);
   result.hold_one_step = errors_over(hold(episodes), episodes, 1);

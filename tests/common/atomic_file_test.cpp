@@ -50,6 +50,19 @@ TEST(AtomicFile, RefusesToOverwriteUnlessForced) {
   EXPECT_NO_THROW(refuse_to_overwrite(path, true));
 }
 
+TEST(AtomicFile, NeverReplacesFoldersDevicesOrLinks) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "c.txt";
+  write_file_atomically(file, "x");
+  fs::create_symlink(file, folder.path() / "link");
+  for (const fs::path& path : {folder.path(), fs::path("/dev/null"), folder.path() / "link"}) {
+    EXPECT_THAT([&] { refuse_to_overwrite(path, true); },
+                ThrowsMessage<InputError>(HasSubstr("no plain file")));
+  }
+  EXPECT_THAT([&] { refuse_to_overwrite(file / "x", true); },
+              ThrowsMessage<InputError>(HasSubstr("is no folder")));
+}
+
 TEST(AtomicFile, NamesAMissingFile) {
   EXPECT_THAT([] { read_file("/nowhere/x.yaml"); },
               ThrowsMessage<InputError>(HasSubstr("/nowhere/x.yaml")));

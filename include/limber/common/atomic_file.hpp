@@ -20,7 +20,9 @@ void write_atomically(const std::filesystem::path& path,
 /// The whole file. @throws InputError where it is missing or can't be read.
 std::string read_file(const std::filesystem::path& path);
 
-/// Refuses to replace an existing file unless `force`. @throws InputError that names --force.
+/// Refuses to replace an existing file unless `force`, and anything that is no plain file (a
+/// folder, a device, a link) always. To be asked before the work begins. @throws InputError that
+/// names --force.
 void refuse_to_overwrite(const std::filesystem::path& path, bool force);
 
 }  // namespace limber
