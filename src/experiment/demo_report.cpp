@@ -174,8 +174,8 @@ void planning(ReportPage& page, const DemoResults& results) {
           "The same planner with either model. A plan is a list of set points, executed as it "
           "stands; distance and heading are taken after the last one was held for a second. "
           "Reached means within the goal's tolerances, 2 cm (and 0.3 rad where a heading is asked "
-          "for), without collision; plans may use up half of that, the rest is for the model's "
-          "error. Environments were chosen where the simple model errs (docs/environments.md). "
+          "for), without collision. Environments were chosen where the simple model errs "
+          "(docs/environments.md). "
           "The paper's plans ended 3.3–14.9 cm off with one collision (no load), 1.0–6.4 cm with "
           "none (network).")
       .table(trial_table(results))

@@ -1,12 +1,9 @@
 #include "limber/experiment/plan_trial.hpp"
 
-#include <memory>
-
 #include <nlohmann/json.hpp>
 
 #include "limber/hardware/execution_report.hpp"
 #include "limber/hardware/virtual_arm.hpp"
-#include "limber/planning/plan_builder.hpp"
 #include "limber/planning/plan_report.hpp"
 
 namespace limber {
@@ -20,22 +17,9 @@ PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
   trial.planner = settings.planner;
   trial.seed = seed;
   trial.asks_heading = item.environment.goal.theta_rad.has_value();
-  const std::unique_ptr<Planner> planner = make_planner(settings.planner);
-  const auto search = [&](const Environment& environment) {
-    const PlanningProblem problem{arm, model, environment, settings.margin_m};
-    return planner->plan(problem, settings.limits, seed);
-  };
-  trial.planning = search(with_tightened_goal(item.environment, settings.goal_share));
-  if (trial.planning.status == PlanStatus::limit && settings.goal_share < 1.0) {
-    const double spent_s = trial.planning.statistics.time_s;
-    trial.planning = search(item.environment);
-    trial.planning.statistics.time_s += spent_s;
-    if (trial.planning.first_solution) {
-      trial.planning.first_solution->time_s += spent_s;
-    }
-  }
+  const PlanningProblem problem{arm, model, item.environment, settings.margin_m};
+  trial.planning = make_planner(settings.planner)->plan(problem, settings.limits, seed);
   if (trial.planning.plan) {
-    trial.planning.plan->environment_hash = environment_hash(item.environment);
     trial.planning.plan->model_hash = model.has_network() ? settings.model_hash : "";
   }
   return trial;

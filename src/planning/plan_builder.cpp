@@ -58,12 +58,6 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
   return plan;
 }
 
-Environment with_tightened_goal(Environment environment, double share) {
-  environment.goal.position_tolerance_m *= share;
-  environment.goal.orientation_tolerance_rad *= share;
-  return environment;
-}
-
 bool is_solution(const PlanningProblem& problem, const CollisionChecker& checker,
                  const Plan& plan) {
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {

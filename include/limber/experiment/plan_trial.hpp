@@ -37,10 +37,6 @@ struct PlanTrialSettings {
   std::string planner = "default";
   PlannerLimits limits;
   double margin_m = 0.0;
-  /// Of the goal's tolerances that a plan may use up, in (0, 1], the rest being for the model's
-  /// error. Where no such plan is found within the limits, any plan to the goal is sought, within
-  /// the same limits once more.
-  double goal_share = 1.0;
   std::string model_hash;  ///< goes into the plan of a network; docs/formats.md
 };
 

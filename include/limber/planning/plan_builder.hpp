@@ -15,10 +15,6 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
                 const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
                 std::uint64_t seed);
 
-/// The environment with its goal's tolerances shrunk to `share` of themselves: a plan that ends in
-/// the middle of the region still ends in it when the arm errs. @pre 0 < share ≤ 1.
-Environment with_tightened_goal(Environment environment, double share);
-
 /// Whether a built plan keeps every constraint and ends in the goal.
 bool is_solution(const PlanningProblem& problem, const CollisionChecker& checker, const Plan& plan);
 
