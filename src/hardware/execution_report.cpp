@@ -41,9 +41,8 @@ Json execution_to_json(const ExecutionResult& result, const Environment& environ
       result.closest ? Json(kCmPerM * result.closest->clearance.value_m) : Json(nullptr);
   json["distance_to_goal_cm"] =
       result.final_backbone ? Json(kCmPerM * result.goal_error.position_m) : Json(nullptr);
-  json["orientation_to_goal_rad"] = result.final_backbone && environment.goal.theta_rad
-                                        ? Json(result.goal_error.orientation_rad)
-                                        : Json(nullptr);
+  json["orientation_to_goal_rad"] =
+      result.final_backbone ? Json(result.goal_error.orientation_rad) : Json(nullptr);
   json["replans"] = 0;
   json["frames"] = result.frames;
   json["goal_reached"] = result.goal_reached;

@@ -24,7 +24,6 @@ struct DemoRecipe {
   double planning_time_limit_s = 5.0;
   /// Clearance asked of every plan, of both models alike: the model's error eats it up.
   double margin_m = 0.005;
-  0.5;  ///< of the goal's tolerances for the plan, the rest for the model's error
 };
 
 /// Everything, in under six minutes on two cores.
