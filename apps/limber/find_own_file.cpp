@@ -1,0 +1,39 @@
+#include <filesystem>
+
+#include "limber/common/data_folder.hpp"
+#include "limber/common/error.hpp"
+#include "verb.hpp"
+
+namespace limber {
+
+namespace {
+
+/// The file given, or the one of limber's own that has this name in `folder`.
+std::string find_own_file(const std::string& name_or_path, const char* folder,
+                          const char* complaint) {
+  namespace fs = std::filesystem;
+  if (fs::is_regular_file(name_or_path)) {
+    return name_or_path;
+  }
+  const fs::path own = data_folder() / folder / (name_or_path + ".yaml");
+  if (name_or_path.find('/') == std::string::npos && fs::exists(own)) {
+    return own.string();
+  }
+  throw InputError(fmt::format(fmt::runtime(complaint), name_or_path));
+}
+
+}  // namespace
+
+std::string find_arm_file(const std::string& name_or_path) {
+  return find_own_file(name_or_path, "arms",
+                       "--arm {}: no such file, and none of limber's own arms has that name "
+                       "(three_segment, two_segment, five_segment)");
+}
+
+std::string find_environment_file(const std::string& name_or_path) {
+  return find_own_file(
+      name_or_path, "environments",
+      "--environment {}: no such file, and none of limber's own environments has that name");
+}
+
+}  // namespace limber
