@@ -1,21 +1,8 @@
 #!/bin/bash
 # limber characterize: its own bench test, a user's CSV, and what it refuses: exit codes, messages,
 # and that nothing is left behind by a failure.
-set -euo pipefail
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() { echo "FAILED: $*"; exit 1; }
-
-# expect <exit code> <text in the output> <arguments…>
-expect() {
-  local code=0 wanted=$1 text=$2
-  shift 2
-  "$LIMBER_PROGRAM" characterize "$@" >output.txt 2>&1 || code=$?
-  [ "$code" -eq "$wanted" ] || fail "'$*' exits with $code, not $wanted: $(cat output.txt)"
-  grep -qF -- "$text" output.txt || fail "'$*' does not say '$text': $(cat output.txt)"
-}
+program=("$LIMBER_PROGRAM" characterize)
+. "$(dirname -- "$(readlink -f -- "$0")")/expect.sh"
 
 # The bench test finds what the arm file says, and writes the very same file.
 expect 0 "arm written to arm.yaml" --arm two_segment --out arm.yaml --plot bench.svg

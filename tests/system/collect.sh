@@ -1,21 +1,7 @@
 #!/bin/bash
 # limber collect and limber inspect on what it wrote: the same file for any number of jobs, Ctrl-C
 # and --resume, what is refused, and that nothing is left behind by a failure.
-set -euo pipefail
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() { echo "FAILED: $*"; exit 1; }
-
-# expect <exit code> <text in the output> <arguments…>
-expect() {
-  local code=0 wanted=$1 text=$2
-  shift 2
-  "$LIMBER_PROGRAM" "$@" >output.txt 2>&1 || code=$?
-  [ "$code" -eq "$wanted" ] || fail "'$*' exits with $code, not $wanted: $(cat output.txt)"
-  grep -qF -- "$text" output.txt || fail "'$*' does not say '$text': $(cat output.txt)"
-}
+. "$(dirname -- "$(readlink -f -- "$0")")/expect.sh"
 
 # All transitions of a two-segment arm, at most half a second each.
 expect 0 "81 motions in 16 episodes" collect --arm two_segment --hold-s 0.5 --out all.h5

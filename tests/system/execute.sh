@@ -1,20 +1,6 @@
 #!/bin/bash
 # limber execute: a plan from `limber plan` run on the virtual arm; the run's files; what is refused.
-set -euo pipefail
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() { echo "FAILED: $*"; exit 1; }
-
-# expect <exit code> <text in the output> <arguments…>
-expect() {
-  local code=0 wanted=$1 text=$2
-  shift 2
-  "$LIMBER_PROGRAM" "$@" >output.txt 2>&1 || code=$?
-  [ "$code" -eq "$wanted" ] || fail "'$*' exits with $code, not $wanted: $(cat output.txt)"
-  grep -qF -- "$text" output.txt || fail "'$*' does not say '$text': $(cat output.txt)"
-}
+. "$(dirname -- "$(readlink -f -- "$0")")/expect.sh"
 
 cat >side.yaml <<'EOF'
 schema: limber/environment/1
