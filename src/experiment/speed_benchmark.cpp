@@ -72,8 +72,8 @@ Queries random_queries(const ArmDescription& arm, int count, std::uint64_t seed)
         }));
   };
   const MatrixXf before = pressures();
-  Queries queries{pressures(), pressures(), MatrixXf(3 * arm.point_count(), count),
-                  MatrixXf(3 * arm.point_count(), count)};
+  const MatrixXf zero = MatrixXf::Zero(3 * arm.point_count(), count);
+  Queries queries{pressures(), pressures(), zero, zero};
   ForwardModel::Workspace workspace;
   ForwardModel(arm).step_batch(before, before, queries.next, queries.previous, workspace);
   return queries;
@@ -230,7 +230,7 @@ PeerSpeed SpeedMeasurement::measure_eigen(const CompensationModel& compensation)
   PeerSpeed speed{"eigen", {}, {}};
   for (const int batch : kBatchSizes) {
     MatrixXf input(2 * n + 2 * size, batch);
-    MatrixXf unloaded(size, batch);
+    MatrixXf unloaded = MatrixXf::Zero(size, batch);
     MatrixXf output(size, batch);
     AlignedFloats scratch(2 * static_cast<std::size_t>(widest) * static_cast<std::size_t>(batch));
     const double rate = rate_of(settings_.queries, kInputs, [&] {
