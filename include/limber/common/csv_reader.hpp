@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limber {
+
+/// One cell of a CSV row.
+struct CsvCell {
+  std::string_view text;   ///< without quotes and surrounding blanks; valid until the next row
+  std::size_t column = 1;  ///< of its first character in the line, from 1
+  bool empty() const { return text.empty(); }
+};
+
+/// Reads delimited text row by row: RFC 4180's quotes (a doubled quote is one, a quoted cell may
+/// hold separators and line ends), a byte order mark, \n, \r\n and \r line ends. What a row means
+/// is the caller's affair; every refusal names file, line and column.
+/// Threads: one.
+class CsvReader {
+ public:
+  /// @throws InputError where the file can't be read, or is UTF-16 (as some spreadsheets save).
+  static CsvReader from_file(const std::filesystem::path& path, char separator = ',');
+  /// @param name  stands for the file in messages.
+  CsvReader(std::string text, std::string name, char separator = ',');
+
+  /// The next row, blank ones included (a single empty cell); false at the end of the file.
+  /// @throws InputError where a quote is never closed.
+  bool next(std::vector<CsvCell>& row);
+
+  /// Line on which the last row began, from 1; 1 before the first.
+  std::size_t line() const { return line_ == 0 ? 1 : line_; }
+  const std::string& name() const { return name_; }
+
+  /// @throws InputError "file:line:column: message".
+  [[noreturn]] void refuse(std::size_t column, const std::string& message) const;
+
+  /// The cell as a finite number with a decimal point. @throws InputError that says what was
+  /// `expected`, and names the decimal comma where there is one.
+  double number(const CsvCell& cell, const std::string& expected) const;
+
+ private:
+  CsvCell read_cell();
+  CsvCell read_quoted_cell();
+  void end_line();
+  bool at_line_end() const;
+
+  std::string text_;
+  std::string name_;
+  char separator_;
+  std::size_t position_ = 0;
+  std::size_t line_ = 0;              // of the last row
+  std::size_t next_line_ = 1;         // of the character at position_
+  std::size_t line_begin_ = 0;        // of the line of that character
+  std::deque<std::string> unquoted_;  // cells of the last row that had doubled quotes
+};
+
+/// Without surrounding spaces and tabs.
+std::string_view trimmed(std::string_view text);
+
+/// Whether a row holds nothing.
+bool is_blank(const std::vector<CsvCell>& row);
+
+/// The whole of `text` as a number ("1e-3", "+2.5", ".5"); false where it is none or not finite.
+bool parse_number(std::string_view text, double& value);
+
+}  // namespace limber

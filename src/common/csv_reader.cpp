@@ -1,0 +1,145 @@
+#include "limber/common/csv_reader.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+CsvReader CsvReader::from_file(const std::filesystem::path& path, char separator) {
+  return CsvReader(read_file(path), path.string(), separator);
+}
+
+CsvReader::CsvReader(std::string text, std::string name, char separator)
+    : text_(std::move(text)), name_(std::move(name)), separator_(separator) {
+  const std::string_view start = text_;
+  if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) {
+    refuse(1, "the file is UTF-16 text; expected UTF-8: save it as 'CSV UTF-8'");
+  }
+  if (start.starts_with("\xEF\xBB\xBF")) {
+    position_ = 3;
+    line_begin_ = 3;
+  }
+}
+
+void CsvReader::refuse(std::size_t column, const std::string& message) const {
+  throw InputError(fmt::format("{}:{}:{}: {}", name_, line(), column, message));
+}
+
+bool CsvReader::next(std::vector<CsvCell>& row) {
+  row.clear();
+  unquoted_.clear();
+  if (position_ >= text_.size()) {
+    return false;
+  }
+  line_ = next_line_;
+  while (true) {
+    row.push_back(read_cell());
+    if (at_line_end()) {
+      end_line();
+      return true;
+    }
+    ++position_;  // the separator
+  }
+}
+
+bool CsvReader::at_line_end() const {
+  return position_ >= text_.size() || text_[position_] == '\n' || text_[position_] == '\r';
+}
+
+void CsvReader::end_line() {
+  if (position_ + 1 < text_.size() && text_[position_] == '\r' && text_[position_ + 1] == '\n') {
+    ++position_;
+  }
+  ++position_;
+  ++next_line_;
+  line_begin_ = position_;
+}
+
+CsvCell CsvReader::read_cell() {
+  const std::size_t begin = position_;
+  while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\t') &&
+         text_[position_] != separator_) {
+    ++position_;
+  }
+  if (position_ < text_.size() && text_[position_] == '"') {
+    return read_quoted_cell();
+  }
+  position_ = begin;
+  while (!at_line_end() && text_[position_] != separator_) {
+    ++position_;
+  }
+  const std::string_view raw = std::string_view(text_).substr(begin, position_ - begin);
+  const std::string_view text = trimmed(raw);
+  const std::size_t lead = text.empty() ? 0 : std::size_t(text.data() - raw.data());
+  return {text, begin - line_begin_ + lead + 1};
+}
+
+CsvCell CsvReader::read_quoted_cell() {
+  const std::size_t column = position_ - line_begin_ + 1;
+  std::string content;
+  for (++position_;; ++position_) {
+    if (position_ >= text_.size()) {
+      refuse(column, "a quote that is never closed; expected \" at the end of the cell");
+    }
+    const char c = text_[position_];
+    if (c == '"') {
+      if (position_ + 1 >= text_.size() || text_[position_ + 1] != '"') {
+        break;
+      }
+      ++position_;
+    } else if (c == '\n') {
+      ++next_line_;
+      line_begin_ = position_ + 1;
+    }
+    content += c;
+  }
+  ++position_;
+  // Whatever stands between the quote and the separator belongs to the cell, as spreadsheets read.
+  while (!at_line_end() && text_[position_] != separator_) {
+    content += text_[position_++];
+  }
+  unquoted_.push_back(std::move(content));
+  return {trimmed(unquoted_.back()), column};
+}
+
+double CsvReader::number(const CsvCell& cell, const std::string& expected) const {
+  double value = 0.0;
+  if (!parse_number(cell.text, value)) {
+    const bool comma = separator_ != ',' && cell.text.find(',') != std::string_view::npos;
+    refuse(cell.column, fmt::format("'{}' found; expected {}, a plain finite number{}", cell.text,
+                                    expected, comma ? " with a decimal point" : ""));
+  }
+  return value;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && is_space(text.front())) {
+    text.remove_prefix(1);
+  }
+  while (!text.empty() && is_space(text.back())) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+bool is_blank(const std::vector<CsvCell>& row) {
+  return std::all_of(row.begin(), row.end(), [](const CsvCell& cell) { return cell.empty(); });
+}
+
+bool parse_number(std::string_view text, double& value) {
+  if (text.starts_with('+') && !text.starts_with("+-")) {
+    text.remove_prefix(1);
+  }
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && stop == end && std::isfinite(value);
+}
+
+}  // namespace limber
