@@ -8,14 +8,15 @@
 #include <tbb/task_arena.h>
 
 #include "limber/common/random_stream.hpp"
+#include "training/training_kernels.hpp"
 
 namespace limber {
 
 namespace {
 
-// Frames of a chunk: many enough for efficient products, few enough for a core's cache.
-constexpr int kFramesPerChunk = 1024;
-constexpr int kLeastWindowsPerChunk = 16;
+// Frames of a chunk: many enough for efficient products, few enough that every core gets some.
+constexpr int kFramesPerChunk = 512;
+constexpr int kLeastWindowsPerChunk = 32;
 
 int windows_per_chunk(int window_frames, int windows_per_batch) {
   const int windows = std::max(kFramesPerChunk / window_frames, kLeastWindowsPerChunk);
@@ -73,8 +74,8 @@ void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
     }
     workspace.disturb(added);
   }
-  losses_[index] = workspace.forward(parameters);
-  workspace.backward(parameters, gradients_[index]);
+  losses_[index] = workspace.forward(parameters.data());
+  workspace.backward(parameters.data(), gradients_[index].data());
 }
 
 double BatchGradient::compute(std::span<const int> starts, const Eigen::VectorXf& parameters,
@@ -94,7 +95,8 @@ double BatchGradient::compute(std::span<const int> starts, const Eigen::VectorXf
   gradient = gradients_[0];
   double loss = losses_[0];
   for (std::size_t chunk = 1; chunk < chunks; ++chunk) {
-    gradient += gradients_[chunk];
+    optimiser_kernels().add(static_cast<int>(gradient.size()), gradients_[chunk].data(),
+                            gradient.data());
     loss += losses_[chunk];
   }
   return loss;

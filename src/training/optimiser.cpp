@@ -3,27 +3,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "training/training_kernels.hpp"
+
 namespace limber {
 
 namespace {
 
 constexpr double kBeta1 = 0.9;
 constexpr double kBeta2 = 0.999;
-constexpr double kEpsilon = 1e-8;
-
-void adam_step(const Eigen::VectorXf& gradient, double learning_rate, OptimiserState& state,
-               Eigen::VectorXf& parameters) {
-  const auto step = static_cast<double>(state.step);
-  const double bias1 = 1.0 - std::pow(kBeta1, step);
-  const double bias2 = 1.0 - std::pow(kBeta2, step);
-  const auto rate = static_cast<float>(learning_rate / bias1);
-  const auto root_bias2 = static_cast<float>(1.0 / std::sqrt(bias2));
-  auto m = state.first_moment.array();
-  auto v = state.second_moment.array();
-  m = static_cast<float>(kBeta1) * m + static_cast<float>(1.0 - kBeta1) * gradient.array();
-  v = static_cast<float>(kBeta2) * v + static_cast<float>(1.0 - kBeta2) * gradient.array().square();
-  parameters.array() -= rate * m / (v.sqrt() * root_bias2 + static_cast<float>(kEpsilon));
-}
 
 }  // namespace
 
@@ -38,14 +25,21 @@ void optimiser_step(Optimiser optimiser, const Eigen::VectorXf& gradient, double
                     OptimiserState& state, Eigen::VectorXf& parameters) {
   ++state.step;
   if (optimiser == Optimiser::adam) {
-    adam_step(gradient, learning_rate, state, parameters);
+    const auto step = static_cast<double>(state.step);
+    const double bias1 = 1.0 - std::pow(kBeta1, step);
+    const double bias2 = 1.0 - std::pow(kBeta2, step);
+    optimiser_kernels().adam(static_cast<int>(parameters.size()), gradient.data(),
+                             static_cast<float>(learning_rate / bias1),
+                             static_cast<float>(1.0 / std::sqrt(bias2)), state.first_moment.data(),
+                             state.second_moment.data(), parameters.data());
   } else {
     parameters -= static_cast<float>(learning_rate) * gradient;
   }
 }
 
 double limit_norm(Eigen::VectorXf& gradient, double limit) {
-  const double norm = std::sqrt(gradient.cast<double>().squaredNorm());
+  const double norm =
+      std::sqrt(optimiser_kernels().square_sum(static_cast<int>(gradient.size()), gradient.data()));
   if (limit > 0.0 && norm > limit) {
     gradient *= static_cast<float>(limit / norm);
   }

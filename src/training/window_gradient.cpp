@@ -1,161 +1,210 @@
 #include "limber/training/window_gradient.hpp"
 
+#include <algorithm>
 #include <cassert>
 
-#include "layer_kernels.hpp"
+#include "training/training_kernels.hpp"
 
 namespace limber {
+
+namespace {
+
+constexpr int kGroupWindows = 32;  // two vectors of the widest kind: fast, and a small batch still
+                                   // makes enough groups for all cores
+constexpr int kGradientQueries = 512;  // whose deltas and inputs fit the second cache together
+
+int group_stride(int window_limit, int lanes) {
+  return std::min((window_limit + lanes - 1) / lanes * lanes, kGroupWindows);
+}
+
+}  // namespace
 
 template <class Scalar>
 WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const StateMap<Scalar>& map,
                                        int segment_count, int window_frames, int window_limit)
-    : layout_(layout),
+    : kernels_(window_kernels<Scalar>()),
+      layout_(layout),
       map_(map),
       segments_(segment_count),
+      size_(static_cast<int>(map.output_scale.size())),
       frames_(window_frames),
-      window_limit_(window_limit) {
-  const Eigen::Index size = map.output_scale.size();
-  const Eigen::Index columns = Eigen::Index(window_frames) * window_limit;
-  assert(layout.inputs(0) >= 2 * segment_count + size);
-  assert(layout.outputs(layout.layer_count() - 1) == size);
-  input_.resize(layout.inputs(0), columns);
+      window_limit_(window_limit),
+      stride_(group_stride(window_limit, kernels_.lanes)),
+      slots_(std::max(kGradientQueries / stride_, 1)) {
+  assert(layout.inputs(0) >= 2 * segment_count + size_);
+  assert(layout.outputs(layout.layer_count() - 1) == size_);
+  const int groups = (window_limit + stride_ - 1) / stride_;
+  const auto numbers = [&](int blocks, int rows) {
+    return static_cast<std::size_t>(blocks) * static_cast<std::size_t>(rows * stride_);
+  };
+  const int blocks = groups * window_frames;
+  index_.resize(static_cast<std::size_t>(groups * stride_));
+  input_.resize(numbers(blocks, layout.inputs(0)));
   for (int layer = 0; layer < layout.layer_count(); ++layer) {
-    delta_.emplace_back(layout.outputs(layer), columns);
+    delta_.emplace_back(numbers(slots_, layout.outputs(layer)));
     if (layer + 1 < layout.layer_count()) {
-      hidden_.emplace_back(layout.outputs(layer), columns);
+      hidden_.emplace_back(numbers(blocks, layout.outputs(layer)));
     }
   }
-  target_.resize(size, columns);
-  uncompensated_.resize(size, columns);
-  state_.resize(size, columns);
-  error_gradient_.resize(size, columns);
-  state_gradient_.resize(size, window_limit);
+  target_.resize(numbers(blocks, size_));
+  uncompensated_.resize(numbers(blocks, size_));
+  error_gradient_.resize(numbers(blocks, size_));
+  weight_.resize(numbers(blocks, 1));
+  output_.resize(numbers(1, size_));
+  last_state_.resize(numbers(1, size_));
+  carried_.resize(numbers(1, size_));
 }
 
 template <class Scalar>
 void WindowGradient<Scalar>::load(const FrameTable<Scalar>& frames, std::span<const int> starts) {
-  assert(static_cast<int>(starts.size()) <= window_limit_);
+  assert(!starts.empty() && static_cast<int>(starts.size()) <= window_limit_);
   windows_ = static_cast<int>(starts.size());
-  const Eigen::Index n = segments_;
-  const Eigen::Index size = target_.rows();
-  for (int k = 0; k < frames_; ++k) {
-    for (int j = 0; j < windows_; ++j) {
-      const Eigen::Index frame = starts[static_cast<std::size_t>(j)] + k;
-      const Eigen::Index c = column(k) + j;
-      input_.col(c).segment(0, n) = frames.pressure.col(frame);
-      input_.col(c).segment(n, n) = frames.pressure.col(frame + 1);
-      input_.col(c).tail(frames.no_load.rows()) = frames.no_load.col(frame + 1);
-      uncompensated_.col(c) = frames.uncompensated.col(frame + 1);
-      target_.col(c) = frames.targets().col(frame + 1);
-      if (k == 0) {
-        input_.col(c).segment(2 * n, size) = frames.state.col(frame);
-      }
+  groups_ = (windows_ + stride_ - 1) / stride_;
+  std::copy(starts.begin(), starts.end(), index_.begin());
+  std::fill(index_.begin() + windows_, index_.begin() + groups_ * stride_, starts.back());
+  for (int group = 0; group < groups_; ++group) {
+    for (int k = 0; k < frames_; ++k) {
+      load_block(frames, group, k);
+    }
+  }
+  weigh(frames, starts);
+}
+
+// Leaves the group's index at the frame behind `frame`.
+template <class Scalar>
+void WindowGradient<Scalar>::load_block(const FrameTable<Scalar>& frames, int group, int frame) {
+  const int block = block_of(group, frame);
+  int* index = index_.data() + group * stride_;
+  const auto gather = [&](const Matrix& table, Scalar* rows) {
+    const int count = static_cast<int>(table.rows());
+    kernels_.gather(count, stride_, table.data(), count, index, rows);
+  };
+  Scalar* input = at(input_, layout_.inputs(0), block);
+  gather(frames.pressure, input);
+  if (frame == 0) {
+    gather(frames.state, input + 2 * segments_ * stride_);
+  }
+  std::for_each(index, index + stride_, [](int& column) { ++column; });
+  gather(frames.pressure, input + segments_ * stride_);
+  gather(frames.no_load, input + (2 * segments_ + size_) * stride_);
+  gather(frames.uncompensated, at(uncompensated_, size_, block));
+  gather(frames.targets(), at(target_, size_, block));
+}
+
+template <class Scalar>
+void WindowGradient<Scalar>::weigh(const FrameTable<Scalar>& frames, std::span<const int> starts) {
+  std::fill(weight_.begin(), weight_.end(), Scalar(0));
+  for (int j = 0; j < windows_; ++j) {
+    const int first = starts[static_cast<std::size_t>(j)] + 1;
+    const auto is_seen = [&](int k) {
+      return frames.seen.empty() || frames.seen[static_cast<std::size_t>(first + k)] != 0;
+    };
+    int count = 0;
+    for (int k = 0; k < frames_; ++k) {
+      count += is_seen(k) ? 1 : 0;
+    }
+    for (int k = 0; k < frames_; ++k) {
+      at(weight_, 1, block_of(j / stride_, k))[j % stride_] =
+          is_seen(k) ? Scalar(1) / static_cast<Scalar>(count) : Scalar(0);
     }
   }
 }
 
 template <class Scalar>
 void WindowGradient<Scalar>::disturb(const Matrix& noise) {
-  input_.block(2 * segments_, 0, target_.rows(), windows_) += noise.leftCols(windows_);
-}
-
-template <class Scalar>
-const typename WindowGradient<Scalar>::Matrix& WindowGradient<Scalar>::layer_input(
-    int layer) const {
-  return layer == 0 ? input_ : hidden_[static_cast<std::size_t>(layer) - 1];
-}
-
-template <class Scalar>
-void WindowGradient<Scalar>::forward_layers(const Vector& parameters, int frame) {
-  const Eigen::Index first = column(frame);
-  const int last = layout_.layer_count() - 1;
-  for (int layer = 0; layer <= last; ++layer) {
-    Matrix& output = layer == last ? state_ : hidden_[static_cast<std::size_t>(layer)];
-    const int m = layout_.outputs(layer);
-    const int k = layout_.inputs(layer);
-    LayerKernels<Scalar>::layer(m, windows_, k, parameters.data() + layout_.weight_offset(layer), m,
-                                layer_input(layer).col(first).data(), k,
-                                parameters.data() + layout_.bias_offset(layer), layer < last,
-                                output.col(first).data(), m);
-  }
-}
-
-template <class Scalar>
-double WindowGradient<Scalar>::forward(const Vector& parameters) {
-  const Eigen::Index size = target_.rows();
-  const Eigen::Index state_row = 2 * segments_;
-  double loss = 0.0;
-  for (int k = 0; k < frames_; ++k) {
-    if (k > 0) {
-      input_.block(state_row, column(k), size, windows_) =
-          state_.middleCols(column(k - 1), windows_);
+  for (int j = 0; j < windows_; ++j) {
+    Scalar* input = at(input_, layout_.inputs(0), block_of(j / stride_, 0));
+    for (int r = 0; r < size_; ++r) {
+      input[(2 * segments_ + r) * stride_ + j % stride_] += noise(r, j);
     }
-    forward_layers(parameters, k);
-    auto state = state_.middleCols(column(k), windows_);
-    state.array().colwise() *= map_.output_scale.array();
-    state += uncompensated_.middleCols(column(k), windows_);
-    loss += static_cast<double>(map_.error.compute(windows_, state.data(),
-                                                   target_.col(column(k)).data(),
-                                                   error_gradient_.col(column(k)).data()));
-  }
-  return loss / frames_;
-}
-
-template <class Scalar>
-void WindowGradient<Scalar>::backward_frame(const Vector& parameters, int frame) {
-  using Kernels = LayerKernels<Scalar>;
-  const Eigen::Index first = column(frame);
-  auto carried = state_gradient_.leftCols(windows_);
-  carried += error_gradient_.middleCols(first, windows_) / Scalar(frames_);
-  delta_.back().middleCols(first, windows_) =
-      (carried.array().colwise() * map_.output_scale.array()).matrix();
-  for (int layer = layout_.layer_count() - 1; layer > 0; --layer) {
-    const auto below = static_cast<std::size_t>(layer) - 1;
-    const int m = layout_.inputs(layer);
-    const int k = layout_.outputs(layer);
-    Scalar* gradient = delta_[below].col(first).data();
-    Kernels::tn(m, windows_, k, parameters.data() + layout_.weight_offset(layer), k,
-                delta_[below + 1].col(first).data(), k, gradient, m);
-    Kernels::relu_gradient(m, windows_, hidden_[below].col(first).data(), m, gradient, m);
-  }
-  if (frame > 0) {
-    // Only the columns of the first weight that read B_{t−1} lead back in time.
-    const int k = layout_.outputs(0);
-    const Eigen::Index skipped = Eigen::Index(2 * segments_) * k;
-    const int size = static_cast<int>(target_.rows());
-    Kernels::tn(size, windows_, k, parameters.data() + layout_.weight_offset(0) + skipped, k,
-                delta_.front().col(first).data(), k, state_gradient_.data(), size);
   }
 }
 
 template <class Scalar>
-void WindowGradient<Scalar>::weight_gradients(Vector& gradient) const {
-  const int count = frames_ * windows_;
+Scalar* WindowGradient<Scalar>::layer_input(int layer, int block) {
+  return layer == 0
+             ? at(input_, layout_.inputs(0), block)
+             : at(hidden_[static_cast<std::size_t>(layer) - 1], layout_.inputs(layer), block);
+}
+
+template <class Scalar>
+double WindowGradient<Scalar>::forward(const Scalar* parameters) {
+  const int last = layout_.layer_count() - 1;
+  double loss = 0.0;
+  for (int group = 0; group < groups_; ++group) {
+    for (int k = 0; k < frames_; ++k) {
+      const int block = block_of(group, k);
+      for (int layer = 0; layer <= last; ++layer) {
+        kernels_.layer(stride_, layout_.outputs(layer), layout_.inputs(layer),
+                       layer_input(layer, block), parameters + layout_.weight_offset(layer),
+                       parameters + layout_.bias_offset(layer), layer < last,
+                       layer == last ? output_.data() : layer_input(layer + 1, block));
+      }
+      // The next frame's input, at once.
+      Scalar* state = k + 1 == frames_
+                          ? last_state_.data()
+                          : layer_input(0, block_of(group, k + 1)) + 2 * segments_ * stride_;
+      kernels_.add_scaled(size_, stride_, map_.output_scale.data(), output_.data(),
+                          at(uncompensated_, size_, block), state);
+      loss += static_cast<double>(map_.error.compute(stride_, state, at(target_, size_, block),
+                                                     at(weight_, 1, block),
+                                                     at(error_gradient_, size_, block)));
+    }
+  }
+  return loss;
+}
+
+template <class Scalar>
+void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block, int slot) {
+  const auto delta = [&](int layer) {
+    return at(delta_[static_cast<std::size_t>(layer)], layout_.outputs(layer), slot);
+  };
+  const int last = layout_.layer_count() - 1;
+  kernels_.carry(size_, stride_, map_.output_scale.data(), at(error_gradient_, size_, block),
+                 carried_.data(), delta(last));
+  for (int layer = last; layer > 0; --layer) {
+    const int inputs = layout_.inputs(layer);
+    kernels_.layer_back(stride_, layout_.outputs(layer), inputs, delta(layer),
+                        parameters + layout_.weight_offset(layer), delta(layer - 1));
+    kernels_.relu_gradient(stride_ * inputs, layer_input(layer, block), delta(layer - 1));
+  }
+  // Only the columns of the first weight that read B_{t−1} lead back in time.
+  const int outputs = layout_.outputs(0);
+  kernels_.layer_back(
+      stride_, outputs, size_, delta(0),
+      parameters + layout_.weight_offset(0) + std::ptrdiff_t{2} * segments_ * outputs,
+      carried_.data());
+}
+
+template <class Scalar>
+void WindowGradient<Scalar>::add_weight_gradients(int first_block, int count, Scalar* gradient) {
   for (int layer = 0; layer < layout_.layer_count(); ++layer) {
-    const Matrix& delta = delta_[static_cast<std::size_t>(layer)];
-    const int m = layout_.outputs(layer);
-    const int n = layout_.inputs(layer);
-    LayerKernels<Scalar>::nt(m, n, count, delta.data(), m, layer_input(layer).data(), n,
-                             gradient.data() + layout_.weight_offset(layer), m);
-    LayerKernels<Scalar>::row_sums(m, count, delta.data(), m,
-                                   gradient.data() + layout_.bias_offset(layer));
+    const int outputs = layout_.outputs(layer);
+    const int inputs = layout_.inputs(layer);
+    const Scalar* delta = delta_[static_cast<std::size_t>(layer)].data();
+    kernels_.weight_gradient(count, stride_, outputs, inputs, delta,
+                             layer_input(layer, first_block), inputs * stride_,
+                             gradient + layout_.weight_offset(layer));
+    kernels_.bias_gradient(count, stride_, outputs, delta, gradient + layout_.bias_offset(layer));
   }
 }
 
 template <class Scalar>
-void WindowGradient<Scalar>::backward(const Vector& parameters, Vector& gradient) {
-  assert(gradient.size() == layout_.size());
-  state_gradient_.setZero();
-  for (int k = frames_ - 1; k >= 0; --k) {
-    backward_frame(parameters, k);
+void WindowGradient<Scalar>::backward(const Scalar* parameters, Scalar* gradient) {
+  std::fill(gradient, gradient + layout_.size(), Scalar(0));
+  const int blocks = groups_ * frames_;
+  int pending = 0;
+  for (int block = 0; block < blocks; ++block) {
+    if (block % frames_ == 0) {
+      std::fill(carried_.begin(), carried_.end(), Scalar(0));
+    }
+    backward_block(parameters, block, pending);
+    ++pending;
+    if (pending == slots_ || block + 1 == blocks) {
+      add_weight_gradients(block + 1 - pending, pending, gradient);
+      pending = 0;
+    }
   }
-  weight_gradients(gradient);
-}
-
-template <class Scalar>
-Eigen::Ref<const typename WindowGradient<Scalar>::Matrix> WindowGradient<Scalar>::predicted(
-    int frame) const {
-  return state_.middleCols(column(frame), windows_);
 }
 
 template class WindowGradient<float>;

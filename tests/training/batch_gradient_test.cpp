@@ -46,9 +46,9 @@ TEST_F(BatchGradientTest, IsTheSumOverTheWindows) {
   const Eigen::VectorXf all = gradient(2, 0.0, &loss);
   WindowGradient<float> whole(layout_, tables_.map, 3, 4, static_cast<int>(starts_.size()));
   whole.load(tables_.frames, starts_);
-  EXPECT_NEAR(whole.forward(parameters_), loss, kRounding * loss);
+  EXPECT_NEAR(whole.forward(parameters_.data()), loss, kRounding * loss);
   Eigen::VectorXf expected(layout_.size());
-  whole.backward(parameters_, expected);
+  whole.backward(parameters_.data(), expected.data());
   EXPECT_LT((all - expected).norm(), kRounding * expected.norm());
 }
 

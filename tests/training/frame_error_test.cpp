@@ -21,11 +21,15 @@ Vector random_vector(Eigen::Index size, double low, double high, std::uint64_t s
 
 TEST(FrameError, EntrywiseIsTheWeightedSumOfAbsoluteDifferences) {
   FrameError<double> error(Eigen::Vector2d(2.0, 10.0));
-  const Eigen::Vector4d states(1.0, 1.0, 0.0, 0.5);
-  const Eigen::Vector4d targets(0.0, 1.5, 0.0, 0.25);
+  // Two windows along the rows: (1, 1) and (0, 0.5).
+  const Eigen::Vector4d states(1.0, 0.0, 1.0, 0.5);
+  const Eigen::Vector4d targets(0.0, 0.0, 1.5, 0.25);
+  const Eigen::Vector2d window_weight(1.0, 0.5);
   Eigen::Vector4d gradient;
-  EXPECT_DOUBLE_EQ(error.compute(2, states.data(), targets.data(), gradient.data()), 9.5);
-  EXPECT_EQ(gradient, Eigen::Vector4d(2.0, -10.0, 0.0, 10.0));
+  EXPECT_DOUBLE_EQ(
+      error.compute(2, states.data(), targets.data(), window_weight.data(), gradient.data()),
+      7.0 + 0.5 * 2.5);
+  EXPECT_EQ(gradient, Eigen::Vector4d(2.0, 0.0, -10.0, 5.0));
 }
 
 TEST(FrameError, ChainedComparesPosesAboutTheBase) {
@@ -37,7 +41,8 @@ TEST(FrameError, ChainedComparesPosesAboutTheBase) {
   FrameError<double> error(weight, scale, offset);
   Vector gradient(15);
   const Vector poses = base_poses_of(state.cwiseProduct(scale) + offset).bottomRows(15);
-  EXPECT_NEAR(error.compute(1, state.data(), target.data(), gradient.data()),
+  const double whole = 1.0;
+  EXPECT_NEAR(error.compute(1, state.data(), target.data(), &whole, gradient.data()),
               weight.dot((poses - target).cwiseAbs()), kRounding);
 }
 
@@ -48,13 +53,16 @@ TEST(FrameError, ChainedGradientAgreesWithFiniteDifferences) {
   const Vector targets = random_vector(30, -1.0, 1.0, 5);
   Vector gradient(30);
   Vector unused(30);
-  error.compute(2, states.data(), targets.data(), gradient.data());
+  const Eigen::Vector2d weight(1.0, 0.3);
+  error.compute(2, states.data(), targets.data(), weight.data(), gradient.data());
   for (Eigen::Index i = 0; i < 30; ++i) {
     const double value = states[i];
     states[i] = value + kDifferenceStep;
-    const double above = error.compute(2, states.data(), targets.data(), unused.data());
+    const double above =
+        error.compute(2, states.data(), targets.data(), weight.data(), unused.data());
     states[i] = value - kDifferenceStep;
-    const double below = error.compute(2, states.data(), targets.data(), unused.data());
+    const double below =
+        error.compute(2, states.data(), targets.data(), weight.data(), unused.data());
     states[i] = value;
     EXPECT_NEAR(gradient[i], (above - below) / (2 * kDifferenceStep), kDifferenceTolerance) << i;
   }

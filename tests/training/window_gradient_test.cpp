@@ -23,9 +23,9 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
 FrameTable<double> in_double(const FrameTable<float>& frames) {
-  return {frames.pressure.cast<double>(), frames.no_load.cast<double>(),
+  return {frames.pressure.cast<double>(),      frames.no_load.cast<double>(),
           frames.uncompensated.cast<double>(), frames.state.cast<double>(),
-          frames.target.cast<double>()};
+          frames.target.cast<double>(),        frames.seen};
 }
 
 StateMap<double> in_double(const StateMap<float>& map) {
@@ -57,15 +57,15 @@ TEST_P(GradientInLayout, AgreesWithFiniteDifferencesOverAWholeWindow) {
   window.load(frames, starts);
 
   Vector gradient(layout.size());
-  window.forward(parameters);
-  window.backward(parameters, gradient);
+  window.forward(parameters.data());
+  window.backward(parameters.data(), gradient.data());
   ASSERT_GT(gradient.norm(), 1e-3);
   for (Eigen::Index i = 0; i < layout.size(); i += 3) {
     const double value = parameters[i];
     parameters[i] = value + kDifferenceStep;
-    const double above = window.forward(parameters);
+    const double above = window.forward(parameters.data());
     parameters[i] = value - kDifferenceStep;
-    const double below = window.forward(parameters);
+    const double below = window.forward(parameters.data());
     parameters[i] = value;
     EXPECT_NEAR(gradient[i], (above - below) / (2 * kDifferenceStep),
                 kDifferenceTolerance * (1.0 + std::abs(gradient[i])))
@@ -98,6 +98,7 @@ struct PyTorchCase {
             matrix("no_load", widths[0] - 2 * segments - state),
             matrix("uncompensated", state),
             matrix("state", state),
+            {},
             {}};
   }
 };
@@ -112,8 +113,8 @@ TEST(WindowGradient, EqualsPyTorchs) {
   window.load(stored.frames(), starts);
   const Vector parameters = stored.vector("parameters");
   Vector gradient(layout.size());
-  EXPECT_NEAR(window.forward(parameters), stored.values.at("loss"), kPyTorchTolerance * 100);
-  window.backward(parameters, gradient);
+  EXPECT_NEAR(window.forward(parameters.data()), stored.values.at("loss"), kPyTorchTolerance * 100);
+  window.backward(parameters.data(), gradient.data());
   const Vector expected = stored.vector("gradient");
   EXPECT_LT((gradient - expected).lpNorm<Eigen::Infinity>(),
             kPyTorchTolerance * expected.lpNorm<Eigen::Infinity>());
@@ -127,6 +128,7 @@ TEST(WindowGradient, SinglePrecisionFollowsDouble) {
   const ParameterLayout layout({static_cast<int>(tables.input.scale.size()), 100, 100, 100,
                                 static_cast<int>(tables.output.scale.size())});
   const Eigen::VectorXf parameters = initial_parameters(layout, 5);
+  const Vector exact = parameters.cast<double>();
   const std::vector<int> starts = {2, 20, 45};
   WindowGradient<float> single(layout, tables.map, arm.segment_count(), 7, 3);
   WindowGradient<double> reference(layout, in_double(tables.map), arm.segment_count(), 7, 3);
@@ -134,10 +136,10 @@ TEST(WindowGradient, SinglePrecisionFollowsDouble) {
   reference.load(in_double(tables.frames), starts);
   Eigen::VectorXf gradient(layout.size());
   Vector expected(layout.size());
-  const double loss = reference.forward(parameters.cast<double>());
-  EXPECT_NEAR(single.forward(parameters), loss, kSinglePrecisionTolerance * loss);
-  single.backward(parameters, gradient);
-  reference.backward(parameters.cast<double>(), expected);
+  const double loss = reference.forward(exact.data());
+  EXPECT_NEAR(single.forward(parameters.data()), loss, kSinglePrecisionTolerance * loss);
+  single.backward(parameters.data(), gradient.data());
+  reference.backward(exact.data(), expected.data());
   EXPECT_LT((gradient.cast<double>() - expected).norm(),
             kSinglePrecisionTolerance * expected.norm());
 }
@@ -152,9 +154,83 @@ TEST(WindowGradient, AWindowDoesNotDependOnItsNeighbours) {
   WindowGradient<double> window(layout, map, 2, 6, 3);
   const auto loss_of = [&](std::vector<int> starts) {
     window.load(frames, starts);
-    return window.forward(parameters);
+    return window.forward(parameters.data());
   };
   EXPECT_NEAR(loss_of({0, 7, 14}), loss_of({0}) + loss_of({7}) + loss_of({14}), 1e-12);
+}
+
+// More windows than one group holds, the last group partly filled.
+TEST(WindowGradient, GroupsOfWindowsAddUp) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingTables tables =
+      make_training_tables(arm, {toy_episode(arm, 20, 20, 3)},
+                           settings_for(BackboneLayout::gap_poses, true, Scaling::unit_spread));
+  const ParameterLayout layout({static_cast<int>(tables.input.scale.size()), 20,
+                                static_cast<int>(tables.output.scale.size())});
+  const Eigen::VectorXf parameters = initial_parameters(layout, 5);
+  const std::vector<int> starts = window_starts(tables.episodes, 5, 0);
+  ASSERT_EQ(starts.size(), 80U);
+  WindowGradient<float> together(layout, tables.map, 3, 5, 80);
+  WindowGradient<float> alone(layout, tables.map, 3, 5, 1);
+  together.load(tables.frames, starts);
+  const double loss = together.forward(parameters.data());
+  Eigen::VectorXf gradient(layout.size());
+  together.backward(parameters.data(), gradient.data());
+  double sum = 0.0;
+  Vector expected = Vector::Zero(layout.size());
+  for (const int start : starts) {
+    Eigen::VectorXf part(layout.size());
+    alone.load(tables.frames, std::vector<int>{start});
+    sum += alone.forward(parameters.data());
+    alone.backward(parameters.data(), part.data());
+    expected += part.cast<double>();
+  }
+  EXPECT_NEAR(loss, sum, kSinglePrecisionTolerance * sum);
+  EXPECT_LT((gradient.cast<double>() - expected).norm(),
+            kSinglePrecisionTolerance * expected.norm());
+}
+
+// What stands in a frame that was not tracked is a guess: no guess may reach loss or gradient.
+TEST(WindowGradient, UnseenFramesCountNothing) {
+  const PyTorchCase stored;
+  const ParameterLayout layout(stored.values.at("widths").get<std::vector<int>>());
+  const StateMap<double> map{stored.vector("output_scale"),
+                             FrameError<double>(stored.vector("loss_weight"))};
+  const Vector parameters = stored.vector("parameters");
+  FrameTable<double> frames = stored.frames();
+  WindowGradient<double> window(layout, map, 2, 6, 3);
+  const auto evaluate = [&](Vector& gradient) {
+    window.load(frames, std::vector<int>{0, 7});
+    const double loss = window.forward(parameters.data());
+    window.backward(parameters.data(), gradient.data());
+    return loss;
+  };
+  Vector all(layout.size());
+  const double whole = evaluate(all);
+  frames.seen.assign(static_cast<std::size_t>(frames.state.cols()), 1);
+  frames.seen[3] = 0;
+  frames.seen[13] = 0;
+  Vector some(layout.size());
+  const double partial = evaluate(some);
+  EXPECT_NE(partial, whole);
+  frames.state.col(3).setConstant(50.0);
+  frames.state.col(13).setConstant(-50.0);
+  Vector other(layout.size());
+  EXPECT_EQ(evaluate(other), partial);
+  EXPECT_EQ(other, some);
+
+  // A window's error is the mean over the frames seen: five of six here.
+  frames = stored.frames();
+  double sum = 0.0;
+  for (const int length : {2, 3, 6}) {
+    WindowGradient<double> part(layout, map, 2, length, 1);
+    part.load(frames, std::vector<int>{0});
+    sum += (length == 3 ? -1.0 : 1.0) * length * part.forward(parameters.data());
+  }
+  frames.seen.assign(static_cast<std::size_t>(frames.state.cols()), 1);
+  frames.seen[3] = 0;
+  window.load(frames, std::vector<int>{0});
+  EXPECT_NEAR(window.forward(parameters.data()), sum / 5.0, 1e-12);
 }
 
 TEST(WindowGradient, PerfectOutputHasNoLossAndNoGradient) {
@@ -167,9 +243,9 @@ TEST(WindowGradient, PerfectOutputHasNoLossAndNoGradient) {
       layout, {stored.vector("output_scale"), FrameError<double>(stored.vector("loss_weight"))}, 2,
       6, 3);
   window.load(frames, std::vector<int>{0, 7});
-  EXPECT_EQ(window.forward(parameters), 0.0);
+  EXPECT_EQ(window.forward(parameters.data()), 0.0);
   Vector gradient(layout.size());
-  window.backward(parameters, gradient);
+  window.backward(parameters.data(), gradient.data());
   EXPECT_EQ(gradient.norm(), 0.0);
 }
 

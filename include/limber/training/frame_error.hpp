@@ -33,22 +33,18 @@ class FrameError {
                : FrameError<Other>(weight_.template cast<Other>());
   }
 
-  /// Errors of `columns` states (D each, one after another) against what `target` holds: recorded
-  /// states, or recorded base poses without the base plate (3(m − 1) each). Writes the gradient
-  /// (D each).
-  Scalar compute(int columns, const Scalar* state, const Scalar* target, Scalar* gradient);
+  /// Sum of the errors of `stride` windows, each times its `window_weight` (stride numbers), and
+  /// its gradient. Number r of window j stands at [r·stride + j]: states (D rows), `target` what
+  /// they are compared with, recorded states or recorded base poses without the base plate (3(m −
+  /// 1) rows), gradient (D rows). `stride` is a multiple of the CPU's vector width in float.
+  Scalar compute(int stride, const Scalar* state, const Scalar* target, const Scalar* window_weight,
+                 Scalar* gradient);
 
  private:
-  Scalar compute_chained(const Scalar* state, const Scalar* target, Scalar* gradient);
-
   Vector weight_;
   Vector scale_;
   Vector offset_;
-  Vector gap_;      ///< D: decoded gap poses of one column
-  Vector heading_;  ///< m − 1: of the plate that a gap begins at
-  Vector sine_;     ///< m − 1
-  Vector cosine_;   ///< m − 1
-  Vector sign_;     ///< D: weight ∘ sign(error) of the base poses
+  Vector scratch_;
 };
 
 extern template class FrameError<float>;

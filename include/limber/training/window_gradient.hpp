@@ -1,9 +1,11 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
+#include "limber/common/aligned_floats.hpp"
 #include "limber/training/frame_error.hpp"
 #include "limber/training/parameter_layout.hpp"
 
@@ -14,11 +16,12 @@ namespace limber {
 template <class Scalar>
 struct FrameTable {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-  Matrix pressure;       ///< n×F
-  Matrix no_load;        ///< N×F, B̃ as the network reads it
-  Matrix uncompensated;  ///< D×F, the state that a network output of zero would give
-  Matrix state;          ///< D×F, recorded backbones
-  Matrix target;         ///< D×F, what the frame error compares with; empty: `state`
+  Matrix pressure;                 ///< n×F
+  Matrix no_load;                  ///< N×F, B̃ as the network reads it
+  Matrix uncompensated;            ///< D×F, the state that a network output of zero would give
+  Matrix state;                    ///< D×F, recorded backbones
+  Matrix target;                   ///< D×F, what the frame error compares with; empty: `state`
+  std::vector<std::uint8_t> seen;  ///< F, 0 where the backbone was not tracked; empty: always
 
   const Matrix& targets() const { return target.size() > 0 ? target : state; }
 };
@@ -32,13 +35,16 @@ struct StateMap {
   FrameError<Scalar> error;
 };
 
+template <class Scalar>
+struct WindowKernels;
+
 /// Loss and gradient over a chunk of windows: the network is rolled over each window with its own
 /// output fed back, and the error of every frame is propagated back through all frames before it
-/// (the paper's IV-C).
+/// (the paper's IV-C). A window's error is the mean over those of its frames in which the arm was
+/// seen.
 ///
-/// Sizes: windows of T frames, at most C of them at a time. Column k·c + j of the buffers is frame
-/// k of window j, c the windows loaded. Threads: one thread, one object; it allocates nothing after
-/// construction beyond what the matrix product itself may.
+/// Sizes: windows of T frames, at most C of them at a time, computed in groups of a few dozen.
+/// Threads: one thread, one object; it allocates nothing after construction.
 template <class Scalar>
 class WindowGradient {
  public:
@@ -50,43 +56,58 @@ class WindowGradient {
                  int window_frames, int window_limit);
 
   /// Takes windows that start from the recorded backbone of frames `starts` and predict the T
-  /// frames after it. @pre starts.size() ≤ window_limit; start + T < F.
+  /// frames after it. @pre 1 ≤ starts.size() ≤ window_limit; start + T < F.
   void load(const FrameTable<Scalar>& frames, std::span<const int> starts);
 
   /// Adds to the first backbones of the windows loaded (D × window_limit; the first columns are
   /// used).
   void disturb(const Matrix& noise);
 
-  /// Sum over the windows of the mean over their frames of the frame error.
-  double forward(const Vector& parameters);
+  /// Sum over the windows of their errors.
+  /// @param parameters  layout.size() numbers.
+  double forward(const Scalar* parameters);
 
   /// Gradient of `forward`'s last result, written to `gradient` (layout.size()).
-  void backward(const Vector& parameters, Vector& gradient);
-
-  /// Predicted states of frame k after `forward`, D × windows.
-  Eigen::Ref<const Matrix> predicted(int frame) const;
+  void backward(const Scalar* parameters, Scalar* gradient);
 
  private:
-  Eigen::Index column(int frame) const { return Eigen::Index(frame) * windows_; }
-  void forward_layers(const Vector& parameters, int frame);
-  void backward_frame(const Vector& parameters, int frame);
-  void weight_gradients(Vector& gradient) const;
-  const Matrix& layer_input(int layer) const;
+  using Storage = std::vector<Scalar, CacheLineAllocator<Scalar>>;
 
+  // A block is one frame of one group of `stride_` windows, the last group filled up with copies of
+  // its last window that weigh nothing. Blocks are numbered in the order of back-propagation.
+  int block_of(int group, int frame) const { return group * frames_ + frames_ - 1 - frame; }
+  Scalar* at(Storage& storage, int rows, int block) const {
+    return storage.data() + std::ptrdiff_t{block} * rows * stride_;
+  }
+  Scalar* layer_input(int layer, int block);
+  void load_block(const FrameTable<Scalar>& frames, int group, int frame);
+  void weigh(const FrameTable<Scalar>& frames, std::span<const int> starts);
+  void backward_block(const Scalar* parameters, int block, int slot);
+  void add_weight_gradients(int first_block, int count, Scalar* gradient);
+
+  const WindowKernels<Scalar>& kernels_;
   ParameterLayout layout_;
   StateMap<Scalar> map_;
   int segments_;
+  int size_;  ///< D
   int frames_;
   int window_limit_;
+  int stride_;
+  int slots_;  ///< blocks whose deltas are kept until their products are taken together
+  int groups_ = 0;
   int windows_ = 0;
-  Matrix input_;                ///< (2n+D+N) × TC
-  std::vector<Matrix> hidden_;  ///< outputs of the hidden layers, units × TC
-  std::vector<Matrix> delta_;   ///< ∂loss/∂(layer's output before ReLU), a layer each
-  Matrix target_;               ///< D × TC
-  Matrix uncompensated_;        ///< D × TC
-  Matrix state_;                ///< D × TC, predicted
-  Matrix state_gradient_;       ///< D × C, ∂loss/∂state, carried from frame to frame
-  Matrix error_gradient_;       ///< D × TC, ∂(frame error)/∂state
+  std::vector<int> index_;       ///< table columns of a group's windows
+  Storage input_;                ///< 2n+D+N rows a block
+  std::vector<Storage> hidden_;  ///< outputs of the hidden layers
+  std::vector<Storage>
+      delta_;  ///< a layer each: ∂loss/∂(its output before ReLU), of `slots_` blocks
+  Storage target_;
+  Storage uncompensated_;
+  Storage weight_;          ///< of a block's windows: 1 / frames seen, or 0
+  Storage output_;          ///< one block
+  Storage last_state_;      ///< one block: what no frame reads
+  Storage carried_;         ///< one block: ∂loss/∂state, carried from frame to frame
+  Storage error_gradient_;  ///< ∂(frame error)/∂state
 };
 
 extern template class WindowGradient<float>;
