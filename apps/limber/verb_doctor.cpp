@@ -10,6 +10,7 @@
 #include "limber/common/data_folder.hpp"
 #include "limber/common/version.hpp"
 #include "limber/data/hdf5_version.hpp"
+#include "limber/experiment/speed_peers.hpp"
 #include "limber/hardware/mujoco_version.hpp"
 #include "verbs.hpp"
 
@@ -81,6 +82,12 @@ class DoctorVerb final : public Verb {
                                     {"present", on_path(program.name)},
                                     {"use", program.use},
                                     {"how_to_get", program.how_to_get}});
+    }
+    for (const OptionalPeer& peer : optional_peers()) {
+      result["optional"].push_back({{"name", peer.library},
+                                    {"present", peer.present},
+                                    {"use", "a peer in limber bench"},
+                                    {"how_to_get", peer.how_to_get}});
     }
     return result;
   }

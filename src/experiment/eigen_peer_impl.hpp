@@ -13,11 +13,11 @@ namespace {
 using ConstMatrix = Eigen::Map<const Eigen::MatrixXf>;
 using ConstVector = Eigen::Map<const Eigen::VectorXf>;
 
-void evaluate_with_eigen(const EigenPeerLayer* layers, int count, int queries, const float* input,
+void evaluate_with_eigen(const PeerLayer* layers, int count, int queries, const float* input,
                          float* scratch, int widest, float* output) {
   const float* x = input;
   for (int l = 0; l < count; ++l) {
-    const EigenPeerLayer& layer = layers[l];
+    const PeerLayer& layer = layers[l];
     const bool last = l + 1 == count;
     float* y = last ? output : scratch + (l % 2) * widest * queries;
     const ConstMatrix weight(layer.weight, layer.outputs, layer.inputs);

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <memory>
 
 #include <fmt/format.h>
 
-#include "experiment/eigen_peer.hpp"
+#include "experiment/peer_makers.hpp"
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
@@ -147,12 +149,13 @@ PeakShare hidden_layer_share(const PackedNetwork& network, const Queries& querie
 
 class SpeedMeasurement {
  public:
-  SpeedMeasurement(const ArmDescription& arm, const SpeedSettings& settings, int networks)
+  SpeedMeasurement(const ArmDescription& arm, const SpeedSettings& settings, int networks,
+                   int peers)
       : arm_(arm),
         settings_(settings),
         queries_(random_queries(arm, kInputs, settings.seed)),
         progress_("bench", "measurements",
-                  static_cast<std::uint64_t>(2 + networks * kPerNetwork + kPerPeer),
+                  static_cast<std::uint64_t>(2 + networks * kPerNetwork + peers * kPerPeer),
                   settings.progress) {}
 
   void measure_no_load(SpeedReport& report) {
@@ -185,9 +188,11 @@ class SpeedMeasurement {
     return speed;
   }
 
-  PeerSpeed measure_eigen(const CompensationModel& compensation);
+  PeerSpeed measure_peer(const PeerMaker& maker, const CompensationModel& compensation);
 
  private:
+  void require_agreement(const std::string& peer, const CompensationModel& compensation);
+
   static constexpr int kPerNetwork = 1 + static_cast<int>(std::size(kBatchSizes)) + 2 + 1;
   static constexpr int kPerPeer = static_cast<int>(std::size(kBatchSizes));
 
@@ -210,29 +215,29 @@ class SpeedMeasurement {
   Progress progress_;
 };
 
-// The paper's layout with plain Eigen for the network. B̃ comes from limber, so that the network
+// The paper's layout with another library for the network. B̃ comes from limber, so that the network
 // alone makes the difference.
-PeerSpeed SpeedMeasurement::measure_eigen(const CompensationModel& compensation) {
+PeerSpeed SpeedMeasurement::measure_peer(const PeerMaker& maker,
+                                         const CompensationModel& compensation) {
   const std::vector<Layer> layers = folded_layers(compensation);
-  std::vector<EigenPeerLayer> peer_layers;
-  int widest = 0;
+  std::vector<PeerLayer> peer_layers;
   for (const Layer& layer : layers) {
     peer_layers.push_back({static_cast<int>(layer.weight.cols()),
                            static_cast<int>(layer.weight.rows()), layer.weight.data(),
                            layer.bias.data()});
-    widest = std::max(widest, peer_layers.back().outputs);
   }
-  const EigenPeer evaluate = eigen_peer(cpu_level());
   const ForwardModel no_load(arm_);
   ForwardModel::Workspace workspace;
   const int n = arm_.segment_count();
   const int size = 3 * arm_.point_count();
-  PeerSpeed speed{"eigen", {}, {}};
+  PeerSpeed speed{maker.name, {}, {}};
   for (const int batch : kBatchSizes) {
     MatrixXf input(2 * n + 2 * size, batch);
     MatrixXf unloaded = MatrixXf::Zero(size, batch);
     MatrixXf output(size, batch);
-    AlignedFloats scratch(2 * static_cast<std::size_t>(widest) * static_cast<std::size_t>(batch));
+    const std::unique_ptr<NetworkPeer> peer(
+        maker.make(peer_layers.data(), static_cast<int>(peer_layers.size()), batch));
+    queries_.next.setConstant(std::numeric_limits<float>::quiet_NaN());
     const double rate = rate_of(settings_.queries, kInputs, [&] {
       for (int j = 0; j < kInputs; j += batch) {
         const auto current = queries_.current_kpa.middleCols(j, batch);
@@ -241,28 +246,32 @@ PeerSpeed SpeedMeasurement::measure_eigen(const CompensationModel& compensation)
         input.middleRows(n, n) = current;
         input.middleRows(2 * n, size) = queries_.previous.middleCols(j, batch);
         input.bottomRows(size) = unloaded;
-        evaluate(peer_layers.data(), static_cast<int>(peer_layers.size()), batch, input.data(),
-                 scratch.data(), widest, output.data());
+        peer->evaluate(input.data(), output.data());
         queries_.next.middleCols(j, batch) = unloaded + output;
       }
     });
+    require_agreement(maker.name, compensation);
     speed.batches.push_back({batch, 1, rate});
     progress_.advance();
   }
   speed.single = speed.batches.front();
+  return speed;
+}
 
-  // A peer that computes something else would prove nothing.
+// A peer that computes something else would prove nothing. Its answers are in queries_.next.
+void SpeedMeasurement::require_agreement(const std::string& peer,
+                                         const CompensationModel& compensation) {
+  ForwardModel::Workspace workspace;
   const MatrixXf peer_answers = queries_.next;
   ForwardModel(arm_, compensation)
       .step_batch(queries_.previous_kpa, queries_.current_kpa, queries_.previous, queries_.next,
                   workspace);
   const double difference = (peer_answers - queries_.next).cwiseAbs().maxCoeff();
-  if (!(difference < kPeerAgreement)) {
+  if (!(difference < kPeerAgreement) || !peer_answers.allFinite()) {
     throw SystemFault(fmt::format(
-        "bench: the eigen peer's answers are {:.2g} off limber's; expected less than {:.0e}",
+        "bench: the {} peer's answers are {:.2g} off limber's; expected less than {:.0e}", peer,
         difference, kPeerAgreement));
   }
-  return speed;
 }
 
 }  // namespace
@@ -290,14 +299,18 @@ SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* mo
   report.cpu = cpu_name();
   report.cpu_level = to_string(cpu_level());
   report.queries = settings.queries;
-  SpeedMeasurement measurement(arm, settings, model_differs ? 2 : 1);
+  const std::vector<PeerMaker> makers = peer_makers();
+  SpeedMeasurement measurement(arm, settings, model_differs ? 2 : 1,
+                               static_cast<int>(makers.size()));
   measurement.measure_no_load(report);
   if (model_differs) {
     report.model.push_back(measurement.measure_network(*model, report));
   }
   report.paper_shape = measurement.measure_network(paper, report);
   report.threads = report.paper_shape.batches.back().threads;
-  report.peers.push_back(measurement.measure_eigen(paper));
+  for (const PeerMaker& maker : makers) {
+    report.peers.push_back(measurement.measure_peer(maker, paper));
+  }
   return report;
 }
 
