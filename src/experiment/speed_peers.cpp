@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "experiment/eigen_peer.hpp"
@@ -35,6 +36,8 @@ MakeNetworkPeer load_maker(const std::string& name) {
   if (error || !fs::exists(module, error)) {
     return nullptr;
   }
+  // OpenBLAS, where LibTorch has it, reads its number of threads while it is loaded.
+  setenv("OPENBLAS_NUM_THREADS", "1", 1);
   void* handle = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
   void* entry = handle != nullptr ? dlsym(handle, kPeerModuleEntry) : nullptr;
   return reinterpret_cast<MakeNetworkPeer>(entry);
