@@ -12,7 +12,7 @@ struct PeerMaker {
   MakeNetworkPeer make;
 };
 
-/// Eigen, compiled for the CPU level in use, and the optional peers that are present.
-std::vector<PeerMaker> peer_makers();
+/// Eigen, compiled for the CPU level in use, and with `optional` the optional peers that are here.
+std::vector<PeerMaker> peer_makers(bool optional);
 
 }  // namespace limber

@@ -299,7 +299,7 @@ SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* mo
   report.cpu = cpu_name();
   report.cpu_level = to_string(cpu_level());
   report.queries = settings.queries;
-  const std::vector<PeerMaker> makers = peer_makers();
+  const std::vector<PeerMaker> makers = peer_makers(settings.optional_peers);
   SpeedMeasurement measurement(arm, settings, model_differs ? 2 : 1,
                                static_cast<int>(makers.size()));
   measurement.measure_no_load(report);

@@ -54,8 +54,11 @@ std::vector<OptionalPeer> optional_peers() {
   return peers;
 }
 
-std::vector<PeerMaker> peer_makers() {
+std::vector<PeerMaker> peer_makers(bool optional) {
   std::vector<PeerMaker> makers{{"eigen", make_eigen_peer}};
+  if (!optional) {
+    return makers;
+  }
   for (const KnownPeer& known : kKnownPeers) {
     if (const MakeNetworkPeer make = load_maker(known.name)) {
       makers.push_back({known.name, make});

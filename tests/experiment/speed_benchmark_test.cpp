@@ -83,7 +83,10 @@ TEST(SpeedBenchmark, ModelOfThePapersShapeIsMeasuredOnce) {
   const ArmDescription arm = sample_arm(2);
   const CompensationModel model =
       untrained_model(arm, BackboneLayout::base_poses, {100, 100, 100}, 9);
-  const nlohmann::ordered_json json = to_json(measure_speed(arm, &model, brief()));
+  SpeedSettings settings = brief();
+  settings.optional_peers = false;
+  const nlohmann::ordered_json json = to_json(measure_speed(arm, &model, settings));
+  EXPECT_THAT(names_of(json["peers"]), ElementsAre("eigen"));
   EXPECT_FALSE(json.contains("model"));
   EXPECT_EQ(json["network"]["layout"], model.shape());
 }

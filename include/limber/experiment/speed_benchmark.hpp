@@ -51,13 +51,14 @@ struct SpeedReport {
   QueryRate no_load_batch;
   NetworkSpeed paper_shape;         ///< three hidden layers of 100 units, base poses
   std::vector<NetworkSpeed> model;  ///< the model given, where its shape or layout is another
-  std::vector<PeerSpeed> peers;     ///< on the paper's shape
+  std::vector<PeerSpeed> peers;     ///< on the paper's shape; Eigen is the first
 };
 
 struct SpeedSettings {
   std::int64_t queries = 1'000'000;  ///< of each measurement of single queries; batches as many
   int jobs = 0;                      ///< threads for the largest batches, 0: one a core
   std::uint64_t seed = 1;            ///< of inputs and of untrained weights
+  bool optional_peers = true;        ///< also those of experiment/speed_peers.hpp
   Progress::Mode progress = Progress::Mode::quiet;
 };
 
