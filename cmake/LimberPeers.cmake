@@ -1,7 +1,7 @@
 # Optional libraries that `limber bench` is compared with: a loadable module each, made where the
 # library is found, never linked into the program or the installed package. Sanitizers would see the
 # libraries' own threads, so such builds go without.
-option(LIMBER_BUILD_PEERS "Build the benchmark's optional peers whose libraries are found" ON)
+option(LIMBER_BUILD_PEERS "Build the peers of limber bench whose libraries are found" OFF)
 
 # limber_add_peer(<name> INCLUDES … LIBRARIES …)
 # src/experiment/<name>_peer.cpp as lib/limber/peers/limber_<name>_peer.so in the build folder.
