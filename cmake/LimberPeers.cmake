@@ -1,7 +1,7 @@
 # Optional libraries that `limber bench` is compared with: a loadable module each, made where the
 # library is found, never linked into the program or the installed package. Sanitizers would see the
 # libraries' own threads, so such builds go without.
-option(LIMBER_BUILD_PEERS "Build the peers of limber bench whose libraries are found" OFF)
+option(LIMBER_BUILD_PEERS "Build the peers of limber bench whose libraries are found" ON)
 
 # limber_add_peer(<name> INCLUDES … LIBRARIES …)
 # src/experiment/<name>_peer.cpp as lib/limber/peers/limber_<name>_peer.so in the build folder.
@@ -29,6 +29,13 @@ if(LIMBER_BUILD_PEERS AND NOT LIMBER_SANITIZE)
       limber_add_peer(onednn INCLUDES ${LIMBER_ONEDNN_INCLUDE_DIR}
         LIBRARIES ${LIMBER_ONEDNN_LIBRARY} OpenMP::OpenMP_CXX)
     endif()
+  endif()
+  find_path(LIMBER_LIBXSMM_INCLUDE_DIR libxsmm.h)
+  find_library(LIMBER_LIBXSMM_LIBRARY xsmm)
+  find_library(LIMBER_LIBXSMM_NOBLAS_LIBRARY xsmmnoblas)
+  if(LIMBER_LIBXSMM_INCLUDE_DIR AND LIMBER_LIBXSMM_LIBRARY AND LIMBER_LIBXSMM_NOBLAS_LIBRARY)
+    limber_add_peer(libxsmm INCLUDES ${LIMBER_LIBXSMM_INCLUDE_DIR}
+      LIBRARIES ${LIMBER_LIBXSMM_LIBRARY} ${LIMBER_LIBXSMM_NOBLAS_LIBRARY} pthread m)
   endif()
   find_path(LIMBER_TORCH_INCLUDE_DIR ATen/ATen.h)
   find_library(LIMBER_TORCH_LIBRARY torch_cpu)

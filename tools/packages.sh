@@ -8,12 +8,13 @@ fail() {
   exit 3
 }
 
-# packages_of SECTION…: the packages that packages.txt lists there, one a line.
+# packages_of SECTION…: the packages that packages.txt lists there for this machine, one a line.
 packages_of() {
-  local section
+  local section architecture
+  architecture=$(dpkg --print-architecture 2>/dev/null || echo unknown)
   for section in "$@"; do
     sed -n "/^\[$section\]/,/^\[/p" "$root/packages.txt" | sed -e 's/#.*//' -e '/^\[/d' |
-      tr -s '[:blank:]' '\n' | sed '/^$/d'
+      awk -v here="@$architecture" '$1 != "" && ($2 == "" || $2 == here) { print $1 }'
   done
 }
 

@@ -24,10 +24,14 @@ namespace {
 
 using Eigen::MatrixXf;
 
-constexpr int kInputs = 1024;              // different queries, asked again and again
-constexpr std::int64_t kLeastPasses = 10;  // of a measurement; the median counts
+constexpr int kInputs = 1024;                           // different queries, asked again and again
+constexpr std::int64_t kLeastPasses = 10;               // of a measurement; the median counts
+constexpr std::chrono::seconds kLongestMeasurement{4};  // a slow peer's; a million take limber one
 constexpr int kBatchSizes[] = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024};
 constexpr int kParallelBatch = 16384;  // split over threads
+// The system wakes a thread where the one that woke it runs, and takes some hundredths of a second
+// to move it to an idle core.
+constexpr std::int64_t kLeastParallelQueries = 64 * kParallelBatch;
 constexpr int kTile = 64;              // queries at a time while the layers are timed
 constexpr long kPeakRounds = 200'000;  // 0.3 ms at 4 GHz
 constexpr long kPeakPasses = 40;
@@ -47,9 +51,13 @@ double rate_of(std::int64_t queries, std::int64_t queries_per_pass,
                const std::function<void()>& pass) {
   pass();
   const std::int64_t passes = std::max(kLeastPasses, queries / queries_per_pass);
+  const auto start = std::chrono::steady_clock::now();
   std::vector<double> seconds;
   for (std::int64_t k = 0; k < passes; ++k) {
     seconds.push_back(seconds_of(pass));
+    if (k + 1 >= kLeastPasses && std::chrono::steady_clock::now() - start > kLongestMeasurement) {
+      break;
+    }
   }
   const auto median = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
   std::nth_element(seconds.begin(), median, seconds.end());
@@ -173,6 +181,9 @@ class SpeedMeasurement {
     speed.layout = to_string(compensation.layout);
     speed.single = {1, 1, single_rate(model, queries_, settings_.queries)};
     progress_.advance();
+    const ForwardModel halved(arm_, compensation, cpu_level(), WeightPrecision::half);
+    speed.single_half = {1, 1, single_rate(halved, queries_, settings_.queries)};
+    progress_.advance();
     for (const int size : kBatchSizes) {
       speed.batches.push_back({size, 1, batch_rate(model, queries_, size, settings_.queries)});
       progress_.advance();
@@ -193,20 +204,21 @@ class SpeedMeasurement {
  private:
   void require_agreement(const std::string& peer, const CompensationModel& compensation);
 
-  static constexpr int kPerNetwork = 1 + static_cast<int>(std::size(kBatchSizes)) + 2 + 1;
+  static constexpr int kPerNetwork = 1 + static_cast<int>(std::size(kBatchSizes)) + 1 + 1 + 1;
   static constexpr int kPerPeer = static_cast<int>(std::size(kBatchSizes));
 
   void measure_threads(const ForwardModel& model, NetworkSpeed& speed) {
     Queries many = random_queries(arm_, kParallelBatch, settings_.seed);
+    const std::int64_t queries = std::max(settings_.queries, kLeastParallelQueries);
     for (const int jobs : {1, settings_.jobs}) {
       ParallelForward parallel(jobs);
       speed.batches.push_back(
-          {kParallelBatch, parallel.jobs(), rate_of(settings_.queries, kParallelBatch, [&] {
+          {kParallelBatch, parallel.jobs(), rate_of(queries, kParallelBatch, [&] {
              parallel.step_batch(model, many.previous_kpa, many.current_kpa, many.previous,
                                  many.next);
            })});
-      progress_.advance();
     }
+    progress_.advance();
   }
 
   const ArmDescription& arm_;

@@ -21,6 +21,7 @@ struct KnownPeer {
 };
 
 constexpr KnownPeer kKnownPeers[] = {
+    {"libxsmm", "LIBXSMM", "apt install libxsmm-dev (x86-64) and build limber again"},
     {"onednn", "oneDNN", "apt install libdnnl-dev and build limber again"},
     {"torch", "LibTorch", "apt install libtorch-dev and build limber again"},
 };

@@ -57,13 +57,14 @@ void require_backbone(const char* name, const Backbone& backbone, int points) {
 }  // namespace
 
 ForwardModel::ForwardModel(const ArmDescription& arm, CpuLevel level)
-    : no_load_(arm), pipeline_(std::make_unique<ForwardPipeline>(arm, nullptr, level)) {}
+    : no_load_(arm),
+      pipeline_(std::make_unique<ForwardPipeline>(arm, nullptr, level, WeightPrecision::single)) {}
 
 ForwardModel::ForwardModel(const ArmDescription& arm, CompensationModel compensation,
-                           CpuLevel level)
+                           CpuLevel level, WeightPrecision precision)
     : no_load_(arm),
       compensation_(checked(std::move(compensation), arm)),
-      pipeline_(std::make_unique<ForwardPipeline>(arm, &*compensation_, level)) {}
+      pipeline_(std::make_unique<ForwardPipeline>(arm, &*compensation_, level, precision)) {}
 
 ForwardModel::ForwardModel(ForwardModel&&) noexcept = default;
 ForwardModel& ForwardModel::operator=(ForwardModel&&) noexcept = default;

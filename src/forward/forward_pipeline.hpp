@@ -42,7 +42,8 @@ struct QueryColumns {
 class ForwardPipeline {
  public:
   /// @param model  null for the no-load model. @pre valid, of this arm; this CPU runs `level`.
-  ForwardPipeline(const ArmDescription& arm, const CompensationModel* model, CpuLevel level);
+  ForwardPipeline(const ArmDescription& arm, const CompensationModel* model, CpuLevel level,
+                  WeightPrecision precision);
 
   /// Floats of scratch that `run` needs, whatever the batch.
   std::size_t scratch_size() const;

@@ -124,6 +124,14 @@ float multiply_add_rounds(long rounds) {
   return total;
 }
 
+constexpr auto query_layer_of_halves() {
+  decltype(GemmKernels::query_layer_of_halves) kernel = nullptr;
+  if constexpr (kLoadsHalves) {
+    kernel = query_layer<unsigned short>;
+  }
+  return kernel;
+}
+
 constexpr GemmKernels kernels_of_this_level() {
   return {kLanes,
           gemm_nn,
@@ -131,7 +139,8 @@ constexpr GemmKernels kernels_of_this_level() {
           gemm_nt,
           layer,
           layer_of_rows,
-          query_layer,
+          query_layer<float>,
+          query_layer_of_halves(),
           relu_gradient,
           row_sums,
           sincos_array,

@@ -5,17 +5,47 @@
 
 namespace limber {
 
+namespace {
+
+// Unchanged where half precision cannot hold the largest.
+Eigen::MatrixXd rounded_to_half(const Eigen::MatrixXd& weight) {
+  const Eigen::MatrixXd rounded = weight.cast<Eigen::half>().cast<double>();
+  return rounded.allFinite() ? rounded : weight;
+}
+
+// Bits of the weights, or nothing where one of them is no half-precision number.
+AlignedHalves half_bits(const AlignedFloats& weights) {
+  AlignedHalves bits;
+  bits.reserve(weights.size());
+  for (const float weight : weights) {
+    const Eigen::half half(weight);
+    if (float(half) != weight) {
+      return {};
+    }
+    bits.push_back(half.x);
+  }
+  return bits;
+}
+
+}  // namespace
+
 // W (x − offset)·scale + b for the first layer, (W x + b)/scale + offset for the last.
-std::vector<Layer> folded_layers(const CompensationModel& model) {
+std::vector<Layer> folded_layers(const CompensationModel& model, WeightPrecision precision) {
   std::vector<Layer> layers = model.layers;
   for (std::size_t l = 0; l < layers.size(); ++l) {
     Eigen::MatrixXd weight = layers[l].weight.cast<double>();
     Eigen::VectorXd bias = layers[l].bias.cast<double>();
+    const bool last = l + 1 == layers.size();
     if (l == 0) {
       weight = weight * model.input.scale.cast<double>().asDiagonal();
+    }
+    if (precision == WeightPrecision::half && !last) {
+      weight = rounded_to_half(weight);
+    }
+    if (l == 0) {
       bias -= weight * model.input.offset.cast<double>();
     }
-    if (l + 1 == layers.size()) {
+    if (last) {
       const Eigen::VectorXd range = model.output.scale.cast<double>().cwiseInverse();
       weight = range.asDiagonal() * weight;
       bias = bias.cwiseProduct(range) + model.output.offset.cast<double>();
@@ -25,9 +55,10 @@ std::vector<Layer> folded_layers(const CompensationModel& model) {
   return layers;
 }
 
-PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level)
+PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level,
+                             WeightPrecision precision)
     : kernels_(gemm_kernels(level)) {
-  for (const Layer& folded : folded_layers(model)) {
+  for (const Layer& folded : folded_layers(model, precision)) {
     PackedLayer layer;
     layer.inputs = static_cast<int>(folded.weight.cols());
     layer.outputs = static_cast<int>(folded.weight.rows());
@@ -43,6 +74,9 @@ PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level)
     Eigen::Map<Eigen::MatrixXf>(layer.transposed_weight.data(), layer.inputs, layer.outputs) =
         folded.weight.transpose();
     Eigen::Map<Eigen::VectorXf>(layer.bias.data(), layer.outputs) = folded.bias;
+    if (precision == WeightPrecision::half && kernels_.query_layer_of_halves != nullptr) {
+      layer.half_weight = half_bits(layer.weight);
+    }
     padded_width_ = std::max(padded_width_, layer.padded_outputs);
     layers_.push_back(std::move(layer));
   }
@@ -62,8 +96,13 @@ const float* PackedNetwork::evaluate(const float* input, float* scratch) const {
   float* y = scratch;
   float* other = scratch + padded_width_;
   for (const PackedLayer& layer : layers_) {
-    kernels_.query_layer(layer.padded_outputs, layer.inputs, layer.weight.data(), x,
-                         layer.bias.data(), layer.relu, y);
+    if (layer.half_weight.empty()) {
+      kernels_.query_layer(layer.padded_outputs, layer.inputs, layer.weight.data(), x,
+                           layer.bias.data(), layer.relu, y);
+    } else {
+      kernels_.query_layer_of_halves(layer.padded_outputs, layer.inputs, layer.half_weight.data(),
+                                     x, layer.bias.data(), layer.relu, y);
+    }
     x = y;
     std::swap(y, other);
   }

@@ -24,5 +24,7 @@ struct CacheLineAllocator {
 };
 
 using AlignedFloats = std::vector<float, CacheLineAllocator<float>>;
+/// Bits of half-precision numbers.
+using AlignedHalves = std::vector<unsigned short, CacheLineAllocator<unsigned short>>;
 
 }  // namespace limber

@@ -9,6 +9,7 @@
 #include "limber/common/aligned_floats.hpp"
 #include "limber/common/cpu_level.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/network/packed_network.hpp"
 
 namespace limber {
 
@@ -37,7 +38,7 @@ class ForwardModel {
   /// @throws InputError where the network is not valid or was trained for another arm (both names
   /// and hashes in the message).
   ForwardModel(const ArmDescription& arm, CompensationModel compensation,
-               CpuLevel level = cpu_level());
+               CpuLevel level = cpu_level(), WeightPrecision precision = WeightPrecision::single);
   ForwardModel(ForwardModel&&) noexcept;
   ForwardModel& operator=(ForwardModel&&) noexcept;
   ~ForwardModel();

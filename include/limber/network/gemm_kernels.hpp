@@ -38,6 +38,10 @@ struct GemmKernels {
   /// every other one: half the weights never leave the second cache. A finite. Bit for bit `layer`.
   void (*query_layer)(int m, int k, const float* a, const float* x, const float* bias, bool relu,
                       float* y);
+  /// The same with weights in half precision (their bits), widened as they are read: half the
+  /// bytes. Null at levels that cannot.
+  void (*query_layer_of_halves)(int m, int k, const unsigned short* a, const float* x,
+                                const float* bias, bool relu, float* y);
 
   /// Back through ReLU: gradient(i, j) = 0 where activation(i, j) ≤ 0. Both m×n.
   void (*relu_gradient)(int m, int n, const float* activation, int ld_activation, float* gradient,
