@@ -5,6 +5,7 @@
 #include "limber/common/data_folder.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/forward_model.hpp"
+#include "limber/forward/rollout_batch.hpp"
 #include "limber/network/packed_network.hpp"
 #include "limber/network/untrained_model.hpp"
 
@@ -137,6 +138,35 @@ void rollout(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * steps);
 }
 BENCHMARK(rollout)->Arg(20)->Arg(200);
+
+// range(0) motions of 1 to 40 frames side by side, ended ones compacted away.
+void rollouts(benchmark::State& state) {
+  const ForwardModel model(paper_arm(), network_of(BackboneLayout::base_poses));
+  const int motions = static_cast<int>(state.range(0));
+  const MatrixXf from_kpa = random_pressures_kpa(motions, 0);
+  const MatrixXf to_kpa = random_pressures_kpa(motions, 1);
+  const MatrixXf from = unloaded(from_kpa);
+  RolloutBatch batch(model);
+  std::int64_t queries = 0;
+  for (auto _ : state) {
+    for (int i = 0; i < motions; ++i) {
+      batch.add(i, from_kpa.col(i),
+                Eigen::Map<const Backbone>(from.col(i).data(), model.point_count(), 3),
+                to_kpa.col(i), 1 + i * 7 % 40);
+    }
+    while (batch.size() > 0) {
+      queries += batch.size();
+      batch.step();
+      for (int c = batch.size() - 1; c >= 0; --c) {
+        if (batch.has_ended(c)) {
+          batch.remove(c);
+        }
+      }
+    }
+  }
+  state.SetItemsProcessed(queries);
+}
+BENCHMARK(rollouts)->Arg(64)->Arg(256);
 
 }  // namespace
 }  // namespace limber

@@ -1,0 +1,82 @@
+#include "limber/forward/rollout_batch.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace limber {
+
+namespace {
+
+constexpr Eigen::Index kFirstCapacity = 64;
+
+}  // namespace
+
+RolloutBatch::RolloutBatch(const ForwardModel& model) : model_(model) {
+  for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &before_kpa_, &now_kpa_}) {
+    m->resize(model.segment_count(), 0);
+  }
+  before_.resize(3 * model.point_count(), 0);
+  now_.resize(3 * model.point_count(), 0);
+}
+
+void RolloutBatch::grow() {
+  const Eigen::Index capacity = std::max(kFirstCapacity, 2 * now_.cols());
+  for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &before_kpa_, &now_kpa_, &before_, &now_}) {
+    m->conservativeResize(Eigen::NoChange, capacity);
+  }
+}
+
+void RolloutBatch::add(int label, const Eigen::Ref<const Pressures>& from_kpa,
+                       const Eigen::Ref<const Backbone>& from,
+                       const Eigen::Ref<const Pressures>& to_kpa, int frames) {
+  assert(frames >= 1);
+  const Eigen::Index column = size();
+  if (column == now_.cols()) {
+    grow();
+  }
+  motions_.push_back({label, 0, frames});
+  from_kpa_.col(column) = from_kpa;
+  to_kpa_.col(column) = to_kpa;
+  now_kpa_.col(column) = from_kpa;
+  Eigen::Map<Backbone>(now_.col(column).data(), model_.point_count(), 3) = from;
+}
+
+void RolloutBatch::step() {
+  now_kpa_.swap(before_kpa_);
+  now_.swap(before_);
+  for (int c = 0; c < size(); ++c) {
+    Motion& motion = motions_[static_cast<std::size_t>(c)];
+    assert(motion.frame < motion.frames);
+    ++motion.frame;
+    if (motion.frame == motion.frames) {
+      now_kpa_.col(c) = to_kpa_.col(c);
+    } else {
+      const float share = static_cast<float>(motion.frame) / static_cast<float>(motion.frames);
+      now_kpa_.col(c) = from_kpa_.col(c) + (to_kpa_.col(c) - from_kpa_.col(c)) * share;
+    }
+  }
+  model_.step_batch(before_kpa_.leftCols(size()), now_kpa_.leftCols(size()),
+                    before_.leftCols(size()), now_.leftCols(size()), workspace_);
+}
+
+Eigen::Map<const Backbone> RolloutBatch::before(int column) const {
+  assert(frame(column) >= 1);
+  return {before_.col(column).data(), model_.point_count(), 3};
+}
+
+Eigen::Map<const Backbone> RolloutBatch::now(int column) const {
+  return {now_.col(column).data(), model_.point_count(), 3};
+}
+
+void RolloutBatch::remove(int column) {
+  const int last = size() - 1;
+  if (column != last) {
+    motions_[static_cast<std::size_t>(column)] = motions_.back();
+    for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &now_kpa_, &before_, &now_}) {
+      m->col(column) = m->col(last);
+    }
+  }
+  motions_.pop_back();
+}
+
+}  // namespace limber
