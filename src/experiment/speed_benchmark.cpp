@@ -120,6 +120,28 @@ double fma_peak_gmac_per_s() {
   return rounds_per_s * kernels.multiply_adds_per_round / 1e9;
 }
 
+// From a chain of additions, each of which takes a cycle and waits for the one before.
+double clock_ghz() {
+  constexpr long kRounds = 100'000;
+  constexpr int kAdditions = 8;
+  return 1e-9 * kAdditions * rate_of(kPeakPasses * kRounds, kRounds, [] {
+           long sum = 0;
+           for (long r = 0; r < kRounds; ++r) {
+#if defined(__x86_64__)
+             asm volatile(
+                 "add $1, %0; add $1, %0; add $1, %0; add $1, %0;"
+                 "add $1, %0; add $1, %0; add $1, %0; add $1, %0"
+                 : "+r"(sum));
+#elif defined(__aarch64__)
+             asm volatile(
+                 "add %0, %0, 1; add %0, %0, 1; add %0, %0, 1; add %0, %0, 1;"
+                 "add %0, %0, 1; add %0, %0, 1; add %0, %0, 1; add %0, %0, 1"
+                 : "+r"(sum));
+#endif
+           }
+         });
+}
+
 struct PeakShare {
   double peak_gmac_per_s = 0.0;
   double difference = 1.0;  // relative, between before and after
@@ -311,6 +333,8 @@ SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* mo
   report.cpu = cpu_name();
   report.cpu_level = to_string(cpu_level());
   report.queries = settings.queries;
+  report.lanes = gemm_kernels().lanes;
+  report.clock_ghz = clock_ghz();
   const std::vector<PeerMaker> makers = peer_makers(settings.optional_peers);
   SpeedMeasurement measurement(arm, settings, model_differs ? 2 : 1,
                                static_cast<int>(makers.size()));
