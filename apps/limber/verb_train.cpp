@@ -43,6 +43,13 @@ class TrainVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--hidden", hidden_, "Units of each hidden layer, such as --hidden 100 100 100")
         ->check(CLI::Range(1, 4096));
+    app.add_option("--ensemble", ensemble_,
+                   "Networks to train together; their spread says how sure they are")
+        ->check(CLI::Range(1, 64));
+    app.add_option("--checkpoint-interval-s", checkpoint_interval_s_,
+                   "Seconds between checkpoints: what a killed run loses at most")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     app.add_flag("--resume", resume_,
                  "Go on from the checkpoint that a stopped run left beside --out");
     app.add_option("--out", out_, "Model to write; the learning curve goes beside it")
@@ -79,6 +86,10 @@ class TrainVerb final : public Verb {
       result.model.training["from"] = content_hash(read_file(from_));
     }
     write(result);
+    if (result.status == TrainingStatus::finished) {
+      std::error_code ignored;  // a checkpoint that stays behind harms nobody
+      fs::remove(checkpoint_path(), ignored);
+    }
     report(flags, result);
     if (result.status == TrainingStatus::interrupted) {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
@@ -97,7 +108,9 @@ class TrainVerb final : public Verb {
     if (!hidden_.empty()) {
       settings.hidden_units = hidden_;
     }
+    settings.ensemble = ensemble_.value_or(settings.ensemble);
     settings.checkpoint = checkpoint_path();
+    settings.checkpoint_interval_s = checkpoint_interval_s_;
     settings.resume = resume_;
     settings.seed = flags.seed;
     settings.jobs = flags.jobs;
@@ -172,6 +185,8 @@ class TrainVerb final : public Verb {
   std::optional<double> time_limit_s_;
   std::optional<double> learning_rate_;
   std::vector<int> hidden_;
+  std::optional<int> ensemble_;
+  double checkpoint_interval_s_ = 20.0;
   bool resume_ = false;
   std::string out_ = "model.safetensors";
 };

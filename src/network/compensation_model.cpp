@@ -61,33 +61,51 @@ void validate_normalisation(const std::string& where, const std::string& name,
   }
 }
 
-void validate_layers(const std::string& where, const CompensationModel& model, Sizes sizes) {
-  if (model.layers.empty()) {
-    refuse(where, "no tensor layers.0.weight; expected at least one layer");
+// `prefix` is that of the layers' tensors.
+void validate_layers(const std::string& where, const std::string& prefix,
+                     const std::vector<Layer>& layers, Sizes sizes) {
+  if (layers.empty()) {
+    refuse(where, fmt::format("no tensor {}0.weight; expected at least one layer", prefix));
   }
   Eigen::Index inputs = sizes.input;
   const char* source = "the layout's input";
-  for (std::size_t l = 0; l < model.layers.size(); ++l) {
-    const Layer& layer = model.layers[l];
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    const Layer& layer = layers[l];
     if (layer.weight.cols() != inputs) {
-      refuse(where, fmt::format("tensor layers.{}.weight has {} columns; expected {}, the size of "
-                                "{}",
-                                l, layer.weight.cols(), inputs, source));
+      refuse(where, fmt::format("tensor {}{}.weight has {} columns; expected {}, the size of {}",
+                                prefix, l, layer.weight.cols(), inputs, source));
     }
     if (layer.bias.size() != layer.weight.rows()) {
-      refuse(where, fmt::format("tensor layers.{}.bias has {} numbers; expected {}, the rows of "
-                                "layers.{}.weight",
-                                l, layer.bias.size(), layer.weight.rows(), l));
+      refuse(where, fmt::format("tensor {}{}.bias has {} numbers; expected {}, the rows of "
+                                "{}{}.weight",
+                                prefix, l, layer.bias.size(), layer.weight.rows(), prefix, l));
     }
-    require_finite(where, fmt::format("layers.{}.weight", l), layer.weight);
-    require_finite(where, fmt::format("layers.{}.bias", l), layer.bias);
+    require_finite(where, fmt::format("{}{}.weight", prefix, l), layer.weight);
+    require_finite(where, fmt::format("{}{}.bias", prefix, l), layer.bias);
     inputs = layer.weight.rows();
     source = "the layer before it";
   }
   if (inputs != sizes.output) {
-    refuse(where, fmt::format("tensor layers.{}.weight has {} rows; expected {}, the size of the "
+    refuse(where, fmt::format("tensor {}{}.weight has {} rows; expected {}, the size of the "
                               "layout's output",
-                              model.layers.size() - 1, inputs, sizes.output));
+                              prefix, layers.size() - 1, inputs, sizes.output));
+  }
+}
+
+void validate_members(const std::string& where, const CompensationModel& model, Sizes sizes) {
+  for (std::size_t k = 0; k < model.more_members.size(); ++k) {
+    const std::vector<Layer>& layers = model.more_members[k];
+    const std::string prefix = fmt::format("members.{}.layers.", k + 1);
+    validate_layers(where, prefix, layers, sizes);
+    bool alike = layers.size() == model.layers.size();
+    for (std::size_t l = 0; alike && l < layers.size(); ++l) {
+      alike = layers[l].weight.rows() == model.layers[l].weight.rows();
+    }
+    if (!alike) {
+      refuse(where, fmt::format("tensors {}* have another shape than layers.*; the members of an "
+                                "ensemble are alike",
+                                prefix));
+    }
   }
 }
 
@@ -95,6 +113,20 @@ void validate_layers(const std::string& where, const CompensationModel& model, S
 
 const char* to_string(BackboneLayout layout) {
   return layout == BackboneLayout::base_poses ? "base_poses" : "gap_poses";
+}
+
+CompensationModel CompensationModel::member(int index) const {
+  CompensationModel one;
+  one.layout = layout;
+  one.layers = index == 0 ? layers : more_members[static_cast<std::size_t>(index) - 1];
+  one.input = input;
+  one.output = output;
+  one.arm_name = arm_name;
+  one.arm_hash = arm_hash;
+  one.segment_count = segment_count;
+  one.point_count = point_count;
+  one.preset = preset;
+  return one;
 }
 
 std::string CompensationModel::shape() const {
@@ -116,7 +148,8 @@ void validate(const CompensationModel& model, const std::string& where) {
                        model.segment_count, model.point_count));
   }
   const Sizes sizes = expected_sizes(model);
-  validate_layers(where, model, sizes);
+  validate_layers(where, "layers.", model.layers, sizes);
+  validate_members(where, model, sizes);
   validate_normalisation(where, "normalisation.input", model.input, sizes.input);
   validate_normalisation(where, "normalisation.output", model.output, sizes.output);
 }

@@ -31,6 +31,17 @@ Tensor vector_tensor(const Eigen::VectorXf& vector) {
           {vector.data(), vector.data() + vector.size()}};
 }
 
+std::string member_prefix(std::size_t member) {
+  return fmt::format("members.{}.layers.", member);
+}
+
+void add_layers(Safetensors& content, const std::string& prefix, const std::vector<Layer>& layers) {
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    content.tensors[fmt::format("{}{}.weight", prefix, l)] = matrix_tensor(layers[l].weight);
+    content.tensors[fmt::format("{}{}.bias", prefix, l)] = vector_tensor(layers[l].bias);
+  }
+}
+
 // The file's tensors, each to be asked for once; what nobody asked for is a mistake.
 class TensorReader {
  public:
@@ -49,6 +60,16 @@ class TensorReader {
     const Tensor tensor = take(name, 1, "[size]");
     return Eigen::Map<const Eigen::VectorXf>(tensor.values.data(),
                                              static_cast<Eigen::Index>(tensor.shape[0]));
+  }
+
+  // At least one layer.
+  std::vector<Layer> layers(const std::string& prefix) {
+    std::vector<Layer> layers;
+    do {
+      const std::string name = fmt::format("{}{}", prefix, layers.size());
+      layers.push_back({matrix(name + ".weight"), vector(name + ".bias")});
+    } while (has(fmt::format("{}{}.weight", prefix, layers.size())));
+    return layers;
   }
 
   void require_all_taken() const {
@@ -109,9 +130,9 @@ BackboneLayout layout_at(const Safetensors& content, const std::string& where) {
 void write_model(const std::filesystem::path& path, const CompensationModel& model) {
   validate(model, path.string());
   Safetensors content;
-  for (std::size_t l = 0; l < model.layers.size(); ++l) {
-    content.tensors[fmt::format("layers.{}.weight", l)] = matrix_tensor(model.layers[l].weight);
-    content.tensors[fmt::format("layers.{}.bias", l)] = vector_tensor(model.layers[l].bias);
+  add_layers(content, "layers.", model.layers);
+  for (std::size_t k = 0; k < model.more_members.size(); ++k) {
+    add_layers(content, member_prefix(k + 1), model.more_members[k]);
   }
   content.tensors["normalisation.input.offset"] = vector_tensor(model.input.offset);
   content.tensors["normalisation.input.scale"] = vector_tensor(model.input.scale);
@@ -150,9 +171,9 @@ CompensationModel read_model(const std::filesystem::path& path) {
     }
   }
   TensorReader tensors(content, where);
-  for (std::size_t l = 0; l == 0 || tensors.has(fmt::format("layers.{}.weight", l)); ++l) {
-    model.layers.push_back({tensors.matrix(fmt::format("layers.{}.weight", l)),
-                            tensors.vector(fmt::format("layers.{}.bias", l))});
+  model.layers = tensors.layers("layers.");
+  while (tensors.has(member_prefix(model.more_members.size() + 1) + "0.weight")) {
+    model.more_members.push_back(tensors.layers(member_prefix(model.more_members.size() + 1)));
   }
   model.input = {tensors.vector("normalisation.input.offset"),
                  tensors.vector("normalisation.input.scale")};

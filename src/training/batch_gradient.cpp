@@ -35,13 +35,16 @@ struct BatchGradient::Threads {
 };
 
 BatchGradient::BatchGradient(const TrainingTables& tables, const ParameterLayout& layout,
-                             int window_frames, int windows_per_batch, int jobs)
+                             int window_frames, int windows_per_batch, int jobs, int networks)
     : tables_(tables),
+      parameters_(layout.size()),
+      networks_(static_cast<std::size_t>(networks)),
       windows_per_chunk_(windows_per_chunk(window_frames, windows_per_batch)),
       threads_(std::make_unique<Threads>(jobs)) {
   const int chunks = (windows_per_batch + windows_per_chunk_ - 1) / windows_per_chunk_;
-  gradients_.assign(static_cast<std::size_t>(chunks), Eigen::VectorXf::Zero(layout.size()));
-  losses_.assign(static_cast<std::size_t>(chunks), 0.0);
+  gradients_.assign(static_cast<std::size_t>(chunks),
+                    Eigen::VectorXf::Zero(layout.size() * networks));
+  losses_.assign(static_cast<std::size_t>(chunks) * networks_, 0.0);
   const int segments = static_cast<int>(tables.frames.pressure.rows());
   for (int thread = 0; thread < threads_->arena.max_concurrency(); ++thread) {
     threads_->workspaces.emplace_back(layout, tables.map, segments, window_frames,
@@ -74,13 +77,17 @@ void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
     }
     workspace.disturb(added);
   }
-  losses_[index] = workspace.forward(parameters.data());
-  workspace.backward(parameters.data(), gradients_[index].data());
+  for (std::size_t network = 0; network < networks_; ++network) {
+    const Eigen::Index offset = static_cast<Eigen::Index>(network) * parameters_;
+    losses_[index * networks_ + network] = workspace.forward(parameters.data() + offset);
+    workspace.backward(parameters.data() + offset, gradients_[index].data() + offset);
+  }
 }
 
-double BatchGradient::compute(std::span<const int> starts, const Eigen::VectorXf& parameters,
-                              double noise, std::uint64_t seed, std::uint64_t stream,
-                              Eigen::VectorXf& gradient) {
+std::span<const double> BatchGradient::compute(std::span<const int> starts,
+                                               const Eigen::VectorXf& parameters, double noise,
+                                               std::uint64_t seed, std::uint64_t stream,
+                                               Eigen::VectorXf& gradient) {
   const std::size_t per_chunk = static_cast<std::size_t>(windows_per_chunk_);
   const std::size_t chunks = (starts.size() + per_chunk - 1) / per_chunk;
   assert(chunks >= 1 && chunks <= gradients_.size());
@@ -93,13 +100,14 @@ double BatchGradient::compute(std::span<const int> starts, const Eigen::VectorXf
         tbb::simple_partitioner());
   });
   gradient = gradients_[0];
-  double loss = losses_[0];
   for (std::size_t chunk = 1; chunk < chunks; ++chunk) {
     optimiser_kernels().add(static_cast<int>(gradient.size()), gradients_[chunk].data(),
                             gradient.data());
-    loss += losses_[chunk];
+    for (std::size_t network = 0; network < networks_; ++network) {
+      losses_[network] += losses_[chunk * networks_ + network];
+    }
   }
-  return loss;
+  return std::span(losses_).first(networks_);
 }
 
 }  // namespace limber

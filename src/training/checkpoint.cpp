@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kSchema = "limber/checkpoint/1";
+constexpr const char* kSchema = "limber/checkpoint/2";
 
 Tensor to_tensor(const Eigen::VectorXf& vector) {
   return {{static_cast<std::size_t>(vector.size())}, {vector.begin(), vector.end()}};
@@ -70,6 +70,8 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
                         {"step", state.optimiser.step},
                         {"stage_first_loss", state.stage_first_loss},
                         {"best_error_m", state.best_error_m},
+                        {"best_members_m", state.best_members_m},
+                        {"elapsed_s", checkpoint.elapsed_s},
                         {"best_epoch", state.best_epoch},
                         {"stages", stages_to_json(checkpoint.stages)},
                         {"curve", curve_to_json(state.curve)}};
@@ -96,8 +98,10 @@ Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string&
     const Json numbers = Json::parse(content.metadata.at("state"));
     state.epochs_done = numbers.at("epochs_done");
     state.optimiser.step = numbers.at("step");
-    state.stage_first_loss = numbers.at("stage_first_loss");
+    state.stage_first_loss = numbers.at("stage_first_loss").get<std::vector<double>>();
     state.best_error_m = numbers.at("best_error_m");
+    state.best_members_m = numbers.at("best_members_m").get<std::vector<double>>();
+    result.elapsed_s = numbers.at("elapsed_s");
     state.best_epoch = numbers.at("best_epoch");
     state.curve = curve_from_json(numbers.at("curve"));
     for (const Json& row : numbers.at("stages")) {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "training_run.hpp"
+#include "epoch_trainer.hpp"
 
 namespace limber {
 
@@ -11,6 +11,7 @@ namespace limber {
 struct Checkpoint {
   std::string identity;  ///< hash of data and settings: another run's checkpoint is refused
   std::vector<TrainingStage> stages;
+  double elapsed_s = 0.0;
   TrainingState state;
 };
 

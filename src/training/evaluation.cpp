@@ -67,9 +67,37 @@ TipErrors errors_over(const std::vector<FrameMatrix>& predicted,
   return summarise(all);
 }
 
+/// @throws InputError where a prediction within the pieces is not finite.
+void require_finite(const std::vector<FrameMatrix>& predicted,
+                    const std::vector<RolloutPiece>& pieces) {
+  for (const RolloutPiece& piece : pieces) {
+    const FrameMatrix& frames = predicted[static_cast<std::size_t>(piece.episode)];
+    for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
+      if (!frames.row(t).allFinite()) {
+        throw InputError(fmt::format(
+            "the model's prediction is not finite from frame {} on: it can't be rolled out", t));
+      }
+    }
+  }
+}
+
 TipErrors rollout_errors(const ForwardModel& model, const std::vector<Episode>& episodes,
                          Restart restart, int jobs) {
-  return errors_over(roll_out(model, episodes, pieces_for(episodes, restart), jobs), episodes, 1);
+  const std::vector<RolloutPiece> pieces = pieces_for(episodes, restart);
+  const std::vector<FrameMatrix> predicted = roll_out(model, episodes, pieces, jobs);
+  require_finite(predicted, pieces);
+  return errors_over(predicted, episodes, 1);
+}
+
+/// Makes predictions NaN that rest on one of the `count` frames before them that was not seen.
+void forget_guesses(const Episode& episode, int count, FrameMatrix& predicted) {
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    for (int before = std::max(t - count, 0); before < t; ++before) {
+      if (!episode.was_tracked(before)) {
+        predicted.row(t).setConstant(std::numeric_limits<float>::quiet_NaN());
+      }
+    }
+  }
 }
 
 std::vector<FrameMatrix> hold(const std::vector<Episode>& episodes) {
@@ -78,6 +106,7 @@ std::vector<FrameMatrix> hold(const std::vector<Episode>& episodes) {
     const Eigen::Index frames = episode.backbone.rows();
     FrameMatrix held = episode.backbone;
     held.bottomRows(frames - 1) = episode.backbone.topRows(frames - 1);
+    forget_guesses(episode, 1, held);
     predicted.push_back(std::move(held));
   }
   return predicted;
@@ -90,6 +119,7 @@ std::vector<FrameMatrix> constant_velocity(const std::vector<Episode>& episodes)
     FrameMatrix moved = episode.backbone;
     moved.bottomRows(frames - 2) =
         2.0F * episode.backbone.middleRows(1, frames - 2) - episode.backbone.topRows(frames - 2);
+    forget_guesses(episode, 2, moved);
     predicted.push_back(std::move(moved));
   }
   return predicted;
@@ -127,13 +157,9 @@ TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, 
   const FrameMatrix& recorded = episode.backbone;
   const Eigen::Index tip = recorded.cols() - 3;
   for (Eigen::Index t = first; t < recorded.rows(); ++t) {
-    const bool seen = episode.tracked.empty() || episode.tracked[static_cast<std::size_t>(t)] != 0;
     const Eigen::Vector3d difference =
         (predicted.row(t).segment<3>(tip) - recorded.row(t).segment<3>(tip)).cast<double>();
-    if (seen && !difference.allFinite()) {
-      throw InputError(fmt::format(
-          "the model's prediction is not finite from frame {} on: it can't be rolled out", t));
-    }
+    const bool seen = episode.was_tracked(static_cast<int>(t)) && difference.allFinite();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     errors.position_cm.push_back(seen ? kCmPerM * difference.head<2>().norm() : nan);
     errors.orientation_rad.push_back(seen ? std::abs(difference[2]) : nan);
@@ -149,8 +175,7 @@ namespace {
 
 void require_tracked(const std::vector<Episode>& episodes) {
   const auto is_seen = [](const Episode& episode) {
-    return episode.tracked.empty() || std::any_of(episode.tracked.begin(), episode.tracked.end(),
-                                                  [](auto seen) { return seen != 0; });
+    return episode.untracked_count() < episode.frame_count();
   };
   if (std::none_of(episodes.begin(), episodes.end(), is_seen)) {
     throw InputError(

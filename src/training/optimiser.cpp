@@ -37,7 +37,7 @@ void optimiser_step(Optimiser optimiser, const Eigen::VectorXf& gradient, double
   }
 }
 
-double limit_norm(Eigen::VectorXf& gradient, double limit) {
+double limit_norm(Eigen::Ref<Eigen::VectorXf> gradient, double limit) {
   const double norm =
       std::sqrt(optimiser_kernels().square_sum(static_cast<int>(gradient.size()), gradient.data()));
   if (limit > 0.0 && norm > limit) {

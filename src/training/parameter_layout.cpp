@@ -21,10 +21,11 @@ ParameterLayout::ParameterLayout(std::vector<int> widths) : widths_(std::move(wi
   }
 }
 
-Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t seed) {
+Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t seed,
+                                   std::uint64_t first_stream) {
   Eigen::VectorXf parameters = Eigen::VectorXf::Zero(layout.size());
   for (int layer = 0; layer < layout.layer_count(); ++layer) {
-    RandomStream stream(seed, static_cast<std::uint64_t>(layer));
+    RandomStream stream(seed, first_stream + static_cast<std::uint64_t>(layer));
     const bool last = layer + 1 == layout.layer_count();
     const float limit = std::sqrt(6.0F / static_cast<float>(layout.inputs(layer))) *
                         (last ? kLastLayerShare : 1.0F);

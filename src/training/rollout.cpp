@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include <tbb/parallel_for.h>
@@ -12,6 +13,14 @@ namespace limber {
 namespace {
 
 constexpr std::size_t kPiecesPerBatch = 64;
+
+/// The first frame in which the arm was seen, `frame` or later, before `end`; else `end`.
+int next_seen(const Episode& episode, int frame, int end) {
+  while (frame < end && !episode.was_tracked(frame)) {
+    ++frame;
+  }
+  return frame;
+}
 
 /// Rolls out pieces of a batch; they are sorted, longest first, so that those still running are the
 /// first columns.
@@ -51,9 +60,13 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
 std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes, int frames) {
   std::vector<RolloutPiece> pieces;
   for (int index = 0; index < static_cast<int>(episodes.size()); ++index) {
-    const int last = episodes[static_cast<std::size_t>(index)].frame_count() - 1;
-    for (int first = 0; first < last; first += frames) {
-      pieces.push_back({index, first, std::min(frames, last - first)});
+    const Episode& episode = episodes[static_cast<std::size_t>(index)];
+    const int last = episode.frame_count() - 1;
+    int first = next_seen(episode, 0, last);
+    while (first < last) {
+      const int count = std::min(frames, last - first);
+      pieces.push_back({index, first, count});
+      first = next_seen(episode, first + count, last);
     }
   }
   return pieces;
@@ -62,12 +75,16 @@ std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes,
 std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes) {
   std::vector<RolloutPiece> pieces;
   for (int index = 0; index < static_cast<int>(episodes.size()); ++index) {
-    const std::vector<int>& motion = episodes[static_cast<std::size_t>(index)].motion_index;
+    const Episode& episode = episodes[static_cast<std::size_t>(index)];
+    const std::vector<int>& motion = episode.motion_index;
     int first = 0;
     for (int t = 2; t <= static_cast<int>(motion.size()); ++t) {
       const auto at = static_cast<std::size_t>(t);
       if (at == motion.size() || motion[at] != motion[at - 1]) {
-        pieces.push_back({index, first, t - 1 - first});
+        const int start = next_seen(episode, first, t - 1);
+        if (start < t - 1) {
+          pieces.push_back({index, start, t - 1 - start});
+        }
         first = t - 1;
       }
     }
@@ -79,7 +96,12 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
                                   std::vector<RolloutPiece> pieces, int jobs) {
   std::vector<FrameMatrix> predicted;
   for (const Episode& episode : episodes) {
-    predicted.push_back(episode.backbone);
+    predicted.push_back(FrameMatrix::Constant(episode.backbone.rows(), episode.backbone.cols(),
+                                              std::numeric_limits<float>::quiet_NaN()));
+  }
+  for (const RolloutPiece& piece : pieces) {
+    const auto index = static_cast<std::size_t>(piece.episode);
+    predicted[index].row(piece.first) = episodes[index].backbone.row(piece.first);
   }
   std::stable_sort(pieces.begin(), pieces.end(), [](const RolloutPiece& a, const RolloutPiece& b) {
     return a.frames > b.frames;
@@ -96,6 +118,17 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
   return predicted;
 }
 
+std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted) {
+  std::vector<FrameMatrix> mean = predicted.front();
+  for (std::size_t episode = 0; episode < mean.size(); ++episode) {
+    for (std::size_t member = 1; member < predicted.size(); ++member) {
+      mean[episode] += predicted[member][episode];
+    }
+    mean[episode] /= static_cast<float>(predicted.size());
+  }
+  return mean;
+}
+
 double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
                         const std::vector<Episode>& episodes,
                         const std::vector<RolloutPiece>& pieces) {
@@ -103,14 +136,18 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
   std::int64_t count = 0;
   for (const RolloutPiece& piece : pieces) {
     const auto index = static_cast<std::size_t>(piece.episode);
-    const FrameMatrix& recorded = episodes[index].backbone;
-    const Eigen::Index tip = recorded.cols() - 3;
-    const auto error = predicted[index].block(piece.first + 1, tip, piece.frames, 2) -
-                       recorded.block(piece.first + 1, tip, piece.frames, 2);
-    sum += error.rowwise().norm().cast<double>().sum();
-    count += piece.frames;
+    const Episode& episode = episodes[index];
+    const Eigen::Index tip = episode.backbone.cols() - 3;
+    for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
+      if (episode.was_tracked(t)) {
+        const auto error =
+            predicted[index].row(t).segment<2>(tip) - episode.backbone.row(t).segment<2>(tip);
+        sum += static_cast<double>(error.norm());
+        ++count;
+      }
+    }
   }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+  return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace limber

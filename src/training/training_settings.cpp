@@ -101,6 +101,10 @@ void require_usable(const TrainingSettings& settings) {
   require(settings.average_decay >= 0.0 && settings.average_decay < 1.0, "average_decay",
           settings.average_decay, "[0, 1)");
   require(settings.input_noise >= 0.0, "input_noise", settings.input_noise, ">= 0");
+  require(settings.ensemble >= 1 && settings.ensemble <= 64, "ensemble", settings.ensemble,
+          "1 to 64 networks");
+  require(settings.replay_share >= 0.0 && settings.replay_share <= 0.95, "replay_share",
+          settings.replay_share, "0 to 0.95");
   require(settings.validation_interval >= 1, "validation_interval", settings.validation_interval,
           ">= 1");
 }

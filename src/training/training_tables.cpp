@@ -18,12 +18,40 @@ constexpr float kConstantSpread = 1e-6F;
 
 /// Columns of all episodes' frames in user units, backbones in the network's layout.
 struct RawFrames {
-  Eigen::MatrixXf pressure_kpa;   // n×F
-  Eigen::MatrixXf poses;          // 3m×F, recorded, about the base
-  Eigen::MatrixXf no_load_poses;  // 3m×F
-  Eigen::MatrixXf state;          // D×F, recorded, in the network's layout
-  Eigen::MatrixXf no_load;        // D×F
+  Eigen::MatrixXf pressure_kpa;    // n×F
+  Eigen::MatrixXf poses;           // 3m×F, recorded, about the base
+  Eigen::MatrixXf no_load_poses;   // 3m×F
+  Eigen::MatrixXf state;           // D×F, recorded, in the network's layout
+  Eigen::MatrixXf no_load;         // D×F
+  std::vector<std::uint8_t> seen;  // F; empty: the arm was tracked in all frames
+  std::vector<int> seen_columns;   // those in which it was; empty: in all
 };
+
+/// Marks the frames in which the arm was not tracked.
+void mark_unseen(const std::vector<Episode>& episodes, RawFrames& raw) {
+  std::int64_t unseen = 0;
+  for (const Episode& episode : episodes) {
+    unseen += episode.untracked_count();
+  }
+  if (unseen == 0) {
+    return;
+  }
+  for (const Episode& episode : episodes) {
+    for (int t = 0; t < episode.frame_count(); ++t) {
+      raw.seen.push_back(episode.tracked.empty() ? 1
+                                                 : episode.tracked[static_cast<std::size_t>(t)]);
+      if (raw.seen.back() != 0) {
+        raw.seen_columns.push_back(static_cast<int>(raw.seen.size()) - 1);
+      }
+    }
+  }
+  if (raw.seen_columns.empty()) {
+    throw InputError(fmt::format(
+        "the arm was tracked in none of the training data's {} frames: there is nothing to learn "
+        "from",
+        raw.seen.size()));
+  }
+}
 
 RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes,
                  const NetworkLayout& layout, std::vector<EpisodeRange>& ranges) {
@@ -54,7 +82,14 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
   }
   raw.no_load = layout.encode(raw.no_load_poses);
   raw.state = layout.encode(raw.poses);
+  mark_unseen(episodes, raw);
   return raw;
+}
+
+/// The columns in which the arm was seen: guesses in between say nothing about ranges.
+Eigen::MatrixXf seen_only(Eigen::MatrixXf columns, const RawFrames& raw) {
+  return raw.seen_columns.empty() ? std::move(columns)
+                                  : Eigen::MatrixXf(columns(Eigen::all, raw.seen_columns));
 }
 
 /// Offset and scale of each row of `columns`.
@@ -103,7 +138,8 @@ Eigen::MatrixXf normalised(Eigen::MatrixXf columns, const Normalisation& by, Eig
 FrameError<float> chained_error(const RawFrames& raw, const Normalisation& input,
                                 const NetworkLayout& layout, Scaling scaling) {
   const Eigen::Index size = layout.backbone_size();
-  const Normalisation spread = measure((raw.poses - raw.no_load_poses).bottomRows(size), scaling);
+  const Normalisation spread =
+      measure(seen_only((raw.poses - raw.no_load_poses).bottomRows(size), raw), scaling);
   return FrameError<float>(spread.scale,
                            input.scale.segment(layout.backbone_row(), size).cwiseInverse(),
                            input.offset.segment(layout.backbone_row(), size));
@@ -121,6 +157,7 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
   } else {
     tables.map.error = FrameError<float>(tables.output.scale.array() / state_scale);
   }
+  frames.seen = std::move(raw.seen);
   frames.pressure = normalised(std::move(raw.pressure_kpa), tables.input, layout.pressure_row());
   frames.state = normalised(std::move(raw.state), tables.input, layout.backbone_row());
   frames.no_load =
@@ -147,10 +184,11 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
   TrainingTables tables;
   RawFrames raw = gather(arm, episodes, layout, tables.episodes);
   require_varying_pressures(raw.pressure_kpa);
-  const Normalisation pressure = measure(raw.pressure_kpa, settings.scaling);
-  tables.input = stack({pressure, pressure, measure(raw.state, settings.scaling),
-                        measure(layout.no_load_input(raw.no_load), settings.scaling)});
-  tables.output = measure(raw.state - raw.no_load, settings.scaling);
+  const Normalisation pressure = measure(seen_only(raw.pressure_kpa, raw), settings.scaling);
+  tables.input =
+      stack({pressure, pressure, measure(seen_only(raw.state, raw), settings.scaling),
+             measure(seen_only(layout.no_load_input(raw.no_load), raw), settings.scaling)});
+  tables.output = measure(seen_only(raw.state - raw.no_load, raw), settings.scaling);
   normalise(std::move(raw), layout, settings, tables);
   return tables;
 }
@@ -166,13 +204,28 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
   return tables;
 }
 
-std::vector<int> window_starts(const std::vector<EpisodeRange>& episodes, int window_frames,
-                               int shift) {
+std::vector<int> window_starts(std::span<const EpisodeRange> episodes,
+                               std::span<const std::uint8_t> seen, int window_frames, int shift) {
+  const auto is_seen = [&](int frame) {
+    return seen.empty() || seen[static_cast<std::size_t>(frame)] != 0;
+  };
   std::vector<int> starts;
   for (const EpisodeRange& episode : episodes) {
-    const int last = episode.count - 1 - window_frames;
-    for (int start = std::min(shift, std::max(last, 0)); start <= last; start += window_frames) {
-      starts.push_back(episode.first + start);
+    const int last = episode.first + episode.count - 1 - window_frames;
+    int start = std::min(episode.first + shift, std::max(last, episode.first));
+    while (start <= last) {
+      if (!is_seen(start)) {
+        ++start;
+        continue;
+      }
+      bool useful = false;
+      for (int frame = start + 1; frame <= start + window_frames && !useful; ++frame) {
+        useful = is_seen(frame);
+      }
+      if (useful) {
+        starts.push_back(start);
+      }
+      start += window_frames;
     }
   }
   return starts;

@@ -47,6 +47,36 @@ TEST(ModelFile, ComesBackAfterARoundTrip) {
   }
 }
 
+TEST(ModelFile, EnsemblesKeepAllTheirMembersInOrder) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "model.safetensors";
+  const auto member = [](std::uint64_t seed) {
+    return untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 9}, seed);
+  };
+  CompensationModel model = member(1);
+  model.more_members = {member(2).layers, member(3).layers};
+  write_model(path, model);
+  const CompensationModel back = read_model(path);
+  ASSERT_EQ(back.member_count(), 3);
+  for (int k = 0; k < 3; ++k) {
+    const CompensationModel wanted = member(static_cast<std::uint64_t>(k) + 1);
+    for (std::size_t l = 0; l < wanted.layers.size(); ++l) {
+      EXPECT_EQ(back.member(k).layers[l].weight, wanted.layers[l].weight);
+      EXPECT_EQ(back.member(k).layers[l].bias, wanted.layers[l].bias);
+    }
+    EXPECT_EQ(back.member(k).input.scale, wanted.input.scale);
+  }
+
+  model.more_members[1] =
+      untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 8}, 3).layers;
+  EXPECT_THAT([&] { write_model(path, model); },
+              ThrowsMessage<InputError>(HasSubstr("members.2.layers.* have another shape")));
+  model.more_members[1] = member(3).layers;
+  model.more_members[0][1].bias[4] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THAT([&] { write_model(path, model); },
+              ThrowsMessage<InputError>(HasSubstr("tensor members.1.layers.1.bias[4, 0] is nan")));
+}
+
 TEST(ModelFile, ShapeOfThePapersNetwork) {
   EXPECT_EQ(untrained_model(sample_arm(3), BackboneLayout::base_poses, {100, 100, 100}, 1).shape(),
             "102-100-100-100-48");

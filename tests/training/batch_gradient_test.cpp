@@ -15,13 +15,13 @@ class BatchGradientTest : public testing::Test {
       : tables_(make_training_tables(arm_, {toy_episode(arm_, 60, 20, 3)}, best_preset())),
         layout_({60, 20, 45}),
         parameters_(initial_parameters(layout_, 5)),
-        starts_(window_starts(tables_.episodes, 4, 0)) {}
+        starts_(window_starts(tables_.episodes, {}, 4, 0)) {}
 
   Eigen::VectorXf gradient(int jobs, double noise, double* loss = nullptr) const {
     BatchGradient batch(tables_, layout_, 4, static_cast<int>(starts_.size()), jobs);
     EXPECT_GT(batch.chunk_count(), 1);
     Eigen::VectorXf result;
-    const double sum = batch.compute(starts_, parameters_, noise, 9, 100, result);
+    const double sum = batch.compute(starts_, parameters_, noise, 9, 100, result).front();
     if (loss != nullptr) {
       *loss = sum;
     }

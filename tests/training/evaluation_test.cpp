@@ -104,18 +104,45 @@ TEST(Evaluate, BaselinesOfSteadyMotion) {
   EXPECT_NEAR(evaluation.constant_velocity_one_step.position_cm.mean, 0.0, kMicrometre_cm);
 }
 
-TEST(Evaluate, LeavesOutFramesInWhichTheArmWasNotSeen) {
+// What is filled in between tracked frames is a guess: nothing is measured there, and nothing
+// starts from there.
+TEST(Evaluate, UntrackedFramesChangeNothing) {
   const ArmDescription arm = three_segment_arm();
-  Episode episode = still_episode(arm, 50);
-  episode.tracked.assign(50, 1);
-  episode.tracked[20] = 0;
-  episode.backbone(20, episode.backbone.cols() - 3) = 100.0F;
-  const Evaluation evaluation = evaluate(ForwardModel(arm), nullptr, {episode});
-  EXPECT_LT(evaluation.no_load_open_loop.position_cm.p95, 100.0);
-  EXPECT_NEAR(evaluation.no_load_open_loop.position_cm.mean,
-              evaluate(ForwardModel(arm), nullptr, {still_episode(arm, 50)})
-                  .no_load_open_loop.position_cm.mean,
-              5.0);
+  const ForwardModel no_load(arm);
+  const ForwardModel network(arm, drifting_network(arm));
+  Episode episode = toy_episode(arm, 5, 20, 3);
+  episode.tracked.assign(101, 1);
+  for (const int t : {0, 32, 33, 41, 61, 100}) {
+    episode.tracked[static_cast<std::size_t>(t)] = 0;
+  }
+  const auto before = evaluation_to_json(evaluate(no_load, &network, {episode}));
+  for (int t = 0; t < 101; ++t) {
+    if (!episode.was_tracked(t)) {
+      episode.backbone.row(t).setConstant(100.0F);
+    }
+  }
+  EXPECT_EQ(before, evaluation_to_json(evaluate(no_load, &network, {episode})));
+  const std::vector<Episode> episodes = {episode};
+  const auto pieces = pieces_of_length(episodes, 32);
+  EXPECT_LT(mean_tip_error_m(roll_out(network, episodes, pieces, 1), episodes, pieces), 1.0);
+}
+
+TEST(Pieces, BeginWhereTheArmWasSeen) {
+  Episode episode;
+  episode.time_s.setLinSpaced(10, 0.0, 0.45);
+  episode.motion_index = {0, 0, 0, 0, 1, 1, 1, 2, 2, 2};
+  episode.tracked = {0, 1, 1, 0, 0, 1, 1, 1, 1, 1};
+  const auto in_numbers = [](const std::vector<RolloutPiece>& pieces) {
+    std::vector<std::array<int, 2>> numbers;
+    for (const RolloutPiece& piece : pieces) {
+      numbers.push_back({piece.first, piece.frames});
+    }
+    return numbers;
+  };
+  EXPECT_THAT(in_numbers(pieces_of_length({episode}, 3)),
+              ElementsAre(std::array{1, 3}, std::array{5, 3}, std::array{8, 1}));
+  EXPECT_THAT(in_numbers(pieces_of_motions({episode})),
+              ElementsAre(std::array{1, 2}, std::array{5, 1}, std::array{6, 3}));
 }
 
 TEST(Evaluate, DoesNotDependOnTheNumberOfJobs) {

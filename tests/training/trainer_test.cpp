@@ -1,5 +1,6 @@
 #include "limber/training/trainer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,12 +9,14 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/training/evaluation.hpp"
+#include "limber/training/rollout.hpp"
 #include "support/temporary_folder.hpp"
 #include "training/toy_arm.hpp"
 
 namespace limber {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 using testing::ThrowsMessage;
@@ -35,13 +38,15 @@ TrainingSettings small_settings() {
   return settings;
 }
 
+bool same_layers(const std::vector<Layer>& a, const std::vector<Layer>& b) {
+  return std::ranges::equal(a, b, [](const Layer& x, const Layer& y) {
+    return x.weight == y.weight && x.bias == y.bias;
+  });
+}
+
 bool same_weights(const CompensationModel& a, const CompensationModel& b) {
-  for (std::size_t i = 0; i < a.layers.size(); ++i) {
-    if (a.layers[i].weight != b.layers[i].weight || a.layers[i].bias != b.layers[i].bias) {
-      return false;
-    }
-  }
-  return a.layers.size() == b.layers.size();
+  return same_layers(a.layers, b.layers) &&
+         std::ranges::equal(a.more_members, b.more_members, same_layers);
 }
 
 // The toy's memory is in its backbone alone, so a pure function of (q, B) can learn it.
@@ -73,6 +78,36 @@ TEST(Train, GivesTheSameBitsForAnyNumberOfJobs) {
   EXPECT_EQ(one.best_validation_position_error_cm, three.best_validation_position_error_cm);
   settings.seed = 2;
   EXPECT_FALSE(same_weights(one.model, train(arm, toy_data(arm), settings).model));
+}
+
+// Sharing batches must change nothing: each member is what it would have become alone. The first
+// one's weights are drawn as a single network's are.
+TEST(Train, AMemberOfAnEnsembleIsTheNetworkItWouldBeAlone) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = small_settings();
+  settings.stages = {{2, 64, 2}, {8, 32, 2}};
+  settings.average_decay = 0.9;
+  settings.validation_interval = 4;  // the last epoch alone: both keep that one
+  const TrainingResult single = train(arm, toy_data(arm), settings);
+  settings.ensemble = 3;
+  settings.jobs = 1;
+  const TrainingResult three = train(arm, toy_data(arm), settings);
+  ASSERT_EQ(three.model.member_count(), 3);
+  int found = 0;
+  for (int k = 0; k < 3; ++k) {
+    found += same_layers(three.model.member(k).layers, single.model.layers) ? 1 : 0;
+  }
+  EXPECT_EQ(found, 1);
+  EXPECT_FALSE(same_layers(three.model.member(1).layers, three.model.member(2).layers));
+  // The best first.
+  ASSERT_EQ(three.member_validation_position_error_cm.size(), 3U);
+  EXPECT_TRUE(std::ranges::is_sorted(three.member_validation_position_error_cm));
+  const ForwardModel best(arm, three.model.member(0));
+  const std::vector<Episode> validation = toy_data(arm).validation;
+  const auto pieces = pieces_of_length(validation, 600);
+  EXPECT_DOUBLE_EQ(
+      100.0 * mean_tip_error_m(roll_out(best, validation, pieces, 1), validation, pieces),
+      three.member_validation_position_error_cm[0]);
 }
 
 TEST(Train, PaperPresetLowersItsLoss) {
@@ -118,10 +153,15 @@ TEST(Train, RefusesEpisodesShorterThanAWindow) {
           "the longest training episode has 30 frames; preset 'best' needs windows of 32")));
 }
 
-TEST(Train, ResumesWithTheBitsOfAnUnbrokenRun) {
+class TrainEnsembleOf : public testing::TestWithParam<int> {};
+
+INSTANTIATE_TEST_SUITE_P(Networks, TrainEnsembleOf, testing::Values(1, 3));
+
+TEST_P(TrainEnsembleOf, ResumesWithTheBitsOfAnUnbrokenRun) {
   const ArmDescription arm = three_segment_arm();
   const TemporaryFolder folder;
   TrainingSettings settings = small_settings();
+  settings.ensemble = GetParam();
   settings.stages = {{2, 64, 3}, {8, 32, 3}};
   const TrainingResult unbroken = train(arm, toy_data(arm), settings);
 
@@ -140,7 +180,10 @@ TEST(Train, ResumesWithTheBitsOfAnUnbrokenRun) {
   EXPECT_EQ(second.best_epoch, unbroken.best_epoch);
   ASSERT_EQ(second.curve.size(), 6U);
   EXPECT_EQ(second.curve[5].loss, unbroken.curve[5].loss);
-  EXPECT_FALSE(std::filesystem::exists(settings.checkpoint));
+  // Only a finished run's caller knows when the model is safe on disk: until then it can be asked
+  // for again.
+  ASSERT_TRUE(std::filesystem::exists(settings.checkpoint));
+  EXPECT_TRUE(same_weights(train(arm, toy_data(arm), settings).model, unbroken.model));
 }
 
 TEST(Train, RefusesTheCheckpointOfAnotherRun) {
@@ -155,6 +198,13 @@ TEST(Train, RefusesTheCheckpointOfAnotherRun) {
   EXPECT_THAT([&] { (void)train(arm, toy_data(arm), settings); },
               ThrowsMessage<InputError>(HasSubstr(
                   "run.checkpoint: the checkpoint of a run with other data or settings")));
+  settings.learning_rate /= 2.0;
+  set_epoch_count(settings, 20);
+  EXPECT_THAT([&] { (void)train(arm, toy_data(arm), settings); },
+              ThrowsMessage<InputError>(AllOf(
+                  HasSubstr("the checkpoint of a run of 30 epochs of 2-frame windows, 64 a batch, "
+                            "10 epochs of 8-frame windows"),
+                  HasSubstr("this one is to be 15 epochs"), HasSubstr("leave out --resume"))));
   write_file_atomically(settings.checkpoint, read_file(settings.checkpoint).substr(0, 500));
   EXPECT_THAT([&] { (void)train(arm, toy_data(arm), settings); },
               ThrowsMessage<InputError>(HasSubstr("run.checkpoint")));

@@ -101,11 +101,41 @@ TEST(TrainingTables, RefusesConstantPressures) {
       ThrowsMessage<InputError>(HasSubstr("hold no frame")));
 }
 
+// A dropped frame is filled in between its neighbours: a guess, which must shape nothing.
+TEST(TrainingTables, UntrackedFramesShapeNoRange) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingSettings settings = settings_for(BackboneLayout::gap_poses, Scaling::unit_spread);
+  Episode dropped = toy_episode(arm, 6, 20, 3);
+  dropped.tracked.assign(121, 1);
+  dropped.tracked[30] = 0;
+  const TrainingTables before = make_training_tables(arm, {dropped}, settings);
+  dropped.backbone.row(30).setConstant(50.0F);
+  const TrainingTables after = make_training_tables(arm, {dropped}, settings);
+  EXPECT_EQ(before.input.scale, after.input.scale);
+  EXPECT_EQ(before.output.offset, after.output.offset);
+  EXPECT_EQ(after.frames.seen[30], 0);
+  EXPECT_EQ(after.frames.seen[31], 1);
+  dropped.tracked.assign(121, 0);
+  EXPECT_THAT([&] { make_training_tables(arm, {dropped}, settings); },
+              ThrowsMessage<InputError>(HasSubstr("tracked in none of the training data's 121")));
+}
+
+TEST(WindowStarts, AreFramesInWhichTheArmWasSeen) {
+  std::vector<std::uint8_t> seen(40, 1);
+  seen[0] = seen[12] = seen[13] = 0;
+  const std::vector<EpisodeRange> episode = {{0, 40}};
+  EXPECT_EQ(window_starts(episode, seen, 4, 0),
+            (std::vector<int>{1, 5, 9, 14, 18, 22, 26, 30, 34}));
+  // Nothing is seen behind frame 20: no window has anything to learn there.
+  std::fill(seen.begin() + 21, seen.end(), 0);
+  EXPECT_EQ(window_starts(episode, seen, 4, 0), (std::vector<int>{1, 5, 9, 14, 18}));
+}
+
 TEST(WindowStarts, DoNotOverlapAndStayInsideTheirEpisode) {
   const std::vector<EpisodeRange> episodes = {{0, 100}, {100, 20}, {120, 33}, {153, 65}};
   for (int shift = 0; shift < 32; ++shift) {
     std::set<int> predicted;
-    for (const int start : window_starts(episodes, 32, shift)) {
+    for (const int start : window_starts(episodes, {}, 32, shift)) {
       for (int frame = start + 1; frame <= start + 32; ++frame) {
         EXPECT_TRUE(predicted.insert(frame).second) << "frame " << frame << ", shift " << shift;
       }
@@ -118,7 +148,7 @@ TEST(WindowStarts, DoNotOverlapAndStayInsideTheirEpisode) {
     // An episode of exactly one window keeps it, whatever the shift.
     EXPECT_TRUE(predicted.contains(152));
   }
-  EXPECT_EQ(window_starts(episodes, 32, 0), (std::vector<int>{0, 32, 64, 120, 153, 185}));
+  EXPECT_EQ(window_starts(episodes, {}, 32, 0), (std::vector<int>{0, 32, 64, 120, 153, 185}));
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ TEST(WindowGradient, GroupsOfWindowsAddUp) {
   const ParameterLayout layout({static_cast<int>(tables.input.scale.size()), 20,
                                 static_cast<int>(tables.output.scale.size())});
   const Eigen::VectorXf parameters = initial_parameters(layout, 5);
-  const std::vector<int> starts = window_starts(tables.episodes, 5, 0);
+  const std::vector<int> starts = window_starts(tables.episodes, {}, 5, 0);
   ASSERT_EQ(starts.size(), 80U);
   WindowGradient<float> together(layout, tables.map, 3, 5, 80);
   WindowGradient<float> alone(layout, tables.map, 3, 5, 1);

@@ -31,6 +31,10 @@ struct Episode {
 
   int frame_count() const { return static_cast<int>(time_s.size()); }
   int untracked_count() const;
+  /// Whether the backbone of frame `t` was seen. @pre 0 ≤ t < frame_count()
+  bool was_tracked(int t) const {
+    return tracked.empty() || tracked[static_cast<std::size_t>(t)] != 0;
+  }
 };
 
 /// Recorded motion of an arm (docs/formats.md, schema limber/recording/1).

@@ -40,6 +40,9 @@ struct Layer {
 struct CompensationModel {
   BackboneLayout layout = BackboneLayout::gap_poses;
   std::vector<Layer> layers;
+  /// An ensemble's other networks, of the same shape and normalisation, in the order of their
+  /// validation errors: `layers` is the best. Whoever wants one prediction reads `layers` alone.
+  std::vector<std::vector<Layer>> more_members;
   Normalisation input;
   Normalisation output;
   std::string arm_name;
@@ -50,12 +53,16 @@ struct CompensationModel {
   /// Record of the training: data files and hashes, seed, epochs, losses, seconds.
   std::map<std::string, std::string> training;
 
+  int member_count() const { return 1 + static_cast<int>(more_members.size()); }
+  /// Member `index` as a model of its own, without the training record. @pre index < member_count()
+  CompensationModel member(int index) const;
+
   /// "102-100-100-100-48".
   std::string shape() const;
 };
 
 /// @throws InputError, its message beginning with `where`, unless the layers chain, fit the
-/// layout's sizes and the normalisations, and every number is finite.
+/// layout's sizes and the normalisations, all members have one shape, and every number is finite.
 void validate(const CompensationModel& model, const std::string& where);
 
 /// @throws InputError, its message beginning with `where`, unless the model was trained for `arm`

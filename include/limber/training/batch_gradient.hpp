@@ -9,22 +9,27 @@
 
 namespace limber {
 
-/// Loss and gradient of batches of windows of one length, over all cores: a batch is cut into fixed
+/// Loss and gradient of batches of windows of one length, over all cores, for one network or for
+/// several of one shape, which share what is gathered for a batch. A batch is cut into fixed
 /// chunks, whose gradients are added in the order of the chunks. So the result has the same bits
-/// for any number of threads.
+/// for any number of threads. Letters: P parameters a network, N networks.
 class BatchGradient {
  public:
   /// @param tables  must outlive this object.
   /// @param jobs    threads, 0: one a core.
+  /// @param networks  N ≥ 1.
   BatchGradient(const TrainingTables& tables, const ParameterLayout& layout, int window_frames,
-                int windows_per_batch, int jobs);
+                int windows_per_batch, int jobs, int networks = 1);
   ~BatchGradient();
 
-  /// Sum over the windows of their errors; its gradient goes to `gradient`.
+  /// Sums over the windows of their errors, one a network; their gradients go to `gradient`. Valid
+  /// until the next call. It allocates nothing of its own.
+  /// @param parameters  N·P, one network after the other; so is `gradient`, resized where it must.
   /// @param noise       standard deviation added to the first backbones, normalised; 0: none.
   /// @param seed,stream of that noise; chunk i of the batch draws from stream + i.
-  double compute(std::span<const int> starts, const Eigen::VectorXf& parameters, double noise,
-                 std::uint64_t seed, std::uint64_t stream, Eigen::VectorXf& gradient);
+  std::span<const double> compute(std::span<const int> starts, const Eigen::VectorXf& parameters,
+                                  double noise, std::uint64_t seed, std::uint64_t stream,
+                                  Eigen::VectorXf& gradient);
 
   /// Chunks that a full batch is cut into.
   int chunk_count() const;
@@ -36,9 +41,11 @@ class BatchGradient {
                      double noise, std::uint64_t seed, std::uint64_t stream);
 
   const TrainingTables& tables_;
+  Eigen::Index parameters_;  ///< P
+  std::size_t networks_;     ///< N
   int windows_per_chunk_;
-  std::vector<Eigen::VectorXf> gradients_;  ///< one a chunk
-  std::vector<double> losses_;              ///< one a chunk
+  std::vector<Eigen::VectorXf> gradients_;  ///< N·P a chunk
+  std::vector<double> losses_;              ///< N a chunk, the first chunk's become the sums
   std::unique_ptr<Threads> threads_;
 };
 

@@ -54,7 +54,8 @@ struct Evaluation {
 };
 
 /// Predicted backbones of an episode (T×3m), fed with its measured pressures: row 0 is the recorded
-/// first backbone, and so is the state before every restart. Batched over restarts, and over
+/// first backbone, and so is the state before every restart. A restart waits for the next frame in
+/// which the arm was seen; frames that are not predicted are NaN. Batched over restarts, and over
 /// `jobs` threads; the result does not depend on their number.
 FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart,
                     int jobs = 0);
@@ -65,7 +66,7 @@ struct TipErrorSeries {
   std::vector<double> orientation_rad;
 };
 /// Frames `first` and later of `predicted` (T×3m) against those recorded; NaN where the arm was not
-/// seen.
+/// seen or nothing was predicted.
 TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first);
 /// Statistics over the frames that are not NaN.
 TipErrors summarise(const TipErrorSeries& series);

@@ -21,7 +21,7 @@ void optimiser_step(Optimiser optimiser, const Eigen::VectorXf& gradient, double
                     OptimiserState& state, Eigen::VectorXf& parameters);
 
 /// Shortens `gradient` to `limit` where it is longer; 0 means no limit. Returns its norm before.
-double limit_norm(Eigen::VectorXf& gradient, double limit);
+double limit_norm(Eigen::Ref<Eigen::VectorXf> gradient, double limit);
 
 /// Half a cosine from `rate` at progress 0 to zero at 1.
 double cosine_decayed(double rate, double progress);

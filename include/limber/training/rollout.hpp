@@ -15,20 +15,26 @@ struct RolloutPiece {
   int frames = 0;
 };
 
-/// Pieces of `frames` frames (the last one shorter) that cover every frame but the first of each
-/// episode.
+/// Pieces of `frames` frames, the last one shorter, from the start of each episode on. A piece
+/// begins at a frame in which the arm was seen: a guessed backbone is no start.
 std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes, int frames);
 
-/// A piece for each commanded motion: it starts from the last frame before the motion.
+/// A piece for each commanded motion: it starts from the last frame before the motion, or the first
+/// after that in which the arm was seen.
 std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes);
 
-/// Predicted backbones of every episode (T×3m), fed with its measured pressures; frames that no
-/// piece covers are the recorded ones. Pieces are rolled out side by side, in batches and over
-/// `jobs` threads (0: one a core); the result does not depend on their number.
+/// Predicted backbones of every episode (T×3m), fed with its measured pressures. A piece's first
+/// frame is the recorded one; frames that no piece covers are NaN. Pieces are rolled out side by
+/// side, in batches and over `jobs` threads (0: one a core); the result does not depend on their
+/// number.
 std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<Episode>& episodes,
                                   std::vector<RolloutPiece> pieces, int jobs);
 
-/// Mean distance of the predicted tips from the recorded ones over all pieces' frames.
+/// Mean over an ensemble's members of what `roll_out` gave for each, episode by episode.
+std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted);
+
+/// Mean distance of the predicted tips from the recorded ones over those of the pieces' frames in
+/// which the arm was seen; NaN where there are none.
 double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
                         const std::vector<Episode>& episodes,
                         const std::vector<RolloutPiece>& pieces);

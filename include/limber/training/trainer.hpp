@@ -15,6 +15,9 @@ namespace limber {
 struct TrainingData {
   std::vector<Episode> training;
   std::vector<Episode> validation;
+  /// What a model to be fine-tuned was trained on before: a share of every epoch's windows
+  /// (TrainingSettings::replay_share) comes from here, so that it is not forgotten.
+  std::vector<Episode> replay = {};
 };
 
 /// Holds back whole episodes for validation, chosen by `seed`: about `fraction` of the frames, at
@@ -37,24 +40,28 @@ enum class TrainingStatus { finished, interrupted, diverged };
 
 struct TrainingResult {
   TrainingStatus status = TrainingStatus::finished;
-  std::string message;      ///< why it diverged, and what to try
-  CompensationModel model;  ///< best by validation so far; no layers where the first epoch diverged
+  std::string message;  ///< why it diverged, and what to try
+  /// Best by validation so far; an ensemble's members lie in the order of their validation errors.
+  /// No layers where no epoch was validated.
+  CompensationModel model;
   std::vector<LearningCurvePoint> curve;
   int best_epoch = 0;
-  double best_validation_position_error_cm = 0.0;
+  double best_validation_position_error_cm = 0.0;           ///< NaN without validation data
+  std::vector<double> member_validation_position_error_cm;  ///< in the model's order
   double wall_time_s = 0.0;
 };
 
 /// Trains the network Φ of (5) by back-propagation through windows (docs/training.md).
 ///
 /// Validation error: mean distance of the tip over open-loop rollouts of up to 600 frames that
-/// cover the validation episodes.
+/// cover the validation episodes; of an ensemble, of the mean of its members' predictions, each
+/// member rolled out by itself. Frames in which the arm was not tracked don't count.
 /// @throws InputError where the data don't fit the arm, or are too short for one window.
 [[nodiscard]] TrainingResult train(const ArmDescription& arm, const TrainingData& data,
                                    const TrainingSettings& settings);
 
-/// The same, from the weights of `start` (fine-tuning): its layout, hidden units and normalisation
-/// are kept. @throws InputError where it is another arm's.
+/// The same, from the weights of `start` (fine-tuning): its layout, hidden units, members and
+/// normalisation are kept. @throws InputError where it is another arm's.
 [[nodiscard]] TrainingResult fine_tune(const ArmDescription& arm, const TrainingData& data,
                                        const TrainingSettings& settings,
                                        const CompensationModel& start);

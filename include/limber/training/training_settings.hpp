@@ -54,6 +54,9 @@ struct TrainingSettings {
   double input_noise = 0;     ///< standard deviation added to a window's first backbone, normalised
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset
 
+  int ensemble = 1;          ///< networks trained together, 1 to 64, each from weights of its own
+  double replay_share = 0.5;  ///< of an epoch's windows, from what is replayed; [0, 0.95]
+
   std::uint64_t seed = 1;
   int jobs = 0;  ///< threads, 0: one a core; never changes a result
   /// > 0: the epochs of every stage are scaled to about this, once, at the start.
@@ -61,8 +64,8 @@ struct TrainingSettings {
   int validation_interval = 1;  ///< epochs between validations
   Progress::Mode progress = Progress::Mode::quiet;
 
-  /// File that the run is stored in now and then and when it is interrupted, and that is removed
-  /// when it finishes; empty: none.
+  /// File that the run is stored in now and then, when it is interrupted and when it has finished;
+  /// whoever stores the result removes it then. Empty: none.
   std::filesystem::path checkpoint;
   double checkpoint_interval_s = 20.0;  ///< between storing, at least
   int stop_after_epochs = 0;            ///< > 0: stop there as if interrupted

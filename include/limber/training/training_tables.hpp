@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
@@ -27,7 +28,8 @@ struct TrainingTables {
 
 /// Converts backbones to the settings' layout, measures ranges (constant columns get scale 1) and
 /// normalises.
-/// @throws InputError where there is no frame, or no pressure ever changes.
+/// Frames in which the arm was not tracked tell nothing about ranges.
+/// @throws InputError where there is no frame, none was tracked, or no pressure ever changes.
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings);
 
@@ -37,8 +39,10 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
                                     const Normalisation& output);
 
 /// First frames of windows of `window_frames` predicted frames that do not overlap; each episode's
-/// first window begins `shift` frames after its start, or less where it would not fit.
-std::vector<int> window_starts(const std::vector<EpisodeRange>& episodes, int window_frames,
-                               int shift);
+/// first window begins `shift` frames after its start, or less where it would not fit. A window
+/// begins at a frame in which the arm was seen, and sees it again in at least one more.
+/// @param seen  FrameTable::seen; empty: always.
+std::vector<int> window_starts(std::span<const EpisodeRange> episodes,
+                               std::span<const std::uint8_t> seen, int window_frames, int shift);
 
 }  // namespace limber

@@ -1,0 +1,67 @@
+#include "limber/forward/ensemble_forward.hpp"
+
+#include <cassert>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+EnsembleForward::EnsembleForward(const ArmDescription& arm, const CompensationModel& model) {
+  for (int index = 0; index < model.member_count(); ++index) {
+    members_.emplace_back(arm, model.member(index));
+  }
+}
+
+void EnsembleForward::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
+                                 const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
+                                 std::vector<Eigen::MatrixXf>& backbones,
+                                 ForwardModel::Workspace& workspace) const {
+  assert(backbones.size() == members_.size());
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    members_[i].step_batch(previous_kpa, current_kpa, backbones[i], backbones[i], workspace);
+  }
+}
+
+EnsembleForward::Prediction EnsembleForward::rollout(
+    const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
+    const Eigen::Ref<const Eigen::VectorXf>& first) const {
+  const int segments = members_.front().segment_count();
+  const int size = 3 * members_.front().point_count();
+  if (pressures_kpa.rows() != segments || pressures_kpa.cols() < 1 || first.size() != size) {
+    throw InputError(fmt::format(
+        "an ensemble's rollout got {} pressures a frame, {} frames and a backbone of {} numbers; "
+        "expected {}, at least 1 and {}",
+        pressures_kpa.rows(), pressures_kpa.cols(), first.size(), segments, size));
+  }
+  if (!pressures_kpa.allFinite() || !first.allFinite()) {
+    throw InputError("an ensemble's rollout got a number that is not finite");
+  }
+  ForwardModel::Workspace workspace;
+  std::vector<Eigen::MatrixXf> predicted;
+  for (const ForwardModel& member : members_) {
+    predicted.emplace_back(size, pressures_kpa.cols());
+    predicted.back().col(0) = first;
+    member.rollout(pressures_kpa, predicted.back(), workspace);
+  }
+  return mean_and_deviation(predicted);
+}
+
+EnsembleForward::Prediction mean_and_deviation(const std::vector<Eigen::MatrixXf>& members) {
+  assert(!members.empty());
+  const auto count = static_cast<float>(members.size());
+  // Deviations from the first member: members that agree have a spread of exactly 0.
+  const Eigen::MatrixXf& origin = members.front();
+  Eigen::MatrixXf mean = Eigen::MatrixXf::Zero(origin.rows(), origin.cols());
+  for (const Eigen::MatrixXf& member : members) {
+    mean += (member - origin) / count;
+  }
+  Eigen::MatrixXf variance = Eigen::MatrixXf::Zero(origin.rows(), origin.cols());
+  for (const Eigen::MatrixXf& member : members) {
+    variance += (member - origin - mean).cwiseAbs2() / count;
+  }
+  return {mean + origin, variance.cwiseSqrt()};
+}
+
+}  // namespace limber

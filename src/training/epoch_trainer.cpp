@@ -1,0 +1,226 @@
+#include "epoch_trainer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/common/random_stream.hpp"
+
+namespace limber {
+
+namespace {
+
+// A batch whose loss is this many times the stage's first has left every sensible region.
+constexpr double kExplosion = 100.0;
+// An epoch that ends this many times worse than its stage began isn't learning but wandering off.
+constexpr double kWorsening = 3.0;
+// Streams of one seed: the shuffles of epochs, the noise of batches and the weights of the members
+// behind the first, far apart from each other.
+constexpr std::uint64_t kShuffleStreams = 1ULL << 32;
+constexpr std::uint64_t kNoiseStreams = 1ULL << 33;
+constexpr std::uint64_t kMemberStreams = 1ULL << 34;
+
+std::vector<int> widths(const TrainingTables& tables, const std::vector<int>& hidden) {
+  std::vector<int> result = {static_cast<int>(tables.input.scale.size())};
+  result.insert(result.end(), hidden.begin(), hidden.end());
+  result.push_back(static_cast<int>(tables.output.scale.size()));
+  return result;
+}
+
+TrainingTables tables_for(const ArmDescription& arm, const TrainingData& data,
+                          const TrainingSettings& settings, const CompensationModel* start) {
+  std::vector<Episode> episodes = data.training;
+  episodes.insert(episodes.end(), data.replay.begin(), data.replay.end());
+  if (start != nullptr) {
+    return make_training_tables(arm, episodes, settings, start->input, start->output);
+  }
+  return make_training_tables(arm, episodes, settings);
+}
+
+void shuffle(RandomStream& random, std::vector<int>& values) {
+  for (std::size_t i = values.size(); i > 1; --i) {
+    std::swap(values[i - 1], values[random.index(static_cast<std::uint32_t>(i))]);
+  }
+}
+
+}  // namespace
+
+EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
+                           const TrainingSettings& settings, const CompensationModel* start)
+    : arm_(arm),
+      settings_(settings),
+      members_(start != nullptr ? start->member_count() : settings.ensemble),
+      tables_(tables_for(arm, data, settings, start)),
+      layout_(widths(tables_, settings.hidden_units)),
+      own_episodes_(data.training.size()) {
+  for (const TrainingStage& stage : settings_.stages) {
+    if (shuffled_starts(stage).empty()) {
+      throw InputError(fmt::format(
+          "the longest training episode has {} frames; preset '{}' needs windows of {} frames, in "
+          "some of which the arm was tracked, and a tracked one before them",
+          std::ranges::max(tables_.episodes, {}, &EpisodeRange::count).count, settings_.preset,
+          stage.window_frames));
+    }
+  }
+  state_.parameters.resize(layout_.size() * members_);
+  for (int member = 0; member < members_; ++member) {
+    auto own = state_.parameters.segment(member * layout_.size(), layout_.size());
+    if (start != nullptr) {
+      own = to_parameters(layout_, start->member(member).layers);
+    } else {
+      const std::uint64_t first_stream =
+          member == 0 ? 0 : kMemberStreams + (static_cast<std::uint64_t>(member) << 16);
+      own = initial_parameters(layout_, settings_.seed, first_stream);
+    }
+  }
+  state_.optimiser = OptimiserState(settings_.optimiser, state_.parameters.size());
+  if (settings_.average_decay > 0.0) {
+    state_.average = state_.parameters;
+  }
+  gradient_.setZero(state_.parameters.size());
+}
+
+double EpochTrainer::learning_rate(double epochs) const {
+  return settings_.cosine_decay
+             ? cosine_decayed(settings_.learning_rate, epochs / settings_.epoch_count())
+             : settings_.learning_rate;
+}
+
+std::vector<int> EpochTrainer::shuffled_starts(const TrainingStage& stage) const {
+  RandomStream random(settings_.seed,
+                      kShuffleStreams + static_cast<std::uint64_t>(state_.epochs_done));
+  const auto frames = static_cast<std::uint32_t>(stage.window_frames);
+  const int shift = settings_.shift_windows ? static_cast<int>(random.index(frames)) : 0;
+  const std::span all(tables_.episodes);
+  const auto starts_in = [&](std::span<const EpisodeRange> episodes) {
+    return window_starts(episodes, tables_.frames.seen, stage.window_frames, shift);
+  };
+  std::vector<int> starts = starts_in(all.first(own_episodes_));
+  if (own_episodes_ < all.size()) {
+    std::vector<int> replayed = starts_in(all.subspan(own_episodes_));
+    shuffle(random, replayed);
+    const double share = settings_.replay_share / (1.0 - settings_.replay_share);
+    const double wanted = share * static_cast<double>(starts.size());
+    replayed.resize(std::min(replayed.size(), static_cast<std::size_t>(std::lround(wanted))));
+    starts.insert(starts.end(), replayed.begin(), replayed.end());
+  }
+  shuffle(random, starts);
+  return starts;
+}
+
+BatchGradient& EpochTrainer::gradient_for(const TrainingStage& stage) {
+  if (batch_ == nullptr || gradient_stage_.window_frames != stage.window_frames ||
+      gradient_stage_.windows_per_batch != stage.windows_per_batch) {
+    batch_.reset();  // the old one's memory first
+    batch_ = std::make_unique<BatchGradient>(tables_, layout_, stage.window_frames,
+                                             stage.windows_per_batch, settings_.jobs, members_);
+    gradient_stage_ = stage;
+  }
+  return *batch_;
+}
+
+void EpochTrainer::step(double loss_scale, double rate) {
+  const auto scale = static_cast<float>(loss_scale);
+  if (scale != 1.0F) {
+    gradient_ *= scale;
+  }
+  for (int member = 0; member < members_; ++member) {
+    limit_norm(gradient_.segment(member * layout_.size(), layout_.size()),
+               settings_.gradient_norm_limit);
+  }
+  optimiser_step(settings_.optimiser, gradient_, rate, state_.optimiser, state_.parameters);
+  if (settings_.average_decay > 0.0) {
+    // Short at first, so that the average forgets the random start.
+    const auto step = static_cast<double>(state_.optimiser.step);
+    const double decay = std::min(settings_.average_decay, (1.0 + step) / (10.0 + step));
+    state_.average += static_cast<float>(1.0 - decay) * (state_.parameters - state_.average);
+  }
+}
+
+EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage) {
+  BatchGradient& gradient = gradient_for(stage);
+  const std::vector<int> starts = shuffled_starts(stage);
+  const auto batch = static_cast<std::size_t>(stage.windows_per_batch);
+  const bool summed = settings_.reduction == LossReduction::sum_over_batch;
+  std::vector<double> sums(static_cast<std::size_t>(members_), 0.0);
+  for (std::size_t first = 0; first < starts.size(); first += batch) {
+    const std::size_t count = std::min(batch, starts.size() - first);
+    const auto step_number = static_cast<std::uint64_t>(state_.optimiser.step);
+    const std::span<const double> losses = gradient.compute(
+        std::span(starts).subspan(first, count), state_.parameters, settings_.input_noise,
+        settings_.seed,
+        kNoiseStreams + step_number * static_cast<std::uint64_t>(gradient.chunk_count()),
+        gradient_);
+    for (int member = 0; member < members_; ++member) {
+      const auto at = static_cast<std::size_t>(member);
+      const double mean = losses[at] / static_cast<double>(count);
+      if (state_.stage_first_loss.size() <= at) {
+        state_.stage_first_loss.push_back(mean);
+      }
+      if (!std::isfinite(mean) || mean > kExplosion * state_.stage_first_loss[at]) {
+        return {mean, member, mean};
+      }
+      sums[at] += losses[at];
+    }
+    const double progress = static_cast<double>(first) / static_cast<double>(starts.size());
+    step(summed ? 1.0 : 1.0 / static_cast<double>(count),
+         learning_rate(state_.epochs_done + progress));
+  }
+  EpochLoss result;
+  for (int member = 0; member < members_; ++member) {
+    const auto at = static_cast<std::size_t>(member);
+    const double mean = sums[at] / static_cast<double>(starts.size());
+    result.mean += mean / members_;
+    if (mean > kWorsening * state_.stage_first_loss[at]) {
+      result.diverged = member;
+      result.diverged_loss = mean;
+    }
+  }
+  return result;
+}
+
+void EpochTrainer::rehearse(const TrainingStage& stage, std::span<const int> starts) {
+  gradient_for(stage).compute(starts, state_.parameters, 0.0, 0, 0, gradient_);
+  const OptimiserState before = state_.optimiser;
+  const Eigen::VectorXf average = state_.average;
+  step(0.0, 0.0);
+  state_.optimiser = before;
+  state_.average = average;
+}
+
+const Eigen::VectorXf& EpochTrainer::validated_weights() const {
+  return settings_.average_decay > 0.0 ? state_.average : state_.parameters;
+}
+
+CompensationModel EpochTrainer::model_of_member(const Eigen::VectorXf& parameters,
+                                                int member) const {
+  return model_of(parameters, std::span(&member, 1));
+}
+
+CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
+                                         std::span<const int> order) const {
+  CompensationModel model;
+  model.layout = settings_.layout;
+  for (const int member : order) {
+    std::vector<Layer> layers =
+        to_layers(layout_, parameters.segment(member * layout_.size(), layout_.size()));
+    if (model.layers.empty()) {
+      model.layers = std::move(layers);
+    } else {
+      model.more_members.push_back(std::move(layers));
+    }
+  }
+  model.input = tables_.input;
+  model.output = tables_.output;
+  model.arm_name = arm_.name;
+  model.arm_hash = arm_.hash();
+  model.segment_count = arm_.segment_count();
+  model.point_count = arm_.point_count();
+  model.preset = settings_.preset;
+  return model;
+}
+
+}  // namespace limber

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "limber/training/batch_gradient.hpp"
+#include "limber/training/optimiser.hpp"
+#include "limber/training/trainer.hpp"
+#include "limber/training/training_tables.hpp"
+
+namespace limber {
+
+/// Everything that changes while networks are trained: stored between epochs, it continues a run
+/// bit for bit, for all chance is drawn from streams numbered by epoch. P parameters a network, N
+/// networks; the vectors hold one network after the other.
+struct TrainingState {
+  int epochs_done = 0;
+  Eigen::VectorXf parameters;  ///< N·P
+  Eigen::VectorXf average;     ///< moving average of the parameters; empty where it is off
+  OptimiserState optimiser;
+  Eigen::VectorXf best;                  ///< parameters with the least validation error so far
+  double best_error_m = 0.0;             ///< of the mean of the networks' predictions
+  std::vector<double> best_members_m;    ///< of each network, in that epoch
+  int best_epoch = 0;                    ///< 0: none yet
+  std::vector<double> stage_first_loss;  ///< N, of the first batch of the stage; empty: not begun
+  std::vector<LearningCurvePoint> curve;
+};
+
+/// What one epoch came to.
+struct EpochLoss {
+  double mean = 0.0;  ///< over windows and networks
+  int diverged = -1;  ///< a network that left every sensible region; −1: none
+  double diverged_loss = 0.0;
+};
+
+/// Trains N networks of one shape together, batch by batch: each batch is gathered once.
+class EpochTrainer {
+ public:
+  /// @param start  networks to begin with, as many as it has members; null: drawn from the seed.
+  /// Keeps references to `settings`.
+  EpochTrainer(const ArmDescription& arm, const TrainingData& data,
+               const TrainingSettings& settings, const CompensationModel* start);
+
+  int member_count() const { return members_; }
+  const TrainingTables& tables() const { return tables_; }
+  const ParameterLayout& layout() const { return layout_; }
+  TrainingState& state() { return state_; }
+  const TrainingState& state() const { return state_; }
+
+  /// The next epoch of `stage`. What a stage needs is made at its first epoch and kept.
+  EpochLoss train_epoch(const TrainingStage& stage);
+  /// To be called where a stage ends: its first loss is forgotten.
+  void end_stage() { state_.stage_first_loss.clear(); }
+
+  /// First frames of the next epoch's windows, in their order; `count` of them are from the replay.
+  std::vector<int> shuffled_starts(const TrainingStage& stage) const;
+  /// Gradient and optimiser step over one batch of starts that changes nothing: to be timed.
+  void rehearse(const TrainingStage& stage, std::span<const int> starts);
+  /// At `epochs` done, fractions counted.
+  double learning_rate(double epochs) const;
+
+  /// The weights that are validated: averaged, where an average is kept.
+  const Eigen::VectorXf& validated_weights() const;
+  /// The networks of these N·P parameters, in `order` (all members, the leading one first).
+  CompensationModel model_of(const Eigen::VectorXf& parameters, std::span<const int> order) const;
+  CompensationModel model_of_member(const Eigen::VectorXf& parameters, int member) const;
+
+ private:
+  BatchGradient& gradient_for(const TrainingStage& stage);
+  void step(double loss_scale, double rate);
+
+  const ArmDescription& arm_;
+  const TrainingSettings& settings_;
+  int members_;
+  TrainingTables tables_;
+  ParameterLayout layout_;
+  std::size_t own_episodes_;  ///< the tables' first episodes; those behind are replayed
+  TrainingState state_;
+  Eigen::VectorXf gradient_;
+  TrainingStage gradient_stage_;
+  std::unique_ptr<BatchGradient> batch_;
+};
+
+}  // namespace limber
