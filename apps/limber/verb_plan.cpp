@@ -20,6 +20,7 @@ int exit_code(PlanStatus status) {
       return kExitDone;
     case PlanStatus::limit:
     case PlanStatus::no_solution:
+    case PlanStatus::not_certified:
       return kExitNoSolution;
     default:
       return kExitBadInput;

@@ -79,6 +79,11 @@ double ArmDescription::length_m() const {
   return sum;
 }
 
+int ArmDescription::frames_in(double seconds) const {
+  constexpr double kRounding = 1e-9;  // 0.15 s at 20 Hz are three frames
+  return static_cast<int>(std::ceil(seconds * frame_rate_hz - kRounding));
+}
+
 int ArmDescription::segment_of_gap(int gap) const {
   int segment = 0;
   while (gap >= segments[static_cast<std::size_t>(segment)].gaps) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/version.hpp"
 #include "limber/planning/plan.hpp"
@@ -193,6 +194,34 @@ void require_consistent(const Field& root, const Plan& plan) {
   }
 }
 
+/// Hash of everything in the file but the certificate itself; layout and order do not matter.
+std::string seal_of(const Json& root) {
+  nlohmann::json sorted = root;
+  sorted.erase("certificate");
+  return content_hash(sorted.dump());
+}
+
+/// NaN and infinities have no JSON; null says "no obstacles".
+Json clearance_to_json(double clearance_m) {
+  return std::isfinite(clearance_m) ? Json(clearance_m) : Json(nullptr);
+}
+
+double read_clearance(const Field& field) {
+  return field.is_null() ? std::numeric_limits<double>::infinity() : field.number();
+}
+
+std::optional<CertifiedFigures> read_certificate(const Field& root, const Json& json) {
+  if (!json.contains("certificate")) {
+    return std::nullopt;
+  }
+  const Field field = root.at("certificate");
+  CertifiedFigures figures;
+  figures.clearance_m = read_clearance(field.at("clearance_m"));
+  figures.largest_deviation_m = field.at("largest_deviation_m").number(0.0);
+  figures.seal_is_intact = field.at("seal").text() == seal_of(json);
+  return figures;
+}
+
 Plan read_fields(const Field& root) {
   Plan plan;
   plan.program_version = root.at("program_version").text();
@@ -211,9 +240,7 @@ Plan read_fields(const Field& root) {
   plan.margin_m = root.at("margin_m").number(0.0);
   plan.frame_rate_hz = root.at("frame_rate_hz").number(1.0, 1000.0);
   plan.cost_kpa = root.at("cost_kpa").number(0.0);
-  const Field clearance = root.at("clearance_m");
-  plan.clearance_m =
-      clearance.is_null() ? std::numeric_limits<double>::infinity() : clearance.number();
+  plan.clearance_m = read_clearance(root.at("clearance_m"));
   plan.goal_distance_m = root.at("goal_distance_m").number(0.0);
   plan.goal_orientation_rad = root.at("goal_orientation_rad").number(0.0);
   plan.hold_frame_count = static_cast<int>(root.at("hold_frame_count").count(1000000));
@@ -222,7 +249,24 @@ Plan read_fields(const Field& root) {
   for (const Field& point : root.at("waypoints_kpa").elements("a list of configurations")) {
     plan.waypoints_kpa.push_back(point.vector(segments, "pressures in kPa"));
   }
-  require_consistent(root, plan);
+  return plan;
+}
+
+Json parse_file(const std::filesystem::path& path) {
+  try {
+    return Json::parse(read_file(path));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: not valid JSON: {}", path.string(), error.what()));
+  }
+}
+
+Plan read_root(const Field& fields, const Json& root) {
+  const std::string schema = fields.at("schema").text();
+  if (schema != kSchema) {
+    fields.at("schema").refuse(fmt::format("'{}' found; this program reads '{}'", schema, kSchema));
+  }
+  Plan plan = read_fields(fields);
+  plan.certified = read_certificate(fields, root);
   return plan;
 }
 
@@ -240,8 +284,7 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   root["margin_m"] = plan.margin_m;
   root["frame_rate_hz"] = plan.frame_rate_hz;
   root["cost_kpa"] = plan.cost_kpa;
-  root["clearance_m"] =
-      std::isfinite(plan.clearance_m) ? Json(plan.clearance_m) : Json(nullptr);  // no obstacles
+  root["clearance_m"] = clearance_to_json(plan.clearance_m);
   root["goal_distance_m"] = plan.goal_distance_m;
   root["goal_orientation_rad"] = plan.goal_orientation_rad;
   root["hold_frame_count"] = plan.hold_frame_count;
@@ -254,23 +297,34 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
     frames.push_back(
         {{"setpoint_kpa", numbers(frame.setpoint_kpa)}, {"backbone", poses(frame.backbone)}});
   }
+  if (plan.certified) {
+    Json sealed = root;
+    sealed["waypoints_kpa"] = waypoints;
+    sealed["frames"] = frames;
+    root["certificate"] = {{"clearance_m", clearance_to_json(plan.certified->clearance_m)},
+                           {"largest_deviation_m", plan.certified->largest_deviation_m},
+                           {"seal", seal_of(sealed)}};
+  }
   write_file_atomically(path, one_line_an_entry(root, waypoints, frames));
 }
 
 Plan read_plan(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  Json root;
-  try {
-    root = Json::parse(read_file(path));
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: not valid JSON: {}", file, error.what()));
+  const Json root = parse_file(path);
+  const Field fields(root, path.string(), "");
+  Plan plan = read_root(fields, root);
+  require_consistent(fields, plan);
+  if (plan.certified && !plan.certified->seal_is_intact) {
+    fields.at("certificate")
+        .refuse(
+            "the plan was changed since it was certified; 'limber verify' says whether it "
+            "still holds: plan again, or remove the key 'certificate' to use it all the same");
   }
-  const Field fields(root, file, "");
-  const std::string schema = fields.at("schema").text();
-  if (schema != kSchema) {
-    fields.at("schema").refuse(fmt::format("'{}' found; this program reads '{}'", schema, kSchema));
-  }
-  return read_fields(fields);
+  return plan;
+}
+
+Plan read_plan_unjudged(const std::filesystem::path& path) {
+  const Json root = parse_file(path);
+  return read_root(Field(root, path.string(), ""), root);
 }
 
 }  // namespace limber

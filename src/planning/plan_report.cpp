@@ -62,6 +62,13 @@ Json plan_result_to_json(const PlanResult& result, const PoseGoal& goal, const s
       plan && goal.theta_rad ? Json(plan->goal_orientation_rad) : nullptr;
   json["clearance_cm"] = plan ? finite(plan->clearance_m * kCmPerM) : nullptr;
   json["frames"] = plan ? Json(plan->frame_count()) : nullptr;
+  json["certificate"] = nullptr;
+  if (result.certificate) {
+    json["certificate"] = {
+        {"certified", result.certificate->certified()},
+        {"clearance_cm", finite(result.certificate->clearance_m * kCmPerM)},
+        {"largest_deviation_m", finite(result.certificate->largest_deviation_m)}};
+  }
   json["duration_s"] = plan ? Json(plan->duration_s()) : nullptr;
   return json;
 }
@@ -71,17 +78,27 @@ std::string plan_result_to_text(const PlanResult& result) {
     return fmt::format("no plan: {}: {}", to_string(result.status), result.reason);
   }
   const Plan& plan = *result.plan;
+  const std::string certified =
+      plan.certified
+          ? fmt::format(
+                "\ncertified: plates within {:.2g} mm of an independent "
+                "simulation, clearance {:.3f} cm",
+                plan.certified->largest_deviation_m * 1e3, plan.certified->clearance_m * kCmPerM)
+          : "";
   return fmt::format(
-      "plan: {} frames, {:.1f} s, cost {:.1f} kPa ({:.1f} psi); ends {:.2f} cm from the goal, "
-      "clearance {:.2f} cm, both as the {} model predicts\n"
-      "first solution after {:.3f} s ({:.1f} kPa); {} nodes, {} rewires of {} tried, {} model "
-      "queries in {:.2f} s ({:.0f} a second); {}",
-      plan.frame_count(), plan.duration_s(), plan.cost_kpa, plan.cost_kpa / kKpaPerPsi,
-      plan.goal_distance_m * kCmPerM, plan.clearance_m * kCmPerM, plan.model,
-      result.first_solution->time_s, result.first_solution->cost_kpa, result.statistics.nodes,
-      result.statistics.rewires_accepted, result.statistics.rewires_tried,
-      result.statistics.queries, result.statistics.time_s,
-      double(result.statistics.queries) / result.statistics.time_s, result.reason);
+             "plan: {} frames, {:.1f} s, cost {:.1f} kPa ({:.1f} psi); ends {:.2f} cm from the "
+             "goal, "
+             "clearance {:.2f} cm, both as the {} model predicts\n"
+             "first solution after {:.3f} s ({:.1f} kPa); {} nodes, {} rewires of {} tried, {} "
+             "model "
+             "queries in {:.2f} s ({:.0f} a second); {}",
+             plan.frame_count(), plan.duration_s(), plan.cost_kpa, plan.cost_kpa / kKpaPerPsi,
+             plan.goal_distance_m * kCmPerM, plan.clearance_m * kCmPerM, plan.model,
+             result.first_solution->time_s, result.first_solution->cost_kpa,
+             result.statistics.nodes, result.statistics.rewires_accepted,
+             result.statistics.rewires_tried, result.statistics.queries, result.statistics.time_s,
+             double(result.statistics.queries) / result.statistics.time_s, result.reason) +
+         certified;
 }
 
 }  // namespace limber

@@ -1,11 +1,10 @@
 #include "limber/planning/planner.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
+#include "limber/planning/certified_planner.hpp"
 #include "limber/planning/pressure_rrt_star.hpp"
 
 namespace limber {
@@ -24,6 +23,8 @@ const char* to_string(PlanStatus status) {
       return "goal_unreachable";
     case PlanStatus::goal_in_collision:
       return "goal_in_collision";
+    case PlanStatus::not_certified:
+      return "not_certified";
   }
   return "";
 }
@@ -48,20 +49,20 @@ std::vector<std::string> planner_names() {
 
 std::unique_ptr<Planner> make_planner(const std::string& name) {
   if (name == "default") {
-    return make_improving_planner();
+    return make_certified_planner(make_improving_planner());
   }
   if (name == "paper") {
-    return make_pressure_rrt_star(ParentRule::lazy);
+    return make_certified_planner(make_pressure_rrt_star(ParentRule::lazy));
   }
   if (name == "paper-steer-all") {
-    return make_pressure_rrt_star(ParentRule::steer_all);
+    return make_certified_planner(make_pressure_rrt_star(ParentRule::steer_all));
   }
   throw InputError(
       fmt::format("planner '{}'; expected one of {}", name, fmt::join(planner_names(), ", ")));
 }
 
 int hold_frame_count(const ArmDescription& arm) {
-  return static_cast<int>(std::lround(kHoldS * arm.frame_rate_hz));
+  return arm.frames_in(kHoldS);
 }
 
 }  // namespace limber

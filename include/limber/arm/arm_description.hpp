@@ -39,6 +39,8 @@ struct ArmDescription {
   int point_count() const;
   double length_m() const;
   double frame_period_s() const { return 1.0 / frame_rate_hz; }
+  /// Fewest frames that take at least so long.
+  int frames_in(double seconds) const;
   /// Largest change of a set point within one frame.
   double pressure_step_limit_kpa() const { return pressure_rate_limit_kpa_per_s / frame_rate_hz; }
   /// Segment that gap g (between plates g and g + 1) belongs to.

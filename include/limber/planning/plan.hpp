@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,14 @@ namespace limber {
 struct PlanFrame {
   Pressures setpoint_kpa;  ///< size n
   Backbone backbone;       ///< m×3, predicted
+};
+
+/// What its certificate (planning/certificate.hpp) said of a plan before it was written.
+struct CertifiedFigures {
+  double clearance_m = 0.0;          ///< +∞ without obstacles
+  double largest_deviation_m = 0.0;  ///< of a plate from where the plan has it
+  /// Set by the reader: false where anything in the file was changed since.
+  bool seal_is_intact = true;
 };
 
 /// A motion in pressure space (docs/formats.md, schema limber/plan/1). Frames are part of it: the
@@ -44,6 +53,7 @@ struct Plan {
   double goal_distance_m = 0.0;  ///< predicted, after the hold
   double goal_orientation_rad = 0.0;  ///< the same; 0 where the goal asks for none
   std::string program_version;
+  std::optional<CertifiedFigures> certified;  ///< none: not certified yet
 
   int frame_count() const { return static_cast<int>(frames.size()); }
   /// Time of the last frame, hold included.
@@ -53,13 +63,18 @@ struct Plan {
 /// (2): Σ|Δp| over all segments and frames, in kPa.
 double path_cost_kpa(const std::vector<PlanFrame>& frames);
 
-/// Writes the plan as JSON, atomically; every number survives the round trip exactly.
+/// Writes the plan as JSON, atomically; every number survives the round trip exactly. A certified
+/// plan is sealed with a hash of everything in the file.
 void write_plan(const std::filesystem::path& path, const Plan& plan);
 
 /// Reads and validates: sizes agree, numbers are finite, the cost is Σ|Δp|, frames start and end at
-/// the waypoints, the hold stands still.
+/// the waypoints, the hold stands still, nothing was changed since it was certified.
 /// @throws InputError naming file and field.
 Plan read_plan(const std::filesystem::path& path);
+
+/// Reads what `certify` is to judge: types and finite numbers are checked, what they say is not.
+/// @throws InputError naming file and field.
+Plan read_plan_unjudged(const std::filesystem::path& path);
 
 /// @throws InputError where the plan was made for another arm (hashes in the message), or breaks
 /// the arm's pressure limits or rate.

@@ -11,6 +11,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/forward/forward_model.hpp"
+#include "limber/planning/certificate.hpp"
 #include "limber/planning/environment.hpp"
 #include "limber/planning/plan.hpp"
 
@@ -34,12 +35,13 @@ struct PlannerLimits {
 };
 
 enum class PlanStatus {
-  solved,             ///< a plan exists that keeps every constraint and ends in the goal
+  solved,             ///< a certified plan exists (planning/certificate.hpp)
   limit,              ///< a limit came first
   no_solution,        ///< everything was searched
   invalid_start,      ///< the arm starts in an obstacle
   goal_unreachable,   ///< beyond the arm's length
   goal_in_collision,  ///< no tip in the goal's region is free
+  not_certified,      ///< a defect: a plan was found that its certificate refuses
 };
 
 enum class PlanLimit { time, iterations, queries, memory };
@@ -90,6 +92,7 @@ struct PlanResult {
   /// The motion that came nearest to the goal, where there is no plan. Free of collision, but not
   /// in the goal: never to be executed as a solution.
   std::optional<Plan> best_partial;
+  std::optional<Certificate> certificate;  ///< of the plan that was found
   std::optional<FirstSolution> first_solution;
   PlannerStatistics statistics;
   std::vector<TreeEdge> tree;  ///< at most kMostTreeEdges, the oldest
@@ -116,6 +119,7 @@ class Planner {
 /// Names that `make_planner` knows, the default first.
 std::vector<std::string> planner_names();
 
+/// Its plans are certified (planning/certified_planner.hpp).
 /// @throws InputError naming the planners there are.
 std::unique_ptr<Planner> make_planner(const std::string& name);
 

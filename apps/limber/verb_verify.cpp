@@ -1,0 +1,83 @@
+#include <optional>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/planning/certificate.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+class VerifyVerb final : public Verb {
+ public:
+  const char* name() const override { return "verify"; }
+  const char* summary() const override {
+    return "Certify a plan: simulate and check it again with independent code";
+  }
+  const char* example() const override {
+    return "limber verify --plan plan.json --no-load --environment 01_pillar";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--plan", plan_, "Plan to certify, as `limber plan` wrote it")->required();
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    CLI::Option* model = app.add_option("--model", model_, "Network model that it was made with");
+    app.add_flag("--no-load", no_load_, "It was made with the no-load model")->excludes(model);
+    app.add_option("--environment", environment_,
+                   "Environment that it was made for; or the name of one of limber's own")
+        ->required();
+  }
+
+  int run(const CommonFlags& flags) override {
+    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const Environment environment = load_environment(find_environment_file(environment_), arm);
+    const Plan plan = read_plan_unjudged(plan_);
+    const std::optional<CompensationModel> network = read_network(plan);
+    Certificate certificate;
+    try {
+      certificate = certify(plan, arm, network ? &*network : nullptr, environment);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", plan_, error.what()));
+    }
+    print_result(flags, certificate_to_json(certificate, environment),
+                 certificate_to_text(certificate, arm, environment));
+    return certificate.certified() ? kExitDone : kExitNoSolution;
+  }
+
+ private:
+  std::optional<CompensationModel> read_network(const Plan& plan) const {
+    if (model_.empty() && !no_load_) {
+      throw InputError(
+          fmt::format("{} was made with {}: give {}", plan_,
+                      plan.model == "network" ? "a network" : "the no-load model",
+                      plan.model == "network" ? "--model MODEL.safetensors" : "--no-load"));
+    }
+    if (no_load_) {
+      return std::nullopt;
+    }
+    const std::string hash = content_hash(read_file(model_));
+    if (plan.model == "network" && plan.model_hash != hash) {
+      throw InputError(fmt::format("{}: made with another model (hash {}; {} has {})", plan_,
+                                   plan.model_hash, model_, hash));
+    }
+    return read_model(model_);
+  }
+
+  std::string plan_;
+  std::string arm_ = "three_segment";
+  std::string model_;
+  bool no_load_ = false;
+  std::string environment_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_verify_verb() {
+  return std::make_unique<VerifyVerb>();
+}
+
+}  // namespace limber

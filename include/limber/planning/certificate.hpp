@@ -1,0 +1,69 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/planning/environment.hpp"
+#include "limber/planning/plan.hpp"
+
+namespace limber {
+
+/// One thing that is wrong with a plan.
+struct CertificateFailure {
+  std::string check;  ///< "limits", "rate", "start", "waypoints", "cost", "hold", "model",
+                      ///< "collision", "goal", "claims", "seal" or "sizes"
+  int frame = -1;     ///< the first one that fails; −1 where no frame is to blame
+  std::string message;
+};
+
+/// What an independent second look at a plan found (docs/planning.md, Certificate).
+struct Certificate {
+  std::vector<CertificateFailure> failures;  ///< empty: certified
+  /// Smallest distance of the moving arm from an obstacle, from below and at most
+  /// kClearanceToleranceM below the true one; +∞ without obstacles.
+  double clearance_m = std::numeric_limits<double>::quiet_NaN();
+  int clearance_frame = -1;  ///< the frame that the motion there leads to, 0 the start; −1: none
+  int clearance_gap = -1;    ///< between plates gap and gap + 1, from 0 at the base
+  int clearance_obstacle = -1;       ///< index in the environment's list
+  double largest_deviation_m = 0.0;  ///< of a plate, own simulation against the stored backbone
+  int deviation_frame = -1;
+  double largest_heading_deviation_rad = 0.0;
+  double cost_kpa = 0.0;
+  double largest_step_kpa = 0.0;  ///< of a pressure in one frame
+  double goal_distance_m =
+      std::numeric_limits<double>::quiet_NaN();  ///< of the own simulation's last tip
+  double goal_orientation_rad = 0.0;             ///< 0 where the goal asks for none
+  int frames = 0;
+
+  bool certified() const { return failures.empty(); }
+
+  static constexpr double kDeviationM = 1e-4;  ///< allowed at every plate of every frame
+  static constexpr double kHeadingDeviationRad = 1e-3;
+  static constexpr double kLeastClearanceM = 1e-4;  ///< even where no margin was asked for
+  static constexpr double kClearanceToleranceM = 2e-5;
+};
+
+/// Certifies a plan with nothing of the planner's: an own forward model in double precision, run
+/// open loop from the environment's start through the stored set points; an own swept distance
+/// (branch and bound over time and arc length); limits, rate, frame rule, cost, hold and goal
+/// checked from their definitions. Collision and goal are judged on the own simulation.
+///
+/// @param network  the plan's model; null: the no-load model alone
+/// @throws InputError where the plan was made for another arm or environment (hashes in the
+/// message), or `network` is of another arm. Everything else is a failure in the result.
+Certificate certify(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
+                    const Environment& environment);
+
+/// The object of `limber verify --json`.
+nlohmann::ordered_json certificate_to_json(const Certificate& certificate,
+                                           const Environment& environment);
+/// The same in a few lines for people.
+std::string certificate_to_text(const Certificate& certificate, const ArmDescription& arm,
+                                const Environment& environment);
+
+}  // namespace limber

@@ -1,0 +1,138 @@
+#include "exact_arm.hpp"
+
+#include <cmath>
+#include <complex>
+
+namespace limber {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+double sinc(double x) {
+  return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x;
+}
+
+Complex direction(double angle_rad) {
+  return {std::cos(angle_rad), std::sin(angle_rad)};
+}
+
+/// `step` seen from `pose`, in B.
+Pose composed(const Pose& pose, const Pose& step) {
+  const Complex way = direction(pose.theta_rad) * Complex(step.x_m, step.y_m);
+  return {pose.x_m + way.real(), pose.y_m + way.imag(), pose.theta_rad + step.theta_rad};
+}
+
+/// `to` seen from `from`.
+Pose relative(const Pose& from, const Pose& to) {
+  const Complex way = direction(-from.theta_rad) * Complex(to.x_m - from.x_m, to.y_m - from.y_m);
+  return {way.real(), way.imag(), to.theta_rad - from.theta_rad};
+}
+
+/// One gap of an unloaded segment: the contracted side is e·l0 shorter than the other, a width t
+/// apart, so the whole segment turns by e·l0/t, and its middle is (1 − e/2) l0 long.
+Pose unloaded_gap(const Segment& segment, double pressure_kpa) {
+  double strain = 0.0;
+  for (int k = 4; k >= 1; --k) {
+    strain = (strain + segment.strain_polynomial[static_cast<std::size_t>(k - 1)]) *
+             std::abs(pressure_kpa);
+  }
+  const double turn = strain * segment.length_m / segment.width_m / segment.gaps;
+  const double theta = pressure_kpa > 0.0 ? -turn : turn;
+  const double length = (1.0 - strain / 2.0) * segment.length_m / segment.gaps;
+  const Complex chord = length * sinc(theta / 2.0) * direction(theta / 2.0);
+  return {chord.real(), chord.imag(), theta};
+}
+
+std::vector<double> normalised(const std::vector<double>& values, const Normalisation& by) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    result.push_back((values[i] - double(by.offset[k])) * double(by.scale[k]));
+  }
+  return result;
+}
+
+void append(std::vector<double>& list, const Pose& pose) {
+  list.insert(list.end(), {pose.x_m, pose.y_m, pose.theta_rad});
+}
+
+Pose sum_with(const Pose& pose, const std::vector<double>& list, std::size_t index) {
+  return {pose.x_m + list[3 * index], pose.y_m + list[3 * index + 1],
+          pose.theta_rad + list[3 * index + 2]};
+}
+
+}  // namespace
+
+ExactArm::Shape ExactArm::no_load(const std::vector<double>& pressures_kpa) const {
+  Shape shape{Pose{}};
+  for (std::size_t i = 0; i < arm_.segments.size(); ++i) {
+    const Pose gap = unloaded_gap(arm_.segments[i], pressures_kpa[i]);
+    for (int g = 0; g < arm_.segments[i].gaps; ++g) {
+      shape.push_back(composed(shape.back(), gap));
+    }
+  }
+  return shape;
+}
+
+std::vector<double> ExactArm::compensation(const std::vector<double>& input) const {
+  std::vector<double> values = normalised(input, network_->input);
+  for (std::size_t l = 0; l < network_->layers.size(); ++l) {
+    const Layer& layer = network_->layers[l];
+    std::vector<double> next;
+    for (Eigen::Index row = 0; row < layer.weight.rows(); ++row) {
+      double sum = double(layer.bias[row]);
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        sum += double(layer.weight(row, static_cast<Eigen::Index>(k))) * values[k];
+      }
+      const bool is_last = l + 1 == network_->layers.size();
+      next.push_back(is_last || sum > 0.0 ? sum : 0.0);
+    }
+    values = std::move(next);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    values[i] = values[i] / double(network_->output.scale[k]) + double(network_->output.offset[k]);
+  }
+  return values;
+}
+
+ExactArm::Shape ExactArm::next(const std::vector<double>& previous_kpa,
+                               const std::vector<double>& current_kpa,
+                               const Shape& previous) const {
+  Shape unloaded = no_load(current_kpa);
+  if (network_ == nullptr) {
+    return unloaded;
+  }
+  std::vector<double> input = previous_kpa;
+  input.insert(input.end(), current_kpa.begin(), current_kpa.end());
+  if (network_->layout == BackboneLayout::base_poses) {
+    for (const Shape* shape : {&previous, static_cast<const Shape*>(&unloaded)}) {
+      for (const Pose& pose : *shape) {
+        append(input, pose);
+      }
+    }
+    const std::vector<double> added = compensation(input);
+    for (std::size_t i = 0; i < unloaded.size(); ++i) {
+      unloaded[i] = sum_with(unloaded[i], added, i);
+    }
+    return unloaded;
+  }
+  for (std::size_t i = 1; i < previous.size(); ++i) {
+    append(input, relative(previous[i - 1], previous[i]));
+  }
+  std::vector<Pose> gaps;
+  for (std::size_t i = 0; i < arm_.segments.size(); ++i) {
+    const Pose gap = unloaded_gap(arm_.segments[i], current_kpa[i]);
+    append(input, gap);
+    gaps.insert(gaps.end(), static_cast<std::size_t>(arm_.segments[i].gaps), gap);
+  }
+  const std::vector<double> added = compensation(input);
+  Shape shape{Pose{}};
+  for (std::size_t g = 0; g < gaps.size(); ++g) {
+    shape.push_back(composed(shape.back(), sum_with(gaps[g], added, g)));
+  }
+  return shape;
+}
+
+}  // namespace limber

@@ -1,0 +1,352 @@
+#include "limber/planning/certificate.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <regex>
+
+#include <gmock/gmock.h>
+#include <rapidcheck.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/network/untrained_model.hpp"
+#include "limber/planning/certified_planner.hpp"
+#include "limber/planning/planner.hpp"
+#include "limber/planning/pressure_rrt_star.hpp"
+#include "planning/dense_oracle.hpp"
+#include "planning/play_model.hpp"
+#include "src/planning/certificate/exact_arm.hpp"
+#include "src/planning/certificate/swept_clearance.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::ThrowsMessage;
+
+constexpr double kFloatModelM = 2e-6;  // float32 forward model over a 0.7 m arm, one step
+constexpr double kFloatModelRad = 2e-5;
+
+ExactArm::Shape shape_of(const Backbone& b) {
+  ExactArm::Shape shape;
+  for (Eigen::Index i = 0; i < b.rows(); ++i) {
+    shape.push_back({double(b(i, 0)), double(b(i, 1)), double(b(i, 2))});
+  }
+  return shape;
+}
+
+std::vector<double> doubles(const Pressures& q) {
+  return {q.begin(), q.end()};
+}
+
+/// A solved problem with a heading asked for, so that every check has work.
+struct Solved {
+  ArmDescription arm = three_segment_arm();
+  ForwardModel model{arm, play_network(arm, 0.01F)};
+  Environment environment;
+  Plan plan;
+
+  Solved() {
+    environment.name = "pillars";
+    environment.obstacles = {Circle{0.45, 0.22, 0.025}, Rectangle{0.6, -0.1, 0.04, 0.1, 0.3},
+                             Polygon{{{0.1, 0.3}, {0.2, 0.3}, {0.15, 0.4}}}};
+    environment.goal = {0.30, 0.40, 2.4, 0.02, 0.8};
+    PlannerLimits limits;
+    limits.iterations = 1500;
+    PlanResult result = make_planner("default")->plan({arm, model, environment}, limits, 3);
+    if (result.plan) {
+      plan = *result.plan;
+    }
+  }
+
+  Certificate certificate(const Plan& p) const {
+    return certify(p, arm, &model.compensation(), environment);
+  }
+};
+
+const Solved& solved() {
+  static const Solved s;
+  return s;
+}
+
+std::vector<std::string> failed_checks(const Certificate& certificate) {
+  std::vector<std::string> checks;
+  for (const CertificateFailure& failure : certificate.failures) {
+    checks.push_back(failure.check);
+  }
+  return checks;
+}
+
+TEST(ExactArm, AgreesWithTheForwardModelInBothLayouts) {
+  const ArmDescription arm = three_segment_arm();
+  RandomStream random(1, 0);
+  for (const BackboneLayout layout : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
+    const ForwardModel fast(arm, untrained_model(arm, layout, {100, 100, 100}, 5));
+    const ExactArm exact(arm, &fast.compensation());
+    const NoLoadModel no_load(arm);
+    ForwardModel::Workspace workspace;
+    for (int trial = 0; trial < 200; ++trial) {
+      const Pressures before = random_pressures(arm, random);
+      const Pressures now = random_pressures(arm, random);
+      const Backbone from = no_load_backbone(no_load, random_pressures(arm, random));
+      Backbone to(arm.point_count(), 3);
+      fast.step(before, now, from, to, workspace);
+      const ExactArm::Shape shape = exact.next(doubles(before), doubles(now), shape_of(from));
+      ASSERT_EQ(shape.size(), 16U);
+      for (std::size_t i = 0; i < shape.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        EXPECT_NEAR(shape[i].x_m, to(row, 0), kFloatModelM) << trial << ' ' << i;
+        EXPECT_NEAR(shape[i].y_m, to(row, 1), kFloatModelM) << trial << ' ' << i;
+        EXPECT_NEAR(shape[i].theta_rad, to(row, 2), kFloatModelRad) << trial << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(SweptClearance, AgreesWithDenseSamplingInSpaceAndTime) {
+  constexpr double kToleranceM = 1e-4;
+  constexpr int kSamplesPerGap = 25;
+  constexpr int kInstants = 24;
+  const ArmDescription arm = three_segment_arm();
+  const NoLoadModel model(arm);
+  RandomStream random(2, 0);
+  int touching = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Pressures q = random_pressures(arm, random);
+    Pressures next = q;
+    for (int i = 0; i < 3; ++i) {
+      next[i] += static_cast<float>(random.uniform(-10.0, 10.0));
+    }
+    const Backbone from = no_load_backbone(model, q);
+    const Backbone to = no_load_backbone(model, next);
+    const std::vector<Obstacle> obstacles{random_obstacle(random), random_obstacle(random)};
+    double sampled = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= kInstants; ++k) {
+      const float t = float(k) / kInstants;
+      sampled = std::min(
+          sampled, oracle::clearance(arm, (1.0F - t) * from + t * to, obstacles, kSamplesPerGap));
+    }
+    const SweptClearance::Result found =
+        SweptClearance(arm, obstacles, kToleranceM).over({shape_of(from), shape_of(to)});
+    const double way = (to - from).leftCols<2>().cast<double>().rowwise().norm().maxCoeff();
+    const double spacing = 0.047 / (kSamplesPerGap - 1) + way / kInstants;
+    constexpr double kFloatM = 1e-6;
+    EXPECT_LE(found.value_m, sampled + kFloatM) << trial;
+    EXPECT_GE(found.value_m, sampled - spacing / 2 - kToleranceM - kFloatM) << trial;
+    touching += sampled < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(touching, 10);
+  EXPECT_LT(touching, 50);
+}
+
+TEST(Certificate, APlannersPlanIsCertifiedWithRoomToSpare) {
+  const Solved& s = solved();
+  ASSERT_FALSE(s.plan.frames.empty()) << "not solved";
+  const Certificate certificate = s.certificate(s.plan);
+  EXPECT_THAT(failed_checks(certificate), IsEmpty());
+  EXPECT_LT(certificate.largest_deviation_m, Certificate::kDeviationM / 5);
+  EXPECT_GE(certificate.clearance_m, Certificate::kLeastClearanceM);
+  EXPECT_NEAR(certificate.goal_distance_m, s.plan.goal_distance_m, Certificate::kDeviationM);
+  EXPECT_NEAR(certificate.cost_kpa, s.plan.cost_kpa, 1e-9 * s.plan.cost_kpa);
+  ASSERT_TRUE(s.plan.certified);
+  EXPECT_EQ(s.plan.certified->clearance_m, certificate.clearance_m);
+}
+
+TEST(Certificate, ANoLoadPlanIsCertifiedToo) {
+  const Solved& s = solved();
+  const ForwardModel model(s.arm);
+  PlannerLimits limits;
+  limits.iterations = 1500;
+  Environment environment = s.environment;
+  environment.goal.theta_rad.reset();
+  const PlanResult result = make_planner("paper")->plan({s.arm, model, environment}, limits, 3);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_TRUE(certify(*result.plan, s.arm, nullptr, environment).certified());
+}
+
+// Each way of changing a plan by hand, and the check that must notice it.
+TEST(Certificate, RefusesAPlanChangedByHandInAnyField) {
+  const Solved& s = solved();
+  ASSERT_FALSE(s.plan.frames.empty());
+  const struct {
+    const char* check;
+    std::function<void(Plan&)> change;
+  } cases[] = {
+      {"waypoints", [](Plan& p) { p.frames[5].setpoint_kpa[1] += 0.01F; }},
+      {"start", [](Plan& p) { p.frames[0].setpoint_kpa[0] += 0.01F; }},
+      {"rate", [](Plan& p) { p.frames[5].setpoint_kpa[1] += 20.0F; }},
+      {"limits", [](Plan& p) { p.frames.back().setpoint_kpa[0] = 101.0F; }},
+      {"hold", [](Plan& p) { p.frames.back().setpoint_kpa[2] += 1e-4F; }},
+      {"hold", [](Plan& p) { p.hold_frame_count = 5; }},
+      {"model", [](Plan& p) { p.frames[7].backbone(9, 0) += 2e-4F; }},
+      {"model", [](Plan& p) { p.frames[0].backbone(15, 1) -= 2e-4F; }},
+      {"model", [](Plan& p) { p.frames.back().backbone(3, 2) += 2e-3F; }},
+      {"cost", [](Plan& p) { p.cost_kpa -= 0.01; }},
+      {"waypoints", [](Plan& p) { p.waypoints_kpa[1][0] += 0.01F; }},
+      {"waypoints", [](Plan& p) { p.waypoints_kpa.pop_back(); }},
+      {"waypoints", [](Plan& p) { p.waypoints_kpa.push_back(p.waypoints_kpa.back()); }},
+      {"waypoints", [](Plan& p) { p.frames.erase(p.frames.begin() + 6); }},
+      {"model",
+       [](Plan& p) {
+         p.frames.pop_back();
+         p.frames.back().backbone.setZero();
+       }},
+      {"claims", [](Plan& p) { p.clearance_m += 0.01; }},
+      {"claims", [](Plan& p) { p.goal_distance_m -= 0.001; }},
+      {"claims", [](Plan& p) { p.goal_orientation_rad += 0.01; }},
+      {"collision", [](Plan& p) { p.margin_m = p.clearance_m + 0.002; }},
+      {"sizes", [](Plan& p) { p.frame_rate_hz = 40.0; }},
+      {"sizes", [](Plan& p) { p.frames[4].setpoint_kpa.conservativeResize(2); }},
+      {"seal", [](Plan& p) { p.certified->seal_is_intact = false; }},
+  };
+  for (std::size_t i = 0; i < std::size(cases); ++i) {
+    Plan changed = s.plan;
+    cases[i].change(changed);
+    EXPECT_THAT(failed_checks(s.certificate(changed)), Contains(cases[i].check)) << "case " << i;
+  }
+}
+
+TEST(Certificate, RandomPerturbationsOfAnyFrameAreRefused) {
+  ASSERT_FALSE(solved().plan.frames.empty());
+  ::setenv("RC_PARAMS", "seed=20 max_success=150", 1);
+  const bool held = rc::check("a perturbed plan is refused", [] {
+    const Solved& s = solved();
+    Plan changed = s.plan;
+    const auto k = *rc::gen::inRange<std::size_t>(0, changed.frames.size());
+    const bool of_backbone = *rc::gen::arbitrary<bool>();
+    const float sign = *rc::gen::element(-1.0F, 1.0F);
+    // Hundredths above what the certificate lets pass, evenly in the logarithm.
+    const float size = std::pow(10.0F, 0.01F * float(*rc::gen::inRange(0, 300)));
+    if (of_backbone) {
+      const auto entry = *rc::gen::inRange<Eigen::Index>(0, changed.frames[k].backbone.size());
+      changed.frames[k].backbone.data()[entry] +=
+          sign * size * (entry % 3 == 2 ? 1.3e-3F : 1.3e-4F);
+    } else {
+      const auto i = *rc::gen::inRange<Eigen::Index>(0, 3);
+      changed.frames[k].setpoint_kpa[i] += sign * size * 3e-4F;
+    }
+    RC_ASSERT(!s.certificate(changed).certified());
+  });
+  EXPECT_TRUE(held);
+}
+
+TEST(Certificate, CollisionsAndMissedGoalsAreNamedWithPlateObstacleAndAmount) {
+  const Solved& s = solved();
+  ASSERT_FALSE(s.plan.frames.empty());
+  Environment environment = s.environment;
+  const Backbone& last = s.plan.frames.back().backbone;
+  environment.obstacles.push_back(Circle{double(last(12, 0)), double(last(12, 1)), 0.001});
+  environment.goal.x_m += 0.1;
+  Plan plan = s.plan;
+  plan.environment_hash = environment_hash(environment);
+  const Certificate certificate = certify(plan, s.arm, &s.model.compensation(), environment);
+  EXPECT_THAT(failed_checks(certificate), AllOf(Contains("collision"), Contains("goal")));
+  for (const CertificateFailure& failure : certificate.failures) {
+    if (failure.check == "collision") {
+      EXPECT_THAT(failure.message, AllOf(HasSubstr("obstacle 4 (circle)"), HasSubstr("plates 1")));
+    }
+    if (failure.check == "goal") {
+      EXPECT_THAT(failure.message, HasSubstr("cm from the goal; tolerance 2.000 cm"));
+      EXPECT_EQ(failure.frame, plan.frame_count() - 1);
+    }
+  }
+}
+
+TEST(Certificate, OtherArmsEnvironmentsAndModelsAreBadInput) {
+  const Solved& s = solved();
+  ArmDescription arm = s.arm;
+  arm.segments[0].length_m += 0.001;
+  EXPECT_THAT([&] { (void)certify(s.plan, arm, &s.model.compensation(), s.environment); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("made for another arm"),
+                                              HasSubstr(s.arm.hash()), HasSubstr(arm.hash()))));
+  Environment environment = s.environment;
+  environment.goal.x_m += 1e-3;
+  EXPECT_THAT([&] { (void)certify(s.plan, s.arm, &s.model.compensation(), environment); },
+              ThrowsMessage<InputError>(HasSubstr("made for another environment")));
+  EXPECT_THAT([&] { (void)certify(s.plan, s.arm, nullptr, s.environment); },
+              ThrowsMessage<InputError>(HasSubstr("another kind of model")));
+}
+
+TEST(Certificate, TheSealBreaksWhateverIsChangedInTheFile) {
+  const Solved& s = solved();
+  ASSERT_FALSE(s.plan.frames.empty());
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "p.json";
+  write_plan(file, s.plan);
+  EXPECT_TRUE(read_plan(file).certified->seal_is_intact);
+  const std::string text = read_file(file);
+  for (const auto& [from, to] : {std::pair{"\"seed\": 3", "\"seed\": 4"},
+                                 std::pair{"\"planner\": \"default\"", "\"planner\": \"paper\""}}) {
+    std::string changed = text;
+    ASSERT_NE(changed.find(from), std::string::npos);
+    changed.replace(changed.find(from), std::string(from).size(), to);
+    write_file_atomically(file, changed);
+    EXPECT_FALSE(read_plan_unjudged(file).certified->seal_is_intact) << from;
+    EXPECT_THAT([&] { (void)read_plan(file); },
+                ThrowsMessage<InputError>(HasSubstr("changed since it was certified")));
+  }
+  // Layout and order are nobody's business.
+  write_file_atomically(file, nlohmann::json::parse(text).dump());
+  EXPECT_TRUE(read_plan(file).certified->seal_is_intact);
+}
+
+/// Returns a plan whose last backbone is not what the model says.
+class BrokenPlanner final : public Planner {
+ public:
+  const char* name() const override { return "broken"; }
+  PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
+                  const PlannerCallback& callback) override {
+    PlanResult result =
+        make_pressure_rrt_star(ParentRule::lazy)->plan(problem, limits, seed, callback);
+    if (result.plan) {
+      result.plan->frames.back().backbone(15, 0) += 0.001F;
+    }
+    return result;
+  }
+};
+
+TEST(CertifiedPlanner, APlanThatIsRefusedIsADefectAndNoSolution) {
+  const Solved& s = solved();
+  PlannerLimits limits;
+  limits.iterations = 1500;
+  const PlanResult result = make_certified_planner(std::make_unique<BrokenPlanner>())
+                                ->plan({s.arm, s.model, s.environment}, limits, 3);
+  ASSERT_EQ(result.status, PlanStatus::not_certified) << result.reason;
+  EXPECT_FALSE(result.plan);
+  EXPECT_TRUE(result.best_partial);
+  EXPECT_THAT(result.reason, HasSubstr("a defect of planner 'paper'"));
+}
+
+// The certificate is worth as much as it is independent: of the planner's module its sources see
+// plain values and nothing that computes.
+TEST(Certificate, ItsSourcesIncludeNothingThatThePlannerComputesWith) {
+  const std::regex include("#include \"(limber/[^\"]+)\"");
+  const std::vector<std::string> allowed{"limber/arm/arm_description.hpp",
+                                         "limber/arm/backbone.hpp",
+                                         "limber/common/error.hpp",
+                                         "limber/common/units.hpp",
+                                         "limber/network/compensation_model.hpp",
+                                         "limber/planning/certificate.hpp",
+                                         "limber/planning/environment.hpp",
+                                         "limber/planning/plan.hpp"};
+  int seen = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(
+           std::filesystem::path(LIMBER_SOURCE_DIR) / "src/planning/certificate")) {
+    const std::string text = read_file(entry.path());
+    for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) {
+      EXPECT_THAT(allowed, Contains((*it)[1].str())) << entry.path();
+      ++seen;
+    }
+  }
+  EXPECT_GE(seen, 10);
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,92 @@
+"""`limber verify`: what `limber plan` finds is certified; what was changed by hand is refused."""
+
+import json
+import unittest
+
+from program import InFolder
+from test_plan import ARM, BUDGET, PILLAR, changed
+
+
+class Verify(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.environment = self.write("e.yaml", json.dumps(PILLAR))
+        found = self.run_json(
+            "plan", *ARM, *BUDGET, "--environment", self.environment, "--out", "p.json"
+        )
+        self.assertTrue(found["certificate"]["certified"])
+        self.assertLess(found["certificate"]["largest_deviation_m"], 1e-4)
+        self.plan = json.loads((self.folder / "p.json").read_text(encoding="utf-8"))
+
+    def verify(self, *arguments, code=0, environment=None):
+        return self.run_json(
+            "verify", *ARM, "--plan", "p.json", "--environment", environment or self.environment,
+            *arguments, code=code,
+        )
+
+    def error(self, *arguments):
+        return self.run_limber(*arguments, code=2).stderr
+
+    def rewrite(self, plan):
+        (self.folder / "p.json").write_text(json.dumps(plan), encoding="utf-8")
+
+    def test_certifies_what_plan_wrote(self):
+        found = self.verify()
+        self.assertEqual(found["status"], "certified")
+        self.assertEqual(found["failures"], [])
+        self.assertLessEqual(found["largest_deviation_m"], 1e-4)
+        self.assertGreaterEqual(found["clearance_cm"], 0.01)
+        self.assertLessEqual(found["distance_to_goal_cm"], 3.0)
+        self.assertEqual(found["frames"], len(self.plan["frames"]))
+
+    def test_refuses_a_plan_changed_by_hand_with_or_without_its_seal(self):
+        def nudge_set_point(plan):
+            plan["frames"][3]["setpoint_kpa"][0] += 0.01
+
+        def nudge_backbone(plan):
+            plan["frames"][4]["backbone"][5][1] += 0.0003
+
+        def cheapen(plan):
+            plan["cost_kpa"] -= 1.0
+
+        def move_waypoint(plan):
+            plan["waypoints_kpa"][1][0] += 0.01
+
+        for change in (nudge_set_point, nudge_backbone, cheapen, move_waypoint):
+            for sealed in (True, False):
+                plan = json.loads(json.dumps(self.plan))
+                change(plan)
+                if not sealed:
+                    del plan["certificate"]
+                self.rewrite(plan)
+                found = self.verify(code=1)
+                self.assertEqual(found["status"], "refused")
+                checks = {failure["check"] for failure in found["failures"]}
+                self.assertTrue(checks - {"seal"}, change.__name__)
+                self.assertEqual("seal" in checks, sealed)
+
+    def test_another_environment_arm_or_model_is_bad_input(self):
+        other = self.write("other.yaml", json.dumps(changed(obstacles=[])))
+        error = self.error("verify", *ARM, "--plan", "p.json", "--environment", other,
+        )
+        self.assertIn("made for another environment", error)
+        error = self.error("verify", "--no-load", "--arm", "three_segment", "--plan", "p.json",
+            "--environment", self.environment,
+        )
+        self.assertIn("made for another arm", error)
+        error = self.error("verify", "--arm", "two_segment", "--plan", "p.json",
+            "--environment", self.environment,
+        )
+        self.assertIn("give --no-load", error)
+
+    def test_execution_refuses_what_was_changed(self):
+        self.plan["frames"][3]["setpoint_kpa"][0] += 0.01
+        self.rewrite(self.plan)
+        error = self.error("execute", "--arm", "two_segment", "--plan", "p.json",
+            "--environment", self.environment,
+        )
+        self.assertIn("certificate: the plan was changed since it was certified", error)
+
+
+if __name__ == "__main__":
+    unittest.main()
