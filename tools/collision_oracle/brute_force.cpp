@@ -1,0 +1,177 @@
+#include "brute_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limber {
+
+namespace {
+
+using Eigen::Vector2d;
+
+double to_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+  const Vector2d ab = b - a;
+  const double along = std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
+  return (a + along * ab - p).norm();
+}
+
+double to_polygon(const std::vector<Vector2d>& corners, const Vector2d& p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  double angle = 0.0;  // that the outline winds about p
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2d& a = corners[i];
+    const Vector2d& b = corners[(i + 1) % corners.size()];
+    nearest = std::min(nearest, to_segment(p, a, b));
+    const Vector2d u = a - p;
+    const Vector2d v = b - p;
+    angle += std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
+  }
+  return std::abs(angle) > 3.0 ? -nearest : nearest;
+}
+
+std::vector<Vector2d> corners_of(const Obstacle& obstacle) {
+  if (const auto* polygon = std::get_if<Polygon>(&obstacle)) {
+    return polygon->points_m;
+  }
+  const auto& r = std::get<Rectangle>(obstacle);
+  const Eigen::Rotation2Dd turn(r.angle_rad);
+  std::vector<Vector2d> corners;
+  for (const auto& [u, v] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+    corners.push_back(Vector2d(r.x_m, r.y_m) +
+                      turn * Vector2d(0.5 * u * r.width_m, 0.5 * v * r.height_m));
+  }
+  return corners;
+}
+
+/// A gap at one instant: `count` + 1 points, found by going along the arc in equal steps from the
+/// lower plate, and a similarity that takes the last one to the upper plate.
+class ArcPoints {
+ public:
+  explicit ArcPoints(int count) : points_(static_cast<std::size_t>(count) + 1) {}
+
+  const std::vector<Vector2d>& of(const Vector2d& start, const Vector2d& end, double turn) {
+    const std::size_t count = points_.size() - 1;
+    const double step = turn / double(count);
+    points_[0].setZero();
+    Vector2d way(1.0, 0.0);
+    const Eigen::Rotation2Dd rotation(step);
+    for (std::size_t k = 0; k < count; ++k) {
+      points_[k + 1] = points_[k] + way;
+      way = rotation * way;
+    }
+    const Vector2d w = points_.back();
+    const Vector2d c = end - start;
+    const double cosine = c.dot(w) / w.squaredNorm();
+    const double sine = (c.y() * w.x() - c.x() * w.y()) / w.squaredNorm();
+    for (Vector2d& p : points_) {
+      p = start + Vector2d(cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y());
+    }
+    return points_;
+  }
+
+ private:
+  std::vector<Vector2d> points_;
+};
+
+struct Gap {
+  Vector2d start_from, start_to, end_from, end_to;
+  double turn_from, turn_to, radius;
+
+  /// Any point of the gap travels less than this: twice its plates' way, and what turning adds.
+  double way() const {
+    return 2.0 * std::max((start_to - start_from).norm(), (end_to - end_from).norm()) +
+           (end_from - start_from).norm() * std::abs(turn_to - turn_from);
+  }
+  double length() const {
+    return std::max((end_from - start_from).norm(), (end_to - start_to).norm()) * 1.6;
+  }
+};
+
+struct Found {
+  double value;
+  Vector2d point;
+};
+
+template <class Distance>
+Found sample(const Gap& gap, int instants, int places, const Distance& distance) {
+  Found found{std::numeric_limits<double>::infinity(), Vector2d::Zero()};
+  ArcPoints arc(places);
+  for (int k = 0; k <= instants; ++k) {
+    const double t = double(k) / instants;
+    for (const Vector2d& p : arc.of(gap.start_from + t * (gap.start_to - gap.start_from),
+                                    gap.end_from + t * (gap.end_to - gap.end_from),
+                                    gap.turn_from + t * (gap.turn_to - gap.turn_from))) {
+      const double value = distance(p) - gap.radius;
+      if (value < found.value) {
+        found = {value, p};
+      }
+    }
+  }
+  return found;
+}
+
+std::vector<Gap> gaps_of(const ArmDescription& arm, const Backbone& from, const Backbone& to) {
+  std::vector<Gap> gaps;
+  for (int g = 0; g + 1 < from.rows(); ++g) {
+    const auto point = [&](const Backbone& b, int i) {
+      return Vector2d(double(b(i, 0)), double(b(i, 1)));
+    };
+    const auto turn = [&](const Backbone& b) { return double(b(g + 1, 2)) - double(b(g, 2)); };
+    const Segment& segment = arm.segments[static_cast<std::size_t>(arm.segment_of_gap(g))];
+    gaps.push_back({point(from, g), point(to, g), point(from, g + 1), point(to, g + 1), turn(from),
+                    turn(to), 0.5 * segment.width_m + arm.actuator_radius_m});
+  }
+  return gaps;
+}
+
+template <class Distance>
+SampledClearance sampled(const std::vector<Gap>& gaps, double spacing_m, const Distance& distance) {
+  constexpr int kCoarse = 6;
+  std::vector<double> coarse;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Gap& gap : gaps) {
+    coarse.push_back(sample(gap, kCoarse, kCoarse, distance).value);
+    nearest = std::min(nearest, coarse.back());
+  }
+  SampledClearance best{std::numeric_limits<double>::infinity(), spacing_m, Vector2d::Zero()};
+  for (std::size_t g = 0; g < gaps.size(); ++g) {
+    const Gap& gap = gaps[g];
+    if (coarse[g] - 0.5 * (gap.way() + gap.length()) / kCoarse > nearest) {
+      continue;
+    }
+    const auto parts = [&](double way) {
+      return std::max(1, static_cast<int>(std::ceil(way / spacing_m)));
+    };
+    const Found found = sample(gap, parts(gap.way()), parts(gap.length()), distance);
+    if (found.value < best.value_m) {
+      best.value_m = found.value;
+      best.point = found.point;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+double brute_force_distance(const Obstacle& obstacle, const Vector2d& p) {
+  if (const auto* circle = std::get_if<Circle>(&obstacle)) {
+    return (p - Vector2d(circle->x_m, circle->y_m)).norm() - circle->radius_m;
+  }
+  return to_polygon(corners_of(obstacle), p);
+}
+
+SampledClearance brute_force_clearance(const ArmDescription& arm, const Backbone& from,
+                                       const Backbone& to, const Obstacle& obstacle,
+                                       double spacing_m) {
+  const std::vector<Gap> gaps = gaps_of(arm, from, to);
+  if (const auto* circle = std::get_if<Circle>(&obstacle)) {
+    const Vector2d centre(circle->x_m, circle->y_m);
+    return sampled(gaps, spacing_m,
+                   [&](const Vector2d& p) { return (p - centre).norm() - circle->radius_m; });
+  }
+  const std::vector<Vector2d> corners = corners_of(obstacle);
+  return sampled(gaps, spacing_m, [&](const Vector2d& p) { return to_polygon(corners, p); });
+}
+
+}  // namespace limber
