@@ -63,11 +63,8 @@ class EpisodeRun {
   }
 
   void hold(const Motion& motion) {
-    const auto frames_in = [&](double seconds) {
-      return std::max(1, static_cast<int>(std::ceil(seconds * arm_.frame_rate_hz - 1e-9)));
-    };
-    const int least = frames_in(motion.hold_s);
-    const int most = std::max(least, frames_in(settings_.hold_limit_s));
+    const int least = std::max(1, arm_.frames_in(motion.hold_s));
+    const int most = std::max(least, arm_.frames_in(settings_.hold_limit_s));
     for (int k = 0; k < least || (motion.until_reached && !reached(motion.setpoint_kpa)); ++k) {
       if (k == most) {
         refuse_unreached(motion, most * arm_.frame_period_s());

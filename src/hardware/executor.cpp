@@ -60,7 +60,7 @@ class Execution {
         count_motion(plan_.frames[k].setpoint_kpa);
       }
       // A plan's own hold counts: planner and executor judge the goal at the same moment.
-      for (int k = plan_.hold_frame_count; k < frames_in(settings_.hold_s); ++k) {
+      for (int k = plan_.hold_frame_count; k < arm_.frames_in(settings_.hold_s); ++k) {
         command(plan_.frames.back().setpoint_kpa);
       }
     } catch (const SystemFault& fault) {
@@ -87,14 +87,10 @@ class Execution {
          straight_frames(arm_, Pressures::Zero(arm_.segment_count()), start_kpa)) {
       driver_.command(setpoint_kpa);
     }
-    for (int k = 0; k < frames_in(kSettling_s); ++k) {
+    for (int k = 0; k < arm_.frames_in(kSettling_s); ++k) {
       throw_if_interrupted();
       driver_.command(start_kpa);
     }
-  }
-
-  int frames_in(double seconds) const {
-    return static_cast<int>(std::ceil(seconds * arm_.frame_rate_hz - 1e-9));
   }
 
   void command(const Pressures& setpoint_kpa) {

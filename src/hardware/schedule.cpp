@@ -8,6 +8,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/planning/motion_simulator.hpp"
 
 namespace limber {
 
@@ -195,16 +196,12 @@ Pressures corner_configuration(const ArmDescription& arm, int index) {
 
 std::vector<Pressures> straight_frames(const ArmDescription& arm, const Pressures& from,
                                        const Pressures& to) {
-  constexpr double kRounding = 1e-4;  // of a frame: float32 set points, 100 kPa over 5 kPa steps
-  const double longest_kpa = static_cast<double>((to - from).cwiseAbs().maxCoeff());
-  const int frames = std::max(
-      1, static_cast<int>(std::ceil(longest_kpa / arm.pressure_step_limit_kpa() - kRounding)));
+  const int count = motion_frame_count(from, to, arm.pressure_step_limit_kpa());
   std::vector<Pressures> result;
-  for (int k = 1; k < frames; ++k) {
-    const float fraction = static_cast<float>(k) / static_cast<float>(frames);
-    result.push_back(from + fraction * (to - from));
+  for (int k = 1; k <= count; ++k) {
+    result.emplace_back(from.size());
+    motion_setpoint(from, to, k, count, result.back());
   }
-  result.push_back(to);
   return result;
 }
 

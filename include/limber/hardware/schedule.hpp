@@ -63,7 +63,8 @@ std::string describe(const ScheduleSettings& settings);
 Pressures corner_configuration(const ArmDescription& arm, int index);
 
 /// Set points of the frames from `from` to `to`, `to` included and `from` not: evenly along the
-/// straight line, as few as let no segment move by more than the arm's step limit a frame.
+/// straight line, as few as let no segment move by more than the arm's step limit a frame: the
+/// frame rule of planning/motion_simulator.hpp.
 std::vector<Pressures> straight_frames(const ArmDescription& arm, const Pressures& from,
                                        const Pressures& to);
 
