@@ -15,6 +15,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs() {
   verbs.push_back(make_plan_verb());
   verbs.push_back(make_verify_verb());
   verbs.push_back(make_execute_verb());
+  verbs.push_back(make_experiment_verb());
   verbs.push_back(make_doctor_verb());
   return verbs;
 }

@@ -19,6 +19,7 @@ std::unique_ptr<Verb> make_train_verb();
 std::unique_ptr<Verb> make_environment_verb();
 std::unique_ptr<Verb> make_plan_verb();
 std::unique_ptr<Verb> make_execute_verb();
+std::unique_ptr<Verb> make_experiment_verb();
 std::unique_ptr<Verb> make_verify_verb();
 std::unique_ptr<Verb> make_inspect_verb();
 std::unique_ptr<Verb> make_characterize_verb();

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "limber/common/data_folder.hpp"
+#include "limber/common/error.hpp"
+#include "limber/experiment/planning_experiment.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kDefaultTimeLimitS = 10.0;
+
+class ExperimentVerb final : public Verb {
+ public:
+  const char* name() const override { return "experiment"; }
+  const char* summary() const override {
+    return "The paper's Table I: plan with both models in many environments, execute, compare";
+  }
+  const char* example() const override {
+    return "limber experiment --model model.safetensors --trials 2 --time-limit-s 1 --out table";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_option("--model", settings_.model_file, "Network model to set beside the no-load model")
+        ->required();
+    app.add_option("--environments", environments_,
+                   "Folder of environment files; limber's own eight where not given");
+    app.add_option("--trials", settings_.trials, "Plans of each model in each environment")
+        ->capture_default_str();
+    app.add_option("--planner", settings_.planner, "As for limber plan")->capture_default_str();
+    app.add_option("--time-limit-s", settings_.limits.time_s,
+                   fmt::format("For each plan; {} where no limit is given", kDefaultTimeLimitS))
+        ->check(CLI::PositiveNumber);
+    app.add_option("--max-iterations", settings_.limits.iterations,
+                   "For each plan; with this limit alone the table can be repeated")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--max-queries", settings_.limits.queries, "For each plan")
+        ->check(CLI::PositiveNumber);
+    app.add_option("--margin-m", settings_.margin_m, "Clearance asked of every plan")
+        ->capture_default_str();
+    app.add_option("--out", settings_.folder, "Folder for tables, figures, trials and plans")
+        ->capture_default_str();
+    app.add_flag("--resume", settings_.resume,
+                 "Keep the trials in --out that are finished; more --trials may be asked for");
+  }
+
+  int run(const CommonFlags& flags) override {
+    settings_.arm = load_arm(find_arm_file(arm_));
+    settings_.environments = load_environments();
+    if (!settings_.limits.time_s && !settings_.limits.iterations && !settings_.limits.queries) {
+      settings_.limits.time_s = kDefaultTimeLimitS;
+    }
+    settings_.seed = flags.seed;
+    settings_.jobs = flags.jobs;
+    settings_.force = flags.force;
+    settings_.progress = flags.progress();
+    settings_.say = [&](const std::string& line) { say(flags, "{}", line); };
+    (void)make_planner(settings_.planner);  // refuses an unknown name before any work
+    const nlohmann::ordered_json table = run_experiment(settings_);
+    print_result(
+        flags, {{"table", table}, {"seed", flags.seed}, {"out", settings_.folder}},
+        fmt::format("{0}/table.md, {0}/table.json, {0}/report.html", settings_.folder.string()));
+    return kExitDone;
+  }
+
+ private:
+  std::vector<EnvironmentCase> load_environments() const {
+    const fs::path folder =
+        environments_.empty() ? data_folder() / "environments" : fs::path(environments_);
+    if (!fs::is_directory(folder)) {
+      throw InputError(fmt::format("--environments {}: no folder", folder.string()));
+    }
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".yaml") {
+        files.push_back(entry.path());
+      }
+    }
+    std::sort(files.begin(), files.end());
+    if (files.empty()) {
+      throw InputError(fmt::format("--environments {}: no *.yaml in it", folder.string()));
+    }
+    std::vector<EnvironmentCase> cases;
+    for (const fs::path& file : files) {
+      cases.push_back({file.stem().string(), load_environment(file, settings_.arm)});
+    }
+    return cases;
+  }
+
+  std::string arm_ = "three_segment";
+  std::string environments_;
+  ExperimentSettings settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_experiment_verb() {
+  return std::make_unique<ExperimentVerb>();
+}
+
+}  // namespace limber

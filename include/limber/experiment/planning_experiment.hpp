@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/common/progress.hpp"
+#include "limber/experiment/plan_trial.hpp"
+
+namespace limber {
+
+struct ExperimentSettings {
+  std::filesystem::path folder = "experiment";
+  ArmDescription arm;
+  std::filesystem::path model_file;  ///< network; the no-load model is always the other one
+  std::vector<EnvironmentCase> environments;
+  int trials = 20;  ///< of each environment and model, ≥ 1; trial k has the same seed everywhere
+  std::string planner = "default";
+  PlannerLimits limits;
+  double margin_m = 0.0;
+  std::uint64_t seed = 1;
+  int jobs = 0;         ///< trials at once, 0: one a core
+  bool resume = false;  ///< keep finished trials of the same experiment
+  bool force = false;   ///< replace a folder that limber experiment did not make
+  Progress::Mode progress = Progress::Mode::automatic;
+  std::function<void(const std::string&)> say = [](const std::string&) {};
+};
+
+/// The paper's Table I on the virtual arm: every environment planned in with both models, every
+/// plan certified and executed open loop. Writes to the folder
+///
+///   experiment.json         the settings; `resume` asks for the same
+///   trials/ID.json          keys of `plan --json`, and of `execute --json` under "execution"
+///   plans/ID.json           the plans
+///   figures/ENVIRONMENT.svg the paper's Fig. 5: one final shape of each model; …_all.svg: all
+///   table.json, table.md    planning_table.hpp
+///   report.html             tables and figures on one page
+///
+/// and returns the table. Trials are spread over threads; where no clock limits them, results do
+/// not depend on `jobs`. What the table says is read from the files, resumed or not.
+/// @throws InputError where settings are out of range, or differ from those being resumed;
+/// Interrupted after Ctrl-C: finished trials are kept.
+nlohmann::ordered_json run_experiment(const ExperimentSettings& settings);
+
+}  // namespace limber
