@@ -27,3 +27,20 @@ if(NOT TARGET limber_import::headers)
   set_target_properties(limber_import::headers PROPERTIES
     INTERFACE_INCLUDE_DIRECTORIES "${LIMBER_RANDOM123_INCLUDE_DIR};${LIMBER_XXHASH_INCLUDE_DIR}")
 endif()
+
+# OMPL, optional. Its own package sets variables, not a target, and names Boost libraries that only
+# need to be there for parts of it that limber does not use.
+if(LIMBER_OMPL AND NOT TARGET limber_import::ompl)
+  find_path(LIMBER_OMPL_INCLUDE_DIR ompl/control/SpaceInformation.h PATH_SUFFIXES ompl-1.5 ompl-1.6 ompl)
+  find_library(LIMBER_OMPL_LIBRARY ompl)
+  if(LIMBER_OMPL_INCLUDE_DIR AND LIMBER_OMPL_LIBRARY)
+    add_library(limber_import::ompl UNKNOWN IMPORTED)
+    set_target_properties(limber_import::ompl PROPERTIES
+      IMPORTED_LOCATION "${LIMBER_OMPL_LIBRARY}"
+      INTERFACE_INCLUDE_DIRECTORIES "${LIMBER_OMPL_INCLUDE_DIR}"
+      INTERFACE_LINK_LIBRARIES Eigen3::Eigen)
+  else()
+    message(STATUS "OMPL not found: planners ompl:… are left out")
+    set(LIMBER_OMPL OFF)
+  endif()
+endif()

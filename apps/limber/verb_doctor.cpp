@@ -12,6 +12,7 @@
 #include "limber/data/hdf5_version.hpp"
 #include "limber/experiment/speed_peers.hpp"
 #include "limber/hardware/mujoco_version.hpp"
+#include "limber/planning/ompl_planner.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -89,6 +90,10 @@ class DoctorVerb final : public Verb {
                                     {"use", "a peer in limber bench"},
                                     {"how_to_get", peer.how_to_get}});
     }
+    result["optional"].push_back({{"name", "OMPL"},
+                                  {"present", !ompl_planner_names().empty()},
+                                  {"use", "planners ompl:…, to compare with"},
+                                  {"how_to_get", "apt install libompl-dev, then build again"}});
     return result;
   }
 

@@ -30,6 +30,7 @@ class ExecuteVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--out", out_, "Recording of the run to write");
     app.add_option("--svg", svg_, "Picture of the run to write, beside the prediction");
+    app.add_option("--animation", animation_, "The same as a page (HTML) in which the arm moves");
   }
 
   int run(const CommonFlags& flags) override {
@@ -40,7 +41,7 @@ class ExecuteVerb final : public Verb {
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
-    for (const std::string& file : {out_, svg_}) {
+    for (const std::string& file : {out_, svg_, animation_}) {
       if (!file.empty()) {
         refuse_to_overwrite(file, flags.force);
       }
@@ -50,6 +51,9 @@ class ExecuteVerb final : public Verb {
     write_run(arm, plan, result);
     if (!svg_.empty()) {
       write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
+    }
+    if (!animation_.empty()) {
+      write_file_atomically(animation_, execution_animation(arm, environment, plan, result));
     }
     print_result(flags, execution_to_json(result, environment),
                  execution_to_text(result, environment));
@@ -82,6 +86,7 @@ class ExecuteVerb final : public Verb {
   std::string driver_ = "virtual";
   std::string out_;
   std::string svg_;
+  std::string animation_;
   ExecutionSettings settings_;
 };
 

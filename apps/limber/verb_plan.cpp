@@ -3,6 +3,7 @@
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/planning/animation.hpp"
 #include "limber/planning/plan_picture.hpp"
 #include "limber/planning/plan_report.hpp"
 #include "limber/planning/planner.hpp"
@@ -80,9 +81,9 @@ class PlanVerb final : public Verb {
         ->required();
     app.add_option("--planner", planner_,
                    "default: the paper's, its best plan then improved; paper: RRT* in pressure "
-                   "space; paper-steer-all: the same, simulating from every near node")
-        ->capture_default_str()
-        ->check(CLI::IsMember(planner_names()));
+                   "space; paper-steer-all: the same, simulating from every near node; ompl:NAME: "
+                   "one of OMPL's, with settings as ompl:SST,pruning_radius=0.1")
+        ->capture_default_str();
     app.add_option("--time-limit-s", limits_.time_s,
                    fmt::format("Stop after so many seconds; {} where no limit is given",
                                kDefaultTimeLimitS))
@@ -102,6 +103,7 @@ class PlanVerb final : public Verb {
     app.add_option("--out", out_, "Write the plan here (JSON); not written without a solution");
     app.add_option("--csv", csv_, "Write its set points here, for a valve controller");
     app.add_option("--svg", svg_, "Draw arm, plan, tree and obstacles here");
+    app.add_option("--animation", animation_, "Write a page (HTML) here in which the arm moves");
   }
 
   int run(const CommonFlags& flags) override {
@@ -112,7 +114,7 @@ class PlanVerb final : public Verb {
     const ForwardModel model =
         model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
     const Environment environment = load_environment(find_environment_file(environment_), arm);
-    for (const std::string& path : {out_, csv_, svg_}) {
+    for (const std::string& path : {out_, csv_, svg_, animation_}) {
       if (!path.empty()) {
         refuse_to_overwrite(path, flags.force);
       }
@@ -161,6 +163,9 @@ class PlanVerb final : public Verb {
     if (!svg_.empty()) {
       write_file_atomically(svg_, plan_picture(arm, environment, result));
     }
+    if (result.plan && !animation_.empty()) {
+      write_file_atomically(animation_, plan_animation(arm, environment, *result.plan));
+    }
   }
 
   std::string arm_ = "three_segment";
@@ -173,6 +178,7 @@ class PlanVerb final : public Verb {
   std::string out_;
   std::string csv_;
   std::string svg_;
+  std::string animation_;
 };
 
 }  // namespace

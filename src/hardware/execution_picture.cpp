@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/units.hpp"
+#include "limber/planning/animation.hpp"
 #include "limber/planning/plan_picture.hpp"
 #include "limber/plot/palette.hpp"
 
@@ -95,6 +96,29 @@ std::string execution_picture(const ArmDescription& arm, const Environment& envi
     drawing.legend("the arm's end, and the way of its tip", executed);
   }
   return drawing.svg();
+}
+
+std::string execution_animation(const ArmDescription& arm, const Environment& environment,
+                                const Plan& plan, const ExecutionResult& result) {
+  const bool network = plan.model == "network";
+  AnimationTrack predicted{
+      fmt::format("as the {} model predicts it", network ? "network" : "no-load"),
+      palette_color(network ? kNetworkColor : kNoLoadColor),
+      {}};
+  std::vector<Pressures> setpoints;
+  for (const PlanFrame& frame : plan.frames) {
+    predicted.shapes.push_back(frame.backbone);
+    setpoints.push_back(frame.setpoint_kpa);
+  }
+  AnimationTrack executed{"as it moved", palette_color(kTrueArmColor), {}};
+  for (int t = 0; t < result.episode.frame_count(); ++t) {
+    executed.shapes.push_back(recorded_backbone(result.episode, t));
+  }
+  std::vector<AnimationTrack> tracks{std::move(predicted)};
+  if (!executed.shapes.empty()) {
+    tracks.push_back(std::move(executed));
+  }
+  return animation_page(arm, environment, title_of(environment, result), tracks, setpoints);
 }
 
 }  // namespace limber

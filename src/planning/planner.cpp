@@ -5,6 +5,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/planning/certified_planner.hpp"
+#include "limber/planning/ompl_planner.hpp"
 #include "limber/planning/pressure_rrt_star.hpp"
 
 namespace limber {
@@ -57,8 +58,12 @@ std::unique_ptr<Planner> make_planner(const std::string& name) {
   if (name == "paper-steer-all") {
     return make_certified_planner(make_pressure_rrt_star(ParentRule::steer_all));
   }
+  if (name.rfind("ompl:", 0) == 0) {
+    return make_certified_planner(make_ompl_planner(name));
+  }
   throw InputError(
-      fmt::format("planner '{}'; expected one of {}", name, fmt::join(planner_names(), ", ")));
+      fmt::format("planner '{}'; expected one of {}, or ompl:NAME (planning/ompl_planner.hpp)",
+                  name, fmt::join(planner_names(), ", ")));
 }
 
 int hold_frame_count(const ArmDescription& arm) {

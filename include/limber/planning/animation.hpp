@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/planning/environment.hpp"
+#include "limber/planning/plan.hpp"
+
+namespace limber {
+
+/// One arm that moves through an animation, a shape a frame.
+struct AnimationTrack {
+  std::string label;  ///< "predicted", "executed"
+  std::string color;  ///< CSS
+  std::vector<Backbone> shapes;
+};
+
+/// One self-contained HTML page, nothing loaded from elsewhere, in which arms move through an
+/// environment: play, pause, speed, a slider over time, and the set points of each frame.
+/// @param setpoints_kpa  one a frame, shown as bars; may be shorter than the tracks
+std::string animation_page(const ArmDescription& arm, const Environment& environment,
+                           const std::string& title, const std::vector<AnimationTrack>& tracks,
+                           const std::vector<Pressures>& setpoints_kpa);
+
+/// A plan as its model predicts it.
+std::string plan_animation(const ArmDescription& arm, const Environment& environment,
+                           const Plan& plan);
+
+}  // namespace limber

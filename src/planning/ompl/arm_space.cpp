@@ -1,0 +1,349 @@
+#include "arm_space.hpp"
+
+#include <ompl/base/ProjectionEvaluator.h>
+#include <ompl/control/DirectedControlSampler.h>
+#include <ompl/control/spaces/RealVectorControlSpace.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace limber {
+
+namespace {
+
+namespace ob = ompl::base;
+namespace oc = ompl::control;
+
+constexpr double kLargestAngleRad = 100.0;
+constexpr double kGoalSpread = 0.1;      // of the limits, about a goal configuration
+constexpr double kHoldPositionM = 0.05;  // tips this near are held and judged, as in the default
+constexpr double kHoldOrientationRad = 0.5;
+
+const double* values(const ob::State* state) {
+  return state->as<ob::RealVectorStateSpace::StateType>()->values;
+}
+double* values(ob::State* state) {
+  return state->as<ob::RealVectorStateSpace::StateType>()->values;
+}
+double* values(oc::Control* control) {
+  return control->as<oc::RealVectorControlSpace::ControlType>()->values;
+}
+const double* values(const oc::Control* control) {
+  return control->as<oc::RealVectorControlSpace::ControlType>()->values;
+}
+
+double limit_kpa(const ArmWorld& world, int segment) {
+  return world.problem.arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
+}
+
+/// Draws pressures; the shape is the no-load model's, so that distances to it mean something.
+class ArmSampler final : public ob::StateSampler {
+ public:
+  ArmSampler(const ob::StateSpace* space, ArmWorld& world) : StateSampler(space), world_(world) {}
+
+  void sampleUniform(ob::State* state) override {
+    Pressures kpa(world_.segments());
+    for (int i = 0; i < kpa.size(); ++i) {
+      kpa[i] =
+          static_cast<float>(world_.random.uniform(-limit_kpa(world_, i), limit_kpa(world_, i)));
+    }
+    write(kpa, state);
+  }
+  void sampleUniformNear(ob::State* state, const ob::State* near, double distance) override {
+    sampleGaussian(state, near, distance);
+  }
+  void sampleGaussian(ob::State* state, const ob::State* mean, double deviation) override {
+    Pressures kpa = world_.pressures(mean);
+    for (int i = 0; i < kpa.size(); ++i) {
+      const double limit = limit_kpa(world_, i);
+      kpa[i] = static_cast<float>(
+          std::clamp(double(kpa[i]) + limit * deviation * world_.random.normal(), -limit, limit));
+    }
+    write(kpa, state);
+  }
+
+ private:
+  void write(const Pressures& kpa, ob::State* state) {
+    Backbone shape(world_.problem.arm.point_count(), 3);
+    world_.problem.model.no_load().backbone(kpa, shape);
+    world_.write(kpa, shape, 0.0, true, state);
+  }
+
+  ArmWorld& world_;
+};
+
+/// The tip in the plane, for planners that keep grids.
+class TipProjection final : public ob::ProjectionEvaluator {
+ public:
+  TipProjection(const ob::StateSpace* space, const ArmWorld& world)
+      : ProjectionEvaluator(space), tip_(world.segments() + world.poses() - 3) {
+    constexpr double kCells = 20.0;  // an arm's length
+    cellSizes_ = {world.problem.arm.length_m() / kCells, world.problem.arm.length_m() / kCells};
+  }
+  unsigned int getDimension() const override { return 2; }
+  void project(const ob::State* state, Eigen::Ref<Eigen::VectorXd> projection) const override {
+    projection << values(state)[tip_], values(state)[tip_ + 1];
+  }
+
+ private:
+  int tip_;
+};
+
+class ArmSpace final : public ob::RealVectorStateSpace {
+ public:
+  explicit ArmSpace(ArmWorld& world)
+      : RealVectorStateSpace(static_cast<unsigned>(world.size())), world_(world) {
+    ob::RealVectorBounds bounds(static_cast<unsigned>(world.size()));
+    const double reach = 4.0 * world.problem.arm.length_m();
+    for (int i = 0; i < world.size(); ++i) {
+      const auto index = static_cast<unsigned>(i);
+      const bool angle = (i - world.segments()) % 3 == 2;
+      const double most = i < world.segments()      ? limit_kpa(world, i)
+                          : i == world.cost_index() ? 1e9
+                          : i == world.free_index() ? 1.0
+                          : angle                   ? kLargestAngleRad
+                                                    : reach;
+      bounds.setLow(index, -most);
+      bounds.setHigh(index, most);
+    }
+    setBounds(bounds);
+  }
+
+  double distance(const ob::State* a, const ob::State* b) const override {
+    double squares = 0.0;
+    for (int i = 0; i < world_.segments(); ++i) {
+      const double change = (values(a)[i] - values(b)[i]) / limit_kpa(world_, i);
+      squares += change * change;
+    }
+    const int tip = world_.segments() + world_.poses() - 3;
+    const double way =
+        std::hypot(values(a)[tip] - values(b)[tip], values(a)[tip + 1] - values(b)[tip + 1]) *
+        world_.settings.tip_weight / world_.problem.arm.length_m();
+    return std::sqrt(squares + way * way);
+  }
+  ob::StateSamplerPtr allocDefaultStateSampler() const override {
+    return std::make_shared<ArmSampler>(this, world_);
+  }
+  void registerProjections() override {
+    registerDefaultProjection(std::make_shared<TipProjection>(this, world_));
+  }
+
+ private:
+  ArmWorld& world_;
+};
+
+/// Δp of a frame, each within the rate.
+class ArmControlSampler final : public oc::ControlSampler {
+ public:
+  ArmControlSampler(const oc::ControlSpace* space, ArmWorld& world)
+      : ControlSampler(space), world_(world) {}
+  void sample(oc::Control* control) override {
+    const double step = world_.step_kpa();
+    for (int i = 0; i < world_.segments(); ++i) {
+      values(control)[i] = world_.random.uniform(-step, step);
+    }
+  }
+
+ private:
+  ArmWorld& world_;
+};
+
+/// Steers straight at the wanted pressures, as fast as the rate allows.
+class StraightSampler final : public oc::DirectedControlSampler {
+ public:
+  StraightSampler(const oc::SpaceInformation* si, ArmWorld& world)
+      : DirectedControlSampler(si), world_(world) {}
+
+  unsigned int sampleTo(oc::Control* control, const ob::State* source, ob::State* dest) override {
+    const double step = world_.step_kpa();
+    double largest = 0.0;
+    for (int i = 0; i < world_.segments(); ++i) {
+      largest = std::max(largest, std::abs(values(dest)[i] - values(source)[i]));
+    }
+    const int wanted = std::max(1, static_cast<int>(std::ceil(largest / step)));
+    for (int i = 0; i < world_.segments(); ++i) {
+      values(control)[i] = (values(dest)[i] - values(source)[i]) / wanted;
+    }
+    const auto frames = static_cast<unsigned>(std::min(wanted, world_.settings.frames));
+    return si_->propagateWhileValid(source, control, static_cast<int>(frames), dest);
+  }
+  unsigned int sampleTo(oc::Control* control, const oc::Control*, const ob::State* source,
+                        ob::State* dest) override {
+    return sampleTo(control, source, dest);
+  }
+
+ private:
+  ArmWorld& world_;
+};
+
+/// One frame of the forward model, with the swept collision check.
+class FramePropagator final : public oc::StatePropagator {
+ public:
+  FramePropagator(const oc::SpaceInformationPtr& si, ArmWorld& world)
+      : StatePropagator(si), world_(world) {}
+
+  void propagate(const ob::State* state, const oc::Control* control, double /*one frame*/,
+                 ob::State* result) const override {
+    const Pressures from = world_.pressures(state);
+    const Pressures to = world_.next_pressures(from, values(control));
+    const Backbone shape = world_.backbone(state);
+    Backbone next(shape.rows(), 3);
+    const bool free = world_.simulator.move(from, shape, to, next);
+    const double cost = values(state)[world_.cost_index()] + motion_cost_kpa(from, to);
+    const bool was_free = values(state)[world_.free_index()] > 0.5;
+    world_.write(to, next, cost, free && was_free, result);
+  }
+  bool canPropagateBackward() const override { return false; }
+
+ private:
+  ArmWorld& world_;
+};
+
+class ArmGoal final : public ob::GoalSampleableRegion {
+ public:
+  ArmGoal(const ob::SpaceInformationPtr& si, ArmWorld& world)
+      : GoalSampleableRegion(si), world_(world) {}
+
+  double distanceGoal(const ob::State* state) const override {
+    return excess(tip_pose<float>(world_.backbone(state)));
+  }
+
+  bool isSatisfied(const ob::State* state) const override {
+    double distance = 0.0;
+    return isSatisfied(state, &distance);
+  }
+  bool isSatisfied(const ob::State* state, double* distance) const override {
+    const PoseGoal& goal = world_.problem.environment.goal;
+    const Backbone shape = world_.backbone(state);
+    const PoseError error = pose_error(goal, tip_pose<float>(shape));
+    *distance = excess(tip_pose<float>(shape));
+    if (error.position_m > goal.position_tolerance_m + kHoldPositionM ||
+        (goal.theta_rad &&
+         error.orientation_rad > goal.orientation_tolerance_rad + kHoldOrientationRad)) {
+      return false;
+    }
+    Backbone held(shape.rows(), 3);
+    if (!world_.simulator.hold(world_.pressures(state), shape, hold_frame_count(world_.problem.arm),
+                               held)) {
+      return false;
+    }
+    const Pose tip = tip_pose<float>(held);
+    *distance = excess(tip);
+    const bool satisfied = is_within(goal, pose_error(goal, tip));
+    if (satisfied && !world_.first_solution) {
+      world_.first_solution = FirstSolution{world_.elapsed_s(), values(state)[world_.cost_index()]};
+    }
+    return satisfied;
+  }
+
+  void sampleGoal(ob::State* state) const override {
+    const auto count = static_cast<std::uint32_t>(world_.goal_configurations.size());
+    Backbone shape(world_.problem.arm.point_count(), 3);
+    const Pressures& kpa = world_.goal_configurations[world_.random.index(count)];
+    world_.problem.model.no_load().backbone(kpa, shape);
+    world_.write(kpa, shape, 0.0, true, state);
+    ArmSampler(si_->getStateSpace().get(), world_).sampleGaussian(state, state, kGoalSpread);
+  }
+  unsigned int maxSampleCount() const override {
+    return world_.goal_configurations.empty() ? 0 : std::numeric_limits<unsigned>::max();
+  }
+
+ private:
+  /// Metres beyond the region, a radian counted as a tenth of one; 0 inside.
+  double excess(const Pose& tip) const {
+    constexpr double kMetresPerRad = 0.1;
+    const PoseGoal& goal = world_.problem.environment.goal;
+    const PoseError error = pose_error(goal, tip);
+    const double turned =
+        goal.theta_rad ? std::max(0.0, error.orientation_rad - goal.orientation_tolerance_rad)
+                       : 0.0;
+    return std::max(0.0, error.position_m - goal.position_tolerance_m) + kMetresPerRad * turned;
+  }
+
+  ArmWorld& world_;
+};
+
+class PressureObjective final : public ob::OptimizationObjective {
+ public:
+  PressureObjective(const ob::SpaceInformationPtr& si, const ArmWorld& world)
+      : OptimizationObjective(si), world_(world) {}
+  ob::Cost stateCost(const ob::State*) const override { return ob::Cost(0.0); }
+  ob::Cost motionCost(const ob::State* from, const ob::State* to) const override {
+    return ob::Cost(values(to)[world_.cost_index()] - values(from)[world_.cost_index()]);
+  }
+
+ private:
+  const ArmWorld& world_;
+};
+
+}  // namespace
+
+Pressures ArmWorld::pressures(const ob::State* state) const {
+  return Eigen::Map<const Eigen::VectorXd>(values(state), segments()).cast<float>();
+}
+
+Backbone ArmWorld::backbone(const ob::State* state) const {
+  return Eigen::Map<const BackboneD>(values(state) + segments(), problem.arm.point_count(), 3)
+      .cast<float>();
+}
+
+void ArmWorld::write(const Pressures& kpa, const Backbone& shape, double cost_kpa, bool free,
+                     ob::State* state) const {
+  std::copy(kpa.begin(), kpa.end(), values(state));
+  std::copy_n(shape.data(), shape.size(), values(state) + segments());
+  values(state)[cost_index()] = cost_kpa;
+  values(state)[free_index()] = free ? 1.0 : 0.0;
+}
+
+Pressures ArmWorld::next_pressures(const Pressures& kpa, const double* change_kpa) const {
+  Pressures next = kpa;
+  for (int i = 0; i < segments(); ++i) {
+    const double limit = limit_kpa(*this, i);
+    next[i] = static_cast<float>(std::clamp(double(kpa[i]) + change_kpa[i], -limit, limit));
+  }
+  return next;
+}
+
+ob::StateSpacePtr make_arm_space(ArmWorld& world) {
+  return std::make_shared<ArmSpace>(world);
+}
+
+oc::SpaceInformationPtr make_space_information(ArmWorld& world) {
+  const ob::StateSpacePtr space = make_arm_space(world);
+  const auto controls =
+      std::make_shared<oc::RealVectorControlSpace>(space, static_cast<unsigned>(world.segments()));
+  ob::RealVectorBounds bounds(static_cast<unsigned>(world.segments()));
+  bounds.setLow(-world.step_kpa());
+  bounds.setHigh(world.step_kpa());
+  controls->setBounds(bounds);
+  controls->setControlSamplerAllocator([&world](const oc::ControlSpace* s) {
+    return std::make_shared<ArmControlSampler>(s, world);
+  });
+  auto si = std::make_shared<oc::SpaceInformation>(space, controls);
+  si->setStateValidityChecker(
+      [&world](const ob::State* state) { return values(state)[world.free_index()] > 0.5; });
+  si->setStatePropagator(std::make_shared<FramePropagator>(si, world));
+  si->setPropagationStepSize(world.problem.arm.frame_period_s());
+  si->setMinMaxControlDuration(1, static_cast<unsigned>(world.settings.frames));
+  if (world.settings.directed) {
+    si->setDirectedControlSamplerAllocator([&world](const oc::SpaceInformation* s) {
+      return std::make_shared<StraightSampler>(s, world);
+    });
+  }
+  si->setup();
+  return si;
+}
+
+ob::GoalPtr make_arm_goal(ArmWorld& world, const ob::SpaceInformationPtr& si) {
+  return std::make_shared<ArmGoal>(si, world);
+}
+
+ob::OptimizationObjectivePtr make_pressure_objective(ArmWorld& world,
+                                                     const ob::SpaceInformationPtr& si,
+                                                     double threshold_kpa) {
+  auto objective = std::make_shared<PressureObjective>(si, world);
+  objective->setCostThreshold(ob::Cost(threshold_kpa));
+  return objective;
+}
+
+}  // namespace limber

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <ompl/base/OptimizationObjective.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/control/SpaceInformation.h>
+
+#include <chrono>
+#include <optional>
+
+#include "limber/common/random_stream.hpp"
+#include "limber/planning/motion_simulator.hpp"
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+struct OmplSettings {
+  int frames = 10;
+  double tip_weight = 0.0;
+  bool directed = true;
+};
+
+/// What every part of the adapter works on during one plan. A state is (q, B, cost, free): n + 3m
+/// numbers that are exactly float32, the cost of the path to it, and 1 or, where the motion to it
+/// collided, 0.
+struct ArmWorld {
+  const PlanningProblem& problem;
+  const CollisionChecker& checker;
+  MotionSimulator& simulator;
+  OmplSettings settings;
+  RandomStream random;
+  std::vector<Pressures> goal_configurations = {};
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  std::optional<FirstSolution> first_solution = std::nullopt;
+
+  int segments() const { return problem.arm.segment_count(); }
+  int poses() const { return 3 * problem.arm.point_count(); }
+  int cost_index() const { return segments() + poses(); }
+  int free_index() const { return cost_index() + 1; }
+  int size() const { return cost_index() + 2; }
+  /// Largest Δp of a frame, with room for rounding to float32.
+  double step_kpa() const { return (1.0 - 1e-5) * problem.arm.pressure_step_limit_kpa(); }
+  double elapsed_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  Pressures pressures(const ompl::base::State* state) const;
+  Backbone backbone(const ompl::base::State* state) const;
+  void write(const Pressures& kpa, const Backbone& backbone, double cost_kpa, bool free,
+             ompl::base::State* state) const;
+
+  /// One frame under a control, Δp of a frame as OMPL holds it; the rule that plans are rebuilt by.
+  Pressures next_pressures(const Pressures& kpa, const double* change_kpa) const;
+};
+
+/// Limits, distance and samples of states.
+ompl::base::StateSpacePtr make_arm_space(ArmWorld& world);
+
+/// State space, controls, propagation and validity, set up.
+ompl::control::SpaceInformationPtr make_space_information(ArmWorld& world);
+
+/// The goal's region after the hold; samples are inverse-kinematics solutions, spread.
+ompl::base::GoalPtr make_arm_goal(ArmWorld& world, const ompl::base::SpaceInformationPtr& si);
+
+/// (2), read off the states.
+ompl::base::OptimizationObjectivePtr make_pressure_objective(
+    ArmWorld& world, const ompl::base::SpaceInformationPtr& si, double threshold_kpa);
+
+}  // namespace limber

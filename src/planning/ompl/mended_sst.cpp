@@ -1,0 +1,164 @@
+#include "mended_sst.hpp"
+
+#include <ompl/base/OptimizationObjective.h>
+#include <ompl/base/goals/GoalSampleableRegion.h>
+#include <ompl/control/PathControl.h>
+
+#include <limits>
+
+namespace limber {
+
+namespace {
+
+namespace ob = ompl::base;
+namespace oc = ompl::control;
+
+}  // namespace
+
+SstCounts CountedSst::counts() const {
+  SstCounts counts;
+  std::vector<Motion*> motions;
+  if (nn_) {
+    nn_->list(motions);
+  }
+  for (const Motion* motion : motions) {
+    ++(motion->inactive_ ? counts.inactive : counts.active);
+  }
+  counts.witnesses = witnesses_ ? witnesses_->size() : 0;
+  return counts;
+}
+
+void MendedSst::add_starts() {
+  while (const ob::State* start = pis_.nextStart()) {
+    auto* root = new Motion(siC_);
+    si_->copyState(root->state_, start);
+    siC_->nullControl(root->control_);
+    root->accCost_ = opt_->identityCost();
+    nn_->add(root);
+    findClosestWitness(root);
+  }
+}
+
+oc::SST::Motion* MendedSst::accept(Motion* reached, Motion* from, unsigned int frames) {
+  const ob::Cost cost =
+      opt_->combineCosts(from->accCost_, opt_->motionCost(from->state_, reached->state_));
+  Witness* witness = findClosestWitness(reached);
+  Motion* before = witness->rep_ == reached ? nullptr : witness->rep_;
+  if (before != nullptr && !opt_->isCostBetterThan(cost, before->accCost_)) {
+    return nullptr;
+  }
+  auto* node = new Motion(siC_);
+  si_->copyState(node->state_, reached->state_);
+  siC_->copyControl(node->control_, reached->control_);
+  node->accCost_ = cost;
+  node->steps_ = frames;
+  node->parent_ = from;
+  ++from->numChildren_;
+  witness->linkRep(node);
+  nn_->add(node);
+  if (before != nullptr) {
+    before->inactive_ = true;
+    prune(before);
+  }
+  return node;
+}
+
+/// Frees a dominated leaf, and its parent where that was dominated and is now a leaf too.
+void MendedSst::prune(Motion* dominated) {
+  while (dominated != nullptr && dominated->inactive_ && dominated->numChildren_ == 0 &&
+         dominated->parent_ != nullptr) {
+    Motion* parent = dominated->parent_;
+    nn_->remove(dominated);
+    si_->freeState(dominated->state_);
+    siC_->freeControl(dominated->control_);
+    delete dominated;
+    --parent->numChildren_;
+    dominated = parent;
+  }
+}
+
+void MendedSst::keep_solution(const Motion* end) {
+  for (ob::State* state : prevSolution_) {
+    si_->freeState(state);
+  }
+  for (oc::Control* control : prevSolutionControls_) {
+    siC_->freeControl(control);
+  }
+  prevSolution_.clear();
+  prevSolutionControls_.clear();
+  prevSolutionSteps_.clear();
+  for (const Motion* node = end; node != nullptr; node = node->parent_) {
+    prevSolution_.push_back(si_->cloneState(node->state_));
+    if (node->parent_ != nullptr) {
+      prevSolutionControls_.push_back(siC_->cloneControl(node->control_));
+      prevSolutionSteps_.push_back(node->steps_);
+    }
+  }
+}
+
+ob::PlannerStatus MendedSst::solve(const ob::PlannerTerminationCondition& stop) {
+  checkValidity();
+  add_starts();
+  if (nn_->size() == 0) {
+    return ob::PlannerStatus::INVALID_START;
+  }
+  if (!sampler_) {
+    sampler_ = si_->allocStateSampler();
+  }
+  if (!controlSampler_) {
+    controlSampler_ = siC_->allocControlSampler();
+  }
+  ob::Goal* goal = pdef_->getGoal().get();
+  auto* region = dynamic_cast<ob::GoalSampleableRegion*>(goal);
+  Motion reached(siC_);
+  double nearest = std::numeric_limits<double>::infinity();
+  bool exact = false;
+  while (!stop) {
+    if (region != nullptr && rng_.uniform01() < goalBias_ && region->canSample()) {
+      region->sampleGoal(reached.state_);
+    } else {
+      sampler_->sampleUniform(reached.state_);
+    }
+    Motion* from = selectNode(&reached);
+    controlSampler_->sample(reached.control_);
+    const auto frames =
+        static_cast<unsigned int>(rng_.uniformInt(static_cast<int>(siC_->getMinControlDuration()),
+                                                  static_cast<int>(siC_->getMaxControlDuration())));
+    if (siC_->propagateWhileValid(from->state_, reached.control_, static_cast<int>(frames),
+                                  reached.state_) != frames) {
+      continue;
+    }
+    Motion* node = accept(&reached, from, frames);
+    if (node == nullptr) {
+      continue;
+    }
+    double distance = 0.0;
+    const bool satisfied = goal->isSatisfied(node->state_, &distance);
+    if (satisfied && opt_->isCostBetterThan(node->accCost_, prevSolutionCost_)) {
+      exact = true;
+      prevSolutionCost_ = node->accCost_;
+      keep_solution(node);
+      if (opt_->isSatisfied(node->accCost_)) {
+        break;
+      }
+    } else if (!exact && distance < nearest) {
+      nearest = distance;
+      keep_solution(node);
+    }
+  }
+  si_->freeState(reached.state_);
+  siC_->freeControl(reached.control_);
+  if (prevSolution_.empty()) {
+    return ob::PlannerStatus::TIMEOUT;
+  }
+  auto path = std::make_shared<oc::PathControl>(si_);
+  for (std::size_t i = prevSolution_.size(); i-- > 1;) {
+    path->append(prevSolution_[i], prevSolutionControls_[i - 1],
+                 prevSolutionSteps_[i - 1] * siC_->getPropagationStepSize());
+  }
+  path->append(prevSolution_.front());
+  pdef_->addSolutionPath(path, !exact, exact ? 0.0 : nearest, getName());
+  return {true, !exact};
+}
+
+}  // namespace limber

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <ompl/control/planners/sst/SST.h>
+
+namespace limber {
+
+struct SstCounts {
+  std::size_t active = 0;     ///< nodes that may still be extended
+  std::size_t inactive = 0;   ///< dominated, kept because they have children
+  std::size_t witnesses = 0;  ///< in a sparse tree at least as many as active nodes
+};
+
+/// OMPL's SST with its nodes counted.
+class CountedSst : public ompl::control::SST {
+ public:
+  using SST::SST;
+  SstCounts counts() const;
+};
+
+/// Stable sparse RRT (Li, Littlefield, Bekris 2016) on OMPL's data structures, with the pruning
+/// that OMPL 1.5's lacks: there the loop that deactivates and frees dominated nodes asks for
+/// inactive ones, and nothing ever makes a node inactive.
+class MendedSst final : public CountedSst {
+ public:
+  using CountedSst::CountedSst;
+  ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& stop) override;
+
+ private:
+  void add_starts();
+  /// Takes the new node into the tree where no cheaper one is near. @return null where one is.
+  Motion* accept(Motion* reached, Motion* from, unsigned int frames);
+  void prune(Motion* dominated);
+  void keep_solution(const Motion* end);
+};
+
+}  // namespace limber

@@ -1,0 +1,304 @@
+#include "limber/planning/ompl_planner.hpp"
+
+#include <ompl/control/PathControl.h>
+#include <ompl/control/planners/est/EST.h>
+#include <ompl/control/planners/kpiece/KPIECE1.h>
+#include <ompl/control/planners/pdst/PDST.h>
+#include <ompl/control/planners/rrt/RRT.h>
+#include <ompl/control/spaces/RealVectorControlSpace.h>
+#include <ompl/util/Console.h>
+
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "arm_space.hpp"
+#include "limber/arm/inverse_kinematics.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/units.hpp"
+#include "limber/planning/plan_builder.hpp"
+#include "limber/planning/problem_check.hpp"
+#include "mended_sst.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace ob = ompl::base;
+namespace oc = ompl::control;
+
+constexpr std::uint64_t kStream = 0x6f6d706c;  // apart from other planners' draws
+constexpr int kGoalConfigurations = 50;
+
+using Parameters = std::map<std::string, std::string>;
+
+template <class OmplPlanner>
+ob::PlannerPtr make(const oc::SpaceInformationPtr& si) {
+  return std::make_shared<OmplPlanner>(si);
+}
+
+const std::map<std::string, ob::PlannerPtr (*)(const oc::SpaceInformationPtr&)> kPlanners{
+    {"ompl:RRT", make<oc::RRT>},          {"ompl:SST", make<CountedSst>},
+    {"ompl:SST-mended", make<MendedSst>}, {"ompl:KPIECE1", make<oc::KPIECE1>},
+    {"ompl:EST", make<oc::EST>},          {"ompl:PDST", make<oc::PDST>}};
+
+double number_of(const std::string& key, const std::string& value, double low, double high) {
+  char* end = nullptr;
+  const double number = std::strtod(value.c_str(), &end);
+  if (value.empty() || *end != '\0' || !(number >= low && number <= high)) {
+    throw InputError(fmt::format("planner setting {} = '{}'; expected a number from {} to {}", key,
+                                 value, low, high));
+  }
+  return number;
+}
+
+/// "NAME,key=value,…" in its parts.
+std::string split_name(const std::string& text, Parameters& parameters) {
+  const std::size_t comma = text.find(',');
+  for (std::size_t at = comma; at != std::string::npos;) {
+    const std::size_t next = text.find(',', at + 1);
+    const std::string part = text.substr(at + 1, next == std::string::npos ? next : next - at - 1);
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw InputError(
+          fmt::format("planner setting '{}'; expected NAME,key=value,key=value", part));
+    }
+    parameters[part.substr(0, equals)] = part.substr(equals + 1);
+    at = next;
+  }
+  return text.substr(0, comma);
+}
+
+OmplSettings take_settings(Parameters& parameters) {
+  OmplSettings settings;
+  const auto take = [&](const char* key, double low, double high, double fallback) {
+    const auto node = parameters.extract(key);
+    return node.empty() ? fallback : number_of(key, node.mapped(), low, high);
+  };
+  settings.frames = static_cast<int>(take("frames", 1, 100, settings.frames));
+  settings.tip_weight = take("tip_weight", 0, 100, settings.tip_weight);
+  settings.directed = take("directed", 0, 1, 1) != 0;
+  return settings;
+}
+
+void require_limits(const PlannerLimits& limits) {
+  if (limits.iterations || limits.memory_mb) {
+    throw InputError("OMPL's planners count neither iterations nor memory: limit time or queries");
+  }
+  if (!limits.time_s && !limits.queries) {
+    throw InputError("no limit is set: give a time or a number of queries");
+  }
+}
+
+/// One plan: OMPL's planner on limber's space, and what it found as limber's result.
+class Run {
+ public:
+  Run(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
+      const PlannerCallback& callback, const OmplSettings& settings)
+      : problem_(problem),
+        limits_(limits),
+        seed_(seed),
+        callback_(callback),
+        checker_(problem.arm, problem.environment.obstacles, problem.margin_m),
+        simulator_(problem.arm, problem.model, checker_),
+        world_{problem, checker_, simulator_, settings, RandomStream(seed, kStream)} {}
+
+  PlanResult run(const std::string& name, const Parameters& parameters) {
+    ProblemCheck check = check_problem(problem_, checker_, seed_);
+    result_.warnings = std::move(check.warnings);
+    if (check.refusal) {
+      result_.status = *check.refusal;
+      result_.reason = std::move(check.reason);
+      return std::move(result_);
+    }
+    find_goal_configurations();
+    const oc::SpaceInformationPtr si = make_space_information(world_);
+    const ob::PlannerPtr planner = kPlanners.at(name)(si);
+    if (!planner->params().setParams(parameters, false)) {
+      refuse_parameters(*planner, parameters);
+    }
+    const auto definition = define_problem(si);
+    planner->setProblemDefinition(definition);
+    planner->setup();
+    planner->solve(ob::PlannerTerminationCondition([this] { return spent(); }));
+    note_statistics(*planner);
+    finish(name, *definition);
+    return std::move(result_);
+  }
+
+ private:
+  void find_goal_configurations() {
+    InverseKinematicsSettings settings;
+    settings.starts = 4 * kGoalConfigurations;
+    settings.most_solutions = kGoalConfigurations;
+    const InverseKinematicsResult found = solve_inverse_kinematics(
+        problem_.model.no_load(), problem_.environment.goal, settings, world_.random);
+    for (const Eigen::VectorXd& kpa : found.pressures_kpa) {
+      world_.goal_configurations.push_back(kpa.cast<float>());
+    }
+    if (world_.goal_configurations.empty()) {
+      world_.goal_configurations.push_back(found.best_pressures_kpa.cast<float>());
+    }
+  }
+
+  [[noreturn]] static void refuse_parameters(ob::Planner& planner, const Parameters& parameters) {
+    std::vector<std::string> known;
+    planner.params().getParamNames(known);
+    std::vector<std::string> given;
+    for (const auto& [key, value] : parameters) {
+      given.push_back(key + "=" + value);
+    }
+    throw InputError(fmt::format(
+        "planner settings {} are not all known to OMPL's {}; expected frames, tip_weight, "
+        "directed, {}",
+        fmt::join(given, ", "), planner.getName(), fmt::join(known, ", ")));
+  }
+
+  ob::ProblemDefinitionPtr define_problem(const oc::SpaceInformationPtr& si) {
+    auto definition = std::make_shared<ob::ProblemDefinition>(si);
+    const ArmStart start = start_state(problem_.environment, problem_.arm);
+    ob::ScopedState<> state(si);
+    world_.write(start.pressures_kpa, start.backbone, 0.0, true, state.get());
+    definition->addStartState(state);
+    definition->setGoal(make_arm_goal(world_, si));
+    // RRT and the others stop at the first solution whatever it costs; SST at one this cheap.
+    definition->setOptimizationObjective(
+        make_pressure_objective(world_, si, limits_.cost_threshold_kpa.value_or(0.0)));
+    return definition;
+  }
+
+  bool spent() {
+    if (limits_.time_s && world_.elapsed_s() >= *limits_.time_s) {
+      result_.limit = PlanLimit::time;
+    } else if (limits_.queries && simulator_.queries() >= *limits_.queries) {
+      result_.limit = PlanLimit::queries;
+    } else if (callback_ && world_.elapsed_s() >= next_call_s_) {
+      next_call_s_ = world_.elapsed_s() + 0.1;
+      stopped_ =
+          !callback_({world_.elapsed_s(), 0, 0, simulator_.queries(),
+                      world_.first_solution ? std::optional<double>(world_.first_solution->cost_kpa)
+                                            : std::nullopt});
+    }
+    return stopped_ || result_.limit.has_value();
+  }
+
+  void note_statistics(const ob::Planner& planner) {
+    if (const auto* sst = dynamic_cast<const CountedSst*>(&planner)) {
+      const SstCounts counts = sst->counts();
+      result_.statistics.nodes = counts.active + counts.inactive;
+      result_.warnings.push_back(fmt::format("SST: {} active nodes, {} inactive, {} witnesses",
+                                             counts.active, counts.inactive, counts.witnesses));
+      return;
+    }
+    ob::PlannerData data(planner.getSpaceInformation());
+    planner.getPlannerData(data);
+    result_.statistics.nodes = data.numVertices();
+  }
+
+  /// Set points of every frame of OMPL's path, by the rule that it was propagated by.
+  std::vector<Pressures> waypoints(oc::PathControl& path) const {
+    std::vector<Pressures> kpa{world_.pressures(path.getState(0))};
+    for (std::size_t i = 0; i < path.getControlCount(); ++i) {
+      const auto index = static_cast<unsigned>(i);
+      const auto frames = std::lround(path.getControlDuration(index) * problem_.arm.frame_rate_hz);
+      const double* change =
+          path.getControl(index)->as<oc::RealVectorControlSpace::ControlType>()->values;
+      for (long k = 0; k < frames; ++k) {
+        kpa.push_back(world_.next_pressures(kpa.back(), change));
+      }
+    }
+    return kpa;
+  }
+
+  void finish(const std::string& name, const ob::ProblemDefinition& definition) {
+    const ob::PathPtr path = definition.getSolutionPath();
+    const bool solved = world_.first_solution && path && !definition.hasApproximateSolution();
+    if (path) {
+      Plan plan = build_plan(problem_, simulator_, waypoints(static_cast<oc::PathControl&>(*path)),
+                             name, seed_);
+      result_.reason =
+          solved ? (result_.limit ? "a limit was reached" : "OMPL's planner stopped at a solution")
+                 : fmt::format(
+                       "a limit was reached, {} nodes, seed {}; the nearest motion ends "
+                       "{:.1f} cm from the goal",
+                       result_.statistics.nodes, seed_, plan.goal_distance_m * kCmPerM);
+      (solved ? result_.plan : result_.best_partial) = std::move(plan);
+    } else {
+      result_.reason =
+          fmt::format("a limit was reached, {} nodes, seed {}", result_.statistics.nodes, seed_);
+    }
+    result_.status = solved ? PlanStatus::solved : PlanStatus::limit;
+    if (solved) {
+      result_.first_solution = world_.first_solution;
+    }
+    result_.statistics.queries = simulator_.queries();
+    result_.statistics.time_s = world_.elapsed_s();
+  }
+
+  const PlanningProblem& problem_;
+  PlannerLimits limits_;
+  std::uint64_t seed_;
+  const PlannerCallback& callback_;
+  CollisionChecker checker_;
+  MotionSimulator simulator_;
+  ArmWorld world_;
+  double next_call_s_ = 0.0;
+  bool stopped_ = false;
+  PlanResult result_;
+};
+
+class OmplPlanner final : public Planner {
+ public:
+  explicit OmplPlanner(const std::string& text) : text_(text) {
+    name_ = split_name(text, parameters_);
+    if (kPlanners.count(name_) == 0) {
+      throw InputError(fmt::format("planner '{}'; of OMPL's there are {}", name_,
+                                   fmt::join(ompl_planner_names(), ", ")));
+    }
+    settings_ = take_settings(parameters_);
+  }
+
+  const char* name() const override { return text_.c_str(); }
+
+  PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
+                  const PlannerCallback& callback) override {
+    require_limits(limits);
+    static std::once_flag quiet;
+    std::call_once(quiet, [seed] {
+      ompl::msg::noOutputHandler();
+      ompl::RNG::setSeed(seed == 0 ? 1 : seed);
+    });
+    PlanResult result = Run(problem, limits, seed, callback, settings_).run(name_, parameters_);
+    for (std::optional<Plan>* plan : {&result.plan, &result.best_partial}) {
+      if (*plan) {
+        (*plan)->planner = text_;
+      }
+    }
+    return result;
+  }
+
+ private:
+  std::string text_;
+  std::string name_;
+  Parameters parameters_;
+  OmplSettings settings_;
+};
+
+}  // namespace
+
+std::vector<std::string> ompl_planner_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, make] : kPlanners) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::unique_ptr<Planner> make_ompl_planner(const std::string& name) {
+  return std::make_unique<OmplPlanner>(name);
+}
+
+}  // namespace limber
