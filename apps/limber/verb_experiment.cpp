@@ -33,7 +33,12 @@ class ExperimentVerb final : public Verb {
                    "Folder of environment files; limber's own eight where not given");
     app.add_option("--trials", settings_.trials, "Plans of each model in each environment")
         ->capture_default_str();
-    app.add_option("--planner", settings_.planner, "As for limber plan")->capture_default_str();
+    app.add_option("--planner", settings_.planners,
+                   "As for limber plan; may be repeated to compare planners")
+        ->expected(1)
+        ->take_all()
+        ->capture_default_str();
+    app.add_flag("--network-only", network_only_, "Leave the no-load model out");
     app.add_option("--time-limit-s", settings_.limits.time_s,
                    fmt::format("For each plan; {} where no limit is given", kDefaultTimeLimitS))
         ->check(CLI::PositiveNumber);
@@ -61,7 +66,7 @@ class ExperimentVerb final : public Verb {
     settings_.force = flags.force;
     settings_.progress = flags.progress();
     settings_.say = [&](const std::string& line) { say(flags, "{}", line); };
-    (void)make_planner(settings_.planner);  // refuses an unknown name before any work
+    settings_.with_no_load = !network_only_;
     const nlohmann::ordered_json table = run_experiment(settings_);
     print_result(
         flags, {{"table", table}, {"seed", flags.seed}, {"out", settings_.folder}},
@@ -95,6 +100,7 @@ class ExperimentVerb final : public Verb {
 
   std::string arm_ = "three_segment";
   std::string environments_;
+  bool network_only_ = false;
   ExperimentSettings settings_;
 };
 

@@ -23,8 +23,13 @@ struct Pair {
 
 std::vector<Pair> pairs_of(const std::vector<PlanningRow>& rows) {
   std::vector<Pair> pairs;
-  for (std::size_t i = 0; i + 1 < rows.size(); i += 2) {
-    pairs.push_back({rows[i], rows[i + 1]});
+  for (const PlanningRow& a : rows) {
+    for (const PlanningRow& b : rows) {
+      if (a.model == "no_load" && b.model == "network" && a.environment == b.environment &&
+          a.planner == rows.front().planner && b.planner == a.planner) {
+        pairs.push_back({a, b});
+      }
+    }
   }
   return pairs;
 }

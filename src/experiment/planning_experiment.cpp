@@ -4,7 +4,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <optional>
+#include <cctype>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +17,7 @@
 #include "limber/experiment/demo_recipe.hpp"
 #include "limber/experiment/final_shapes_picture.hpp"
 #include "limber/experiment/output_folder.hpp"
+#include "limber/experiment/planner_arena.hpp"
 #include "limber/experiment/planning_table.hpp"
 #include "limber/experiment/report_page.hpp"
 #include "trial_file.hpp"
@@ -43,7 +44,6 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   json["arm"] = {{"name", settings.arm.name}, {"hash", settings.arm.hash()}};
   json["virtual_arm"] = content_hash(arm_to_yaml(settings.arm));
   json["model"] = model_hash;
-  json["planner"] = settings.planner;
   json["margin_m"] = settings.margin_m;
   json["seed"] = settings.seed;
   json["time_limit_s"] = optional_json(settings.limits.time_s);
@@ -80,14 +80,29 @@ void require_valid(const ExperimentSettings& settings) {
   if (settings.trials < 1 || settings.trials > 100'000) {
     throw InputError(fmt::format("--trials {}: expected 1 to 100000", settings.trials));
   }
+  if (settings.planners.empty()) {
+    throw InputError("no planner given");
+  }
+  for (const std::string& planner : settings.planners) {
+    (void)make_planner(planner);  // refuses an unknown one before any work
+  }
   if (settings.environments.empty()) {
     throw InputError("no environments to plan in");
   }
 }
 
+/// "ompl:SST,frames=5" → "ompl-SST-frames-5".
+std::string as_file_name(std::string text) {
+  for (char& c : text) {
+    c = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ? c : '-';
+  }
+  return text;
+}
+
 struct Task {
   const EnvironmentCase* environment;
   const ForwardModel* model;
+  const std::string* planner;
   std::uint64_t seed;
   std::string id;  ///< of its files
 };
@@ -118,9 +133,9 @@ class Experiment {
       return;
     }
     if (fs::exists(file(kSettingsFile)) && !settings_.force) {
-      throw InputError(fmt::format(
-          "{}: holds an experiment already: --resume continues it, --force replaces it",
-          settings_.folder.string()));
+      throw InputError(
+          fmt::format("{}: holds an experiment already: --resume continues it, --force replaces it",
+                      settings_.folder.string()));
     }
     prepare_output_folder(settings_.folder, settings_.force, "experiment");
     Json written = wanted;
@@ -129,15 +144,24 @@ class Experiment {
   }
 
   void list_tasks() {
-    for (const EnvironmentCase& item : settings_.environments) {
-      for (const ForwardModel* model : {&no_load_, &network_}) {
-        for (int k = 0; k < settings_.trials; ++k) {
-          tasks_.push_back({&item, model,
-                            derived_seed(settings_.seed, kTrialSeed + std::uint64_t(k)),
-                            fmt::format("{}_{}_{:03}", item.id,
-                                        model->has_network() ? "network" : "no_load", k + 1)});
-        }
+    for (const std::string& planner : settings_.planners) {
+      for (const EnvironmentCase& item : settings_.environments) {
+        add_tasks(planner, item, no_load_);
+        add_tasks(planner, item, network_);
       }
+    }
+  }
+
+  void add_tasks(const std::string& planner, const EnvironmentCase& item,
+                 const ForwardModel& model) {
+    if (!settings_.with_no_load && !model.has_network()) {
+      return;
+    }
+    for (int k = 0; k < settings_.trials; ++k) {
+      tasks_.push_back(
+          {&item, &model, &planner, derived_seed(settings_.seed, kTrialSeed + std::uint64_t(k)),
+           fmt::format("{}_{}_{}_{:03}", item.id, model.has_network() ? "network" : "no_load",
+                       as_file_name(planner), k + 1)});
     }
   }
 
@@ -153,7 +177,6 @@ class Experiment {
                                 tasks_.size()));
     }
     PlanTrialSettings trial;
-    trial.planner = settings_.planner;
     trial.limits = settings_.limits;
     trial.margin_m = settings_.margin_m;
     trial.model_hash = model_bytes_hash_;
@@ -171,7 +194,8 @@ class Experiment {
     progress.finish();
   }
 
-  void run_task(const Task& task, const PlanTrialSettings& settings) const {
+  void run_task(const Task& task, PlanTrialSettings settings) const {
+    settings.planner = *task.planner;
     const Environment& environment = task.environment->environment;
     PlanTrial trial =
         plan_trial(settings_.arm, *task.model, *task.environment, settings, task.seed);
@@ -186,19 +210,19 @@ class Experiment {
     for (const Task& task : tasks_) {
       trials.push_back(read_trial(settings_.folder, task.id, task.environment->environment));
     }
-    std::vector<std::string> names;
-    for (const EnvironmentCase& item : settings_.environments) {
-      names.push_back(item.id);
-    }
-    const std::vector<PlanningRow> rows = planning_rows(names, settings_.planner, trials);
+    const std::vector<PlanningRow> rows = planning_rows(trials);
     const Json table = planning_table_to_json(rows);
     write_file_atomically(file("table.json"), table.dump(1) + "\n");
     const std::string title =
-        fmt::format("Planning and execution, arm {}, planner {}, {} trials a cell",
-                    settings_.arm.name, settings_.planner, settings_.trials);
+        fmt::format("Planning and execution, arm {}, {} trials a cell, seed {}", settings_.arm.name,
+                    settings_.trials, settings_.seed);
     const std::vector<ReportTable> tables = planning_tables(rows);
     write_file_atomically(file("table.md"), tables_to_markdown(title, tables));
     write_report(title, tables, rows, trials);
+    for (const EnvironmentCase& item : settings_.environments) {
+      write_file_atomically(file("planner_arena/" + item.id + ".log"),
+                            planner_arena_log(item.id, trials, settings_.limits, settings_.seed));
+    }
     return table;
   }
 
@@ -218,7 +242,8 @@ class Experiment {
     for (const EnvironmentCase& item : settings_.environments) {
       std::vector<PlanTrial> one;
       for (const PlanningRow& row : rows) {
-        if (row.environment == item.id && row.one_plan != nullptr) {
+        if (row.environment == item.id && row.planner == rows.front().planner &&
+            row.one_plan != nullptr) {
           one.push_back(*row.one_plan);
         }
       }

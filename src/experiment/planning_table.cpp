@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kModels[] = {"no_load", "network"};
-
 /// The numbers behind a row.
 struct Samples {
   std::vector<double> first_solution_s, first_cost_psi, cost_psi;
@@ -43,15 +41,15 @@ void add_execution(const PlanTrial& trial, PlanningRow& row, Samples& samples) {
   }
 }
 
-PlanningRow row_of(const std::string& environment, const std::string& model,
-                   const std::string& planner, const std::vector<PlanTrial>& trials) {
-  PlanningRow row;
-  row.environment = environment;
-  row.model = model;
-  row.planner = planner;
+bool is_of(const PlanTrial& trial, const PlanningRow& row) {
+  return trial.environment == row.environment && trial.model == row.model &&
+         trial.planner == row.planner;
+}
+
+void fill(PlanningRow& row, const std::vector<PlanTrial>& trials) {
   Samples samples;
   for (const PlanTrial& trial : trials) {
-    if (trial.environment != environment || trial.model != model) {
+    if (!is_of(trial, row)) {
       continue;
     }
     ++row.trials;
@@ -73,7 +71,6 @@ PlanningRow row_of(const std::string& environment, const std::string& model,
   row.distance_free_cm = figures_of(samples.distance_free_cm);
   row.orientation_rad = figures_of(samples.orientation_rad);
   row.orientation_free_rad = figures_of(samples.orientation_free_rad);
-  return row;
 }
 
 Json number(const std::optional<double>& value) {
@@ -88,8 +85,10 @@ Json to_json(const SampleFigures& figures) {
           {"count", figures.count}};
 }
 
+/// The model, and the planner where it is not limber's own.
 std::string model_name(const PlanningRow& row) {
-  return row.model == "network" ? "Network" : "No load";
+  const std::string model = row.model == "network" ? "Network" : "No load";
+  return row.planner == "default" ? model : model + ", " + row.planner;
 }
 
 std::string show(const std::optional<double>& value, int digits) {
@@ -210,13 +209,18 @@ SampleFigures figures_of(std::vector<double> values) {
   return figures;
 }
 
-std::vector<PlanningRow> planning_rows(const std::vector<std::string>& environments,
-                                       const std::string& planner,
-                                       const std::vector<PlanTrial>& trials) {
+std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials) {
   std::vector<PlanningRow> rows;
-  for (const std::string& environment : environments) {
-    for (const char* model : kModels) {
-      rows.push_back(row_of(environment, model, planner, trials));
+  for (const PlanTrial& trial : trials) {
+    const bool known = std::any_of(rows.begin(), rows.end(),
+                                   [&](const PlanningRow& row) { return is_of(trial, row); });
+    if (!known) {
+      PlanningRow row;
+      row.environment = trial.environment;
+      row.model = trial.model;
+      row.planner = trial.planner;
+      fill(row, trials);
+      rows.push_back(std::move(row));
     }
   }
   return rows;
@@ -250,8 +254,10 @@ std::vector<ReportTable> planning_tables(const std::vector<PlanningRow>& rows) {
   std::vector<ReportTable> tables{all_plans_table(rows), one_plan_table(rows), spread_table(rows),
                                   findings_table(rows)};
   for (std::size_t t = 0; t + 1 < tables.size(); ++t) {
-    for (std::size_t r = 1; r < rows.size(); r += 2) {
-      tables[t].highlighted_rows.push_back(static_cast<int>(r));  // the network's
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      if (rows[r].model == "network") {
+        tables[t].highlighted_rows.push_back(static_cast<int>(r));
+      }
     }
   }
   return tables;

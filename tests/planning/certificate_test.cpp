@@ -112,13 +112,13 @@ TEST(ExactArm, AgreesWithTheForwardModelInBothLayouts) {
 
 TEST(SweptClearance, AgreesWithDenseSamplingInSpaceAndTime) {
   constexpr double kToleranceM = 1e-4;
-  constexpr int kSamplesPerGap = 25;
-  constexpr int kInstants = 24;
+  constexpr int kSamplesPerGap = 13;
+  constexpr int kInstants = 12;
   const ArmDescription arm = three_segment_arm();
   const NoLoadModel model(arm);
   RandomStream random(2, 0);
   int touching = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < 20; ++trial) {
     const Pressures q = random_pressures(arm, random);
     Pressures next = q;
     for (int i = 0; i < 3; ++i) {
@@ -142,8 +142,8 @@ TEST(SweptClearance, AgreesWithDenseSamplingInSpaceAndTime) {
     EXPECT_GE(found.value_m, sampled - spacing / 2 - kToleranceM - kFloatM) << trial;
     touching += sampled < 0.0 ? 1 : 0;
   }
-  EXPECT_GT(touching, 10);
-  EXPECT_LT(touching, 50);
+  EXPECT_GT(touching, 3);
+  EXPECT_LT(touching, 17);
 }
 
 TEST(Certificate, APlannersPlanIsCertifiedWithRoomToSpare) {

@@ -19,7 +19,8 @@ struct ExperimentSettings {
   std::filesystem::path model_file;  ///< network; the no-load model is always the other one
   std::vector<EnvironmentCase> environments;
   int trials = 20;  ///< of each environment and model, ≥ 1; trial k has the same seed everywhere
-  std::string planner = "default";
+  std::vector<std::string> planners = {"default"};
+  bool with_no_load = true;  ///< false: the network alone, to compare planners
   PlannerLimits limits;
   double margin_m = 0.0;
   std::uint64_t seed = 1;
@@ -39,6 +40,7 @@ struct ExperimentSettings {
 ///   figures/ENVIRONMENT.svg the paper's Fig. 5: one final shape of each model; …_all.svg: all
 ///   table.json, table.md    planning_table.hpp
 ///   report.html             tables and figures on one page
+///   planner_arena/*.log     OMPL's benchmark logs, one for each environment
 ///
 /// and returns the table. Trials are spread over threads; where no clock limits them, results do
 /// not depend on `jobs`. What the table says is read from the files, resumed or not.

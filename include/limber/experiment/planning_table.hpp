@@ -44,10 +44,9 @@ struct PlanningRow {
   const PlanTrial* one_plan = nullptr;
 };
 
-/// Rows in the order of `environments`, no load before network. Trials are borrowed.
-std::vector<PlanningRow> planning_rows(const std::vector<std::string>& environments,
-                                       const std::string& planner,
-                                       const std::vector<PlanTrial>& trials);
+/// A row for every planner, environment and model that there are trials of, in the order in which
+/// they come first. Trials are borrowed.
+std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials);
 
 /// What the paper found when it set both models side by side, and whether it was found here.
 struct PaperFinding {
@@ -57,6 +56,7 @@ struct PaperFinding {
   std::string verdict;  ///< "reproduced", "not reproduced" or "not comparable"
 };
 
+/// Over the environments where the first row's planner planned with both models.
 std::vector<PaperFinding> compare_with_paper(const std::vector<PlanningRow>& rows);
 
 /// table.json: a list with one object a row.
