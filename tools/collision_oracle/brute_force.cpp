@@ -4,30 +4,33 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 namespace limber {
 
 namespace {
 
 using Eigen::Vector2d;
 
-double to_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+double squared_to_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   const Vector2d ab = b - a;
   const double along = std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
-  return (a + along * ab - p).norm();
+  return (a + along * ab - p).squaredNorm();
 }
 
 double to_polygon(const std::vector<Vector2d>& corners, const Vector2d& p) {
-  double nearest = std::numeric_limits<double>::infinity();
-  double angle = 0.0;  // that the outline winds about p
+  double nearest = std::numeric_limits<double>::infinity();  // squared
+  bool inside = false;                                       // by the crossings of a ray upwards
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector2d& a = corners[i];
     const Vector2d& b = corners[(i + 1) % corners.size()];
-    nearest = std::min(nearest, to_segment(p, a, b));
-    const Vector2d u = a - p;
-    const Vector2d v = b - p;
-    angle += std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
+    nearest = std::min(nearest, squared_to_segment(p, a, b));
+    if ((a.x() > p.x()) != (b.x() > p.x()) &&
+        p.y() < a.y() + (b.y() - a.y()) * (p.x() - a.x()) / (b.x() - a.x())) {
+      inside = !inside;
+    }
   }
-  return std::abs(angle) > 3.0 ? -nearest : nearest;
+  return inside ? -std::sqrt(nearest) : std::sqrt(nearest);
 }
 
 std::vector<Vector2d> corners_of(const Obstacle& obstacle) {
@@ -35,7 +38,7 @@ std::vector<Vector2d> corners_of(const Obstacle& obstacle) {
     return polygon->points_m;
   }
   const auto& r = std::get<Rectangle>(obstacle);
-  const Eigen::Rotation2Dd turn(r.angle_rad);
+  const Eigen::Rotation2D<double> turn(r.angle_rad);
   std::vector<Vector2d> corners;
   for (const auto& [u, v] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
     corners.push_back(Vector2d(r.x_m, r.y_m) +
@@ -55,7 +58,7 @@ class ArcPoints {
     const double step = turn / double(count);
     points_[0].setZero();
     Vector2d way(1.0, 0.0);
-    const Eigen::Rotation2Dd rotation(step);
+    const Eigen::Rotation2D<double> rotation(step);
     for (std::size_t k = 0; k < count; ++k) {
       points_[k + 1] = points_[k] + way;
       way = rotation * way;
@@ -93,22 +96,43 @@ struct Found {
   Vector2d point;
 };
 
+/// The smallest of `instants` + 1 by `places` + 1 samples, or `nearest` where that is less. Blocks
+/// of samples that, by their middle one, are all farther away are left out.
 template <class Distance>
-Found sample(const Gap& gap, int instants, int places, const Distance& distance) {
-  Found found{std::numeric_limits<double>::infinity(), Vector2d::Zero()};
-  ArcPoints arc(places);
-  for (int k = 0; k <= instants; ++k) {
-    const double t = double(k) / instants;
-    for (const Vector2d& p : arc.of(gap.start_from + t * (gap.start_to - gap.start_from),
-                                    gap.end_from + t * (gap.end_to - gap.end_from),
-                                    gap.turn_from + t * (gap.turn_to - gap.turn_from))) {
-      const double value = distance(p) - gap.radius;
-      if (value < found.value) {
-        found = {value, p};
+Found sample(const Gap& gap, int instants, int places, Found nearest, const Distance& distance) {
+  constexpr int kBlock = 8;
+  std::vector<ArcPoints> arcs(kBlock + 1, ArcPoints(places));
+  std::vector<const std::vector<Vector2d>*> rows(kBlock + 1);
+  for (int first = 0; first <= instants; first += kBlock) {
+    const int last = std::min(first + kBlock, instants);
+    for (int k = first; k <= last; ++k) {
+      const double t = double(k) / instants;
+      rows[static_cast<std::size_t>(k - first)] = &arcs[static_cast<std::size_t>(k - first)].of(
+          gap.start_from + t * (gap.start_to - gap.start_from),
+          gap.end_from + t * (gap.end_to - gap.end_from),
+          gap.turn_from + t * (gap.turn_to - gap.turn_from));
+    }
+    const double reach = kBlock * (gap.way() / instants + gap.length() / places);
+    const auto value_at = [&](int k, int i) {
+      return distance((*rows[static_cast<std::size_t>(k)])[static_cast<std::size_t>(i)]) -
+             gap.radius;
+    };
+    for (int left = 0; left <= places; left += kBlock) {
+      const int right = std::min(left + kBlock, places);
+      if (value_at((last - first) / 2, (left + right) / 2) - reach > nearest.value) {
+        continue;
+      }
+      for (int k = 0; k <= last - first; ++k) {
+        for (int i = left; i <= right; ++i) {
+          const double value = value_at(k, i);
+          if (value < nearest.value) {
+            nearest = {value, (*rows[static_cast<std::size_t>(k)])[static_cast<std::size_t>(i)]};
+          }
+        }
       }
     }
   }
-  return found;
+  return nearest;
 }
 
 std::vector<Gap> gaps_of(const ArmDescription& arm, const Backbone& from, const Backbone& to) {
@@ -128,28 +152,25 @@ std::vector<Gap> gaps_of(const ArmDescription& arm, const Backbone& from, const 
 template <class Distance>
 SampledClearance sampled(const std::vector<Gap>& gaps, double spacing_m, const Distance& distance) {
   constexpr int kCoarse = 6;
+  const Found none{std::numeric_limits<double>::infinity(), Vector2d::Zero()};
   std::vector<double> coarse;
-  double nearest = std::numeric_limits<double>::infinity();
+  Found nearest = none;
   for (const Gap& gap : gaps) {
-    coarse.push_back(sample(gap, kCoarse, kCoarse, distance).value);
-    nearest = std::min(nearest, coarse.back());
+    const Found found = sample(gap, kCoarse, kCoarse, none, distance);
+    coarse.push_back(found.value);
+    nearest = found.value < nearest.value ? found : nearest;
   }
-  SampledClearance best{std::numeric_limits<double>::infinity(), spacing_m, Vector2d::Zero()};
   for (std::size_t g = 0; g < gaps.size(); ++g) {
     const Gap& gap = gaps[g];
-    if (coarse[g] - 0.5 * (gap.way() + gap.length()) / kCoarse > nearest) {
+    if (coarse[g] - 0.5 * (gap.way() + gap.length()) / kCoarse > nearest.value) {
       continue;
     }
     const auto parts = [&](double way) {
       return std::max(1, static_cast<int>(std::ceil(way / spacing_m)));
     };
-    const Found found = sample(gap, parts(gap.way()), parts(gap.length()), distance);
-    if (found.value < best.value_m) {
-      best.value_m = found.value;
-      best.point = found.point;
-    }
+    nearest = sample(gap, parts(gap.way()), parts(gap.length()), nearest, distance);
   }
-  return best;
+  return {nearest.value, spacing_m, nearest.point};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <map>
 
 #include <fmt/format.h>
@@ -19,6 +20,8 @@
 
 namespace limber {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr double kSpacingM = 0.25e-3;  // of the samples
 constexpr double kCertificateToleranceM = 2e-5;
@@ -110,7 +113,8 @@ Counts judge_all(const ArmDescription& arm, long pairs, std::uint64_t seed) {
 }
 
 int run(const std::string& arm_file, long pairs, std::uint64_t seed) {
-  const ArmDescription arm = load_arm(arm_file);
+  const ArmDescription arm =
+      load_arm(arm_file.empty() ? data_folder() / "arms/three_segment.yaml" : fs::path(arm_file));
   const Counts counts = judge_all(arm, pairs, seed);
   fmt::print("arm {}, seed {}, samples {} mm apart\n", arm.name, seed, kSpacingM * 1e3);
   fmt::print("{:10}{:>10}{:>10}{:>8}{:>10}{:>13}{:>10}{:>14}{:>12}{:>10}\n", "obstacle", "pairs",
@@ -133,10 +137,10 @@ int run(const std::string& arm_file, long pairs, std::uint64_t seed) {
 
 int main(int argc, char** argv) {
   CLI::App app("Holds swept collision checks against brute force");
-  std::string arm = (limber::data_folder() / "arms/three_segment.yaml").string();
+  std::string arm;
   long pairs = 1'000'000;
   std::uint64_t seed = 1;
-  app.add_option("--arm", arm, "Arm file")->capture_default_str();
+  app.add_option("--arm", arm, "Arm file; the paper's arm where not given");
   app.add_option("--pairs", pairs, "Motions, each with one obstacle")->capture_default_str();
   app.add_option("--seed", seed, "Of the pairs")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
