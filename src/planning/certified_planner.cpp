@@ -46,21 +46,26 @@ class CertifiedPlanner final : public Planner {
     if (result.plan) {
       judge(problem, result);
     } else {
-      explain_refusal(problem, seed, result);
+      explain(problem, seed, result);
     }
     return result;
   }
 
  private:
-  /// A refusal's amounts are those of the problem as it was asked, wherever it is refused as such.
-  static void explain_refusal(const PlanningProblem& problem, std::uint64_t seed,
-                              PlanResult& result) {
+  /// A refusal's amounts are those of the problem as it was asked, wherever it is refused as such;
+  /// a search that found nothing says so where it may have had nothing to find.
+  static void explain(const PlanningProblem& problem, std::uint64_t seed, PlanResult& result) {
+    const CollisionChecker checker(problem.arm, problem.environment.obstacles, problem.margin_m);
+    if (result.status == PlanStatus::limit || result.status == PlanStatus::no_solution) {
+      const std::string note = reached_only_in_collision(problem, checker, seed);
+      result.reason += note.empty() ? "" : "; " + note;
+      return;
+    }
     if (result.status != PlanStatus::invalid_start &&
         result.status != PlanStatus::goal_unreachable &&
         result.status != PlanStatus::goal_in_collision) {
       return;
     }
-    const CollisionChecker checker(problem.arm, problem.environment.obstacles, problem.margin_m);
     const ProblemCheck check = check_problem(problem, checker, seed);
     if (check.refusal) {
       result.status = *check.refusal;

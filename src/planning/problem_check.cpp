@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -98,6 +99,35 @@ std::string obstacle_name(const Environment& environment, int obstacle) {
 std::string gap_name(const ArmDescription& arm, int gap) {
   return fmt::format("between plates {} and {} (segment {})", gap + 1, gap + 2,
                      arm.segment_of_gap(gap) + 1);
+}
+
+std::string reached_only_in_collision(const PlanningProblem& problem,
+                                      const CollisionChecker& checker, std::uint64_t seed) {
+  RandomStream random(seed, kCheckStream);
+  InverseKinematicsSettings settings;
+  settings.starts = 200;
+  settings.most_solutions = 50;
+  const InverseKinematicsResult found =
+      solve_inverse_kinematics(problem.model.no_load(), problem.environment.goal, settings, random);
+  if (!found.reachable()) {
+    return "";
+  }
+  Clearance best{-std::numeric_limits<double>::infinity(), -1, -1};
+  BackboneD shape(problem.arm.point_count(), 3);
+  for (const Eigen::VectorXd& kpa : found.pressures_kpa) {
+    problem.model.no_load().backbone(kpa, shape);
+    const Clearance clearance = checker.clearance(shape);
+    if (clearance.value_m > 0.0) {
+      return "";
+    }
+    best = clearance.value_m > best.value_m ? clearance : best;
+  }
+  return fmt::format(
+      "the no-load model reaches the goal only in collision: of {} configurations the least deep "
+      "is {:.2f} cm in {}, {}{}; the arm may differ",
+      found.pressures_kpa.size(), -best.value_m * kCmPerM,
+      obstacle_name(problem.environment, best.obstacle), gap_name(problem.arm, best.gap),
+      margin_note(problem));
 }
 
 ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecker& checker,

@@ -13,7 +13,7 @@ class Experiment(InFolder):
     def setUp(self):
         super().setUp()
         self.run_limber("collect", *ARM, "--schedule", "random", "--count", 20, "--out", "t.h5")
-        self.run_limber("train", *ARM, "--data", "t.h5", "--epochs", 2, "--out", "m.safetensors")
+        self.run_limber("train", *ARM, "--data", "t.h5", "--epochs", 3, "--out", "m.safetensors")
         (self.folder / "environments").mkdir()
         self.write("environments/a.yaml", json.dumps(PILLAR))
         self.write("environments/b.yaml", json.dumps(changed(name="nothing there", obstacles=[])))
@@ -65,14 +65,14 @@ class Experiment(InFolder):
 
     def test_bad_input_is_named_before_any_work(self):
         for arguments, message in (
-            (("--planner", "fast"), "planner 'fast'"),
+            (("--environments", "environments", "--planner", "fast"), "planner 'fast'"),
             (("--environments", "none"), "none: no folder"),
-            (("--trials", 0), "--trials 0"),
+            (("--environments", "environments", "--trials", 0), "--trials 0"),
         ):
             with self.subTest(message=message):
                 error = self.run_limber(
                     "experiment", *ARM, "--model", "m.safetensors", "--max-iterations", 10,
-                    "--environments", "environments", *arguments, "--out", "bad", code=2,
+                    *arguments, "--out", "bad", code=2,
                 ).stderr
                 self.assertIn(message, error)
                 self.assertFalse((self.folder / "bad").exists())

@@ -2,6 +2,7 @@
 
 import copy
 import json
+import math
 import unittest
 
 from program import InFolder
@@ -94,6 +95,61 @@ class Plan(InFolder):
                 self.assertEqual(found["status"], status)
                 self.assertRegex(found["reason"], r"\d")  # by how much
                 self.assertFalse((self.folder / "p.json").exists())
+
+    def test_refusals_name_obstacle_plate_and_amount(self):
+        base = {"circle": {"x_m": 0.0, "y_m": 0.05, "radius_m": 0.04}}
+        found = self.plan(changed(obstacles=[*PILLAR["obstacles"], base]), code=2)
+        self.assertEqual(found["status"], "invalid_start")
+        self.assertRegex(
+            found["reason"], r"\d\.\d\d cm deep in obstacle 2 \(circle\), between plates 1 and 2"
+        )
+
+    def test_a_goal_reached_only_in_collision_is_told_apart(self):
+        # A bar across the arm's way that leaves the goal itself free.
+        bar = {"rectangle": {"x_m": 0.3, "y_m": 0.1, "width_m": 0.4, "height_m": 0.02}}
+        found = self.plan(changed(obstacles=[bar]), code=1)
+        self.assertEqual(found["status"], "limit")
+        self.assertIn("reaches the goal only in collision", found["reason"])
+        self.assertIn("obstacle 1 (rectangle), between plates", found["reason"])
+        self.assertIsNotNone(found["best_partial"])
+
+    def test_nothing_and_hundreds_of_obstacles_are_no_problem(self):
+        found = self.plan(changed(obstacles=[]))
+        self.assertEqual(found["status"], "solved")
+        self.assertIsNone(found["clearance_cm"])
+        ring = [
+            {"circle": {"x_m": 0.7 * math.cos(0.01 * k), "y_m": 0.7 * math.sin(0.01 * k),
+                        "radius_m": 0.005}}
+            for k in range(500)
+        ]
+        found = self.plan(changed(obstacles=ring))
+        self.assertEqual(found["status"], "solved")
+        self.assertGreater(found["clearance_cm"], 1.0)
+
+    def test_a_tolerance_that_no_float_can_meet_ends_at_the_limit(self):
+        goal = {**PILLAR["goal"], "position_tolerance_m": 1e-12}
+        found = self.plan(changed(goal=goal), code=1)
+        self.assertEqual(found["status"], "limit")
+
+    def test_a_budget_of_nothing_is_refused(self):
+        path = self.plan_file(PILLAR)
+        for flag in ("--time-limit-s", "--max-iterations", "--max-queries"):
+            with self.subTest(flag=flag):
+                error = self.run_limber(
+                    "plan", *ARM, flag, 0, "--environment", path, code=2
+                ).stderr
+                self.assertIn(flag, error)
+
+    def test_a_model_of_another_arm_is_refused(self):
+        other = ("--arm", "three_segment")
+        self.run_limber("collect", *other, "--schedule", "random", "--count", 4, "--out", "t.h5")
+        self.run_limber("train", *other, "--data", "t.h5", "--epochs", 3, "--out", "m.safetensors")
+        error = self.run_limber(
+            "plan", "--arm", "two_segment", "--model", "m.safetensors", *BUDGET,
+            "--environment", self.plan_file(PILLAR), code=2,
+        ).stderr
+        self.assertIn("three_segment", error)
+        self.assertIn("two_segment", error)
 
     def refused(self, environment, *expected):
         text = environment if isinstance(environment, str) else json.dumps(environment)

@@ -21,6 +21,13 @@ struct ProblemCheck {
 ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecker& checker,
                            std::uint64_t seed);
 
+/// For a search that found nothing: whether the no-load model reaches the goal only in collision.
+/// A sentence that names obstacle, plates and amount of the configuration that is least deep; empty
+/// where some configuration at the goal is free, or none was found at all (then there is a
+/// warning). The arm itself may differ, so it explains and never refuses.
+std::string reached_only_in_collision(const PlanningProblem& problem,
+                                      const CollisionChecker& checker, std::uint64_t seed);
+
 /// "obstacle 2 (circle)", counted from 1.
 std::string obstacle_name(const Environment& environment, int obstacle);
 
