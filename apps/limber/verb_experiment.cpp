@@ -47,6 +47,9 @@ class ExperimentVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--max-queries", settings_.limits.queries, "For each plan")
         ->check(CLI::PositiveNumber);
+    app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan");
+    app.add_option("--cost-threshold-kpa", settings_.limits.cost_threshold_kpa,
+                   "Stop at a plan this cheap; a large number stops at the first");
     app.add_option("--margin-m", settings_.margin_m, "Clearance asked of every plan")
         ->capture_default_str();
     app.add_option("--out", settings_.folder, "Folder for tables, figures, trials and plans")

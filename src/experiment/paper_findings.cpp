@@ -85,8 +85,8 @@ PaperFinding distance_finding(const std::vector<PlanningRow>& rows) {
     finding.here = "no environment where both models have a run without collision";
     return finding;
   }
-  finding.here = fmt::format("{:.1f} cm nearer, over {} environments", sum.no_load - sum.network,
-                             sum.environments);
+  finding.here = fmt::format("{:.1f} cm nearer, in {} of the environments",
+                             sum.no_load - sum.network, sum.environments);
   finding.verdict = sum.network < sum.no_load ? kReproduced : kNot;
   return finding;
 }
@@ -113,7 +113,7 @@ PaperFinding orientation_finding(const std::vector<PlanningRow>& rows) {
     return finding;
   }
   finding.here =
-      fmt::format("{}, {} goals ask for a heading", ranges(sum, "rad", 2), sum.environments);
+      fmt::format("{}; goals that ask for a heading: {}", ranges(sum, "rad", 2), sum.environments);
   constexpr double kSimilarRad = 0.2;  // the paper's means are 0.48 and 0.58
   finding.verdict = std::abs(sum.network - sum.no_load) <= kSimilarRad ? kReproduced : kNot;
   return finding;
@@ -158,7 +158,7 @@ PaperFinding time_finding(const std::vector<PlanningRow>& rows) {
       side_by_side(rows, [](const PlanningRow& row) { return row.first_solution_s.mean; });
   if (sum.environments > 0) {
     finding.here =
-        fmt::format("{}, in {} of {}", ranges(sum, "s", 3), sum.network_higher, sum.environments);
+        fmt::format("{}, in {} of {}", ranges(sum, "s", 4), sum.network_higher, sum.environments);
     finding.verdict = 2 * sum.network_higher > sum.environments ? kReproduced : kNot;
   }
   return finding;

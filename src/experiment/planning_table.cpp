@@ -119,7 +119,7 @@ ReportTable all_plans_table(const std::vector<PlanningRow>& rows) {
   for (const PlanningRow& row : rows) {
     table.rows.push_back(
         {row.environment, model_name(row), fmt::format("{} of {}", row.solved, row.trials),
-         with_error(row.first_solution_s, 3), with_error(row.cost_psi, 1),
+         with_error(row.first_solution_s, 4), with_error(row.cost_psi, 1),
          fmt::format("{} of {}", row.collided, row.executed),
          fmt::format("{} of {}", row.reached, row.executed),
          show(row.distance_cm.mean, 1) + " / " + show(row.distance_free_cm.mean, 1),
@@ -138,7 +138,7 @@ ReportTable one_plan_table(const std::vector<PlanningRow>& rows) {
       "Plan cost (psi)", "Collision", "Distance to goal (cm)", "Orientation to goal (rad)"};
   for (const PlanningRow& row : rows) {
     std::vector<std::string> cells = {row.environment, model_name(row), std::to_string(row.solved),
-                                      with_error(row.first_solution_s, 3),
+                                      with_error(row.first_solution_s, 4),
                                       with_error(row.cost_psi, 1)};
     const PlanTrial* trial = row.one_plan;
     const bool ran =
@@ -167,8 +167,8 @@ ReportTable spread_table(const std::vector<PlanningRow>& rows) {
                   "95 % (cm)",
                   "Defects"};
   for (const PlanningRow& row : rows) {
-    table.rows.push_back({row.environment, model_name(row), show(row.first_solution_s.median, 3),
-                          show(row.first_solution_s.p95, 3), with_error(row.first_cost_psi, 1),
+    table.rows.push_back({row.environment, model_name(row), show(row.first_solution_s.median, 4),
+                          show(row.first_solution_s.p95, 4), with_error(row.first_cost_psi, 1),
                           show(row.distance_cm.median, 1), show(row.distance_cm.p95, 1),
                           std::to_string(row.not_certified)});
   }

@@ -12,7 +12,7 @@ inline constexpr const char* kAnimationPage = R"html(<!DOCTYPE html>
 <style>
   body { font: 15px system-ui, sans-serif; margin: 1em auto; max-width: 900px; padding: 0 1em;
          color: #222; background: #fff; }
-  canvas { width: 100%; border: 1px solid #ccc; background: #fff; }
+  canvas { border: 1px solid #ccc; background: #fff; }
   .row { display: flex; gap: .8em; align-items: center; margin: .5em 0; flex-wrap: wrap; }
   input[type=range] { flex: 1; min-width: 12em; }
   #setpoints { font-variant-numeric: tabular-nums; }
@@ -45,8 +45,11 @@ slider.max = frames - 1;
 let at = 0, playing = true, before = null, scale = 1;
 
 function resize() {
-  const width = canvas.clientWidth, ratio = window.devicePixelRatio || 1;
-  const height = width * (box.y_max - box.y_min) / (box.x_max - box.x_min);
+  const slope = (box.y_max - box.y_min) / (box.x_max - box.x_min);
+  const ratio = window.devicePixelRatio || 1;
+  const width = Math.min(document.body.clientWidth - 34, 0.72 * window.innerHeight / slope);
+  const height = width * slope;
+  canvas.style.width = width + "px";
   canvas.style.height = height + "px";
   canvas.width = width * ratio;
   canvas.height = height * ratio;

@@ -107,7 +107,7 @@ TEST(PaperFindings, AreJudgedOverEnvironmentsThatBothModelsHave) {
   EXPECT_EQ(verdict(rows, "cost more"), "reproduced");
   EXPECT_EQ(verdict(rows, "collide less"), "reproduced");
   EXPECT_EQ(verdict(rows, "orientation"), "not comparable");
-  EXPECT_THAT(compare_with_paper(rows).front().here, HasSubstr("10.0 cm nearer, over 1"));
+  EXPECT_THAT(compare_with_paper(rows).front().here, HasSubstr("10.0 cm nearer, in 1"));
   const std::vector<PlanTrial> farther{trial("a", "no_load", 150.0, 0.02),
                                        trial("a", "network", 140.0, 0.12)};
   EXPECT_EQ(verdict(planning_rows(farther), "collision-free runs"), "not reproduced");
@@ -120,8 +120,8 @@ TEST(PlanningTable, IsMarkdownWithAsManyCellsInEveryRow) {
   const std::vector<PlanTrial> trials{trial("01", "no_load", 100.0, 0.1, true),
                                       trial("01", "network", 120.0, 0.01)};
   const std::string text = tables_to_markdown("T", planning_tables(planning_rows(trials)));
-  EXPECT_THAT(text, HasSubstr("| 01 | No load | 1 | 0.100 | 14.5 | Yes | N/A | N/A |"));
-  EXPECT_THAT(text, HasSubstr("| 01 | Network | 1 | 0.120 | 17.4 | No | 1.00 | N/A |"));
+  EXPECT_THAT(text, HasSubstr("| 01 | No load | 1 | 0.1000 | 14.5 | Yes | N/A | N/A |"));
+  EXPECT_THAT(text, HasSubstr("| 01 | Network | 1 | 0.1200 | 17.4 | No | 1.00 | N/A |"));
 }
 
 // The grammar of OMPL's benchmark logs, line by line.

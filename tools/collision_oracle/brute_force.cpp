@@ -81,13 +81,20 @@ struct Gap {
   Vector2d start_from, start_to, end_from, end_to;
   double turn_from, turn_to, radius;
 
-  /// Any point of the gap travels less than this: twice its plates' way, and what turning adds.
+  double most_turn() const { return std::max(std::abs(turn_from), std::abs(turn_to)); }
+  double longest_chord() const {
+    return std::max((end_from - start_from).norm(), (end_to - start_to).norm());
+  }
+  /// Bound on any point's way: it lies |w| of the chord from one plate and |1 − w| from the other,
+  /// which add up to 1/cos(turn/4) at most; and its place changes by at most 0.72 chords a radian.
   double way() const {
-    return 2.0 * std::max((start_to - start_from).norm(), (end_to - end_from).norm()) +
-           (end_from - start_from).norm() * std::abs(turn_to - turn_from);
+    return std::max((start_to - start_from).norm(), (end_to - end_from).norm()) /
+               std::cos(most_turn() / 4.0) +
+           0.72 * longest_chord() * std::abs(turn_to - turn_from);
   }
   double length() const {
-    return std::max((end_from - start_from).norm(), (end_to - start_to).norm()) * 1.6;
+    const double half = most_turn() / 2.0;
+    return longest_chord() * (half < 1e-3 ? 1.001 : half / std::sin(half));
   }
 };
 
