@@ -45,7 +45,8 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
     : segments_(arm.segment_count()),
       points_(arm.point_count()),
       rows_(row_kernels(level)),
-      layout_(model != nullptr ? model->layout : BackboneLayout::base_poses, arm) {
+      layout_(model != nullptr ? model->layout : BackboneLayout::base_poses,
+              model != nullptr ? model->form : OutputForm::compensation, arm) {
   for (const Segment& segment : arm.segments) {
     no_load_.push_back(pack(segment));
   }
@@ -58,8 +59,11 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
 }
 
 std::size_t ForwardPipeline::scratch_size() const {
-  // Base poses and gap poses as rows, then a network's input and two layers as rows or as columns.
-  const int network = network_ ? layout_.input_size() + 2 * network_->padded_width() : segments_;
+  // Base poses, gap poses and outputs as rows, then a network's input and two layers as rows or as
+  // columns.
+  const int network =
+      network_ ? layout_.output_size() + layout_.input_size() + 2 * network_->padded_width()
+               : segments_;
   return static_cast<std::size_t>((3 * points_ + 3 * points_ + network) * kTileQueries);
 }
 
@@ -108,13 +112,14 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
     rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, backbone, stride);
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
     rows_.chain_segments(no_load_.data(), segments_, gap, no_load, stride);
-    const float* compensation = network_->evaluate_rows(stride, input, layers);
-    rows_.add(3 * points_ * stride, no_load, compensation, base);
+    const float* output = network_->evaluate_rows(stride, input, layers);
+    const int all = 3 * points_ * stride;
+    compose(all, backbone, no_load, output, output + all, base);
   } else {
     rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, base, stride);
     rows_.encode_gaps(points_ - 1, base, backbone, stride);
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, no_load, stride);
-    add_gaps(stride, no_load, network_->evaluate_rows(stride, input, layers), gap);
+    compose_gaps(stride, backbone, no_load, network_->evaluate_rows(stride, input, layers), gap);
     rows_.decode_gaps(points_ - 1, gap, base, stride);
   }
   rows_.scatter(3 * points_, count, base, stride, queries.next.data, queries.next.ld);
@@ -126,7 +131,8 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
   const int width = network_->padded_width();
   float* const base = scratch;
   float* const gap = base + 3 * points_ * stride;
-  float* const input = gap + 3 * points_ * stride;  // columns from here on
+  float* const output = gap + 3 * points_ * stride;
+  float* const input = output + layout_.output_size() * stride;  // columns from here on
   float* const layers = input + ld * count;
   float* const pressure = layers;  // rows again, read before the layers are written
   float* const no_load_gap = pressure + segments_ * stride;
@@ -143,10 +149,11 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
     rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
     rows_.scatter(3 * points_, count, base, stride, input + layout_.no_load_row(), ld);
-    const float* compensation = network_->evaluate_columns(count, input, ld, layers);
+    const float* outputs = network_->evaluate_columns(count, input, ld, layers);
     for (int q = 0; q < count; ++q) {
-      rows_.add(3 * points_, input + q * ld + layout_.no_load_row(), compensation + q * width,
-                queries.next.column(q));
+      const float* column = input + q * ld;
+      compose(3 * points_, column + layout_.backbone_row(), column + layout_.no_load_row(),
+              outputs + q * width, outputs + q * width + 3 * points_, queries.next.column(q));
     }
   } else {
     rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, base, stride);
@@ -154,22 +161,34 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
     rows_.scatter(3 * (points_ - 1), count, gap, stride, input + layout_.backbone_row(), ld);
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, no_load_gap, stride);
     rows_.scatter(3 * segments_, count, no_load_gap, stride, input + layout_.no_load_row(), ld);
-    const float* compensation = network_->evaluate_columns(count, input, ld, layers);
-    rows_.gather(3 * (points_ - 1), count, compensation, width, gap, stride);
+    const float* outputs = network_->evaluate_columns(count, input, ld, layers);
+    rows_.gather(layout_.output_size(), count, outputs, width, output, stride);
     rows_.gather(3 * segments_, count, input + layout_.no_load_row(), ld, base, stride);
-    add_gaps(stride, base, gap, gap);
+    compose_gaps(stride, gap, base, output, gap);
     rows_.decode_gaps(points_ - 1, gap, base, stride);
     rows_.scatter(3 * points_, count, base, stride, queries.next.data, queries.next.ld);
   }
 }
 
-// B̃'s gap poses, one a segment, and the compensation of each gap.
-void ForwardPipeline::add_gaps(int stride, const float* no_load, const float* compensation,
-                               float* sum) const {
+// (5) or (16) for `count` numbers. `gate` is not read where the model has none.
+void ForwardPipeline::compose(int count, const float* previous, const float* no_load,
+                              const float* output, const float* gate, float* next) const {
+  if (layout_.output_form() == OutputForm::gated_change) {
+    rows_.gated_change(count, previous, no_load, output, gate, next);
+  } else {
+    rows_.add(count, no_load, output, next);
+  }
+}
+
+// The same gap by gap: of B̃ there is one gap pose a segment.
+void ForwardPipeline::compose_gaps(int stride, const float* previous, const float* no_load,
+                                   const float* output, float* next) const {
+  const float* gates = output + layout_.backbone_size() * stride;
   for (int g = 0; g + 1 < points_; ++g) {
     const int segment = segment_of_gap_[static_cast<std::size_t>(g)];
-    rows_.add(3 * stride, no_load + 3 * segment * stride, compensation + 3 * g * stride,
-              sum + 3 * g * stride);
+    const int at = 3 * g * stride;
+    compose(3 * stride, previous + at, no_load + 3 * segment * stride, output + at, gates + at,
+            next + at);
   }
 }
 

@@ -55,7 +55,10 @@ class ForwardPipeline {
   void run_no_load(int count, const QueryColumns& queries, float* scratch) const;
   void run_many(int count, const QueryColumns& queries, float* scratch) const;
   void run_few(int count, const QueryColumns& queries, float* scratch) const;
-  void add_gaps(int stride, const float* no_load, const float* compensation, float* sum) const;
+  void compose(int count, const float* previous, const float* no_load, const float* output,
+               const float* gate, float* next) const;
+  void compose_gaps(int stride, const float* previous, const float* no_load, const float* output,
+                    float* next) const;
 
   int segments_;
   int points_;

@@ -39,6 +39,10 @@ struct RowKernels {
   void (*decode_gaps)(int gaps, const float* gap, float* base, int stride);
   /// sum = a + b, `count` numbers.
   void (*add)(int count, const float* a, const float* b, float* sum);
+  /// (16): next = previous + logistic(gate)·(no_load − previous) + change, `count` numbers. `next`
+  /// may be any of the others.
+  void (*gated_change)(int count, const float* previous, const float* no_load, const float* change,
+                       const float* gate, float* next);
 };
 
 /// The kernels of `level`. @pre this CPU runs it.

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "common/vector_float.hpp"
+#include "common/vector_logistic.hpp"
 #include "common/vector_sincos.hpp"
 #include "forward/row_kernels.hpp"
 
@@ -174,8 +175,27 @@ void add(int count, const float* a, const float* b, float* sum) {
   }
 }
 
+inline Vector gated(Vector previous, Vector no_load, Vector change, Vector gate) {
+  return multiply_add(logistic(gate), no_load - previous, previous + change);
+}
+
+void gated_change(int count, const float* previous, const float* no_load, const float* change,
+                  const float* gate, float* next) {
+  int i = 0;
+  for (; i + kLanes <= count; i += kLanes) {
+    store(next + i, gated(load(previous + i), load(no_load + i), load(change + i), load(gate + i)));
+  }
+  if (const int rest = count - i; rest > 0) {
+    store_part(next + i,
+               gated(load_part(previous + i, rest), load_part(no_load + i, rest),
+                     load_part(change + i, rest), load_part(gate + i, rest)),
+               rest);
+  }
+}
+
 constexpr RowKernels row_kernels_of_this_level() {
-  return {kLanes, gather, scatter, no_load_gaps, chain_segments, encode_gaps, decode_gaps, add};
+  return {kLanes,      gather,      scatter, no_load_gaps, chain_segments,
+          encode_gaps, decode_gaps, add,     gated_change};
 }
 
 }  // namespace

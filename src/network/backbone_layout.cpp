@@ -5,8 +5,8 @@
 
 namespace limber {
 
-NetworkLayout::NetworkLayout(BackboneLayout layout, const ArmDescription& arm)
-    : layout_(layout), point_count_(arm.point_count()) {
+NetworkLayout::NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm)
+    : layout_(layout), form_(form), point_count_(arm.point_count()) {
   int gap = 0;
   for (const Segment& segment : arm.segments) {
     first_gap_.push_back(gap);

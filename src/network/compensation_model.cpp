@@ -13,6 +13,7 @@ namespace {
 
 struct Sizes {
   Eigen::Index input = 0;
+  Eigen::Index backbone = 0;
   Eigen::Index output = 0;
 };
 
@@ -20,10 +21,11 @@ struct Sizes {
 Sizes expected_sizes(const CompensationModel& model) {
   const Eigen::Index n = model.segment_count;
   const Eigen::Index m = model.point_count;
-  if (model.layout == BackboneLayout::base_poses) {
-    return {2 * n + 6 * m, 3 * m};
-  }
-  return {2 * n + 3 * (m - 1) + 3 * n, 3 * (m - 1)};
+  const bool base = model.layout == BackboneLayout::base_poses;
+  const Eigen::Index backbone = base ? 3 * m : 3 * (m - 1);
+  const Eigen::Index no_load = base ? 3 * m : 3 * n;
+  const bool gated = model.form == OutputForm::gated_change;
+  return {2 * n + backbone + no_load, backbone, gated ? 2 * backbone : backbone};
 }
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
@@ -118,6 +120,7 @@ const char* to_string(BackboneLayout layout) {
 CompensationModel CompensationModel::member(int index) const {
   CompensationModel one;
   one.layout = layout;
+  one.form = form;
   one.layers = index == 0 ? layers : more_members[static_cast<std::size_t>(index) - 1];
   one.input = input;
   one.output = output;
@@ -127,6 +130,10 @@ CompensationModel CompensationModel::member(int index) const {
   one.point_count = point_count;
   one.preset = preset;
   return one;
+}
+
+const char* to_string(OutputForm form) {
+  return form == OutputForm::compensation ? "compensation" : "gated_change";
 }
 
 std::string CompensationModel::shape() const {
@@ -151,7 +158,12 @@ void validate(const CompensationModel& model, const std::string& where) {
   validate_layers(where, "layers.", model.layers, sizes);
   validate_members(where, model, sizes);
   validate_normalisation(where, "normalisation.input", model.input, sizes.input);
-  validate_normalisation(where, "normalisation.output", model.output, sizes.output);
+  validate_normalisation(where, "normalisation.output", model.output, sizes.backbone);
+  if (model.form == OutputForm::gated_change && !model.output.offset.isZero(0.0F)) {
+    refuse(where, fmt::format("tensor normalisation.output.offset is not 0; expected 0 in a model "
+                              "of output_form {}, whose changes are scaled and not shifted",
+                              to_string(model.form)));
+  }
 }
 
 void require_model_of(const CompensationModel& model, const ArmDescription& arm,

@@ -125,6 +125,21 @@ BackboneLayout layout_at(const Safetensors& content, const std::string& where) {
   refuse(where, fmt::format("metadata layout = '{}'; expected base_poses or gap_poses", text));
 }
 
+// Files of before there was a choice don't say: the paper's form.
+OutputForm output_form_at(const Safetensors& content, const std::string& where) {
+  if (content.metadata.count("output_form") == 0) {
+    return OutputForm::compensation;
+  }
+  const std::string text = text_at(content, "output_form", where);
+  for (const OutputForm form : {OutputForm::compensation, OutputForm::gated_change}) {
+    if (text == to_string(form)) {
+      return form;
+    }
+  }
+  refuse(where,
+         fmt::format("metadata output_form = '{}'; expected compensation or gated_change", text));
+}
+
 }  // namespace
 
 void write_model(const std::filesystem::path& path, const CompensationModel& model) {
@@ -142,6 +157,7 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
                       {"arm_name", model.arm_name},
                       {"arm_hash", model.arm_hash},
                       {"layout", to_string(model.layout)},
+                      {"output_form", to_string(model.form)},
                       {"segment_count", std::to_string(model.segment_count)},
                       {"point_count", std::to_string(model.point_count)},
                       {"preset", model.preset}};
@@ -162,6 +178,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
   model.arm_name = text_at(content, "arm_name", where);
   model.arm_hash = text_at(content, "arm_hash", where);
   model.layout = layout_at(content, where);
+  model.form = output_form_at(content, where);
   model.segment_count = count_at(content, "segment_count", where);
   model.point_count = count_at(content, "point_count", where);
   model.preset = text_at(content, "preset", where);

@@ -29,7 +29,8 @@ AlignedHalves half_bits(const AlignedFloats& weights) {
 
 }  // namespace
 
-// W (x − offset)·scale + b for the first layer, (W x + b)/scale + offset for the last.
+// W (x − offset)·scale + b for the first layer, (W x + b)/scale + offset for the last; gates, which
+// follow the backbone's numbers there, are not normalised.
 std::vector<Layer> folded_layers(const CompensationModel& model, WeightPrecision precision) {
   std::vector<Layer> layers = model.layers;
   for (std::size_t l = 0; l < layers.size(); ++l) {
@@ -46,9 +47,10 @@ std::vector<Layer> folded_layers(const CompensationModel& model, WeightPrecision
       bias -= weight * model.input.offset.cast<double>();
     }
     if (last) {
+      const Eigen::Index size = model.output.scale.size();
       const Eigen::VectorXd range = model.output.scale.cast<double>().cwiseInverse();
-      weight = range.asDiagonal() * weight;
-      bias = bias.cwiseProduct(range) + model.output.offset.cast<double>();
+      weight.topRows(size) = range.asDiagonal() * weight.topRows(size);
+      bias.head(size) = bias.head(size).cwiseProduct(range) + model.output.offset.cast<double>();
     }
     layers[l] = {weight.cast<float>(), bias.cast<float>()};
   }

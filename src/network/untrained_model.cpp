@@ -13,6 +13,7 @@ namespace {
 constexpr float kBend_rad = 3.0F;          // a segment's largest turn, about
 constexpr float kCompensation_m = 0.02F;   // output range of a position
 constexpr float kCompensation_rad = 0.1F;  // and of an angle
+constexpr float kChangeShare = 0.1F;       // of that, what changes within a frame
 
 Layer random_layer(int inputs, int outputs, RandomStream& random) {
   // He's bound: the spread of the numbers stays the same from layer to layer.
@@ -34,10 +35,12 @@ Eigen::VectorXf pose_ranges(Eigen::Index size, float metres, float radians) {
 }  // namespace
 
 CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layout,
-                                  const std::vector<int>& hidden, std::uint64_t seed) {
-  const NetworkLayout sizes(layout, arm);
+                                  const std::vector<int>& hidden, std::uint64_t seed,
+                                  OutputForm form) {
+  const NetworkLayout sizes(layout, form, arm);
   CompensationModel model;
   model.layout = layout;
+  model.form = form;
   model.arm_name = arm.name;
   model.arm_hash = arm.hash();
   model.segment_count = arm.segment_count();
@@ -70,9 +73,14 @@ CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layo
   model.input.offset = -range;
   model.input.scale = (2.0F * range).cwiseInverse();
   const Eigen::VectorXf output =
-      pose_ranges(sizes.output_size(), kCompensation_m * share, kCompensation_rad * share);
-  model.output.offset = -output;
-  model.output.scale = (2.0F * output).cwiseInverse();
+      pose_ranges(sizes.backbone_size(), kCompensation_m * share, kCompensation_rad * share);
+  if (form == OutputForm::gated_change) {
+    model.output.offset = Eigen::VectorXf::Zero(sizes.backbone_size());
+    model.output.scale = (kChangeShare * output).cwiseInverse();
+  } else {
+    model.output.offset = -output;
+    model.output.scale = (2.0F * output).cwiseInverse();
+  }
   return model;
 }
 

@@ -38,7 +38,8 @@ TEST(ForwardModel, HotPathAllocatesNothing) {
   }
   const ArmDescription arm = sample_arm(3);
   for (const BackboneLayout layout : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
-    const ForwardModel model(arm, untrained_model(arm, layout, {100, 100, 100}, 1));
+    const ForwardModel model(
+        arm, untrained_model(arm, layout, {100, 100, 100}, 1, OutputForm::gated_change));
     ForwardModel::Workspace workspace;
     const Pressures pressures = Pressures::Constant(3, 20.0F);
     Backbone backbone(arm.point_count(), 3);

@@ -45,7 +45,8 @@ Queries random_queries(const ArmDescription& arm, int count, std::uint64_t seed)
   return queries;
 }
 
-// (5) as it is written, in double precision: normalise, layers, denormalise, add B̃.
+// (5) or (16) as it is written, in double precision: normalise, layers, denormalise, add B̃ or the
+// previous backbone.
 MatrixXd reference(const ArmDescription& arm, const CompensationModel* model,
                    const Queries& queries) {
   const NoLoadModel no_load(arm);
@@ -59,12 +60,12 @@ MatrixXd reference(const ArmDescription& arm, const CompensationModel* model,
     return answers;
   }
   const bool gaps = model->layout == BackboneLayout::gap_poses;
-  const NetworkLayout layout(model->layout, arm);
-  const MatrixXd previous = queries.previous.cast<double>();
+  const NetworkLayout layout(model->layout, model->form, arm);
+  const MatrixXd previous_base = queries.previous.cast<double>();
+  const MatrixXd previous = gaps ? gap_poses_of(previous_base) : previous_base;
   const MatrixXd no_load_encoded = gaps ? gap_poses_of(answers) : answers;
   MatrixXd x(layout.input_size(), answers.cols());
-  x << queries.previous_kpa.cast<double>(), queries.current_kpa.cast<double>(),
-      gaps ? gap_poses_of(previous) : previous,
+  x << queries.previous_kpa.cast<double>(), queries.current_kpa.cast<double>(), previous,
       layout.no_load_input(no_load_encoded.cast<float>()).cast<double>();
   x = model->input.scale.cast<double>().asDiagonal() *
       (x.colwise() - model->input.offset.cast<double>());
@@ -75,11 +76,17 @@ MatrixXd reference(const ArmDescription& arm, const CompensationModel* model,
       x = x.cwiseMax(0.0);
     }
   }
-  const MatrixXd compensation =
-      (model->output.scale.cast<double>().cwiseInverse().asDiagonal() * x).colwise() +
-      model->output.offset.cast<double>().eval();
-  return gaps ? base_poses_of(no_load_encoded + compensation)
-              : MatrixXd(no_load_encoded + compensation);
+  const MatrixXd output = (model->output.scale.cast<double>().cwiseInverse().asDiagonal() *
+                           x.topRows(layout.backbone_size()))
+                              .colwise() +
+                          model->output.offset.cast<double>().eval();
+  MatrixXd next = no_load_encoded + output;
+  if (model->form == OutputForm::gated_change) {
+    const Eigen::ArrayXXd gate =
+        1.0 / (1.0 + (-x.bottomRows(layout.backbone_size())).array().exp());
+    next = previous + output + (gate * (no_load_encoded - previous).array()).matrix();
+  }
+  return gaps ? base_poses_of(next) : next;
 }
 
 MatrixXf answers_of(const ForwardModel& model, const Queries& queries) {
@@ -105,9 +112,11 @@ std::vector<ForwardModel> models_of(const ArmDescription& arm, CpuLevel level) {
   std::vector<ForwardModel> models;
   models.emplace_back(arm, level);
   for (const BackboneLayout layout : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
-    const CompensationModel network = untrained_model(arm, layout, {100, 37, 100}, 3);
-    models.emplace_back(arm, network, level);
-    models.emplace_back(arm, with_half_weights(network), level, WeightPrecision::half);
+    for (const OutputForm form : {OutputForm::compensation, OutputForm::gated_change}) {
+      const CompensationModel network = untrained_model(arm, layout, {100, 37, 100}, 3, form);
+      models.emplace_back(arm, network, level);
+      models.emplace_back(arm, with_half_weights(network), level, WeightPrecision::half);
+    }
   }
   return models;
 }

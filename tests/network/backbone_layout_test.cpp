@@ -51,22 +51,29 @@ TEST(GapPoses, DoNotChangeWhenTheArmIsMovedAsAWhole) {
 }
 
 TEST(NetworkLayout, HasThePapersSizesForThePapersArm) {
-  const NetworkLayout layout(BackboneLayout::base_poses, sample_arm(3));
+  const NetworkLayout layout(BackboneLayout::base_poses, OutputForm::compensation, sample_arm(3));
   EXPECT_EQ(layout.input_size(), 102);
   EXPECT_EQ(layout.output_size(), 48);
   EXPECT_EQ(layout.no_load_row(), 54);
 }
 
 TEST(NetworkLayout, DropsTheBaseAndRepeatedGapsInGapPoses) {
-  const NetworkLayout layout(BackboneLayout::gap_poses, sample_arm(3));
+  const NetworkLayout layout(BackboneLayout::gap_poses, OutputForm::compensation, sample_arm(3));
   EXPECT_EQ(layout.input_size(), 6 + 45 + 9);
   EXPECT_EQ(layout.output_size(), 45);
+}
+
+TEST(NetworkLayout, GatesDoubleTheOutputsAndNothingElse) {
+  const NetworkLayout layout(BackboneLayout::gap_poses, OutputForm::gated_change, sample_arm(3));
+  EXPECT_EQ(layout.input_size(), 60);
+  EXPECT_EQ(layout.backbone_size(), 45);
+  EXPECT_EQ(layout.output_size(), 90);
 }
 
 TEST(NetworkLayout, DecodesWhatItEncoded) {
   const Eigen::MatrixXf base = base_poses_of(random_gaps(15, 7)).cast<float>();
   for (const BackboneLayout kind : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
-    const NetworkLayout layout(kind, sample_arm(3));
+    const NetworkLayout layout(kind, OutputForm::compensation, sample_arm(3));
     const Eigen::MatrixXf encoded = layout.encode(base);
     EXPECT_EQ(encoded.rows(), layout.backbone_size());
     EXPECT_LT((layout.decode(encoded) - base).cwiseAbs().maxCoeff(), kRoundTripFloat);
@@ -76,7 +83,7 @@ TEST(NetworkLayout, DecodesWhatItEncoded) {
 // One gap stands for all of its segment, because an unloaded segment is an arc.
 TEST(NetworkLayout, EveryGapOfAnUnloadedSegmentIsTheOneInTheInput) {
   const ArmDescription arm = sample_arm(5);
-  const NetworkLayout layout(BackboneLayout::gap_poses, arm);
+  const NetworkLayout layout(BackboneLayout::gap_poses, OutputForm::compensation, arm);
   Backbone backbone(arm.point_count(), 3);
   NoLoadModel(arm).backbone(Eigen::VectorXf(Eigen::VectorXf::LinSpaced(5, -90.0F, 80.0F)),
                             backbone);

@@ -82,6 +82,38 @@ TEST(ModelFile, ShapeOfThePapersNetwork) {
             "102-100-100-100-48");
 }
 
+TEST(ModelFile, KeepsTheFormOfTheOutput) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "model.safetensors";
+  const CompensationModel gated =
+      untrained_model(sample_arm(3), BackboneLayout::gap_poses, {7}, 1, OutputForm::gated_change);
+  write_model(path, gated);
+  const CompensationModel back = read_model(path);
+  EXPECT_EQ(back.form, OutputForm::gated_change);
+  EXPECT_EQ(back.shape(), "60-7-90");
+  EXPECT_TRUE(back.output.offset == gated.output.offset && back.output.scale == gated.output.scale);
+}
+
+TEST(ModelFile, WithoutAFormIsThePapers) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "model.safetensors";
+  write_model(path, untrained_model(sample_arm(3), BackboneLayout::base_poses, {7}, 1));
+  Safetensors content = parse_safetensors(read_file(path), path);
+  content.metadata.erase("output_form");
+  write_file_atomically(path, safetensors_bytes(content));
+  EXPECT_EQ(read_model(path).form, OutputForm::compensation);
+}
+
+TEST(ModelFile, RefusesAChangeThatIsShifted) {
+  CompensationModel model =
+      untrained_model(sample_arm(3), BackboneLayout::gap_poses, {7}, 1, OutputForm::gated_change);
+  model.output.offset[3] = 0.1F;
+  EXPECT_THAT([&] { validate(model, "m"); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("tensor normalisation.output.offset is not 0; expected 0 in a model of "
+                            "output_form gated_change")));
+}
+
 TEST(ModelFile, IsNotWrittenFromAnInvalidModel) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "model.safetensors";
@@ -127,6 +159,10 @@ INSTANTIATE_TEST_SUITE_P(
                         "metadata schema = 'limber/model/9'; expected limber/model/1"),
         metadata_damage("layout", "layout", "sideways",
                         "metadata layout = 'sideways'; expected base_poses or gap_poses"),
+        metadata_damage("form", "output_form", "guess",
+                        "metadata output_form = 'guess'; expected compensation or gated_change"),
+        metadata_damage("other_form", "output_form", "gated_change",
+                        "tensor layers.2.weight has 48 rows; expected 96"),
         metadata_damage("count", "segment_count", "-3",
                         "metadata segment_count = '-3'; expected a whole number"),
         metadata_damage("no_segment", "segment_count", "0", "segment_count 0 and point_count 16"),

@@ -45,27 +45,35 @@ def evaluate(tensors, inputs):
         x = x @ t[f"layers.{layer}.weight"].T + t[f"layers.{layer}.bias"]
         if layer < layers - 1:
             x = np.maximum(x, 0.0)
-    return x / t["normalisation.output.scale"] + t["normalisation.output.offset"]
+    size = len(t["normalisation.output.scale"])  # behind it, gates as they are
+    x[:, :size] = x[:, :size] / t["normalisation.output.scale"] + t["normalisation.output.offset"]
+    return x
 
 
 def main():
     program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     subprocess.run([program, str(folder)], check=True)
-    for layout, sizes in (("base_poses", (102, 48)), ("gap_poses", (60, 45))):
-        metadata, tensors = read_safetensors(folder / f"{layout}.safetensors")
+    for layout, form, sizes in (
+        ("base_poses", "compensation", (102, 48)),
+        ("gap_poses", "compensation", (60, 45)),
+        ("gap_poses", "gated_change", (60, 90)),
+    ):
+        name = f"{layout}_{form}"
+        metadata, tensors = read_safetensors(folder / f"{name}.safetensors")
         assert metadata["schema"] == "limber/model/1"
         assert metadata["layout"] == layout
+        assert metadata["output_form"] == form
         assert metadata["arm_name"] == "sample3" and len(metadata["arm_hash"]) == 32
         assert metadata["training.note"] == "sample"
-        inputs = np.loadtxt(folder / f"{layout}.inputs")
-        outputs = np.loadtxt(folder / f"{layout}.outputs")
+        inputs = np.loadtxt(folder / f"{name}.inputs")
+        outputs = np.loadtxt(folder / f"{name}.outputs")
         assert (inputs.shape[1], outputs.shape[1]) == sizes
         wanted = evaluate(tensors, inputs)
         scale = np.abs(wanted).max(axis=0)
         error = (np.abs(outputs - wanted) / scale).max()
         assert wanted.std(axis=0).min() > 0.0, "outputs do not depend on the inputs"
-        assert error < RELATIVE_TOLERANCE, f"{layout}: off by {error} of the range"
-        print(f"{layout}: largest error {error:.1e} of the output's range")
+        assert error < RELATIVE_TOLERANCE, f"{name}: off by {error} of the range"
+        print(f"{name}: largest error {error:.1e} of the output's range")
 
 
 main()

@@ -22,15 +22,16 @@ void write_row(std::ofstream& file, const float* numbers, int count) {
   file << "\n";
 }
 
-void write_sample(const std::filesystem::path& folder, BackboneLayout layout) {
-  CompensationModel model = untrained_model(sample_arm(3), layout, {100, 100, 100}, 5);
+void write_sample(const std::filesystem::path& folder, BackboneLayout layout, OutputForm form) {
+  CompensationModel model = untrained_model(sample_arm(3), layout, {100, 100, 100}, 5, form);
   model.training["note"] = "sample";
-  write_model(folder / (std::string(to_string(layout)) + ".safetensors"), model);
+  const std::string name = std::string(to_string(layout)) + "_" + to_string(form);
+  write_model(folder / (name + ".safetensors"), model);
 
   const PackedNetwork network(model, cpu_level());
   std::vector<float> scratch(2 * static_cast<std::size_t>(network.padded_width()));
-  std::ofstream inputs(folder / (std::string(to_string(layout)) + ".inputs"));
-  std::ofstream outputs(folder / (std::string(to_string(layout)) + ".outputs"));
+  std::ofstream inputs(folder / (name + ".inputs"));
+  std::ofstream outputs(folder / (name + ".outputs"));
   inputs.precision(std::numeric_limits<float>::max_digits10);
   outputs.precision(std::numeric_limits<float>::max_digits10);
   RandomStream random(9, 0);
@@ -54,7 +55,10 @@ int main(int argc, char** argv) {
   }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder);
-  limber::write_sample(folder, limber::BackboneLayout::base_poses);
-  limber::write_sample(folder, limber::BackboneLayout::gap_poses);
+  using enum limber::BackboneLayout;
+  using enum limber::OutputForm;
+  limber::write_sample(folder, base_poses, compensation);
+  limber::write_sample(folder, gap_poses, compensation);
+  limber::write_sample(folder, gap_poses, gated_change);
   return 0;
 }

@@ -12,7 +12,8 @@ namespace limber {
 /// Which numbers a network reads and writes, and where they sit (docs/model.md, (5)).
 ///
 /// Input, one column a query:  q_{t−1} (n), q_t (n), B_{t−1} (backbone_size), B̃_t (no_load_size).
-/// Output:                     B_t − B̃_t (backbone_size).
+/// Output:                     B_t − B̃_t (backbone_size), or the change and the gates of (16)
+///                             (backbone_size each).
 /// base_poses: B and B̃ are 3m numbers, poses about the arm's base: 102 → 48 for n = 3, m = 16.
 /// gap_poses:  B is 3(m − 1) numbers, each plate's pose about the plate before it; the base plate
 /// is
@@ -21,15 +22,18 @@ namespace limber {
 /// Sizes: n segments, m points, k columns. Threads: constant after construction.
 class NetworkLayout {
  public:
-  NetworkLayout(BackboneLayout layout, const ArmDescription& arm);
+  NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm);
 
   BackboneLayout backbone_layout() const { return layout_; }
+  OutputForm output_form() const { return form_; }
   int segment_count() const { return static_cast<int>(first_gap_.size()); }
   int point_count() const { return point_count_; }
   int backbone_size() const;
   int no_load_size() const;
   int input_size() const { return no_load_row() + no_load_size(); }
-  int output_size() const { return backbone_size(); }
+  int output_size() const {
+    return form_ == OutputForm::gated_change ? 2 * backbone_size() : backbone_size();
+  }
 
   /// Rows at which the parts of an input begin.
   int previous_pressure_row() const { return 0; }
@@ -48,6 +52,7 @@ class NetworkLayout {
 
  private:
   BackboneLayout layout_;
+  OutputForm form_;
   int point_count_;
   std::vector<int> first_gap_;
 };

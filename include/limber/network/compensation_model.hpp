@@ -20,6 +20,15 @@ enum class BackboneLayout {
 /// "base_poses" or "gap_poses", as model files have it.
 const char* to_string(BackboneLayout layout);
 
+/// What the network's outputs mean, in the coordinates of the layout.
+enum class OutputForm {
+  compensation,  ///< the paper's (5): what is added to B̃_t, one number for each of the backbone's
+  gated_change,  ///< (16): what is added to B_{t−1}, then a gate for each number, twice as many
+};
+
+/// "compensation" or "gated_change", as model files have it.
+const char* to_string(OutputForm form);
+
 /// Affine map of each number, x ↦ (x − offset)·scale, so that training data lie in [0, 1] (or have
 /// unit spread). A number that never changes in the data (the base plate's pose) has no range: its
 /// scale is 1.
@@ -34,11 +43,13 @@ struct Layer {
   Eigen::VectorXf bias;    ///< out
 };
 
-/// The network Φ of (5) with everything needed to use it: inputs (q_{t−1}, q_t, B_{t−1}, B̃_t),
-/// normalised by `input`; its result is the compensation B_t − B̃_t normalised by `output`, in the
-/// coordinates of `layout`. Plain values.
+/// The network Φ of (5) or (16) with everything needed to use it: inputs (q_{t−1}, q_t, B_{t−1},
+/// B̃_t), normalised by `input`; its result, in the coordinates of `layout`, is the compensation
+/// B_t − B̃_t normalised by `output`, or a change normalised by `output` (which scales, but never
+/// shifts it: no change stays none) and the gates' arguments, not normalised. Plain values.
 struct CompensationModel {
   BackboneLayout layout = BackboneLayout::gap_poses;
+  OutputForm form = OutputForm::compensation;
   std::vector<Layer> layers;
   /// An ensemble's other networks, of the same shape and normalisation, in the order of their
   /// validation errors: `layers` is the best. Whoever wants one prediction reads `layers` alone.

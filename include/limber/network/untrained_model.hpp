@@ -12,6 +12,7 @@ namespace limber {
 /// benchmarks and tests: speed does not depend on what a network has learnt.
 /// @param hidden  units of each hidden layer, all > 0; {100, 100, 100} is the paper's.
 CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layout,
-                                  const std::vector<int>& hidden, std::uint64_t seed);
+                                  const std::vector<int>& hidden, std::uint64_t seed,
+                                  OutputForm form = OutputForm::compensation);
 
 }  // namespace limber
