@@ -26,7 +26,7 @@ constexpr std::uint64_t kMemberStreams = 1ULL << 34;
 std::vector<int> widths(const TrainingTables& tables, const std::vector<int>& hidden) {
   std::vector<int> result = {static_cast<int>(tables.input.scale.size())};
   result.insert(result.end(), hidden.begin(), hidden.end());
-  result.push_back(static_cast<int>(tables.output.scale.size()));
+  result.push_back(tables.map.output_count());
   return result;
 }
 
@@ -73,7 +73,11 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
     } else {
       const std::uint64_t first_stream =
           member == 0 ? 0 : kMemberStreams + (static_cast<std::uint64_t>(member) << 16);
-      own = initial_parameters(layout_, settings_.seed, first_stream);
+      Eigen::VectorXf initial = initial_parameters(layout_, settings_.seed, first_stream);
+      if (tables_.map.is_gated()) {
+        shut_gates(layout_, tables_.map.output_count() / 2, initial);
+      }
+      own = initial;
     }
   }
   state_.optimiser = OptimiserState(settings_.optimiser, state_.parameters.size());
@@ -204,6 +208,7 @@ CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
                                          std::span<const int> order) const {
   CompensationModel model;
   model.layout = settings_.layout;
+  model.form = settings_.form;
   for (const int member : order) {
     std::vector<Layer> layers =
         to_layers(layout_, parameters.segment(member * layout_.size(), layout_.size()));

@@ -131,6 +131,30 @@ void carry(int size, int stride, const double* scale, const double* error, doubl
   View(delta, stride, size) = (sum.array().rowwise() * factor.array()).matrix();
 }
 
+void gated_change(int size, int stride, const double* scale, const double* output,
+                  const double* uncompensated, const double* previous, double* gate,
+                  double* state) {
+  for (int r = 0; r < size; ++r) {
+    for (int i = r * stride; i < (r + 1) * stride; ++i) {
+      gate[i] = 1.0 / (1.0 + std::exp(-output[size * stride + i]));
+      state[i] = previous[i] + gate[i] * (uncompensated[i] - previous[i]) + scale[r] * output[i];
+    }
+  }
+}
+
+void gated_carry(int size, int stride, const double* scale, const double* error,
+                 const double* uncompensated, const double* previous, const double* gate,
+                 const double* carried, double* direct, double* delta) {
+  for (int r = 0; r < size; ++r) {
+    for (int i = r * stride; i < (r + 1) * stride; ++i) {
+      const double sum = carried[i] + direct[i] + error[i];
+      delta[i] = scale[r] * sum;
+      delta[size * stride + i] = sum * (uncompensated[i] - previous[i]) * gate[i] * (1.0 - gate[i]);
+      direct[i] = (1.0 - gate[i]) * sum;
+    }
+  }
+}
+
 double entry_error(int size, int stride, const double* weight, const double* state,
                    const double* target, const double* window_weight, double* gradient) {
   double sum = 0.0;
@@ -163,8 +187,8 @@ double chained_error(int gaps, int stride, const double* weight, const double* s
 template <>
 const WindowKernels<double>& window_kernels(CpuLevel) {
   static constexpr WindowKernels<double> kKernels = {
-      1,      layer,      layer_back, weight_gradient, bias_gradient, relu_gradient,
-      gather, add_scaled, carry,      entry_error,     chained_error};
+      1,          layer, layer_back,   weight_gradient, bias_gradient, relu_gradient, gather,
+      add_scaled, carry, gated_change, gated_carry,     entry_error,   chained_error};
   return kKernels;
 }
 

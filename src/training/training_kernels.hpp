@@ -40,6 +40,17 @@ struct WindowKernels {
   void (*carry)(int size, int stride, const Scalar* scale, const Scalar* error, Scalar* carried,
                 Scalar* delta);
 
+  /// gate = logistic(output's rows size … 2·size); state = previous + gate ∘ (uncompensated −
+  /// previous) + scale ∘ output's first `size` rows.
+  void (*gated_change)(int size, int stride, const Scalar* scale, const Scalar* output,
+                       const Scalar* uncompensated, const Scalar* previous, Scalar* gate,
+                       Scalar* state);
+  /// The way back: with s = carried + direct + error, delta = (scale ∘ s, then s ∘ (uncompensated −
+  /// previous) ∘ gate ∘ (1 − gate)), 2·size rows, and direct = (1 − gate) ∘ s.
+  void (*gated_carry)(int size, int stride, const Scalar* scale, const Scalar* error,
+                      const Scalar* uncompensated, const Scalar* previous, const Scalar* gate,
+                      const Scalar* carried, Scalar* direct, Scalar* delta);
+
   /// FrameError's sums and gradients (training/frame_error.hpp) of one block, both multiplied by
   /// `window_weight` (stride numbers).
   Scalar (*entry_error)(int size, int stride, const Scalar* weight, const Scalar* state,

@@ -3,6 +3,7 @@
 // WindowKernels and OptimiserKernels for the instruction set that the including file is compiled
 // for (see common/vector_float.hpp).
 
+#include "common/vector_logistic.hpp"
 #include "common/vector_sincos.hpp"
 #include "network/gemm_tiles.hpp"
 #include "training/training_kernels.hpp"
@@ -110,6 +111,38 @@ void carry(int size, int stride, const float* scale, const float* error, float* 
       const Vector sum = load(carried + q) + load(error + q);
       store(carried + q, sum);
       store(delta + q, factor * sum);
+    }
+  }
+}
+
+void gated_change(int size, int stride, const float* scale, const float* output,
+                  const float* uncompensated, const float* previous, float* gate, float* state) {
+  const float* gate_output = output + size * stride;
+  for (int r = 0; r < size; ++r) {
+    const Vector factor = broadcast(scale[r]);
+    for (int q = r * stride; q < (r + 1) * stride; q += kLanes) {
+      const Vector open = logistic(load(gate_output + q));
+      const Vector before = load(previous + q);
+      const Vector pull = load(uncompensated + q) - before;
+      store(gate + q, open);
+      store(state + q, multiply_add(open, pull, multiply_add(load(output + q), factor, before)));
+    }
+  }
+}
+
+void gated_carry(int size, int stride, const float* scale, const float* error,
+                 const float* uncompensated, const float* previous, const float* gate,
+                 const float* carried, float* direct, float* delta) {
+  float* gate_delta = delta + size * stride;
+  for (int r = 0; r < size; ++r) {
+    const Vector factor = broadcast(scale[r]);
+    for (int q = r * stride; q < (r + 1) * stride; q += kLanes) {
+      const Vector sum = load(carried + q) + load(direct + q) + load(error + q);
+      const Vector open = load(gate + q);
+      const Vector passed = (broadcast(1.0F) - open) * sum;
+      store(delta + q, factor * sum);
+      store(gate_delta + q, passed * open * (load(uncompensated + q) - load(previous + q)));
+      store(direct + q, passed);
     }
   }
 }
@@ -281,8 +314,8 @@ void adam(int count, const float* gradient, float rate, float root_bias2, float*
 }
 
 constexpr WindowKernels<float> window_kernels_of_this_level() {
-  return {kLanes, layer,      layer_back, weight_gradient, bias_gradient, relu_gradient,
-          gather, add_scaled, carry,      entry_error,     chained_error};
+  return {kLanes,     layer, layer_back,   weight_gradient, bias_gradient, relu_gradient, gather,
+          add_scaled, carry, gated_change, gated_carry,     entry_error,   chained_error};
 }
 
 constexpr OptimiserKernels optimiser_kernels_of_this_level() {

@@ -24,6 +24,7 @@ constexpr int kValidationFrames = 600;
 /// The settings with the layout, hidden units and members of `start`.
 TrainingSettings in_form_of(const CompensationModel& start, TrainingSettings settings) {
   settings.layout = start.layout;
+  settings.form = start.form;
   settings.ensemble = start.member_count();
   settings.hidden_units.clear();
   for (std::size_t layer = 0; layer + 1 < start.layers.size(); ++layer) {
@@ -195,11 +196,11 @@ std::string TrainingRun::identity() const {
   };
   const TrainingSettings& s = settings_;
   std::string text = fmt::format(
-      "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm_.hash(), s.preset,
-      fmt::join(s.hidden_units, "-"), static_cast<int>(s.layout), static_cast<int>(s.scaling),
-      s.error_in_base_poses, static_cast<int>(s.reduction), static_cast<int>(s.optimiser),
-      s.learning_rate, s.cosine_decay, s.gradient_norm_limit, s.average_decay, s.input_noise,
-      s.shift_windows, s.validation_interval, s.ensemble, s.seed);
+      "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm_.hash(), s.preset,
+      fmt::join(s.hidden_units, "-"), static_cast<int>(s.layout), to_string(s.form),
+      static_cast<int>(s.scaling), s.error_in_base_poses, static_cast<int>(s.reduction),
+      static_cast<int>(s.optimiser), s.learning_rate, s.cosine_decay, s.gradient_norm_limit,
+      s.average_decay, s.input_noise, s.shift_windows, s.validation_interval, s.ensemble, s.seed);
   if (!data_.replay.empty()) {
     text += fmt::format(" replay {} of {} episodes", s.replay_share, data_.replay.size());
   }

@@ -31,6 +31,7 @@ TrainingSettings paper_preset() {
   TrainingSettings settings;
   settings.preset = "paper";
   settings.layout = BackboneLayout::base_poses;
+  settings.form = OutputForm::compensation;
   settings.scaling = Scaling::unit_range;
   settings.reduction = LossReduction::sum_over_batch;
   settings.stages = {{32, 128, 6000}};

@@ -127,6 +127,21 @@ Normalisation stack(const std::vector<Normalisation>& parts) {
   return result;
 }
 
+/// Scale of the changes from frame to frame. They are not shifted: no change stays none. Where the
+/// arm was not seen, neighbours in a straight line stand in for it: no change is far too large.
+Normalisation measure_changes(const RawFrames& raw, const std::vector<EpisodeRange>& episodes,
+                              Scaling scaling) {
+  Eigen::MatrixXf changes = Eigen::MatrixXf::Zero(raw.state.rows(), raw.state.cols());
+  for (const EpisodeRange episode : episodes) {
+    const int steps = std::max(episode.count - 1, 0);
+    changes.middleCols(episode.first, steps) =
+        raw.state.middleCols(episode.first + 1, steps) - raw.state.middleCols(episode.first, steps);
+  }
+  Normalisation result = measure(changes, scaling);
+  result.offset.setZero();
+  return result;
+}
+
 Eigen::MatrixXf normalised(Eigen::MatrixXf columns, const Normalisation& by, Eigen::Index first) {
   const Eigen::Index size = columns.rows();
   columns.colwise() -= by.offset.segment(first, size);
@@ -151,11 +166,17 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
   const auto state_scale = tables.input.scale.segment(layout.backbone_row(), size).array();
   FrameTable<float>& frames = tables.frames;
   tables.map.output_scale = state_scale / tables.output.scale.array();
+  tables.map.form = settings.form;
   if (layout.backbone_layout() == BackboneLayout::gap_poses && settings.error_in_base_poses) {
     tables.map.error = chained_error(raw, tables.input, layout, settings.scaling);
     frames.target = raw.poses.bottomRows(size);
   } else {
-    tables.map.error = FrameError<float>(tables.output.scale.array() / state_scale);
+    // In units of the spread that compensation has.
+    const Normalisation spread =
+        settings.form == OutputForm::gated_change
+            ? measure(seen_only(raw.state - raw.no_load, raw), settings.scaling)
+            : tables.output;
+    tables.map.error = FrameError<float>(spread.scale.array() / state_scale);
   }
   frames.seen = std::move(raw.seen);
   frames.pressure = normalised(std::move(raw.pressure_kpa), tables.input, layout.pressure_row());
@@ -180,7 +201,7 @@ void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa) {
 
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings) {
-  const NetworkLayout layout(settings.layout, arm);
+  const NetworkLayout layout(settings.layout, settings.form, arm);
   TrainingTables tables;
   RawFrames raw = gather(arm, episodes, layout, tables.episodes);
   require_varying_pressures(raw.pressure_kpa);
@@ -188,7 +209,9 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
   tables.input =
       stack({pressure, pressure, measure(seen_only(raw.state, raw), settings.scaling),
              measure(seen_only(layout.no_load_input(raw.no_load), raw), settings.scaling)});
-  tables.output = measure(seen_only(raw.state - raw.no_load, raw), settings.scaling);
+  tables.output = settings.form == OutputForm::gated_change
+                      ? measure_changes(raw, tables.episodes, settings.scaling)
+                      : measure(seen_only(raw.state - raw.no_load, raw), settings.scaling);
   normalise(std::move(raw), layout, settings, tables);
   return tables;
 }
@@ -196,7 +219,7 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings, const Normalisation& input,
                                     const Normalisation& output) {
-  const NetworkLayout layout(settings.layout, arm);
+  const NetworkLayout layout(settings.layout, settings.form, arm);
   TrainingTables tables;
   tables.input = input;
   tables.output = output;

@@ -32,7 +32,7 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
       stride_(group_stride(window_limit, kernels_.lanes)),
       slots_(std::max(kGradientQueries / stride_, 1)) {
   assert(layout.inputs(0) >= 2 * segment_count + size_);
-  assert(layout.outputs(layout.layer_count() - 1) == size_);
+  assert(layout.outputs(layout.layer_count() - 1) == map.output_count());
   const int groups = (window_limit + stride_ - 1) / stride_;
   const auto numbers = [&](int blocks, int rows) {
     return static_cast<std::size_t>(blocks) * static_cast<std::size_t>(rows * stride_);
@@ -50,9 +50,11 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
   uncompensated_.resize(numbers(blocks, size_));
   error_gradient_.resize(numbers(blocks, size_));
   weight_.resize(numbers(blocks, 1));
-  output_.resize(numbers(1, size_));
+  output_.resize(numbers(1, map.output_count()));
   last_state_.resize(numbers(1, size_));
   carried_.resize(numbers(1, size_));
+  direct_.resize(numbers(1, size_));
+  gate_.resize(map.is_gated() ? numbers(blocks, size_) : 0);
 }
 
 template <class Scalar>
@@ -141,11 +143,9 @@ double WindowGradient<Scalar>::forward(const Scalar* parameters) {
                        layer == last ? output_.data() : layer_input(layer + 1, block));
       }
       // The next frame's input, at once.
-      Scalar* state = k + 1 == frames_
-                          ? last_state_.data()
-                          : layer_input(0, block_of(group, k + 1)) + 2 * segments_ * stride_;
-      kernels_.add_scaled(size_, stride_, map_.output_scale.data(), output_.data(),
-                          at(uncompensated_, size_, block), state);
+      Scalar* state =
+          k + 1 == frames_ ? last_state_.data() : previous_state(block_of(group, k + 1));
+      apply_output(block, state);
       loss += static_cast<double>(map_.error.compute(stride_, state, at(target_, size_, block),
                                                      at(weight_, 1, block),
                                                      at(error_gradient_, size_, block)));
@@ -155,13 +155,37 @@ double WindowGradient<Scalar>::forward(const Scalar* parameters) {
 }
 
 template <class Scalar>
+void WindowGradient<Scalar>::apply_output(int block, Scalar* state) {
+  const Scalar* uncompensated = at(uncompensated_, size_, block);
+  if (map_.is_gated()) {
+    kernels_.gated_change(size_, stride_, map_.output_scale.data(), output_.data(), uncompensated,
+                          previous_state(block), at(gate_, size_, block), state);
+  } else {
+    kernels_.add_scaled(size_, stride_, map_.output_scale.data(), output_.data(), uncompensated,
+                        state);
+  }
+}
+
+// What comes back from the frames behind and from this frame's own error, to the network's output.
+template <class Scalar>
+void WindowGradient<Scalar>::carry_back(int block, Scalar* delta) {
+  const Scalar* error = at(error_gradient_, size_, block);
+  if (map_.is_gated()) {
+    kernels_.gated_carry(size_, stride_, map_.output_scale.data(), error,
+                         at(uncompensated_, size_, block), previous_state(block),
+                         at(gate_, size_, block), carried_.data(), direct_.data(), delta);
+  } else {
+    kernels_.carry(size_, stride_, map_.output_scale.data(), error, carried_.data(), delta);
+  }
+}
+
+template <class Scalar>
 void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block, int slot) {
   const auto delta = [&](int layer) {
     return at(delta_[static_cast<std::size_t>(layer)], layout_.outputs(layer), slot);
   };
   const int last = layout_.layer_count() - 1;
-  kernels_.carry(size_, stride_, map_.output_scale.data(), at(error_gradient_, size_, block),
-                 carried_.data(), delta(last));
+  carry_back(block, delta(last));
   for (int layer = last; layer > 0; --layer) {
     const int inputs = layout_.inputs(layer);
     kernels_.layer_back(stride_, layout_.outputs(layer), inputs, delta(layer),
@@ -197,6 +221,7 @@ void WindowGradient<Scalar>::backward(const Scalar* parameters, Scalar* gradient
   for (int block = 0; block < blocks; ++block) {
     if (block % frames_ == 0) {
       std::fill(carried_.begin(), carried_.end(), Scalar(0));
+      std::fill(direct_.begin(), direct_.end(), Scalar(0));
     }
     backward_block(parameters, block, pending);
     ++pending;

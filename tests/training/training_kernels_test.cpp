@@ -124,6 +124,41 @@ TEST_P(TrainingKernelsOfLevel, StatesAndTheirGradientsAreScaledRowByRow) {
   }
 }
 
+TEST_P(TrainingKernelsOfLevel, GatedChangesAgreeWithTheReference) {
+  constexpr int kSize = 5;
+  constexpr int kStride = 32;
+  const MatrixXf scale = random_matrix(kSize, 1, 1);
+  const MatrixXf output = 20.0F * random_matrix(kStride, 2 * kSize, 2);  // gates from 0 to 1
+  const MatrixXf base = random_matrix(kStride, kSize, 3);
+  const MatrixXf previous = random_matrix(kStride, kSize, 4);
+  const MatrixXf error = random_matrix(kStride, kSize, 5);
+  const MatrixXf carried = random_matrix(kStride, kSize, 6);
+  const auto exact = [](const MatrixXf& m) { return MatrixXd(m.cast<double>()); };
+  MatrixXf gate(kStride, kSize);
+  MatrixXf state(kStride, kSize);
+  MatrixXd exact_gate(kStride, kSize);
+  MatrixXd exact_state(kStride, kSize);
+  kernels_.gated_change(kSize, kStride, scale.data(), output.data(), base.data(), previous.data(),
+                        gate.data(), state.data());
+  reference_.gated_change(kSize, kStride, exact(scale).data(), exact(output).data(),
+                          exact(base).data(), exact(previous).data(), exact_gate.data(),
+                          exact_state.data());
+  EXPECT_LT(difference(gate, exact_gate), kRounding);
+  EXPECT_LT(difference(state, exact_state), kRounding);
+
+  MatrixXf direct = random_matrix(kStride, kSize, 7);
+  MatrixXd exact_direct = exact(direct);
+  MatrixXf delta(kStride, 2 * kSize);
+  MatrixXd exact_delta(kStride, 2 * kSize);
+  kernels_.gated_carry(kSize, kStride, scale.data(), error.data(), base.data(), previous.data(),
+                       gate.data(), carried.data(), direct.data(), delta.data());
+  reference_.gated_carry(kSize, kStride, exact(scale).data(), exact(error).data(),
+                         exact(base).data(), exact(previous).data(), exact_gate.data(),
+                         exact(carried).data(), exact_direct.data(), exact_delta.data());
+  EXPECT_LT(difference(direct, exact_direct), kRounding);
+  EXPECT_LT(difference(delta, exact_delta), kRounding);
+}
+
 TEST_P(TrainingKernelsOfLevel, FrameErrorsAgreeWithTheReference) {
   constexpr int kGaps = 15;
   constexpr int kSize = 3 * kGaps;

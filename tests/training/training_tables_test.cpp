@@ -14,10 +14,12 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-TrainingSettings settings_for(BackboneLayout layout, Scaling scaling) {
+TrainingSettings settings_for(BackboneLayout layout, Scaling scaling,
+                              OutputForm form = OutputForm::compensation) {
   TrainingSettings settings;
   settings.layout = layout;
   settings.scaling = scaling;
+  settings.form = form;
   return settings;
 }
 
@@ -67,7 +69,7 @@ TEST(TrainingTables, TheRightCompensationGivesTheRecordedState) {
     const Episode episode = toy_episode(arm, 6, 20, 3);
     const TrainingTables tables =
         make_training_tables(arm, {episode}, settings_for(kind, Scaling::unit_range));
-    const NetworkLayout layout(kind, arm);
+    const NetworkLayout layout(kind, OutputForm::compensation, arm);
     const NoLoadModel no_load(arm);
     for (const int t : {0, 33, 100}) {
       Backbone unloaded(arm.point_count(), 3);
@@ -81,6 +83,41 @@ TEST(TrainingTables, TheRightCompensationGivesTheRecordedState) {
       EXPECT_LT((state - tables.frames.state.col(t)).lpNorm<Eigen::Infinity>(), kRounding);
     }
   }
+}
+
+// The change that was recorded, with the gate shut, must lead to the recorded backbone: (16).
+TEST(TrainingTables, TheRightChangeGivesTheRecordedState) {
+  const ArmDescription arm = three_segment_arm();
+  const Episode episode = toy_episode(arm, 6, 20, 3);
+  for (const Scaling scaling : {Scaling::unit_range, Scaling::unit_spread}) {
+    const TrainingTables tables = make_training_tables(
+        arm, {episode}, settings_for(BackboneLayout::gap_poses, scaling, OutputForm::gated_change));
+    EXPECT_TRUE(tables.map.is_gated());
+    EXPECT_EQ(tables.map.output_count(), 90);
+    EXPECT_TRUE(tables.output.offset.isZero(0.0F));
+    const NetworkLayout layout(BackboneLayout::gap_poses, OutputForm::gated_change, arm);
+    const auto recorded = [&](int t) {
+      return Eigen::VectorXf(layout.encode(episode.backbone.row(t).transpose()));
+    };
+    for (const int t : {1, 33, 100}) {
+      const Eigen::VectorXf output =
+          (recorded(t) - recorded(t - 1)).cwiseProduct(tables.output.scale);
+      const Eigen::VectorXf state =
+          tables.frames.state.col(t - 1) + tables.map.output_scale.cwiseProduct(output);
+      EXPECT_LT((state - tables.frames.state.col(t)).lpNorm<Eigen::Infinity>(), kRounding);
+    }
+  }
+}
+
+// Where each episode begins nothing changed: its first frame does not follow the last one's last.
+TEST(TrainingTables, ChangesDoNotReachFromEpisodeToEpisode) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingSettings settings =
+      settings_for(BackboneLayout::gap_poses, Scaling::unit_range, OutputForm::gated_change);
+  const Episode episode = toy_episode(arm, 6, 20, 3);
+  const TrainingTables once = make_training_tables(arm, {episode}, settings);
+  const TrainingTables twice = make_training_tables(arm, {episode, episode}, settings);
+  EXPECT_EQ(once.output.scale, twice.output.scale);
 }
 
 TEST(TrainingTables, RefusesConstantPressures) {

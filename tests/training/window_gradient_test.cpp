@@ -29,26 +29,30 @@ FrameTable<double> in_double(const FrameTable<float>& frames) {
 }
 
 StateMap<double> in_double(const StateMap<float>& map) {
-  return {map.output_scale.cast<double>(), map.error.cast<double>()};
+  return {map.output_scale.cast<double>(), map.error.cast<double>(), map.form};
 }
 
-TrainingSettings settings_for(BackboneLayout layout, bool error_in_base_poses, Scaling scaling) {
+TrainingSettings settings_for(BackboneLayout layout, bool error_in_base_poses, Scaling scaling,
+                              OutputForm form = OutputForm::compensation) {
   TrainingSettings settings;
   settings.layout = layout;
+  settings.form = form;
   settings.error_in_base_poses = error_in_base_poses;
   settings.scaling = scaling;
   return settings;
 }
 
-class GradientInLayout : public testing::TestWithParam<std::tuple<BackboneLayout, bool>> {};
+class GradientInLayout
+    : public testing::TestWithParam<std::tuple<BackboneLayout, bool, OutputForm>> {};
 
 TEST_P(GradientInLayout, AgreesWithFiniteDifferencesOverAWholeWindow) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingTables tables = make_training_tables(
-      arm, {toy_episode(arm, 4, 20, 3)},
-      settings_for(std::get<0>(GetParam()), std::get<1>(GetParam()), Scaling::unit_range));
+  const TrainingTables tables =
+      make_training_tables(arm, {toy_episode(arm, 4, 20, 3)},
+                           settings_for(std::get<0>(GetParam()), std::get<1>(GetParam()),
+                                        Scaling::unit_range, std::get<2>(GetParam())));
   const int inputs = static_cast<int>(tables.input.scale.size());
-  const int outputs = static_cast<int>(tables.output.scale.size());
+  const int outputs = tables.map.output_count();
   const ParameterLayout layout({inputs, 9, 8, outputs});
   Vector parameters = (0.3 * initial_parameters(layout, 5)).cast<double>();
   const FrameTable<double> frames = in_double(tables.frames);
@@ -73,10 +77,11 @@ TEST_P(GradientInLayout, AgreesWithFiniteDifferencesOverAWholeWindow) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(BothLayouts, GradientInLayout,
-                         testing::Values(std::tuple(BackboneLayout::base_poses, true),
-                                         std::tuple(BackboneLayout::gap_poses, true),
-                                         std::tuple(BackboneLayout::gap_poses, false)));
+INSTANTIATE_TEST_SUITE_P(
+    BothLayouts, GradientInLayout,
+    testing::Combine(testing::Values(BackboneLayout::base_poses, BackboneLayout::gap_poses),
+                     testing::Bool(),
+                     testing::Values(OutputForm::compensation, OutputForm::gated_change)));
 
 struct PyTorchCase {
   nlohmann::json values =
@@ -120,13 +125,15 @@ TEST(WindowGradient, EqualsPyTorchs) {
             kPyTorchTolerance * expected.lpNorm<Eigen::Infinity>());
 }
 
-TEST(WindowGradient, SinglePrecisionFollowsDouble) {
+class SinglePrecision : public testing::TestWithParam<OutputForm> {};
+
+TEST_P(SinglePrecision, FollowsDouble) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingTables tables =
-      make_training_tables(arm, {toy_episode(arm, 4, 20, 3)},
-                           settings_for(BackboneLayout::gap_poses, true, Scaling::unit_spread));
-  const ParameterLayout layout({static_cast<int>(tables.input.scale.size()), 100, 100, 100,
-                                static_cast<int>(tables.output.scale.size())});
+  const TrainingTables tables = make_training_tables(
+      arm, {toy_episode(arm, 4, 20, 3)},
+      settings_for(BackboneLayout::gap_poses, true, Scaling::unit_spread, GetParam()));
+  const ParameterLayout layout(
+      {static_cast<int>(tables.input.scale.size()), 100, 100, 100, tables.map.output_count()});
   const Eigen::VectorXf parameters = initial_parameters(layout, 5);
   const Vector exact = parameters.cast<double>();
   const std::vector<int> starts = {2, 20, 45};
@@ -143,6 +150,9 @@ TEST(WindowGradient, SinglePrecisionFollowsDouble) {
   EXPECT_LT((gradient.cast<double>() - expected).norm(),
             kSinglePrecisionTolerance * expected.norm());
 }
+
+INSTANTIATE_TEST_SUITE_P(BothForms, SinglePrecision,
+                         testing::Values(OutputForm::compensation, OutputForm::gated_change));
 
 TEST(WindowGradient, AWindowDoesNotDependOnItsNeighbours) {
   const PyTorchCase stored;

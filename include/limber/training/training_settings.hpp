@@ -38,6 +38,7 @@ struct TrainingStage {
 struct TrainingSettings {
   std::string preset = "best";
   BackboneLayout layout = BackboneLayout::gap_poses;
+  OutputForm form = OutputForm::gated_change;
   std::vector<int> hidden_units = {100, 100, 100};
   Scaling scaling = Scaling::unit_spread;
   /// Frame errors are taken over poses about the base, whatever the layout; otherwise over the
@@ -47,7 +48,7 @@ struct TrainingSettings {
   std::vector<TrainingStage> stages;
 
   Optimiser optimiser = Optimiser::adam;
-  double learning_rate = 3e-3;  ///< 6e-3 learns faster, and now and then diverges
+  double learning_rate = 3e-3;     ///< 6e-3 learns faster, and now and then diverges
   bool cosine_decay = true;        ///< towards zero over the whole run, otherwise constant
   double gradient_norm_limit = 0;  ///< longer gradients are shortened to this; 0: never
   double average_decay = 0;        ///< of the exponential moving average of the weights; 0: none

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "limber/common/aligned_floats.hpp"
+#include "limber/network/compensation_model.hpp"
 #include "limber/training/frame_error.hpp"
 #include "limber/training/parameter_layout.hpp"
 
@@ -26,13 +27,20 @@ struct FrameTable {
   const Matrix& targets() const { return target.size() > 0 ? target : state; }
 };
 
-/// (5) in normalised numbers: state_t = uncompensated_t + output_scale ∘ y_t, with y_t the
-/// network's output.
+/// (5) and (16) in normalised numbers, with y_t the network's output.
+/// compensation: state_t = uncompensated_t + output_scale ∘ y_t.
+/// gated_change: state_t = state_{t−1} + g ∘ (uncompensated_t − state_{t−1}) + output_scale ∘ y_t,
+///               with y_t its first D numbers and g the logistic function of the D behind them.
 template <class Scalar>
 struct StateMap {
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
   Vector output_scale;  ///< D
   FrameError<Scalar> error;
+  OutputForm form = OutputForm::compensation;
+
+  bool is_gated() const { return form == OutputForm::gated_change; }
+  /// Numbers that the network puts out.
+  int output_count() const { return static_cast<int>(output_scale.size()) * (is_gated() ? 2 : 1); }
 };
 
 template <class Scalar>
@@ -51,7 +59,7 @@ class WindowGradient {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  /// @param layout  2n + D + N inputs (q_{t−1}, q_t, B_{t−1}, B̃_t), D outputs.
+  /// @param layout  2n + D + N inputs (q_{t−1}, q_t, B_{t−1}, B̃_t), map.output_count() outputs.
   WindowGradient(const ParameterLayout& layout, const StateMap<Scalar>& map, int segment_count,
                  int window_frames, int window_limit);
 
@@ -80,6 +88,9 @@ class WindowGradient {
     return storage.data() + std::ptrdiff_t{block} * rows * stride_;
   }
   Scalar* layer_input(int layer, int block);
+  Scalar* previous_state(int block) { return layer_input(0, block) + 2 * segments_ * stride_; }
+  void apply_output(int block, Scalar* state);
+  void carry_back(int block, Scalar* delta);
   void load_block(const FrameTable<Scalar>& frames, int group, int frame);
   void weigh(const FrameTable<Scalar>& frames, std::span<const int> starts);
   void backward_block(const Scalar* parameters, int block, int slot);
@@ -107,6 +118,8 @@ class WindowGradient {
   Storage output_;          ///< one block
   Storage last_state_;      ///< one block: what no frame reads
   Storage carried_;         ///< one block: ∂loss/∂state, carried from frame to frame
+  Storage direct_;          ///< one block: the part of it that the network had no part in
+  Storage gate_;            ///< g, where there are gates
   Storage error_gradient_;  ///< ∂(frame error)/∂state
 };
 
