@@ -75,7 +75,8 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
           member == 0 ? 0 : kMemberStreams + (static_cast<std::uint64_t>(member) << 16);
       Eigen::VectorXf initial = initial_parameters(layout_, settings_.seed, first_stream);
       if (tables_.map.is_gated()) {
-        shut_gates(layout_, tables_.map.output_count() / 2, initial);
+        set_gate_biases(layout_, tables_.map.output_count() / 2, settings_.first_gate_bias,
+                        initial);
       }
       own = initial;
     }

@@ -32,39 +32,13 @@ std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Resta
   return pieces_of_length(episodes, std::numeric_limits<int>::max());
 }
 
-ErrorStatistics statistics(std::vector<double> values) {
-  // Frames in which the arm was not seen are marked NaN.
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  ErrorStatistics result;
-  if (values.empty()) {
-    return result;
-  }
-  const auto count = static_cast<double>(values.size());
-  for (const double value : values) {
-    result.mean += value / count;
-  }
-  double variance = 0.0;
-  for (const double value : values) {
-    variance += (value - result.mean) * (value - result.mean) / count;
-  }
-  result.std = std::sqrt(variance);
-  // The smallest value that 95 % of the values do not exceed.
-  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * count)) - 1;
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  result.p95 = values[static_cast<std::size_t>(rank)];
-  return result;
-}
-
-TipErrors errors_over(const std::vector<FrameMatrix>& predicted,
-                      const std::vector<Episode>& episodes, int first) {
+TipErrorSeries errors_over(const std::vector<FrameMatrix>& predicted,
+                           const std::vector<Episode>& episodes, int first) {
   TipErrorSeries all;
   for (std::size_t i = 0; i < episodes.size(); ++i) {
-    const TipErrorSeries one = tip_errors(predicted[i], episodes[i], first);
-    all.position_cm.insert(all.position_cm.end(), one.position_cm.begin(), one.position_cm.end());
-    all.orientation_rad.insert(all.orientation_rad.end(), one.orientation_rad.begin(),
-                               one.orientation_rad.end());
+    append(all, tip_errors(predicted[i], episodes[i], first));
   }
-  return summarise(all);
+  return all;
 }
 
 /// @throws InputError where a prediction within the pieces is not finite.
@@ -81,8 +55,8 @@ void require_finite(const std::vector<FrameMatrix>& predicted,
   }
 }
 
-TipErrors rollout_errors(const ForwardModel& model, const std::vector<Episode>& episodes,
-                         Restart restart, int jobs) {
+TipErrorSeries rollout_errors(const ForwardModel& model, const std::vector<Episode>& episodes,
+                              Restart restart, int jobs) {
   const std::vector<RolloutPiece> pieces = pieces_for(episodes, restart);
   const std::vector<FrameMatrix> predicted = roll_out(model, episodes, pieces, jobs);
   require_finite(predicted, pieces);
@@ -130,7 +104,10 @@ double reduction_percent(double before, double after) {
 }
 
 nlohmann::ordered_json to_json(const ErrorStatistics& value) {
-  return {{"mean", value.mean}, {"std", value.std}, {"p95", value.p95}};
+  return {{"mean", value.mean},
+          {"std", value.std},
+          {"p95", value.p95},
+          {"worst_motion", value.worst_motion}};
 }
 
 nlohmann::ordered_json to_json(const TipErrors& value) {
@@ -139,10 +116,11 @@ nlohmann::ordered_json to_json(const TipErrors& value) {
 }
 
 std::string row(const char* name, const TipErrors& errors) {
-  return fmt::format("{:<32} {:7.2f} {:7.2f} {:7.2f}   {:7.3f} {:7.3f} {:7.3f}\n", name,
-                     errors.position_cm.mean, errors.position_cm.std, errors.position_cm.p95,
-                     errors.orientation_rad.mean, errors.orientation_rad.std,
-                     errors.orientation_rad.p95);
+  const ErrorStatistics& cm = errors.position_cm;
+  const ErrorStatistics& rad = errors.orientation_rad;
+  return fmt::format("{:<32} {:6.2f} {:6.2f} {:6.2f} {:6.2f}   {:6.3f} {:6.3f} {:6.3f} {:6.3f}\n",
+                     name, cm.mean, cm.std, cm.p95, cm.worst_motion, rad.mean, rad.std, rad.p95,
+                     rad.worst_motion);
 }
 
 }  // namespace
@@ -150,25 +128,6 @@ std::string row(const char* name, const TipErrors& errors) {
 FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart, int jobs) {
   const std::vector<Episode> episodes = {episode};
   return std::move(roll_out(model, episodes, pieces_for(episodes, restart), jobs).front());
-}
-
-TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first) {
-  TipErrorSeries errors;
-  const FrameMatrix& recorded = episode.backbone;
-  const Eigen::Index tip = recorded.cols() - 3;
-  for (Eigen::Index t = first; t < recorded.rows(); ++t) {
-    const Eigen::Vector3d difference =
-        (predicted.row(t).segment<3>(tip) - recorded.row(t).segment<3>(tip)).cast<double>();
-    const bool seen = episode.was_tracked(static_cast<int>(t)) && difference.allFinite();
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    errors.position_cm.push_back(seen ? kCmPerM * difference.head<2>().norm() : nan);
-    errors.orientation_rad.push_back(seen ? std::abs(difference[2]) : nan);
-  }
-  return errors;
-}
-
-TipErrors summarise(const TipErrorSeries& series) {
-  return {statistics(series.position_cm), statistics(series.orientation_rad)};
 }
 
 namespace {
@@ -203,15 +162,26 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
   }
   require_tracked(episodes);
   // The no-load model has no memory: restarting it would change nothing.
-  result.no_load_open_loop = rollout_errors(no_load, episodes, Restart::every_frame, jobs);
-  result.hold_one_step = errors_over(hold(episodes), episodes, 1);
-  result.constant_velocity_one_step = errors_over(constant_velocity(episodes), episodes, 2);
+  const auto errors_of = [&](const ForwardModel& model, Restart restart) {
+    return summarise(rollout_errors(model, episodes, restart, jobs));
+  };
+  result.no_load_open_loop = errors_of(no_load, Restart::every_frame);
+  const auto one_step = [](const TipErrorSeries& series, TipErrors& all, TipErrors& moving) {
+    all = summarise(series);
+    moving = summarise(moving_frames(series));
+  };
+  one_step(errors_over(hold(episodes), episodes, 1), result.hold_one_step,
+           result.hold_one_step_moving);
+  one_step(errors_over(constant_velocity(episodes), episodes, 2), result.constant_velocity_one_step,
+           result.constant_velocity_one_step_moving);
   if (network != nullptr) {
     RolloutErrors errors;
-    errors.one_step = rollout_errors(*network, episodes, Restart::every_frame, jobs);
-    errors.window_32 = rollout_errors(*network, episodes, Restart::every_32_frames, jobs);
-    errors.per_motion = rollout_errors(*network, episodes, Restart::every_motion, jobs);
-    errors.open_loop = rollout_errors(*network, episodes, Restart::at_the_start_only, jobs);
+    one_step(rollout_errors(*network, episodes, Restart::every_frame, jobs), errors.one_step,
+             errors.one_step_moving);
+    errors.window_32 = errors_of(*network, Restart::every_32_frames);
+    errors.per_motion = errors_of(*network, Restart::every_motion);
+    errors.open_loop = errors_of(*network, Restart::at_the_start_only);
+    result.long_rollout = roll_out_long(*network, episodes);
     result.position_reduction_percent = reduction_percent(result.no_load_open_loop.position_cm.mean,
                                                           errors.open_loop.position_cm.mean);
     result.orientation_reduction_percent = reduction_percent(
@@ -228,13 +198,22 @@ nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation) {
   if (evaluation.network) {
     nlohmann::ordered_json& network = json["network"];
     network["one_step"] = to_json(evaluation.network->one_step);
+    network["one_step_moving"] = to_json(evaluation.network->one_step_moving);
     network["window_32"] = to_json(evaluation.network->window_32);
     network["per_motion"] = to_json(evaluation.network->per_motion);
     network["open_loop"] = to_json(evaluation.network->open_loop);
+    const LongRollout& rollout = evaluation.long_rollout;
+    json["long_rollout"] = {{"frames", rollout.frames},
+                            {"largest_distance_m", rollout.largest_distance_m},
+                            {"largest_heading_rad", rollout.largest_heading_rad},
+                            {"bounded", rollout.bounded}};
   }
-  json["baselines"]["hold"]["one_step"] = to_json(evaluation.hold_one_step);
-  json["baselines"]["constant_velocity"]["one_step"] =
-      to_json(evaluation.constant_velocity_one_step);
+  nlohmann::ordered_json& baselines = json["baselines"];
+  baselines["hold"] = {{"one_step", to_json(evaluation.hold_one_step)},
+                       {"one_step_moving", to_json(evaluation.hold_one_step_moving)}};
+  baselines["constant_velocity"] = {
+      {"one_step", to_json(evaluation.constant_velocity_one_step)},
+      {"one_step_moving", to_json(evaluation.constant_velocity_one_step_moving)}};
   if (evaluation.network) {
     json["reduction_percent"] = {{"position", evaluation.position_reduction_percent},
                                  {"orientation", evaluation.orientation_reduction_percent}};
@@ -243,23 +222,31 @@ nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation) {
 }
 
 std::string evaluation_to_text(const Evaluation& evaluation) {
-  std::string text =
-      fmt::format("{:<32} {:>23}   {:>23}\n{:<32} {:>7} {:>7} {:>7}   {:>7} {:>7} {:>7}\n",
-                  fmt::format("{} frames", evaluation.frames), "tip position [cm]",
-                  "tip orientation [rad]", "", "mean", "std", "p95", "mean", "std", "p95");
+  const std::string columns = fmt::format("{:>6} {:>6} {:>6} {:>6}", "mean", "std", "p95", "worst");
+  std::string text = fmt::format("{:<32} {:>27}   {:>27}\n{:<32} {}   {}\n",
+                                 fmt::format("{} frames", evaluation.frames), "tip position [cm]",
+                                 "tip orientation [rad]", "", columns, columns);
   text += row("no load, open loop", evaluation.no_load_open_loop);
   if (evaluation.network) {
     text += row("network, open loop", evaluation.network->open_loop);
     text += row("network, per motion", evaluation.network->per_motion);
     text += row("network, 32-frame windows", evaluation.network->window_32);
     text += row("network, one step", evaluation.network->one_step);
+    text += row("network, one step, moving", evaluation.network->one_step_moving);
   }
   text += row("hold the pose, one step", evaluation.hold_one_step);
+  text += row("hold the pose, one step, moving", evaluation.hold_one_step_moving);
   text += row("constant velocity, one step", evaluation.constant_velocity_one_step);
+  text += row("the same, moving", evaluation.constant_velocity_one_step_moving);
+  text += "worst: the mean over the worst motion; moving: over frames in which the tip moves\n";
   if (evaluation.network) {
     text += fmt::format("open loop, the network's errors are smaller by {:.1f} % and {:.1f} %\n",
                         evaluation.position_reduction_percent,
                         evaluation.orientation_reduction_percent);
+    const LongRollout& rollout = evaluation.long_rollout;
+    text += fmt::format("{} frames without correction: {}, no plate farther than {:.2f} m\n",
+                        rollout.frames, rollout.bounded ? "bounded" : "NOT BOUNDED",
+                        rollout.largest_distance_m);
   }
   return text;
 }

@@ -108,11 +108,6 @@ EvaluationPlots plot_evaluation(const ForwardModel& no_load, const ForwardModel*
                                 const std::vector<Episode>& episodes, int jobs) {
   TipErrorSeries no_load_errors;
   TipErrorSeries network_errors;
-  const auto append = [](TipErrorSeries& all, const TipErrorSeries& some) {
-    all.position_cm.insert(all.position_cm.end(), some.position_cm.begin(), some.position_cm.end());
-    all.orientation_rad.insert(all.orientation_rad.end(), some.orientation_rad.begin(),
-                               some.orientation_rad.end());
-  };
   for (const Episode& episode : episodes) {
     const Predictions predictions = predict_both(no_load, network, episode, jobs);
     append(no_load_errors, tip_errors(predictions.no_load, episode, 1));

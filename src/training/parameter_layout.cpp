@@ -10,7 +10,6 @@ namespace limber {
 namespace {
 
 constexpr float kLastLayerShare = 0.1F;
-constexpr float kShutGate = -4.5F;  // logistic: 0.011 (docs/training.md says what others cost)
 
 }  // namespace
 
@@ -37,10 +36,11 @@ Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t 
   return parameters;
 }
 
-void shut_gates(const ParameterLayout& layout, int gates, Eigen::VectorXf& parameters) {
+void set_gate_biases(const ParameterLayout& layout, int gates, double bias,
+                     Eigen::VectorXf& parameters) {
   const int last = layout.layer_count() - 1;
   parameters.segment(layout.bias_offset(last) + layout.outputs(last) - gates, gates)
-      .setConstant(kShutGate);
+      .setConstant(static_cast<float>(bias));
 }
 
 std::vector<Layer> to_layers(const ParameterLayout& layout, const Eigen::VectorXf& parameters) {

@@ -45,7 +45,7 @@ TrainingSettings paper_preset() {
 
 TrainingSettings best_preset() {
   TrainingSettings settings;
-  settings.stages = {{2, 1024, 150}, {8, 256, 120}, {32, 128, 180}};
+  settings.stages = {{2, 512, 150}, {8, 128, 120}, {32, 64, 180}};
   settings.validation_interval = 2;
   settings.gradient_norm_limit = 1.0;
   return settings;
@@ -97,6 +97,8 @@ void require_usable(const TrainingSettings& settings) {
   require(std::isfinite(rate) && rate > 0.0, "learning_rate", rate, "a finite number > 0");
   require(std::isfinite(settings.time_limit_s) && settings.time_limit_s >= 0.0, "time_limit_s",
           settings.time_limit_s, "a finite number of seconds, 0: no limit");
+  require(std::isfinite(settings.first_gate_bias), "first_gate_bias", settings.first_gate_bias,
+          "a finite number");
   require(settings.gradient_norm_limit >= 0.0, "gradient_norm_limit", settings.gradient_norm_limit,
           ">= 0 (0: no limit)");
   require(settings.average_decay >= 0.0 && settings.average_decay < 1.0, "average_decay",

@@ -66,9 +66,9 @@ class Chain(InFolder):
         found = self.run_json(
             "evaluate", *ARM, "--model", "model.safetensors", "--data", "test.h5", "--plots", "plots"
         )
-        statistics = {"mean", "std", "p95"}
+        statistics = {"mean", "std", "p95", "worst_motion"}
         errors = {"position_error_cm", "orientation_error_rad"}
-        kinds = {"one_step", "window_32", "per_motion", "open_loop"}
+        kinds = {"one_step", "one_step_moving", "window_32", "per_motion", "open_loop"}
         self.assertEqual(set(found["network"]), kinds)
         self.assertEqual(set(found["no_load"]), {"open_loop"})
         self.assertEqual(set(found["baselines"]), {"hold", "constant_velocity"})
@@ -76,6 +76,8 @@ class Chain(InFolder):
             self.assertEqual(set(found["network"][kind]), errors)
             for error in errors:
                 self.assertEqual(set(found["network"][kind][error]), statistics)
+        self.assertEqual(found["long_rollout"]["frames"], 20000)
+        self.assertIs(found["long_rollout"]["bounded"], True)
         for number in numbers_in(found):
             self.assertTrue(-1e6 < number < 1e6, number)
         no_load = found["no_load"]["open_loop"]["position_error_cm"]["mean"]

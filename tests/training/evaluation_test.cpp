@@ -76,6 +76,52 @@ TEST(Evaluate, ErrorsOfADriftFollowTheRestarts) {
   EXPECT_NEAR(errors.open_loop.position_cm.std, 0.1 * std::sqrt((160.0 * 160.0 - 1) / 12),
               kDriftRounding_cm);
   EXPECT_NEAR(errors.open_loop.orientation_rad.mean, 0.0, 1e-6);
+  // The last of four motions of 40 frames: frames 121 to 160.
+  EXPECT_NEAR(errors.open_loop.position_cm.worst_motion, 0.1 * 140.5, kDriftRounding_cm);
+  EXPECT_NEAR(errors.per_motion.position_cm.worst_motion, 0.1 * 41 / 2, kMicrometre_cm);
+  EXPECT_EQ(errors.one_step_moving.position_cm.mean, 0.0);  // the arm stands still
+}
+
+TEST(Evaluate, MovingFramesAreThoseInWhichTheTipMoves) {
+  const ArmDescription arm = three_segment_arm();
+  const ForwardModel no_load(arm);
+  const ForwardModel network(arm, drifting_network(arm));
+  Episode episode = still_episode(arm, 50);
+  const Eigen::Index tip = episode.backbone.cols() - 3;
+  for (int t = 20; t < 50; ++t) {
+    episode.backbone(t, tip) += 0.01F * static_cast<float>(std::min(t - 19, 5));
+  }
+  const Evaluation evaluation = evaluate(no_load, &network, {episode});
+  // Five frames, 1 cm each, of which the network says 1 mm.
+  EXPECT_NEAR(evaluation.hold_one_step_moving.position_cm.mean, 1.0, kMicrometre_cm);
+  EXPECT_NEAR(evaluation.hold_one_step.position_cm.mean, 5.0 / 49, kMicrometre_cm);
+  EXPECT_NEAR(evaluation.network->one_step_moving.position_cm.mean, 0.9, kMicrometre_cm);
+  EXPECT_NEAR(evaluation.network->one_step.position_cm.mean, (5 * 0.9 + 44 * 0.1) / 49,
+              kMicrometre_cm);
+}
+
+TEST(TipErrorSeries, MotionsOfAnotherEpisodeAreOtherMotions) {
+  TipErrorSeries series;
+  append(series, {{1.0, 3.0}, {0.0, 0.0}, {0, 1}, {true, false}});
+  append(series, {{5.0, 7.0}, {0.0, 0.0}, {0, 0}, {false, true}});
+  EXPECT_THAT(series.motion, ElementsAre(0, 1, 2, 2));
+  EXPECT_EQ(summarise(series).position_cm.worst_motion, 6.0);
+  EXPECT_THAT(moving_frames(series).position_cm, ElementsAre(1.0, 7.0));
+}
+
+TEST(LongRollout, TellsADriftFromAModelThatStays) {
+  const ArmDescription arm = three_segment_arm();
+  const std::vector<Episode> episodes = {toy_episode(arm, 10, 20, 4)};
+  const LongRollout steady = roll_out_long(ForwardModel(arm, zero_network(arm)), episodes, 3000);
+  EXPECT_TRUE(steady.bounded);
+  EXPECT_EQ(steady.frames, 3000);
+  EXPECT_LE(steady.largest_distance_m, arm.length_m());
+  EXPECT_GT(steady.largest_distance_m, 0.3 * arm.length_m());
+  const ForwardModel drifting(arm, drifting_network(arm));
+  EXPECT_TRUE(roll_out_long(drifting, episodes, 100).bounded);
+  const LongRollout drift = roll_out_long(drifting, episodes, 3000);
+  EXPECT_FALSE(drift.bounded);
+  EXPECT_GT(drift.largest_distance_m, 2.9);  // 1 mm a frame
 }
 
 TEST(Evaluate, AZeroNetworkIsTheNoLoadModel) {
@@ -170,11 +216,13 @@ TEST(EvaluationJson, HasTheContractsKeys) {
   const ForwardModel network(arm, zero_network(arm));
   const nlohmann::ordered_json json =
       evaluation_to_json(evaluate(no_load, &network, {toy_episode(arm, 2, 20, 4)}));
-  for (const char* path : {"/no_load/open_loop", "/network/one_step", "/network/window_32",
-                           "/network/per_motion", "/network/open_loop", "/baselines/hold/one_step",
-                           "/baselines/constant_velocity/one_step"}) {
+  for (const char* path :
+       {"/no_load/open_loop", "/network/one_step", "/network/one_step_moving", "/network/window_32",
+        "/network/per_motion", "/network/open_loop", "/baselines/hold/one_step",
+        "/baselines/hold/one_step_moving", "/baselines/constant_velocity/one_step",
+        "/baselines/constant_velocity/one_step_moving"}) {
     for (const char* quantity : {"position_error_cm", "orientation_error_rad"}) {
-      for (const char* statistic : {"mean", "std", "p95"}) {
+      for (const char* statistic : {"mean", "std", "p95", "worst_motion"}) {
         const nlohmann::ordered_json::json_pointer pointer(std::string(path) + "/" + quantity +
                                                            "/" + statistic);
         EXPECT_TRUE(json.contains(pointer)) << pointer;

@@ -9,21 +9,10 @@
 
 #include "limber/data/recording.hpp"
 #include "limber/forward/forward_model.hpp"
+#include "limber/training/long_rollout.hpp"
+#include "limber/training/tip_errors.hpp"
 
 namespace limber {
-
-/// Over frames: mean, standard deviation (of the population) and 95th percentile.
-struct ErrorStatistics {
-  double mean = 0.0;
-  double std = 0.0;
-  double p95 = 0.0;
-};
-
-/// Errors of the end effector.
-struct TipErrors {
-  ErrorStatistics position_cm;
-  ErrorStatistics orientation_rad;
-};
 
 /// How often a prediction is corrected from the recording. One step alone says little: holding the
 /// previous pose is already good at it (docs/training.md).
@@ -36,6 +25,7 @@ enum class Restart {
 
 struct RolloutErrors {
   TipErrors one_step;
+  TipErrors one_step_moving;  ///< of the frames in which the arm moved: most of the others are easy
   TipErrors window_32;
   TipErrors per_motion;
   TipErrors open_loop;
@@ -47,8 +37,11 @@ struct Evaluation {
   std::int64_t frames = 0;
   TipErrors no_load_open_loop;
   std::optional<RolloutErrors> network;
-  TipErrors hold_one_step;                  ///< B_t = B_{t−1}
-  TipErrors constant_velocity_one_step;     ///< B_t = 2 B_{t−1} − B_{t−2}
+  LongRollout long_rollout;  ///< of the network, where there is one
+  TipErrors hold_one_step;   ///< B_t = B_{t−1}
+  TipErrors hold_one_step_moving;
+  TipErrors constant_velocity_one_step;  ///< B_t = 2 B_{t−1} − B_{t−2}
+  TipErrors constant_velocity_one_step_moving;
   double position_reduction_percent = 0.0;  ///< open loop, network against no load
   double orientation_reduction_percent = 0.0;
 };
@@ -59,17 +52,6 @@ struct Evaluation {
 /// `jobs` threads; the result does not depend on their number.
 FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart,
                     int jobs = 0);
-
-/// Errors of predicted tips, one a frame.
-struct TipErrorSeries {
-  std::vector<double> position_cm;
-  std::vector<double> orientation_rad;
-};
-/// Frames `first` and later of `predicted` (T×3m) against those recorded; NaN where the arm was not
-/// seen or nothing was predicted.
-TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first);
-/// Statistics over the frames that are not NaN.
-TipErrors summarise(const TipErrorSeries& series);
 
 /// @param network  null: no-load model only.
 /// @throws InputError where the recording has no episode of at least three frames.

@@ -37,8 +37,9 @@ class ParameterLayout {
 Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t seed,
                                    std::uint64_t first_stream = 0);
 
-/// Nearly shuts the gates of (16), the last `gates` outputs, by their biases: a gate starts at 1 %.
-void shut_gates(const ParameterLayout& layout, int gates, Eigen::VectorXf& parameters);
+/// Sets the biases of the last `gates` outputs, those of (16)'s gates.
+void set_gate_biases(const ParameterLayout& layout, int gates, double bias,
+                     Eigen::VectorXf& parameters);
 
 std::vector<Layer> to_layers(const ParameterLayout& layout, const Eigen::VectorXf& parameters);
 Eigen::VectorXf to_parameters(const ParameterLayout& layout, const std::vector<Layer>& layers);

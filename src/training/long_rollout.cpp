@@ -1,0 +1,72 @@
+#include "limber/training/long_rollout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limber {
+
+namespace {
+
+constexpr double kFarthest = 2.0;  // of the arm's length
+
+/// Frame `step` of a walk over 0, 1, …, count − 1, count − 2, …, 0, 1, …
+int there_and_back(int step, int count) {
+  const int period = 2 * (count - 1);
+  const int at = step % period;
+  return at < count ? at : period - at;
+}
+
+int first_tracked(const Episode& episode) {
+  int frame = 0;
+  while (frame < episode.frame_count() && !episode.was_tracked(frame)) {
+    ++frame;
+  }
+  return frame;
+}
+
+double arm_length_m(const ForwardModel& model) {
+  double length = 0.0;
+  for (int i = 0; i < model.segment_count(); ++i) {
+    length += model.no_load().segment(i).length_m;
+  }
+  return length;
+}
+
+}  // namespace
+
+LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>& episodes,
+                          int frames) {
+  const auto frames_from_seen = [](const Episode& one) {
+    return one.frame_count() - first_tracked(one);
+  };
+  const Episode& episode = *std::ranges::max_element(episodes, {}, frames_from_seen);
+  const int count = frames_from_seen(episode);
+  const int begin = episode.frame_count() - count;
+  LongRollout result;
+  if (count < 2) {
+    result.bounded = true;
+    return result;
+  }
+  ForwardModel::Workspace workspace;
+  Backbone state(model.point_count(), 3);
+  state.reshaped<Eigen::RowMajor>() = episode.backbone.row(begin).transpose();
+  Pressures previous = episode.pressure_kpa.row(begin);
+  for (; result.frames < frames && state.allFinite(); ++result.frames) {
+    const Pressures current =
+        episode.pressure_kpa.row(begin + there_and_back(result.frames + 1, count));
+    model.step(previous, current, state, state, workspace);
+    previous = current;
+    if (state.allFinite()) {
+      const Eigen::MatrixX3d plates = state.cast<double>();
+      result.largest_distance_m =
+          std::max(result.largest_distance_m, plates.leftCols<2>().rowwise().norm().maxCoeff());
+      result.largest_heading_rad =
+          std::max(result.largest_heading_rad, plates.col(2).cwiseAbs().maxCoeff());
+    }
+  }
+  result.bounded =
+      state.allFinite() && result.largest_distance_m <= kFarthest * arm_length_m(model);
+  return result;
+}
+
+}  // namespace limber

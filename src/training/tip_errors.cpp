@@ -1,0 +1,106 @@
+#include "limber/training/tip_errors.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+/// Largest mean over the values of one motion.
+double worst_motion(const std::vector<double>& values, const std::vector<int>& motion) {
+  double worst = 0.0;
+  for (std::size_t first = 0; first < values.size();) {
+    double sum = 0.0;
+    int count = 0;
+    std::size_t i = first;
+    for (; i < values.size() && motion[i] == motion[first]; ++i) {
+      sum += std::isnan(values[i]) ? 0.0 : values[i];
+      count += std::isnan(values[i]) ? 0 : 1;
+    }
+    worst = std::max(worst, count > 0 ? sum / count : 0.0);
+    first = i;
+  }
+  return worst;
+}
+
+ErrorStatistics statistics(std::vector<double> values, const std::vector<int>& motion) {
+  ErrorStatistics result;
+  result.worst_motion = worst_motion(values, motion);
+  // Frames in which the arm was not seen are marked NaN.
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) {
+    return result;
+  }
+  const auto count = static_cast<double>(values.size());
+  for (const double value : values) {
+    result.mean += value / count;
+  }
+  double variance = 0.0;
+  for (const double value : values) {
+    variance += (value - result.mean) * (value - result.mean) / count;
+  }
+  result.std = std::sqrt(variance);
+  // The smallest value that 95 % of the values do not exceed.
+  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * count)) - 1;
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  result.p95 = values[static_cast<std::size_t>(rank)];
+  return result;
+}
+
+}  // namespace
+
+TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first) {
+  assert(first >= 1);
+  TipErrorSeries errors;
+  const FrameMatrix& recorded = episode.backbone;
+  const Eigen::Index tip = recorded.cols() - 3;
+  for (int t = first; t < episode.frame_count(); ++t) {
+    const Eigen::Vector3d difference =
+        (predicted.row(t).segment<3>(tip) - recorded.row(t).segment<3>(tip)).cast<double>();
+    const bool seen = episode.was_tracked(t) && difference.allFinite();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    errors.position_cm.push_back(seen ? kCmPerM * difference.head<2>().norm() : nan);
+    errors.orientation_rad.push_back(seen ? std::abs(difference[2]) : nan);
+    errors.motion.push_back(episode.motion_index[static_cast<std::size_t>(t)]);
+    const auto step = (recorded.row(t) - recorded.row(t - 1)).segment<2>(tip).cast<double>();
+    errors.moving.push_back(episode.was_tracked(t - 1) && step.norm() >= kMovingTip_m);
+  }
+  return errors;
+}
+
+void append(TipErrorSeries& series, const TipErrorSeries& more) {
+  const auto add = [](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  add(series.position_cm, more.position_cm);
+  add(series.orientation_rad, more.orientation_rad);
+  add(series.moving, more.moving);
+  const int next = series.motion.empty() ? 0 : series.motion.back() + 1;
+  std::ranges::transform(more.motion, std::back_inserter(series.motion),
+                         [next](int motion) { return next + motion; });
+}
+
+TipErrorSeries moving_frames(const TipErrorSeries& series) {
+  TipErrorSeries result;
+  for (std::size_t i = 0; i < series.moving.size(); ++i) {
+    if (series.moving[i]) {
+      result.position_cm.push_back(series.position_cm[i]);
+      result.orientation_rad.push_back(series.orientation_rad[i]);
+      result.motion.push_back(series.motion[i]);
+      result.moving.push_back(true);
+    }
+  }
+  return result;
+}
+
+TipErrors summarise(const TipErrorSeries& series) {
+  return {statistics(series.position_cm, series.motion),
+          statistics(series.orientation_rad, series.motion)};
+}
+
+}  // namespace limber
