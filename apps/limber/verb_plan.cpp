@@ -140,11 +140,11 @@ class PlanVerb final : public Verb {
       limits_.time_s = kDefaultTimeLimitS;
     }
     PlanProgress progress(limits_, flags.progress());
-    PlanResult result =
-        make_planner(planner_)->plan(problem, limits_, flags.seed, [&](const PlannerProgress& now) {
-          progress.update(now);
-          return !interrupt_requested();
-        });
+    PlanResult result = make_planner(planner_, flags.jobs)
+                            ->plan(problem, limits_, flags.seed, [&](const PlannerProgress& now) {
+                              progress.update(now);
+                              return !interrupt_requested();
+                            });
     progress.finish();
     for (const std::string& warning : result.warnings) {
       say(flags, "warning: {}", warning);

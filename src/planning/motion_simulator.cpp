@@ -12,6 +12,14 @@ constexpr double kRoundingFrames = 1e-6;  // float32 set points of a motion of w
 
 }  // namespace
 
+Pressures pressure_limits_kpa(const ArmDescription& arm) {
+  Pressures limits(arm.segment_count());
+  for (int i = 0; i < limits.size(); ++i) {
+    limits[i] = static_cast<float>(arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa);
+  }
+  return limits;
+}
+
 int motion_frame_count(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
                        double step_limit_kpa) {
   const double largest = double((to_kpa - from_kpa).lpNorm<Eigen::Infinity>());

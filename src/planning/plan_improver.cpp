@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "limber/arm/inverse_kinematics.hpp"
+#include <utility>
 
 namespace limber {
 
 namespace {
 
-constexpr std::uint64_t kImproverStream = 2;
+constexpr std::uint64_t kFirstStream = std::uint64_t{1} << 40;  // one stream a change from here
 constexpr double kImprovementKpa = 1e-4;
+constexpr double kNotable = 1e-3;      // of the cost
 constexpr double kLargestShift = 0.3;  // standard deviation, of the limit
 constexpr double kSmallestShift = 0.002;
+constexpr std::size_t kFewest = 16;  // candidates of a batch: few while most are accepted
+constexpr std::size_t kMost = 128;
+constexpr std::size_t kTriesACandidate = 8;  // random changes, to find one that is cheaper
+constexpr std::size_t kMostWaypoints = 40;
 
 double path_cost(const std::vector<Pressures>& waypoints_kpa) {
   double cost = 0.0;
@@ -24,126 +28,202 @@ double path_cost(const std::vector<Pressures>& waypoints_kpa) {
 
 }  // namespace
 
-PlanImprover::PlanImprover(const PlanningProblem& problem, MotionSimulator& simulator,
-                           std::uint64_t seed)
+PlanImprover::PlanImprover(const PlanningProblem& problem, PathSimulator& simulator,
+                           std::uint64_t seed, std::uint64_t stream)
     : problem_(problem),
       simulator_(simulator),
-      random_(seed, kImproverStream),
-      limit_kpa_(problem.arm.segment_count()) {
-  for (int i = 0; i < limit_kpa_.size(); ++i) {
-    limit_kpa_[i] =
-        static_cast<float>(problem.arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa);
-  }
-}
+      seed_(seed),
+      stream_(kFirstStream * (1 + stream)),
+      limit_kpa_(pressure_limits_kpa(problem.arm)),
+      batch_size_(kFewest) {}
 
-void PlanImprover::adopt(const std::vector<Pressures>& waypoints_kpa) {
+bool PlanImprover::adopt(const std::vector<Pressures>& waypoints_kpa,
+                         const std::function<bool()>& give_up) {
+  const ArmStart start = start_state(problem_.environment, problem_.arm);
+  waypoints_kpa_.clear();
+  backbones_.assign(1, start.backbone);
+  if (waypoints_kpa.size() > 1) {
+    paths_.assign(
+        1, {start.pressures_kpa, start.backbone, {waypoints_kpa.begin() + 1, waypoints_kpa.end()}});
+    simulator_.run(paths_, outcomes_, give_up);
+    if (!outcomes_.front().in_goal) {
+      return false;
+    }
+    backbones_.insert(backbones_.end(), outcomes_.front().at.begin(), outcomes_.front().at.end());
+  }
   waypoints_kpa_ = waypoints_kpa;
   cost_kpa_ = path_cost(waypoints_kpa_);
-  backbones_.assign(1, start_state(problem_.environment, problem_.arm).backbone);
-  for (std::size_t i = 1; i < waypoints_kpa_.size(); ++i) {
-    Backbone end(problem_.arm.point_count(), 3);
-    simulator_.move_unchecked(waypoints_kpa_[i - 1], backbones_.back(), waypoints_kpa_[i], end);
-    backbones_.push_back(std::move(end));
-  }
+  milestone_kpa_ = cost_kpa_;
+  fruitless_rounds_ = 0;
+  batch_size_ = kFewest;
+  return true;
+}
+
+void PlanImprover::swap_plans(PlanImprover& other) {
+  waypoints_kpa_.swap(other.waypoints_kpa_);
+  backbones_.swap(other.backbones_);
+  std::swap(cost_kpa_, other.cost_kpa_);
+  std::swap(milestone_kpa_, other.milestone_kpa_);
+  std::swap(fruitless_rounds_, other.fruitless_rounds_);
+  std::swap(batch_size_, other.batch_size_);
+}
+
+Pressures PlanImprover::limited(const Pressures& pressures_kpa) const {
+  return pressures_kpa.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
 }
 
 /// Removes one to a few waypoints in a row; start and end stay.
-void PlanImprover::leave_out() {
+bool PlanImprover::leave_out(RandomStream& random) {
+  if (candidate_kpa_.size() <= 2) {
+    return false;
+  }
   const auto inner = static_cast<std::uint32_t>(candidate_kpa_.size()) - 2;
-  const std::uint32_t first = 1 + random_.index(inner);
+  const std::uint32_t first = 1 + random.index(inner);
   const std::uint32_t most = inner + 1 - first;
-  const std::uint32_t count = 1 + random_.index(std::min(most, 4U));
+  const std::uint32_t count = 1 + random.index(std::min(most, 4U));
   candidate_kpa_.erase(candidate_kpa_.begin() + first, candidate_kpa_.begin() + first + count);
+  return true;
 }
 
 /// Runs one segment's pressure evenly between two waypoints: the cost counts reversals only.
-void PlanImprover::straighten() {
+bool PlanImprover::straighten(RandomStream& random) {
+  if (candidate_kpa_.size() <= 2) {
+    return false;
+  }
   const auto count = static_cast<std::uint32_t>(candidate_kpa_.size());
-  const std::uint32_t first = random_.index(count - 2);
-  const std::uint32_t last = first + 2 + random_.index(count - first - 2);
+  const std::uint32_t first = random.index(count - 2);
+  const std::uint32_t last = first + 2 + random.index(count - first - 2);
   const auto segment =
-      static_cast<Eigen::Index>(random_.index(static_cast<std::uint32_t>(limit_kpa_.size())));
+      static_cast<Eigen::Index>(random.index(static_cast<std::uint32_t>(limit_kpa_.size())));
   const float from = candidate_kpa_[first][segment];
   const float to = candidate_kpa_[last][segment];
   for (std::uint32_t i = first + 1; i < last; ++i) {
     candidate_kpa_[i][segment] = from + (to - from) * float(i - first) / float(last - first);
   }
+  return true;
 }
 
 /// Normal, of a scale drawn evenly in its logarithm, along all segments or one of them.
-Pressures PlanImprover::random_shift() {
-  const double scale = kSmallestShift * std::pow(kLargestShift / kSmallestShift, random_.uniform());
+Pressures PlanImprover::random_shift(RandomStream& random) const {
+  const double scale = kSmallestShift * std::pow(kLargestShift / kSmallestShift, random.uniform());
   const auto n = static_cast<std::uint32_t>(limit_kpa_.size());
-  const std::uint32_t only = random_.index(2 * n);  // ≥ n: all of them
+  const std::uint32_t only = random.index(2 * n);  // ≥ n: all of them
   Pressures shift = Pressures::Zero(limit_kpa_.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     if (only >= n || only == i) {
-      shift[i] = static_cast<float>(random_.normal() * scale) * limit_kpa_[i];
+      shift[i] = static_cast<float>(random.normal() * scale) * limit_kpa_[i];
     }
   }
   return shift;
 }
 
-void PlanImprover::shift_one() {
-  const std::size_t i = 1 + random_.index(static_cast<std::uint32_t>(candidate_kpa_.size()) - 1);
-  candidate_kpa_[i] =
-      (candidate_kpa_[i] + random_shift()).cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
+void PlanImprover::shift_one(RandomStream& random) {
+  const std::size_t i = 1 + random.index(static_cast<std::uint32_t>(candidate_kpa_.size()) - 1);
+  candidate_kpa_[i] = limited(candidate_kpa_[i] + random_shift(random));
 }
 
 /// Shifts the end, and the waypoints before it in proportion to how far along they are.
-void PlanImprover::shift_end() {
-  const Pressures shift = random_shift();
+void PlanImprover::shift_end(RandomStream& random) {
+  const Pressures shift = random_shift(random);
   const auto last = static_cast<float>(candidate_kpa_.size() - 1);
   for (std::size_t i = 1; i < candidate_kpa_.size(); ++i) {
-    candidate_kpa_[i] =
-        (candidate_kpa_[i] + shift * (float(i) / last)).cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
+    candidate_kpa_[i] = limited(candidate_kpa_[i] + shift * (float(i) / last));
   }
 }
 
-bool PlanImprover::candidate_is_solution() {
+/// Puts a waypoint between two, for later changes to move.
+bool PlanImprover::split(RandomStream& random) {
+  if (candidate_kpa_.size() >= kMostWaypoints) {
+    return false;
+  }
+  const std::uint32_t i = random.index(static_cast<std::uint32_t>(candidate_kpa_.size()) - 1);
+  const auto share = static_cast<float>(random.uniform(0.2, 0.8));
+  const Pressures between = candidate_kpa_[i] + share * (candidate_kpa_[i + 1] - candidate_kpa_[i]);
+  candidate_kpa_.insert(candidate_kpa_.begin() + i + 1, limited(between));
+  return true;
+}
+
+void PlanImprover::change(RandomStream& random) {
+  // An added waypoint alone changes no cost: it comes with a shift of the rest.
+  if (random.uniform() < 0.1) {
+    split(random);
+  }
+  switch (random.index(4)) {
+    case 0:
+      leave_out(random) ? void() : shift_end(random);
+      break;
+    case 1:
+      straighten(random) ? void() : shift_end(random);
+      break;
+    case 2:
+      shift_end(random);
+      break;
+    default:
+      shift_one(random);
+  }
+}
+
+void PlanImprover::add_candidate(double cost_kpa) {
   std::size_t same = 1;
   while (same < candidate_kpa_.size() && same < waypoints_kpa_.size() &&
          candidate_kpa_[same] == waypoints_kpa_[same]) {
     ++same;
   }
-  candidate_backbones_.assign(backbones_.begin(),
-                              backbones_.begin() + static_cast<std::ptrdiff_t>(same));
-  Backbone end(problem_.arm.point_count(), 3);
-  for (std::size_t i = same; i < candidate_kpa_.size(); ++i) {
-    if (!simulator_.move(candidate_kpa_[i - 1], candidate_backbones_.back(), candidate_kpa_[i],
-                         end)) {
-      return false;
-    }
-    candidate_backbones_.push_back(end);
+  if (same == candidate_kpa_.size()) {
+    --same;  // shorter than before: the last motion is simulated, for its hold
   }
-  return simulator_.hold(candidate_kpa_.back(), candidate_backbones_.back(),
-                         hold_frame_count(problem_.arm), end) &&
-         is_within(problem_.environment.goal, pose_error(problem_.environment.goal, tip_pose(end)));
+  const auto changed = candidate_kpa_.begin() + static_cast<std::ptrdiff_t>(same);
+  paths_.push_back(
+      {candidate_kpa_[same - 1], backbones_[same - 1], {changed, candidate_kpa_.end()}});
+  candidates_.push_back({candidate_kpa_, same, cost_kpa});
 }
 
-bool PlanImprover::try_once() {
+void PlanImprover::round(const std::function<bool()>& give_up) {
+  ++fruitless_rounds_;
   if (waypoints_kpa_.size() < 2) {
-    return false;  // the start is in the goal
+    return;  // the start is in the goal
   }
-  candidate_kpa_ = waypoints_kpa_;
-  const std::uint32_t kind = random_.index(4);
-  if (candidate_kpa_.size() > 2 && kind == 0) {
-    leave_out();
-  } else if (candidate_kpa_.size() > 2 && kind == 1) {
-    straighten();
-  } else if (kind == 2) {
-    shift_end();
-  } else {
-    shift_one();
+  paths_.clear();
+  candidates_.clear();
+  for (std::size_t k = 0; k < kTriesACandidate * batch_size_ && paths_.size() < batch_size_; ++k) {
+    RandomStream random(seed_, stream_ + changes_++);
+    candidate_kpa_ = waypoints_kpa_;
+    change(random);
+    const double cost = path_cost(candidate_kpa_);
+    if (cost < cost_kpa_ - kImprovementKpa) {
+      add_candidate(cost);
+    }
   }
-  const double cost = path_cost(candidate_kpa_);
-  if (cost >= cost_kpa_ - kImprovementKpa || !candidate_is_solution()) {
-    return false;
+  simulator_.run(paths_, outcomes_, give_up);
+  std::size_t accepted = 0;
+  std::size_t best = candidates_.size();
+  for (std::size_t k = 0; k < candidates_.size(); ++k) {
+    if (outcomes_[k].in_goal) {
+      ++accepted;
+      if (best == candidates_.size() || candidates_[k].cost_kpa < candidates_[best].cost_kpa) {
+        best = k;
+      }
+    }
   }
-  cost_kpa_ = cost;
-  waypoints_kpa_.swap(candidate_kpa_);
-  backbones_.swap(candidate_backbones_);
-  return true;
+  if (best < candidates_.size()) {
+    accept(best);
+  }
+  batch_size_ = accepted == 0  ? std::min(2 * batch_size_, kMost)
+                : accepted > 2 ? std::max(batch_size_ / 2, kFewest)
+                               : batch_size_;
+}
+
+void PlanImprover::accept(std::size_t candidate) {
+  Candidate& taken = candidates_[candidate];
+  backbones_.resize(taken.same);
+  const std::vector<Backbone>& at = outcomes_[candidate].at;
+  backbones_.insert(backbones_.end(), at.begin(), at.end());
+  waypoints_kpa_.swap(taken.waypoints_kpa);
+  cost_kpa_ = taken.cost_kpa;
+  if (cost_kpa_ < (1.0 - kNotable) * milestone_kpa_) {
+    milestone_kpa_ = cost_kpa_;
+    fruitless_rounds_ = 0;
+  }
 }
 
 }  // namespace limber

@@ -49,7 +49,8 @@ Json plan_result_to_json(const PlanResult& result, const PoseGoal& goal, const s
   json["first_solution"] = nullptr;
   if (result.first_solution) {
     json["first_solution"] = {{"time_s", result.first_solution->time_s},
-                              {"cost_kpa", result.first_solution->cost_kpa}};
+                              {"cost_kpa", result.first_solution->cost_kpa},
+                              {"queries", result.first_solution->queries}};
   }
   json["time_s"] = result.statistics.time_s;
   json["iterations"] = result.statistics.iterations;

@@ -5,6 +5,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/planning/certified_planner.hpp"
+#include "limber/planning/default_planner.hpp"
 #include "limber/planning/ompl_planner.hpp"
 #include "limber/planning/pressure_rrt_star.hpp"
 
@@ -48,9 +49,11 @@ std::vector<std::string> planner_names() {
   return {"default", "paper", "paper-steer-all"};
 }
 
-std::unique_ptr<Planner> make_planner(const std::string& name) {
+std::unique_ptr<Planner> make_planner(const std::string& name, int jobs) {
   if (name == "default") {
-    return make_certified_planner(make_improving_planner());
+    DefaultPlannerSettings settings;
+    settings.jobs = jobs;
+    return make_certified_planner(make_default_planner(settings));
   }
   if (name == "paper") {
     return make_certified_planner(make_pressure_rrt_star(ParentRule::lazy));

@@ -5,25 +5,13 @@
 #include <iterator>
 #include <numbers>
 
-#include <Eigen/Cholesky>
-
-#include "limber/arm/inverse_kinematics.hpp"
-#include "limber/arm/jacobian.hpp"
-
 namespace limber {
 
 namespace {
 
 constexpr std::uint64_t kTreeStream = 1;
-constexpr float kSamePoint = 1e-4F;         // of the limit: a sample this close adds nothing
-constexpr double kImprovementKpa = 1e-6;    // rounding of a sum of pressures
-constexpr double kNewtonToleranceM = 1e-3;  // of an inverse-kinematics solution
-constexpr double kNewtonToleranceRad = 0.01;
-
-constexpr int kShotChoices = 8;        // nodes of which the nearest to the goal is shot from
-constexpr double kShotDamping = 1e-3;  // of the step's normal matrix, of its trace
-constexpr double kShotSpread = 0.01;   // standard deviation, of the limit
-
+constexpr float kSamePoint = 1e-4F;       // of the limit: a sample this close adds nothing
+constexpr double kImprovementKpa = 1e-6;  // rounding of a sum of pressures
 /// A gain γ of the near radius γ (ln N / N)^(1/n) for which RRT* is asymptotically optimal on a
 /// cube of side 2: 2 (1 + 1/n)^(1/n) (volume / volume of the unit ball)^(1/n), which PRM* needs and
 /// which is more than enough for RRT* (Karaman and Frazzoli 2011, theorems 34 and 38).
@@ -32,39 +20,7 @@ double least_near_gain(int n) {
   return 2.0 * std::pow((1.0 + 1.0 / n) * std::pow(2.0, n) / ball, 1.0 / n);
 }
 
-/// Distance to the goal in tolerances; compares nodes only.
-double goal_error(const PoseGoal& goal, const PoseError& error) {
-  return error.position_m / goal.position_tolerance_m +
-         (goal.theta_rad ? error.orientation_rad / goal.orientation_tolerance_rad : 0.0);
-}
-
 }  // namespace
-
-const Pressures& GoalSampler::sample(RandomStream& random) {
-  if (static_cast<int>(drawn_kpa_.size()) >= count_) {
-    return drawn_kpa_[random.index(static_cast<std::uint32_t>(drawn_kpa_.size()))];
-  }
-  // A pose of the region: uniform in the disc, and in the interval of headings.
-  const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
-  const double radius = goal_.position_tolerance_m * std::sqrt(random.uniform());
-  PoseGoal target = goal_;
-  target.x_m += radius * std::cos(angle);
-  target.y_m += radius * std::sin(angle);
-  target.position_tolerance_m = std::min(kNewtonToleranceM, goal_.position_tolerance_m);
-  if (goal_.theta_rad) {
-    *target.theta_rad += random.uniform(-1.0, 1.0) * goal_.orientation_tolerance_rad;
-    target.orientation_tolerance_rad =
-        std::min(kNewtonToleranceRad, goal_.orientation_tolerance_rad);
-  }
-  InverseKinematicsSettings settings;
-  settings.starts = 4;
-  settings.most_solutions = 1;
-  settings.convergence_m = 0.1 * kNewtonToleranceM;
-  const InverseKinematicsResult found = solve_inverse_kinematics(model_, target, settings, random);
-  drawn_kpa_.emplace_back(
-      (found.reachable() ? found.pressures_kpa.front() : found.best_pressures_kpa).cast<float>());
-  return drawn_kpa_.back();
-}
 
 RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& simulator,
                              ParentRule rule, const PressureRrtStarSettings& settings,
@@ -76,16 +32,12 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
       random_(seed, kTreeStream),
       goal_sampler_(problem.model.no_load(), problem.environment.goal,
                     settings.goal_configurations),
-      limit_kpa_(problem.arm.segment_count()),
+      limit_kpa_(pressure_limits_kpa(problem.arm)),
       near_gain_(settings.near_factor * least_near_gain(problem.arm.segment_count())),
       tree_(problem.arm.segment_count(), problem.arm.point_count()),
       index_(problem.arm.segment_count()),
       new_kpa_(problem.arm.segment_count()),
       new_backbone_(problem.arm.point_count(), 3) {
-  for (int i = 0; i < limit_kpa_.size(); ++i) {
-    limit_kpa_[i] =
-        static_cast<float>(problem.arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa);
-  }
   const ArmStart start = start_state(problem.environment, problem.arm);
   tree_.add(start.pressures_kpa, start.backbone, -1, 0.0);
   index_.add(scaled(start.pressures_kpa));
@@ -101,9 +53,6 @@ Eigen::VectorXf RrtStarSearch::scaled(const PressuresRef& pressures_kpa) const {
 Pressures RrtStarSearch::sample() {
   Pressures q(limit_kpa_.size());
   const double kind = random_.uniform();
-  if (kind >= 1.0 - settings_.goal_shots) {
-    return goal_shot();
-  }
   if (kind < settings_.goal_bias) {
     q = goal_sampler_.sample(random_);
     for (int i = 0; i < q.size(); ++i) {
@@ -115,49 +64,6 @@ Pressures RrtStarSearch::sample() {
     q[i] = static_cast<float>(random_.uniform(-1.0, 1.0)) * limit_kpa_[i];
   }
   return q;
-}
-
-/// From a node with its tip near the goal, the Newton step of the no-load model that would take its
-/// own tip, where the forward model has it, into the goal: J⁺ of the remaining error.
-Pressures RrtStarSearch::goal_shot() {
-  const PoseGoal& goal = problem_.environment.goal;
-  const auto error_at = [&](int i) {
-    return goal_error(goal, pose_error(goal, tip_pose(tree_.backbone(i))));
-  };
-  int node = nearest_node_;
-  if (random_.uniform() < 0.5) {
-    node = static_cast<int>(random_.index(static_cast<std::uint32_t>(tree_.size())));
-    for (int k = 1; k < kShotChoices; ++k) {
-      const int other = static_cast<int>(random_.index(static_cast<std::uint32_t>(tree_.size())));
-      node = error_at(other) < error_at(node) ? other : node;
-    }
-  }
-  const NoLoadModel& model = problem_.model.no_load();
-  const auto from = tree_.pressures_kpa(node);
-  SegmentVector curvatures(from.size());
-  for (int i = 0; i < from.size(); ++i) {
-    curvatures[i] = model.segment_shape(i, double(from[i])).curvature_per_m;
-  }
-  PlanarJacobian jacobian;
-  Pose no_load_tip;
-  tip_jacobian(model, curvatures, jacobian, no_load_tip);
-  const Pose tip = tip_pose(tree_.backbone(node));
-  const double arm_length = problem_.arm.length_m();  // weighs a turn against a way
-  Eigen::Vector3d error(goal.x_m - tip.x_m, goal.y_m - tip.y_m, 0.0);
-  if (goal.theta_rad) {
-    error.z() =
-        arm_length * std::remainder(*goal.theta_rad - tip.theta_rad, 2.0 * std::numbers::pi);
-  }
-  jacobian.row(2) *= goal.theta_rad ? arm_length : 0.0;
-  Eigen::Matrix3d normal = jacobian * jacobian.transpose();
-  normal.diagonal().array() += kShotDamping * normal.trace();
-  curvatures += jacobian.transpose() * normal.ldlt().solve(error);
-  Pressures q(from.size());
-  for (int i = 0; i < q.size(); ++i) {
-    q[i] = static_cast<float>(model.pressure_for_curvature(i, curvatures[i]).pressure_kpa) +
-           static_cast<float>(random_.normal() * kShotSpread) * limit_kpa_[i];
-  }
-  return q.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
 }
 
 bool RrtStarSearch::steer(const Pressures& sample, int nearest) {
@@ -345,7 +251,7 @@ bool RrtStarSearch::ends_in_goal(int node) {
 
 void RrtStarSearch::judge(int node) {
   const PoseGoal& goal = problem_.environment.goal;
-  const double error = goal_error(goal, pose_error(goal, tip_pose(tree_.backbone(node))));
+  const double error = goal_error(goal, tip_pose(tree_.backbone(node)));
   if (error < nearest_error_) {
     nearest_error_ = error;
     nearest_node_ = node;

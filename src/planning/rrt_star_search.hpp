@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "goal_seeker.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/planning/motion_simulator.hpp"
 #include "limber/planning/pressure_index.hpp"
@@ -11,22 +12,6 @@
 #include "planner_budget.hpp"
 
 namespace limber {
-
-/// Configurations whose no-load tip lies in the goal's region, drawn one by one (the paper's goal
-/// biasing); where the no-load model does not reach it, the nearest configurations found.
-class GoalSampler {
- public:
-  GoalSampler(const NoLoadModel& model, const PoseGoal& goal, int count)
-      : model_(model), goal_(goal), count_(count) {}
-
-  const Pressures& sample(RandomStream& random);
-
- private:
-  const NoLoadModel& model_;
-  const PoseGoal& goal_;
-  int count_;
-  std::vector<Pressures> drawn_kpa_;
-};
 
 /// The tree of pressure-space RRT*, grown iteration by iteration. Everything given is borrowed.
 class RrtStarSearch {
@@ -63,7 +48,6 @@ class RrtStarSearch {
 
   Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const;
   Pressures sample();
-  Pressures goal_shot();
   /// False where the sample falls on a node.
   bool steer(const Pressures& sample, int nearest);
   void find_near(int nearest);

@@ -22,6 +22,9 @@ inline Pose tip_pose(const BackboneRef& backbone) {
   return {double(last[0]), double(last[1]), double(last[2])};
 }
 
+/// Largest pressure of each segment.
+Pressures pressure_limits_kpa(const ArmDescription& arm);
+
 /// The frame rule: a straight motion in pressure takes the fewest frames in which no segment moves
 /// faster than the arm's rate limit, ⌈max |Δp| / step⌉, at least one.
 /// @param step_limit_kpa  largest change of a pressure in one frame, > 0

@@ -65,6 +65,7 @@ using PlannerCallback = std::function<bool(const PlannerProgress&)>;
 struct FirstSolution {
   double time_s = 0.0;
   double cost_kpa = 0.0;
+  std::uint64_t queries = 0;  ///< of the forward model, until then
 };
 
 struct PlannerStatistics {
@@ -105,7 +106,8 @@ struct PlanResult {
 /// Laws: a plan is simulated anew from the start, frame by frame, before it is returned, and every
 /// frame and the motion between frames is free; its last frame, after the hold, is in the goal. The
 /// cost never rises with the budget. Runs limited by iterations or queries alone depend on the seed
-/// and nothing else; the time limit is kept to 50 ms. Threads: one planner, one thread.
+/// and nothing else, not even the number of threads; the time limit is kept to 50 ms. Threads: one
+/// planner, one caller at a time.
 class Planner {
  public:
   virtual ~Planner() = default;
@@ -120,8 +122,9 @@ class Planner {
 std::vector<std::string> planner_names();
 
 /// Its plans are certified (planning/certified_planner.hpp).
+/// @param jobs  threads to use where the planner uses several, 0 for one a core
 /// @throws InputError naming the planners there are.
-std::unique_ptr<Planner> make_planner(const std::string& name);
+std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0);
 
 /// Time that the arm holds its last pressures before the goal is judged; execution does the same.
 inline constexpr double kHoldS = 1.0;

@@ -15,9 +15,6 @@ struct PressureRrtStarSettings {
   double match_position_m = 0.005;  ///< a rewired node's backbone agrees at every plate
   double match_orientation_rad = 0.05;
   bool rewire = true;
-  /// Share of samples that step from a node with its tip near the goal toward the goal, in [0, 1];
-  /// the paper has none.
-  double goal_shots = 0.0;
   double hold_position_m = 0.05;  ///< nodes whose tip is this near the goal are held and judged
   double hold_orientation_rad = 0.5;
 };
@@ -34,16 +31,5 @@ enum class ParentRule {
 /// "paper" or "paper-steer-all". @throws InputError where a setting is out of range.
 std::unique_ptr<Planner> make_pressure_rrt_star(
     ParentRule rule, const PressureRrtStarSettings& settings = PressureRrtStarSettings());
-
-/// Settings of the default planner's tree: goal shots instead of half of the bias, no rewiring.
-PressureRrtStarSettings default_planner_settings();
-
-/// "default": a tree as the paper's until the first solution; from then on its turns alternate with
-/// attempts to improve the best plan, by leaving out, straightening and shifting waypoints, each
-/// accepted only after exact simulation and collision check of everything behind the change.
-/// `improvements_per_iteration` > 0.
-std::unique_ptr<Planner> make_improving_planner(
-    const PressureRrtStarSettings& settings = default_planner_settings(),
-    int improvements_per_iteration = 4);
 
 }  // namespace limber

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+/// The default planner's choices; docs/planning.md says what was measured. Distances in pressure
+/// are Euclidean, each pressure as a fraction of its segment's limit.
+struct DefaultPlannerSettings {
+  double step_size = 0.5;     ///< longest edge of an exploration, > 0
+  double goal_shots = 0.3;    ///< share of edges that step from a node toward the goal, in [0, 1]
+  double shot_spread = 0.02;  ///< standard deviation about such a step, ≥ 0
+  double goal_bias = 0.2;     ///< share at inverse-kinematics solutions, in [0, 1]
+  double goal_spread = 0.1;   ///< standard deviation about such a solution, ≥ 0
+  int goal_configurations = 200;  ///< solutions drawn before they are used again, ≥ 1
+  double random_parent = 0.5;     ///< share of edges from any near node instead of the nearest
+  /// States in one cell of pressures, tip position and tip heading are alike: the cheapest is kept.
+  double cell_pressure = 0.05;
+  double cell_position_m = 0.02;
+  double cell_orientation_rad = 0.2;
+  double dearest = 2.0;           ///< nodes dearer than this × the best plan are not tried, ≥ 1
+  double hold_position_m = 0.05;  ///< paths that end this near the goal are held and judged
+  double hold_orientation_rad = 0.5;
+  int jobs = 0;  ///< threads, 0 for one a core; the plan does not depend on it
+};
+
+/// "default": a tree that keeps several backbones for like pressures and grows by batches of edges;
+/// the plans it finds are improved by random changes of their waypoints, batches of them, each
+/// accepted only after exact simulation and collision check of everything behind the change. One
+/// plan is improved as far as it goes while others from the tree challenge it.
+/// @throws InputError where a setting is out of range.
+std::unique_ptr<Planner> make_default_planner(
+    const DefaultPlannerSettings& settings = DefaultPlannerSettings());
+
+}  // namespace limber

@@ -1,0 +1,78 @@
+#include "goal_seeker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+
+#include "limber/arm/jacobian.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kNewtonToleranceM = 1e-3;  // of an inverse-kinematics solution
+constexpr double kNewtonToleranceRad = 0.01;
+constexpr double kStepDamping = 1e-3;  // of the step's normal matrix, of its trace
+
+}  // namespace
+
+double goal_error(const PoseGoal& goal, const Pose& tip) {
+  const PoseError error = pose_error(goal, tip);
+  return error.position_m / goal.position_tolerance_m +
+         (goal.theta_rad ? error.orientation_rad / goal.orientation_tolerance_rad : 0.0);
+}
+
+const Pressures& GoalSampler::sample(RandomStream& random) {
+  if (static_cast<int>(drawn_kpa_.size()) >= count_) {
+    return drawn_kpa_[random.index(static_cast<std::uint32_t>(drawn_kpa_.size()))];
+  }
+  // A pose of the region: uniform in the disc, and in the interval of headings.
+  const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+  const double radius = goal_.position_tolerance_m * std::sqrt(random.uniform());
+  PoseGoal target = goal_;
+  target.x_m += radius * std::cos(angle);
+  target.y_m += radius * std::sin(angle);
+  target.position_tolerance_m = std::min(kNewtonToleranceM, goal_.position_tolerance_m);
+  if (goal_.theta_rad) {
+    *target.theta_rad += random.uniform(-1.0, 1.0) * goal_.orientation_tolerance_rad;
+    target.orientation_tolerance_rad =
+        std::min(kNewtonToleranceRad, goal_.orientation_tolerance_rad);
+  }
+  InverseKinematicsSettings settings;
+  settings.starts = 4;
+  settings.most_solutions = 1;
+  settings.convergence_m = 0.1 * kNewtonToleranceM;
+  const InverseKinematicsResult found = solve_inverse_kinematics(model_, target, settings, random);
+  drawn_kpa_.emplace_back(
+      (found.reachable() ? found.pressures_kpa.front() : found.best_pressures_kpa).cast<float>());
+  return drawn_kpa_.back();
+}
+
+Pressures step_toward_goal(const NoLoadModel& model, const PoseGoal& goal, double arm_length_m,
+                           const Eigen::Ref<const Pressures>& from_kpa, const Pose& tip) {
+  SegmentVector curvatures(from_kpa.size());
+  for (int i = 0; i < from_kpa.size(); ++i) {
+    curvatures[i] = model.segment_shape(i, double(from_kpa[i])).curvature_per_m;
+  }
+  PlanarJacobian jacobian;
+  Pose no_load_tip;
+  tip_jacobian(model, curvatures, jacobian, no_load_tip);
+  Eigen::Vector3d error(goal.x_m - tip.x_m, goal.y_m - tip.y_m, 0.0);
+  if (goal.theta_rad) {
+    error.z() =
+        arm_length_m * std::remainder(*goal.theta_rad - tip.theta_rad, 2.0 * std::numbers::pi);
+  }
+  jacobian.row(2) *= goal.theta_rad ? arm_length_m : 0.0;
+  Eigen::Matrix3d normal = jacobian * jacobian.transpose();
+  normal.diagonal().array() += kStepDamping * normal.trace();
+  curvatures += jacobian.transpose() * normal.ldlt().solve(error);
+  Pressures to_kpa(from_kpa.size());
+  for (int i = 0; i < to_kpa.size(); ++i) {
+    to_kpa[i] = static_cast<float>(model.pressure_for_curvature(i, curvatures[i]).pressure_kpa);
+  }
+  return to_kpa;
+}
+
+}  // namespace limber

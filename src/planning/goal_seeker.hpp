@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "limber/arm/inverse_kinematics.hpp"
+#include "limber/arm/no_load_model.hpp"
+#include "limber/common/random_stream.hpp"
+
+namespace limber {
+
+/// Distance to the goal in tolerances, to compare states with.
+double goal_error(const PoseGoal& goal, const Pose& tip);
+
+/// Configurations whose no-load tip lies in the goal's region, drawn one by one (the paper's goal
+/// biasing); where the no-load model does not reach it, the nearest configurations found.
+class GoalSampler {
+ public:
+  GoalSampler(const NoLoadModel& model, const PoseGoal& goal, int count)
+      : model_(model), goal_(goal), count_(count) {}
+
+  const Pressures& sample(RandomStream& random);
+  /// How many are drawn before they are used again; each takes a good part of a millisecond.
+  void draw_at_most(int count) { count_ = count; }
+
+ private:
+  const NoLoadModel& model_;
+  const PoseGoal& goal_;
+  int count_;
+  std::vector<Pressures> drawn_kpa_;
+};
+
+/// The Newton step of the no-load model from `from_kpa` that would take the tip, which another
+/// model has at `tip`, to the goal: J⁺ of the error that remains, damped (resolved rate). The
+/// pressures are not limited.
+/// @param arm_length_m  weighs a turn against a way
+Pressures step_toward_goal(const NoLoadModel& model, const PoseGoal& goal, double arm_length_m,
+                           const Eigen::Ref<const Pressures>& from_kpa, const Pose& tip);
+
+}  // namespace limber

@@ -1,0 +1,63 @@
+#include "plan_result.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include <fmt/format.h>
+
+#include "limber/common/units.hpp"
+#include "limber/planning/plan_builder.hpp"
+
+namespace limber {
+
+namespace {
+
+std::string reason_of_solution(const PlannerBudget& budget) {
+  return budget.limit() || budget.stopped_by_callback() ? budget.reason()
+                                                        : "the plan is as cheap as was asked for";
+}
+
+std::string reason_of_failure(const PlannerBudget& budget, const PoseGoal& goal, const Plan& plan,
+                              const PlanResult& result) {
+  std::string text = fmt::format(
+      "{}, {} nodes, seed {}; the nearest motion ends {:.1f} cm from the goal (tolerance {:.1f} "
+      "cm)",
+      budget.reason(), result.statistics.nodes, plan.seed, plan.goal_distance_m * kCmPerM,
+      goal.position_tolerance_m * kCmPerM);
+  if (goal.theta_rad) {
+    text += fmt::format(" and {:.2f} rad (tolerance {:.2f} rad)", plan.goal_orientation_rad,
+                        goal.orientation_tolerance_rad);
+  }
+  return text;
+}
+
+}  // namespace
+
+void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
+                   const PlannerBudget& budget, const std::vector<Pressures>& waypoints_kpa,
+                   bool solved, const char* planner, std::uint64_t seed, PlanResult& result) {
+  result.limit = budget.limit();
+  result.status = solved ? PlanStatus::solved : PlanStatus::limit;
+  Plan plan = build_plan(problem, simulator, waypoints_kpa, planner, seed);
+  assert(!solved || is_solution(problem, simulator.checker(), plan));
+  if (solved) {
+    result.reason = reason_of_solution(budget);
+    result.plan = std::move(plan);
+  } else {
+    result.reason = reason_of_failure(budget, problem.environment.goal, plan, result);
+    result.best_partial = std::move(plan);
+  }
+}
+
+std::vector<TreeEdge> tree_edges(const PressureTree& tree) {
+  std::vector<TreeEdge> edges;
+  const int count = std::min(tree.size(), static_cast<int>(PlanResult::kMostTreeEdges) + 1);
+  for (int i = 1; i < count; ++i) {
+    const auto from = tree.backbone(tree.parent(i)).bottomRows<1>();
+    const auto to = tree.backbone(i).bottomRows<1>();
+    edges.push_back({{from[0], from[1]}, {to[0], to[1]}});
+  }
+  return edges;
+}
+
+}  // namespace limber

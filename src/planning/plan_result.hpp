@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "limber/planning/motion_simulator.hpp"
+#include "limber/planning/planner.hpp"
+#include "limber/planning/pressure_tree.hpp"
+#include "planner_budget.hpp"
+
+namespace limber {
+
+/// Finishes a search: the plan along `waypoints_kpa`, simulated anew from the start, as the
+/// solution or as the best partial one, with the reason why the search ended.
+/// @param result  its statistics of iterations and nodes are filled in
+void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
+                   const PlannerBudget& budget, const std::vector<Pressures>& waypoints_kpa,
+                   bool solved, const char* planner, std::uint64_t seed, PlanResult& result);
+
+/// The oldest edges, for pictures.
+std::vector<TreeEdge> tree_edges(const PressureTree& tree);
+
+}  // namespace limber
