@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace limber {
 
@@ -12,7 +13,8 @@ constexpr float kSamePoint = 1e-4F;       // of the limit: an edge this short ad
 constexpr std::size_t kFewestEdges = 16;  // of a batch, while the tree is small
 constexpr std::size_t kMostEdges = 128;
 constexpr std::size_t kElites = 32;
-constexpr int kTournament = 8;  // nodes of which the nearest to the goal is shot from
+constexpr int kParentChoices = 32;  // nodes of which the nearest becomes a parent
+constexpr int kTournament = 8;      // nodes of which the nearest to the goal is shot from
 
 // Mixes a value into a hash (the finaliser of SplitMix64).
 std::uint64_t mixed(std::uint64_t hash, std::int64_t value) {
@@ -79,14 +81,26 @@ void BatchSearch::note_error(int node) {
   }
 }
 
-/// The nearest node or, as often, any node near: of several backbones at like pressures each gets
-/// its turn.
-int BatchSearch::parent_near(const Eigen::VectorXf& target, RandomStream& random) {
-  int node = index_.nearest(target);
-  if (random.uniform() < settings_.random_parent) {
-    index_.within(target, static_cast<float>(settings_.step_size), near_);
-    if (!near_.empty()) {
-      node = near_[random.index(static_cast<std::uint32_t>(near_.size()))];
+int BatchSearch::any_node(RandomStream& random) const {
+  return static_cast<int>(random.index(static_cast<std::uint32_t>(tree_.size())));
+}
+
+/// The nearest node or the nearest of some: of several backbones at like pressures each gets its
+/// turn.
+int BatchSearch::parent_near(const Pressures& target_kpa, RandomStream& random) const {
+  int node = 0;
+  if (random.uniform() >= settings_.random_parent) {
+    node = index_.nearest(scaled(target_kpa));
+  } else {
+    float nearest = std::numeric_limits<float>::infinity();
+    for (int k = 0; k < kParentChoices; ++k) {
+      const int other = any_node(random);
+      const float distance =
+          (target_kpa - tree_.pressures_kpa(other)).cwiseQuotient(limit_kpa_).squaredNorm();
+      if (distance < nearest) {
+        nearest = distance;
+        node = other;
+      }
     }
   }
   while (stands_for_[static_cast<std::size_t>(node)] != node) {
@@ -101,13 +115,10 @@ BatchSearch::Proposal BatchSearch::shot_at_goal(RandomStream& random) {
     const auto error_at = [&](int i) {
       return goal_error(problem_.environment.goal, tip_pose(tree_.backbone(i)));
     };
-    const auto any = [&] {
-      return static_cast<int>(random.index(static_cast<std::uint32_t>(tree_.size())));
-    };
-    node = any();
+    node = any_node(random);
     double error = error_at(node);
     for (int k = 1; k < kTournament; ++k) {
-      const int other = any();
+      const int other = any_node(random);
       const double other_error = error_at(other);
       if (other_error < error) {
         node = other;
@@ -130,7 +141,7 @@ BatchSearch::Proposal BatchSearch::toward_goal_configuration(RandomStream& rando
     to[i] += static_cast<float>(random.normal() * settings_.goal_spread) * limit_kpa_[i];
   }
   to = limited(to);
-  return {parent_near(scaled(to), random), to};
+  return {parent_near(to, random), to};
 }
 
 BatchSearch::Proposal BatchSearch::exploration(RandomStream& random) {
@@ -138,7 +149,7 @@ BatchSearch::Proposal BatchSearch::exploration(RandomStream& random) {
   for (Eigen::Index i = 0; i < to.size(); ++i) {
     to[i] = static_cast<float>(random.uniform(-1.0, 1.0)) * limit_kpa_[i];
   }
-  const int parent = parent_near(scaled(to), random);
+  const int parent = parent_near(to, random);
   const auto from = tree_.pressures_kpa(parent);
   const float distance = scaled(to - from).norm();
   const auto step = static_cast<float>(settings_.step_size);

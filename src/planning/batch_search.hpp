@@ -57,7 +57,8 @@ class BatchSearch {
   Proposal shot_at_goal(RandomStream& random);
   Proposal toward_goal_configuration(RandomStream& random);
   Proposal exploration(RandomStream& random);
-  int parent_near(const Eigen::VectorXf& target, RandomStream& random);
+  int any_node(RandomStream& random) const;
+  int parent_near(const Pressures& target_kpa, RandomStream& random) const;
   std::uint64_t cell_of(const PressuresRef& pressures_kpa, const Pose& tip) const;
   void add(const Proposal& edge, double cost_kpa, const PathOutcome& outcome);
   void note_error(int node);
@@ -77,7 +78,6 @@ class BatchSearch {
   int rounds_ = 0;
   std::uint64_t proposals_ = 0;
   std::uint64_t edges_ = 0;
-  std::vector<int> near_;
   std::vector<Proposal> batch_;
   std::vector<double> costs_kpa_;
   std::vector<Path> paths_;

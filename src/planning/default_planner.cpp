@@ -14,14 +14,13 @@ namespace limber {
 
 namespace {
 
-// Shares of the model's queries, once there is a plan.
-constexpr double kSearchShare = 0.2;
-constexpr double kChampionShare = 0.4;
-constexpr double kChallengerShare = 0.4;
-constexpr int kChallengerPatience = 12;  // rounds without success until a challenger has lost
+constexpr double kSearchShare = 0.2;  // of the model's queries, once there is a plan
+constexpr int kImprovers = 6;         // plans that are improved side by side
+constexpr int kPatience = 15;  // rounds without success until a plan that is not the best goes
+constexpr std::uint64_t kChoiceStream = std::uint64_t{1} << 60;
 
-/// One run: the tree; the champion, the best plan so far; and a challenger, another plan from the
-/// tree that is improved until it is cheaper or gets no cheaper.
+/// One run: the tree, and some of the plans it has found, which are improved side by side. One that
+/// gets no cheaper, and is not the best, gives its place to another from the tree.
 class Run {
  public:
   Run(const PlanningProblem& problem, const PlannerLimits& limits, const PlannerCallback& callback,
@@ -33,9 +32,12 @@ class Run {
         paths_(problem, checker_, {settings.hold_position_m, settings.hold_orientation_rad},
                settings.jobs),
         search_(problem, paths_, settings, seed),
-        champion_(problem, paths_, seed, 0),
-        challenger_(problem, paths_, seed, 1),
-        seed_(seed) {}
+        choice_(seed, kChoiceStream),
+        seed_(seed) {
+    for (int i = 0; i < kImprovers; ++i) {
+      improvers_.emplace_back(problem, seed, static_cast<std::uint64_t>(i));
+    }
+  }
 
   PlanResult run(const char* planner) {
     ProblemCheck check = check_problem(problem_, checker_, seed_);
@@ -59,7 +61,7 @@ class Run {
   }
 
   std::optional<double> best_cost_kpa() const {
-    return champion_.has_plan() ? std::optional(champion_.cost_kpa()) : std::nullopt;
+    return best_kpa_.empty() ? std::nullopt : std::optional(waypoint_cost_kpa(best_kpa_));
   }
 
   PlannerProgress progress() const {
@@ -69,91 +71,92 @@ class Run {
 
   /// An arm that need not move has the cheapest plan of all.
   void start_in_goal() {
-    const Pressures start = start_state(problem_.environment, problem_.arm).pressures_kpa;
-    std::vector<Path> standing{
-        {start, start_state(problem_.environment, problem_.arm).backbone, {start}}};
-    std::vector<PathOutcome> outcome;
-    paths_.run(standing, outcome, give_up());
-    if (outcome.front().in_goal && champion_.adopt({start}, give_up())) {
-      note_first_solution();
+    const ArmStart start = start_state(problem_.environment, problem_.arm);
+    batch_.assign(1, {start.pressures_kpa, start.backbone, {start.pressures_kpa}});
+    paths_.run(batch_, outcomes_, give_up());
+    if (outcomes_.front().in_goal) {
+      note_plan({start.pressures_kpa});
     }
   }
 
-  void note_first_solution() {
-    if (!result_.first_solution && champion_.has_plan()) {
+  void note_plan(const std::vector<Pressures>& waypoints_kpa) {
+    best_kpa_ = waypoints_kpa;
+    if (!result_.first_solution) {
       result_.first_solution =
-          FirstSolution{budget_.elapsed_s(), champion_.cost_kpa(), paths_.queries()};
+          FirstSolution{budget_.elapsed_s(), waypoint_cost_kpa(best_kpa_), paths_.queries()};
     }
   }
 
-  /// Runs whoever is farthest behind with its share of the queries.
+  /// Whoever is behind with its share of the queries.
   void take_turn() {
-    const std::uint64_t before = paths_.queries();
-    if (!champion_.has_plan()) {
+    const bool search_is_behind =
+        double(search_queries_) <= kSearchShare * double(paths_.queries() - before_plan_);
+    if (best_kpa_.empty() || search_is_behind || !improve()) {
       search();
-      return;
     }
-    double* const spent[] = {&search_spent_, &champion_spent_, &challenger_spent_};
-    const int turn = static_cast<int>(
-        std::min_element(std::begin(spent), std::end(spent),
-                         [](const double* a, const double* b) { return *a < *b; }) -
-        std::begin(spent));
-    if (turn == 0) {
-      search();
-    } else if (turn == 1) {
-      champion_.round(give_up());
-    } else {
-      challenge();
-    }
-    constexpr double kShares[] = {kSearchShare, kChampionShare, kChallengerShare};
-    // At least one query a turn: whoever has nothing to do must not be asked for ever.
-    *spent[turn] += double(std::max<std::uint64_t>(paths_.queries() - before, 1)) / kShares[turn];
   }
 
   void search() {
+    const std::uint64_t before = paths_.queries();
     search_.round(best_cost_kpa(), give_up());
     const auto& solutions = search_.solutions();
     for (; seen_ < solutions.size(); ++seen_) {
       const BatchSearch::Solution& found = solutions[seen_];
-      if (!champion_.has_plan() || found.cost_kpa < champion_.cost_kpa()) {
-        if (champion_.adopt(search_.waypoints_to(found.node), give_up())) {
-          note_first_solution();
-        }
-      } else {
-        waiting_.push_back(found);
+      if (best_kpa_.empty() || found.cost_kpa < *best_cost_kpa()) {
+        note_plan(search_.waypoints_to(found.node));
+      }
+      waiting_.push_back(found.node);
+    }
+    if (best_kpa_.empty()) {
+      before_plan_ = paths_.queries();
+    } else {
+      search_queries_ += paths_.queries() - before;
+    }
+  }
+
+  /// A batch of changes of all plans in work. False where there is none.
+  bool improve() {
+    batch_.clear();
+    std::vector<std::size_t> first;
+    for (PlanImprover& improver : improvers_) {
+      first.push_back(batch_.size());
+      const bool is_best = improver.has_plan() && improver.cost_kpa() <= *best_cost_kpa();
+      if (!improver.has_plan() || (improver.fruitless_rounds() > kPatience && !is_best)) {
+        call_plan(improver);
+      }
+      if (improver.has_plan()) {
+        improver.propose(batch_);
       }
     }
+    if (batch_.empty()) {
+      return false;
+    }
+    paths_.run(batch_, outcomes_, give_up());
+    for (std::size_t i = 0; i < improvers_.size(); ++i) {
+      if (improvers_[i].has_plan()) {
+        improvers_[i].settle(outcomes_.data() + first[i]);
+        if (improvers_[i].cost_kpa() < *best_cost_kpa()) {
+          note_plan(improvers_[i].waypoints_kpa());
+        }
+      }
+    }
+    return true;
   }
 
-  void challenge() {
-    if (!challenger_.has_plan()) {
-      call_challenger();
-      return;
-    }
-    challenger_.round(give_up());
-    if (challenger_.cost_kpa() < champion_.cost_kpa()) {
-      champion_.swap_plans(challenger_);
-      challenger_.drop_plan();
-    } else if (challenger_.fruitless_rounds() > kChallengerPatience) {
-      challenger_.drop_plan();
-    }
-  }
-
-  /// The cheapest of the tree's plans that have not had their turn.
-  void call_challenger() {
+  /// Any of the tree's plans that have not had their turn: the cheapest are mostly akin.
+  void call_plan(PlanImprover& improver) {
     if (waiting_.empty()) {
       return;
     }
-    const auto cheapest =
-        std::min_element(waiting_.begin(), waiting_.end(),
-                         [](const BatchSearch::Solution& a, const BatchSearch::Solution& b) {
-                           return a.cost_kpa < b.cost_kpa;
-                         });
-    const int node = cheapest->node;
-    waiting_.erase(cheapest);
-    if (!challenger_.adopt(search_.waypoints_to(node), give_up())) {
-      challenger_.drop_plan();
+    const std::size_t place = choice_.index(static_cast<std::uint32_t>(waiting_.size()));
+    std::vector<Backbone> backbones;
+    const std::vector<int> nodes = search_.tree().nodes_to(waiting_[place]);
+    for (const int node : nodes) {
+      backbones.emplace_back(search_.tree().backbone(node));
     }
+    improver.adopt(search_.waypoints_to(waiting_[place]), std::move(backbones));
+    waiting_[place] = waiting_.back();
+    waiting_.pop_back();
   }
 
   void finish(const char* planner) {
@@ -161,9 +164,8 @@ class Run {
     result_.statistics.nodes = static_cast<std::uint64_t>(search_.tree().size());
     result_.statistics.goal_nodes = search_.solutions().size();
     finish_search(problem_, single_, budget_,
-                  champion_.has_plan() ? champion_.waypoints_kpa()
-                                       : search_.waypoints_to(search_.nearest_node()),
-                  champion_.has_plan(), planner, seed_, result_);
+                  best_kpa_.empty() ? search_.waypoints_to(search_.nearest_node()) : best_kpa_,
+                  !best_kpa_.empty(), planner, seed_, result_);
     result_.statistics.queries = paths_.queries() + single_.queries();
     result_.tree = tree_edges(search_.tree());
     result_.statistics.time_s = budget_.elapsed_s();
@@ -175,14 +177,16 @@ class Run {
   MotionSimulator single_;
   PathSimulator paths_;
   BatchSearch search_;
-  PlanImprover champion_;
-  PlanImprover challenger_;
+  std::vector<PlanImprover> improvers_;
+  RandomStream choice_;
   std::uint64_t seed_;
-  std::size_t seen_ = 0;  // of the search's solutions
-  std::vector<BatchSearch::Solution> waiting_;
-  double search_spent_ = 0.0;
-  double champion_spent_ = 0.0;
-  double challenger_spent_ = 0.0;
+  std::size_t seen_ = 0;      // of the search's solutions
+  std::vector<int> waiting_;  // nodes in the goal that no improver has had
+  std::vector<Pressures> best_kpa_;
+  std::uint64_t before_plan_ = 0;     // queries
+  std::uint64_t search_queries_ = 0;  // since then
+  std::vector<Path> batch_;
+  std::vector<PathOutcome> outcomes_;
   PlanResult result_;
 };
 

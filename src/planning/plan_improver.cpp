@@ -13,12 +13,13 @@ constexpr double kImprovementKpa = 1e-4;
 constexpr double kNotable = 1e-3;      // of the cost
 constexpr double kLargestShift = 0.3;  // standard deviation, of the limit
 constexpr double kSmallestShift = 0.002;
-constexpr std::size_t kFewest = 16;  // candidates of a batch: few while most are accepted
-constexpr std::size_t kMost = 128;
-constexpr std::size_t kTriesACandidate = 8;  // random changes, to find one that is cheaper
+constexpr std::size_t kCandidates = 16;
+constexpr int kTries = 128;  // random changes, to find as many that are cheaper
 constexpr std::size_t kMostWaypoints = 40;
 
-double path_cost(const std::vector<Pressures>& waypoints_kpa) {
+}  // namespace
+
+double waypoint_cost_kpa(const std::vector<Pressures>& waypoints_kpa) {
   double cost = 0.0;
   for (std::size_t i = 1; i < waypoints_kpa.size(); ++i) {
     cost += motion_cost_kpa(waypoints_kpa[i - 1], waypoints_kpa[i]);
@@ -26,46 +27,17 @@ double path_cost(const std::vector<Pressures>& waypoints_kpa) {
   return cost;
 }
 
-}  // namespace
-
-PlanImprover::PlanImprover(const PlanningProblem& problem, PathSimulator& simulator,
-                           std::uint64_t seed, std::uint64_t stream)
-    : problem_(problem),
-      simulator_(simulator),
-      seed_(seed),
+PlanImprover::PlanImprover(const PlanningProblem& problem, std::uint64_t seed, std::uint64_t stream)
+    : seed_(seed),
       stream_(kFirstStream * (1 + stream)),
-      limit_kpa_(pressure_limits_kpa(problem.arm)),
-      batch_size_(kFewest) {}
+      limit_kpa_(pressure_limits_kpa(problem.arm)) {}
 
-bool PlanImprover::adopt(const std::vector<Pressures>& waypoints_kpa,
-                         const std::function<bool()>& give_up) {
-  const ArmStart start = start_state(problem_.environment, problem_.arm);
-  waypoints_kpa_.clear();
-  backbones_.assign(1, start.backbone);
-  if (waypoints_kpa.size() > 1) {
-    paths_.assign(
-        1, {start.pressures_kpa, start.backbone, {waypoints_kpa.begin() + 1, waypoints_kpa.end()}});
-    simulator_.run(paths_, outcomes_, give_up);
-    if (!outcomes_.front().in_goal) {
-      return false;
-    }
-    backbones_.insert(backbones_.end(), outcomes_.front().at.begin(), outcomes_.front().at.end());
-  }
-  waypoints_kpa_ = waypoints_kpa;
-  cost_kpa_ = path_cost(waypoints_kpa_);
+void PlanImprover::adopt(std::vector<Pressures> waypoints_kpa, std::vector<Backbone> backbones) {
+  waypoints_kpa_ = std::move(waypoints_kpa);
+  backbones_ = std::move(backbones);
+  cost_kpa_ = waypoint_cost_kpa(waypoints_kpa_);
   milestone_kpa_ = cost_kpa_;
   fruitless_rounds_ = 0;
-  batch_size_ = kFewest;
-  return true;
-}
-
-void PlanImprover::swap_plans(PlanImprover& other) {
-  waypoints_kpa_.swap(other.waypoints_kpa_);
-  backbones_.swap(other.backbones_);
-  std::swap(cost_kpa_, other.cost_kpa_);
-  std::swap(milestone_kpa_, other.milestone_kpa_);
-  std::swap(fruitless_rounds_, other.fruitless_rounds_);
-  std::swap(batch_size_, other.batch_size_);
 }
 
 Pressures PlanImprover::limited(const Pressures& pressures_kpa) const {
@@ -163,61 +135,51 @@ void PlanImprover::change(RandomStream& random) {
   }
 }
 
-void PlanImprover::add_candidate(double cost_kpa) {
-  std::size_t same = 1;
-  while (same < candidate_kpa_.size() && same < waypoints_kpa_.size() &&
-         candidate_kpa_[same] == waypoints_kpa_[same]) {
-    ++same;
-  }
-  if (same == candidate_kpa_.size()) {
-    --same;  // shorter than before: the last motion is simulated, for its hold
-  }
-  const auto changed = candidate_kpa_.begin() + static_cast<std::ptrdiff_t>(same);
-  paths_.push_back(
-      {candidate_kpa_[same - 1], backbones_[same - 1], {changed, candidate_kpa_.end()}});
-  candidates_.push_back({candidate_kpa_, same, cost_kpa});
-}
-
-void PlanImprover::round(const std::function<bool()>& give_up) {
+void PlanImprover::propose(std::vector<Path>& paths) {
+  candidates_.clear();
   ++fruitless_rounds_;
   if (waypoints_kpa_.size() < 2) {
     return;  // the start is in the goal
   }
-  paths_.clear();
-  candidates_.clear();
-  for (std::size_t k = 0; k < kTriesACandidate * batch_size_ && paths_.size() < batch_size_; ++k) {
+  for (int k = 0; k < kTries && candidates_.size() < kCandidates; ++k) {
     RandomStream random(seed_, stream_ + changes_++);
     candidate_kpa_ = waypoints_kpa_;
     change(random);
-    const double cost = path_cost(candidate_kpa_);
-    if (cost < cost_kpa_ - kImprovementKpa) {
-      add_candidate(cost);
+    const double cost = waypoint_cost_kpa(candidate_kpa_);
+    if (cost >= cost_kpa_ - kImprovementKpa) {
+      continue;
     }
+    std::size_t same = 1;
+    while (same < candidate_kpa_.size() && same < waypoints_kpa_.size() &&
+           candidate_kpa_[same] == waypoints_kpa_[same]) {
+      ++same;
+    }
+    same = std::min(same, candidate_kpa_.size() - 1);  // the last motion's hold is simulated anew
+    paths.push_back(
+        {candidate_kpa_[same - 1],
+         backbones_[same - 1],
+         {candidate_kpa_.begin() + static_cast<std::ptrdiff_t>(same), candidate_kpa_.end()}});
+    candidates_.push_back({candidate_kpa_, same, cost});
   }
-  simulator_.run(paths_, outcomes_, give_up);
-  std::size_t accepted = 0;
+}
+
+void PlanImprover::settle(const PathOutcome* outcomes) {
   std::size_t best = candidates_.size();
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    if (outcomes_[k].in_goal) {
-      ++accepted;
-      if (best == candidates_.size() || candidates_[k].cost_kpa < candidates_[best].cost_kpa) {
-        best = k;
-      }
+    if (outcomes[k].in_goal &&
+        (best == candidates_.size() || candidates_[k].cost_kpa < candidates_[best].cost_kpa)) {
+      best = k;
     }
   }
   if (best < candidates_.size()) {
-    accept(best);
+    accept(best, outcomes[best]);
   }
-  batch_size_ = accepted == 0  ? std::min(2 * batch_size_, kMost)
-                : accepted > 2 ? std::max(batch_size_ / 2, kFewest)
-                               : batch_size_;
 }
 
-void PlanImprover::accept(std::size_t candidate) {
+void PlanImprover::accept(std::size_t candidate, const PathOutcome& outcome) {
   Candidate& taken = candidates_[candidate];
   backbones_.resize(taken.same);
-  const std::vector<Backbone>& at = outcomes_[candidate].at;
-  backbones_.insert(backbones_.end(), at.begin(), at.end());
+  backbones_.insert(backbones_.end(), outcome.at.begin(), outcome.at.end());
   waypoints_kpa_.swap(taken.waypoints_kpa);
   cost_kpa_ = taken.cost_kpa;
   if (cost_kpa_ < (1.0 - kNotable) * milestone_kpa_) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "limber/common/random_stream.hpp"
@@ -8,33 +7,34 @@
 
 namespace limber {
 
-/// Makes a plan cheaper: leaves out, straightens, splits and shifts waypoints at random, many ways
+/// (2) along waypoints: Σ|Δp|.
+double waypoint_cost_kpa(const std::vector<Pressures>& waypoints_kpa);
+
+/// Makes a plan cheaper: leaves out, straightens, splits and shifts waypoints at random, some ways
 /// at once. A change counts only after everything behind it has been simulated anew, found free,
-/// and ends in the goal after the hold: elsewhere friction would make the plan another one.
-/// Everything given is borrowed. What it does depends on the seed, the stream and the number of
-/// rounds alone.
+/// and ends in the goal after the hold: elsewhere friction would make the plan another one. Several
+/// improvers share a batch of the simulator: each proposes its paths, then all settle. Everything
+/// given is borrowed. What it does depends on the seed, the stream and the number of rounds alone.
 class PlanImprover {
  public:
   /// @param stream  tells several improvers of one seed apart
-  PlanImprover(const PlanningProblem& problem, PathSimulator& simulator, std::uint64_t seed,
-               std::uint64_t stream);
+  PlanImprover(const PlanningProblem& problem, std::uint64_t seed, std::uint64_t stream);
 
-  /// Takes over a plan. @param waypoints_kpa  start first. False where it was given up, or is no
-  /// solution; there is then no plan.
-  [[nodiscard]] bool adopt(const std::vector<Pressures>& waypoints_kpa,
-                           const std::function<bool()>& give_up);
+  /// Takes over a plan that is a solution.
+  /// @param waypoints_kpa  start first
+  /// @param backbones      at the waypoints
+  void adopt(std::vector<Pressures> waypoints_kpa, std::vector<Backbone> backbones);
 
   bool has_plan() const { return !waypoints_kpa_.empty(); }
-  void drop_plan() { waypoints_kpa_.clear(); }
   const std::vector<Pressures>& waypoints_kpa() const { return waypoints_kpa_; }
   double cost_kpa() const { return cost_kpa_; }
   /// Rounds since the cost last fell by more than a thousandth.
   int fruitless_rounds() const { return fruitless_rounds_; }
-  /// Plans change places, with what is known of them.
-  void swap_plans(PlanImprover& other);
 
-  /// A batch of random changes; the cheapest that holds is accepted. @pre has_plan
-  void round(const std::function<bool()>& give_up);
+  /// Appends the paths of a few random changes. @pre has_plan
+  void propose(std::vector<Path>& paths);
+  /// Accepts the cheapest of those changes that holds. @param outcomes  of the paths proposed
+  void settle(const PathOutcome* outcomes);
 
  private:
   /// Changes candidate_kpa_; false where this plan cannot be changed so.
@@ -46,8 +46,7 @@ class PlanImprover {
   void change(RandomStream& random);
   Pressures random_shift(RandomStream& random) const;
   Pressures limited(const Pressures& pressures_kpa) const;
-  void add_candidate(double cost_kpa);
-  void accept(std::size_t candidate);
+  void accept(std::size_t candidate, const PathOutcome& outcome);
 
   struct Candidate {
     std::vector<Pressures> waypoints_kpa;
@@ -55,8 +54,6 @@ class PlanImprover {
     double cost_kpa;
   };
 
-  const PlanningProblem& problem_;
-  PathSimulator& simulator_;
   std::uint64_t seed_;
   std::uint64_t stream_;
   Pressures limit_kpa_;
@@ -67,11 +64,8 @@ class PlanImprover {
   int fruitless_rounds_ = 0;
 
   std::uint64_t changes_ = 0;
-  std::size_t batch_size_;
   std::vector<Pressures> candidate_kpa_;
   std::vector<Candidate> candidates_;
-  std::vector<Path> paths_;
-  std::vector<PathOutcome> outcomes_;
 };
 
 }  // namespace limber

@@ -47,12 +47,20 @@ void PressureTree::set_backbone(int i, const Eigen::Ref<const Backbone>& backbon
               backbones_.data() + std::ptrdiff_t(i) * 3 * point_count_);
 }
 
+std::vector<int> PressureTree::nodes_to(int i) const {
+  std::vector<int> nodes;
+  for (; i >= 0; i = parent(i)) {
+    nodes.push_back(i);
+  }
+  std::reverse(nodes.begin(), nodes.end());
+  return nodes;
+}
+
 std::vector<Pressures> PressureTree::path_to(int i) const {
   std::vector<Pressures> path;
-  for (; i >= 0; i = parent(i)) {
-    path.emplace_back(pressures_kpa(i));
+  for (const int node : nodes_to(i)) {
+    path.emplace_back(pressures_kpa(node));
   }
-  std::reverse(path.begin(), path.end());
   return path;
 }
 

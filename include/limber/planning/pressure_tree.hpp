@@ -40,7 +40,8 @@ class PressureTree {
   void set_cost_kpa(int i, double cost_kpa) { node(i).cost_kpa = cost_kpa; }
   void set_backbone(int i, const Eigen::Ref<const Backbone>& backbone);
 
-  /// Pressures of the nodes from the root to i.
+  /// The nodes from the root to i, and their pressures.
+  std::vector<int> nodes_to(int i) const;
   std::vector<Pressures> path_to(int i) const;
 
   /// Bytes that one more node takes.
