@@ -13,8 +13,19 @@ constexpr float kSamePoint = 1e-4F;       // of the limit: an edge this short ad
 constexpr std::size_t kFewestEdges = 16;  // of a batch, while the tree is small
 constexpr std::size_t kMostEdges = 128;
 constexpr std::size_t kElites = 32;
-constexpr int kParentChoices = 32;  // nodes of which the nearest becomes a parent
-constexpr int kTournament = 8;      // nodes of which the nearest to the goal is shot from
+// Nodes of which the nearest becomes a parent; powers of two up to this are drawn alike, so that
+// edges of all lengths are tried: one that overshoots has to come back from afar.
+constexpr int kMostParentChoices = 32;
+constexpr int kMostShotChoices = 16;  // nodes of which the nearest to the goal is shot from
+
+// 1, 2, 4, … `most`, a power of two.
+int choices_of(RandomStream& random, int most) {
+  int kinds = 1;
+  while (1 << (kinds - 1) < most) {
+    ++kinds;
+  }
+  return 1 << random.index(static_cast<std::uint32_t>(kinds));
+}
 
 // Mixes a value into a hash (the finaliser of SplitMix64).
 std::uint64_t mixed(std::uint64_t hash, std::int64_t value) {
@@ -93,7 +104,8 @@ int BatchSearch::parent_near(const Pressures& target_kpa, RandomStream& random) 
     node = index_.nearest(scaled(target_kpa));
   } else {
     float nearest = std::numeric_limits<float>::infinity();
-    for (int k = 0; k < kParentChoices; ++k) {
+    const int choices = choices_of(random, kMostParentChoices);
+    for (int k = 0; k < choices; ++k) {
       const int other = any_node(random);
       const float distance =
           (target_kpa - tree_.pressures_kpa(other)).cwiseQuotient(limit_kpa_).squaredNorm();
@@ -115,9 +127,10 @@ BatchSearch::Proposal BatchSearch::shot_at_goal(RandomStream& random) {
     const auto error_at = [&](int i) {
       return goal_error(problem_.environment.goal, tip_pose(tree_.backbone(i)));
     };
+    const int choices = choices_of(random, kMostShotChoices);
     node = any_node(random);
     double error = error_at(node);
-    for (int k = 1; k < kTournament; ++k) {
+    for (int k = 1; k < choices; ++k) {
       const int other = any_node(random);
       const double other_error = error_at(other);
       if (other_error < error) {
@@ -191,7 +204,6 @@ void BatchSearch::round(const std::optional<double>& best_cost_kpa,
     costs_kpa_.push_back(cost);
     batch_.push_back(std::move(edge));
   }
-  edges_ += batch_.size();
   simulator_.run(paths_, outcomes_, give_up);
   for (std::size_t k = 0; k < batch_.size(); ++k) {
     if (outcomes_[k].free) {

@@ -39,7 +39,8 @@ class BatchSearch {
 
   const PressureTree& tree() const { return tree_; }
   double bytes() const;
-  std::uint64_t edges() const { return edges_; }
+  /// Edges thought of, simulated or not.
+  std::uint64_t proposals() const { return proposals_; }
 
  private:
   struct Proposal {
@@ -77,7 +78,6 @@ class BatchSearch {
   std::vector<Solution> solutions_;
   int rounds_ = 0;
   std::uint64_t proposals_ = 0;
-  std::uint64_t edges_ = 0;
   std::vector<Proposal> batch_;
   std::vector<double> costs_kpa_;
   std::vector<Path> paths_;

@@ -17,6 +17,7 @@ namespace {
 constexpr double kSearchShare = 0.2;  // of the model's queries, once there is a plan
 constexpr int kImprovers = 6;         // plans that are improved side by side
 constexpr int kPatience = 15;  // rounds without success until a plan that is not the best goes
+constexpr int kMostIdleTurns = 10'000;
 constexpr std::uint64_t kChoiceStream = std::uint64_t{1} << 60;
 
 /// One run: the tree, and some of the plans it has found, which are improved side by side. One that
@@ -48,7 +49,8 @@ class Run {
       return std::move(result_);
     }
     start_in_goal();
-    while (!budget_.good_enough(best_cost_kpa()) && !budget_.spent(progress(), search_.bytes())) {
+    while (!nothing_left() && !budget_.good_enough(best_cost_kpa()) &&
+           !budget_.spent(progress(), search_.bytes())) {
       take_turn();
     }
     finish(planner);
@@ -65,8 +67,14 @@ class Run {
   }
 
   PlannerProgress progress() const {
-    return {budget_.elapsed_s(), search_.edges(), static_cast<std::uint64_t>(search_.tree().size()),
-            paths_.queries(), best_cost_kpa()};
+    return {budget_.elapsed_s(), search_.proposals(),
+            static_cast<std::uint64_t>(search_.tree().size()), paths_.queries(), best_cost_kpa()};
+  }
+
+  /// Whether no plan can be cheaper, or nobody has anything to try: a limit of queries alone would
+  /// never be reached.
+  bool nothing_left() const {
+    return (!best_kpa_.empty() && *best_cost_kpa() <= 0.0) || idle_turns_ > kMostIdleTurns;
   }
 
   /// An arm that need not move has the cheapest plan of all.
@@ -89,11 +97,13 @@ class Run {
 
   /// Whoever is behind with its share of the queries.
   void take_turn() {
+    const std::uint64_t before = paths_.queries();
     const bool search_is_behind =
         double(search_queries_) <= kSearchShare * double(paths_.queries() - before_plan_);
     if (best_kpa_.empty() || search_is_behind || !improve()) {
       search();
     }
+    idle_turns_ = paths_.queries() == before ? idle_turns_ + 1 : 0;
   }
 
   void search() {
@@ -160,7 +170,7 @@ class Run {
   }
 
   void finish(const char* planner) {
-    result_.statistics.iterations = search_.edges();
+    result_.statistics.iterations = search_.proposals();
     result_.statistics.nodes = static_cast<std::uint64_t>(search_.tree().size());
     result_.statistics.goal_nodes = search_.solutions().size();
     finish_search(problem_, single_, budget_,
@@ -183,6 +193,7 @@ class Run {
   std::size_t seen_ = 0;      // of the search's solutions
   std::vector<int> waiting_;  // nodes in the goal that no improver has had
   std::vector<Pressures> best_kpa_;
+  int idle_turns_ = 0;
   std::uint64_t before_plan_ = 0;     // queries
   std::uint64_t search_queries_ = 0;  // since then
   std::vector<Path> batch_;

@@ -13,8 +13,9 @@ namespace limber {
 namespace {
 
 std::string reason_of_solution(const PlannerBudget& budget) {
-  return budget.limit() || budget.stopped_by_callback() ? budget.reason()
-                                                        : "the plan is as cheap as was asked for";
+  return budget.limit() || budget.stopped_by_callback()
+             ? budget.reason()
+             : "the plan is as cheap as was asked for, or as any can be";
 }
 
 std::string reason_of_failure(const PlannerBudget& budget, const PoseGoal& goal, const Plan& plan,

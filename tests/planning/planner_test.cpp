@@ -8,6 +8,7 @@
 #include "planning/dense_oracle.hpp"
 #include "planning/play_model.hpp"
 #include "src/planning/rrt_star_search.hpp"
+#include "support/sample_arm.hpp"
 
 namespace limber {
 namespace {
@@ -133,10 +134,70 @@ TEST(Planner, CostNeverRisesWithTheBudget) {
 
 TEST(Planner, ImprovingFindsCheaperPlansThanTheTreeAlone) {
   Setting s(true);
-  const PlanResult paper = s.plan("paper", 800);
-  const PlanResult improved = s.plan("default", 800);
+  PlannerLimits limits;
+  limits.queries = 100'000;
+  const PlanningProblem problem{s.arm, s.model, s.environment};
+  const PlanResult paper = make_planner("paper")->plan(problem, limits, 3);
+  const PlanResult improved = make_planner("default")->plan(problem, limits, 3);
   ASSERT_TRUE(paper.plan && improved.plan);
   EXPECT_LT(improved.plan->cost_kpa, paper.plan->cost_kpa);
+}
+
+TEST(Planner, PlanIsTheSameForAnyNumberOfThreads) {
+  Setting s(true);
+  PlannerLimits limits;
+  limits.iterations = 2000;
+  const PlanningProblem problem{s.arm, s.model, s.environment};
+  const PlanResult one = make_planner("default", 1)->plan(problem, limits, 3);
+  ASSERT_TRUE(one.plan);
+  for (const int jobs : {2, 3}) {
+    const PlanResult many = make_planner("default", jobs)->plan(problem, limits, 3);
+    ASSERT_TRUE(many.plan);
+    EXPECT_EQ(many.plan->waypoints_kpa, one.plan->waypoints_kpa) << jobs << " threads";
+    EXPECT_EQ(many.statistics.queries, one.statistics.queries);
+  }
+}
+
+/// One segment whose plates lag behind its pressure. The goal's heading leaves one pressure, and
+/// its place only those who come back to it from beyond.
+class OvershootAndReturn : public ::testing::Test {
+ protected:
+  static constexpr float kWidePlayM = 0.02F;
+
+  void SetUp() override {
+    const Pressures ways_kpa[] = {Pressures::Zero(1), Pressures::Constant(1, 90.0F),
+                                  Pressures::Constant(1, 60.0F)};
+    MotionSimulator simulator(arm_, model_, checker_);
+    std::vector<PlanFrame> frames{{ways_kpa[0], start_state(environment_, arm_).backbone}};
+    simulator.append_motion(ways_kpa[1], frames);
+    simulator.append_motion(ways_kpa[2], frames);
+    const Pose tip = tip_pose(frames.back().backbone);
+    environment_.goal = {tip.x_m, tip.y_m, tip.theta_rad, 0.3 * double(kWidePlayM), 0.02};
+  }
+
+  int solved(const char* planner) {
+    int count = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      PlannerLimits limits;
+      limits.queries = 20'000;
+      limits.iterations = 20'000;
+      count += make_planner(planner)->plan({arm_, model_, environment_}, limits, seed).plan ? 1 : 0;
+    }
+    return count;
+  }
+
+  ArmDescription arm_ = sample_arm(1);
+  ForwardModel model_{arm_, play_network(arm_, kWidePlayM)};
+  Environment environment_;
+  CollisionChecker checker_{arm_, {}};
+};
+
+TEST_F(OvershootAndReturn, IsFoundByTheDefaultPlannerAlways) {
+  EXPECT_EQ(solved("default"), 20);
+}
+
+TEST_F(OvershootAndReturn, IsNotFoundByThePapersRule) {
+  EXPECT_EQ(solved("paper"), 0);
 }
 
 bool same_tree(const PlanResult& a, const PlanResult& b) {

@@ -18,8 +18,8 @@ struct DefaultPlannerSettings {
   double random_parent = 0.5;     ///< share of edges from any near node instead of the nearest
   /// States in one cell of pressures, tip position and tip heading are alike: the cheapest is kept.
   double cell_pressure = 0.05;
-  double cell_position_m = 0.02;
-  double cell_orientation_rad = 0.2;
+  double cell_position_m = 0.01;
+  double cell_orientation_rad = 0.1;
   double dearest = 2.0;           ///< nodes dearer than this × the best plan are not tried, ≥ 1
   double hold_position_m = 0.05;  ///< paths that end this near the goal are held and judged
   double hold_orientation_rad = 0.5;
