@@ -127,7 +127,7 @@ BatchSearch::Proposal BatchSearch::shot_at_goal(RandomStream& random) {
     const auto error_at = [&](int i) {
       return goal_error(problem_.environment.goal, tip_pose(tree_.backbone(i)));
     };
-    const int choices = choices_of(random, kMostShotChoices);
+    const int choices = random.uniform() < 0.5 ? 1 : choices_of(random, kMostShotChoices);
     node = any_node(random);
     double error = error_at(node);
     for (int k = 1; k < choices; ++k) {

@@ -179,8 +179,8 @@ class OvershootAndReturn : public ::testing::Test {
     int count = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       PlannerLimits limits;
-      limits.queries = 20'000;
-      limits.iterations = 20'000;
+      limits.queries = 100'000;
+      limits.iterations = 100'000;
       count += make_planner(planner)->plan({arm_, model_, environment_}, limits, seed).plan ? 1 : 0;
     }
     return count;
