@@ -27,9 +27,9 @@ RECORDINGS = {
     "straight_46min": ("three_segment", 13, [*STRAIGHT, "--episodes", "30"]),
     "short_5h": ("three_segment", 24, [*SHORT, "--episodes", "284"]),
     "two_transitions": ("two_segment", 11, ["--schedule", "transitions"]),
-    "two_short": ("two_segment", 21, [*SHORT, "--episodes", "103"]),
-    "five_transitions": ("five_segment", 11, ["--schedule", "transitions", "--count", "729"]),
-    "five_short": ("five_segment", 21, [*SHORT, "--episodes", "76"]),
+    "two_short": ("two_segment", 21, [*SHORT, "--episodes", "50"]),
+    "five_transitions": ("five_segment", 11, ["--schedule", "transitions", "--count", "243"]),
+    "five_short": ("five_segment", 21, [*SHORT, "--episodes", "44"]),
 }
 # Chooses the epoch in rows that learn from more than the transitions; never tested on.
 VALIDATION = ["--schedule", "random", "--count", "60", "--seed", "992"]
@@ -44,7 +44,7 @@ ROWS = {
     "best_1h": ("best", "three_segment", ["transitions", "short_24min"], 150, [1], True),
     "best_2h": ("best", "three_segment", TWO_HOURS, 100, [1, 2, 3], True),
     "best_5h": ("best", "three_segment", FIVE_HOURS, 60, [1, 2, 3], True),
-    "best_10h": ("best", "three_segment", [*FIVE_HOURS, "short_5h"], 60, [1, 2, 3], True),
+    "best_10h": ("best", "three_segment", [*FIVE_HOURS, "short_5h"], 40, [1, 2, 3], True),
     "two_segment": ("best", "two_segment", ["two_transitions", "two_short"], 100, [1], False),
     "five_segment": ("best", "five_segment", ["five_transitions", "five_short"], 100, [1], False),
 }

@@ -56,7 +56,7 @@ struct TrainingSettings {
   double input_noise = 0;     ///< standard deviation added to a window's first backbone, normalised
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset
 
-  int ensemble = 1;          ///< networks trained together, 1 to 64, each from weights of its own
+  int ensemble = 1;           ///< networks trained together, 1 to 64, each from weights of its own
   double replay_share = 0.5;  ///< of an epoch's windows, from what is replayed; [0, 0.95]
 
   std::uint64_t seed = 1;
@@ -77,7 +77,8 @@ struct TrainingSettings {
 };
 
 /// The paper's training (V-3): base poses in [0, 1], 3 × 100 ReLU, batches of 128 windows of 32
-/// frames, SGD at 1e-4 on the summed loss, 6000 epochs.
+/// frames, SGD at 1e-4 on the summed loss, 6000 epochs; and a limit that catches exploding
+/// gradients.
 TrainingSettings paper_preset();
 
 /// The default: a gated change of plate-relative poses, Adam with cosine decay, windows growing
