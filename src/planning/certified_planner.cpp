@@ -86,8 +86,9 @@ class CertifiedPlanner final : public Planner {
       const CertificateFailure& first = certificate.failures.front();
       result.status = PlanStatus::not_certified;
       result.reason = fmt::format(
-          "a defect of planner '{}': the plan that it returned is refused by its certificate: {}: "
-          "frame {}: {}; please report it with arm, model, environment and seed {}",
+          "the plan that planner '{}' returned is refused by its certificate: {}: frame {}: {}; if "
+          "it is not the model's fault it is the planner's: please report it with arm, model, "
+          "environment and seed {}",
           result.plan->planner, first.check, first.frame, first.message, result.plan->seed);
       result.best_partial = std::move(result.plan);
       result.plan.reset();

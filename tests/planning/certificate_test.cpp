@@ -321,7 +321,8 @@ TEST(CertifiedPlanner, APlanThatIsRefusedIsADefectAndNoSolution) {
   ASSERT_EQ(result.status, PlanStatus::not_certified) << result.reason;
   EXPECT_FALSE(result.plan);
   EXPECT_TRUE(result.best_partial);
-  EXPECT_THAT(result.reason, HasSubstr("a defect of planner 'paper'"));
+  EXPECT_THAT(result.reason,
+              HasSubstr("planner 'paper' returned is refused by its certificate: model"));
 }
 
 // The certificate is worth as much as it is independent: of the planner's module its sources see

@@ -33,6 +33,10 @@ struct Certificate {
   double largest_deviation_m = 0.0;  ///< of a plate, own simulation against the stored backbone
   int deviation_frame = -1;
   double largest_heading_deviation_rad = 0.0;
+  /// The same as largest_deviation_m, but each frame simulated from the stored one before it. Where
+  /// this is rounding and the other is not, the plan is no mistake: the model amplifies rounding
+  /// along it, and nothing can be said of where the arm ends.
+  double largest_step_deviation_m = 0.0;
   double cost_kpa = 0.0;
   double largest_step_kpa = 0.0;  ///< of a pressure in one frame
   double goal_distance_m =

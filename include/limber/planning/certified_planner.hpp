@@ -11,7 +11,8 @@ namespace limber {
 /// the certificate in double, so it is given a little less room than was asked for: 0.1 mm more of
 /// clearance (0.2 mm where no margin is asked for), 0.1 mm and 1 mrad less of the goal's
 /// tolerances (at most a tenth of them). A plan that is refused all the same is a defect of the
-/// planner: its status is `not_certified`, and it is kept as `best_partial`.
+/// planner, or of a model that amplifies rounding: its status is `not_certified`, and it is kept as
+/// `best_partial`.
 std::unique_ptr<Planner> make_certified_planner(std::unique_ptr<Planner> planner);
 
 }  // namespace limber

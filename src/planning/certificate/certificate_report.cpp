@@ -32,6 +32,7 @@ Json certificate_to_json(const Certificate& certificate, const Environment& envi
   json["clearance_frame"] =
       certificate.clearance_frame >= 0 ? Json(certificate.clearance_frame) : Json(nullptr);
   json["largest_deviation_m"] = finite(certificate.largest_deviation_m);
+  json["largest_step_deviation_m"] = finite(certificate.largest_step_deviation_m);
   json["largest_heading_deviation_rad"] = finite(certificate.largest_heading_deviation_rad);
   json["cost_kpa"] = certificate.cost_kpa;
   json["largest_step_kpa"] = certificate.largest_step_kpa;
