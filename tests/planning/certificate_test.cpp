@@ -84,11 +84,15 @@ std::vector<std::string> failed_checks(const Certificate& certificate) {
   return checks;
 }
 
-TEST(ExactArm, AgreesWithTheForwardModelInBothLayouts) {
+TEST(ExactArm, AgreesWithTheForwardModelInEveryLayoutAndForm) {
   const ArmDescription arm = three_segment_arm();
   RandomStream random(1, 0);
-  for (const BackboneLayout layout : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
-    const ForwardModel fast(arm, untrained_model(arm, layout, {100, 100, 100}, 5));
+  for (const auto& [layout, form] :
+       {std::pair{BackboneLayout::base_poses, OutputForm::compensation},
+        {BackboneLayout::base_poses, OutputForm::gated_change},
+        {BackboneLayout::gap_poses, OutputForm::compensation},
+        {BackboneLayout::gap_poses, OutputForm::gated_change}}) {
+    const ForwardModel fast(arm, untrained_model(arm, layout, {100, 100, 100}, 5, form));
     const ExactArm exact(arm, &fast.compensation());
     const NoLoadModel no_load(arm);
     ForwardModel::Workspace workspace;

@@ -57,9 +57,52 @@ void append(std::vector<double>& list, const Pose& pose) {
   list.insert(list.end(), {pose.x_m, pose.y_m, pose.theta_rad});
 }
 
-Pose sum_with(const Pose& pose, const std::vector<double>& list, std::size_t index) {
-  return {pose.x_m + list[3 * index], pose.y_m + list[3 * index + 1],
-          pose.theta_rad + list[3 * index + 2]};
+Pose pose_at(const std::vector<double>& list, std::size_t index) {
+  return {list[3 * index], list[3 * index + 1], list[3 * index + 2]};
+}
+
+/// A shape as the network sees it: every plate about the base, or about the plate before it.
+std::vector<double> coordinates(const ExactArm::Shape& shape, BackboneLayout layout) {
+  std::vector<double> list;
+  if (layout == BackboneLayout::base_poses) {
+    for (const Pose& pose : shape) {
+      append(list, pose);
+    }
+    return list;
+  }
+  for (std::size_t i = 1; i < shape.size(); ++i) {
+    append(list, relative(shape[i - 1], shape[i]));
+  }
+  return list;
+}
+
+ExactArm::Shape shape_of(const std::vector<double>& list, BackboneLayout layout) {
+  ExactArm::Shape shape;
+  if (layout == BackboneLayout::gap_poses) {
+    shape.push_back(Pose{});
+  }
+  for (std::size_t i = 0; 3 * i < list.size(); ++i) {
+    const Pose pose = pose_at(list, i);
+    shape.push_back(layout == BackboneLayout::base_poses ? pose : composed(shape.back(), pose));
+  }
+  return shape;
+}
+
+/// (5): what is unloaded, and the output added; or (16): what was, drawn by the gate toward what is
+/// unloaded, and the change added. The gates' arguments come behind the changes.
+std::vector<double> combined(OutputForm form, const std::vector<double>& previous,
+                             const std::vector<double>& unloaded,
+                             const std::vector<double>& output) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < unloaded.size(); ++i) {
+    if (form == OutputForm::compensation) {
+      result.push_back(unloaded[i] + output[i]);
+    } else {
+      const double gate = 1.0 / (1.0 + std::exp(-output[unloaded.size() + i]));
+      result.push_back((1.0 - gate) * previous[i] + gate * unloaded[i] + output[i]);
+    }
+  }
+  return result;
 }
 
 }  // namespace
@@ -75,7 +118,7 @@ ExactArm::Shape ExactArm::no_load(const std::vector<double>& pressures_kpa) cons
   return shape;
 }
 
-std::vector<double> ExactArm::compensation(const std::vector<double>& input) const {
+std::vector<double> ExactArm::network_output(const std::vector<double>& input) const {
   std::vector<double> values = normalised(input, network_->input);
   for (std::size_t l = 0; l < network_->layers.size(); ++l) {
     const Layer& layer = network_->layers[l];
@@ -90,9 +133,9 @@ std::vector<double> ExactArm::compensation(const std::vector<double>& input) con
     }
     values = std::move(next);
   }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    values[i] = values[i] / double(network_->output.scale[k]) + double(network_->output.offset[k]);
+  for (Eigen::Index k = 0; k < network_->output.scale.size(); ++k) {  // gates are behind them
+    double& value = values[static_cast<std::size_t>(k)];
+    value = value / double(network_->output.scale[k]) + double(network_->output.offset[k]);
   }
   return values;
 }
@@ -100,39 +143,24 @@ std::vector<double> ExactArm::compensation(const std::vector<double>& input) con
 ExactArm::Shape ExactArm::next(const std::vector<double>& previous_kpa,
                                const std::vector<double>& current_kpa,
                                const Shape& previous) const {
-  Shape unloaded = no_load(current_kpa);
+  const Shape free = no_load(current_kpa);
   if (network_ == nullptr) {
-    return unloaded;
+    return free;
   }
+  const BackboneLayout layout = network_->layout;
+  const std::vector<double> before = coordinates(previous, layout);
+  const std::vector<double> unloaded = coordinates(free, layout);
   std::vector<double> input = previous_kpa;
   input.insert(input.end(), current_kpa.begin(), current_kpa.end());
-  if (network_->layout == BackboneLayout::base_poses) {
-    for (const Shape* shape : {&previous, static_cast<const Shape*>(&unloaded)}) {
-      for (const Pose& pose : *shape) {
-        append(input, pose);
-      }
+  input.insert(input.end(), before.begin(), before.end());
+  if (layout == BackboneLayout::base_poses) {
+    input.insert(input.end(), unloaded.begin(), unloaded.end());
+  } else {
+    for (std::size_t i = 0; i < arm_.segments.size(); ++i) {  // one gap stands for a segment's
+      append(input, unloaded_gap(arm_.segments[i], current_kpa[i]));
     }
-    const std::vector<double> added = compensation(input);
-    for (std::size_t i = 0; i < unloaded.size(); ++i) {
-      unloaded[i] = sum_with(unloaded[i], added, i);
-    }
-    return unloaded;
   }
-  for (std::size_t i = 1; i < previous.size(); ++i) {
-    append(input, relative(previous[i - 1], previous[i]));
-  }
-  std::vector<Pose> gaps;
-  for (std::size_t i = 0; i < arm_.segments.size(); ++i) {
-    const Pose gap = unloaded_gap(arm_.segments[i], current_kpa[i]);
-    append(input, gap);
-    gaps.insert(gaps.end(), static_cast<std::size_t>(arm_.segments[i].gaps), gap);
-  }
-  const std::vector<double> added = compensation(input);
-  Shape shape{Pose{}};
-  for (std::size_t g = 0; g < gaps.size(); ++g) {
-    shape.push_back(composed(shape.back(), sum_with(gaps[g], added, g)));
-  }
-  return shape;
+  return shape_of(combined(network_->form, before, unloaded, network_output(input)), layout);
 }
 
 }  // namespace limber

@@ -22,12 +22,12 @@ class ExactArm {
   /// B̃ by (3), (4).
   Shape no_load(const std::vector<double>& pressures_kpa) const;
 
-  /// F(q_{t−1}, q_t, B_{t−1}), (5).
+  /// F(q_{t−1}, q_t, B_{t−1}), (5) or (16).
   Shape next(const std::vector<double>& previous_kpa, const std::vector<double>& current_kpa,
              const Shape& previous) const;
 
  private:
-  std::vector<double> compensation(const std::vector<double>& input) const;
+  std::vector<double> network_output(const std::vector<double>& input) const;
 
   const ArmDescription& arm_;
   const CompensationModel* network_;
