@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "distinct_files.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/version.hpp"
@@ -32,8 +33,9 @@ int report(int code, const std::string& message) {
   return code;
 }
 
-int run_guarded(Verb& verb, const CommonFlags& flags) {
+int run_guarded(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
   try {
+    require_distinct_files(command);
     const int code = verb.run(flags);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw SystemFault("standard output can't be written");
@@ -77,7 +79,7 @@ int run_command_line(int argc, char** argv) {
   install_interrupt_handler();
   for (const std::unique_ptr<Verb>& verb : verbs) {
     if (app.got_subcommand(verb->name())) {
-      return run_guarded(*verb, flags);
+      return run_guarded(*verb, *app.get_subcommand(verb->name()), flags);
     }
   }
   return kExitBadInput;

@@ -4,6 +4,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/experiment/speed_benchmark.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/training/training_benchmark.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -32,6 +33,22 @@ class BenchVerb final : public Verb {
     app.add_flag("--quick", quick_, fmt::format("{} queries a measurement", kQuickQueries))
         ->excludes(queries);
     app.add_option("--plot", plot_, "Bar chart to write, SVG");
+    auto* training = app.add_option("--training", training_,
+                                    "Recording: time the epochs of training on it instead");
+    app.add_option("--preset", preset_, "Training preset to time: paper or best, else both")
+        ->check(CLI::IsMember({"paper", "best"}))
+        ->needs(training);
+    app.add_option("--ensemble", ensemble_, "Networks trained together")
+        ->check(CLI::Range(1, 64))
+        ->needs(training);
+    app.add_option("--epochs", epochs_, "Epochs timed of each stage")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str()
+        ->needs(training);
+    app.add_option("--tables", tables_,
+                   "File (safetensors) for what the first epoch starts from, for a peer")
+        ->needs(training)
+        ->needs("--preset");
   }
 
   int run(const CommonFlags& flags) override {
@@ -39,6 +56,9 @@ class BenchVerb final : public Verb {
       refuse_to_overwrite(plot_, flags.force);
     }
     const ArmDescription arm = load_arm(find_arm_file(arm_));
+    if (!training_.empty()) {
+      return run_training(arm, flags);
+    }
     std::optional<CompensationModel> model;
     if (!model_.empty()) {
       model = read_model(model_);
@@ -58,11 +78,44 @@ class BenchVerb final : public Verb {
   }
 
  private:
+  int run_training(const ArmDescription& arm, const CommonFlags& flags) const {
+    if (!tables_.empty()) {
+      refuse_to_overwrite(tables_, flags.force);
+    }
+    Recording recording = read_recording(training_);
+    require_recording_of(recording, arm, training_);
+    const TrainingData data{std::move(recording.episodes), {}, {}};
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    std::string text;
+    for (const char* name : {"paper", "best"}) {
+      if (!preset_.empty() && preset_ != name) {
+        continue;
+      }
+      TrainingSettings settings = training_preset(name);
+      settings.jobs = flags.jobs;
+      settings.seed = flags.seed;
+      settings.ensemble = ensemble_;
+      if (!tables_.empty()) {
+        write_training_tables(tables_, arm, data, settings);
+      }
+      const TrainingSpeed speed = measure_training_speed(arm, data, settings, epochs_);
+      json.push_back(to_json(speed));
+      text += to_text(speed);
+    }
+    print_result(flags, {{"training", json}}, text);
+    return kExitDone;
+  }
+
   std::string arm_ = "three_segment";
   std::string model_;
   std::int64_t queries_ = 1'000'000;
   bool quick_ = false;
   std::string plot_;
+  std::string training_;
+  std::string preset_;
+  int ensemble_ = 1;
+  int epochs_ = 9;
+  std::string tables_;
 };
 
 }  // namespace

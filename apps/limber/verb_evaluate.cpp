@@ -1,5 +1,6 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
+#include "limber/training/ensemble_evaluation.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/evaluation_plots.hpp"
 #include "verbs.hpp"
@@ -28,6 +29,11 @@ class EvaluateVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    if (!plots_.empty()) {
+      for (const auto& path : evaluation_plot_paths(plots_)) {
+        refuse_to_overwrite(path, flags.force);
+      }
+    }
     const ArmDescription arm = load_arm(find_arm_file(arm_));
     const ForwardModel no_load(arm);
     std::optional<ForwardModel> network;
@@ -48,7 +54,16 @@ class EvaluateVerb final : public Verb {
         say(flags, "wrote {}", path.string());
       }
     }
-    print_result(flags, evaluation_to_json(evaluation), evaluation_to_text(evaluation));
+    nlohmann::ordered_json json = evaluation_to_json(evaluation);
+    std::string text = evaluation_to_text(evaluation);
+    if (network && network->compensation().member_count() > 1) {
+      const EnsembleForward ensemble(arm, network->compensation());
+      const EnsembleEvaluation errors = evaluate_ensemble(ensemble, recording.episodes, flags.jobs);
+      json["ensemble"] = ensemble_evaluation_to_json(errors);
+      text += "network: the member that validated best, as used for planning\n" +
+              ensemble_evaluation_to_text(errors);
+    }
+    print_result(flags, json, text);
     return kExitDone;
   }
 

@@ -145,11 +145,15 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
                   {"preset", model.preset},
                   {"layout", layout},
                   {"shape", model.shape()},
+                  {"members", model.member_count()},
                   {"segments", model.segment_count},
                   {"points", model.point_count},
                   {"training", model.training}};
   finding.text = fmt::format("model of arm '{}' ({}), preset {}\n  {}, {}", model.arm_name,
                              model.arm_hash, model.preset, model.shape(), layout);
+  if (model.member_count() > 1) {
+    finding.text += fmt::format(", an ensemble of {} networks", model.member_count());
+  }
   for (const auto& [key, value] : model.training) {
     finding.text += fmt::format("\n  {}: {}", key, value);
   }

@@ -1,10 +1,15 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <optional>
+
+#include <fmt/ranges.h>
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/training/fine_tuning.hpp"
 #include "limber/training/trainer.hpp"
 #include "verbs.hpp"
 
@@ -32,9 +37,20 @@ class TrainVerb final : public Verb {
     app.add_option("--preset", preset_, "paper: as published; best: the default")
         ->check(CLI::IsMember({"paper", "best"}))
         ->capture_default_str();
-    app.add_option("--from", from_, "Model to go on from (fine-tuning)");
+    auto* from = app.add_option("--from", from_, "Model to go on from (fine-tuning)");
+    app.add_option(
+           "--old-data", old_data_,
+           "Recording of what --from has learnt: its errors there are shown before and after, "
+           "and it is replayed; repeat for more")
+        ->needs(from);
+    app.add_option("--replay", replay_share_,
+                   fmt::format("Share of each epoch's windows that --old-data gives, 0 to 0.95; "
+                               "else {}",
+                               TrainingSettings().replay_share))
+        ->check(CLI::Range(0.0, 0.95))
+        ->needs("--old-data");
     app.add_option("--epochs", epochs_, "Epochs in all, in the preset's proportions")
-        ->check(CLI::PositiveNumber);
+        ->check(CLI::Range(1, 10'000'000));
     app.add_option("--time-limit-s", time_limit_s_,
                    "Fixes the number of epochs at the start to what fits")
         ->check(CLI::PositiveNumber)
@@ -57,20 +73,32 @@ class TrainVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    refuse_to_overwrite(out_, flags.force || resume_);
+    for (const fs::path& path :
+         {fs::path(out_), curve_path(".curve.csv"), curve_path(".curve.svg")}) {
+      refuse_to_overwrite(path, flags.force || resume_);
+    }
     if (resume_ && !fs::exists(checkpoint_path())) {
       throw InputError(fmt::format("--resume: there is no checkpoint {}; leave --resume out",
                                    checkpoint_path().string()));
     }
     const ArmDescription arm = load_arm(find_arm_file(arm_));
-    const TrainingSettings settings = make_settings(flags);
+    std::optional<CompensationModel> start;
+    if (!from_.empty()) {
+      start = read_model(from_);
+      require_model_of(*start, arm, from_);
+      require_no_contradiction(*start);
+    }
+    const TrainingSettings settings = make_settings(flags, start.has_value());
     std::string sources;
-    const TrainingData data = load_data(arm, settings, sources);
-    say(flags, "training on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
+    TrainingData data = load_data(arm, settings, sources);
+    const TrainingData old_data = load_old_data(arm, settings, sources);
+    data.replay = old_data.training;
+    say(flags, "training {} on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
+        settings.ensemble > 1 ? fmt::format("{} networks", settings.ensemble) : "a network",
         data.training.size(), data.validation.size(), settings.preset, settings.epoch_count(),
         settings.seed);
-    TrainingResult result = from_.empty() ? train(arm, data, settings)
-                                          : fine_tune(arm, data, settings, read_model(from_));
+    TrainingResult result =
+        start ? fine_tune(arm, data, settings, *start) : train(arm, data, settings);
     if (result.status == TrainingStatus::diverged) {
       fmt::print(stderr, "error: {}\n", result.message);
     }
@@ -86,11 +114,16 @@ class TrainVerb final : public Verb {
       result.model.training["from"] = content_hash(read_file(from_));
     }
     write(result);
+    std::optional<FineTuningReport> changes;
+    if (start) {
+      changes = compare_models(arm, *start, result.model, data.validation, old_data.validation,
+                               flags.jobs);
+    }
     if (result.status == TrainingStatus::finished) {
       std::error_code ignored;  // a checkpoint that stays behind harms nobody
       fs::remove(checkpoint_path(), ignored);
     }
-    report(flags, result);
+    report(flags, result, changes);
     if (result.status == TrainingStatus::interrupted) {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
@@ -98,8 +131,31 @@ class TrainVerb final : public Verb {
   }
 
  private:
-  TrainingSettings make_settings(const CommonFlags& flags) const {
+  /// A model brings its shape along; flags that ask for another one are a mistake.
+  void require_no_contradiction(const CompensationModel& start) const {
+    std::vector<int> units;
+    for (std::size_t layer = 0; layer + 1 < start.layers.size(); ++layer) {
+      units.push_back(static_cast<int>(start.layers[layer].bias.size()));
+    }
+    if (!hidden_.empty() && hidden_ != units) {
+      throw InputError(
+          fmt::format("--hidden {}: {} has hidden layers of {} units, which it keeps; "
+                      "leave --hidden out, or --from",
+                      fmt::join(hidden_, " "), from_, fmt::join(units, " ")));
+    }
+    if (ensemble_ && *ensemble_ != start.member_count()) {
+      throw InputError(
+          fmt::format("--ensemble {}: {} holds {} networks, which are all tuned; leave "
+                      "--ensemble out, or --from",
+                      *ensemble_, from_, start.member_count()));
+    }
+  }
+
+  TrainingSettings make_settings(const CommonFlags& flags, bool tuning) const {
     TrainingSettings settings = training_preset(preset_);
+    if (tuning) {
+      settings = fine_tuning_of(std::move(settings));
+    }
     if (epochs_) {
       set_epoch_count(settings, *epochs_);
     }
@@ -109,6 +165,7 @@ class TrainVerb final : public Verb {
       settings.hidden_units = hidden_;
     }
     settings.ensemble = ensemble_.value_or(settings.ensemble);
+    settings.replay_share = replay_share_.value_or(settings.replay_share);
     settings.checkpoint = checkpoint_path();
     settings.checkpoint_interval_s = checkpoint_interval_s_;
     settings.resume = resume_;
@@ -118,18 +175,32 @@ class TrainVerb final : public Verb {
     return settings;
   }
 
-  TrainingData load_data(const ArmDescription& arm, const TrainingSettings& settings,
-                         std::string& sources) const {
+  static std::vector<Episode> read_episodes(const ArmDescription& arm,
+                                            const std::vector<std::string>& paths,
+                                            std::string& sources) {
     std::vector<Episode> episodes;
-    for (const std::string& path : data_) {
+    for (const std::string& path : paths) {
       Recording recording = read_recording(path);
       require_recording_of(recording, arm, path);
       sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ",
                              fs::path(path).filename().string(), content_hash(read_file(path)));
-      for (Episode& episode : recording.episodes) {
-        episodes.push_back(std::move(episode));
-      }
+      std::ranges::move(recording.episodes, std::back_inserter(episodes));
     }
+    return episodes;
+  }
+
+  /// What is replayed, and what the old errors are measured on.
+  TrainingData load_old_data(const ArmDescription& arm, const TrainingSettings& settings,
+                             std::string& sources) const {
+    std::vector<Episode> episodes = read_episodes(arm, old_data_, sources);
+    return episodes.empty()
+               ? TrainingData()
+               : hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
+  }
+
+  TrainingData load_data(const ArmDescription& arm, const TrainingSettings& settings,
+                         std::string& sources) const {
+    std::vector<Episode> episodes = read_episodes(arm, data_, sources);
     if (validation_.empty()) {
       return hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
     }
@@ -149,7 +220,8 @@ class TrainVerb final : public Verb {
     write_file_atomically(curve_path(".curve.svg"), learning_curve_svg(result.curve));
   }
 
-  void report(const CommonFlags& flags, const TrainingResult& result) const {
+  void report(const CommonFlags& flags, const TrainingResult& result,
+              const std::optional<FineTuningReport>& changes) const {
     const char* status = result.status == TrainingStatus::finished      ? "finished"
                          : result.status == TrainingStatus::interrupted ? "interrupted"
                                                                         : "diverged";
@@ -165,13 +237,29 @@ class TrainVerb final : public Verb {
     json["best_epoch"] = result.best_epoch;
     json["loss"] = last.loss;
     json["validation_position_error_cm"] = result.best_validation_position_error_cm;
+    json["members"] = result.model.member_count();
+    if (result.model.member_count() > 1) {
+      json["member_validation_position_error_cm"] = result.member_validation_position_error_cm;
+    }
+    if (changes) {
+      json["fine_tuning"] = to_json(*changes);
+    }
     json["wall_time_s"] = result.wall_time_s;
+    const std::string chosen =
+        std::isnan(result.best_validation_position_error_cm)
+            ? fmt::format("best by training loss (nothing was held back): epoch {}",
+                          result.best_epoch)
+            : fmt::format("best by validation: epoch {}, open-loop tip error {:.2f} cm{}",
+                          result.best_epoch, result.best_validation_position_error_cm,
+                          result.model.member_count() > 1 ? ", mean of the networks" : "");
     print_result(
         flags, json,
-        fmt::format("{}: {} ({}), {} epochs in {:.1f} s, {}; best by validation: epoch "
-                    "{}, open-loop tip error {:.2f} cm",
-                    out_, result.model.shape(), result.model.preset, last.epoch, result.wall_time_s,
-                    status, result.best_epoch, result.best_validation_position_error_cm));
+        fmt::format("{}: {}{} ({}), {} epochs in {:.1f} s, {}; {}{}", out_,
+                    result.model.member_count() > 1
+                        ? fmt::format("{} networks ", result.model.member_count())
+                        : "",
+                    result.model.shape(), result.model.preset, last.epoch, result.wall_time_s,
+                    status, chosen, changes ? "\n" + to_text(*changes) : ""));
   }
 
   static constexpr double kValidationShare = 0.1;
@@ -181,6 +269,8 @@ class TrainVerb final : public Verb {
   std::string validation_;
   std::string preset_ = "best";
   std::string from_;
+  std::vector<std::string> old_data_;
+  std::optional<double> replay_share_;
   std::optional<int> epochs_;
   std::optional<double> time_limit_s_;
   std::optional<double> learning_rate_;

@@ -57,10 +57,7 @@ void require_finite(const std::vector<FrameMatrix>& predicted,
 
 TipErrorSeries rollout_errors(const ForwardModel& model, const std::vector<Episode>& episodes,
                               Restart restart, int jobs) {
-  const std::vector<RolloutPiece> pieces = pieces_for(episodes, restart);
-  const std::vector<FrameMatrix> predicted = roll_out(model, episodes, pieces, jobs);
-  require_finite(predicted, pieces);
-  return errors_over(predicted, episodes, 1);
+  return errors_over(predict(model, episodes, restart, jobs), episodes, 1);
 }
 
 /// Makes predictions NaN that rest on one of the `count` frames before them that was not seen.
@@ -110,11 +107,6 @@ nlohmann::ordered_json to_json(const ErrorStatistics& value) {
           {"worst_motion", value.worst_motion}};
 }
 
-nlohmann::ordered_json to_json(const TipErrors& value) {
-  return {{"position_error_cm", to_json(value.position_cm)},
-          {"orientation_error_rad", to_json(value.orientation_rad)}};
-}
-
 std::string row(const char* name, const TipErrors& errors) {
   const ErrorStatistics& cm = errors.position_cm;
   const ErrorStatistics& rad = errors.orientation_rad;
@@ -125,9 +117,21 @@ std::string row(const char* name, const TipErrors& errors) {
 
 }  // namespace
 
+std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
+                                 Restart restart, int jobs) {
+  const std::vector<RolloutPiece> pieces = pieces_for(episodes, restart);
+  std::vector<FrameMatrix> predicted = roll_out(model, episodes, pieces, jobs);
+  require_finite(predicted, pieces);
+  return predicted;
+}
+
 FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart, int jobs) {
-  const std::vector<Episode> episodes = {episode};
-  return std::move(roll_out(model, episodes, pieces_for(episodes, restart), jobs).front());
+  return std::move(predict(model, std::vector<Episode>{episode}, restart, jobs).front());
+}
+
+nlohmann::ordered_json tip_errors_to_json(const TipErrors& value) {
+  return {{"position_error_cm", to_json(value.position_cm)},
+          {"orientation_error_rad", to_json(value.orientation_rad)}};
 }
 
 namespace {
@@ -194,14 +198,14 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
 nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation) {
   nlohmann::ordered_json json;
   json["frames"] = evaluation.frames;
-  json["no_load"]["open_loop"] = to_json(evaluation.no_load_open_loop);
+  json["no_load"]["open_loop"] = tip_errors_to_json(evaluation.no_load_open_loop);
   if (evaluation.network) {
     nlohmann::ordered_json& network = json["network"];
-    network["one_step"] = to_json(evaluation.network->one_step);
-    network["one_step_moving"] = to_json(evaluation.network->one_step_moving);
-    network["window_32"] = to_json(evaluation.network->window_32);
-    network["per_motion"] = to_json(evaluation.network->per_motion);
-    network["open_loop"] = to_json(evaluation.network->open_loop);
+    network["one_step"] = tip_errors_to_json(evaluation.network->one_step);
+    network["one_step_moving"] = tip_errors_to_json(evaluation.network->one_step_moving);
+    network["window_32"] = tip_errors_to_json(evaluation.network->window_32);
+    network["per_motion"] = tip_errors_to_json(evaluation.network->per_motion);
+    network["open_loop"] = tip_errors_to_json(evaluation.network->open_loop);
     const LongRollout& rollout = evaluation.long_rollout;
     json["long_rollout"] = {{"frames", rollout.frames},
                             {"largest_distance_m", rollout.largest_distance_m},
@@ -209,11 +213,11 @@ nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation) {
                             {"bounded", rollout.bounded}};
   }
   nlohmann::ordered_json& baselines = json["baselines"];
-  baselines["hold"] = {{"one_step", to_json(evaluation.hold_one_step)},
-                       {"one_step_moving", to_json(evaluation.hold_one_step_moving)}};
+  baselines["hold"] = {{"one_step", tip_errors_to_json(evaluation.hold_one_step)},
+                       {"one_step_moving", tip_errors_to_json(evaluation.hold_one_step_moving)}};
   baselines["constant_velocity"] = {
-      {"one_step", to_json(evaluation.constant_velocity_one_step)},
-      {"one_step_moving", to_json(evaluation.constant_velocity_one_step_moving)}};
+      {"one_step", tip_errors_to_json(evaluation.constant_velocity_one_step)},
+      {"one_step_moving", tip_errors_to_json(evaluation.constant_velocity_one_step_moving)}};
   if (evaluation.network) {
     json["reduction_percent"] = {{"position", evaluation.position_reduction_percent},
                                  {"orientation", evaluation.orientation_reduction_percent}};

@@ -135,17 +135,18 @@ EvaluationPlots plot_evaluation(const ForwardModel& no_load, const ForwardModel*
   return {error_over_time(predictions, shown), position.svg(), orientation.svg(), backbones.svg()};
 }
 
+std::vector<std::filesystem::path> evaluation_plot_paths(const std::filesystem::path& folder) {
+  return {folder / "error_over_time.svg", folder / "position_distribution.svg",
+          folder / "orientation_distribution.svg", folder / "backbones.svg"};
+}
+
 std::vector<std::filesystem::path> write_evaluation_plots(const std::filesystem::path& folder,
                                                           const EvaluationPlots& plots) {
-  std::vector<std::filesystem::path> paths;
-  const auto write = [&](const char* name, const std::string& svg) {
-    paths.push_back(folder / name);
-    write_file_atomically(paths.back(), svg);
-  };
-  write("error_over_time.svg", plots.error_over_time);
-  write("position_distribution.svg", plots.position_distribution);
-  write("orientation_distribution.svg", plots.orientation_distribution);
-  write("backbones.svg", plots.backbones);
+  const std::vector<std::filesystem::path> paths = evaluation_plot_paths(folder);
+  write_file_atomically(paths[0], plots.error_over_time);
+  write_file_atomically(paths[1], plots.position_distribution);
+  write_file_atomically(paths[2], plots.orientation_distribution);
+  write_file_atomically(paths[3], plots.backbones);
   return paths;
 }
 

@@ -1,7 +1,9 @@
 """`limber train` and `limber evaluate`: files beside the model, resuming, and what they refuse."""
 
+import os
 import signal
 import subprocess
+import time
 import unittest
 
 from program import PROGRAM, InFolder
@@ -61,6 +63,103 @@ class Train(InFolder):
             (self.folder / "unbroken.safetensors").read_bytes(),
         )
 
+    def killed(self, *arguments):
+        """Starts training and kills it, no signal handler asked, some time after a checkpoint."""
+        checkpoint = self.folder / "model.safetensors.checkpoint"
+        command = [PROGRAM, "train", *ARM, "--data", "train.h5", "--hidden", "8", *arguments]
+        with subprocess.Popen(command, cwd=self.folder, stderr=subprocess.DEVNULL) as process:
+            while not checkpoint.exists():
+                self.assertIsNone(process.poll(), "training ended before it was killed")
+                time.sleep(0.005)
+            time.sleep(0.05)
+            process.kill()
+        self.assertEqual(process.returncode, -signal.SIGKILL)
+        self.assertFalse((self.folder / "model.safetensors").exists())
+
+    def test_a_killed_run_loses_what_followed_its_last_checkpoint_and_nothing_else(self):
+        for ensemble in ("1", "2"):
+            with self.subTest(ensemble=ensemble):
+                run = ("--epochs", "600", "--ensemble", ensemble)
+                self.train(*run, "--out", "unbroken.safetensors", "--force")
+                self.killed(*run, "--checkpoint-interval-s", "0")
+                self.train(*run, "--resume")
+                self.assertEqual(
+                    (self.folder / "model.safetensors").read_bytes(),
+                    (self.folder / "unbroken.safetensors").read_bytes(),
+                )
+                self.assertFalse((self.folder / "model.safetensors.checkpoint").exists())
+                for name in ("model.safetensors", "model.curve.csv", "model.curve.svg"):
+                    (self.folder / name).unlink()
+
+    def test_resuming_with_other_settings_is_refused(self):
+        self.killed("--epochs", "3000", "--checkpoint-interval-s", "0")
+        message = self.refused("--epochs", 600, "--resume")
+        self.assertIn("the checkpoint of a run of 1000 epochs of 2-frame windows", message)
+        self.assertIn("leave out --resume to start anew", message)
+        self.assertIn("other data or settings", self.refused("--epochs", 3000, "--resume", "--ensemble", 2))
+
+    def test_an_ensemble_says_how_sure_it_is(self):
+        result = self.run_json(
+            "train", *ARM, "--data", "train.h5", "--hidden", 8, "--epochs", 30, "--ensemble", 3
+        )
+        self.assertEqual(result["members"], 3)
+        errors = result["member_validation_position_error_cm"]
+        self.assertEqual(errors, sorted(errors))
+        self.run_limber("collect", *ARM, "--schedule", "random", "--count", 5, "--out", "test.h5")
+        evaluation = self.run_json(
+            "evaluate", *ARM, "--model", "model.safetensors", "--data", "test.h5"
+        )["ensemble"]
+        self.assertEqual(evaluation["members"], 3)
+        self.assertGreater(evaluation["open_loop"]["spread"]["mean_cm"], 0)
+        for key in ("one_step", "window_32", "per_motion", "open_loop"):
+            self.assertGreater(evaluation[key]["position_error_cm"]["mean"], 0)
+        self.assertEqual(self.run_json("inspect", "model.safetensors")["members"], 3)
+
+    def test_fine_tuning_shows_errors_before_and_after(self):
+        self.train("--epochs", 6, "--out", "old.safetensors")
+        self.run_limber(
+            "collect", *ARM, "--schedule", "random", "--count", 30, "--out", "new.h5", "--seed", 5
+        )
+        arguments = ("train", *ARM, "--from", "old.safetensors", "--data", "new.h5", "--epochs", 4)
+        result = self.run_json(*arguments, "--old-data", "train.h5")["fine_tuning"]
+        for data in ("new_data", "old_data"):
+            for when in ("before", "after"):
+                error = result[data][when]["open_loop"]["position_error_cm"]["mean"]
+                self.assertGreater(error, 0)
+        self.assertNotEqual(result["old_data"]["before"], result["old_data"]["after"])
+        table = self.run_limber(*arguments, "--force").stdout
+        self.assertIn("new data, before", table)
+        self.assertNotIn("old data", table)
+        message = self.run_limber(*arguments, "--force", "--hidden", 9, code=2).stderr
+        self.assertIn("--hidden 9: old.safetensors has hidden layers of 8 units", message)
+        message = self.run_limber(*arguments, "--force", "--ensemble", 2, code=2).stderr
+        self.assertIn("--ensemble 2: old.safetensors holds 1 networks", message)
+        self.assertIn("--from", self.refused("--old-data", "train.h5"))
+
+    def test_nothing_is_overwritten_unasked(self):
+        self.write("model.curve.csv", "mine")
+        self.assertIn("model.curve.csv: exists already; --force", self.refused("--epochs", 3))
+        self.train("--epochs", 3, "--force")
+        (self.folder / "plots").mkdir()
+        self.write("plots/backbones.svg", "mine")
+        evaluate = (
+            "evaluate", *ARM, "--model", "model.safetensors", "--data", "train.h5", "--plots", "plots"
+        )
+        self.assertIn("backbones.svg: exists already", self.run_limber(*evaluate, code=2).stderr)
+        self.assertEqual((self.folder / "plots/backbones.svg").read_text(encoding="utf-8"), "mine")
+        self.run_limber(*evaluate, "--force")
+
+    def test_what_is_read_is_never_written(self):
+        os.symlink("train.h5", self.folder / "link.h5")
+        message = "is the file that --data reads; give it another name"
+        self.assertIn(message, self.refused("--out", "train.h5", "--force"))
+        self.assertIn(message, self.refused("--out", self.folder / "." / "link.h5", "--force"))
+        self.train("--epochs", 3)
+        result = self.run_limber(
+            "bench", "--model", "model.safetensors", "--plot", "model.safetensors", "--force", code=2
+        )
+        self.assertIn("--plot model.safetensors is the file that --model reads", result.stderr)
+
     def test_another_arms_recording_is_refused(self):
         message = self.run_limber(
             "train", "--arm", "three_segment", "--data", "train.h5", code=2
@@ -81,6 +180,7 @@ class Train(InFolder):
 
     def test_too_few_epochs_are_refused(self):
         self.assertIn("3 stages", self.refused("--epochs", 2))
+        self.assertIn("not in range [1", self.refused("--epochs", 0))
 
     def test_resuming_nothing_is_refused(self):
         self.assertIn("there is no checkpoint", self.refused("--resume"))

@@ -53,11 +53,18 @@ struct Evaluation {
 FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart,
                     int jobs = 0);
 
+/// The same for several episodes, side by side.
+/// @throws InputError where a prediction is not finite.
+std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
+                                 Restart restart, int jobs = 0);
+
 /// @param network  null: no-load model only.
 /// @throws InputError where the recording has no episode of at least three frames.
 Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     const std::vector<Episode>& episodes, int jobs = 0);
 
+/// Keys position_error_cm and orientation_error_rad of `evaluate --json`.
+nlohmann::ordered_json tip_errors_to_json(const TipErrors& errors);
 /// The object of `evaluate --json`.
 nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation);
 /// The same as a table for people.

@@ -20,7 +20,10 @@ struct EvaluationPlots {
 EvaluationPlots plot_evaluation(const ForwardModel& no_load, const ForwardModel* network,
                                 const std::vector<Episode>& episodes, int jobs = 0);
 
-/// Writes error_over_time.svg, position_distribution.svg, … to `folder`; returns the paths.
+/// error_over_time.svg, position_distribution.svg, orientation_distribution.svg and backbones.svg.
+std::vector<std::filesystem::path> evaluation_plot_paths(const std::filesystem::path& folder);
+
+/// Writes those, in that order; returns their paths.
 std::vector<std::filesystem::path> write_evaluation_plots(const std::filesystem::path& folder,
                                                           const EvaluationPlots& plots);
 

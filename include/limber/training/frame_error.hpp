@@ -23,6 +23,9 @@ class FrameError {
   FrameError(Vector weight, Vector scale, Vector offset);
 
   bool is_chained() const { return scale_.size() > 0; }
+  const Vector& weight() const { return weight_; }
+  const Vector& scale() const { return scale_; }
+  const Vector& offset() const { return offset_; }
 
   /// The same in another precision.
   template <class Other>

@@ -1,0 +1,78 @@
+#include "distinct_files.hpp"
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Every option by which some verb names a file or folder to write.
+constexpr std::array kOutputs = {"--out",  "--svg",  "--plot",   "--plots",     "--tables",
+                                 "--onnx", "--mjcf", "--motive", "--animation", "--trace"};
+
+struct NamedPath {
+  std::string option;
+  fs::path path;
+};
+
+bool is_output(const CLI::Option& option) {
+  return std::ranges::any_of(kOutputs, [&](const char* name) { return option.check_name(name); });
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error)) {
+    return true;
+  }
+  const fs::path whole_a = fs::weakly_canonical(a, error);
+  const fs::path whole_b = fs::weakly_canonical(b, error);
+  return !whole_a.empty() && whole_a == whole_b;
+}
+
+}  // namespace
+
+void require_distinct_files(const CLI::App& command) {
+  std::vector<NamedPath> inputs;
+  std::vector<NamedPath> outputs;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      std::error_code error;
+      if (value.empty()) {
+        continue;
+      }
+      if (is_output(*option)) {
+        outputs.push_back({option->get_name(), value});
+      } else if (fs::is_regular_file(value, error)) {
+        inputs.push_back({option->get_name(), value});
+      }
+    }
+  }
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto refuse = [&](const NamedPath& other, const char* what) {
+      throw InputError(fmt::format("{} {} is the file that {} {}; give it another name",
+                                   outputs[i].option, outputs[i].path.string(), other.option,
+                                   what));
+    };
+    for (const NamedPath& input : inputs) {
+      if (same_file(outputs[i].path, input.path)) {
+        refuse(input, "reads");
+      }
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (same_file(outputs[i].path, outputs[k].path)) {
+        refuse(outputs[k], "writes as well");
+      }
+    }
+  }
+}
+
+}  // namespace limber

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/training/evaluation.hpp"
+#include "limber/training/training_settings.hpp"
+
+namespace limber {
+
+/// The settings with which a model that has learnt already is trained on: those of `preset` with
+/// its last stage alone, since what short windows teach is known, and a quarter of the epochs and
+/// the rate, so that it is not first thrown away (docs/training.md has the figures).
+TrainingSettings fine_tuning_of(TrainingSettings preset);
+
+/// Errors of a model before and after it was tuned, on episodes that neither run learnt from. Those
+/// of the new data chose the best epoch: a test recording is needed to be sure (`evaluate`).
+struct FineTuningReport {
+  struct Change {
+    RolloutErrors before;
+    RolloutErrors after;
+  };
+  std::optional<Change> new_data;
+  std::optional<Change> old_data;
+};
+
+/// Of an ensemble, the first members are compared. Empty or too short recordings are left out.
+FineTuningReport compare_models(const ArmDescription& arm, const CompensationModel& before,
+                                const CompensationModel& after,
+                                const std::vector<Episode>& new_data,
+                                const std::vector<Episode>& old_data, int jobs);
+
+/// The object `fine_tuning` of `train --json`.
+nlohmann::ordered_json to_json(const FineTuningReport& report);
+/// A table: tip position errors in cm.
+std::string to_text(const FineTuningReport& report);
+
+}  // namespace limber

@@ -1,0 +1,166 @@
+#include "limber/training/ensemble_evaluation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/error.hpp"
+#include "limber/common/units.hpp"
+#include "limber/training/rollout.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kCovered = 0.95;
+
+/// Ranks from 0, ties sharing their mean.
+std::vector<double> ranks(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
+  std::vector<double> result(values.size());
+  for (std::size_t first = 0; first < order.size();) {
+    std::size_t end = first + 1;
+    while (end < order.size() && values[order[end]] == values[order[first]]) {
+      ++end;
+    }
+    for (std::size_t i = first; i < end; ++i) {
+      result[order[i]] = 0.5 * static_cast<double>(first + end - 1);
+    }
+    first = end;
+  }
+  return result;
+}
+
+SpreadStatistics spread_statistics(const std::vector<double>& spread_cm,
+                                   const std::vector<double>& error_cm) {
+  SpreadStatistics result;
+  const auto count = static_cast<double>(spread_cm.size());
+  std::vector<double> factors;
+  for (std::size_t i = 0; i < spread_cm.size(); ++i) {
+    result.mean_cm += spread_cm[i] / count;
+    result.covered_by_two += error_cm[i] <= 2.0 * spread_cm[i] ? 1.0 / count : 0.0;
+    factors.push_back(error_cm[i] / std::max(spread_cm[i], std::numeric_limits<double>::min()));
+  }
+  result.rank_correlation = rank_correlation(spread_cm, error_cm);
+  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(kCovered * count)) - 1;
+  std::nth_element(factors.begin(), factors.begin() + rank, factors.end());
+  result.factor_for_95 = factors[static_cast<std::size_t>(rank)];
+  return result;
+}
+
+EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Episode>& episodes,
+                         Restart restart, int jobs) {
+  std::vector<std::vector<FrameMatrix>> members;
+  for (int member = 0; member < ensemble.member_count(); ++member) {
+    members.push_back(predict(ensemble.member(member), episodes, restart, jobs));
+  }
+  const std::vector<FrameMatrix> mean = mean_of(members);
+  TipErrorSeries series;
+  std::vector<double> spread_cm;
+  std::vector<double> error_cm;
+  for (std::size_t episode = 0; episode < episodes.size(); ++episode) {
+    const TipErrorSeries one = tip_errors(mean[episode], episodes[episode], 1);
+    append(series, one);
+    const Eigen::Index tip = mean[episode].cols() - 3;
+    for (std::size_t i = 0; i < one.position_cm.size(); ++i) {
+      if (std::isnan(one.position_cm[i])) {
+        continue;
+      }
+      const auto t = static_cast<Eigen::Index>(i) + 1;
+      double square = 0.0;
+      for (const std::vector<FrameMatrix>& member : members) {
+        square += static_cast<double>(
+            (member[episode].row(t).segment<2>(tip) - mean[episode].row(t).segment<2>(tip))
+                .squaredNorm());
+      }
+      spread_cm.push_back(kCmPerM * std::sqrt(square / static_cast<double>(members.size())));
+      error_cm.push_back(one.position_cm[i]);
+    }
+  }
+  if (error_cm.empty()) {
+    throw InputError("the recording can't be evaluated on: no frame follows one that was tracked");
+  }
+  return {summarise(series), spread_statistics(spread_cm, error_cm)};
+}
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json to_json(const EnsembleErrors& errors) {
+  Json json = tip_errors_to_json(errors.mean);
+  json["spread"] = {{"mean_cm", errors.spread.mean_cm},
+                    {"rank_correlation", number(errors.spread.rank_correlation)},
+                    {"covered_by_two", errors.spread.covered_by_two},
+                    {"factor_for_95", number(errors.spread.factor_for_95)}};
+  return json;
+}
+
+std::string row(const char* name, const EnsembleErrors& errors) {
+  const ErrorStatistics& p = errors.mean.position_cm;
+  const SpreadStatistics& s = errors.spread;
+  return fmt::format("{:<32} {:7.2f} {:7.2f} {:7.2f}   {:7.2f} {:11.2f} {:8.0f} % {:8.1f}\n", name,
+                     p.mean, p.std, p.p95, s.mean_cm, s.rank_correlation, 100.0 * s.covered_by_two,
+                     s.factor_for_95);
+}
+
+}  // namespace
+
+EnsembleEvaluation evaluate_ensemble(const EnsembleForward& ensemble,
+                                     const std::vector<Episode>& episodes, int jobs) {
+  EnsembleEvaluation result;
+  result.members = ensemble.member_count();
+  result.one_step = errors_of(ensemble, episodes, Restart::every_frame, jobs);
+  result.window_32 = errors_of(ensemble, episodes, Restart::every_32_frames, jobs);
+  result.per_motion = errors_of(ensemble, episodes, Restart::every_motion, jobs);
+  result.open_loop = errors_of(ensemble, episodes, Restart::at_the_start_only, jobs);
+  return result;
+}
+
+double rank_correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const std::vector<double> of_a = ranks(a);
+  const std::vector<double> of_b = ranks(b);
+  const double mean = 0.5 * (static_cast<double>(a.size()) - 1.0);
+  double product = 0.0;
+  double square_a = 0.0;
+  double square_b = 0.0;
+  for (std::size_t i = 0; i < of_a.size(); ++i) {
+    product += (of_a[i] - mean) * (of_b[i] - mean);
+    square_a += (of_a[i] - mean) * (of_a[i] - mean);
+    square_b += (of_b[i] - mean) * (of_b[i] - mean);
+  }
+  return square_a > 0.0 && square_b > 0.0 ? product / std::sqrt(square_a * square_b)
+                                          : std::numeric_limits<double>::quiet_NaN();
+}
+
+Json ensemble_evaluation_to_json(const EnsembleEvaluation& evaluation) {
+  return {{"members", evaluation.members},
+          {"one_step", to_json(evaluation.one_step)},
+          {"window_32", to_json(evaluation.window_32)},
+          {"per_motion", to_json(evaluation.per_motion)},
+          {"open_loop", to_json(evaluation.open_loop)}};
+}
+
+std::string ensemble_evaluation_to_text(const EnsembleEvaluation& evaluation) {
+  std::string text = fmt::format(
+      "{:<32} {:>23}   {:>7} {:>11} {:>10} {:>8}\n{:<32} {:>7} {:>7} {:>7}   {:>7} {:>11} {:>10} "
+      "{:>8}\n",
+      fmt::format("mean of {} networks", evaluation.members), "tip position [cm]", "spread",
+      "correlation", "error <= 2", "95 % <=", "", "mean", "std", "p95", "[cm]", "with error",
+      "spreads", "spreads");
+  text += row("open loop", evaluation.open_loop);
+  text += row("per motion", evaluation.per_motion);
+  text += row("32-frame windows", evaluation.window_32);
+  text += row("one step", evaluation.one_step);
+  return text;
+}
+
+}  // namespace limber

@@ -1,0 +1,219 @@
+#include "limber/training/training_benchmark.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <thread>
+
+#include <tbb/task_arena.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "epoch_trainer.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/network/gemm_kernels.hpp"
+#include "network/safetensors.hpp"
+
+namespace limber {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr long kPeakRounds = 20'000;   // some 50 µs
+constexpr double kPeakSeconds = 0.03;  // a few of a scheduler's slices
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Multiply-adds a second of all threads together, each in registers only.
+double peak_gmac_per_s(int threads) {
+  const GemmKernels& kernels = gemm_kernels();
+  std::vector<double> rates(static_cast<std::size_t>(threads));
+  std::vector<std::thread> running;
+  for (double& rate : rates) {
+    running.emplace_back([&rate, &kernels] {
+      volatile float keep = 0.0F;  // or nothing would be computed
+      const Clock::time_point begin = Clock::now();
+      long passes = 0;
+      while (seconds_since(begin) < kPeakSeconds) {
+        keep = keep + kernels.multiply_add(kPeakRounds);
+        ++passes;
+      }
+      rate = static_cast<double>(passes * kPeakRounds) * kernels.multiply_adds_per_round /
+             seconds_since(begin) / 1e9;
+    });
+  }
+  for (std::thread& thread : running) {
+    thread.join();
+  }
+  return std::accumulate(rates.begin(), rates.end(), 0.0);
+}
+
+/// The settings of one stage alone, at a constant rate.
+TrainingSettings of_stage(TrainingSettings settings, const TrainingStage& stage) {
+  settings.stages = {stage};
+  settings.cosine_decay = false;
+  return settings;
+}
+
+double useful_multiply_adds(const EpochTrainer& trainer, const TrainingStage& stage,
+                            std::size_t windows) {
+  const ParameterLayout& layout = trainer.layout();
+  double all = 0.0;
+  for (int layer = 0; layer < layout.layer_count(); ++layer) {
+    all += static_cast<double>(layout.inputs(layer)) * layout.outputs(layer);
+  }
+  const double first = static_cast<double>(layout.inputs(0)) * layout.outputs(0);
+  const double carried = static_cast<double>(trainer.tables().frames.state.rows()) *
+                         layout.outputs(0) * (stage.window_frames - 1) / stage.window_frames;
+  return (3.0 * all - first + carried) * stage.window_frames * static_cast<double>(windows) *
+         trainer.member_count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+StageSpeed measure_stage(const ArmDescription& arm, const TrainingData& data,
+                         const TrainingSettings& settings, const TrainingStage& stage, int epochs,
+                         int threads) {
+  EpochTrainer trainer(arm, data, settings, nullptr);
+  StageSpeed speed;
+  speed.window_frames = stage.window_frames;
+  speed.windows_per_batch = stage.windows_per_batch;
+  const std::size_t windows = trainer.shuffled_starts(stage).size();
+  speed.windows = static_cast<std::int64_t>(windows);
+  speed.multiply_adds = useful_multiply_adds(trainer, stage, windows);
+  speed.first_epoch_loss = trainer.train_epoch(stage).mean;
+  std::vector<double> seconds;
+  std::vector<double> fractions;
+  std::vector<double> peaks;
+  double before = peak_gmac_per_s(threads);
+  for (int epoch = 0; epoch < epochs; ++epoch) {
+    const Clock::time_point begin = Clock::now();
+    (void)trainer.train_epoch(stage);
+    seconds.push_back(seconds_since(begin));
+    const double after = peak_gmac_per_s(threads);
+    peaks.push_back(0.5 * (before + after));
+    fractions.push_back(speed.multiply_adds / seconds.back() / 1e9 / peaks.back());
+    speed.peak_difference =
+        std::max(speed.peak_difference, std::abs(after - before) / peaks.back());
+    before = after;
+  }
+  speed.epoch_s = median(seconds);
+  speed.peak_gmac_per_s = median(peaks);
+  speed.fraction_of_fma_peak = median(fractions);
+  return speed;
+}
+
+Tensor tensor_of(const Eigen::MatrixXf& columns) {
+  return {{static_cast<std::size_t>(columns.cols()), static_cast<std::size_t>(columns.rows())},
+          {columns.data(), columns.data() + columns.size()}};
+}
+
+}  // namespace
+
+TrainingSpeed measure_training_speed(const ArmDescription& arm, const TrainingData& data,
+                                     const TrainingSettings& settings, int epochs) {
+  TrainingSpeed speed;
+  speed.preset = settings.preset;
+  speed.layout = to_string(settings.layout);
+  speed.networks = settings.ensemble;
+  speed.threads = tbb::task_arena(settings.jobs > 0 ? settings.jobs : tbb::task_arena::automatic)
+                      .max_concurrency();
+  for (const TrainingStage& stage : settings.stages) {
+    const TrainingSettings own = of_stage(settings, stage);
+    if (speed.shape.empty()) {
+      const EpochTrainer trainer(arm, data, own, nullptr);
+      speed.shape = trainer.model_of_member(trainer.state().parameters, 0).shape();
+      speed.frames = trainer.tables().frames.state.cols();
+    }
+    speed.stages.push_back(measure_stage(arm, data, own, stage, epochs, speed.threads));
+  }
+  return speed;
+}
+
+void write_training_tables(const std::filesystem::path& path, const ArmDescription& arm,
+                           const TrainingData& data, const TrainingSettings& settings) {
+  Safetensors content;
+  for (std::size_t k = 0; k < settings.stages.size(); ++k) {
+    const TrainingStage& stage = settings.stages[k];
+    const TrainingSettings own = of_stage(settings, stage);
+    const EpochTrainer trainer(arm, data, own, nullptr);
+    const TrainingTables& tables = trainer.tables();
+    const std::vector<int> starts = trainer.shuffled_starts(stage);
+    content.tensors[fmt::format("starts.{}", k)] = {{starts.size()},
+                                                    {starts.begin(), starts.end()}};
+    if (k > 0) {
+      continue;
+    }
+    content.tensors["pressure"] = tensor_of(tables.frames.pressure);
+    content.tensors["no_load"] = tensor_of(tables.frames.no_load);
+    content.tensors["uncompensated"] = tensor_of(tables.frames.uncompensated);
+    content.tensors["state"] = tensor_of(tables.frames.state);
+    content.tensors["target"] = tensor_of(tables.frames.targets());
+    content.tensors["output_scale"] = tensor_of(tables.map.output_scale);
+    content.tensors["error.weight"] = tensor_of(tables.map.error.weight());
+    if (tables.map.error.is_chained()) {
+      content.tensors["error.scale"] = tensor_of(tables.map.error.scale());
+      content.tensors["error.offset"] = tensor_of(tables.map.error.offset());
+    }
+    const std::vector<Layer> layers =
+        to_layers(trainer.layout(), trainer.state().parameters.head(trainer.layout().size()));
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+      content.tensors[fmt::format("layers.{}.weight", l)] = tensor_of(layers[l].weight.transpose());
+      content.tensors[fmt::format("layers.{}.bias", l)] = tensor_of(layers[l].bias);
+    }
+  }
+  const bool adam = settings.optimiser == Optimiser::adam;
+  const bool mean = settings.reduction == LossReduction::mean_over_batch;
+  content.metadata = {{"optimiser", adam ? "adam" : "sgd"},
+                      {"reduction", mean ? "mean" : "sum"},
+                      {"learning_rate", fmt::format("{}", settings.learning_rate)},
+                      {"gradient_norm_limit", fmt::format("{}", settings.gradient_norm_limit)}};
+  write_file_atomically(path, safetensors_bytes(content));
+}
+
+nlohmann::ordered_json to_json(const TrainingSpeed& speed) {
+  nlohmann::ordered_json json = {{"preset", speed.preset},   {"shape", speed.shape},
+                                 {"layout", speed.layout},   {"networks", speed.networks},
+                                 {"threads", speed.threads}, {"frames", speed.frames}};
+  json["stages"] = nlohmann::ordered_json::array();
+  for (const StageSpeed& stage : speed.stages) {
+    json["stages"].push_back({{"window_frames", stage.window_frames},
+                              {"windows_per_batch", stage.windows_per_batch},
+                              {"windows", stage.windows},
+                              {"epoch_s", stage.epoch_s},
+                              {"gmac_per_s", stage.multiply_adds / stage.epoch_s / 1e9},
+                              {"fma_peak_gmac_per_s", stage.peak_gmac_per_s},
+                              {"fma_peak_difference", stage.peak_difference},
+                              {"fraction_of_fma_peak", stage.fraction_of_fma_peak},
+                              {"first_epoch_loss", stage.first_epoch_loss}});
+  }
+  return json;
+}
+
+std::string to_text(const TrainingSpeed& speed) {
+  std::string text = fmt::format(
+      "preset {}, {} ({}), {} frames, {} threads{}\n", speed.preset, speed.shape, speed.layout,
+      speed.frames, speed.threads,
+      speed.networks > 1 ? fmt::format(", {} networks", speed.networks) : std::string());
+  for (const StageSpeed& stage : speed.stages) {
+    text += fmt::format(
+        "  windows of {:>2} frames, batches of {:>4}: {:7.1f} ms an epoch, {:6.1f} GMAC/s, {:.1f} "
+        "% "
+        "of the FMA peak of {:.1f} ({:.0f} % apart)\n",
+        stage.window_frames, stage.windows_per_batch, 1e3 * stage.epoch_s,
+        stage.multiply_adds / stage.epoch_s / 1e9, 100.0 * stage.fraction_of_fma_peak,
+        stage.peak_gmac_per_s, 100.0 * stage.peak_difference);
+  }
+  return text;
+}
+
+}  // namespace limber
