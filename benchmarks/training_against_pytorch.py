@@ -8,10 +8,13 @@ optimiser and first weights, in one run. Needs Debian's python3-torch and python
 PyTorch gets the normalised tables and the windows' order that limber itself starts from, and the mean
 loss of the first epoch must agree before a time is believed. Both are timed epoch about, and the
 median counts. PyTorch is asked for one and for two threads, eagerly and as a traced graph; its
-fastest is what limber is compared with.
+fastest is what limber is compared with. Debian's PyTorch multiplies with whatever BLAS is installed:
+with the reference one (libblas3) it is many times slower than it could be, so a comparison that is
+to mean something needs libopenblas0-pthread.
 """
 
 import argparse
+import ctypes
 import json
 import math
 import pathlib
@@ -25,6 +28,18 @@ import numpy
 import torch
 
 AGREEMENT = 2e-3  # relative, of the first epoch's mean losses: float32 sums in other orders
+
+
+def blas():
+    """OpenBLAS, where it is what PyTorch multiplies with; else None."""
+    library = ctypes.CDLL("libblas.so.3")
+    return library if hasattr(library, "openblas_set_num_threads") else None
+
+
+def set_threads(count):
+    torch.set_num_threads(count)
+    if blas():
+        blas().openblas_set_num_threads(count)
 
 
 def read_safetensors(path):
@@ -85,21 +100,17 @@ class Peer:
         self.mean = metadata["reduction"] == "mean"
         self.limit = float(metadata["gradient_norm_limit"])
         count = sum(name.endswith(".weight") and name.startswith("layers.") for name in tables)
-        # Stored column by column; see write_training_tables.
-        self.layers = [
-            (
-                tables[f"layers.{l}.weight"].clone().requires_grad_(),
-                tables[f"layers.{l}.bias"].flatten().clone().requires_grad_(),
-            )
+        self.parameters = [
+            tables[f"layers.{l}.{part}"].squeeze(0).clone().requires_grad_()
             for l in range(count)
+            for part in ("weight", "bias")
         ]
-        self.parameters = [p for layer in self.layers for p in layer]
         kind = torch.optim.Adam if metadata["optimiser"] == "adam" else torch.optim.SGD
-        # The rate is limber's own; `foreach` takes all parameters in one call.
+        # `foreach` takes all parameters in one call, which is faster.
         self.optimiser = kind(self.parameters, lr=float(metadata["learning_rate"]), foreach=True)
         self.graph = None
         if traced:
-            example = self.gather(self.starts[:batch])
+            example = (*self.gather(self.starts[:batch]), *self.parameters)
             self.graph = torch.jit.trace(self.loss, example, check_trace=False)
 
     def gather(self, starts):
@@ -115,17 +126,16 @@ class Peer:
             tables["target"][index + 1],
         )
 
-    def loss(self, given, state, uncompensated, target):
-        return rollout_loss(
-            self.frames, given, state, uncompensated, target, self.tables, self.layers
-        )
+    def loss(self, given, state, uncompensated, target, *parameters):
+        layers = list(zip(parameters[::2], parameters[1::2]))
+        return rollout_loss(self.frames, given, state, uncompensated, target, self.tables, layers)
 
     def epoch(self):
         total = 0.0
         for starts in self.starts.split(self.batch):
             batch = self.gather(starts)
             whole = self.graph is not None and len(starts) == self.batch
-            loss = (self.graph if whole else self.loss)(*batch)
+            loss = (self.graph if whole else self.loss)(*batch, *self.parameters)
             self.optimiser.zero_grad(set_to_none=True)
             (loss / len(starts) if self.mean else loss).backward()
             if self.limit > 0:
@@ -161,7 +171,7 @@ def compare(limber, recording, preset, epochs, tables_path):
         variants = {}
         for threads in (1, 2):
             for traced in (False, True):
-                torch.set_num_threads(threads)
+                set_threads(threads)
                 peer = Peer(
                     tables, metadata, k, stage["window_frames"], stage["windows_per_batch"], traced
                 )
@@ -186,7 +196,8 @@ def compare(limber, recording, preset, epochs, tables_path):
             f"  limber {1e3 * limber_s:.1f} ms an epoch ({before['threads']} threads, "
             f"{50 * (stage['fraction_of_fma_peak'] + again['fraction_of_fma_peak']):.0f} % of the "
             f"FMA peak)\n"
-            f"  PyTorch {torch.__version__}, ms: {times}\n"
+            f"  PyTorch {torch.__version__} with {'OpenBLAS' if blas() else 'the reference BLAS'}, ms: "
+            f"{times}\n"
             f"  limber is {best / limber_s:.1f} times as fast as PyTorch's best ({name})",
             flush=True,
         )

@@ -81,6 +81,11 @@ class TrainVerb final : public Verb {
       throw InputError(fmt::format("--resume: there is no checkpoint {}; leave --resume out",
                                    checkpoint_path().string()));
     }
+    if (!resume_ && !flags.force && fs::exists(checkpoint_path())) {
+      throw InputError(fmt::format("{}: a run that was stopped; --resume goes on with it, --force "
+                                   "starts anew",
+                                   checkpoint_path().string()));
+    }
     const ArmDescription arm = load_arm(find_arm_file(arm_));
     std::optional<CompensationModel> start;
     if (!from_.empty()) {

@@ -11,8 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kEpochShare = 4;
-constexpr double kRateShare = 0.25;
+constexpr int kEpochShare = 2;
+constexpr double kRateShare = 0.1;
 constexpr int kLeastFrames = 3;  // `evaluate` needs as many
 
 std::optional<FineTuningReport::Change> change_on(const ForwardModel& no_load,

@@ -96,6 +96,7 @@ class Train(InFolder):
         message = self.refused("--epochs", 600, "--resume")
         self.assertIn("the checkpoint of a run of 1000 epochs of 2-frame windows", message)
         self.assertIn("leave out --resume to start anew", message)
+        self.assertIn("a run that was stopped; --resume goes on", self.refused("--epochs", 3000))
         self.assertIn("other data or settings", self.refused("--epochs", 3000, "--resume", "--ensemble", 2))
 
     def test_an_ensemble_says_how_sure_it_is(self):

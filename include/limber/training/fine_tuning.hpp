@@ -11,9 +11,9 @@
 
 namespace limber {
 
-/// The settings with which a model that has learnt already is trained on: those of `preset` with
-/// its last stage alone, since what short windows teach is known, and a quarter of the epochs and
-/// the rate, so that it is not first thrown away (docs/training.md has the figures).
+/// The settings with which a model that has learnt already is trained on: those of `preset` with its
+/// last stage alone, since what short windows teach is known, half of that stage's epochs and a
+/// tenth of the rate, so that it is not first thrown away (docs/training.md has the figures).
 TrainingSettings fine_tuning_of(TrainingSettings preset);
 
 /// Errors of a model before and after it was tuned, on episodes that neither run learnt from. Those

@@ -56,8 +56,8 @@ struct TrainingSettings {
   double input_noise = 0;     ///< standard deviation added to a window's first backbone, normalised
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset
 
-  int ensemble = 1;           ///< networks trained together, 1 to 64, each from weights of its own
-  double replay_share = 0.5;  ///< of an epoch's windows, from what is replayed; [0, 0.95]
+  int ensemble = 1;            ///< networks trained together, 1 to 64, each from weights of its own
+  double replay_share = 0.25;  ///< of an epoch's windows, from what is replayed; [0, 0.95]
 
   std::uint64_t seed = 1;
   int jobs = 0;  ///< threads, 0: one a core; never changes a result
