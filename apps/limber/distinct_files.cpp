@@ -1,8 +1,10 @@
 #include "distinct_files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,16 +17,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every option by which some verb names a file or folder to write.
-constexpr std::array kOutputs = {"--out",  "--svg",  "--plot",   "--plots",     "--tables",
-                                 "--onnx", "--mjcf", "--motive", "--animation", "--trace"};
+// Every option by which a verb names a file or folder to write …
+constexpr std::array kOutputs = {"--out",  "--svg",  "--plot",   "--plots",    "--tables",
+                                 "--onnx", "--mjcf", "--motive", "--animation"};
+// … and the verbs that write one which others read.
+constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
 
 struct NamedPath {
   std::string option;
   fs::path path;
 };
 
-bool is_output(const CLI::Option& option) {
+bool is_output(const CLI::App& command, const CLI::Option& option) {
+  if (option.check_name("--csv")) {
+    return std::ranges::find(kWritersOfCsv, command.get_name()) != kWritersOfCsv.end();
+  }
   return std::ranges::any_of(kOutputs, [&](const char* name) { return option.check_name(name); });
 }
 
@@ -33,8 +40,8 @@ bool same_file(const fs::path& a, const fs::path& b) {
   if (fs::equivalent(a, b, error)) {
     return true;
   }
-  const fs::path whole_a = fs::weakly_canonical(a, error);
-  const fs::path whole_b = fs::weakly_canonical(b, error);
+  const fs::path whole_a = fs::weakly_canonical(fs::absolute(a), error);
+  const fs::path whole_b = fs::weakly_canonical(fs::absolute(b), error);
   return !whole_a.empty() && whole_a == whole_b;
 }
 
@@ -49,7 +56,7 @@ void require_distinct_files(const CLI::App& command) {
       if (value.empty()) {
         continue;
       }
-      if (is_output(*option)) {
+      if (is_output(command, *option)) {
         outputs.push_back({option->get_name(), value});
       } else if (fs::is_regular_file(value, error)) {
         inputs.push_back({option->get_name(), value});

@@ -17,6 +17,8 @@ namespace {
 // Frames of a chunk: many enough for efficient products, few enough that every core gets some.
 constexpr int kFramesPerChunk = 512;
 constexpr int kLeastWindowsPerChunk = 32;
+// Numbers of the chunks' gradients that one task adds up.
+constexpr std::size_t kNumbersPerSum = 8192;
 
 int windows_per_chunk(int window_frames, int windows_per_batch) {
   const int windows = std::max(kFramesPerChunk / window_frames, kLeastWindowsPerChunk);
@@ -84,6 +86,15 @@ void BatchGradient::compute_chunk(int chunk, std::span<const int> starts,
   }
 }
 
+void BatchGradient::add_chunks(std::size_t first, std::size_t count, std::size_t chunks,
+                               Eigen::VectorXf& gradient) const {
+  float* sum = gradient.data() + first;
+  std::copy_n(gradients_[0].data() + first, count, sum);
+  for (std::size_t chunk = 1; chunk < chunks; ++chunk) {
+    optimiser_kernels().add(static_cast<int>(count), gradients_[chunk].data() + first, sum);
+  }
+}
+
 std::span<const double> BatchGradient::compute(std::span<const int> starts,
                                                const Eigen::VectorXf& parameters, double noise,
                                                std::uint64_t seed, std::uint64_t stream,
@@ -99,10 +110,18 @@ std::span<const double> BatchGradient::compute(std::span<const int> starts,
         },
         tbb::simple_partitioner());
   });
-  gradient = gradients_[0];
+  gradient.resize(gradients_.front().size());
+  const auto size = static_cast<std::size_t>(gradient.size());
+  threads_->arena.execute([&] {
+    tbb::parallel_for(
+        std::size_t{0}, (size + kNumbersPerSum - 1) / kNumbersPerSum,
+        [&](std::size_t part) {
+          const std::size_t first = part * kNumbersPerSum;
+          add_chunks(first, std::min(kNumbersPerSum, size - first), chunks, gradient);
+        },
+        tbb::simple_partitioner());
+  });
   for (std::size_t chunk = 1; chunk < chunks; ++chunk) {
-    optimiser_kernels().add(static_cast<int>(gradient.size()), gradients_[chunk].data(),
-                            gradient.data());
     for (std::size_t network = 0; network < networks_; ++network) {
       losses_[network] += losses_[chunk * networks_ + network];
     }

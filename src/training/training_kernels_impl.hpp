@@ -77,6 +77,14 @@ inline void transpose(Vector* v) {
 
 void gather(int row_count, int stride, const float* columns, int ld, const int* index,
             float* rows) {
+  // Windows lie anywhere in memory: all of it is asked for before the first is waited for.
+  constexpr int kLine = 64 / sizeof(float);
+  for (int j = 0; j < stride; ++j) {
+    const float* column = columns + static_cast<std::ptrdiff_t>(index[j]) * ld;
+    for (int r = 0; r < row_count; r += kLine) {
+      __builtin_prefetch(column + r);
+    }
+  }
   for (int q = 0; q < stride; q += kLanes) {
     for (int r = 0; r < row_count; r += kLanes) {
       const int count = row_count - r < kLanes ? row_count - r : kLanes;

@@ -135,7 +135,8 @@ class Train(InFolder):
         self.assertIn("--hidden 9: old.safetensors has hidden layers of 8 units", message)
         message = self.run_limber(*arguments, "--force", "--ensemble", 2, code=2).stderr
         self.assertIn("--ensemble 2: old.safetensors holds 1 networks", message)
-        self.assertIn("--from", self.refused("--old-data", "train.h5"))
+        message = self.train("--old-data", "train.h5", "--force", code=2).stderr
+        self.assertIn("--old-data requires --from", message)
 
     def test_nothing_is_overwritten_unasked(self):
         self.write("model.curve.csv", "mine")
@@ -160,6 +161,10 @@ class Train(InFolder):
             "bench", "--model", "model.safetensors", "--plot", "model.safetensors", "--force", code=2
         )
         self.assertIn("--plot model.safetensors is the file that --model reads", result.stderr)
+        twice = ("characterize", *ARM, "--out", "arm.yaml", "--plot", "./arm.yaml")
+        message = self.run_limber(*twice, code=2).stderr
+        self.assertIn("is the file that", message)
+        self.assertIn("writes as well", message)
 
     def test_another_arms_recording_is_refused(self):
         message = self.run_limber(
@@ -181,7 +186,7 @@ class Train(InFolder):
 
     def test_too_few_epochs_are_refused(self):
         self.assertIn("3 stages", self.refused("--epochs", 2))
-        self.assertIn("not in range [1", self.refused("--epochs", 0))
+        self.assertIn("--epochs: Value 0 not in range 1 to ", self.refused("--epochs", 0))
 
     def test_resuming_nothing_is_refused(self):
         self.assertIn("there is no checkpoint", self.refused("--resume"))

@@ -41,6 +41,7 @@ class FineTuningOfAnAgedArm : public testing::Test {
     young_ = train(arm_, {toy_episodes(arm_, 0, 6, 10.0F), old_validation_, {}}, settings_).model;
     settings_ = fine_tuning_of(settings_);
     settings_.stages[0].epochs = 20;
+    settings_.learning_rate = 1e-3;  // few epochs here
   }
 
   FineTuningReport tuned(double replay_share) {

@@ -40,6 +40,10 @@ class BatchGradient {
   void compute_chunk(int chunk, std::span<const int> starts, const Eigen::VectorXf& parameters,
                      double noise, std::uint64_t seed, std::uint64_t stream);
 
+  /// Sum over the chunks of their numbers `first`, first + 1, …
+  void add_chunks(std::size_t first, std::size_t count, std::size_t chunks,
+                  Eigen::VectorXf& gradient) const;
+
   const TrainingTables& tables_;
   Eigen::Index parameters_;  ///< P
   std::size_t networks_;     ///< N
