@@ -82,10 +82,13 @@ def rollout_loss(frames, given, state, uncompensated, target, tables, layers):
         x = torch.cat([given[k][:, : 2 * segments], state, given[k][:, 2 * segments :]], 1)
         for weight, bias in layers[:-1]:
             x = torch.relu(torch.nn.functional.linear(x, weight, bias))
-        weight, bias = layers[-1]
-        state = torch.addcmul(
-            uncompensated[k], torch.nn.functional.linear(x, weight, bias), scale
-        )
+        output = torch.nn.functional.linear(x, *layers[-1])
+        if output.shape[1] == state.shape[1]:  # compensation
+            state = torch.addcmul(uncompensated[k], output, scale)
+        else:  # gated change
+            change, gate = output.chunk(2, 1)
+            pulled = torch.lerp(state, uncompensated[k], gate.sigmoid())
+            state = torch.addcmul(pulled, change, scale)
         states.append(state)
     error = chained_error if "error.scale" in tables else entry_error
     return error(torch.stack(states), target, tables) / frames

@@ -175,6 +175,7 @@ void write_training_tables(const std::filesystem::path& path, const ArmDescripti
   const bool mean = settings.reduction == LossReduction::mean_over_batch;
   content.metadata = {{"optimiser", adam ? "adam" : "sgd"},
                       {"reduction", mean ? "mean" : "sum"},
+                      {"output_form", to_string(settings.form)},
                       {"learning_rate", fmt::format("{}", settings.learning_rate)},
                       {"gradient_norm_limit", fmt::format("{}", settings.gradient_norm_limit)}};
   write_file_atomically(path, safetensors_bytes(content));

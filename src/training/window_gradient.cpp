@@ -192,7 +192,11 @@ void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block,
                         parameters + layout_.weight_offset(layer), delta(layer - 1));
     kernels_.relu_gradient(stride_ * inputs, layer_input(layer, block), delta(layer - 1));
   }
-  // Only the columns of the first weight that read B_{t−1} lead back in time.
+  // Only the columns of the first weight that read B_{t−1} lead back in time, and from a window's
+  // first frame nothing does.
+  if (block % frames_ + 1 == frames_) {
+    return;
+  }
   const int outputs = layout_.outputs(0);
   kernels_.layer_back(
       stride_, outputs, size_, delta(0),
