@@ -39,12 +39,12 @@ TEST(WindowGradient, AllocatesNothingOnceItStands) {
     GTEST_SKIP() << "the heap belongs to the sanitizer";
   }
   const ArmDescription arm = three_segment_arm();
-  for (const BackboneLayout kind : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
+  for (const OutputForm form : {OutputForm::compensation, OutputForm::gated_change}) {
     TrainingSettings settings;
-    settings.layout = kind;
+    settings.form = form;
     const TrainingTables tables = make_training_tables(arm, {toy_episode(arm, 9, 20, 3)}, settings);
-    const ParameterLayout layout({static_cast<int>(tables.input.scale.size()), 20, 30,
-                                  static_cast<int>(tables.output.scale.size())});
+    const ParameterLayout layout(
+        {static_cast<int>(tables.input.scale.size()), 20, 30, tables.map.output_count()});
     const Eigen::VectorXf parameters = initial_parameters(layout, 5);
     const std::vector<int> starts = window_starts(tables.episodes, {}, 4, 0);
     Eigen::VectorXf gradient(layout.size());
