@@ -22,6 +22,8 @@ constexpr std::array kOutputs = {"--out",  "--svg",  "--plot",   "--plots",    "
                                  "--onnx", "--mjcf", "--motive", "--animation"};
 // … and the verbs that write one which others read.
 constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
+// Fills in the arm file that it reads, where --force says so.
+constexpr std::string_view kRewriter = "characterize";
 
 struct NamedPath {
   std::string option;
@@ -58,6 +60,8 @@ void require_distinct_files(const CLI::App& command) {
       }
       if (is_output(command, *option)) {
         outputs.push_back({option->get_name(), value});
+      } else if (command.get_name() == kRewriter && option->check_name("--arm")) {
+        continue;
       } else if (fs::is_regular_file(value, error)) {
         inputs.push_back({option->get_name(), value});
       }

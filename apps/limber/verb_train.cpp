@@ -82,9 +82,10 @@ class TrainVerb final : public Verb {
                                    checkpoint_path().string()));
     }
     if (!resume_ && !flags.force && fs::exists(checkpoint_path())) {
-      throw InputError(fmt::format("{}: a run that was stopped; --resume goes on with it, --force "
-                                   "starts anew",
-                                   checkpoint_path().string()));
+      throw InputError(
+          fmt::format("{}: a run that was stopped; --resume goes on with it, --force "
+                      "starts anew",
+                      checkpoint_path().string()));
     }
     const ArmDescription arm = load_arm(find_arm_file(arm_));
     std::optional<CompensationModel> start;

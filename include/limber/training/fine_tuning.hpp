@@ -11,8 +11,8 @@
 
 namespace limber {
 
-/// The settings with which a model that has learnt already is trained on: those of `preset` with its
-/// last stage alone, since what short windows teach is known, half of that stage's epochs and a
+/// The settings with which a model that has learnt already is trained on: those of `preset` with
+/// its last stage alone, since what short windows teach is known, half of that stage's epochs and a
 /// tenth of the rate, so that it is not first thrown away (docs/training.md has the figures).
 TrainingSettings fine_tuning_of(TrainingSettings preset);
 
