@@ -73,7 +73,7 @@ def entry_error(states, target, tables):
     return ((states - target).abs() * tables["error.weight"][0]).sum()
 
 
-def rollout_loss(frames, given, state, uncompensated, target, tables, layers):
+def rollout_loss(frames, gated, given, state, uncompensated, target, tables, layers):
     """Sum over a batch's windows of their errors. `given`: what an input holds besides the backbone."""
     segments = tables["pressure"].shape[1]
     scale = tables["output_scale"][0]
@@ -83,12 +83,12 @@ def rollout_loss(frames, given, state, uncompensated, target, tables, layers):
         for weight, bias in layers[:-1]:
             x = torch.relu(torch.nn.functional.linear(x, weight, bias))
         output = torch.nn.functional.linear(x, *layers[-1])
-        if output.shape[1] == state.shape[1]:  # compensation
-            state = torch.addcmul(uncompensated[k], output, scale)
-        else:  # gated change
+        if gated:
             change, gate = output.chunk(2, 1)
             pulled = torch.lerp(state, uncompensated[k], gate.sigmoid())
             state = torch.addcmul(pulled, change, scale)
+        else:
+            state = torch.addcmul(uncompensated[k], output, scale)
         states.append(state)
     error = chained_error if "error.scale" in tables else entry_error
     return error(torch.stack(states), target, tables) / frames
@@ -101,6 +101,7 @@ class Peer:
         self.tables, self.frames, self.batch = tables, frames, batch
         self.starts = tables[f"starts.{stage}"].flatten().long()
         self.mean = metadata["reduction"] == "mean"
+        self.gated = metadata["output_form"] == "gated_change"
         self.limit = float(metadata["gradient_norm_limit"])
         count = sum(name.endswith(".weight") and name.startswith("layers.") for name in tables)
         self.parameters = [
@@ -131,7 +132,9 @@ class Peer:
 
     def loss(self, given, state, uncompensated, target, *parameters):
         layers = list(zip(parameters[::2], parameters[1::2]))
-        return rollout_loss(self.frames, given, state, uncompensated, target, self.tables, layers)
+        return rollout_loss(
+            self.frames, self.gated, given, state, uncompensated, target, self.tables, layers
+        )
 
     def epoch(self):
         total = 0.0
