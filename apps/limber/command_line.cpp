@@ -8,6 +8,7 @@
 #include "distinct_files.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
 #include "verb.hpp"
 #include "verbs.hpp"
@@ -31,6 +32,18 @@ void add_common_flags(CLI::App& app, CommonFlags& flags) {
 int report(int code, const std::string& message) {
   fmt::print(stderr, "error: {}\n", message);
   return code;
+}
+
+/// Names end up in JSON, HDF5 and messages, which are UTF-8.
+bool all_utf8(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (!is_utf8(argv[i])) {
+      report(kExitBadInput,
+             fmt::format("argument {} is not UTF-8: rename the file that it names", i));
+      return false;
+    }
+  }
+  return true;
 }
 
 int run_guarded(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
@@ -62,6 +75,9 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   app.fallthrough(false);
 
+  if (!all_utf8(argc, argv)) {
+    return kExitBadInput;
+  }
   CommonFlags flags;
   const std::vector<std::unique_ptr<Verb>> verbs = all_verbs();
   for (const std::unique_ptr<Verb>& verb : verbs) {

@@ -10,6 +10,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/utf8.hpp"
 
 namespace limber {
 
@@ -66,6 +67,10 @@ YamlReader YamlReader::from_file(const std::filesystem::path& path) {
 }
 
 YamlReader YamlReader::from_text(const std::string& text, const std::string& name) {
+  if (const std::size_t place = find_invalid_utf8(text); place != std::string::npos) {
+    throw InputError(fmt::format("{}:{}: a byte that is no UTF-8; save the file as UTF-8", name,
+                                 1 + std::count(text.begin(), text.begin() + long(place), '\n')));
+  }
   try {
     YAML::Node root = YAML::Load(text);
     if (!root.IsMap()) {

@@ -20,6 +20,7 @@ class YamlReader {
   static YamlReader from_text(const std::string& text, const std::string& name);
 
   bool has(const std::string& key) const;
+  bool is_mapping() const { return node_.IsMap(); }
   /// The value at `key`. @throws InputError where it is missing or this is no mapping.
   YamlReader at(const std::string& key) const;
   /// The elements of a sequence. @throws InputError where this is no sequence.
