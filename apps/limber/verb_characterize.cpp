@@ -69,6 +69,7 @@ class CharacterizeVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
+    require_characterisable(arm);
     for (const std::string& path : {out_, plot_}) {
       if (!path.empty()) {
         refuse_to_overwrite(path, flags.force);

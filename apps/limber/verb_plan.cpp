@@ -31,12 +31,15 @@ int exit_code(PlanStatus status) {
 /// Bar over the time limit where there is one, else over the iterations or queries.
 class PlanProgress {
  public:
-  PlanProgress(const PlannerLimits& limits, Progress::Mode mode)
-      : limits_(limits), progress_("plan", unit(limits), total(limits), mode) {}
+  PlanProgress(const PlannerLimits& limits, const std::string& command_unit, Progress::Mode mode)
+      : limits_(limits),
+        command_unit_(command_unit),
+        progress_("plan", unit(limits), total(limits), mode) {}
 
   void update(const PlannerProgress& now) {
-    const std::string cost =
-        now.best_cost_kpa ? fmt::format("best {:.1f} kPa", *now.best_cost_kpa) : "no plan yet";
+    const std::string cost = now.best_cost_kpa
+                                 ? fmt::format("best {:.1f} {}", *now.best_cost_kpa, command_unit_)
+                                 : "no plan yet";
     const double rate = now.time_s > 0.0 ? double(now.queries) / now.time_s : 0.0;
     const std::uint64_t done = limits_.time_s       ? std::uint64_t(now.time_s * 1000.0)
                                : limits_.iterations ? now.iterations
@@ -57,6 +60,7 @@ class PlanProgress {
   }
 
   PlannerLimits limits_;
+  std::string command_unit_;
   Progress progress_;
 };
 
@@ -127,9 +131,9 @@ class PlanVerb final : public Verb {
     const std::string model_name = model.has_network() ? "network" : "no_load";
     print_result(flags,
                  plan_result_to_json(result, environment.goal, planner_, model_name, flags.seed),
-                 result.plan ? plan_result_to_text(result) : "");
+                 result.plan ? plan_result_to_text(result, arm.command) : "");
     if (!result.plan) {
-      say(flags, "{}", plan_result_to_text(result));
+      say(flags, "{}", plan_result_to_text(result, arm.command));
     }
     return exit_code(result.status);
   }
@@ -139,7 +143,7 @@ class PlanVerb final : public Verb {
     if (!limits_.time_s && !limits_.iterations && !limits_.queries) {
       limits_.time_s = kDefaultTimeLimitS;
     }
-    PlanProgress progress(limits_, flags.progress());
+    PlanProgress progress(limits_, problem.arm.command.unit, flags.progress());
     PlanResult result = make_planner(planner_, flags.jobs)
                             ->plan(problem, limits_, flags.seed, [&](const PlannerProgress& now) {
                               progress.update(now);

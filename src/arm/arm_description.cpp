@@ -1,5 +1,10 @@
 #include "limber/arm/arm_description.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -31,19 +36,106 @@ StrainPolynomial read_strain_polynomial(const YamlReader& node, double pressure_
   return polynomial;
 }
 
-Segment read_segment(const YamlReader& node, PolynomialsOf polynomials) {
-  node.refuse_unknown_keys(
-      {"length_m", "width_m", "gaps", "pressure_limit_kpa", "strain_polynomial"});
-  Segment segment;
-  segment.length_m = node.at("length_m").positive("a length in metres");
-  segment.width_m = node.at("width_m").positive("a length in metres");
-  segment.gaps = node.at("gaps").integer("a number of gaps between plates", 1, kMostGaps);
-  segment.pressure_limit_kpa = node.at("pressure_limit_kpa").positive("a gauge pressure in kPa");
-  if (polynomials == PolynomialsOf::model) {
-    segment.strain_polynomial =
-        read_strain_polynomial(node.at("strain_polynomial"), segment.pressure_limit_kpa);
+NoLoadKind read_no_load(const YamlReader& root) {
+  if (!root.has("no_load")) {
+    return NoLoadKind::strain_polynomial;
   }
-  return segment;
+  const YamlReader node = root.at("no_load");
+  for (const NoLoadKind kind :
+       {NoLoadKind::strain_polynomial, NoLoadKind::curvature, NoLoadKind::straight}) {
+    if (node.text() == to_string(kind)) {
+      return kind;
+    }
+  }
+  node.refuse(
+      fmt::format("{} found; expected strain_polynomial, curvature or straight", node.found()));
+}
+
+/// Reads segments of one arm: what a segment may say depends on the arm's command.
+class SegmentReader {
+ public:
+  SegmentReader(const YamlReader& root, const ArmDescription& arm, PolynomialsOf polynomials)
+      : kind_(arm.no_load), unit_(arm.command.unit), polynomials_(polynomials) {
+    if (root.has("command")) {
+      general_limit_ = root.at("command").at("limit").positive(limit_meaning());
+    }
+  }
+
+  Segment read(const YamlReader& node) const {
+    refuse_unknown_keys(node);
+    Segment segment;
+    segment.length_m = node.at("length_m").positive("a length in metres");
+    segment.width_m = node.at("width_m").positive("a length in metres");
+    segment.gaps = node.at("gaps").integer("a number of gaps between plates", 1, kMostGaps);
+    if (!general_limit_) {
+      segment.pressure_limit_kpa =
+          node.at("pressure_limit_kpa").positive("a gauge pressure in kPa");
+    } else {
+      segment.pressure_limit_kpa =
+          node.has("limit") ? node.at("limit").positive(limit_meaning()) : *general_limit_;
+    }
+    if (kind_ == NoLoadKind::strain_polynomial && polynomials_ == PolynomialsOf::model) {
+      segment.strain_polynomial =
+          read_strain_polynomial(node.at("strain_polynomial"), segment.pressure_limit_kpa);
+    }
+    if (kind_ == NoLoadKind::curvature) {
+      read_curvature(node, segment);
+    }
+    return segment;
+  }
+
+ private:
+  std::string limit_meaning() const { return fmt::format("a limit of the command in {}", unit_); }
+
+  void refuse_unknown_keys(const YamlReader& node) const {
+    std::vector<std::string> allowed = {"length_m", "width_m", "gaps",
+                                        general_limit_ ? "limit" : "pressure_limit_kpa"};
+    if (kind_ != NoLoadKind::straight) {
+      allowed.push_back(kind_ == NoLoadKind::curvature ? "curvature_per_unit"
+                                                       : "strain_polynomial");
+    }
+    for (const std::string& key : node.keys()) {
+      if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) {
+        node.at(key).refuse(fmt::format("unknown key; allowed here: {}", fmt::join(allowed, ", ")));
+      }
+    }
+  }
+
+  void read_curvature(const YamlReader& node, Segment& segment) const {
+    if (node.has("curvature_per_unit") || unit_ != "1/m") {
+      const YamlReader factor = node.at("curvature_per_unit");
+      segment.curvature_per_unit = factor.number(fmt::format("1/m of curvature for 1 {}", unit_));
+      if (segment.curvature_per_unit == 0.0) {
+        factor.refuse(
+            "0 found; expected another factor (negative where a positive command bends "
+            "right), or 'no_load: straight' for the arm");
+      }
+    }
+    const double turn_rad =
+        std::abs(segment.curvature_per_unit) * segment.pressure_limit_kpa * segment.length_m;
+    if (turn_rad > kLargestTurn_rad) {
+      node.refuse(
+          fmt::format("the limit of {} {} would turn the segment by {:.3g} rad; expected "
+                      "at most {:.4g}, a full turn",
+                      segment.pressure_limit_kpa, unit_, turn_rad, kLargestTurn_rad));
+    }
+  }
+
+  static constexpr double kLargestTurn_rad = 2.0 * std::numbers::pi;
+
+  NoLoadKind kind_;
+  std::string unit_;
+  PolynomialsOf polynomials_;
+  std::optional<double> general_limit_;
+};
+
+Command read_command(const YamlReader& node) {
+  node.refuse_unknown_keys({"name", "unit", "limit", "rate_limit_per_s"});
+  Command command{node.at("name").text(), node.at("unit").text()};
+  if (command.name.empty() || command.unit.empty()) {
+    node.refuse("an empty name or unit found; expected words such as 'motor angle' and 'rad'");
+  }
+  return command;
 }
 
 std::string segment_to_yaml(const Segment& s) {
@@ -51,6 +143,35 @@ std::string segment_to_yaml(const Segment& s) {
       "{{length_m: {}, width_m: {}, gaps: {}, pressure_limit_kpa: {},\n     strain_polynomial: "
       "[{}]}}",
       s.length_m, s.width_m, s.gaps, s.pressure_limit_kpa, fmt::join(s.strain_polynomial, ", "));
+}
+
+/// The same for an arm whose command is no pressure in kPa, or that has no strain polynomials.
+std::string segment_to_yaml(const Segment& s, const ArmDescription& arm) {
+  std::string text = fmt::format(
+      "{{length_m: {}, width_m: {}, gaps: {}, {}: {}", s.length_m, s.width_m, s.gaps,
+      arm.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit", s.pressure_limit_kpa);
+  if (arm.no_load == NoLoadKind::strain_polynomial) {
+    text += fmt::format(",\n     strain_polynomial: [{}]", fmt::join(s.strain_polynomial, ", "));
+  }
+  if (arm.no_load == NoLoadKind::curvature) {
+    text += fmt::format(", curvature_per_unit: {}", s.curvature_per_unit);
+  }
+  return text + "}";
+}
+
+bool is_plain(const ArmDescription& arm) {
+  return arm.command.is_pressure_kpa() && arm.no_load == NoLoadKind::strain_polynomial;
+}
+
+void read_command_and_rate(const YamlReader& root, ArmDescription& arm) {
+  if (root.has("pressure_rate_limit_kpa_per_s")) {
+    root.at("pressure_rate_limit_kpa_per_s")
+        .refuse("an arm with 'command' has its rate there: command.rate_limit_per_s");
+  }
+  const YamlReader node = root.at("command");
+  arm.command = read_command(node);
+  arm.pressure_rate_limit_kpa_per_s =
+      node.at("rate_limit_per_s").positive(fmt::format("a rate in {}/s", arm.command.unit));
 }
 
 /// A text as one line of YAML that reads back the same, whatever it holds.
@@ -96,34 +217,71 @@ int ArmDescription::segment_of_gap(int gap) const {
 std::string ArmDescription::hash() const {
   std::string text =
       fmt::format("{} {} {}", frame_rate_hz, pressure_rate_limit_kpa_per_s, actuator_radius_m);
+  // Arms without the keys that came later keep the hash that they had before.
+  if (!is_plain(*this)) {
+    text += fmt::format(" {} {} {}", command.name, command.unit, to_string(no_load));
+  }
   for (const Segment& segment : segments) {
-    text += segment_to_yaml(segment);
+    text += is_plain(*this) ? segment_to_yaml(segment) : segment_to_yaml(segment, *this);
   }
   return content_hash(text);
 }
 
+const char* to_string(NoLoadKind kind) {
+  switch (kind) {
+    case NoLoadKind::curvature:
+      return "curvature";
+    case NoLoadKind::straight:
+      return "straight";
+    default:
+      return "strain_polynomial";
+  }
+}
+
+void require_pressure_driven(const ArmDescription& arm, const std::string& what) {
+  if (!arm.command.is_pressure_kpa()) {
+    throw InputError(fmt::format(
+        "{} needs an arm that is driven by pressures in kPa; arm '{}' is driven by '{}' in {}. "
+        "Record it on its hardware and bring the logs with 'limber import'",
+        what, arm.name, arm.command.name, arm.command.unit));
+  }
+}
+
 ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   root.require_schema(kSchema);
-  root.refuse_unknown_keys({"schema", "name", "frame_rate_hz", "pressure_rate_limit_kpa_per_s",
-                            "actuator_radius_m", "segments", "virtual_arm"});
+  root.refuse_unknown_keys({"schema", "name", "command", "no_load", "frame_rate_hz",
+                            "pressure_rate_limit_kpa_per_s", "actuator_radius_m", "segments",
+                            "virtual_arm"});
   ArmDescription arm;
   arm.name = root.at("name").text();
   if (arm.name.empty()) {
     root.at("name").refuse("an empty text found; expected a name");
   }
   arm.frame_rate_hz = root.at("frame_rate_hz").number("frames a second", 1.0, 1000.0);
-  arm.pressure_rate_limit_kpa_per_s =
-      root.at("pressure_rate_limit_kpa_per_s").positive("a pressure rate in kPa/s");
+  arm.no_load = read_no_load(root);
+  if (root.has("command")) {
+    read_command_and_rate(root, arm);
+  } else {
+    arm.pressure_rate_limit_kpa_per_s =
+        root.at("pressure_rate_limit_kpa_per_s").positive("a pressure rate in kPa/s");
+  }
   arm.actuator_radius_m = root.at("actuator_radius_m").number("a length in metres", 0.0);
   const YamlReader segments = root.at("segments");
+  const SegmentReader reader(root, arm, polynomials);
   for (const YamlReader& node : segments.elements()) {
-    arm.segments.push_back(read_segment(node, polynomials));
+    arm.segments.push_back(reader.read(node));
   }
   if (arm.segments.empty() || arm.segments.size() > kMostSegments) {
     segments.refuse(
         fmt::format("{} segments found; expected 1 to {}", arm.segments.size(), kMostSegments));
   }
   if (root.has("virtual_arm")) {
+    if (!arm.command.is_pressure_kpa()) {
+      root.at("virtual_arm")
+          .refuse(
+              "the virtual arm is driven by pressures in kPa; leave the key "
+              "out for an arm of another command");
+    }
     arm.virtual_arm = read_virtual_arm_parameters(root.at("virtual_arm"));
   }
   return arm;
@@ -134,15 +292,27 @@ ArmDescription load_arm(const std::filesystem::path& path, PolynomialsOf polynom
 }
 
 std::string arm_to_yaml(const ArmDescription& arm) {
-  std::string text = fmt::format(
-      "schema: {}\nname: {}\nframe_rate_hz: {}\npressure_rate_limit_kpa_per_s: "
-      "{}\nactuator_radius_m: {}\nsegments:\n",
-      kSchema, quoted(arm.name), arm.frame_rate_hz, arm.pressure_rate_limit_kpa_per_s,
-      arm.actuator_radius_m);
-  for (const Segment& segment : arm.segments) {
-    text += "  - " + segment_to_yaml(segment) + "\n";
+  const bool pressures = arm.command.is_pressure_kpa();
+  std::string text = fmt::format("schema: {}\nname: {}\n", kSchema, quoted(arm.name));
+  if (!pressures) {
+    text += fmt::format("command: {{name: {}, unit: {}, limit: {}, rate_limit_per_s: {}}}\n",
+                        quoted(arm.command.name), quoted(arm.command.unit),
+                        arm.segments.front().pressure_limit_kpa, arm.pressure_rate_limit_kpa_per_s);
   }
-  return text + "virtual_arm:\n" + virtual_arm_parameters_to_yaml(arm.virtual_arm, 2);
+  if (arm.no_load != NoLoadKind::strain_polynomial) {
+    text += fmt::format("no_load: {}\n", to_string(arm.no_load));
+  }
+  text += fmt::format("frame_rate_hz: {}\n", arm.frame_rate_hz);
+  if (pressures) {
+    text += fmt::format("pressure_rate_limit_kpa_per_s: {}\n", arm.pressure_rate_limit_kpa_per_s);
+  }
+  text += fmt::format("actuator_radius_m: {}\nsegments:\n", arm.actuator_radius_m);
+  for (const Segment& segment : arm.segments) {
+    text +=
+        "  - " + (is_plain(arm) ? segment_to_yaml(segment) : segment_to_yaml(segment, arm)) + "\n";
+  }
+  return pressures ? text + "virtual_arm:\n" + virtual_arm_parameters_to_yaml(arm.virtual_arm, 2)
+                   : text;
 }
 
 std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm) {

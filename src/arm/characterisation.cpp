@@ -171,7 +171,18 @@ StrainFit fit_strain_polynomial(const std::vector<BenchPoint>& points, double pr
   return fit;
 }
 
+void require_characterisable(const ArmDescription& arm) {
+  require_pressure_driven(arm, "characterisation");
+  if (arm.no_load != NoLoadKind::strain_polynomial) {
+    throw InputError(fmt::format(
+        "arm '{}' says 'no_load: {}': its no-load model has no strain polynomial to fit. Take that "
+        "line out of the arm file, or leave characterisation out",
+        arm.name, to_string(arm.no_load)));
+  }
+}
+
 CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench) {
+  require_characterisable(arm);
   if (int(bench.size()) != arm.segment_count()) {
     throw InputError(fmt::format("bench data of {} segments; arm '{}' has {}", bench.size(),
                                  arm.name, arm.segment_count()));

@@ -43,6 +43,9 @@ Eigen::Vector3d adjoint(const Pose& pose, const Eigen::Vector3d& twist) {
 }  // namespace
 
 double length_slope(const NoLoadModel& model, int segment, double curvature_per_m) {
+  if (model.kind() != NoLoadKind::strain_polynomial) {
+    return 0.0;
+  }
   const Segment& s = model.segment(segment);
   const double denominator = 2.0 + s.width_m * std::abs(curvature_per_m);
   const double magnitude = 2.0 * s.length_m * s.width_m / (denominator * denominator);

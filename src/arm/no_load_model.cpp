@@ -10,9 +10,18 @@
 
 namespace limber {
 
+namespace {
+
+constexpr double kRoundingOfLimit = 1.0 + 1e-12;  // a command turned into a curvature and back
+
+}  // namespace
+
 NoLoadModel::NoLoadModel(const ArmDescription& arm)
-    : segments_(arm.segments), point_count_(arm.point_count()) {
-  for (int i = 0; i < segment_count(); ++i) {
+    : segments_(arm.segments),
+      kind_(arm.no_load),
+      command_(arm.command),
+      point_count_(arm.point_count()) {
+  for (int i = 0; kind_ == NoLoadKind::strain_polynomial && i < segment_count(); ++i) {
     const std::string reason =
         why_unusable(segment(i).strain_polynomial, segment(i).pressure_limit_kpa);
     if (!reason.empty()) {
@@ -33,6 +42,12 @@ double NoLoadModel::strain(int index, double pressure_kpa) const {
 
 SegmentShape NoLoadModel::segment_shape(int index, double pressure_kpa) const {
   const Segment& s = segment(index);
+  if (kind_ == NoLoadKind::curvature) {
+    return {s.curvature_per_unit * pressure_kpa, s.length_m};
+  }
+  if (kind_ == NoLoadKind::straight) {
+    return {0.0, s.length_m};
+  }
   const double e = strain(index, pressure_kpa);
   const double curvature = e / (s.width_m * (1.0 - 0.5 * e));  // (3) without its pole at e = 0
   return {pressure_kpa > 0.0 ? -curvature : curvature, (1.0 - 0.5 * e) * s.length_m};
@@ -40,6 +55,14 @@ SegmentShape NoLoadModel::segment_shape(int index, double pressure_kpa) const {
 
 SegmentPressure NoLoadModel::pressure_for_curvature(int index, double curvature_per_m) const {
   const Segment& s = segment(index);
+  if (kind_ == NoLoadKind::straight) {
+    return {0.0, curvature_per_m == 0.0};
+  }
+  if (kind_ == NoLoadKind::curvature) {
+    const double command = curvature_per_m / s.curvature_per_unit;
+    const double limit = s.pressure_limit_kpa;
+    return {std::clamp(command, -limit, limit), std::abs(command) <= limit * kRoundingOfLimit};
+  }
   const double bend = s.width_m * std::abs(curvature_per_m);
   const double e = 2.0 * bend / (2.0 + bend);
   const double sign = curvature_per_m > 0.0 ? -1.0 : 1.0;
@@ -58,6 +81,9 @@ SegmentPressure NoLoadModel::pressure_for_curvature(int index, double curvature_
 
 double NoLoadModel::length_for_curvature(int index, double curvature_per_m) const {
   const Segment& s = segment(index);
+  if (kind_ != NoLoadKind::strain_polynomial) {
+    return s.length_m;
+  }
   return 2.0 * s.length_m / (2.0 + s.width_m * std::abs(curvature_per_m));
 }
 

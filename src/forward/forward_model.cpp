@@ -35,9 +35,10 @@ void require_pressures(const char* name, const Pressures& pressures, const NoLoa
     const double limit = arm.segment(i).pressure_limit_kpa;
     if (!(std::abs(pressures[i]) <= kPressureSlack * limit)) {
       throw InputError(
-          fmt::format("{}[{}] = {} kPa; expected within ±{:.6g} kPa, the segment's "
+          fmt::format("{}[{}] = {} {}; expected within ±{:.6g} {}, the segment's "
                       "limit of {} and 5 % for overshoot",
-                      name, i, pressures[i], kPressureSlack * limit, limit));
+                      name, i, pressures[i], arm.command().unit, kPressureSlack * limit,
+                      arm.command().unit, limit));
     }
   }
 }

@@ -18,7 +18,7 @@ int most_columns(int lanes) {
   return fewest_rows(lanes) * 7 / 8;
 }
 
-NoLoadSegment pack(const Segment& segment) {
+NoLoadSegment pack(const Segment& segment, NoLoadKind kind) {
   const StrainPolynomial& c = segment.strain_polynomial;
   const double p = segment.pressure_limit_kpa;
   NoLoadSegment packed{};
@@ -31,6 +31,9 @@ NoLoadSegment pack(const Segment& segment) {
   packed.length_m = static_cast<float>(segment.length_m);
   packed.width_m = static_cast<float>(segment.width_m);
   packed.gaps = segment.gaps;
+  packed.has_strain = kind == NoLoadKind::strain_polynomial;
+  packed.curvature_per_unit =
+      kind == NoLoadKind::curvature ? static_cast<float>(segment.curvature_per_unit) : 0.0F;
   return packed;
 }
 
@@ -48,7 +51,7 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
       layout_(model != nullptr ? model->layout : BackboneLayout::base_poses,
               model != nullptr ? model->form : OutputForm::compensation, arm) {
   for (const Segment& segment : arm.segments) {
-    no_load_.push_back(pack(segment));
+    no_load_.push_back(pack(segment, arm.no_load));
   }
   for (int gap = 0; gap + 1 < points_; ++gap) {
     segment_of_gap_.push_back(arm.segment_of_gap(gap));

@@ -13,6 +13,8 @@ struct NoLoadSegment {
   float length_m;
   float width_m;
   int gaps;
+  bool has_strain;           ///< (3) and (4); otherwise (17), or (18) with a factor of 0
+  float curvature_per_unit;  ///< κ over the command, of (17)
 };
 
 /// The parts of a query that are not the network, for many queries at once: query q's number r is

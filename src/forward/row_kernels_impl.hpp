@@ -74,10 +74,18 @@ void no_load_gaps(const NoLoadSegment* segments, int n, const float* pressure_kp
     const float gap_length = s.length_m / static_cast<float>(s.gaps);
     for (int q = 0; q < stride; q += kLanes) {
       const Vector pressure = load(pressure_kpa + i * stride + q);
-      const Vector e = strain_of(s, pressure);
-      // κ l = e l0/t, negative where the right side is inflated; half of a gap's share of it.
-      const Vector turn = e * broadcast(0.5F * gap_length / s.width_m);
-      const Vector half = select(pressure > Vector{}, -turn, turn);
+      Vector e{};
+      Vector turn;  // half of what a gap turns by, without its sign
+      Vector half;
+      if (s.has_strain) {
+        e = strain_of(s, pressure);
+        // κ l = e l0/t, negative where the right side is inflated; half of a gap's share of it.
+        turn = e * broadcast(0.5F * gap_length / s.width_m);
+        half = select(pressure > Vector{}, -turn, turn);
+      } else {
+        half = pressure * broadcast(0.5F * gap_length * s.curvature_per_unit);
+        turn = absolute(half);
+      }
       const Rotation chord = rotation_of(half);
       // The chord of an arc: its length times sin(h)/h, along its middle.
       const Vector series = multiply_add(half * half, broadcast(-1.0F / 6.0F), broadcast(1.0F));

@@ -227,8 +227,10 @@ class VirtualArm::Simulation {
   ArmState delivered_;
 };
 
-VirtualArm::VirtualArm(const ArmDescription& arm, const VirtualArmOptions& options)
-    : simulation_(std::make_unique<Simulation>(arm, options)) {}
+VirtualArm::VirtualArm(const ArmDescription& arm, const VirtualArmOptions& options) {
+  require_pressure_driven(arm, "the virtual arm");
+  simulation_ = std::make_unique<Simulation>(arm, options);
+}
 VirtualArm::~VirtualArm() = default;
 VirtualArm::VirtualArm(VirtualArm&&) noexcept = default;
 VirtualArm& VirtualArm::operator=(VirtualArm&&) noexcept = default;

@@ -209,8 +209,8 @@ void require_start_fits(const YamlReader& root, const ArmStart& start, const Arm
     const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
     if (std::abs(start.pressures_kpa[i]) > limit) {
       pressures.elements()[static_cast<std::size_t>(i)].refuse(
-          fmt::format("{} kPa found; expected at most ± {} kPa, the limit of that segment",
-                      start.pressures_kpa[i], limit));
+          fmt::format("{} {unit} found; expected at most ± {} {unit}, the limit of that segment",
+                      start.pressures_kpa[i], limit, fmt::arg("unit", arm.command.unit)));
     }
   }
   if (start.backbone.rows() != arm.point_count()) {

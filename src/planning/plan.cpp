@@ -52,18 +52,20 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
     for (int i = 0; i < n; ++i) {
       const double pressure = frame.setpoint_kpa[i];
       const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-      if (std::abs(pressure) > limit) {
-        throw InputError(
-            fmt::format("{}: frames[{}].setpoint_kpa[{}]: {} kPa found; expected at most ± {} kPa",
-                        file, k, i, pressure, limit));
+      // A set point is a float32: the limit as one may lie above it.
+      if (std::abs(pressure) > std::max(limit, double(static_cast<float>(limit)))) {
+        throw InputError(fmt::format(
+            "{}: frames[{}].setpoint_kpa[{}]: {} {unit} found; expected at most ± {} {unit}", file,
+            k, i, pressure, limit, fmt::arg("unit", arm.command.unit)));
       }
       const double step =
           k == 0 ? 0.0 : std::abs(pressure - double(plan.frames[k - 1].setpoint_kpa[i]));
       if (step > step_limit + kRoundingKpa) {
         throw InputError(fmt::format(
-            "{}: frames[{}].setpoint_kpa[{}]: a step of {:.6g} kPa in one frame; expected at most "
-            "{} kPa ({} kPa/s at {} Hz)",
-            file, k, i, step, step_limit, arm.pressure_rate_limit_kpa_per_s, arm.frame_rate_hz));
+            "{}: frames[{}].setpoint_kpa[{}]: a step of {:.6g} {unit} in one frame; expected at "
+            "most {} {unit} ({} {unit}/s at {} Hz)",
+            file, k, i, step, step_limit, arm.pressure_rate_limit_kpa_per_s, arm.frame_rate_hz,
+            fmt::arg("unit", arm.command.unit)));
       }
     }
   }

@@ -327,4 +327,21 @@ Plan read_plan_unjudged(const std::filesystem::path& path) {
   return read_root(Field(root, path.string(), ""), root);
 }
 
+void write_backbones_csv(const std::filesystem::path& path, const Plan& plan) {
+  std::string text = "time_s";
+  const Eigen::Index m = plan.frames.empty() ? 0 : plan.frames.front().backbone.rows();
+  for (Eigen::Index p = 0; p < m; ++p) {
+    text += fmt::format(",x_{0}_m,y_{0}_m,theta_{0}_rad", p);
+  }
+  text += '\n';
+  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
+    text += fmt::format("{}", static_cast<double>(k) / plan.frame_rate_hz);
+    for (const auto& pose : plan.frames[k].backbone.rowwise()) {
+      text += fmt::format(",{},{},{}", pose[0], pose[1], pose[2]);
+    }
+    text += '\n';
+  }
+  write_file_atomically(path, text);
+}
+
 }  // namespace limber

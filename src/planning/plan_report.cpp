@@ -74,7 +74,7 @@ Json plan_result_to_json(const PlanResult& result, const PoseGoal& goal, const s
   return json;
 }
 
-std::string plan_result_to_text(const PlanResult& result) {
+std::string plan_result_to_text(const PlanResult& result, const Command& command) {
   if (!result.plan) {
     return fmt::format("no plan: {}: {}", to_string(result.status), result.reason);
   }
@@ -86,16 +86,18 @@ std::string plan_result_to_text(const PlanResult& result) {
                 "simulation, clearance {:.3f} cm",
                 plan.certified->largest_deviation_m * 1e3, plan.certified->clearance_m * kCmPerM)
           : "";
+  const std::string psi =
+      command.is_pressure_kpa() ? fmt::format(" ({:.1f} psi)", plan.cost_kpa / kKpaPerPsi) : "";
   return fmt::format(
-             "plan: {} frames, {:.1f} s, cost {:.1f} kPa ({:.1f} psi); ends {:.2f} cm from the "
+             "plan: {} frames, {:.1f} s, cost {:.1f} {}{}; ends {:.2f} cm from the "
              "goal, "
              "clearance {:.2f} cm, both as the {} model predicts\n"
-             "first solution after {:.3f} s ({:.1f} kPa); {} nodes, {} rewires of {} tried, {} "
+             "first solution after {:.3f} s ({:.1f} {}); {} nodes, {} rewires of {} tried, {} "
              "model "
              "queries in {:.2f} s ({:.0f} a second); {}",
-             plan.frame_count(), plan.duration_s(), plan.cost_kpa, plan.cost_kpa / kKpaPerPsi,
+             plan.frame_count(), plan.duration_s(), plan.cost_kpa, command.unit, psi,
              plan.goal_distance_m * kCmPerM, plan.clearance_m * kCmPerM, plan.model,
-             result.first_solution->time_s, result.first_solution->cost_kpa,
+             result.first_solution->time_s, result.first_solution->cost_kpa, command.unit,
              result.statistics.nodes, result.statistics.rewires_accepted,
              result.statistics.rewires_tried, result.statistics.queries, result.statistics.time_s,
              double(result.statistics.queries) / result.statistics.time_s, result.reason) +

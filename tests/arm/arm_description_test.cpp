@@ -1,6 +1,7 @@
 #include "limber/arm/arm_description.hpp"
 
 #include <filesystem>
+#include <functional>
 
 #include <gmock/gmock.h>
 
@@ -242,6 +243,73 @@ TEST(ArmDescription, HashDependsOnTheShapeAloneAndOnAllOfIt) {
   EXPECT_NE(other.hash(), arm.hash());
 }
 
+constexpr const char* kMotor = R"(schema: limber/arm/1
+name: motors
+command: {name: motor angle, unit: rad, limit: 1.5, rate_limit_per_s: 3}
+no_load: curvature
+frame_rate_hz: 20
+actuator_radius_m: 0.004
+segments:
+  - {length_m: 0.2, width_m: 0.04, gaps: 4, curvature_per_unit: 4}
+  - {length_m: 0.2, width_m: 0.03, gaps: 4, curvature_per_unit: -5, limit: 1.2}
+)";
+
+TEST(ArmOfAnotherCommand, IsReadAndSurvivesTheRoundTrip) {
+  const ArmDescription arm = read(kMotor);
+  EXPECT_EQ(arm.command.name, "motor angle");
+  EXPECT_EQ(arm.command.unit, "rad");
+  EXPECT_EQ(arm.no_load, NoLoadKind::curvature);
+  EXPECT_EQ(arm.segments[0].pressure_limit_kpa, 1.5);
+  EXPECT_EQ(arm.segments[1].pressure_limit_kpa, 1.2);
+  EXPECT_EQ(arm.segments[1].curvature_per_unit, -5.0);
+  EXPECT_EQ(arm.pressure_rate_limit_kpa_per_s, 3.0);
+  const ArmDescription again = read(arm_to_yaml(arm));
+  EXPECT_EQ(again.hash(), arm.hash());
+  EXPECT_EQ(arm_to_yaml(again), arm_to_yaml(arm));
+}
+
+TEST(ArmOfAnotherCommand, HashesEverythingThatItSays) {
+  const ArmDescription arm = read(kMotor);
+  for (const auto& change : std::vector<std::function<void(ArmDescription&)>>{
+           [](ArmDescription& a) { a.command.unit = "deg"; },
+           [](ArmDescription& a) { a.no_load = NoLoadKind::straight; },
+           [](ArmDescription& a) { a.segments[0].curvature_per_unit = 4.1; },
+           [](ArmDescription& a) { a.segments[1].pressure_limit_kpa = 1.3; }}) {
+    ArmDescription other = arm;
+    change(other);
+    EXPECT_NE(other.hash(), arm.hash());
+  }
+}
+
+TEST(ArmOfAnotherCommand, NamesWhatDoesNotBelong) {
+  const auto refuses = [](const std::string& piece, const std::string& replacement,
+                          const std::string& message) {
+    std::string text = kMotor;
+    text.replace(text.find(piece), piece.size(), replacement);
+    EXPECT_THAT([&] { read(text); }, ThrowsMessage<InputError>(HasSubstr(message))) << message;
+  };
+  refuses("frame_rate_hz: 20", "frame_rate_hz: 20\npressure_rate_limit_kpa_per_s: 100",
+          "has its rate there: command.rate_limit_per_s");
+  refuses("limit: 1.2", "pressure_limit_kpa: 1.2",
+          "unknown key; allowed here: length_m, width_m, gaps, limit, curvature_per_unit");
+  refuses("curvature_per_unit: 4}", "curvature_per_unit: 0}", "or 'no_load: straight'");
+  refuses(", curvature_per_unit: 4}", "}", "the key 'curvature_per_unit' is missing");
+  refuses("limit: 1.5", "limit: 15", "would turn the segment by 12 rad");
+  refuses("no_load: curvature", "no_load: bent",
+          "expected strain_polynomial, curvature or straight");
+  refuses("limit: 1.5,", "", "the key 'limit' is missing");
+  refuses("no_load: curvature", "no_load: curvature\nvirtual_arm: {}",
+          "driven by pressures in kPa");
+}
+
+// Models and recordings store these: an arm file without newer keys must keep its hash.
+TEST(OwnArms, KeepTheirHashes) {
+  const std::filesystem::path folder = std::filesystem::path(LIMBER_SOURCE_DIR) / "arms";
+  EXPECT_EQ(load_arm(folder / "two_segment.yaml").hash(), "c8ef573571516db1a64188e9de6861e3");
+  EXPECT_EQ(load_arm(folder / "three_segment.yaml").hash(), "644c82f85342553733138332bd8726b7");
+  EXPECT_EQ(load_arm(folder / "five_segment.yaml").hash(), "f2be52a8b2ae90702423ec5945f50891");
+}
+
 TEST(ArmDescription, FindsTheSegmentOfAGap) {
   const ArmDescription arm = arm_of(3);  // 3, 4 and 5 gaps
   const std::vector<int> expected = {0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 2};
@@ -288,7 +356,7 @@ TEST(WithStrainPolynomials, WritesAnewWhatCannotBeEditedInPlace) {
 TEST(OwnArms, LoadAndAreWhatTheirNamesSay) {
   const std::filesystem::path folder = std::filesystem::path(LIMBER_SOURCE_DIR) / "arms";
   const std::pair<const char*, int> arms[] = {
-      {"two_segment", 2}, {"three_segment", 3}, {"five_segment", 5}};
+      {"two_segment", 2}, {"three_segment", 3}, {"five_segment", 5}, {"motor_driven", 2}};
   for (const auto& [name, segments] : arms) {
     const ArmDescription arm = load_arm(folder / (std::string(name) + ".yaml"));
     EXPECT_EQ(arm.name, name);

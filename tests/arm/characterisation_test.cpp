@@ -224,5 +224,14 @@ TEST(LeastStrainSlope, IsTheSmallestOnADenseGrid) {
   }
 }
 
+TEST(Characterise, RefusesArmsThatHaveNothingToFit) {
+  ArmDescription arm = curvature_arm_of(1);
+  EXPECT_THAT([&] { require_characterisable(arm); },
+              ThrowsMessage<InputError>(HasSubstr("driven by 'motor angle' in rad")));
+  arm.command = {};
+  EXPECT_THAT([&] { characterise(arm, {}); },
+              ThrowsMessage<InputError>(HasSubstr("says 'no_load: curvature'")));
+}
+
 }  // namespace
 }  // namespace limber

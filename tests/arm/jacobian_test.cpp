@@ -130,5 +130,21 @@ TEST(SpatialJacobian, FirstColumnIsTheFirstSegmentsTwistWhateverFollows) {
   }
 }
 
+TEST(TipJacobian, EqualsDifferencesWhereTheLengthStays) {
+  const NoLoadModel model(curvature_arm_of(3));
+  RandomStream random(5, 0);
+  PlanarJacobian jacobian;
+  Pose tip;
+  for (int trial = 0; trial < 50; ++trial) {
+    const SegmentVector curvatures = random_curvatures(model, random);
+    tip_jacobian(model, curvatures, jacobian, tip);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_LT(
+          (jacobian.col(i) - difference(model, curvatures, i, kStep, kStep)).cwiseAbs().maxCoeff(),
+          kDifferencesError);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace limber

@@ -220,5 +220,43 @@ TEST(NoLoadModel, RefusesAPolynomialThatFallsOrFoldsTheSegment) {
               ThrowsMessage<InputError>(HasSubstr("expected between 0 and 1")));
 }
 
+// (17): curvature is the command times its factor, and the length stays.
+TEST(NoLoadModel, CurvatureArmsBendInProportionToTheirCommand) {
+  const ArmDescription arm = curvature_arm_of(3);
+  const NoLoadModel model(arm);
+  RandomStream random(3, 0);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Eigen::VectorXd q = random_pressures(model, random);
+    const BackboneD backbone = backbone_of(model, q);
+    double heading = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      const Segment& s = arm.segments[std::size_t(i)];
+      heading += s.curvature_per_unit * q[i] * s.length_m;
+      EXPECT_EQ(model.segment_shape(i, q[i]).length_m, s.length_m);
+      const SegmentPressure back =
+          model.pressure_for_curvature(i, model.segment_shape(i, q[i]).curvature_per_m);
+      EXPECT_NEAR(back.pressure_kpa, q[i], kRounding);
+      EXPECT_TRUE(back.reachable);
+    }
+    EXPECT_NEAR(backbone(model.point_count() - 1, 2), heading, kRounding);
+  }
+  const double limit = model.curvature_limit_per_m(1);
+  EXPECT_TRUE(model.pressure_for_curvature(1, limit).reachable);
+  const SegmentPressure beyond = model.pressure_for_curvature(1, 1.01 * limit);
+  EXPECT_FALSE(beyond.reachable);
+  EXPECT_EQ(beyond.pressure_kpa, -1.5);
+}
+
+// (18): nothing bends the unloaded arm.
+TEST(NoLoadModel, StraightArmsStayStraight) {
+  ArmDescription arm = curvature_arm_of(2);
+  arm.no_load = NoLoadKind::straight;
+  const NoLoadModel model(arm);
+  EXPECT_EQ(backbone_of(model, Eigen::Vector2d(1.0, -1.5)),
+            backbone_of(model, Eigen::Vector2d::Zero()));
+  EXPECT_EQ(model.pressure_for_curvature(0, 1.0).pressure_kpa, 0.0);
+  EXPECT_FALSE(model.pressure_for_curvature(0, 1.0).reachable);
+}
+
 }  // namespace
 }  // namespace limber

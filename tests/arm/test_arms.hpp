@@ -25,4 +25,18 @@ inline ArmDescription arm_of(int segments) {
   return arm;
 }
 
+/// The same driven by motor angles: curvature follows them, to either side by segment.
+inline ArmDescription curvature_arm_of(int segments) {
+  ArmDescription arm = arm_of(segments);
+  arm.command = {"motor angle", "rad"};
+  arm.no_load = NoLoadKind::curvature;
+  for (int i = 0; i < segments; ++i) {
+    Segment& segment = arm.segments[std::size_t(i)];
+    segment.pressure_limit_kpa = 1.5;
+    segment.curvature_per_unit = i % 2 == 0 ? 4.0 + i : -3.0;
+    segment.strain_polynomial = {};
+  }
+  return arm;
+}
+
 }  // namespace limber

@@ -161,6 +161,24 @@ TEST_P(ForwardModelOfLevel, HalfPrecisionWeightsMoveAnswersLittle) {
   }
 }
 
+TEST_P(ForwardModelOfLevel, AgreesForArmsOfOtherCommands) {
+  for (const NoLoadKind kind : {NoLoadKind::curvature, NoLoadKind::straight}) {
+    ArmDescription arm = sample_arm(3);
+    arm.command = {"motor angle", "deg"};
+    arm.no_load = kind;
+    arm.segments[0].curvature_per_unit = 0.1;
+    arm.segments[1].curvature_per_unit = -0.07;
+    arm.segments[2].curvature_per_unit = 1e-5;  // nearly straight: the series
+    const Queries queries = random_queries(arm, 70, 9);
+    for (const ForwardModel& model : models_of(arm, GetParam())) {
+      const CompensationModel* network = model.has_network() ? &model.compensation() : nullptr;
+      const MatrixXd difference =
+          answers_of(model, queries).cast<double>() - reference(arm, network, queries);
+      EXPECT_LT(difference.cwiseAbs().maxCoeff(), kRelativeToLength * arm.length_m() * 10);
+    }
+  }
+}
+
 TEST_P(ForwardModelOfLevel, QueryIsTheSameToTheBitAloneAndAnywhereInABatch) {
   const ArmDescription arm = sample_arm(3);
   const Queries queries = random_queries(arm, 150, 23);

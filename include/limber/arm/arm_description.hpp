@@ -14,19 +14,42 @@ class YamlReader;
 /// An arm of more segments is refused; sizes the stack storage of solvers.
 inline constexpr int kMostSegments = 64;
 
+/// What a segment is told, one signed number, and the unit it comes in. Of any other command than a
+/// pressure, names that end in `_kpa` hold numbers in that command's unit; messages and files name
+/// it.
+struct Command {
+  std::string name = "pressure";
+  std::string unit = "kPa";
+  bool is_pressure_kpa() const { return name == "pressure" && unit == "kPa"; }
+};
+
+/// What the no-load model takes a command for (docs/model.md, (3), (17) and (18)).
+enum class NoLoadKind {
+  strain_polynomial,  ///< the pressure of one side, which contracts by P(|p|)
+  curvature,          ///< proportional to the segment's curvature; its length stays
+  straight,           ///< nothing: the unloaded arm is straight, the network learns the rest
+};
+
+/// "strain_polynomial", "curvature" or "straight", as arm files have it.
+const char* to_string(NoLoadKind kind);
+
 /// One bending segment: two actuators on each side.
 struct Segment {
-  double length_m = 0.0;            ///< l0, unpressurised, > 0
-  double width_m = 0.0;             ///< t, between the two sides, > 0
-  int gaps = 0;                     ///< spaces between support plates, ≥ 1
-  double pressure_limit_kpa = 0.0;  ///< p_max of either side, > 0
-  StrainPolynomial strain_polynomial{};
+  double length_m = 0.0;                 ///< l0, unpressurised, > 0
+  double width_m = 0.0;                  ///< t, between the two sides, > 0
+  int gaps = 0;                          ///< spaces between support plates, ≥ 1
+  double pressure_limit_kpa = 0.0;       ///< p_max of either side, > 0
+  StrainPolynomial strain_polynomial{};  ///< NoLoadKind::strain_polynomial only
+  /// κ in 1/m over the command, positive to the left, ≠ 0; NoLoadKind::curvature only.
+  double curvature_per_unit = 1.0;
 };
 
 /// A planar arm as its file describes it (docs/formats.md, schema limber/arm/1). Plain values;
 /// `validate`d by the reader.
 struct ArmDescription {
   std::string name;
+  Command command;
+  NoLoadKind no_load = NoLoadKind::strain_polynomial;
   std::vector<Segment> segments;  ///< base first
   double frame_rate_hz = 20.0;    ///< of recordings, models and plans
   double pressure_rate_limit_kpa_per_s =
@@ -50,6 +73,9 @@ struct ArmDescription {
   /// name excluded.
   std::string hash() const;
 };
+
+/// @throws InputError "WHAT needs an arm that is driven by pressures in kPa …" for any other.
+void require_pressure_driven(const ArmDescription& arm, const std::string& what);
 
 /// Whether an arm file must hold strain polynomials that a model can use. Only characterisation,
 /// which is about to fit them, does without: there the key may be missing, empty or outdated.

@@ -52,6 +52,10 @@ struct CharacterisedArm {
   std::vector<StrainFit> fits;
 };
 
+/// @throws InputError where there is nothing to fit: another command than pressures in kPa, or
+/// another no-load model. To be asked before the bench test.
+void require_characterisable(const ArmDescription& arm);
+
 /// Fits every segment. @throws InputError as above, with the segment's number before the message.
 CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench);
 

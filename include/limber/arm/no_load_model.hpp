@@ -34,6 +34,8 @@ class NoLoadModel {
 
   int segment_count() const { return static_cast<int>(segments_.size()); }
   int point_count() const { return point_count_; }
+  NoLoadKind kind() const { return kind_; }
+  const Command& command() const { return command_; }
 
   /// Backbone B̃ at `pressures_kpa` (size n), written to `backbone` (m×3). Above its limit a
   /// pressure strains on along the end slope of the polynomial, so that a measured overshoot stays
@@ -43,13 +45,14 @@ class NoLoadModel {
   void backbone(const Eigen::Ref<const Eigen::VectorXd>& pressures_kpa,
                 Eigen::Ref<BackboneD> backbone) const;
 
-  /// (3), (4) of one segment. @pre 0 ≤ segment < n.
+  /// (3), (4) of one segment, or (17) or (18). @pre 0 ≤ segment < n.
   SegmentShape segment_shape(int segment, double pressure_kpa) const;
-  /// Contraction strain e = P(|p|) ≥ 0.
+  /// Contraction strain e = P(|p|) ≥ 0. @pre kind() is strain_polynomial.
   double strain(int segment, double pressure_kpa) const;
-  /// Inverse of (3), (11): e = 2t|κ|/(2 + t|κ|), p = −sign(κ) P⁻¹(e).
+  /// Inverse of (3), (11): e = 2t|κ|/(2 + t|κ|), p = −sign(κ) P⁻¹(e); or of (17). Where nothing
+  /// bends the unloaded arm, (18), 0.
   SegmentPressure pressure_for_curvature(int segment, double curvature_per_m) const;
-  /// Length that goes with a curvature, l = 2 l0/(2 + t|κ|), (3) in (4).
+  /// Length that goes with a curvature, l = 2 l0/(2 + t|κ|), (3) in (4); l0 by (17) and (18).
   double length_for_curvature(int segment, double curvature_per_m) const;
   /// Largest |κ| the pressure limit allows.
   double curvature_limit_per_m(int segment) const;
@@ -62,6 +65,8 @@ class NoLoadModel {
              Eigen::Ref<BackboneOf<Scalar>>& backbone) const;
 
   std::vector<Segment> segments_;
+  NoLoadKind kind_;
+  Command command_;
   int point_count_ = 0;
 };
 

@@ -84,4 +84,7 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
 /// frame's set points are to be commanded.
 void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan);
 
+/// Predicted shapes: `time_s,x_0_m,y_0_m,theta_0_rad,…`, one row a frame, its time the frame's end.
+void write_backbones_csv(const std::filesystem::path& path, const Plan& plan);
+
 }  // namespace limber

@@ -15,7 +15,7 @@ nlohmann::ordered_json plan_result_to_json(const PlanResult& result, const PoseG
                                            const std::string& planner, const std::string& model,
                                            std::uint64_t seed);
 
-/// The same in a few lines for people.
-std::string plan_result_to_text(const PlanResult& result);
+/// The same in a few lines for people; `command` is what the arm's segments are told.
+std::string plan_result_to_text(const PlanResult& result, const Command& command = {});
 
 }  // namespace limber

@@ -66,10 +66,10 @@ std::string certificate_to_text(const Certificate& certificate, const ArmDescrip
                                   : "";
   return fmt::format(
       "certified: {} frames; {}; plates within {:.2g} mm of the own simulation; ends {:.3f} cm{} "
-      "from the goal; cost {:.2f} kPa, at most {:.3g} kPa a frame",
+      "from the goal; cost {:.2f} {unit}, at most {:.3g} {unit} a frame",
       certificate.frames, where, certificate.largest_deviation_m * 1e3,
       certificate.goal_distance_m * kCmPerM, heading, certificate.cost_kpa,
-      certificate.largest_step_kpa);
+      certificate.largest_step_kpa, fmt::arg("unit", arm.command.unit));
 }
 
 }  // namespace limber

@@ -29,6 +29,14 @@ Pose relative(const Pose& from, const Pose& to) {
   return {way.real(), way.imag(), to.theta_rad - from.theta_rad};
 }
 
+/// (17) and (18): the segment turns by its command, or not at all, and keeps its length.
+Pose unstretched_gap(const Segment& segment, double curvature_per_m) {
+  const double length = segment.length_m / segment.gaps;
+  const double theta = curvature_per_m * length;
+  const Complex chord = length * sinc(theta / 2.0) * direction(theta / 2.0);
+  return {chord.real(), chord.imag(), theta};
+}
+
 /// One gap of an unloaded segment: the contracted side is e·l0 shorter than the other, a width t
 /// apart, so the whole segment turns by e·l0/t, and its middle is (1 − e/2) l0 long.
 Pose unloaded_gap(const Segment& segment, double pressure_kpa) {
@@ -42,6 +50,19 @@ Pose unloaded_gap(const Segment& segment, double pressure_kpa) {
   const double length = (1.0 - strain / 2.0) * segment.length_m / segment.gaps;
   const Complex chord = length * sinc(theta / 2.0) * direction(theta / 2.0);
   return {chord.real(), chord.imag(), theta};
+}
+
+/// The same of segment i, whatever its arm's command is.
+Pose gap_at(const ArmDescription& arm, std::size_t i, double command) {
+  const Segment& segment = arm.segments[i];
+  switch (arm.no_load) {
+    case NoLoadKind::curvature:
+      return unstretched_gap(segment, segment.curvature_per_unit * command);
+    case NoLoadKind::straight:
+      return unstretched_gap(segment, 0.0);
+    default:
+      return unloaded_gap(segment, command);
+  }
 }
 
 std::vector<double> normalised(const std::vector<double>& values, const Normalisation& by) {
@@ -110,7 +131,7 @@ std::vector<double> combined(OutputForm form, const std::vector<double>& previou
 ExactArm::Shape ExactArm::no_load(const std::vector<double>& pressures_kpa) const {
   Shape shape{Pose{}};
   for (std::size_t i = 0; i < arm_.segments.size(); ++i) {
-    const Pose gap = unloaded_gap(arm_.segments[i], pressures_kpa[i]);
+    const Pose gap = gap_at(arm_, i, pressures_kpa[i]);
     for (int g = 0; g < arm_.segments[i].gaps; ++g) {
       shape.push_back(composed(shape.back(), gap));
     }
@@ -157,7 +178,7 @@ ExactArm::Shape ExactArm::next(const std::vector<double>& previous_kpa,
     input.insert(input.end(), unloaded.begin(), unloaded.end());
   } else {
     for (std::size_t i = 0; i < arm_.segments.size(); ++i) {  // one gap stands for a segment's
-      append(input, unloaded_gap(arm_.segments[i], current_kpa[i]));
+      append(input, gap_at(arm_, i, current_kpa[i]));
     }
   }
   return shape_of(combined(network_->form, before, unloaded, network_output(input)), layout);

@@ -19,7 +19,7 @@ class ExactArm {
   ExactArm(const ArmDescription& arm, const CompensationModel* network)
       : arm_(arm), network_(network) {}
 
-  /// B̃ by (3), (4).
+  /// B̃ by (3), (4), or by (17) or (18).
   Shape no_load(const std::vector<double>& pressures_kpa) const;
 
   /// F(q_{t−1}, q_t, B_{t−1}), (5) or (16).

@@ -75,9 +75,11 @@ class FrameChecks {
       for (Eigen::Index i = 0; i < plan_.frames[k].setpoint_kpa.size(); ++i) {
         const double limit = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
         const double pressure = double(plan_.frames[k].setpoint_kpa[i]);
-        if (!(std::abs(pressure) <= limit)) {
+        // A set point is a float32: the limit as one may lie above it.
+        if (!(std::abs(pressure) <= std::max(limit, double(static_cast<float>(limit))))) {
           fail("limits", k,
-               fmt::format("segment {} at {} kPa; its limit is ± {} kPa", i + 1, pressure, limit));
+               fmt::format("segment {} at {} {unit}; its limit is ± {} {unit}", i + 1, pressure,
+                           limit, fmt::arg("unit", arm_.command.unit)));
           return;
         }
       }
@@ -98,8 +100,8 @@ class FrameChecks {
         if (!(step <= step_limit + kSetpointKpa) && !reported) {
           reported = true;
           fail("rate", k,
-               fmt::format("segment {} moves by {:.6g} kPa in one frame; {:.6g} are allowed", i + 1,
-                           step, step_limit));
+               fmt::format("segment {} moves by {:.6g} {} in one frame; {:.6g} are allowed", i + 1,
+                           step, arm_.command.unit, step_limit));
         }
       }
     }
