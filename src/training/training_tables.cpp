@@ -15,6 +15,9 @@ namespace {
 
 // A column whose numbers spread by less than this (kPa, m or rad) is constant: float32's rounding.
 constexpr float kConstantSpread = 1e-6F;
+// Of poses: no motion capture resolves less.
+constexpr float kLeastPositionSpread_m = 1e-4F;
+constexpr float kLeastHeadingSpread_rad = 2e-3F;
 
 /// Columns of all episodes' frames in user units, backbones in the network's layout.
 struct RawFrames {
@@ -92,8 +95,20 @@ Eigen::MatrixXf seen_only(Eigen::MatrixXf columns, const RawFrames& raw) {
                                   : Eigen::MatrixXf(columns(Eigen::all, raw.seen_columns));
 }
 
+/// Least spread of the numbers of poses (x, y, θ, x, y, …): a number that only noise moves would
+/// otherwise count as much as the arm's end.
+float least_pose_spread(Eigen::Index row) {
+  return row % 3 == 2 ? kLeastHeadingSpread_rad : kLeastPositionSpread_m;
+}
+
+/// Of other numbers: any spread counts.
+float no_least_spread(Eigen::Index) {
+  return 0.0F;
+}
+
 /// Offset and scale of each row of `columns`.
-Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling) {
+Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling,
+                      float (*least_spread)(Eigen::Index) = no_least_spread) {
   Normalisation result{Eigen::VectorXf(columns.rows()), Eigen::VectorXf(columns.rows())};
   for (Eigen::Index i = 0; i < columns.rows(); ++i) {
     const auto row = columns.row(i);
@@ -107,7 +122,7 @@ Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling) {
       spread = static_cast<float>(std::sqrt((row.cast<double>().array() - mean).square().mean()));
     }
     result.offset[i] = offset;
-    result.scale[i] = range > kConstantSpread ? 1.0F / spread : 1.0F;
+    result.scale[i] = range > kConstantSpread ? 1.0F / std::max(spread, least_spread(i)) : 1.0F;
   }
   return result;
 }
@@ -153,8 +168,8 @@ Eigen::MatrixXf normalised(Eigen::MatrixXf columns, const Normalisation& by, Eig
 FrameError<float> chained_error(const RawFrames& raw, const Normalisation& input,
                                 const NetworkLayout& layout, Scaling scaling) {
   const Eigen::Index size = layout.backbone_size();
-  const Normalisation spread =
-      measure(seen_only((raw.poses - raw.no_load_poses).bottomRows(size), raw), scaling);
+  const Normalisation spread = measure(
+      seen_only((raw.poses - raw.no_load_poses).bottomRows(size), raw), scaling, least_pose_spread);
   return FrameError<float>(spread.scale,
                            input.scale.segment(layout.backbone_row(), size).cwiseInverse(),
                            input.offset.segment(layout.backbone_row(), size));
@@ -206,12 +221,13 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
   RawFrames raw = gather(arm, episodes, layout, tables.episodes);
   require_varying_pressures(raw.pressure_kpa);
   const Normalisation pressure = measure(seen_only(raw.pressure_kpa, raw), settings.scaling);
-  tables.input =
-      stack({pressure, pressure, measure(seen_only(raw.state, raw), settings.scaling),
-             measure(seen_only(layout.no_load_input(raw.no_load), raw), settings.scaling)});
-  tables.output = settings.form == OutputForm::gated_change
-                      ? measure_changes(raw, tables.episodes, settings.scaling)
-                      : measure(seen_only(raw.state - raw.no_load, raw), settings.scaling);
+  tables.input = stack(
+      {pressure, pressure, measure(seen_only(raw.state, raw), settings.scaling, least_pose_spread),
+       measure(seen_only(layout.no_load_input(raw.no_load), raw), settings.scaling)});
+  tables.output =
+      settings.form == OutputForm::gated_change
+          ? measure_changes(raw, tables.episodes, settings.scaling)
+          : measure(seen_only(raw.state - raw.no_load, raw), settings.scaling, least_pose_spread);
   normalise(std::move(raw), layout, settings, tables);
   return tables;
 }
