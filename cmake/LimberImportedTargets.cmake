@@ -19,6 +19,23 @@ if(NOT TARGET limber_import::hdf5)
     INTERFACE_LINK_LIBRARIES "${HDF5_CXX_LIBRARIES}")
 endif()
 
+# ONNX, for `limber export --onnx`: optional. Its own package names a protobuf target that only
+# find_package(Protobuf) makes; the messages need these two libraries alone.
+if(NOT TARGET limber_import::onnx)
+  find_path(LIMBER_ONNX_INCLUDE_DIR onnx/onnx_pb.h)
+  find_library(LIMBER_ONNX_LIBRARY onnx_proto)
+  find_path(LIMBER_PROTOBUF_INCLUDE_DIR google/protobuf/message.h)
+  find_library(LIMBER_PROTOBUF_LIBRARY protobuf)
+  if(LIMBER_ONNX_INCLUDE_DIR AND LIMBER_ONNX_LIBRARY AND LIMBER_PROTOBUF_INCLUDE_DIR AND LIMBER_PROTOBUF_LIBRARY)
+    add_library(limber_import::onnx UNKNOWN IMPORTED)
+    set_target_properties(limber_import::onnx PROPERTIES
+      IMPORTED_LOCATION "${LIMBER_ONNX_LIBRARY}"
+      INTERFACE_INCLUDE_DIRECTORIES "${LIMBER_ONNX_INCLUDE_DIR};${LIMBER_PROTOBUF_INCLUDE_DIR}"
+      INTERFACE_COMPILE_DEFINITIONS "ONNX_NAMESPACE=onnx;ONNX_ML=1"
+      INTERFACE_LINK_LIBRARIES "${LIMBER_PROTOBUF_LIBRARY}")
+  endif()
+endif()
+
 # Philox counter-based random numbers and xxHash: headers only.
 if(NOT TARGET limber_import::headers)
   find_path(LIMBER_RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)

@@ -13,6 +13,7 @@
 #include "limber/experiment/speed_peers.hpp"
 #include "limber/hardware/mujoco_version.hpp"
 #include "limber/planning/ompl_planner.hpp"
+#include "limber/network/onnx_export.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -77,6 +78,10 @@ class DoctorVerb final : public Verb {
     result["hdf5"] = hdf5_version();
     result["yaml-cpp"] = LIMBER_YAML_CPP_VERSION;
     result["onetbb"] = TBB_runtime_version();
+    const std::string onnx = onnx_version();
+    result["onnx"] = onnx.empty() ? "missing: 'limber export --onnx' needs it; apt install "
+                                    "libonnx-dev libprotobuf-dev, and build limber again"
+                                  : onnx;
     result["optional"] = nlohmann::ordered_json::array();
     for (const OptionalProgram& program : kOptionalPrograms) {
       result["optional"].push_back({{"name", program.name},

@@ -1,0 +1,199 @@
+#include "limber/network/onnx_export.hpp"
+
+#ifdef LIMBER_HAS_ONNX
+#include <onnx/onnx_pb.h>
+#endif
+
+#include <fmt/format.h>
+
+#include "limber/common/aligned_floats.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/random_stream.hpp"
+#include "limber/common/version.hpp"
+#include "limber/network/packed_network.hpp"
+
+namespace limber {
+
+#ifdef LIMBER_HAS_ONNX
+
+namespace {
+
+constexpr int kOperatorSet = 11;  // old enough for every runtime of the last years
+constexpr int kIrVersion = 6;     // goes with it
+
+/// The graph: nodes are appended in order, each reading what the one before it wrote.
+class OnnxGraph {
+ public:
+  explicit OnnxGraph(onnx::GraphProto& graph) : graph_(graph) {}
+
+  void input(const std::string& name, Eigen::Index size) {
+    describe(*graph_.add_input(), name, size);
+    last_ = name;
+  }
+
+  void output(const std::string& name, Eigen::Index size) {
+    describe(*graph_.add_output(), name, size);
+    graph_.mutable_node(graph_.node_size() - 1)->set_output(0, name);
+  }
+
+  /// Element by element with a constant row.
+  void combine(const char* operation, const std::string& name, const Eigen::VectorXf& values) {
+    add_tensor(name, {values.size()}, values.data());
+    onnx::NodeProto& node = add_node(operation, name);
+    node.add_input(name);
+  }
+
+  void layer(const std::string& name, const Layer& layer) {
+    using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const RowMajor rows = layer.weight;
+    add_tensor(name + ".weight", {rows.rows(), rows.cols()}, rows.data());
+    add_tensor(name + ".bias", {layer.bias.size()}, layer.bias.data());
+    onnx::NodeProto& node = add_node("Gemm", name);
+    node.add_input(name + ".weight");
+    node.add_input(name + ".bias");
+    onnx::AttributeProto& transpose = *node.add_attribute();
+    transpose.set_name("transB");
+    transpose.set_type(onnx::AttributeProto::INT);
+    transpose.set_i(1);
+  }
+
+  void relu(const std::string& name) { add_node("Relu", name); }
+
+ private:
+  static void describe(onnx::ValueInfoProto& value, const std::string& name, Eigen::Index size) {
+    value.set_name(name);
+    onnx::TypeProto::Tensor& type = *value.mutable_type()->mutable_tensor_type();
+    type.set_elem_type(onnx::TensorProto::FLOAT);
+    type.mutable_shape()->add_dim()->set_dim_param("batch");
+    type.mutable_shape()->add_dim()->set_dim_value(size);
+  }
+
+  onnx::NodeProto& add_node(const char* operation, const std::string& name) {
+    onnx::NodeProto& node = *graph_.add_node();
+    node.set_op_type(operation);
+    node.set_name(name + "." + operation);
+    node.add_input(last_);
+    last_ = name + ".out";
+    node.add_output(last_);
+    return node;
+  }
+
+  void add_tensor(const std::string& name, const std::vector<Eigen::Index>& shape,
+                  const float* values) {
+    onnx::TensorProto& tensor = *graph_.add_initializer();
+    tensor.set_name(name);
+    tensor.set_data_type(onnx::TensorProto::FLOAT);
+    Eigen::Index size = 1;
+    for (const Eigen::Index extent : shape) {
+      tensor.add_dims(extent);
+      size *= extent;
+    }
+    tensor.mutable_float_data()->Add(values, values + size);
+  }
+
+  onnx::GraphProto& graph_;
+  std::string last_;
+};
+
+void add_metadata(onnx::ModelProto& file, const std::string& key, const std::string& value) {
+  onnx::StringStringEntryProto& entry = *file.add_metadata_props();
+  entry.set_key(key);
+  entry.set_value(value);
+}
+
+}  // namespace
+
+std::string onnx_version() {
+  return fmt::format("IR {}, protobuf {}", int(onnx::IR_VERSION), GOOGLE_PROTOBUF_VERSION);
+}
+
+void write_onnx(const std::filesystem::path& path, const CompensationModel& model) {
+  validate(model, path.string());
+  onnx::ModelProto file;
+  file.set_ir_version(kIrVersion);
+  file.set_producer_name("limber");
+  file.set_producer_version(version());
+  file.set_doc_string(
+      "compensation network of limber; docs/formats.md describes query and "
+      "answer");
+  file.add_opset_import()->set_version(kOperatorSet);
+  add_metadata(file, "schema", "limber/onnx/1");
+  add_metadata(file, "arm_name", model.arm_name);
+  add_metadata(file, "arm_hash", model.arm_hash);
+  add_metadata(file, "layout", to_string(model.layout));
+  add_metadata(file, "output_form", to_string(model.form));
+  add_metadata(file, "segment_count", std::to_string(model.segment_count));
+  add_metadata(file, "point_count", std::to_string(model.point_count));
+  add_metadata(file, "preset", model.preset);
+  file.mutable_graph()->set_name("compensation");
+  OnnxGraph graph(*file.mutable_graph());
+  graph.input("query", model.input.offset.size());
+  graph.combine("Sub", "input.offset", model.input.offset);
+  graph.combine("Mul", "input.scale", model.input.scale);
+  for (std::size_t l = 0; l < model.layers.size(); ++l) {
+    const std::string name = fmt::format("layers.{}", l);
+    graph.layer(name, model.layers[l]);
+    if (l + 1 < model.layers.size()) {
+      graph.relu(name + ".relu");
+    }
+  }
+  // Gate arguments, behind the changes, are not normalised.
+  const Eigen::Index size = model.layers.back().bias.size();
+  const Eigen::Index normalised = model.output.offset.size();
+  Eigen::VectorXf scale = Eigen::VectorXf::Ones(size);
+  Eigen::VectorXf offset = Eigen::VectorXf::Zero(size);
+  scale.head(normalised) = model.output.scale;
+  offset.head(normalised) = model.output.offset;
+  graph.combine("Div", "output.scale", scale);
+  graph.combine("Add", "output.offset", offset);
+  graph.output("answer", size);
+  write_file_atomically(path, file.SerializeAsString());
+}
+
+#else
+
+std::string onnx_version() {
+  return {};
+}
+
+void write_onnx(const std::filesystem::path& path, const CompensationModel&) {
+  throw InputError(
+      fmt::format("{}: this limber was built without ONNX; install libonnx-dev and "
+                  "libprotobuf-dev, and build it "
+                  "again",
+                  path.string()));
+}
+
+#endif
+
+std::string reference_queries_csv(const CompensationModel& model, int count, std::uint64_t seed) {
+  const PackedNetwork network(model, cpu_level());
+  RandomStream random(seed, 0);
+  std::string text;
+  for (int i = 0; i < network.input_size(); ++i) {
+    text += fmt::format("{}query_{}", i > 0 ? "," : "", i);
+  }
+  for (int i = 0; i < network.output_size(); ++i) {
+    text += fmt::format(",answer_{}", i);
+  }
+  text += "\n";
+  AlignedFloats query(static_cast<std::size_t>(network.input_size()));
+  AlignedFloats scratch(static_cast<std::size_t>(2 * network.padded_width()));
+  for (int k = 0; k < count; ++k) {
+    for (int i = 0; i < network.input_size(); ++i) {
+      query[static_cast<std::size_t>(i)] =
+          model.input.offset[i] +
+          static_cast<float>(random.uniform(-1.0, 1.0)) / model.input.scale[i];
+      text += fmt::format("{}{:.9g}", i > 0 ? "," : "", query[static_cast<std::size_t>(i)]);
+    }
+    const float* answer = network.evaluate(query.data(), scratch.data());
+    for (int i = 0; i < network.output_size(); ++i) {
+      text += fmt::format(",{:.9g}", answer[i]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace limber
