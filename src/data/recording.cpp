@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/data/episode_path.hpp"
 
 namespace limber {
@@ -135,6 +136,7 @@ Recording make_recording(const ArmDescription& arm, const std::string& source, s
   Recording recording;
   recording.arm_name = arm.name;
   recording.arm_hash = arm.hash();
+  recording.command = arm.command;
   recording.segment_count = arm.segment_count();
   recording.point_count = arm.point_count();
   recording.rate_hz = arm.frame_rate_hz;
@@ -144,6 +146,12 @@ Recording make_recording(const ArmDescription& arm, const std::string& source, s
 }
 
 void validate(const Recording& recording, const std::string& file) {
+  for (const std::string* text : {&recording.arm_name, &recording.source, &recording.settings,
+                                  &recording.command.name, &recording.command.unit}) {
+    if (!is_utf8(*text)) {
+      throw InputError(fmt::format("{}: a name or text of the recording is not UTF-8", file));
+    }
+  }
   if (recording.segment_count < 1) {
     throw InputError(fmt::format("{}: attribute 'segments' is {}; expected a whole number ≥ 1",
                                  file, recording.segment_count));
@@ -164,12 +172,18 @@ void validate(const Recording& recording, const std::string& file) {
   }
 }
 
-void require_recording_of(const Recording& recording, const ArmDescription& arm,
-                          const std::string& file) {
+void require_sizes_of(const Recording& recording, const ArmDescription& arm,
+                      const std::string& file) {
   const auto refuse = [&](const std::string& found, const std::string& expected) {
-    throw InputError(fmt::format("{}: recording of arm '{}' has {}; arm '{}' has {}", file,
-                                 recording.arm_name, found, arm.name, expected));
+    throw InputError(fmt::format(
+        "{}: recording of arm '{}' has {}; arm '{}' has {}. Give the arm file that it was recorded "
+        "with (--arm), or import its logs again for this one",
+        file, recording.arm_name, found, arm.name, expected));
   };
+  if (recording.command.name != arm.command.name || recording.command.unit != arm.command.unit) {
+    refuse(fmt::format("the command '{}' in {}", recording.command.name, recording.command.unit),
+           fmt::format("'{}' in {}", arm.command.name, arm.command.unit));
+  }
   if (recording.segment_count != arm.segment_count()) {
     refuse(fmt::format("{} segments", recording.segment_count),
            fmt::format("{}", arm.segment_count()));
@@ -182,6 +196,58 @@ void require_recording_of(const Recording& recording, const ArmDescription& arm,
   if (std::abs(recording.rate_hz - arm.frame_rate_hz) > kRateTolerance * arm.frame_rate_hz) {
     refuse(fmt::format("{} frames a second", recording.rate_hz),
            fmt::format("{}", arm.frame_rate_hz));
+  }
+}
+
+namespace {
+
+constexpr double kFarBeyond = 1.2;        // of the limit, …
+constexpr double kMostFarBeyond = 0.001;  // … in this share of the frames: more than single spikes
+constexpr double kNeverBelieved = 3.0;    // of the limit, even once: a spike that ruins the ranges
+
+void require_commands_within(const FrameMatrix& commands, const ArmDescription& arm,
+                             const std::string& file, const std::string& place) {
+  for (Eigen::Index i = 0; i < commands.cols(); ++i) {
+    const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const auto sizes = commands.col(i).cwiseAbs().cast<double>();
+    const auto beyond = (sizes.array() > kFarBeyond * limit).count();
+    Eigen::Index worst = 0;
+    const double largest = sizes.maxCoeff(&worst);
+    if (double(beyond) > kMostFarBeyond * double(commands.rows()) ||
+        largest > kNeverBelieved * limit) {
+      throw InputError(fmt::format(
+          "{}: {}: segment {} is at {:.4g} {} in frame {}; the limit of arm '{}' is {} {}. If the "
+          "arm can take that, raise the limit in its arm file; if not, the unit or the column was "
+          "wrong when the recording was made: import it again",
+          file, place, i, double(commands(worst, i)), arm.command.unit, worst, arm.name, limit,
+          arm.command.unit));
+    }
+  }
+}
+
+}  // namespace
+
+void require_recording_of(const Recording& recording, const ArmDescription& arm,
+                          const std::string& file) {
+  require_sizes_of(recording, arm, file);
+  if (recording.arm_name != arm.name && recording.arm_hash != arm.hash()) {
+    throw InputError(
+        fmt::format("{}: recorded with arm '{}' (hash {}); this is arm '{}' (hash {}). Give the "
+                    "arm file that it "
+                    "was recorded with (--arm); if both are the same arm, give them the same name",
+                    file, recording.arm_name, recording.arm_hash, arm.name, arm.hash()));
+  }
+  for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
+    const std::string place = episode_path(e);
+    const Episode& episode = recording.episodes[e];
+    require_commands_within(episode.pressure_kpa, arm, file, place + ", measured");
+    require_commands_within(episode.setpoint_kpa, arm, file, place + ", set points");
+  }
+  if (recording.frame_count() > 0 && recording.untracked_count() == recording.frame_count()) {
+    throw InputError(fmt::format(
+        "{}: the arm was tracked in none of its {} frames: there is nothing to learn from or to "
+        "compare with. Record it again with the tracker in view",
+        file, recording.frame_count()));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
 #include "limber/data/episode_path.hpp"
 #include "limber/data/recording.hpp"
@@ -45,6 +46,15 @@ class Hdf5Section {
 };
 
 using Shape = std::vector<hsize_t>;
+
+/// Data sets of what was measured and of what was asked for: their names carry the unit, if it is
+/// that of pressures; of another command, the attribute `unit` alone does.
+const char* measured_name(const Command& command) {
+  return command.is_pressure_kpa() ? "pressure_kpa" : "command";
+}
+const char* setpoint_name(const Command& command) {
+  return command.is_pressure_kpa() ? "setpoint_kpa" : "command_setpoint";
+}
 
 std::string text_of(const Shape& shape) {
   return shape.empty() ? "a single value" : fmt::format("{}", fmt::join(shape, " × "));
@@ -95,10 +105,11 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
   const H5::PredType& real = H5::PredType::NATIVE_FLOAT;
   write_data_set(group, "time_s", "s", H5::PredType::NATIVE_DOUBLE, episode.time_s.data(),
                  {frames});
-  write_data_set(group, "pressure_kpa", "kPa", real, episode.pressure_kpa.data(),
-                 {frames, segments});
-  write_data_set(group, "setpoint_kpa", "kPa", real, episode.setpoint_kpa.data(),
-                 {frames, segments});
+  const Command& command = recording.command;
+  write_data_set(group, measured_name(command), command.unit.c_str(), real,
+                 episode.pressure_kpa.data(), {frames, segments});
+  write_data_set(group, setpoint_name(command), command.unit.c_str(), real,
+                 episode.setpoint_kpa.data(), {frames, segments});
   write_data_set(group, "backbone", "m, m, rad", real, episode.backbone.data(),
                  {frames, points, 3});
   write_data_set(group, "motion_index", "1", H5::PredType::NATIVE_INT, episode.motion_index.data(),
@@ -111,6 +122,10 @@ void write_file(const std::filesystem::path& path, const Recording& recording) {
   write_text(file, "schema", kSchema);
   write_text(file, "arm_name", recording.arm_name);
   write_text(file, "arm_hash", recording.arm_hash);
+  if (!recording.command.is_pressure_kpa()) {
+    write_text(file, "command_name", recording.command.name);
+    write_text(file, "command_unit", recording.command.unit);
+  }
   write_text(file, "source", recording.source);
   write_text(file, "settings", recording.settings);
   write_text(file, "program_version", version());
@@ -137,6 +152,9 @@ class Reader {
     require_schema();
     recording.arm_name = text("arm_name");
     recording.arm_hash = text("arm_hash");
+    if (file_.attrExists("command_unit")) {
+      recording.command = {text("command_name"), text("command_unit")};
+    }
     recording.source = text("source");
     recording.settings = file_.attrExists("settings") ? text("settings") : std::string();
     recording.program_version = text("program_version");
@@ -191,6 +209,9 @@ class Reader {
     }
     std::string value;
     found.read(found.getStrType(), value);
+    if (!is_utf8(value)) {
+      refuse(fmt::format("attribute '{}'", name), "not a text in UTF-8; expected one");
+    }
     return value;
   }
 
@@ -318,8 +339,12 @@ class Reader {
     const auto n = static_cast<hsize_t>(std::max(recording.segment_count, 0));
     const auto m = static_cast<hsize_t>(std::max(recording.point_count, 0));
     const std::string pressures = fmt::format("{} × {}: frames × segments", frames, n);
-    episode.pressure_kpa = matrix(group + "/pressure_kpa", {frames, n}, pressures, "kPa");
-    episode.setpoint_kpa = matrix(group + "/setpoint_kpa", {frames, n}, pressures, "kPa");
+    const Command& command = recording.command;
+    const auto commands = [&](const char* name) {
+      return matrix(group + "/" + name, {frames, n}, pressures, command.unit.c_str());
+    };
+    episode.pressure_kpa = commands(measured_name(command));
+    episode.setpoint_kpa = commands(setpoint_name(command));
     episode.backbone =
         matrix(group + "/backbone", {frames, m, 3},
                fmt::format("{} × {} × 3: frames × points × [x_m, y_m, theta_rad]", frames, m),

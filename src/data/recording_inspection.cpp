@@ -8,6 +8,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "suspicions.hpp"
+
 namespace limber {
 
 namespace {
@@ -17,27 +19,8 @@ constexpr double kFastestPlate_m_per_s = 4.0;  // three times what a full revers
 constexpr double kBaseMotion_m = 0.005;        // motion capture is better than that
 constexpr double kOvershoot = 1.1;             // of the limit, measured
 constexpr double kSetpointOvershoot = 1.001;
-constexpr int kFrozenFrames = 10;             // exactly equal backbones, while …
-constexpr double kFrozenPressure_kpa = 10.0;  // … a pressure changes by more than this
-
-/// Collects what is odd, by kind, in the order of first appearance.
-class Suspicions {
- public:
-  void add(const std::string& what, std::size_t episode, int frame, const std::string& numbers) {
-    for (Suspicion& known : list_) {
-      if (known.what == what) {
-        ++known.count;
-        return;
-      }
-    }
-    list_.push_back({what, 1, static_cast<int>(episode), frame, numbers});
-  }
-
-  std::vector<Suspicion> take() { return std::move(list_); }
-
- private:
-  std::vector<Suspicion> list_;
-};
+constexpr int kFrozenFrames = 10;      // exactly equal backbones, while …
+constexpr double kFrozenChange = 0.1;  // … a pressure changes by this part of its limit
 
 class EpisodeInspector {
  public:
@@ -76,14 +59,16 @@ class EpisodeInspector {
       const double pressure_kpa = episode_.pressure_kpa(t, column);
       const double setpoint_kpa = episode_.setpoint_kpa(t, column);
       if (std::abs(setpoint_kpa) > kSetpointOvershoot * limits_kpa_[s]) {
-        suspicions_.add(
-            "a set point beyond the segment's limit", index_, t,
-            fmt::format("segment {}: {:.1f} kPa, limit {:.1f}", s, setpoint_kpa, limits_kpa_[s]));
+        suspicions_.add("a set point beyond the segment's limit", index_, t,
+                        fmt::format("segment {}: {:.1f} {}, limit {:.1f}", s, setpoint_kpa,
+                                    recording_.command.unit, limits_kpa_[s]));
       }
       if (std::abs(pressure_kpa) > kOvershoot * limits_kpa_[s]) {
         suspicions_.add(
-            "a measured pressure more than 10 % beyond the segment's limit", index_, t,
-            fmt::format("segment {}: {:.1f} kPa, limit {:.1f}", s, pressure_kpa, limits_kpa_[s]));
+            "a measured " + recording_.command.name + " more than 10 % beyond the segment's limit",
+            index_, t,
+            fmt::format("segment {}: {:.1f} {}, limit {:.1f}", s, pressure_kpa,
+                        recording_.command.unit, limits_kpa_[s]));
       }
     }
   }
@@ -121,14 +106,18 @@ class EpisodeInspector {
     if (equal_frames_ < kFrozenFrames) {
       return;
     }
-    const double change_kpa =
-        (episode_.pressure_kpa.row(t) - episode_.pressure_kpa.row(t - equal_frames_))
-            .cwiseAbs()
-            .maxCoeff();
-    if (change_kpa > kFrozenPressure_kpa) {
-      suspicions_.add(
-          "a backbone that stands still to the bit while pressures change", index_, t,
-          fmt::format("{} frames, pressures change by {:.1f} kPa", equal_frames_, change_kpa));
+    const Eigen::RowVectorXf change =
+        episode_.pressure_kpa.row(t) - episode_.pressure_kpa.row(t - equal_frames_);
+    for (std::size_t s = 0; s < limits_kpa_.size(); ++s) {
+      const double own = std::abs(double(change[static_cast<Eigen::Index>(s)]));
+      if (limits_kpa_[s] > 0.0 && own > kFrozenChange * limits_kpa_[s]) {
+        suspicions_.add(
+            "a backbone that stands still to the bit while " + recording_.command.name + "s change",
+            index_, t,
+            fmt::format("{} frames, the {} of segment {} changes by {:.1f} {}", equal_frames_,
+                        recording_.command.name, s, own, recording_.command.unit));
+        return;
+      }
     }
   }
 
@@ -178,7 +167,7 @@ std::vector<double> limits_of(const ArmDescription* arm,
 RecordingInspection inspect(const Recording& recording, const ArmDescription* arm,
                             const std::string& file) {
   if (arm != nullptr) {
-    require_recording_of(recording, *arm, file);
+    require_sizes_of(recording, *arm, file);
   }
   RecordingInspection inspection;
   inspection.limits_known = arm != nullptr;
@@ -186,6 +175,7 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
   inspection.limits_kpa = limits_of(arm, inspection.pressures);
   inspection.transitions = transition_coverage(recording, inspection.limits_kpa);
   Suspicions suspicions;
+  look_at_whole(recording, arm, suspicions);
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
     EpisodeInspector(recording, i, inspection.limits_kpa, suspicions).run();
   }
@@ -204,6 +194,7 @@ nlohmann::ordered_json inspection_to_json(const Recording& recording,
   json["seed"] = recording.seed;
   json["program_version"] = recording.program_version;
   json["rate_hz"] = recording.rate_hz;
+  json["command"] = {{"name", recording.command.name}, {"unit", recording.command.unit}};
   json["segments"] = recording.segment_count;
   json["points"] = recording.point_count;
   json["episodes"] = recording.episodes.size();
@@ -235,16 +226,18 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
       "recording of arm '{}' ({}), seed {}, limber {}\n"
       "  {}\n"
       "  {} episodes, {} frames at {} Hz ({:.1f} s), {} dropped\n"
-      "  {} segments [kPa], {} backbone points [m, m, rad]\n",
+      "  {} segments, driven by {} [{}], {} backbone points [m, m, rad]\n",
       recording.arm_name, recording.source, recording.seed, recording.program_version,
       recording.settings.empty() ? "no settings stored" : recording.settings,
       recording.episodes.size(), recording.frame_count(), recording.rate_hz, recording.duration_s(),
-      recording.untracked_count(), recording.segment_count, recording.point_count);
+      recording.untracked_count(), recording.segment_count, recording.command.name,
+      recording.command.unit, recording.point_count);
   for (std::size_t s = 0; s < inspection.pressures.size(); ++s) {
     const PressureRange& range = inspection.pressures[s];
-    text += fmt::format("  segment {}: measured {:.1f} … {:.1f} kPa, set {:.1f} … {:.1f} kPa\n", s,
-                        range.lowest_kpa, range.highest_kpa, range.lowest_setpoint_kpa,
-                        range.highest_setpoint_kpa);
+    text +=
+        fmt::format("  segment {}: measured {:.1f} … {:.1f} {unit}, set {:.1f} … {:.1f} {unit}\n",
+                    s, range.lowest_kpa, range.highest_kpa, range.lowest_setpoint_kpa,
+                    range.highest_setpoint_kpa, fmt::arg("unit", recording.command.unit));
   }
   const TransitionCoverage& transitions = inspection.transitions;
   text += fmt::format("  {} of {:.0f} transitions covered (both ends reached), {} commanded{}\n",

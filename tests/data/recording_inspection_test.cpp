@@ -18,12 +18,21 @@ using ::testing::SizeIs;
 using ::testing::ThrowsMessage;
 
 constexpr float kLimit_kpa = 100.0F;
-constexpr int kFramesPerMotion = 4;
+constexpr int kFramesPerMotion = 12;
+
+ArmDescription one_segment_arm() {
+  ArmDescription arm;
+  arm.name = "one";
+  arm.segments = {Segment{0.2, 0.05, 2, kLimit_kpa, {1e-3, 0, 0, 0}}};
+  return arm;
+}
 
 /// One segment, led through `states` (−1 left, 0 off, 1 right), the first one at frame 0; a
 /// straight arm of three points.
 Recording corner_recording(const std::vector<int>& states) {
   Recording recording = test_recording(1, 1, 1, 3);
+  recording.arm_name = one_segment_arm().name;
+  recording.arm_hash = one_segment_arm().hash();
   const int frames = 1 + kFramesPerMotion * (static_cast<int>(states.size()) - 1);
   Episode& episode = recording.episodes[0];
   episode.time_s = Eigen::VectorXd::LinSpaced(frames, 0.0, (frames - 1) / recording.rate_hz);
@@ -42,13 +51,6 @@ Recording corner_recording(const std::vector<int>& states) {
   }
   episode.pressure_kpa = episode.setpoint_kpa;
   return recording;
-}
-
-ArmDescription one_segment_arm() {
-  ArmDescription arm;
-  arm.name = "one";
-  arm.segments = {Segment{0.2, 0.05, 2, kLimit_kpa, {1e-3, 0, 0, 0}}};
-  return arm;
 }
 
 RecordingInspection inspect_it(const Recording& recording) {
@@ -90,8 +92,8 @@ TEST(TransitionCoverage, ComparesSetPointsWithTheArmsLimits) {
 }
 
 TEST(RecordingInspection, GivesPressureRangesOverAllEpisodes) {
-  Recording recording = corner_recording({0, 1, 0});
-  recording.episodes.push_back(corner_recording({0, -1}).episodes[0]);
+  Recording recording = corner_recording({0, 1, 0, 0});
+  recording.episodes.push_back(corner_recording({0, -1, -1, -1}).episodes[0]);
   recording.episodes[1].pressure_kpa(2, 0) = -101.0F;
   const RecordingInspection inspection = inspect_it(recording);
   ASSERT_THAT(inspection.pressures, SizeIs(1));
@@ -161,19 +163,73 @@ TEST(RecordingInspection, FindsATrackerThatHangs) {
   EXPECT_THAT(hung.what, HasSubstr("stands still to the bit"));
 }
 
+TEST(RecordingInspection, FindsCommandsThatNeverChange) {
+  const Suspicion constant = only_suspicion([](Episode& e) {
+    e.pressure_kpa.setConstant(55.0F);
+    e.setpoint_kpa.setConstant(55.0F);
+  });
+  EXPECT_THAT(constant.what, HasSubstr("pressure never changes"));
+  EXPECT_THAT(constant.first, HasSubstr("segment 0: 55 … 55 kPa"));
+}
+
+TEST(RecordingInspection, FindsEpisodesTooShortOrNeverTracked) {
+  Recording recording = corner_recording({0, 1, 0, -1});
+  recording.episodes.push_back(corner_recording({0, 1}).episodes[0]);
+  recording.episodes[0].tracked.assign(recording.episodes[0].tracked.size(), 0);
+  const std::vector<Suspicion> found = inspect_it(recording).suspicions;
+  ASSERT_THAT(found, SizeIs(2));
+  EXPECT_EQ(found[0].what, "an episode in which the arm was never tracked");
+  EXPECT_EQ(found[1].what, "an episode shorter than a training window");
+  EXPECT_EQ(found[1].episode, 1);
+}
+
+TEST(RecordingInspection, FindsFramesAtAnotherRate) {
+  const Suspicion rate = only_suspicion([](Episode& e) { e.time_s *= 0.5; });
+  EXPECT_THAT(rate.first, HasSubstr("40 Hz by their times, 20 Hz by the file"));
+}
+
+TEST(RecordingInspection, FindsABaseAwayFromTheOrigin) {
+  const Suspicion base = only_suspicion([](Episode& e) {
+    for (const int column : {0, 3, 6}) {
+      e.backbone.col(column).array() += 0.5F;
+    }
+  });
+  EXPECT_EQ(base.what, "a base that is not the origin of the arm's frame");
+}
+
+TEST(RecordingInspection, FindsMixedUnitsAndDoubledPlates) {
+  const Suspicion mixed = only_suspicion([](Episode& e) { e.backbone.col(6).array() += 100.0F; });
+  EXPECT_THAT(mixed.what, HasSubstr("another unit, order or arm?"));
+  EXPECT_THAT(mixed.first, HasSubstr("plates 1 and 2: 100.1 m, 0.1 m by the arm file"));
+  const Suspicion doubled =
+      only_suspicion([](Episode& e) { e.backbone.rightCols(3) = e.backbone.middleCols(3, 3); });
+  EXPECT_EQ(doubled.what, "two plates at the same place");
+}
+
+TEST(RecordingInspection, SaysWhoseRecordingItIs) {
+  ArmDescription arm = one_segment_arm();
+  Recording recording = corner_recording({0, 1, 0, -1});
+  recording.arm_hash = "0";
+  EXPECT_EQ(inspect(recording, &arm, "a.h5").suspicions.at(0).what,
+            "recorded with this arm before its file was changed");
+  recording.arm_name = "other";
+  EXPECT_EQ(inspect(recording, &arm, "a.h5").suspicions.at(0).what,
+            "recorded with another arm: train and evaluate refuse it");
+}
+
 TEST(RecordingInspection, SaysTheSameInJsonAndInText) {
   Recording recording = corner_recording({0, 1, 0, -1});
   recording.episodes[0].tracked[2] = 0;
   recording.episodes[0].time_s.tail(3).array() += 1.0;
   const RecordingInspection inspection = inspect_it(recording);
   const nlohmann::ordered_json json = inspection_to_json(recording, inspection);
-  EXPECT_EQ(json["frames"], 13);
+  EXPECT_EQ(json["frames"], 37);
   EXPECT_EQ(json["frames_dropped"], 1);
   EXPECT_EQ(json["transitions"]["possible"], 9);
   EXPECT_EQ(json["transitions"]["covered"], 3);
   EXPECT_EQ(json["suspicions"][0]["what"], "a gap in time");
   EXPECT_THAT(inspection_to_text(recording, inspection),
-              AllOf(HasSubstr("13 frames at 20 Hz"), HasSubstr("1 dropped"),
+              AllOf(HasSubstr("37 frames at 20 Hz"), HasSubstr("1 dropped"),
                     HasSubstr("3 of 9 transitions covered"), HasSubstr("a gap in time: 1 times")));
 }
 
@@ -184,7 +240,7 @@ TEST(RecordingInspection, RefusesAnotherArm) {
       [&] {
         inspect(corner_recording({0, 1}), &arm, "a.h5");
       },
-      ThrowsMessage<InputError>(HasSubstr("a.h5: recording of arm 'test arm' has 3 "
+      ThrowsMessage<InputError>(HasSubstr("a.h5: recording of arm 'one' has 3 "
                                           "backbone points; arm 'one' has 8")));
 }
 

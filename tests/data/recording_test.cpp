@@ -331,11 +331,18 @@ TEST(RequireRecordingOf, NamesWhatDiffersFromTheArm) {
   arm.segments = {Segment{0.2, 0.05, 2, 100.0, {1e-3, 0, 0, 0}},
                   Segment{0.2, 0.05, 1, 100.0, {1e-3, 0, 0, 0}}};
   Recording recording = test_recording();
-  EXPECT_NO_THROW(require_recording_of(recording, arm, "a.h5"));
+  EXPECT_NO_THROW(require_sizes_of(recording, arm, "a.h5"));
+  recording.command = {"motor angle", "rad"};
+  EXPECT_THAT(
+      [&] { require_recording_of(recording, arm, "a.h5"); },
+      ThrowsMessage<InputError>(HasSubstr("the command 'motor angle' in rad; arm 'mine' has "
+                                          "'pressure' in kPa")));
+  recording.command = {};
   recording.segment_count = 5;
   EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
-              ThrowsMessage<InputError>(
-                  "a.h5: recording of arm 'test arm' has 5 segments; arm 'mine' has 2"));
+              ThrowsMessage<InputError>(HasSubstr(
+                  "a.h5: recording of arm 'test arm' has 5 segments; arm 'mine' has 2. Give "
+                  "the arm file that it was recorded with")));
   recording.segment_count = 2;
   recording.point_count = 7;
   EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
@@ -344,6 +351,86 @@ TEST(RequireRecordingOf, NamesWhatDiffersFromTheArm) {
   recording.rate_hz = 100.0;
   EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
               ThrowsMessage<InputError>(HasSubstr("100 frames a second; arm 'mine' has 20")));
+}
+
+TEST(RequireRecordingOf, TakesTheSameArmRenamedOrEditedAndRefusesAnother) {
+  ArmDescription arm;
+  arm.name = "mine";
+  arm.frame_rate_hz = 20.0;
+  arm.segments.assign(2, Segment{0.2, 0.05, 2, 100.0, {1e-3, 0, 0, 0}});
+  Recording recording = test_recording(1, 40, 2, 5);
+  recording.arm_name = "mine";
+  EXPECT_NO_THROW(require_recording_of(recording, arm, "a.h5")) << "edited since";
+  recording.arm_name = "other";
+  recording.arm_hash = arm.hash();
+  EXPECT_NO_THROW(require_recording_of(recording, arm, "a.h5")) << "renamed since";
+  recording.arm_hash = "0";
+  EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("recorded with arm 'other' (hash 0)"),
+                                              HasSubstr("Give the arm file"))));
+}
+
+TEST(RequireRecordingOf, RefusesWhatLiesFarBeyondTheLimits) {
+  ArmDescription arm;
+  arm.name = "test arm";
+  arm.frame_rate_hz = 20.0;
+  arm.segments.assign(2, Segment{0.2, 0.05, 2, 100.0, {1e-3, 0, 0, 0}});
+  const auto refusal = [&](const Recording& recording) {
+    return [&] { require_recording_of(recording, arm, "a.h5"); };
+  };
+  Recording recording = test_recording(1, 4000, 2, 5);
+  recording.episodes[0].pressure_kpa(7, 1) = 130.0F;
+  EXPECT_NO_THROW(refusal(recording)()) << "a single spike";
+  recording.episodes[0].pressure_kpa(7, 1) = 310.0F;
+  EXPECT_THAT(refusal(recording), ThrowsMessage<InputError>(
+                                      AllOf(HasSubstr("a.h5: episodes/000000, measured: segment 1 "
+                                                      "is at 310 kPa in frame 7"),
+                                            HasSubstr("the limit of arm 'test arm' is 100 kPa"),
+                                            HasSubstr("import it again"))));
+  recording = test_recording(1, 4000, 2, 5);
+  recording.episodes[0].setpoint_kpa *= 6.894757F;
+  EXPECT_THAT(refusal(recording), ThrowsMessage<InputError>(HasSubstr("set points: segment 0")));
+}
+
+TEST(RequireRecordingOf, RefusesWhatWasNeverTracked) {
+  ArmDescription arm;
+  arm.name = "test arm";
+  arm.frame_rate_hz = 20.0;
+  arm.segments.assign(2, Segment{0.2, 0.05, 2, 100.0, {1e-3, 0, 0, 0}});
+  Recording recording = test_recording(1, 40, 2, 5);
+  recording.episodes[0].tracked.assign(40, 0);
+  EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
+              ThrowsMessage<InputError>(HasSubstr("tracked in none of its 40 frames")));
+}
+
+TEST_F(RecordingFile, KeepsAnotherCommandWithItsNameAndUnit) {
+  Recording recording = test_recording();
+  recording.command = {"motor angle", "rad"};
+  write_recording(path_, recording);
+  {
+    const H5::H5File file(path_.string(), H5F_ACC_RDONLY);
+    EXPECT_TRUE(file.nameExists("episodes/000000/command"));
+    EXPECT_FALSE(file.nameExists("episodes/000000/pressure_kpa"));
+  }
+  const Recording read = read_recording(path_);
+  EXPECT_EQ(read.command.name, "motor angle");
+  EXPECT_EQ(read.command.unit, "rad");
+  EXPECT_EQ(read.episodes[1].pressure_kpa, recording.episodes[1].pressure_kpa);
+  expect_refusal(
+      [](H5::H5File& f) {
+        H5::DataSet commands = f.openDataSet("episodes/000000/command");
+        set_attribute(commands, "unit", "deg");
+      },
+      {"episodes/000000/command: unit 'deg' found; expected 'rad'"});
+}
+
+TEST_F(RecordingFile, RefusesNamesThatAreNotUtf8) {
+  Recording recording = test_recording();
+  recording.arm_name = "caf\xE9";
+  EXPECT_THAT([&] { write_recording(path_, recording); },
+              ThrowsMessage<InputError>(HasSubstr("not UTF-8")));
+  expect_refusal([](H5::H5File& f) { set_attribute(f, "arm_name", "caf\xE9"); },
+                 {"attribute 'arm_name': not a text in UTF-8"});
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ struct Episode {
 struct Recording {
   std::string arm_name;
   std::string arm_hash;
+  Command command;  ///< what the numbers named pressure and set point are
   int segment_count = 0;
   int point_count = 0;
   double rate_hz = 0.0;
@@ -73,8 +74,13 @@ void write_recording(const std::filesystem::path& path, const Recording& recordi
 /// and what is allowed: also where the file is no HDF5, damaged or cut short.
 Recording read_recording(const std::filesystem::path& path);
 
-/// @throws InputError where the recording's segments, points or rate are not the arm's. Another
-/// name or hash is let pass: a recording outlives small edits of the arm file.
+/// @throws InputError where the recording's segments, points, rate or command are not the arm's.
+void require_sizes_of(const Recording& recording, const ArmDescription& arm,
+                      const std::string& file);
+
+/// What learning and comparing ask for. @throws InputError as `require_sizes_of`; where both name
+/// and hash are another arm's (one alone may differ: a recording outlives small edits of the arm
+/// file); where commands lie far beyond the arm's limits; where nothing was ever tracked.
 void require_recording_of(const Recording& recording, const ArmDescription& arm,
                           const std::string& file);
 

@@ -1,0 +1,221 @@
+#include "base_alignment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kBaseStandsStill_m = 0.005;  // motion capture is better than that
+constexpr double kScatterPercentile = 0.95;
+
+double percentile(std::vector<double> values, double fraction) {
+  const auto place = static_cast<std::ptrdiff_t>(fraction * double(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+/// Mean direction of many angles, whatever their turns.
+class MeanAngle {
+ public:
+  void add(double angle_rad) {
+    cosine_ += std::cos(angle_rad);
+    sine_ += std::sin(angle_rad);
+  }
+  double value() const { return std::atan2(sine_, cosine_); }
+
+ private:
+  double cosine_ = 0.0;
+  double sine_ = 0.0;
+};
+
+class BaseFinder {
+ public:
+  BaseFinder(const std::string& log, const std::vector<bool>& usable,
+             const BaseAlignment& alignment, const ArmDescription& arm, const PointTracks& tracks)
+      : log_(log), alignment_(alignment), arm_(arm), tracks_(tracks) {
+    for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+      const bool straight = alignment.kind != BaseAlignment::Kind::straight || is_straight_at(t);
+      if (usable[std::size_t(t)] && straight) {
+        rows_.push_back(t);
+      }
+    }
+  }
+
+  Pose find() const {
+    switch (alignment_.kind) {
+      case BaseAlignment::Kind::none:
+        return {};
+      case BaseAlignment::Kind::fixed:
+        return alignment_.pose;
+      default:
+        break;
+    }
+    if (tracks_.plates.front() != 0) {
+      refuse("no point is the base, plate 0");
+    }
+    if (rows_.empty()) {
+      refuse(fmt::format("no row from {} s to {} s, the time named straight, has all points",
+                         alignment_.straight_from_s, alignment_.straight_to_s));
+    }
+    const double heading_rad =
+        alignment_.kind == BaseAlignment::Kind::straight ? straight_heading() : base_heading();
+    return {median(tracks_.x_m), median(tracks_.y_m), heading_rad};
+  }
+
+  /// Mean heading that each point shows while the arm lies straight.
+  Eigen::VectorXd heading_offsets() const {
+    Eigen::VectorXd offsets(tracks_.point_count());
+    for (int i = 0; i < tracks_.point_count(); ++i) {
+      MeanAngle mean;
+      for (const Eigen::Index t : rows_) {
+        mean.add(tracks_.theta_rad(t, i));
+      }
+      offsets[i] = mean.value();
+    }
+    return offsets;
+  }
+
+ private:
+  bool is_straight_at(Eigen::Index t) const {
+    const double time_s = tracks_.time_s[std::size_t(t)];
+    return time_s >= alignment_.straight_from_s && time_s <= alignment_.straight_to_s;
+  }
+
+  [[noreturn]] void refuse(const std::string& message) const {
+    throw InputError(fmt::format(
+        "{}: the arm's base can't be found: {}. Say in the mapping where it is: 'alignment: "
+        "{{x_m, y_m, heading_rad}}', or when the arm lay straight: 'alignment: {{straight_s: "
+        "[from, to]}}'",
+        log_, message));
+  }
+
+  double median(const Eigen::MatrixXd& matrix) const {
+    std::vector<double> values;
+    for (const Eigen::Index t : rows_) {
+      values.push_back(matrix(t, 0));
+    }
+    return percentile(std::move(values), 0.5);
+  }
+
+  double chord(Eigen::Index t, int i) const {
+    return std::atan2(tracks_.y_m(t, i + 1) - tracks_.y_m(t, i),
+                      tracks_.x_m(t, i + 1) - tracks_.x_m(t, i));
+  }
+
+  double straight_heading() const {
+    MeanAngle mean;
+    const int tip = tracks_.point_count() - 1;
+    for (const Eigen::Index t : rows_) {
+      mean.add(std::atan2(tracks_.y_m(t, tip) - tracks_.y_m(t, 0),
+                          tracks_.x_m(t, tip) - tracks_.x_m(t, 0)));
+    }
+    return mean.value();
+  }
+
+  /// The measured one; else the tangent at the base of the arc through the first three points.
+  double base_heading() const {
+    MeanAngle mean;
+    if (tracks_.has_headings()) {
+      for (const Eigen::Index t : rows_) {
+        mean.add(tracks_.theta_rad(t, 0));
+      }
+      return mean.value();
+    }
+    if (tracks_.point_count() < 3 || tracks_.plates[2] > arm_.segments.front().gaps) {
+      refuse(
+          "headings were not logged, and fewer than three points lie on the first segment, so "
+          "that its tangent at the base is unknown");
+    }
+    const std::vector<double> rest_m = rest_positions_m(arm_);
+    const double first = rest_m[std::size_t(tracks_.plates[1])];
+    const double both = rest_m[std::size_t(tracks_.plates[2])];
+    for (const Eigen::Index t : rows_) {
+      const double turn = std::remainder(chord(t, 1) - chord(t, 0), 2.0 * M_PI);
+      mean.add(chord(t, 0) - turn * first / both);
+    }
+    return mean.value();
+  }
+
+  const std::string& log_;
+  const BaseAlignment& alignment_;
+  const ArmDescription& arm_;
+  const PointTracks& tracks_;
+  std::vector<Eigen::Index> rows_;
+};
+
+void transform(const Pose& base, PointTracks& tracks) {
+  const double c = std::cos(base.theta_rad);
+  const double s = std::sin(base.theta_rad);
+  const Eigen::MatrixXd x = tracks.x_m.array() - base.x_m;
+  const Eigen::MatrixXd y = tracks.y_m.array() - base.y_m;
+  tracks.x_m = c * x + s * y;
+  tracks.y_m = c * y - s * x;
+  if (tracks.has_headings()) {
+    tracks.theta_rad.array() -= base.theta_rad;
+  }
+}
+
+Eigen::MatrixXd with_zero_column(const Eigen::MatrixXd& matrix) {
+  Eigen::MatrixXd wider(matrix.rows(), matrix.cols() + 1);
+  wider << Eigen::VectorXd::Zero(matrix.rows()), matrix;
+  return wider;
+}
+
+void add_base(PointTracks& tracks) {
+  tracks.names.insert(tracks.names.begin(), "the base");
+  tracks.plates.insert(tracks.plates.begin(), 0);
+  tracks.x_m = with_zero_column(tracks.x_m);
+  tracks.y_m = with_zero_column(tracks.y_m);
+  if (tracks.has_headings()) {
+    tracks.theta_rad = with_zero_column(tracks.theta_rad);
+  }
+}
+
+/// The base is bolted down: what is left of its motion is noise, unless there is too much of it.
+void settle_base(const std::vector<bool>& usable, PointTracks& tracks, RunReport& report) {
+  std::vector<double> distances;
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    if (usable[std::size_t(t)]) {
+      distances.push_back(std::hypot(tracks.x_m(t, 0), tracks.y_m(t, 0)));
+    }
+  }
+  report.base_scatter_m = percentile(std::move(distances), kScatterPercentile);
+  if (report.base_scatter_m > kBaseStandsStill_m) {
+    report.note(
+        "the base moves by more than 5 mm: left as it was seen",
+        fmt::format("95 % of the rows have it within {:.1f} mm", 1e3 * report.base_scatter_m));
+    return;
+  }
+  tracks.x_m.col(0).setZero();
+  tracks.y_m.col(0).setZero();
+  if (tracks.has_headings()) {
+    tracks.theta_rad.col(0).setZero();
+  }
+}
+
+}  // namespace
+
+void align_base(const std::string& log, const std::vector<bool>& usable,
+                const BaseAlignment& alignment, const ArmDescription& arm, PointTracks& tracks,
+                RunReport& report) {
+  const BaseFinder finder(log, usable, alignment, arm, tracks);
+  report.base = finder.find();
+  if (alignment.kind == BaseAlignment::Kind::straight && tracks.has_headings()) {
+    tracks.theta_rad.rowwise() -= finder.heading_offsets().transpose();
+    tracks.theta_rad.array() += report.base.theta_rad;
+  }
+  transform(report.base, tracks);
+  if (tracks.plates.front() != 0) {
+    add_base(tracks);
+  }
+  settle_base(usable, tracks, report);
+}
+
+}  // namespace limber

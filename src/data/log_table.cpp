@@ -1,0 +1,227 @@
+#include "log_table.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "limber/common/csv_reader.hpp"
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::size_t kNamesInMessages = 40;
+constexpr double kMostBadRows = 0.01;
+constexpr std::size_t kBadRowsAlwaysLeftOut = 3;
+
+bool is_missing(std::string_view text) {
+  for (const char* word : {"", "nan", "NaN", "NAN", "null", "NULL", "NA", "-"}) {
+    if (text == word) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// One log, its header read.
+class LogFile {
+ public:
+  LogFile(const std::filesystem::path& path, const ImportMapping& mapping)
+      : mapping_(mapping), csv_(CsvReader::from_file(path, mapping.separator)) {
+    std::vector<CsvCell> row;
+    for (int i = 0; i < mapping.skip_lines; ++i) {
+      csv_.next(row);
+    }
+    if (!mapping.columns.empty()) {
+      names_ = mapping.columns;
+      return;
+    }
+    while (csv_.next(row)) {
+      if (!is_comment(row)) {
+        read_header(row);
+        return;
+      }
+    }
+    csv_.refuse(1, "an empty file; expected a header line with the columns' names");
+  }
+
+  const std::vector<std::string>& names() const { return names_; }
+
+  /// Index of a column. @throws InputError where it is missing or there twice.
+  std::size_t find(const std::string& name) const {
+    const auto first = std::find(names_.begin(), names_.end(), name);
+    if (first == names_.end()) {
+      std::vector<std::string> shown = names_;
+      shown.resize(std::min(shown.size(), kNamesInMessages));
+      throw InputError(fmt::format(
+          "{}: there is no column '{}'; the file has: {}{}. Name the right one in the mapping",
+          csv_.name(), name, fmt::join(shown, ", "),
+          names_.size() > shown.size() ? fmt::format(" and {} more", names_.size() - shown.size())
+                                       : ""));
+    }
+    const auto second = std::find(first + 1, names_.end(), name);
+    if (second != names_.end()) {
+      throw InputError(fmt::format(
+          "{}: column '{}' is there twice, as columns {} and {}; give them names of their own",
+          csv_.name(), name, first - names_.begin() + 1, second - names_.begin() + 1));
+    }
+    return static_cast<std::size_t>(first - names_.begin());
+  }
+
+  bool has(const std::string& name) const {
+    return std::find(names_.begin(), names_.end(), name) != names_.end();
+  }
+
+  /// The next row that is neither blank nor a comment.
+  bool next(std::vector<CsvCell>& row) {
+    while (csv_.next(row)) {
+      if (!is_comment(row)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool parse(std::string_view text, double& value) const {
+    if (!mapping_.decimal_comma) {
+      return parse_number(text, value);
+    }
+    std::string plain(text);
+    std::replace(plain.begin(), plain.end(), ',', '.');
+    return parse_number(plain, value);
+  }
+
+  const CsvReader& csv() const { return csv_; }
+
+ private:
+  static bool is_comment(const std::vector<CsvCell>& row) {
+    return is_blank(row) || row.front().text.starts_with('#');
+  }
+
+  void read_header(const std::vector<CsvCell>& row) {
+    double ignored = 0.0;
+    if (parse_number(row.front().text, ignored)) {
+      csv_.refuse(1, fmt::format("'{}' where a header line should be; for a file without one, name "
+                                 "its {} columns in the mapping: 'columns: [time_s, …]'",
+                                 row.front().text, row.size()));
+    }
+    if (row.size() == 1 && mapping_.separator == ',' &&
+        row.front().text.find_first_of(";\t") != std::string_view::npos) {
+      csv_.refuse(1,
+                  "one single column; is it separated by semicolons or tabs? Say so in the "
+                  "mapping: 'separator: \";\"' or 'separator: tab'");
+    }
+    for (const CsvCell& cell : row) {
+      names_.emplace_back(cell.text);
+    }
+  }
+
+  const ImportMapping& mapping_;
+  CsvReader csv_;
+  std::vector<std::string> names_;
+};
+
+struct Column {
+  std::size_t index = 0;
+  double sign = 1.0;
+  bool present = true;
+};
+
+Column column_of(const LogFile& file, const std::string& name) {
+  if (!file.has(name) && name.starts_with('-')) {
+    return {file.find(name.substr(1)), -1.0, true};
+  }
+  return {file.find(name), 1.0, true};
+}
+
+std::vector<Column> columns_of(const LogFile& file, const WantedColumns& wanted) {
+  std::vector<Column> columns;
+  for (const std::string& name : wanted.names) {
+    columns.push_back(column_of(file, name));
+  }
+  const bool all = std::all_of(wanted.optional.begin(), wanted.optional.end(),
+                               [&](const std::string& name) { return file.has(name); });
+  for (const std::string& name : wanted.optional) {
+    columns.push_back(all ? column_of(file, name) : Column{0, 1.0, false});
+  }
+  return columns;
+}
+
+/// Why a row can't be read; empty where it was.
+std::string read_row(const LogFile& file, const std::vector<CsvCell>& row,
+                     const std::vector<Column>& columns, std::vector<double>& values) {
+  values.clear();
+  for (const Column& column : columns) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (column.present) {
+      if (column.index >= row.size()) {
+        return fmt::format("line {}: {} cells; expected {}", file.csv().line(), row.size(),
+                           file.names().size());
+      }
+      const CsvCell& cell = row[column.index];
+      if (!is_missing(cell.text) && !file.parse(cell.text, value)) {
+        return fmt::format("line {}, column '{}': '{}' is no number", file.csv().line(),
+                           file.names()[column.index], cell.text);
+      }
+    }
+    values.push_back(column.sign * value);
+  }
+  return {};
+}
+
+}  // namespace
+
+LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& mapping,
+                        const WantedColumns& wanted, RunReport& report) {
+  LogFile file(path, mapping);
+  const std::vector<Column> columns = columns_of(file, wanted);
+  const std::size_t label = wanted.label.empty() ? 0 : file.find(wanted.label);
+  LogTable table;
+  table.file = path.string();
+  table.columns.resize(columns.size());
+  std::vector<CsvCell> row;
+  std::vector<double> values;
+  std::size_t bad = 0;
+  std::string first_bad;
+  while (file.next(row)) {
+    std::string reason = read_row(file, row, columns, values);
+    if (reason.empty() && !wanted.label.empty() && label >= row.size()) {
+      reason = fmt::format("line {}: no cell '{}'", file.csv().line(), wanted.label);
+    }
+    if (!reason.empty()) {
+      first_bad = bad++ == 0 ? reason : first_bad;
+      continue;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      table.columns[i].push_back(values[i]);
+    }
+    table.lines.push_back(file.csv().line());
+    if (!wanted.label.empty()) {
+      table.labels.emplace_back(row[label].text);
+    }
+  }
+  const auto most_bad = static_cast<std::size_t>(kMostBadRows * double(table.row_count() + bad));
+  if (bad > std::max(most_bad, kBadRowsAlwaysLeftOut)) {
+    throw InputError(fmt::format("{}: {} of {} rows can't be read; first {}", table.file, bad,
+                                 table.row_count() + bad, first_bad));
+  }
+  if (bad > 0) {
+    report.note("rows left out that can't be read",
+                fmt::format("{}: {}", path.filename().string(), first_bad),
+                static_cast<std::int64_t>(bad));
+  }
+  if (table.row_count() == 0) {
+    throw InputError(fmt::format("{}: no rows below the header", table.file));
+  }
+  return table;
+}
+
+std::vector<std::string> log_columns(const std::filesystem::path& path,
+                                     const ImportMapping& mapping) {
+  return LogFile(path, mapping).names();
+}
+
+}  // namespace limber

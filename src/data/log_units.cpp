@@ -1,0 +1,68 @@
+#include "limber/data/log_units.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+struct Unit {
+  const char* name;
+  char kind;
+  double size;  // in the kind's first unit
+};
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr Unit kUnits[] = {{"m", 'l', 1.0},     {"cm", 'l', 1e-2},       {"mm", 'l', 1e-3},
+                           {"in", 'l', 0.0254}, {"rad", 'a', 1.0},       {"deg", 'a', kPi / 180.0},
+                           {"s", 't', 1.0},     {"ms", 't', 1e-3},       {"us", 't', 1e-6},
+                           {"min", 't', 60.0},  {"kPa", 'p', 1.0},       {"Pa", 'p', 1e-3},
+                           {"mbar", 'p', 0.1},  {"hPa", 'p', 0.1},       {"bar", 'p', 100.0},
+                           {"MPa", 'p', 1e3},   {"psi", 'p', kKpaPerPsi}};
+constexpr double kLogRatioTolerance = 0.34;  // a factor of 1.4 either way
+
+const Unit* find(const std::string& name) {
+  for (const Unit& unit : kUnits) {
+    if (name == unit.name) {
+      return &unit;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<double> unit_factor(const std::string& from, const std::string& to) {
+  if (from == to) {
+    return 1.0;
+  }
+  const Unit* a = find(from);
+  const Unit* b = find(to);
+  if (a == nullptr || b == nullptr || a->kind != b->kind) {
+    return std::nullopt;
+  }
+  return a->size / b->size;
+}
+
+std::string unit_suspicion(double ratio, const std::string& unit) {
+  const Unit* given = find(unit);
+  if (given == nullptr || !(ratio > 0.0)) {
+    return {};
+  }
+  const Unit* best = nullptr;
+  double least = kLogRatioTolerance;
+  for (const Unit& other : kUnits) {
+    const double mismatch = std::abs(std::log(ratio * other.size / given->size));
+    if (other.kind == given->kind && mismatch < least) {
+      best = &other;
+      least = mismatch;
+    }
+  }
+  return best == nullptr || best == given ? std::string() : fmt::format("is it in {}?", best->name);
+}
+
+}  // namespace limber

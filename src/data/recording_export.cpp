@@ -1,0 +1,286 @@
+#include "limber/data/recording_export.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/random_stream.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kPlateHeight_m = 0.05;   // above the floor of the motion capture
+constexpr double kMarkerToSide_m = 0.02;  // from the plate's middle
+
+std::string column_name(const Recording& recording, const char* what, int segment) {
+  return recording.command.is_pressure_kpa() ? fmt::format("{}_{}_kpa", what, segment + 1)
+                                             : fmt::format("{}_{}", what, segment + 1);
+}
+
+const char* measured_word(const Recording& recording) {
+  return recording.command.is_pressure_kpa() ? "pressure" : "command";
+}
+
+std::string command_header(const Recording& recording) {
+  std::string text;
+  for (const char* what : {measured_word(recording), "setpoint"}) {
+    for (int i = 0; i < recording.segment_count; ++i) {
+      text += "," + column_name(recording, what, i);
+    }
+  }
+  return text;
+}
+
+std::string command_cells(const Episode& episode, Eigen::Index t) {
+  std::string text;
+  for (const FrameMatrix* values : {&episode.pressure_kpa, &episode.setpoint_kpa}) {
+    for (const float value : values->row(t)) {
+      text += fmt::format(",{:.9g}", value);
+    }
+  }
+  return text;
+}
+
+std::string command_mapping(const Recording& recording) {
+  std::string text =
+      recording.command.is_pressure_kpa() ? "pressures:\n  unit: kPa\n" : "commands:\n";
+  for (const auto& [key, what] :
+       {std::pair{"columns", measured_word(recording)}, std::pair{"setpoints", "setpoint"}}) {
+    text += fmt::format("  {}: [", key);
+    for (int i = 0; i < recording.segment_count; ++i) {
+      text += (i > 0 ? ", " : "") + column_name(recording, what, i);
+    }
+    text += "]\n";
+  }
+  return text;
+}
+
+constexpr const char* kMappingHead =
+    "# Written by limber export; docs/importing.md describes it.\n"
+    "schema: limber/import/1\n"
+    "time: {column: time_s, unit: s}\n";
+
+bool is_tracked(const Episode& episode, Eigen::Index t) {
+  return episode.tracked.empty() || episode.tracked[static_cast<std::size_t>(t)] != 0;
+}
+
+fs::path write(const fs::path& path, const std::string& text) {
+  write_file_atomically(path, text);
+  return path;
+}
+
+/// The motion of one episode as a tracker would log it.
+class MotionLog {
+ public:
+  MotionLog(const Recording& recording, std::size_t index, const LogExportSettings& settings)
+      : recording_(recording),
+        episode_(recording.episodes[index]),
+        settings_(settings),
+        random_(settings.seed, index) {
+    const double length_s = episode_.time_s.tail<1>()[0] - episode_.time_s[0];
+    for (int k = 0; k < settings.occlusions; ++k) {
+      const double from = episode_.time_s[0] + random_.uniform() * length_s;
+      const int plate =
+          static_cast<int>(random_.index(static_cast<std::uint32_t>(recording.point_count)));
+      hidden_.push_back({plate, from, from + settings.occlusion_s});
+    }
+  }
+
+  std::string text() {
+    std::string text = head();
+    const double rate_hz = settings_.rate_hz > 0.0 ? settings_.rate_hz : recording_.rate_hz;
+    const double length_s = episode_.time_s.tail<1>()[0] - episode_.time_s[0];
+    const auto rows = static_cast<Eigen::Index>(length_s * rate_hz + 1e-6) + 1;
+    for (Eigen::Index k = 0; k < rows; ++k) {
+      const double time_s = episode_.time_s[0] + double(k) / rate_hz;
+      text += fmt::format("{},{:.6f}{}\n", k, time_s, cells(time_s));
+    }
+    return text;
+  }
+
+ private:
+  struct Hidden {
+    int plate;
+    double from_s;
+    double to_s;
+  };
+
+  std::string head() const {
+    const int m = recording_.point_count;
+    std::string types, names, ids, components, axes;
+    const auto object = [&](const std::string& type, const std::string& name, int number,
+                            const std::vector<std::pair<const char*, const char*>>& columns) {
+      for (const auto& [component, axis] : columns) {
+        types += "," + type;
+        names += "," + name;
+        ids += fmt::format(",{}", number);
+        components += fmt::format(",{}", component);
+        axes += fmt::format(",{}", axis);
+      }
+    };
+    for (int p = 0; p < m; ++p) {
+      if (settings_.markers) {
+        for (const char* side : {"Right", "Left"}) {
+          object("Marker", fmt::format("Arm:{}{:02}", side, p), 2 * p + (side[0] == 'L'),
+                 {{"Position", "X"}, {"Position", "Y"}, {"Position", "Z"}});
+        }
+      } else {
+        object("Rigid Body", fmt::format("Plate{:02}", p), p,
+               {{"Rotation", "X"},
+                {"Rotation", "Y"},
+                {"Rotation", "Z"},
+                {"Rotation", "W"},
+                {"Position", "X"},
+                {"Position", "Y"},
+                {"Position", "Z"}});
+      }
+    }
+    const double rate_hz = settings_.rate_hz > 0.0 ? settings_.rate_hz : recording_.rate_hz;
+    return fmt::format(
+        "Format Version,1.23,Take Name,{0},Capture Frame Rate,{1:.6f},Export Frame Rate,{1:.6f},"
+        "Rotation Type,Quaternion,Length Units,Meters,Coordinate "
+        "Space,Global\n\n,{2}\n,{3}\n,{4}\n,"
+        "{5}\nFrame,Time (Seconds){6}\n",
+        "limber export", rate_hz, types, names, ids, components, axes);
+  }
+
+  bool is_hidden(int plate, double time_s) const {
+    return std::any_of(hidden_.begin(), hidden_.end(), [&](const Hidden& h) {
+      return h.plate == plate && time_s >= h.from_s && time_s < h.to_s;
+    });
+  }
+
+  std::string cells(double time_s) {
+    const double* begin = episode_.time_s.data();
+    const Eigen::Index last = episode_.time_s.size() - 1;
+    const auto after =
+        std::clamp<Eigen::Index>(std::upper_bound(begin, begin + last + 1, time_s) - begin,
+                                 std::min<Eigen::Index>(1, last), last);
+    const Eigen::Index before = std::max<Eigen::Index>(after - 1, 0);
+    const double step = episode_.time_s[after] - episode_.time_s[before];
+    const double part = step > 0.0 ? (time_s - episode_.time_s[before]) / step : 0.0;
+    constexpr double kOnFrame = 1e-9;
+    const bool seen = (part > 1.0 - kOnFrame || is_tracked(episode_, before)) &&
+                      (part < kOnFrame || is_tracked(episode_, after));
+    const Eigen::RowVectorXd poses = (1.0 - part) * episode_.backbone.row(before).cast<double>() +
+                                     part * episode_.backbone.row(after).cast<double>();
+    std::string text;
+    for (int p = 0; p < recording_.point_count; ++p) {
+      // Drawn whether seen or not: an occlusion changes nothing else.
+      const double x = poses[3 * p] + settings_.noise_m * random_.normal();
+      const double y = poses[3 * p + 1] + settings_.noise_m * random_.normal();
+      const double theta = poses[3 * p + 2] + settings_.noise_rad * random_.normal();
+      text += plate_cells(x, y, theta, seen && !is_hidden(p, time_s));
+    }
+    return text;
+  }
+
+  /// Motive's own axes, y up: a point (x, y) of the plane lies at (x, height, −y).
+  std::string plate_cells(double x, double y, double theta, bool seen) const {
+    if (settings_.markers) {
+      std::string text;
+      for (const double side : {-kMarkerToSide_m, kMarkerToSide_m}) {
+        text += seen ? fmt::format(",{:.7f},{:.7f},{:.7f}", x - side * std::sin(theta),
+                                   kPlateHeight_m, -(y + side * std::cos(theta)))
+                     : ",,,";
+      }
+      return text;
+    }
+    return seen ? fmt::format(",0,{:.7f},0,{:.7f},{:.7f},{:.7f},{:.7f}", std::sin(0.5 * theta),
+                              std::cos(0.5 * theta), x, kPlateHeight_m, -y)
+                : ",,,,,,,";
+  }
+
+  const Recording& recording_;
+  const Episode& episode_;
+  const LogExportSettings& settings_;
+  RandomStream random_;
+  std::vector<Hidden> hidden_;
+};
+
+std::string pressure_log(const Recording& recording, const Episode& episode, double offset_s) {
+  std::string text = "time_s" + command_header(recording) + "\n";
+  for (Eigen::Index t = 0; t < episode.time_s.size(); ++t) {
+    text += fmt::format("{:.6f}{}\n", episode.time_s[t] - offset_s, command_cells(episode, t));
+  }
+  return text;
+}
+
+void require_valid(const Recording& recording, const LogExportSettings& settings) {
+  const auto require = [](bool holds, const char* name, double value, const char* allowed) {
+    if (!holds) {
+      throw InputError(fmt::format("{} {}; expected {}", name, value, allowed));
+    }
+  };
+  require(settings.rate_hz == 0.0 || settings.rate_hz >= recording.rate_hz, "rate_hz",
+          settings.rate_hz, "at least the recording's rate");
+  require(settings.noise_m >= 0.0 && settings.noise_m < 1.0, "noise_m", settings.noise_m,
+          "0 to 1 m");
+  require(settings.noise_rad >= 0.0 && settings.noise_rad < 1.0, "noise_rad", settings.noise_rad,
+          "0 to 1 rad");
+  require(settings.occlusions >= 0, "occlusions", settings.occlusions, "0 or more");
+  require(settings.occlusion_s > 0.0, "occlusion_s", settings.occlusion_s, "> 0 s");
+}
+
+}  // namespace
+
+std::vector<fs::path> export_csv(const Recording& recording, const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::string header = "time_s" + command_header(recording);
+  std::string points;
+  for (int p = 0; p < recording.point_count; ++p) {
+    header += fmt::format(",x_{0}_m,y_{0}_m,theta_{0}_rad", p);
+    points +=
+        fmt::format("    - {{plate: {0}, x: x_{0}_m, y: y_{0}_m, theta: theta_{0}_rad}}\n", p);
+  }
+  header += ",motion\n";
+  for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
+    const Episode& episode = recording.episodes[e];
+    std::string text = header;
+    for (Eigen::Index t = 0; t < episode.time_s.size(); ++t) {
+      text += fmt::format("{}{}", episode.time_s[t], command_cells(episode, t));
+      for (const float value : episode.backbone.row(t)) {
+        text += is_tracked(episode, t) ? fmt::format(",{:.9g}", value) : std::string(",");
+      }
+      text += fmt::format(",{}\n", episode.motion_index[static_cast<std::size_t>(t)]);
+    }
+    files.push_back(write(folder / fmt::format("episode_{:03}.csv", e), text));
+  }
+  files.push_back(write(folder / "mapping.yaml",
+                        fmt::format("{}motion: motion\n{}backbone:\n  unit: m\n  angle_unit: rad\n"
+                                    "  points:\n{}alignment: none\n",
+                                    kMappingHead, command_mapping(recording), points)));
+  return files;
+}
+
+std::vector<fs::path> export_motive(const Recording& recording, const fs::path& folder,
+                                    const LogExportSettings& settings) {
+  require_valid(recording, settings);
+  std::vector<fs::path> files;
+  for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
+    files.push_back(write(folder / fmt::format("episode_{:03}_motive.csv", e),
+                          MotionLog(recording, e, settings).text()));
+    files.push_back(write(folder / fmt::format("episode_{:03}_pressures.csv", e),
+                          pressure_log(recording, recording.episodes[e], settings.time_offset_s)));
+  }
+  std::string points;
+  for (int p = 0; p < recording.point_count; ++p) {
+    points += settings.markers ? fmt::format(
+                                     "    - {{plate: {0}, right: 'Arm:Right{0:02}', left: "
+                                     "'Arm:Left{0:02}'}}\n",
+                                     p)
+                               : fmt::format("    - {{plate: {0}, body: Plate{0:02}}}\n", p);
+  }
+  files.push_back(write(folder / "mapping.yaml",
+                        fmt::format("{}{}backbone:\n  up: y\n  points:\n{}", kMappingHead,
+                                    command_mapping(recording), points)));
+  return files;
+}
+
+}  // namespace limber

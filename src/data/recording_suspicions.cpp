@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "limber/data/log_tracks.hpp"
+#include "log_runs.hpp"
+#include "suspicions.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kConstant = 0.02;      // of the limit (of 1 without an arm), over all episodes
+constexpr int kShortEpisode = 33;       // frames: a training window and the frame before it
+constexpr double kManyUntracked = 0.2;  // of an episode's frames
+constexpr double kRateTolerance = 0.02;
+constexpr double kBasePosition_m = 0.01;
+constexpr double kBaseHeading_rad = 0.1;
+constexpr double kLongestGap = 1.2;   // between plates, over the length at rest
+constexpr double kShortestGap = 0.5;  // an arc of 3.8 rad within one gap
+constexpr double kSamePlace_m = 1e-6;
+
+void look_at_arm(const Recording& recording, const ArmDescription& arm, Suspicions& suspicions) {
+  const bool other_name = recording.arm_name != arm.name;
+  const bool other_hash = recording.arm_hash != arm.hash();
+  if (other_hash) {
+    suspicions.add(other_name ? "recorded with another arm: train and evaluate refuse it"
+                              : "recorded with this arm before its file was changed",
+                   0, 0,
+                   fmt::format("'{}' ({}), not '{}' ({})", recording.arm_name, recording.arm_hash,
+                               arm.name, arm.hash()));
+  }
+}
+
+void look_at_constant_commands(const Recording& recording, const ArmDescription* arm,
+                               Suspicions& suspicions) {
+  for (Eigen::Index i = 0; i < recording.segment_count; ++i) {
+    float lowest = std::numeric_limits<float>::max();
+    float highest = std::numeric_limits<float>::lowest();
+    for (const Episode& episode : recording.episodes) {
+      lowest = std::min(lowest, episode.pressure_kpa.col(i).minCoeff());
+      highest = std::max(highest, episode.pressure_kpa.col(i).maxCoeff());
+    }
+    const double limit =
+        arm != nullptr ? arm->segments[static_cast<std::size_t>(i)].pressure_limit_kpa : 1.0;
+    if (double(highest) - double(lowest) < kConstant * limit) {
+      suspicions.add("a segment whose " + recording.command.name +
+                         " never changes: nothing can be learnt of it",
+                     0, 0,
+                     fmt::format("segment {}: {:.4g} … {:.4g} {}", i, double(lowest),
+                                 double(highest), recording.command.unit));
+    }
+  }
+}
+
+void look_at_episode(const Recording& recording, std::size_t index, Suspicions& suspicions) {
+  const Episode& episode = recording.episodes[index];
+  const int frames = episode.frame_count();
+  if (frames < kShortEpisode) {
+    suspicions.add("an episode shorter than a training window", index, 0,
+                   fmt::format("{} frames; {} make one", frames, kShortEpisode));
+  }
+  const int untracked = episode.untracked_count();
+  if (untracked == frames) {
+    suspicions.add("an episode in which the arm was never tracked", index, 0,
+                   fmt::format("{} frames", frames));
+  } else if (double(untracked) > kManyUntracked * frames) {
+    suspicions.add("an episode with many frames that were not tracked", index, 0,
+                   fmt::format("{} of {}", untracked, frames));
+  }
+  if (frames > 2) {
+    const std::vector<double> time_s(episode.time_s.begin(), episode.time_s.end());
+    const double rate_hz = median_rate_hz(time_s);
+    if (std::abs(rate_hz - recording.rate_hz) > kRateTolerance * recording.rate_hz) {
+      suspicions.add(
+          "frames at another rate than the file says", index, 0,
+          fmt::format("{:.4g} Hz by their times, {} Hz by the file", rate_hz, recording.rate_hz));
+    }
+  }
+  const auto base = episode.backbone.row(0).head<3>();
+  if (std::hypot(base[0], base[1]) > kBasePosition_m || std::abs(base[2]) > kBaseHeading_rad) {
+    suspicions.add("a base that is not the origin of the arm's frame", index, 0,
+                   fmt::format("({:.3f}, {:.3f}) m, {:.3f} rad", base[0], base[1], base[2]));
+  }
+}
+
+double median_distance_m(const Recording& recording, int plate) {
+  std::vector<double> distances;
+  for (const Episode& episode : recording.episodes) {
+    for (Eigen::Index t = 0; t < episode.backbone.rows(); ++t) {
+      const auto row = episode.backbone.row(t);
+      distances.push_back(
+          (row.segment<2>(3 * plate + 3) - row.segment<2>(3 * plate)).cast<double>().norm());
+    }
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+void look_at_distances(const Recording& recording, const ArmDescription* arm,
+                       Suspicions& suspicions) {
+  const std::vector<double> rest = arm != nullptr ? rest_positions_m(*arm) : std::vector<double>();
+  for (int plate = 0; plate + 1 < recording.point_count; ++plate) {
+    const double distance_m = median_distance_m(recording, plate);
+    const auto p = static_cast<std::size_t>(plate);
+    if (distance_m < kSamePlace_m) {
+      suspicions.add("two plates at the same place", 0, 0,
+                     fmt::format("plates {} and {}", plate, plate + 1));
+    } else if (arm != nullptr && (distance_m > kLongestGap * (rest[p + 1] - rest[p]) ||
+                                  distance_m < kShortestGap * (rest[p + 1] - rest[p]))) {
+      suspicions.add("plates whose distance is not the arm file's (another unit, order or arm?)", 0,
+                     0,
+                     fmt::format("plates {} and {}: {:.4g} m, {:.4g} m by the arm file", plate,
+                                 plate + 1, distance_m, rest[p + 1] - rest[p]));
+    }
+  }
+}
+
+}  // namespace
+
+void look_at_whole(const Recording& recording, const ArmDescription* arm, Suspicions& suspicions) {
+  if (arm != nullptr) {
+    look_at_arm(recording, *arm, suspicions);
+  }
+  look_at_constant_commands(recording, arm, suspicions);
+  for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
+    look_at_episode(recording, i, suspicions);
+  }
+  look_at_distances(recording, arm, suspicions);
+}
+
+}  // namespace limber
