@@ -3,6 +3,7 @@
 
 #include <fmt/ranges.h>
 
+#include "file_kind.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
@@ -23,26 +24,6 @@ struct Finding {
   std::string text;
 };
 
-enum class FileKind { recording, model, plan, yaml };
-
-/// By content, never by name.
-FileKind kind_of(const std::string& content) {
-  if (content.rfind("\x89HDF\r\n", 0) == 0) {
-    return FileKind::recording;
-  }
-  constexpr std::size_t kSafetensorsHeader = 8;  // its length, then JSON
-  if (content.size() > kSafetensorsHeader && content[kSafetensorsHeader] == '{' &&
-      content[kSafetensorsHeader - 1] == '\0') {
-    return FileKind::model;
-  }
-  // JSON is YAML too: arms and environments may be written either way.
-  const std::size_t first = content.find_first_not_of(" \t\r\n");
-  const bool braced = first != std::string::npos && content[first] == '{';
-  const bool names_yaml_schema = content.find("limber/arm/") != std::string::npos ||
-                                 content.find("limber/environment/") != std::string::npos;
-  return braced && !names_yaml_schema ? FileKind::plan : FileKind::yaml;
-}
-
 Finding inspect_recording(const std::string& file, const std::optional<ArmDescription>& arm) {
   const Recording recording = read_recording(file);
   const RecordingInspection inspection = inspect(recording, arm ? &*arm : nullptr, file);
@@ -56,6 +37,8 @@ Finding inspect_arm(const YamlReader& root) {
   finding.json = {{"kind", "arm"},
                   {"name", arm.name},
                   {"hash", arm.hash()},
+                  {"command", {{"name", arm.command.name}, {"unit", arm.command.unit}}},
+                  {"no_load", to_string(arm.no_load)},
                   {"segments", arm.segment_count()},
                   {"points", arm.point_count()},
                   {"length_m", arm.length_m()},
@@ -63,17 +46,18 @@ Finding inspect_arm(const YamlReader& root) {
                   {"pressure_rate_limit_kpa_per_s", arm.pressure_rate_limit_kpa_per_s}};
   finding.text = fmt::format(
       "arm '{}', hash {}\n  {} segments, {} plates, {:.3f} m long, {} Hz, "
-      "at most {} kPa/s",
+      "at most {} {}/s",
       arm.name, arm.hash(), arm.segment_count(), arm.point_count(), arm.length_m(),
-      arm.frame_rate_hz, arm.pressure_rate_limit_kpa_per_s);
+      arm.frame_rate_hz, arm.pressure_rate_limit_kpa_per_s, arm.command.unit);
   for (int i = 0; i < arm.segment_count(); ++i) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
     const SegmentShape full = model.segment_shape(i, segment.pressure_limit_kpa);
     const double turn_rad = std::abs(full.curvature_per_m) * full.length_m;
     finding.json["full_bend_rad"].push_back(turn_rad);
-    finding.text += fmt::format(
-        "\n  segment {}: {} m long, {} m wide, {} gaps, ± {} kPa bends it by {:.2f} rad", i,
-        segment.length_m, segment.width_m, segment.gaps, segment.pressure_limit_kpa, turn_rad);
+    finding.text +=
+        fmt::format("\n  segment {}: {} m long, {} m wide, {} gaps, ± {} {} bends it by {:.2f} rad",
+                    i, segment.length_m, segment.width_m, segment.gaps, segment.pressure_limit_kpa,
+                    arm.command.unit, turn_rad);
   }
   return finding;
 }

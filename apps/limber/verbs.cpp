@@ -7,6 +7,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs() {
   verbs.push_back(make_demo_verb());
   verbs.push_back(make_characterize_verb());
   verbs.push_back(make_collect_verb());
+  verbs.push_back(make_import_verb());
   verbs.push_back(make_inspect_verb());
   verbs.push_back(make_train_verb());
   verbs.push_back(make_evaluate_verb());
@@ -16,6 +17,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs() {
   verbs.push_back(make_verify_verb());
   verbs.push_back(make_execute_verb());
   verbs.push_back(make_experiment_verb());
+  verbs.push_back(make_export_verb());
   verbs.push_back(make_doctor_verb());
   return verbs;
 }

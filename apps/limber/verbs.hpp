@@ -21,6 +21,8 @@ std::unique_ptr<Verb> make_plan_verb();
 std::unique_ptr<Verb> make_execute_verb();
 std::unique_ptr<Verb> make_experiment_verb();
 std::unique_ptr<Verb> make_verify_verb();
+std::unique_ptr<Verb> make_export_verb();
+std::unique_ptr<Verb> make_import_verb();
 std::unique_ptr<Verb> make_inspect_verb();
 std::unique_ptr<Verb> make_characterize_verb();
 

@@ -1,0 +1,190 @@
+#include <filesystem>
+#include <functional>
+
+#include "file_kind.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/yaml_reader.hpp"
+#include "limber/data/recording_export.hpp"
+#include "limber/hardware/mjcf.hpp"
+#include "limber/network/onnx_export.hpp"
+#include "limber/planning/plan.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kReferenceQueries = 100;
+
+class ExportVerb final : public Verb {
+ public:
+  const char* name() const override { return "export"; }
+  const char* summary() const override {
+    return "What a file holds, for other programs: CSV, Motive's CSV, ONNX, MuJoCo's XML";
+  }
+  const char* example() const override {
+    return "limber export arms/three_segment.yaml --mjcf arm.xml\n"
+           "  limber export train.h5 --motive logs --time-offset-s 12.5 --noise-m 0.0005 "
+           "--occlusions 20\n"
+           "  limber export model.safetensors --onnx model.onnx";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("file", file_, "Recording, model, plan or arm")->required();
+    app.add_option("--csv", csv_,
+                   "Folder for tables: a recording's episodes, a plan's set points and shapes, a "
+                   "model's reference queries");
+    app.add_option(
+        "--motive", motive_,
+        "Folder for a recording as OptiTrack Motive would have logged it, pressures apart");
+    app.add_option("--onnx", onnx_, "File for a model's network with its normalisation");
+    app.add_option("--mjcf", mjcf_, "File for an arm's chain as MuJoCo's XML");
+    const char* group = "With --motive";
+    app.add_option("--rate-hz", settings_.rate_hz, "Rows a second; the recording's by default")
+        ->group(group);
+    app.add_option("--time-offset-s", settings_.time_offset_s,
+                   "What import has to add to the pressure log's times")
+        ->group(group);
+    app.add_option("--noise-m", settings_.noise_m, "Noise of positions, standard deviation")
+        ->group(group);
+    app.add_option("--noise-rad", settings_.noise_rad, "Noise of headings")->group(group);
+    app.add_option("--occlusions", settings_.occlusions, "Times in each episode a plate is hidden")
+        ->group(group);
+    app.add_option("--occlusion-s", settings_.occlusion_s, "For how long")
+        ->group(group)
+        ->capture_default_str();
+    app.add_flag("--markers", settings_.markers, "Two markers a plate instead of rigid bodies")
+        ->group(group);
+  }
+
+  int run(const CommonFlags& flags) override {
+    if (csv_.empty() && motive_.empty() && onnx_.empty() && mjcf_.empty()) {
+      throw InputError(
+          "expected at least one of --csv DIR, --motive DIR, --onnx FILE, --mjcf FILE");
+    }
+    settings_.seed = flags.seed;
+    for (const std::string& path : {onnx_, mjcf_}) {
+      if (!path.empty()) {
+        refuse_to_overwrite(path, flags.force);
+      }
+    }
+    for (const std::string& folder : {csv_, motive_}) {
+      if (!folder.empty()) {
+        refuse_to_fill(folder, flags.force);
+      }
+    }
+    export_by_kind();
+    std::string text;
+    nlohmann::ordered_json json = {{"file", file_}, {"written", nlohmann::ordered_json::array()}};
+    for (const fs::path& path : written_) {
+      json["written"].push_back(path.string());
+      text += (text.empty() ? "" : "\n") + path.string();
+    }
+    print_result(flags, json, text);
+    return kExitDone;
+  }
+
+ private:
+  static void refuse_to_fill(const fs::path& folder, bool force) {
+    std::error_code error;
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
+      throw InputError(fmt::format("{}: is a file; expected a folder", folder.string()));
+    }
+    if (!force && fs::exists(folder, error) && !fs::is_empty(folder, error)) {
+      throw InputError(
+          fmt::format("{}: the folder is not empty; --force writes into it", folder.string()));
+    }
+  }
+
+  void export_by_kind() {
+    switch (kind_of(read_file(file_))) {
+      case FileKind::recording:
+        require_only(csv_, motive_, "a recording", "--csv or --motive");
+        export_recording();
+        break;
+      case FileKind::model:
+        require_only(csv_, onnx_, "a model", "--csv or --onnx");
+        export_model();
+        break;
+      case FileKind::plan:
+        require_only(csv_, csv_, "a plan", "--csv");
+        export_plan();
+        break;
+      default:
+        require_only(mjcf_, mjcf_, "an arm", "--mjcf");
+        export_arm();
+    }
+  }
+
+  void require_only(const std::string& one, const std::string& other, const char* kind,
+                    const char* allowed) const {
+    for (const std::string* given : {&csv_, &motive_, &onnx_, &mjcf_}) {
+      if (!given->empty() && given != &one && given != &other) {
+        throw InputError(fmt::format("{}: {}; expected {}", file_, kind, allowed));
+      }
+    }
+  }
+
+  void export_recording() {
+    const Recording recording = read_recording(file_);
+    if (!csv_.empty()) {
+      add(export_csv(recording, csv_));
+    }
+    if (!motive_.empty()) {
+      add(export_motive(recording, motive_, settings_));
+    }
+  }
+
+  void export_model() {
+    const CompensationModel model = read_model(file_);
+    if (!onnx_.empty()) {
+      write_onnx(onnx_, model);
+      add({onnx_});
+    }
+    if (!csv_.empty()) {
+      const fs::path path = fs::path(csv_) / "reference_queries.csv";
+      write_file_atomically(path, reference_queries_csv(model, kReferenceQueries, settings_.seed));
+      add({path});
+    }
+  }
+
+  void export_plan() {
+    const Plan plan = read_plan(file_);
+    const fs::path setpoints = fs::path(csv_) / "setpoints.csv";
+    const fs::path shapes = fs::path(csv_) / "backbones.csv";
+    fs::create_directories(csv_);
+    write_setpoints_csv(setpoints, plan);
+    write_backbones_csv(shapes, plan);
+    add({setpoints, shapes});
+  }
+
+  void export_arm() {
+    const ArmDescription arm = load_arm(file_);
+    require_pressure_driven(arm, "the virtual arm");
+    write_file_atomically(mjcf_, chain_mjcf(arm, arm.virtual_arm.time_step_s));
+    add({mjcf_});
+  }
+
+  void add(const std::vector<fs::path>& files) {
+    written_.insert(written_.end(), files.begin(), files.end());
+  }
+
+  std::string file_;
+  std::string csv_;
+  std::string motive_;
+  std::string onnx_;
+  std::string mjcf_;
+  LogExportSettings settings_;
+  std::vector<fs::path> written_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_export_verb() {
+  return std::make_unique<ExportVerb>();
+}
+
+}  // namespace limber

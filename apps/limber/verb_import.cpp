@@ -1,0 +1,97 @@
+#include <filesystem>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/data/log_import.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+class ImportVerb final : public Verb {
+ public:
+  const char* name() const override { return "import"; }
+  const char* summary() const override {
+    return "A recording from motion-capture and pressure logs";
+  }
+  const char* example() const override {
+    return "limber import motive take1.csv --pressures pressures1.csv --arm mine.yaml --out "
+           "train.h5\n"
+           "  limber import csv run1.csv run2.csv --mapping mapping.yaml --arm mine.yaml --dry-run";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("format", format_, "motive: OptiTrack's export; csv: any table, with --mapping")
+        ->required()
+        ->check(CLI::IsMember({"motive", "csv"}));
+    app.add_option("logs", logs_, "Motion logs, one a recording")->required();
+    app.add_option("--pressures", command_logs_,
+                   "Log of pressures (or the arm's other commands) on its own clock; one for each "
+                   "motion log, in the same order")
+        ->allow_extra_args(false);
+    app.add_option("--mapping", mapping_,
+                   "Which column or object is which plate, units, axes (docs/importing.md)");
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_option("--time-offset-s", time_offset_s_,
+                   "What to add to the pressure log's times; without it, found by correlation");
+    app.add_option("--out", out_, "Recording to write");
+    app.add_flag("--dry-run", dry_run_, "Report what would be dropped and changed; write nothing");
+  }
+
+  int run(const CommonFlags& flags) override {
+    if (out_.empty() == !dry_run_) {
+      throw InputError("expected either --out FILE or --dry-run");
+    }
+    if (!dry_run_) {
+      refuse_to_overwrite(out_, flags.force);
+    }
+    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    if (format_ == "csv" && mapping_.empty()) {
+      throw InputError(
+          "import csv needs --mapping MAP.yaml, which says what the columns are "
+          "(docs/importing.md)");
+    }
+    ImportOptions options;
+    options.mapping =
+        mapping_.empty() ? default_import_mapping(arm) : read_import_mapping(mapping_, arm);
+    options.command_logs.assign(command_logs_.begin(), command_logs_.end());
+    options.time_offset_s = time_offset_s_;
+    const std::vector<std::filesystem::path> logs(logs_.begin(), logs_.end());
+    const ImportResult result =
+        format_ == "motive" ? import_motive(logs, options, arm) : import_csv(logs, options, arm);
+    if (!dry_run_) {
+      write_recording(out_, result.recording);
+    }
+    report(flags, result);
+    return kExitDone;
+  }
+
+ private:
+  void report(const CommonFlags& flags, const ImportResult& result) const {
+    nlohmann::ordered_json json;
+    json["file"] = dry_run_ ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(out_);
+    json["arm"] = result.recording.arm_name;
+    json.update(to_json(result.report));
+    print_result(flags, json,
+                 to_text(result.report) + (dry_run_ ? ". Nothing was written" : " in " + out_));
+  }
+
+  std::string format_;
+  std::vector<std::string> logs_;
+  std::vector<std::string> command_logs_;
+  std::string mapping_;
+  std::string arm_ = "three_segment";
+  std::optional<double> time_offset_s_;
+  std::string out_;
+  bool dry_run_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_import_verb() {
+  return std::make_unique<ImportVerb>();
+}
+
+}  // namespace limber
