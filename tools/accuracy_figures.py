@@ -43,8 +43,8 @@ ROWS = {
     "best_0.6h": ("best", "three_segment", ["transitions"], 200, [1, 2, 3], True),
     "best_1h": ("best", "three_segment", ["transitions", "short_24min"], 150, [1], True),
     "best_2h": ("best", "three_segment", TWO_HOURS, 100, [1, 2, 3], True),
-    "best_5h": ("best", "three_segment", FIVE_HOURS, 60, [1, 2, 3], True),
-    "best_10h": ("best", "three_segment", [*FIVE_HOURS, "short_5h"], 40, [1, 2, 3], True),
+    "best_5h": ("best", "three_segment", FIVE_HOURS, 60, [1], True),
+    "best_10h": ("best", "three_segment", [*FIVE_HOURS, "short_5h"], 30, [1, 2, 3], True),
     "two_segment": ("best", "two_segment", ["two_transitions", "two_short"], 100, [1], False),
     "five_segment": ("best", "five_segment", ["five_transitions", "five_short"], 100, [1], False),
 }
