@@ -67,7 +67,6 @@ DemoRecipe quick_recipe(const ArmDescription& arm) {
   set_epoch_count(recipe.training, 200);
   recipe.bench_queries = 100'000;
   recipe.plans_per_environment = 1;
-  recipe.planning_time_limit_s = 2.0;
   return recipe;
 }
 

@@ -21,7 +21,9 @@ struct DemoRecipe {
   std::vector<std::string> environments;  ///< names of files in environments/; for the paper's arm
   int random_environments = 3;            ///< for any other arm, for which none are drawn up
   int plans_per_environment = 3;          ///< of each model, each by its own seed
-  double planning_time_limit_s = 5.0;
+  /// Short: the longer a plan is improved, the more it makes of the model's error. On the demo's
+  /// arm, 0.2, 1 and 5 s of planning end 3.1, 4.1 and 5.4 cm off on average when executed.
+  double planning_time_limit_s = 0.5;
   /// Clearance asked of every plan, of both models alike: the model's error eats it up.
   double margin_m = 0.005;
 };
