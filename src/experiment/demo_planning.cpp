@@ -1,12 +1,12 @@
 // The demo's stages from the trained model to executed plans.
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cassert>
 
 #include <fmt/format.h>
 
+#include "common/job_arena.hpp"
 #include "demo_stages.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
@@ -50,11 +50,6 @@ std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
   return cases;
 }
 
-int thread_count(const DemoResults& results) {
-  return results.settings->jobs > 0 ? results.settings->jobs
-                                    : tbb::this_task_arena::max_concurrency();
-}
-
 /// Every trial of every environment with both models, in the order of DemoResults::trials.
 struct TrialTask {
   const EnvironmentCase* environment;
@@ -96,7 +91,7 @@ void plan_stage(DemoResults& results) {
   const std::vector<TrialTask> tasks = all_tasks(results);
   results.trials.resize(tasks.size());
   Progress progress("planning", "plans", tasks.size(), results.settings->progress);
-  tbb::task_arena arena(thread_count(results));
+  JobArena arena(results.settings->jobs);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
       const TrialTask& task = tasks[i];
@@ -121,7 +116,7 @@ void plan_stage(DemoResults& results) {
 }
 
 void execute_stage(DemoResults& results) {
-  tbb::task_arena arena(thread_count(results));
+  JobArena arena(results.settings->jobs);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, results.trials.size(), [&](std::size_t i) {
       PlanTrial& trial = results.trials[i];

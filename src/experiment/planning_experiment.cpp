@@ -1,7 +1,6 @@
 #include "limber/experiment/planning_experiment.hpp"
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cctype>
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/job_arena.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
@@ -181,8 +181,7 @@ class Experiment {
     trial.margin_m = settings_.margin_m;
     trial.model_hash = model_bytes_hash_;
     Progress progress("experiment", "trials", open.size(), settings_.progress);
-    tbb::task_arena arena(settings_.jobs > 0 ? settings_.jobs
-                                             : tbb::this_task_arena::max_concurrency());
+    JobArena arena(settings_.jobs);
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
         if (!interrupt_requested()) {

@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
+
+#include "common/job_arena.hpp"
 
 namespace limber {
 
@@ -17,23 +16,18 @@ constexpr Eigen::Index kPart = 512;  // queries; about 0.1 ms, far above what ha
 }  // namespace
 
 struct ParallelForward::Threads {
-  explicit Threads(int jobs)
-      : allowance(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(std::max(jobs, tbb::info::default_concurrency()))),
-        arena(jobs) {}
-  tbb::global_control allowance;  // oneTBB would hold more jobs than cores back, with a warning
-  tbb::task_arena arena;
+  explicit Threads(int jobs) : arena(jobs) {}
+  JobArena arena;
   tbb::enumerable_thread_specific<ForwardModel::Workspace> workspaces;
 };
 
-ParallelForward::ParallelForward(int jobs)
-    : threads_(std::make_unique<Threads>(jobs > 0 ? jobs : tbb::info::default_concurrency())) {}
+ParallelForward::ParallelForward(int jobs) : threads_(std::make_unique<Threads>(jobs)) {}
 ParallelForward::~ParallelForward() = default;
 ParallelForward::ParallelForward(ParallelForward&&) noexcept = default;
 ParallelForward& ParallelForward::operator=(ParallelForward&&) noexcept = default;
 
 int ParallelForward::jobs() const {
-  return threads_->arena.max_concurrency();
+  return threads_->arena.jobs();
 }
 
 void ParallelForward::step_batch(const ForwardModel& model,

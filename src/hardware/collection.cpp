@@ -6,10 +6,9 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
+#include "common/job_arena.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -206,11 +205,7 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
                     const DriverFactory& make_driver, const std::vector<EpisodeSchedule>& schedule,
                     const Parts& parts, std::vector<std::optional<Episode>>& done) {
   Progress progress("collecting", "motions", motions_left(schedule, done), settings.progress);
-  const int jobs = settings.jobs > 0 ? settings.jobs : tbb::this_task_arena::max_concurrency();
-  // Lets --jobs exceed the number of cores without a warning from oneTBB.
-  const tbb::global_control allowance(tbb::global_control::max_allowed_parallelism,
-                                      static_cast<std::size_t>(jobs));
-  tbb::task_arena arena(jobs);
+  JobArena arena(settings.jobs);
   const auto record = [&](std::size_t i) {
     if (done[i]) {
       return;

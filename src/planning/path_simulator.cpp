@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
+
+#include "common/job_arena.hpp"
 
 namespace limber {
 
@@ -98,12 +97,8 @@ class PathSimulator::Worker {
 };
 
 struct PathSimulator::Threads {
-  explicit Threads(int jobs)
-      : allowance(tbb::global_control::max_allowed_parallelism,
-                  static_cast<std::size_t>(std::max(jobs, tbb::info::default_concurrency()))),
-        arena(jobs) {}
-  tbb::global_control allowance;  // oneTBB would hold more jobs than cores back, with a warning
-  tbb::task_arena arena;
+  explicit Threads(int jobs) : arena(jobs) {}
+  JobArena arena;
   tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers;
 };
 
@@ -112,7 +107,7 @@ PathSimulator::PathSimulator(const PlanningProblem& problem, const CollisionChec
     : problem_(problem),
       checker_(checker),
       range_(range),
-      threads_(std::make_unique<Threads>(jobs > 0 ? jobs : tbb::info::default_concurrency())) {}
+      threads_(std::make_unique<Threads>(jobs)) {}
 
 PathSimulator::~PathSimulator() = default;
 

@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "common/job_arena.hpp"
 #include "limber/common/random_stream.hpp"
 #include "training/training_kernels.hpp"
 
@@ -29,9 +30,9 @@ int windows_per_chunk(int window_frames, int windows_per_batch) {
 
 /// The arena, and a workspace for each thread in it.
 struct BatchGradient::Threads {
-  explicit Threads(int jobs) : arena(jobs > 0 ? jobs : tbb::task_arena::automatic) {}
+  explicit Threads(int jobs) : arena(jobs) {}
 
-  tbb::task_arena arena;
+  JobArena arena;
   std::vector<WindowGradient<float>> workspaces;
   std::vector<Eigen::MatrixXf> noise;
 };
@@ -48,7 +49,7 @@ BatchGradient::BatchGradient(const TrainingTables& tables, const ParameterLayout
                     Eigen::VectorXf::Zero(layout.size() * networks));
   losses_.assign(static_cast<std::size_t>(chunks) * networks_, 0.0);
   const int segments = static_cast<int>(tables.frames.pressure.rows());
-  for (int thread = 0; thread < threads_->arena.max_concurrency(); ++thread) {
+  for (int thread = 0; thread < threads_->arena.jobs(); ++thread) {
     threads_->workspaces.emplace_back(layout, tables.map, segments, window_frames,
                                       windows_per_chunk_);
     threads_->noise.emplace_back(tables.frames.state.rows(), windows_per_chunk_);

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace limber {
+
+/// `--jobs`: a oneTBB arena of that many threads, 0 for one a core, more than there are cores where
+/// that is asked for.
+class JobArena {
+ public:
+  explicit JobArena(int jobs)
+      : allowance_(tbb::global_control::max_allowed_parallelism,
+                   static_cast<std::size_t>(std::max(count(jobs), count(0)))),
+        arena_(count(jobs)) {}
+
+  int jobs() const { return arena_.max_concurrency(); }
+
+  template <class Work>
+  void execute(Work&& work) {
+    arena_.execute(work);
+  }
+
+ private:
+  static int count(int jobs) { return jobs > 0 ? jobs : tbb::info::default_concurrency(); }
+
+  tbb::global_control allowance_;  // oneTBB would hold more jobs than cores back, with a warning
+  tbb::task_arena arena_;
+};
+
+}  // namespace limber
