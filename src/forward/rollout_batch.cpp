@@ -11,6 +11,16 @@ constexpr Eigen::Index kFirstCapacity = 64;
 
 }  // namespace
 
+void motion_setpoint(const Eigen::Ref<const Pressures>& from_kpa,
+                     const Eigen::Ref<const Pressures>& to_kpa, int k, int count,
+                     Eigen::Ref<Pressures> setpoint_kpa) {
+  if (k == count) {
+    setpoint_kpa = to_kpa;
+  } else {
+    setpoint_kpa = from_kpa + (to_kpa - from_kpa) * (static_cast<float>(k) / float(count));
+  }
+}
+
 RolloutBatch::RolloutBatch(const ForwardModel& model) : model_(model) {
   for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &before_kpa_, &now_kpa_}) {
     m->resize(model.segment_count(), 0);
@@ -48,12 +58,7 @@ void RolloutBatch::step() {
     Motion& motion = motions_[static_cast<std::size_t>(c)];
     assert(motion.frame < motion.frames);
     ++motion.frame;
-    if (motion.frame == motion.frames) {
-      now_kpa_.col(c) = to_kpa_.col(c);
-    } else {
-      const float share = static_cast<float>(motion.frame) / static_cast<float>(motion.frames);
-      now_kpa_.col(c) = from_kpa_.col(c) + (to_kpa_.col(c) - from_kpa_.col(c)) * share;
-    }
+    motion_setpoint(from_kpa_.col(c), to_kpa_.col(c), motion.frame, motion.frames, now_kpa_.col(c));
   }
   model_.step_batch(before_kpa_.leftCols(size()), now_kpa_.leftCols(size()),
                     before_.leftCols(size()), now_.leftCols(size()), workspace_);

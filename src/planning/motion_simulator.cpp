@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace limber {
 
@@ -24,15 +23,6 @@ int motion_frame_count(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
                        double step_limit_kpa) {
   const double largest = double((to_kpa - from_kpa).lpNorm<Eigen::Infinity>());
   return std::max(1, static_cast<int>(std::ceil(largest / step_limit_kpa - kRoundingFrames)));
-}
-
-void motion_setpoint(const PressuresRef& from_kpa, const PressuresRef& to_kpa, int k, int count,
-                     Eigen::Ref<Pressures> setpoint_kpa) {
-  if (k == count) {
-    setpoint_kpa = to_kpa;
-  } else {
-    setpoint_kpa = from_kpa + (to_kpa - from_kpa) * (static_cast<float>(k) / float(count));
-  }
 }
 
 double motion_cost_kpa(const PressuresRef& from_kpa, const PressuresRef& to_kpa) {
@@ -118,55 +108,36 @@ void MotionSimulator::append_hold(int count, std::vector<PlanFrame>& frames) {
   }
 }
 
-void MotionBatch::run(MotionSimulator& simulator, const Eigen::Ref<const Eigen::MatrixXf>& from_kpa,
+void MotionBatch::run(const Eigen::Ref<const Eigen::MatrixXf>& from_kpa,
                       const Eigen::Ref<const Eigen::MatrixXf>& from,
                       const Eigen::Ref<const Eigen::MatrixXf>& to_kpa) {
-  const int motions = static_cast<int>(from_kpa.cols());
-  point_count_ = static_cast<int>(from.rows()) / 3;
-  frame_counts_.resize(static_cast<std::size_t>(motions));
+  const auto motions = static_cast<int>(from_kpa.cols());
+  frames_.resize(static_cast<std::size_t>(motions));
+  rollouts_.clear();
   for (int j = 0; j < motions; ++j) {
-    frame_counts_[static_cast<std::size_t>(j)] = motion_frame_count(
-        from_kpa.col(j), to_kpa.col(j), simulator.arm().pressure_step_limit_kpa());
+    const int frames = motion_frame_count(from_kpa.col(j), to_kpa.col(j),
+                                          simulator_.arm().pressure_step_limit_kpa());
+    Eigen::MatrixXf& kept = frames_[static_cast<std::size_t>(j)];
+    kept.resize(from.rows(), frames + 1);
+    kept.col(0) = from.col(j);
+    rollouts_.add(j, from_kpa.col(j), frame(j, 0), to_kpa.col(j), frames);
   }
-  std::vector<int> order(static_cast<std::size_t>(motions));
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return frame_count(a) > frame_count(b); });
-  columns_.resize(order.size());
-  const int longest = motions == 0 ? 0 : frame_count(order.front());
-  frames_.resize(static_cast<std::size_t>(longest) + 1);
-  for (Eigen::MatrixXf& frame : frames_) {
-    frame.resize(from.rows(), motions);
-  }
-  previous_kpa_.resize(from_kpa.rows(), motions);
-  current_kpa_.resize(from_kpa.rows(), motions);
-  for (int c = 0; c < motions; ++c) {
-    const int j = order[static_cast<std::size_t>(c)];
-    columns_[static_cast<std::size_t>(j)] = c;
-    frames_[0].col(c) = from.col(j);
-    previous_kpa_.col(c) = from_kpa.col(j);
-  }
-  int moving = motions;
-  for (int k = 1; k <= longest; ++k) {
-    while (frame_count(order[static_cast<std::size_t>(moving - 1)]) < k) {
-      --moving;
+  while (rollouts_.size() > 0) {
+    simulator_.count_queries(static_cast<std::uint64_t>(rollouts_.size()));
+    rollouts_.step();
+    for (int column = rollouts_.size() - 1; column >= 0; --column) {
+      frames_[static_cast<std::size_t>(rollouts_.label(column))].col(rollouts_.frame(column)) =
+          Eigen::Map<const Eigen::VectorXf>(rollouts_.now(column).data(), from.rows());
+      if (rollouts_.has_ended(column)) {
+        rollouts_.remove(column);
+      }
     }
-    for (int c = 0; c < moving; ++c) {
-      const int j = order[static_cast<std::size_t>(c)];
-      motion_setpoint(from_kpa.col(j), to_kpa.col(j), k, frame_count(j), current_kpa_.col(c));
-    }
-    const auto index = static_cast<std::size_t>(k);
-    simulator.model().step_batch(previous_kpa_.leftCols(moving), current_kpa_.leftCols(moving),
-                                 frames_[index - 1].leftCols(moving),
-                                 frames_[index].leftCols(moving), workspace_);
-    simulator.count_queries(static_cast<std::uint64_t>(moving));
-    previous_kpa_.leftCols(moving) = current_kpa_.leftCols(moving);
   }
 }
 
 Eigen::Map<const Backbone> MotionBatch::frame(int motion, int k) const {
-  const int column = columns_[static_cast<std::size_t>(motion)];
-  return {frames_[static_cast<std::size_t>(k)].col(column).data(), point_count_, 3};
+  const Eigen::MatrixXf& kept = frames_[static_cast<std::size_t>(motion)];
+  return {kept.col(k).data(), kept.rows() / 3, 3};
 }
 
 bool MotionBatch::is_free(int motion, const CollisionChecker& checker) const {

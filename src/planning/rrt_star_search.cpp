@@ -37,7 +37,8 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
       tree_(problem.arm.segment_count(), problem.arm.point_count()),
       index_(problem.arm.segment_count()),
       new_kpa_(problem.arm.segment_count()),
-      new_backbone_(problem.arm.point_count(), 3) {
+      new_backbone_(problem.arm.point_count(), 3),
+      batch_(simulator) {
   const ArmStart start = start_state(problem.environment, problem.arm);
   tree_.add(start.pressures_kpa, start.backbone, -1, 0.0);
   index_.add(scaled(start.pressures_kpa));
@@ -100,7 +101,7 @@ void RrtStarSearch::simulate_all_candidates() {
         Eigen::Map<const Eigen::VectorXf>(tree_.backbone(node).data(), batch_backbones_.rows());
   }
   batch_to_kpa_ = new_kpa_.replicate(1, count);
-  batch_.run(simulator_, batch_kpa_, batch_backbones_, batch_to_kpa_);
+  batch_.run(batch_kpa_, batch_backbones_, batch_to_kpa_);
 }
 
 bool RrtStarSearch::edge_is_free(const Candidate& candidate) {
@@ -184,7 +185,7 @@ void RrtStarSearch::simulate_rewirings(int from) {
   for (Eigen::Index c = 0; c < count; ++c) {
     batch_to_kpa_.col(c) = tree_.pressures_kpa(rewirings_[static_cast<std::size_t>(c)]);
   }
-  batch_.run(simulator_, batch_kpa_, batch_backbones_, batch_to_kpa_);
+  batch_.run(batch_kpa_, batch_backbones_, batch_to_kpa_);
 }
 
 void RrtStarSearch::rewire(int from, const PlannerBudget& budget) {

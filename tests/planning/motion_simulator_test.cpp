@@ -98,8 +98,8 @@ TEST(MotionSimulator, CheckedUncheckedRecordedAndBatchedMotionsAgreeToTheBit) {
     EXPECT_EQ(checked, frames.back().backbone);
     ends.push_back(checked);
   }
-  MotionBatch batch;
-  batch.run(simulator, from_kpa, from, to.replicate(1, kMotions));
+  MotionBatch batch(simulator);
+  batch.run(from_kpa, from, to.replicate(1, kMotions));
   for (int j = 0; j < kMotions; ++j) {
     EXPECT_EQ(Backbone(batch.frame(j, batch.frame_count(j))), ends[static_cast<std::size_t>(j)]);
     EXPECT_TRUE(batch.is_free(j, checker));

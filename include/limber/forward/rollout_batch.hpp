@@ -8,6 +8,12 @@
 
 namespace limber {
 
+/// Set points of frame k of a straight motion of `count` frames, 1 ≤ k ≤ count, in equal steps,
+/// written to `setpoint_kpa`; the last is exactly `to_kpa`. Sizes n.
+void motion_setpoint(const Eigen::Ref<const Pressures>& from_kpa,
+                     const Eigen::Ref<const Pressures>& to_kpa, int k, int count,
+                     Eigen::Ref<Pressures> setpoint_kpa);
+
 /// Straight motions in pressure, each of its own length, simulated side by side: one step moves all
 /// of them by a frame in one batch. A motion that has ended, or that nobody wants to go on with, is
 /// removed, and the last column takes its place, so that every batch is full of work.
@@ -19,8 +25,8 @@ class RolloutBatch {
  public:
   explicit RolloutBatch(const ForwardModel& model);
 
-  /// Adds a motion from (from_kpa, from) to to_kpa in `frames` ≥ 1 equal steps, the last exactly
-  /// to_kpa. Sizes n, m×3, n; numbers finite. `label` is the caller's.
+  /// Adds a motion from (from_kpa, from) to to_kpa in `frames` ≥ 1 frames (motion_setpoint).
+  /// Sizes n, m×3, n; numbers finite. `label` is the caller's.
   void add(int label, const Eigen::Ref<const Pressures>& from_kpa,
            const Eigen::Ref<const Backbone>& from, const Eigen::Ref<const Pressures>& to_kpa,
            int frames);

@@ -8,6 +8,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 #include "limber/forward/forward_model.hpp"
+#include "limber/forward/rollout_batch.hpp"
 #include "limber/planning/collision.hpp"
 #include "limber/planning/plan.hpp"
 
@@ -30,11 +31,6 @@ Pressures pressure_limits_kpa(const ArmDescription& arm);
 /// @param step_limit_kpa  largest change of a pressure in one frame, > 0
 int motion_frame_count(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
                        double step_limit_kpa);
-
-/// Set points of frame k of `count`, 1 ≤ k ≤ count, written to `setpoint_kpa`; the last is exactly
-/// `to_kpa`.
-void motion_setpoint(const PressuresRef& from_kpa, const PressuresRef& to_kpa, int k, int count,
-                     Eigen::Ref<Pressures> setpoint_kpa);
 
 /// (2) of a straight motion: Σ|Δp|.
 double motion_cost_kpa(const PressuresRef& from_kpa, const PressuresRef& to_kpa);
@@ -90,26 +86,28 @@ class MotionSimulator {
 /// Threads: as MotionSimulator.
 class MotionBatch {
  public:
+  /// Borrows the simulator, and counts its queries there.
+  explicit MotionBatch(MotionSimulator& simulator)
+      : simulator_(simulator), rollouts_(simulator.model()) {}
+
   /// @param from_kpa   n×k, states' pressures, one a column
   /// @param from       3m×k, their backbones in row order
   /// @param to_kpa     n×k, where each goes
-  void run(MotionSimulator& simulator, const Eigen::Ref<const Eigen::MatrixXf>& from_kpa,
+  void run(const Eigen::Ref<const Eigen::MatrixXf>& from_kpa,
            const Eigen::Ref<const Eigen::MatrixXf>& from,
            const Eigen::Ref<const Eigen::MatrixXf>& to_kpa);
 
-  int frame_count(int motion) const { return frame_counts_[static_cast<std::size_t>(motion)]; }
-  /// Backbone of `motion` after frame k, 1 ≤ k ≤ frame_count.
+  int frame_count(int motion) const {
+    return static_cast<int>(frames_[static_cast<std::size_t>(motion)].cols()) - 1;
+  }
+  /// Backbone of `motion` after frame k, 0 ≤ k ≤ frame_count.
   Eigen::Map<const Backbone> frame(int motion, int k) const;
   bool is_free(int motion, const CollisionChecker& checker) const;
 
  private:
-  int point_count_ = 0;
-  std::vector<int> frame_counts_;        // one a motion
-  std::vector<int> columns_;             // of each motion in frames_; longest motion first
-  std::vector<Eigen::MatrixXf> frames_;  // [k], 3m × motions; columns still moving at k are written
-  Eigen::MatrixXf previous_kpa_;
-  Eigen::MatrixXf current_kpa_;
-  ForwardModel::Workspace workspace_;
+  MotionSimulator& simulator_;
+  RolloutBatch rollouts_;
+  std::vector<Eigen::MatrixXf> frames_;  // one a motion, 3m × (frames + 1)
 };
 
 }  // namespace limber
