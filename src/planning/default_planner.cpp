@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "batch_search.hpp"
-#include "limber/planning/problem_check.hpp"
 #include "path_simulator.hpp"
 #include "plan_improver.hpp"
 #include "plan_result.hpp"
@@ -41,11 +40,7 @@ class Run {
   }
 
   PlanResult run(const char* planner) {
-    ProblemCheck check = check_problem(problem_, checker_, seed_);
-    result_.warnings = std::move(check.warnings);
-    if (check.refusal) {
-      result_.status = *check.refusal;
-      result_.reason = std::move(check.reason);
+    if (is_refused(problem_, checker_, seed_, result_)) {
       return std::move(result_);
     }
     start_in_goal();

@@ -7,6 +7,7 @@
 
 #include "limber/common/units.hpp"
 #include "limber/planning/plan_builder.hpp"
+#include "limber/planning/problem_check.hpp"
 
 namespace limber {
 
@@ -33,6 +34,17 @@ std::string reason_of_failure(const PlannerBudget& budget, const PoseGoal& goal,
 }
 
 }  // namespace
+
+bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker, std::uint64_t seed,
+                PlanResult& result) {
+  ProblemCheck check = check_problem(problem, checker, seed);
+  result.warnings = std::move(check.warnings);
+  if (check.refusal) {
+    result.status = *check.refusal;
+    result.reason = std::move(check.reason);
+  }
+  return check.refusal.has_value();
+}
 
 void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
                    const PlannerBudget& budget, const std::vector<Pressures>& waypoints_kpa,

@@ -9,6 +9,11 @@
 
 namespace limber {
 
+/// Whether the problem is refused before any search; status and reason then say why. Its warnings
+/// are passed on either way.
+[[nodiscard]] bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker,
+                              std::uint64_t seed, PlanResult& result);
+
 /// Finishes a search: the plan along `waypoints_kpa`, simulated anew from the start, as the
 /// solution or as the best partial one, with the reason why the search ended.
 /// @param result  its statistics of iterations and nodes are filled in

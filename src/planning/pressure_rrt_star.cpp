@@ -1,6 +1,5 @@
 #include "limber/planning/pressure_rrt_star.hpp"
 
-#include "limber/planning/problem_check.hpp"
 #include "plan_result.hpp"
 #include "rrt_star_search.hpp"
 #include "setting_check.hpp"
@@ -34,11 +33,7 @@ class Run {
         seed_(seed) {}
 
   PlanResult run(const char* planner) {
-    ProblemCheck check = check_problem(problem_, checker_, seed_);
-    result_.warnings = std::move(check.warnings);
-    if (check.refusal) {
-      result_.status = *check.refusal;
-      result_.reason = std::move(check.reason);
+    if (is_refused(problem_, checker_, seed_, result_)) {
       return std::move(result_);
     }
     note_first_solution();

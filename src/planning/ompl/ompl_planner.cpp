@@ -20,8 +20,8 @@
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/plan_builder.hpp"
-#include "limber/planning/problem_check.hpp"
 #include "mended_sst.hpp"
+#include "planning/plan_result.hpp"
 
 namespace limber {
 
@@ -107,11 +107,7 @@ class Run {
         world_{problem, checker_, simulator_, settings, RandomStream(seed, kStream)} {}
 
   PlanResult run(const std::string& name, const Parameters& parameters) {
-    ProblemCheck check = check_problem(problem_, checker_, seed_);
-    result_.warnings = std::move(check.warnings);
-    if (check.refusal) {
-      result_.status = *check.refusal;
-      result_.reason = std::move(check.reason);
+    if (is_refused(problem_, checker_, seed_, result_)) {
       return std::move(result_);
     }
     find_goal_configurations();
