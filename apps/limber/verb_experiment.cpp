@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "forest_flags.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/experiment/planning_experiment.hpp"
 #include "verbs.hpp"
 
@@ -52,6 +54,7 @@ class ExperimentVerb final : public Verb {
                    "Stop at a plan this cheap; a large number stops at the first");
     app.add_option("--margin-m", settings_.margin_m, "Clearance asked of every plan")
         ->capture_default_str();
+    forest_.add_to(app);
     app.add_option("--out", settings_.folder, "Folder for tables, figures, trials and plans")
         ->capture_default_str();
     app.add_flag("--resume", settings_.resume,
@@ -70,6 +73,9 @@ class ExperimentVerb final : public Verb {
     settings_.progress = flags.progress();
     settings_.say = [&](const std::string& line) { say(flags, "{}", line); };
     settings_.with_no_load = !network_only_;
+    if (forest_.is_asked_for()) {
+      settings_.forest = forest(flags);
+    }
     const nlohmann::ordered_json table = run_experiment(settings_);
     print_result(
         flags, {{"table", table}, {"seed", flags.seed}, {"out", settings_.folder}},
@@ -78,6 +84,18 @@ class ExperimentVerb final : public Verb {
   }
 
  private:
+  /// For all environments: a trial refuses it where one starts differently.
+  std::optional<Forest> forest(const CommonFlags& flags) const {
+    const std::string model_file = settings_.model_file.string();
+    const ForwardModel network(settings_.arm, read_model(model_file));
+    const ArmStart start =
+        start_state(settings_.environments.front().environment, settings_.arm);
+    std::optional<Forest> forest =
+        forest_.forest(settings_.arm, network, model_file, start, flags);
+    throw_if_interrupted();
+    return forest;
+  }
+
   std::vector<EnvironmentCase> load_environments() const {
     const fs::path folder =
         environments_.empty() ? data_folder() / "environments" : fs::path(environments_);
@@ -104,6 +122,7 @@ class ExperimentVerb final : public Verb {
   std::string arm_ = "three_segment";
   std::string environments_;
   bool network_only_ = false;
+  ForestFlags forest_;
   ExperimentSettings settings_;
 };
 

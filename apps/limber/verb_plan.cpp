@@ -1,3 +1,4 @@
+#include "forest_flags.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/data_folder.hpp"
@@ -81,10 +82,10 @@ class PlanVerb final : public Verb {
     CLI::Option* model = app.add_option("--model", model_, "Network model to plan with");
     app.add_flag("--no-load", no_load_, "Plan with the no-load model alone")->excludes(model);
     app.add_option("--environment", environment_,
-                   "Environment file, or the name of one of limber's own")
-        ->required();
+                   "Environment file, or the name of one of limber's own; not needed to "
+                   "--build-forest alone");
     app.add_option("--planner", planner_,
-                   "default: the paper's, its best plan then improved; paper: RRT* in pressure "
+                   "default: several backbones for like pressures, plans then improved; paper: RRT* in pressure "
                    "space; paper-steer-all: the same, simulating from every near node; ompl:NAME: "
                    "one of OMPL's, with settings as ompl:SST,pruning_radius=0.1")
         ->capture_default_str();
@@ -104,6 +105,7 @@ class PlanVerb final : public Verb {
                    "Clearance kept from every obstacle. A model errs by centimetres; with no "
                    "margin its errors become collisions")
         ->capture_default_str();
+    forest_.add_to(app);
     app.add_option("--out", out_, "Write the plan here (JSON); not written without a solution");
     app.add_option("--csv", csv_, "Write its set points here, for a valve controller");
     app.add_option("--svg", svg_, "Draw arm, plan, tree and obstacles here");
@@ -117,6 +119,9 @@ class PlanVerb final : public Verb {
     }
     const ForwardModel model =
         model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
+    if (environment_.empty()) {
+      return build_forest_alone(arm, model, flags);
+    }
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     for (const std::string& path : {out_, csv_, svg_, animation_}) {
       if (!path.empty()) {
@@ -139,12 +144,30 @@ class PlanVerb final : public Verb {
   }
 
  private:
+  int build_forest_alone(const ArmDescription& arm, const ForwardModel& model,
+                         const CommonFlags& flags) const {
+    if (!forest_.builds()) {
+      throw InputError("--environment is required: a file, or the name of one of limber's own");
+    }
+    const std::optional<Forest> forest =
+        forest_.forest(arm, model, model_, start_state(Environment(), arm), flags);
+    throw_if_interrupted();
+    print_result(flags, {{"forest_nodes", forest->size()}}, "");
+    return kExitDone;
+  }
+
   PlanResult search(const PlanningProblem& problem, const CommonFlags& flags) {
+    std::optional<Forest> forest;
+    if (forest_.is_asked_for()) {
+      forest = forest_.forest(problem.arm, problem.model, model_,
+                              start_state(problem.environment, problem.arm), flags);
+      throw_if_interrupted();
+    }
     if (!limits_.time_s && !limits_.iterations && !limits_.queries) {
       limits_.time_s = kDefaultTimeLimitS;
     }
     PlanProgress progress(limits_, problem.arm.command.unit, flags.progress());
-    PlanResult result = make_planner(planner_, flags.jobs)
+    PlanResult result = make_planner(planner_, flags.jobs, forest ? &*forest : nullptr)
                             ->plan(problem, limits_, flags.seed, [&](const PlannerProgress& now) {
                               progress.update(now);
                               return !interrupt_requested();
@@ -178,6 +201,7 @@ class PlanVerb final : public Verb {
   std::string environment_;
   std::string planner_ = "default";
   PlannerLimits limits_;
+  ForestFlags forest_;
   double margin_m_ = 0.0;
   std::string out_;
   std::string csv_;

@@ -60,6 +60,15 @@ std::string run_line(const PlanTrial& trial) {
                      status);
 }
 
+/// How the best cost fell: "time,cost,;time,cost,;…".
+std::string progress_line(const PlanTrial& trial) {
+  std::string line;
+  for (const PlannerProgress& event : trial.planning.events) {
+    line += fmt::format("{},{},;", event.time_s, *event.best_cost_kpa);
+  }
+  return line + "\n";
+}
+
 std::string planner_name(const PlanTrial& trial) {
   return fmt::format("control_{}_{}", trial.planner, trial.model);
 }
@@ -103,6 +112,11 @@ std::string planner_arena_log(const std::string& environment, const std::vector<
                        planners[i], kPropertyCount, kProperties, runs[i].size());
     for (const PlanTrial* trial : runs[i]) {
       log += run_line(*trial);
+    }
+    log += fmt::format("2 progress properties for each run\ntime REAL\nbest cost REAL\n{} runs\n",
+                       runs[i].size());
+    for (const PlanTrial* trial : runs[i]) {
+      log += progress_line(*trial);
     }
     log += ".\n";
   }

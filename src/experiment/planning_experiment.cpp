@@ -51,6 +51,7 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   json["max_queries"] = optional_json(settings.limits.queries);
   json["max_memory_mb"] = optional_json(settings.limits.memory_mb);
   json["cost_threshold_kpa"] = optional_json(settings.limits.cost_threshold_kpa);
+  json["forest_nodes"] = settings.forest ? Json(settings.forest->size()) : Json(nullptr);
   json["environments"] = Json::object();
   for (const EnvironmentCase& item : settings.environments) {
     json["environments"][item.id] = environment_hash(item.environment);
@@ -195,6 +196,9 @@ class Experiment {
 
   void run_task(const Task& task, PlanTrialSettings settings) const {
     settings.planner = *task.planner;
+    if (settings_.forest && task.model->has_network() && *task.planner == "default") {
+      settings.forest = &*settings_.forest;
+    }
     const Environment& environment = task.environment->environment;
     PlanTrial trial =
         plan_trial(settings_.arm, *task.model, *task.environment, settings, task.seed);

@@ -74,7 +74,13 @@ PlanTrial read_fields(const Json& json) {
   const Json& first = json.at("first_solution");
   if (!first.is_null()) {
     trial.planning.first_solution =
-        FirstSolution{first.at("time_s").get<double>(), first.at("cost_kpa").get<double>()};
+        FirstSolution{first.at("time_s").get<double>(), first.at("cost_kpa").get<double>(),
+                      first.at("queries").get<std::uint64_t>()};
+  }
+  for (const Json& event : json.value("events", Json::array())) {
+    trial.planning.events.push_back(
+        {event.at("time_s").get<double>(), 0, event.at("nodes").get<std::uint64_t>(),
+         event.at("queries").get<std::uint64_t>(), event.at("best_cost_kpa").get<double>()});
   }
   trial.planning.statistics.time_s = json.at("time_s").get<double>();
   trial.planning.statistics.iterations = json.at("iterations").get<std::uint64_t>();

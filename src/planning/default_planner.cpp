@@ -2,7 +2,11 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "batch_search.hpp"
+#include "forest_search.hpp"
+#include "limber/common/error.hpp"
 #include "path_simulator.hpp"
 #include "plan_improver.hpp"
 #include "plan_result.hpp"
@@ -18,6 +22,16 @@ constexpr int kImprovers = 6;         // plans that are improved side by side
 constexpr int kPatience = 15;  // rounds without success until a plan that is not the best goes
 constexpr int kMostIdleTurns = 10'000;
 constexpr std::uint64_t kChoiceStream = std::uint64_t{1} << 60;
+
+void require_forest_of(const Forest& forest, const PlanningProblem& problem) {
+  const ArmStart start = start_state(problem.environment, problem.arm);
+  if (forest.key.arm_hash != problem.arm.hash() ||
+      forest.pressures_kpa.col(0) != start.pressures_kpa) {
+    throw InputError(fmt::format(
+        "the forest was grown for another arm or start than '{}' in environment '{}': grow it anew",
+        problem.arm.name, problem.environment.name));
+  }
+}
 
 /// One run: the tree, and some of the plans it has found, which are improved side by side. One that
 /// gets no cheaper, and is not the best, gives its place to another from the tree.
@@ -39,9 +53,13 @@ class Run {
     }
   }
 
-  PlanResult run(const char* planner) {
+  PlanResult run(const char* planner, const Forest* forest) {
     if (is_refused(problem_, checker_, seed_, result_)) {
       return std::move(result_);
+    }
+    if (forest != nullptr) {
+      require_forest_of(*forest, problem_);
+      forest_.emplace(*forest, problem_, paths_, search_, seed_);
     }
     start_in_goal();
     while (!nothing_left() && !budget_.good_enough(best_cost_kpa()) &&
@@ -90,9 +108,19 @@ class Run {
     }
   }
 
-  /// Whoever is behind with its share of the queries.
+  /// The forest and the search in turns, as long as there is something in it; then whoever is behind
+  /// with its share of the queries.
   void take_turn() {
     const std::uint64_t before = paths_.queries();
+    if (forest_) {
+      if (!forest_->round(give_up())) {
+        forest_.reset();
+      }
+      note_solutions(before);
+      if (!best_kpa_.empty() || budget_.out_of_time()) {
+        return;
+      }
+    }
     const bool search_is_behind =
         double(search_queries_) <= kSearchShare * double(paths_.queries() - before_plan_);
     if (best_kpa_.empty() || search_is_behind || !improve()) {
@@ -104,6 +132,11 @@ class Run {
   void search() {
     const std::uint64_t before = paths_.queries();
     search_.round(best_cost_kpa(), give_up());
+    note_solutions(before);
+  }
+
+  /// What the search has found since the model had been asked `before` queries.
+  void note_solutions(std::uint64_t before) {
     const auto& solutions = search_.solutions();
     for (; seen_ < solutions.size(); ++seen_) {
       const BatchSearch::Solution& found = solutions[seen_];
@@ -174,6 +207,14 @@ class Run {
     result_.statistics.queries = paths_.queries() + single_.queries();
     result_.tree = tree_edges(search_.tree());
     result_.statistics.time_s = budget_.elapsed_s();
+    note_end();
+  }
+
+  void note_end() {
+    result_.events = budget_.events();
+    if (result_.plan) {
+      result_.events.push_back(progress());
+    }
   }
 
   const PlanningProblem& problem_;
@@ -182,6 +223,7 @@ class Run {
   MotionSimulator single_;
   PathSimulator paths_;
   BatchSearch search_;
+  std::optional<ForestSearch> forest_;  // until there is nothing more in it
   std::vector<PlanImprover> improvers_;
   RandomStream choice_;
   std::uint64_t seed_;
@@ -224,7 +266,7 @@ class DefaultPlanner final : public Planner {
 
   PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
-    return Run(problem, limits, callback, settings_, seed).run(name());
+    return Run(problem, limits, callback, settings_, seed).run(name(), settings_.forest);
   }
 
  private:

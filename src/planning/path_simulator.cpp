@@ -31,6 +31,7 @@ class PathSimulator::Worker {
     for (int i = 0; i < count; ++i) {
       outcomes[i].free = false;
       outcomes[i].in_goal = false;
+      outcomes[i].held_tip.reset();
       outcomes[i].at.clear();
       outcomes[i].queries = 0;
       start_motion(i, paths[i], paths[i].from_kpa, paths[i].from, 0);
@@ -67,8 +68,9 @@ class PathSimulator::Worker {
     rollouts_.remove(column);
     const bool held = outcome.at.size() == path.to_kpa.size();
     if (held) {
+      outcome.held_tip = tip_pose<float>(now);
       outcome.in_goal = is_within(problem_.environment.goal,
-                                  pose_error(problem_.environment.goal, tip_pose(now)));
+                                  pose_error(problem_.environment.goal, *outcome.held_tip));
       return;
     }
     outcome.at.push_back(now);

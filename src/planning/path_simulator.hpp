@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "limber/forward/rollout_batch.hpp"
@@ -22,6 +23,7 @@ struct Path {
 struct PathOutcome {
   bool free = false;         ///< every frame, and between frames
   bool in_goal = false;      ///< free, and after the hold at its end in the goal's region
+  std::optional<Pose> held_tip;  ///< after that hold, where it was simulated and free
   std::vector<Backbone> at;  ///< after each motion; those not reached are absent
   std::uint64_t queries = 0;
 };

@@ -70,6 +70,13 @@ Json plan_result_to_json(const PlanResult& result, const PoseGoal& goal, const s
         {"clearance_cm", finite(result.certificate->clearance_m * kCmPerM)},
         {"largest_deviation_m", finite(result.certificate->largest_deviation_m)}};
   }
+  json["events"] = Json::array();
+  for (const PlannerProgress& event : result.events) {
+    json["events"].push_back({{"time_s", event.time_s},
+                              {"queries", event.queries},
+                              {"nodes", event.nodes},
+                              {"best_cost_kpa", *event.best_cost_kpa}});
+  }
   json["duration_s"] = plan ? Json(plan->duration_s()) : nullptr;
   return json;
 }

@@ -49,10 +49,14 @@ std::vector<std::string> planner_names() {
   return {"default", "paper", "paper-steer-all"};
 }
 
-std::unique_ptr<Planner> make_planner(const std::string& name, int jobs) {
+std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const Forest* forest) {
+  if (forest != nullptr && name != "default") {
+    throw InputError(fmt::format("planner '{}' uses no forest; 'default' does", name));
+  }
   if (name == "default") {
     DefaultPlannerSettings settings;
     settings.jobs = jobs;
+    settings.forest = forest;
     return make_certified_planner(make_default_planner(settings));
   }
   if (name == "paper") {

@@ -13,6 +13,7 @@ namespace {
 constexpr double kCallPeriodS = 0.1;
 constexpr double kReserveS = 0.005;  // for the last simulation of the best plan
 constexpr double kBytesPerMb = 1e6;
+constexpr double kNotable = 0.995;  // of the cost noted before
 
 template <class Number>
 void require_positive(const std::optional<Number>& limit, const char* name) {
@@ -43,7 +44,15 @@ bool PlannerBudget::out_of_time() const {
   return stopped_ || (limits_.time_s && elapsed_s() >= *limits_.time_s - kReserveS);
 }
 
+void PlannerBudget::note(const PlannerProgress& progress) {
+  if (progress.best_cost_kpa &&
+      (events_.empty() || *progress.best_cost_kpa <= kNotable * *events_.back().best_cost_kpa)) {
+    events_.push_back(progress);
+  }
+}
+
 bool PlannerBudget::spent(const PlannerProgress& progress, double bytes) {
+  note(progress);
   if (limit_ || stopped_) {
     return true;
   }

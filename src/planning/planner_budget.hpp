@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <vector>
 
 #include "limber/planning/planner.hpp"
 
@@ -22,6 +23,11 @@ class PlannerBudget {
   /// @param bytes  that the tree takes
   bool spent(const PlannerProgress& progress, double bytes);
 
+  /// Adds to the log what is worth keeping; `spent` does so each time.
+  void note(const PlannerProgress& progress);
+  /// PlanResult::events.
+  const std::vector<PlannerProgress>& events() const { return events_; }
+
   /// The limit that ended the search, if one did.
   std::optional<PlanLimit> limit() const { return limit_; }
   bool stopped_by_callback() const { return stopped_; }
@@ -41,6 +47,7 @@ class PlannerBudget {
   double next_call_s_ = 0.0;
   std::optional<PlanLimit> limit_;
   bool stopped_ = false;
+  std::vector<PlannerProgress> events_;
 };
 
 }  // namespace limber

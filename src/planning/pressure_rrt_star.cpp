@@ -70,6 +70,14 @@ class Run {
     result_.statistics.queries = simulator_.queries();
     result_.tree = tree_edges(search_.tree());
     result_.statistics.time_s = budget_.elapsed_s();
+    note_end();
+  }
+
+  void note_end() {
+    result_.events = budget_.events();
+    if (result_.plan) {
+      result_.events.push_back(progress());
+    }
   }
 
   const PlanningProblem& problem_;

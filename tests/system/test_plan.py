@@ -39,6 +39,29 @@ class Plan(InFolder):
         path = self.plan_file(environment)
         return self.run_json("plan", *ARM, *BUDGET, "--environment", path, *arguments, code=code)
 
+    def test_a_forest_is_grown_once_and_never_stale(self):
+        rest = self.plan_file(PILLAR, "rest.yaml")
+        forest = ("--forest", "f", "--forest-nodes", 2000)
+
+        def said(*arguments):
+            return self.run_limber("plan", *ARM, *BUDGET, *forest, *arguments).stderr
+
+        self.assertIn("f: 2000 motions", said("--environment", rest))
+        grown = (self.folder / "f").read_bytes()
+        self.assertNotIn("motions", said("--environment", rest))
+        self.assertEqual((self.folder / "f").read_bytes(), grown)
+        self.assertIn("asked for; growing it anew", said("--build-forest"))
+        self.assertEqual((self.folder / "f").read_bytes(), grown, "same seed, same forest")
+        other = self.run_limber("plan", "--arm", "three_segment", "--no-load", *forest,
+                                "--build-forest")
+        self.assertIn("growing it anew", other.stderr)
+        self.assertIn("grown for another arm, model or start; growing it anew",
+                      said("--environment", rest))
+        self.write("f", "mine")
+        refused = self.run_limber("plan", *ARM, *BUDGET, *forest, "--environment", rest, code=2)
+        self.assertIn("f: ", refused.stderr)
+        self.assertEqual((self.folder / "f").read_text(), "mine")
+
     def test_finds_a_plan_and_draws_it(self):
         found = self.plan(PILLAR, "--out", "p.json", "--csv", "p.csv", "--svg", "p.svg")
         self.assertEqual(found["status"], "solved")

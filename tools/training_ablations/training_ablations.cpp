@@ -35,6 +35,14 @@ const std::vector<Lever> kLevers = {
      [](TrainingSettings& s) {
        s.stages = {{32, 128, s.epoch_count()}};
      }},
+    {"half windows of 32, then half of 8",
+     [](TrainingSettings& s) {
+       s.stages = {{32, 64, s.epoch_count() / 2}, {8, 128, s.epoch_count() / 2}};
+     }},
+    {"a third windows of 8, then of 32",
+     [](TrainingSettings& s) {
+       s.stages = {{8, 128, s.epoch_count() / 3}, {32, 64, s.epoch_count() * 2 / 3}};
+     }},
     {"no limit on gradients", [](TrainingSettings& s) { s.gradient_norm_limit = 0.0; }},
     {"a moving average of the weights, 0.99", [](TrainingSettings& s) { s.average_decay = 0.99; }},
     {"noise of 0.05 on first backbones", [](TrainingSettings& s) { s.input_noise = 0.05; }},
@@ -88,8 +96,9 @@ void run_lever(const Lever& lever, const ArmDescription& arm, const TrainingData
   const Evaluation evaluation =
       evaluate(ForwardModel(arm), &network, data.validation, options.jobs);
   const RolloutErrors& errors = *evaluation.network;
-  fmt::print("| {} | {:.0f} | {:.2f} | {:.2f} | {:.2f} | {:.2f}{} |\n", lever.name, cpu_s,
-             errors.one_step.position_cm.mean, errors.window_32.position_cm.mean,
+  fmt::print("| {} | {:.0f} | {:.2f} ({:.2f}) | {:.2f} | {:.2f} | {:.2f}{} |\n", lever.name, cpu_s,
+             errors.one_step.position_cm.mean, errors.one_step_moving.position_cm.mean,
+             errors.window_32.position_cm.mean,
              errors.per_motion.position_cm.mean, errors.open_loop.position_cm.mean,
              evaluation.long_rollout.bounded ? "" : ", not bounded");
   std::fflush(stdout);
@@ -110,7 +119,7 @@ int run(int argc, char** argv) {
   const ArmDescription arm = load_arm(options.arm_file);
   TrainingData data{read(options.data, arm), read({options.validation}, arm)};
   fmt::print(
-      "| lever | CPU s | one step | 32 frames | per motion | open loop |\n"
+      "| lever | CPU s | one step (moving) | 32 frames | per motion | open loop |\n"
       "|---|---|---|---|---|---|\n");
   for (std::size_t i = 0; i < kLevers.size(); ++i) {
     if (chosen.empty() || std::ranges::find(chosen, static_cast<int>(i)) != chosen.end()) {

@@ -37,7 +37,8 @@ struct PlanTrialSettings {
   std::string planner = "default";
   PlannerLimits limits;
   double margin_m = 0.0;
-  std::string model_hash;  ///< goes into the plan of a network; docs/formats.md
+  const Forest* forest = nullptr;  ///< for the default planner; borrowed
+  std::string model_hash;          ///< goes into the plan of a network; docs/formats.md
 };
 
 /// Plans in the environment with `model`. The result's execution is not set.

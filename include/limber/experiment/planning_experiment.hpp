@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct ExperimentSettings {
   int trials = 20;  ///< of each environment and model, ≥ 1; trial k has the same seed everywhere
   std::vector<std::string> planners = {"default"};
   bool with_no_load = true;  ///< false: the network alone, to compare planners
+  /// Grown for the network from the start of every environment; for the default planner's trials of
+  /// the network. None: everything is searched.
+  std::optional<Forest> forest;
   PlannerLimits limits;
   double margin_m = 0.0;
   std::uint64_t seed = 1;

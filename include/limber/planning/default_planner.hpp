@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "limber/planning/forest.hpp"
 #include "limber/planning/planner.hpp"
 
 namespace limber {
@@ -24,6 +25,9 @@ struct DefaultPlannerSettings {
   double hold_position_m = 0.05;  ///< paths that end this near the goal are held and judged
   double hold_orientation_rad = 0.5;
   int jobs = 0;  ///< threads, 0 for one a core; the plan does not depend on it
+  /// Grown for the arm, model and start of every problem, and looked through before anything else;
+  /// borrowed. None: everything is searched.
+  const Forest* forest = nullptr;
 };
 
 /// "default": a tree that keeps several backbones for like pressures and grows by batches of edges;

@@ -13,6 +13,7 @@
 #include "limber/forward/forward_model.hpp"
 #include "limber/planning/certificate.hpp"
 #include "limber/planning/environment.hpp"
+#include "limber/planning/forest.hpp"
 #include "limber/planning/plan.hpp"
 
 namespace limber {
@@ -95,6 +96,9 @@ struct PlanResult {
   std::optional<Plan> best_partial;
   std::optional<Certificate> certificate;  ///< of the plan that was found
   std::optional<FirstSolution> first_solution;
+  /// How the search went: the first plan, each that costs at least a half per cent less than the one
+  /// noted before, and the end. Empty without a plan.
+  std::vector<PlannerProgress> events;
   PlannerStatistics statistics;
   std::vector<TreeEdge> tree;  ///< at most kMostTreeEdges, the oldest
 
@@ -122,9 +126,11 @@ class Planner {
 std::vector<std::string> planner_names();
 
 /// Its plans are certified (planning/certified_planner.hpp).
-/// @param jobs  threads to use where the planner uses several, 0 for one a core
-/// @throws InputError naming the planners there are.
-std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0);
+/// @param jobs    threads to use where the planner uses several, 0 for one a core
+/// @param forest  of the arm, model and start to plan for, for the default planner; borrowed
+/// @throws InputError naming the planners there are, or the one that can't use a forest.
+std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0,
+                                      const Forest* forest = nullptr);
 
 /// Time that the arm holds its last pressures before the goal is judged; execution does the same.
 inline constexpr double kHoldS = 1.0;

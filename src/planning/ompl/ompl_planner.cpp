@@ -232,6 +232,12 @@ class Run {
     }
     result_.statistics.queries = simulator_.queries();
     result_.statistics.time_s = world_.elapsed_s();
+    if (solved) {
+      const FirstSolution& first = *world_.first_solution;
+      result_.events = {{first.time_s, 0, 0, first.queries, first.cost_kpa},
+                        {result_.statistics.time_s, 0, result_.statistics.nodes,
+                         result_.statistics.queries, result_.plan->cost_kpa}};
+    }
   }
 
   const PlanningProblem& problem_;

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/planning/environment.hpp"
+
+namespace limber {
+
+/// What a forest was grown for. A plan's shapes depend on all of it.
+struct ForestKey {
+  std::string arm_hash;    ///< ArmDescription::hash()
+  std::string model_hash;  ///< of the model file; empty for the no-load model
+  std::string start_hash;  ///< of pressures and backbone that the arm starts with
+
+  bool operator==(const ForestKey&) const = default;
+};
+
+/// @param model_hash  content hash of the model file; empty for the no-load model
+ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
+                     const ArmStart& start);
+
+/// Motions that a model can make from one start where nothing is in the way, to be looked through
+/// for those that an environment leaves free (docs/planning.md). Node 0 is the start; a node comes
+/// after its parent. Constant after construction; share it freely.
+struct Forest {
+  ForestKey key;
+  std::vector<std::int32_t> parents;  ///< size N, −1 for the start
+  Eigen::MatrixXf pressures_kpa;      ///< n×N; motions between a node and its parent are straight
+  Eigen::Matrix3Xf held_tips;         ///< (x_m, y_m, theta_rad) after the hold at a node
+  std::vector<float> costs_kpa;       ///< size N, (2) from the start
+
+  int size() const { return static_cast<int>(parents.size()); }
+};
+
+struct ForestSettings {
+  int nodes = 200'000;  ///< 1 to 2^24
+  std::uint64_t seed = 1;
+  int jobs = 0;  ///< threads, 0 for one a core; the forest does not depend on it
+};
+
+/// Called now and then with the nodes that there are. False asks to stop.
+using ForestCallback = std::function<bool(int nodes)>;
+
+/// Grows a forest by the default planner's rules for exploring. Takes about 35 queries of the model
+/// a node.
+/// @return none where the callback asked to stop
+/// @throws InputError where settings are out of range.
+std::optional<Forest> grow_forest(const ArmDescription& arm, const ForwardModel& model,
+                                  const ForestKey& key, const ArmStart& start,
+                                  const ForestSettings& settings = ForestSettings(),
+                                  const ForestCallback& callback = {});
+
+/// Writes a forest as a safetensors file (docs/formats.md, schema limber/forest/1), atomically.
+void write_forest(const std::filesystem::path& path, const Forest& forest);
+
+/// @throws InputError naming file and tensor where it is no forest, or a broken one.
+Forest read_forest(const std::filesystem::path& path);
+
+}  // namespace limber

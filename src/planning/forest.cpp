@@ -1,0 +1,158 @@
+#include "limber/planning/forest.hpp"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/planning/planner.hpp"
+#include "path_simulator.hpp"
+#include "sparse_tree.hpp"
+
+namespace limber {
+
+namespace {
+
+// Finer than a search's: nodes are many, and of each only the way there is kept.
+constexpr StateCells kCells{0.02, 0.005, 0.05};
+constexpr std::uint64_t kGrowStream = std::uint64_t{1} << 32;  // one stream a proposal from here
+constexpr double kStep = 0.5;
+constexpr double kRandomParent = 0.5;
+constexpr double kFarShare = 0.5;  // of the edges that go all the way to their target
+constexpr std::size_t kBatch = 512;
+constexpr int kMostNodes = 1 << 24;  // numbers that a float still tells apart
+constexpr int kMostIdleRounds = 1000;
+
+struct Edge {
+  int parent;
+  Pressures to_kpa;
+};
+
+/// One growth, round by round.
+class Grower {
+ public:
+  Grower(const ArmDescription& arm, const ForwardModel& model, const ArmStart& start,
+         const ForestSettings& settings)
+      : settings_(settings),
+        environment_(empty_environment(start)),
+        problem_{arm, model, environment_},
+        checker_(arm, environment_.obstacles, 0.0),
+        paths_(problem_, checker_, {kAnywhere, kAnywhere}, settings.jobs),
+        tree_(arm, kCells, start) {
+    hold_start(start);
+  }
+
+  int size() const { return tree_.size(); }
+
+  void round() {
+    edges_.clear();
+    batch_.clear();
+    for (std::size_t k = 0; k < kBatch; ++k) {
+      RandomStream random(settings_.seed, kGrowStream + proposals_++);
+      const Pressures target = tree_.random_configuration(random);
+      const int parent = tree_.parent_near(target, kRandomParent, random);
+      const Pressures to =
+          random.uniform() < kFarShare ? target : tree_.stepped(parent, target, kStep);
+      batch_.push_back(
+          {tree_.states().pressures_kpa(parent), tree_.states().backbone(parent), {to}});
+      edges_.push_back({parent, to});
+    }
+    paths_.run(batch_, outcomes_, [] { return false; });
+    for (std::size_t k = 0; k < edges_.size() && tree_.size() < settings_.nodes; ++k) {
+      add(edges_[k], outcomes_[k]);
+    }
+  }
+
+  Forest forest(const ForestKey& key) const {
+    const PressureTree& states = tree_.states();
+    Forest forest;
+    forest.key = key;
+    forest.pressures_kpa.resize(tree_.limits_kpa().size(), states.size());
+    forest.held_tips.resize(3, states.size());
+    for (int i = 0; i < states.size(); ++i) {
+      forest.parents.push_back(states.parent(i));
+      forest.costs_kpa.push_back(static_cast<float>(states.cost_kpa(i)));
+      forest.pressures_kpa.col(i) = states.pressures_kpa(i);
+      forest.held_tips.col(i) = held_tips_[static_cast<std::size_t>(i)];
+    }
+    return forest;
+  }
+
+ private:
+  static constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+
+  static Environment empty_environment(const ArmStart& start) {
+    Environment environment;
+    environment.start = start;
+    return environment;
+  }
+
+  void hold_start(const ArmStart& start) {
+    batch_.assign(1, {start.pressures_kpa, start.backbone, {start.pressures_kpa}});
+    paths_.run(batch_, outcomes_, [] { return false; });
+    note_tip(outcomes_.front());
+  }
+
+  void note_tip(const PathOutcome& outcome) {
+    held_tips_.push_back(
+        Eigen::Vector3d(outcome.held_tip->x_m, outcome.held_tip->y_m, outcome.held_tip->theta_rad)
+            .cast<float>());
+  }
+
+  void add(const Edge& edge, const PathOutcome& outcome) {
+    const double cost =
+        tree_.states().cost_kpa(edge.parent) +
+        motion_cost_kpa(tree_.states().pressures_kpa(edge.parent), edge.to_kpa);
+    if (tree_.add(edge.to_kpa, outcome.at.front(), edge.parent, cost)) {
+      note_tip(outcome);
+    }
+  }
+
+  ForestSettings settings_;
+  Environment environment_;
+  PlanningProblem problem_;
+  CollisionChecker checker_;
+  PathSimulator paths_;
+  SparseTree tree_;
+  std::vector<Eigen::Vector3f> held_tips_;
+  std::uint64_t proposals_ = 0;
+  std::vector<Edge> edges_;
+  std::vector<Path> batch_;
+  std::vector<PathOutcome> outcomes_;
+};
+
+std::string bytes_of(const float* values, Eigen::Index count) {
+  return {reinterpret_cast<const char*>(values), static_cast<std::size_t>(count) * sizeof(float)};
+}
+
+}  // namespace
+
+ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
+                     const ArmStart& start) {
+  return {arm.hash(), model_hash,
+          content_hash(bytes_of(start.pressures_kpa.data(), start.pressures_kpa.size()) +
+                       bytes_of(start.backbone.data(), start.backbone.size()))};
+}
+
+std::optional<Forest> grow_forest(const ArmDescription& arm, const ForwardModel& model,
+                                  const ForestKey& key, const ArmStart& start,
+                                  const ForestSettings& settings, const ForestCallback& callback) {
+  if (settings.nodes < 1 || settings.nodes > kMostNodes) {
+    throw InputError(
+        fmt::format("a forest of {} nodes; expected 1 to {}", settings.nodes, kMostNodes));
+  }
+  Grower grower(arm, model, start, settings);
+  int idle_rounds = 0;
+  while (grower.size() < settings.nodes && idle_rounds < kMostIdleRounds) {
+    const int before = grower.size();
+    grower.round();
+    idle_rounds = grower.size() == before ? idle_rounds + 1 : 0;
+    if (callback && !callback(grower.size())) {
+      return std::nullopt;
+    }
+  }
+  return grower.forest(key);
+}
+
+}  // namespace limber

@@ -1,0 +1,135 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/planning/forest.hpp"
+#include "network/safetensors.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr const char* kSchema = "limber/forest/1";
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+  throw InputError(where + ": " + what);
+}
+
+// One row a node.
+template <class Matrix>
+Tensor rows_of(const Matrix& columns) {
+  return {{static_cast<std::size_t>(columns.cols()), static_cast<std::size_t>(columns.rows())},
+          {columns.data(), columns.data() + columns.size()}};
+}
+
+/// A file's parts, by name.
+class ForestReader {
+ public:
+  explicit ForestReader(const std::filesystem::path& path)
+      : where_(path.string()), content_(parse_safetensors(read_file(path), where_)) {
+    if (text("schema") != kSchema) {
+      refuse(where_, fmt::format("schema '{}'; expected {}", text("schema"), kSchema));
+    }
+  }
+
+  std::string text(const std::string& name) const {
+    const auto found = content_.metadata.find(name);
+    if (found == content_.metadata.end()) {
+      refuse(where_, fmt::format("metadata {} is missing; is this a forest?", name));
+    }
+    return found->second;
+  }
+
+  /// N×columns numbers, N as in the first tensor asked for.
+  const Tensor& tensor(const std::string& name, std::size_t rank) {
+    const auto found = content_.tensors.find(name);
+    if (found == content_.tensors.end()) {
+      refuse(where_, fmt::format("tensor {} is missing", name));
+    }
+    const Tensor& tensor = found->second;
+    if (tensor.shape.size() != rank || tensor.shape[0] == 0 ||
+        (nodes_ != 0 && tensor.shape[0] != nodes_)) {
+      refuse(where_, fmt::format("tensor {} has not one row for each of the forest's nodes", name));
+    }
+    nodes_ = tensor.shape[0];
+    for (const float value : tensor.values) {
+      if (!std::isfinite(value)) {
+        refuse(where_, fmt::format("tensor {} holds a number that is not finite", name));
+      }
+    }
+    return tensor;
+  }
+
+  const std::string& where() const { return where_; }
+
+ private:
+  std::string where_;
+  Safetensors content_;
+  std::size_t nodes_ = 0;
+};
+
+std::vector<std::int32_t> parents_of(ForestReader& reader) {
+  const Tensor& stored = reader.tensor("parents", 1);
+  std::vector<std::int32_t> parents;
+  for (std::size_t i = 0; i < stored.values.size(); ++i) {
+    const auto parent = static_cast<double>(stored.values[i]);
+    const bool is_root = i == 0 && parent == -1.0;
+    if (!is_root && (parent < 0.0 || parent >= double(i) || parent != std::floor(parent))) {
+      refuse(reader.where(), fmt::format("parents[{}] = {}; expected a node before it (-1 for the "
+                                         "first alone)",
+                                         i, parent));
+    }
+    parents.push_back(static_cast<std::int32_t>(parent));
+  }
+  return parents;
+}
+
+std::vector<float> costs_of(const Forest& forest) {
+  std::vector<float> costs(forest.parents.size(), 0.0F);
+  for (std::size_t i = 1; i < costs.size(); ++i) {
+    const auto parent = static_cast<std::size_t>(forest.parents[i]);
+    const auto way = forest.pressures_kpa.col(static_cast<Eigen::Index>(i)) -
+                     forest.pressures_kpa.col(static_cast<Eigen::Index>(parent));
+    costs[i] = costs[parent] + way.cwiseAbs().sum();
+  }
+  return costs;
+}
+
+}  // namespace
+
+void write_forest(const std::filesystem::path& path, const Forest& forest) {
+  Safetensors content;
+  content.metadata = {{"schema", kSchema},
+                      {"arm_hash", forest.key.arm_hash},
+                      {"model_hash", forest.key.model_hash},
+                      {"start_hash", forest.key.start_hash}};
+  // The format has integers, our reader of it has not: a float tells all of them apart.
+  content.tensors["parents"] = {{forest.parents.size()},
+                                {forest.parents.begin(), forest.parents.end()}};
+  content.tensors["pressures_kpa"] = rows_of(forest.pressures_kpa);
+  content.tensors["held_tips"] = rows_of(forest.held_tips);
+  write_file_atomically(path, safetensors_bytes(content));
+}
+
+Forest read_forest(const std::filesystem::path& path) {
+  ForestReader reader(path);
+  Forest forest;
+  forest.key = {reader.text("arm_hash"), reader.text("model_hash"), reader.text("start_hash")};
+  forest.parents = parents_of(reader);
+  const Tensor& pressures = reader.tensor("pressures_kpa", 2);
+  const auto segments = static_cast<Eigen::Index>(pressures.shape[1]);
+  forest.pressures_kpa = Eigen::Map<const Eigen::MatrixXf>(pressures.values.data(), segments,
+                                                           static_cast<Eigen::Index>(forest.size()));
+  const Tensor& tips = reader.tensor("held_tips", 2);
+  if (tips.shape[1] != 3) {
+    refuse(reader.where(), "tensor held_tips has not 3 columns (x_m, y_m, theta_rad)");
+  }
+  forest.held_tips = Eigen::Map<const Eigen::Matrix3Xf>(tips.values.data(), 3,
+                                                        static_cast<Eigen::Index>(forest.size()));
+  forest.costs_kpa = costs_of(forest);
+  return forest;
+}
+
+}  // namespace limber

@@ -1,0 +1,132 @@
+#include "sparse_tree.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace limber {
+
+namespace {
+
+// Nodes of which the nearest becomes a parent; powers of two up to this are drawn alike, so that
+// edges of all lengths are tried: one that overshoots has to come back from afar.
+constexpr int kMostParentChoices = 32;
+
+// Mixes a value into a hash (the finaliser of SplitMix64).
+std::uint64_t mixed(std::uint64_t hash, std::int64_t value) {
+  std::uint64_t x = hash + 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(value);
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+}  // namespace
+
+int random_power_of_two(RandomStream& random, int most) {
+  int kinds = 1;
+  while (1 << (kinds - 1) < most) {
+    ++kinds;
+  }
+  return 1 << random.index(static_cast<std::uint32_t>(kinds));
+}
+
+SparseTree::SparseTree(const ArmDescription& arm, const StateCells& cells, const ArmStart& root)
+    : cells_(cells),
+      limit_kpa_(pressure_limits_kpa(arm)),
+      tree_(arm.segment_count(), arm.point_count()),
+      index_(arm.segment_count()) {
+  add(root.pressures_kpa, root.backbone, -1, 0.0);
+}
+
+std::optional<int> SparseTree::add(const Pressures& pressures_kpa, const Backbone& backbone,
+                                   int parent, double cost_kpa, bool always) {
+  const auto [place, is_new] =
+      cheapest_.try_emplace(cell_of(pressures_kpa, tip_pose(backbone)), tree_.size());
+  const bool is_cheaper = !is_new && cost_kpa < tree_.cost_kpa(place->second);
+  if (!is_new && !is_cheaper && !always) {
+    return std::nullopt;
+  }
+  const int node = tree_.add(pressures_kpa, backbone, parent, cost_kpa);
+  index_.add(scaled(pressures_kpa));
+  stands_for_.push_back(node);
+  if (is_cheaper) {
+    stands_for_[static_cast<std::size_t>(place->second)] = node;
+    place->second = node;
+  }
+  return node;
+}
+
+int SparseTree::random_node(RandomStream& random) const {
+  return static_cast<int>(random.index(static_cast<std::uint32_t>(tree_.size())));
+}
+
+int SparseTree::parent_near(const Pressures& target_kpa, double random_share,
+                            RandomStream& random) const {
+  int node = 0;
+  if (random.uniform() >= random_share) {
+    node = index_.nearest(scaled(target_kpa));
+  } else {
+    float nearest = std::numeric_limits<float>::infinity();
+    const int choices = random_power_of_two(random, kMostParentChoices);
+    for (int k = 0; k < choices; ++k) {
+      const int other = random_node(random);
+      const float distance =
+          (target_kpa - tree_.pressures_kpa(other)).cwiseQuotient(limit_kpa_).squaredNorm();
+      if (distance < nearest) {
+        nearest = distance;
+        node = other;
+      }
+    }
+  }
+  while (stands_for_[static_cast<std::size_t>(node)] != node) {
+    node = stands_for_[static_cast<std::size_t>(node)];
+  }
+  return node;
+}
+
+Pressures SparseTree::random_configuration(RandomStream& random) const {
+  Pressures kpa(limit_kpa_.size());
+  for (Eigen::Index i = 0; i < kpa.size(); ++i) {
+    kpa[i] = static_cast<float>(random.uniform(-1.0, 1.0)) * limit_kpa_[i];
+  }
+  return kpa;
+}
+
+Pressures SparseTree::stepped(int node, const Pressures& target_kpa, double step) const {
+  const auto from = tree_.pressures_kpa(node);
+  const float distance = scaled(target_kpa - from).norm();
+  if (distance <= static_cast<float>(step)) {
+    return target_kpa;
+  }
+  return limited(from + (target_kpa - from) * (static_cast<float>(step) / distance));
+}
+
+Eigen::VectorXf SparseTree::scaled(const PressuresRef& pressures_kpa) const {
+  return pressures_kpa.cwiseQuotient(limit_kpa_);
+}
+
+Pressures SparseTree::limited(const Pressures& pressures_kpa) const {
+  return pressures_kpa.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
+}
+
+std::uint64_t SparseTree::cell_of(const PressuresRef& pressures_kpa, const Pose& tip) const {
+  const auto quantised = [](double value, double cell) {
+    return static_cast<std::int64_t>(std::floor(value / cell));
+  };
+  std::uint64_t hash = 0;
+  for (Eigen::Index i = 0; i < pressures_kpa.size(); ++i) {
+    hash =
+        mixed(hash, quantised(double(pressures_kpa[i]) / double(limit_kpa_[i]), cells_.pressure));
+  }
+  hash = mixed(hash, quantised(tip.x_m, cells_.position_m));
+  hash = mixed(hash, quantised(tip.y_m, cells_.position_m));
+  return mixed(hash, quantised(tip.theta_rad, cells_.orientation_rad));
+}
+
+double SparseTree::bytes() const {
+  const std::size_t index_bytes =
+      static_cast<std::size_t>(limit_kpa_.size()) * sizeof(float) + 3 * sizeof(int);
+  constexpr std::size_t kCellBytes = 48;
+  return double(tree_.size()) * double(tree_.bytes_per_node() + index_bytes + kCellBytes);
+}
+
+}  // namespace limber

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/common/random_stream.hpp"
+#include "limber/planning/environment.hpp"
+#include "limber/planning/motion_simulator.hpp"
+#include "limber/planning/pressure_index.hpp"
+#include "limber/planning/pressure_tree.hpp"
+
+namespace limber {
+
+/// What makes two states alike: the same cell of pressures (as fractions of their limits), tip
+/// position and tip heading.
+struct StateCells {
+  double pressure;
+  double position_m;
+  double orientation_rad;
+};
+
+/// A tree over states (q, B) of which the cheapest of its kind is kept: states with the same
+/// pressures and another tip live side by side, since friction may make the dearer one the only way
+/// to the goal (overshoot and return). Threads: one writer, or many readers.
+class SparseTree {
+ public:
+  SparseTree(const ArmDescription& arm, const StateCells& cells, const ArmStart& root);
+
+  /// The new node; none where a state like it is there already and costs no more.
+  /// @param always  adds it all the same
+  std::optional<int> add(const Pressures& pressures_kpa, const Backbone& backbone, int parent,
+                         double cost_kpa, bool always = false);
+
+  const PressureTree& states() const { return tree_; }
+  int size() const { return tree_.size(); }
+  double bytes() const;
+
+  int random_node(RandomStream& random) const;
+  /// The node nearest to `target_kpa`, or the nearest of some: of several backbones at like
+  /// pressures each gets its turn.
+  /// @param random_share  of the calls that ask only some nodes, in [0, 1]
+  int parent_near(const Pressures& target_kpa, double random_share, RandomStream& random) const;
+
+  Pressures random_configuration(RandomStream& random) const;
+  /// `target_kpa`, or what lies at most `step` from the node on the way to it.
+  Pressures stepped(int node, const Pressures& target_kpa, double step) const;
+  Pressures limited(const Pressures& pressures_kpa) const;
+  /// Fractions of the limits.
+  Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const;
+  const Pressures& limits_kpa() const { return limit_kpa_; }
+
+ private:
+  std::uint64_t cell_of(const PressuresRef& pressures_kpa, const Pose& tip) const;
+
+  StateCells cells_;
+  Pressures limit_kpa_;
+  PressureTree tree_;
+  PressureIndex index_;
+  std::vector<int> stands_for_;  // a node that a cheaper one like it has replaced names that one
+  std::unordered_map<std::uint64_t, int> cheapest_;  // node of a cell
+};
+
+/// 1, 2, 4, … `most`, a power of two, each as likely: of how many nodes the best is taken.
+int random_power_of_two(RandomStream& random, int most);
+
+}  // namespace limber

@@ -1,0 +1,182 @@
+#include "limber/planning/forest.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/planning/motion_simulator.hpp"
+#include "limber/planning/planner.hpp"
+#include "planning/play_model.hpp"
+#include "support/sample_arm.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr int kNodes = 3000;
+constexpr float kPlayM = 0.01F;
+
+struct Setting {
+  ArmDescription arm = three_segment_arm();
+  ForwardModel model{arm, play_network(arm, kPlayM)};
+  Environment environment;
+  ArmStart start = start_state(environment, arm);
+
+  Setting() {
+    environment.name = "behind a pillar";
+    environment.obstacles = {Circle{0.45, 0.22, 0.025}};
+    environment.goal = {0.30, 0.40, std::nullopt, 0.02, 0.3};
+  }
+
+  Forest grow(int jobs = 1, std::uint64_t seed = 1, int nodes = kNodes) const {
+    ForestSettings settings;
+    settings.nodes = nodes;
+    settings.jobs = jobs;
+    settings.seed = seed;
+    return *grow_forest(arm, model, forest_key(arm, "model", start), start, settings);
+  }
+
+  PlanResult plan(const Forest* forest, std::uint64_t iterations, std::uint64_t seed = 3) const {
+    PlannerLimits limits;
+    limits.iterations = iterations;
+    return make_planner("default", 1, forest)->plan({arm, model, environment}, limits, seed);
+  }
+};
+
+// Every node is what its motions from the start lead to, by one query after another.
+TEST(Forest, EveryNodeIsWhereItsMotionsLead) {
+  const Setting s;
+  const Forest forest = s.grow();
+  ASSERT_EQ(forest.size(), kNodes);
+  const CollisionChecker free(s.arm, {}, 0.0);
+  MotionSimulator simulator(s.arm, s.model, free);
+  std::vector<Backbone> shapes{s.start.backbone};
+  for (int i = 1; i < forest.size(); ++i) {
+    const int parent = forest.parents[static_cast<std::size_t>(i)];
+    ASSERT_LT(parent, i);
+    Backbone at(s.arm.point_count(), 3);
+    simulator.move_unchecked(forest.pressures_kpa.col(parent),
+                             shapes[static_cast<std::size_t>(parent)], forest.pressures_kpa.col(i),
+                             at);
+    shapes.push_back(at);
+    Backbone held(s.arm.point_count(), 3);
+    ASSERT_TRUE(simulator.hold(forest.pressures_kpa.col(i), at, hold_frame_count(s.arm), held));
+    constexpr float kRounding = 1e-5F;  // [m, rad]; batches round as single queries do, nearly
+    EXPECT_TRUE(held.bottomRows<1>().transpose().isApprox(forest.held_tips.col(i), kRounding))
+        << "node " << i;
+    EXPECT_LE(
+        (forest.pressures_kpa.col(i).array().abs() - pressure_limits_kpa(s.arm).array()).maxCoeff(),
+        0.0F);
+  }
+}
+
+TEST(Forest, IsTheSameForAnyNumberOfThreads) {
+  const Setting s;
+  const Forest one = s.grow(1);
+  const Forest two = s.grow(2);
+  EXPECT_EQ(one.parents, two.parents);
+  EXPECT_EQ(one.pressures_kpa, two.pressures_kpa);
+  EXPECT_EQ(one.held_tips, two.held_tips);
+  EXPECT_NE(one.pressures_kpa, s.grow(1, 2).pressures_kpa) << "the seed counts";
+}
+
+TEST(Forest, SurvivesItsFile) {
+  const Setting s;
+  const TemporaryFolder folder;
+  const Forest forest = s.grow();
+  write_forest(folder.path() / "a.forest", forest);
+  const Forest back = read_forest(folder.path() / "a.forest");
+  EXPECT_EQ(back.key, forest.key);
+  EXPECT_EQ(back.parents, forest.parents);
+  EXPECT_EQ(back.pressures_kpa, forest.pressures_kpa);
+  EXPECT_EQ(back.held_tips, forest.held_tips);
+  constexpr float kRoundingKpa = 1e-2F;  // sums of some dozens of steps in float32
+  for (std::size_t i = 0; i < forest.costs_kpa.size(); ++i) {
+    EXPECT_NEAR(back.costs_kpa[i], forest.costs_kpa[i], kRoundingKpa);
+  }
+}
+
+TEST(Forest, ABrokenFileIsRefusedByTensor) {
+  const Setting s;
+  const TemporaryFolder folder;
+  const auto refusal = [&](const Forest& broken) {
+    write_forest(folder.path() / "b.forest", broken);
+    try {
+      (void)read_forest(folder.path() / "b.forest");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const Forest good = s.grow();
+  Forest broken = good;
+  broken.parents[7] = 7;
+  EXPECT_THAT(refusal(broken), HasSubstr("b.forest: parents[7] = 7; expected a node before it"));
+  broken = good;
+  broken.held_tips(1, 3) = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THAT(refusal(broken), HasSubstr("held_tips holds a number that is not finite"));
+  broken = good;
+  broken.pressures_kpa.conservativeResize(Eigen::NoChange, 5);
+  EXPECT_THAT(refusal(broken), HasSubstr("pressures_kpa has not one row for each"));
+  write_file_atomically(folder.path() / "b.forest", "no tensors");
+  EXPECT_THROW((void)read_forest(folder.path() / "b.forest"), InputError);
+}
+
+// Where nothing is in the way, a motion of the forest is a plan at once.
+TEST(Forest, GivesAPlanWithFewerQueriesAndLessCost) {
+  Setting s;
+  s.environment.obstacles = {Circle{-0.3, 0.3, 0.02}};
+  constexpr int kDense = 30'000;  // some of them end in the goal
+  const Forest forest = s.grow(2, 1, kDense);
+  FirstSolution without{0.0, 0.0, 0};
+  FirstSolution with{0.0, 0.0, 0};
+  const auto add = [](const PlanResult& result, FirstSolution& sum) {
+    sum.queries += result.first_solution->queries;
+    sum.cost_kpa += result.first_solution->cost_kpa;
+  };
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const PlanResult bare = s.plan(nullptr, 2000, seed);
+    const PlanResult helped = s.plan(&forest, 2000, seed);
+    ASSERT_EQ(bare.status, PlanStatus::solved);
+    ASSERT_EQ(helped.status, PlanStatus::solved) << helped.reason;
+    ASSERT_TRUE(helped.certificate->certified());
+    add(bare, without);
+    add(helped, with);
+  }
+  EXPECT_LT(with.queries, without.queries);
+  EXPECT_LT(with.cost_kpa, without.cost_kpa);
+}
+
+TEST(Forest, WhatAnObstacleBlocksIsNotPlanned) {
+  Setting s;
+  const Forest forest = s.grow();
+  // A wall across the arm's way up, after the forest was grown: it must not be trusted blindly.
+  s.environment.obstacles.push_back(Rectangle{0.35, 0.33, 0.3, 0.02, 0.0});
+  const PlanResult result = s.plan(&forest, 4000);
+  if (result.plan) {
+    const CollisionChecker checker(s.arm, s.environment.obstacles, 0.0);
+    for (std::size_t k = 1; k < result.plan->frames.size(); ++k) {
+      EXPECT_TRUE(checker.is_motion_free(result.plan->frames[k - 1].backbone,
+                                         result.plan->frames[k].backbone))
+          << "frame " << k;
+    }
+  } else {
+    EXPECT_EQ(result.status, PlanStatus::limit);
+  }
+}
+
+TEST(Forest, OfAnotherStartIsRefused) {
+  Setting s;
+  const Forest forest = s.grow();
+  s.environment.start = ArmStart{Pressures::Constant(3, 10.0F), s.start.backbone};
+  EXPECT_THAT([&] { (void)s.plan(&forest, 10); },
+              ThrowsMessage<InputError>(HasSubstr("grown for another arm or start")));
+  EXPECT_THAT([&] { (void)make_planner("paper", 1, &forest); },
+              ThrowsMessage<InputError>(HasSubstr("planner 'paper' uses no forest")));
+}
+
+}  // namespace
+}  // namespace limber
