@@ -37,18 +37,22 @@ TEST = ["--schedule", "random", "--count", "100"]
 
 TWO_HOURS = ["transitions", "short_1.4h"]
 FIVE_HOURS = [*TWO_HOURS, "random_2h", "straight_46min"]
-# Rows: preset, arm, recordings, epochs (None: the preset's), seeds, whether it is on the curve.
+# Rows: flags of `limber train`, arm, recordings, epochs (None: the preset's), seeds, whether it is on
+# the curve. Epochs and windows were chosen by a recording that is neither learnt from nor tested on.
+BEST = ["--preset", "best"]
+WINDOWS_OF_32 = [*BEST, "--windows", "32"]
 ROWS = {
-    "paper": ("paper", "three_segment", ["transitions"], None, [1], False),
-    "best_0.6h": ("best", "three_segment", ["transitions"], 200, [1, 2, 3], True),
-    "best_1h": ("best", "three_segment", ["transitions", "short_24min"], 150, [1], True),
-    "best_2h": ("best", "three_segment", TWO_HOURS, 100, [1, 2, 3], True),
-    "best_5h": ("best", "three_segment", FIVE_HOURS, 60, [1], True),
-    "best_10h": ("best", "three_segment", [*FIVE_HOURS, "short_5h"], 30, [1, 2, 3], True),
-    "two_segment": ("best", "two_segment", ["two_transitions", "two_short"], 100, [1], False),
-    "five_segment": ("best", "five_segment", ["five_transitions", "five_short"], 100, [1], False),
+    "paper": (["--preset", "paper"], "three_segment", ["transitions"], None, [1], False),
+    "best_0.6h": (BEST, "three_segment", ["transitions"], 100, [1, 2, 3], False),
+    "best_2h": (BEST, "three_segment", TWO_HOURS, 1000, [1, 2, 3], True),
+    "best_10h": (BEST, "three_segment", [*FIVE_HOURS, "short_5h"], 300, [1, 2, 3], True),
+    "windows32_0.6h": (WINDOWS_OF_32, "three_segment", ["transitions"], 100, [1, 2, 3], True),
+    "best_1h": (BEST, "three_segment", ["transitions", "short_24min"], 500, [1], True),
+    "best_5h": (BEST, "three_segment", FIVE_HOURS, 400, [1], True),
+    "two_segment": (BEST, "two_segment", ["two_transitions", "two_short"], 300, [1], False),
+    "five_segment": (BEST, "five_segment", ["five_transitions", "five_short"], 300, [1], False),
 }
-FIRST_TEST_SEED = 70_000  # of seed 1; drawn for this table and opened for nothing else
+FIRST_TEST_SEED = 90_000  # of seed 1; drawn for this table and opened for nothing else
 
 
 class Runner:
@@ -78,7 +82,7 @@ class Runner:
         return self.json_of("inspect", path)["duration_s"] / 3600
 
     def row(self, name, seed):
-        preset, arm, recordings, epochs, _, curve = ROWS[name]
+        preset_flags, arm, recordings, epochs, _, curve = ROWS[name]
         label = f"{name}_seed{seed}"
         result = self.out / f"{label}.json"
         if result.exists():
@@ -88,7 +92,7 @@ class Runner:
             of_arm, collect_seed, flags = RECORDINGS[recording]
             paths.append(self.recording(recording, of_arm, flags, collect_seed))
         model = self.out / f"{label}.safetensors"
-        flags = ["--arm", arm, "--preset", preset, "--seed", seed, "--out", model]
+        flags = ["--arm", arm, *preset_flags, "--seed", seed, "--out", model]
         for path in paths:
             flags += ["--data", path]
         if epochs is not None:

@@ -40,6 +40,10 @@ class ExperimentVerb final : public Verb {
         ->expected(1)
         ->take_all()
         ->capture_default_str();
+    app.add_option("--planner-jobs", settings_.planner_jobs,
+                   "Threads of each planner; trials run side by side, as many as --jobs")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
     app.add_flag("--network-only", network_only_, "Leave the no-load model out");
     app.add_option("--time-limit-s", settings_.limits.time_s,
                    fmt::format("For each plan; {} where no limit is given", kDefaultTimeLimitS))

@@ -8,12 +8,6 @@
 
 namespace limber {
 
-namespace {
-
-constexpr int kPlannerJobs = 1;  // trials themselves run side by side, one a core
-
-}  // namespace
-
 PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
                      const EnvironmentCase& item, const PlanTrialSettings& settings,
                      std::uint64_t seed) {
@@ -25,7 +19,7 @@ PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
   trial.asks_heading = item.environment.goal.theta_rad.has_value();
   const PlanningProblem problem{arm, model, item.environment, settings.margin_m};
   trial.planning =
-      make_planner(settings.planner, kPlannerJobs, settings.forest)
+      make_planner(settings.planner, settings.planner_jobs, settings.forest)
           ->plan(problem, settings.limits, seed);
   if (trial.planning.plan) {
     trial.planning.plan->model_hash = model.has_network() ? settings.model_hash : "";

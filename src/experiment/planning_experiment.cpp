@@ -180,6 +180,7 @@ class Experiment {
     PlanTrialSettings trial;
     trial.limits = settings_.limits;
     trial.margin_m = settings_.margin_m;
+    trial.planner_jobs = settings_.planner_jobs;
     trial.model_hash = model_bytes_hash_;
     Progress progress("experiment", "trials", open.size(), settings_.progress);
     JobArena arena(settings_.jobs);
@@ -196,7 +197,7 @@ class Experiment {
 
   void run_task(const Task& task, PlanTrialSettings settings) const {
     settings.planner = *task.planner;
-    if (settings_.forest && task.model->has_network() && *task.planner == "default") {
+    if (settings_.forest && task.model->has_network() && task.planner->starts_with("default")) {
       settings.forest = &*settings_.forest;
     }
     const Environment& environment = task.environment->environment;

@@ -18,7 +18,6 @@ namespace limber {
 namespace {
 
 constexpr double kSearchShare = 0.2;  // of the model's queries, once there is a plan
-constexpr int kImprovers = 6;         // plans that are improved side by side
 constexpr int kPatience = 15;  // rounds without success until a plan that is not the best goes
 constexpr int kMostIdleTurns = 10'000;
 constexpr std::uint64_t kChoiceStream = std::uint64_t{1} << 60;
@@ -48,7 +47,7 @@ class Run {
         search_(problem, paths_, settings, seed),
         choice_(seed, kChoiceStream),
         seed_(seed) {
-    for (int i = 0; i < kImprovers; ++i) {
+    for (int i = 0; i < settings.improved_plans; ++i) {
       improvers_.emplace_back(problem, seed, static_cast<std::uint64_t>(i));
     }
   }
@@ -251,6 +250,7 @@ void require_valid(const DefaultPlannerSettings& s) {
   require_between("cell_position_m", s.cell_position_m, 1e-5, 10.0);
   require_between("cell_orientation_rad", s.cell_orientation_rad, 1e-4, 10.0);
   require_between("dearest", s.dearest, 1.0, 1e6);
+  require_between("improved_plans", s.improved_plans, 0, 64);
   require_between("hold_position_m", s.hold_position_m, 0.0, 10.0);
   require_between("hold_orientation_rad", s.hold_orientation_rad, 0.0, 10.0);
   require_between("jobs", s.jobs, 0, 1024);

@@ -84,6 +84,17 @@ void set_epoch_count(TrainingSettings& settings, int epochs) {
   }
 }
 
+void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames) {
+  constexpr int kFramesInBatch = 2048;
+  constexpr int kMostWindows = 512;
+  const int epochs = settings.epoch_count();
+  settings.stages.clear();
+  for (const int frames : window_frames) {
+    settings.stages.push_back({frames, std::clamp(kFramesInBatch / frames, 1, kMostWindows), 1});
+  }
+  set_epoch_count(settings, epochs);
+}
+
 void require_usable(const TrainingSettings& settings) {
   require(!settings.stages.empty(), "stages", 0, "at least one");
   for (const TrainingStage& stage : settings.stages) {

@@ -90,6 +90,37 @@ void expect_lawful(const Setting& s, const Plan& plan) {
   EXPECT_NEAR(distance, plan.goal_distance_m, kRoundingM);
 }
 
+TEST(Planner, TakesSettingsWithItsName) {
+  Setting s(false);
+  const PlanResult bare = s.plan("default,improved_plans=0", 1500);
+  const PlanResult improved = s.plan("default", 1500);
+  ASSERT_EQ(bare.status, PlanStatus::solved);
+  ASSERT_EQ(improved.status, PlanStatus::solved);
+  EXPECT_LT(improved.plan->cost_kpa, bare.plan->cost_kpa);
+  const auto refusal = [](const char* name, const char* message) {
+    EXPECT_THAT([&] { (void)make_planner(name); }, ThrowsMessage<InputError>(HasSubstr(message)));
+  };
+  refusal("default,goal_shot=0", "planner setting goal_shot: the default planner has step_size");
+  refusal("default,goal_shots", "planner setting 'goal_shots'; expected NAME,key=value");
+  refusal("default,goal_shots=x", "goal_shots = 'x'; expected a number");
+  refusal("default,goal_shots=2", "goal_shots = 2; expected 0 to 1");
+  refusal("paper,goal_shots=0", "planner 'paper,goal_shots=0'; expected one of default");
+}
+
+TEST(Planner, LogsHowTheCostFell) {
+  Setting s(false);
+  const PlanResult result = s.plan("default", 1500);
+  ASSERT_EQ(result.status, PlanStatus::solved);
+  ASSERT_GE(result.events.size(), 2U);
+  EXPECT_EQ(result.events.front().best_cost_kpa, result.first_solution->cost_kpa);
+  for (std::size_t i = 1; i < result.events.size(); ++i) {
+    EXPECT_GE(result.events[i].queries, result.events[i - 1].queries);
+    EXPECT_LE(*result.events[i].best_cost_kpa, *result.events[i - 1].best_cost_kpa);
+  }
+  constexpr double kRoundingKpa = 0.1;  // the sum over frames, against that over waypoints
+  EXPECT_NEAR(*result.events.back().best_cost_kpa, result.plan->cost_kpa, kRoundingKpa);
+}
+
 TEST(Planner, EveryPlanIsLawful) {
   for (const bool play : {false, true}) {
     Setting s(play);

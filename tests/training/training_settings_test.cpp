@@ -50,6 +50,21 @@ TEST(SetEpochCount, KeepsProportionsAndTheSum) {
               ThrowsMessage<InputError>(HasSubstr("2 epochs; preset 'best' has 3 stages")));
 }
 
+TEST(SetWindowFrames, KeepsTheEpochsAndSharesThem) {
+  TrainingSettings settings = best_preset();
+  const int epochs = settings.epoch_count();
+  set_window_frames(settings, {32, 5});
+  ASSERT_EQ(settings.stages.size(), 2U);
+  EXPECT_EQ(settings.stages[0].window_frames, 32);
+  EXPECT_EQ(settings.stages[0].windows_per_batch, 64);
+  EXPECT_EQ(settings.stages[1].windows_per_batch, 409);
+  EXPECT_EQ(settings.epoch_count(), epochs);
+  EXPECT_EQ(settings.stages[0].epochs, epochs / 2);
+  settings.stages = {{32, 64, 1}};
+  EXPECT_THAT([&] { set_window_frames(settings, {2, 8}); },
+              ThrowsMessage<InputError>(HasSubstr("1 epochs; preset 'best' has 2 stages")));
+}
+
 TEST(RequireUsable, NamesTheSettingAndWhatIsAllowed) {
   const auto refusal = [](auto change, const char* message) {
     TrainingSettings settings = best_preset();

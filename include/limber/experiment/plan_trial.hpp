@@ -35,6 +35,7 @@ struct PlanTrial {
 
 struct PlanTrialSettings {
   std::string planner = "default";
+  int planner_jobs = 1;  ///< threads of the planner; trials themselves run side by side
   PlannerLimits limits;
   double margin_m = 0.0;
   const Forest* forest = nullptr;  ///< for the default planner; borrowed

@@ -28,6 +28,7 @@ struct ExperimentSettings {
   PlannerLimits limits;
   double margin_m = 0.0;
   std::uint64_t seed = 1;
+  int planner_jobs = 1;  ///< threads of each planner
   int jobs = 0;         ///< trials at once, 0: one a core
   bool resume = false;  ///< keep finished trials of the same experiment
   bool force = false;   ///< replace a folder that limber experiment did not make

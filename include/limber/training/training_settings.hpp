@@ -92,6 +92,11 @@ TrainingSettings training_preset(const std::string& name);
 /// @throws InputError where there are fewer epochs than stages.
 void set_epoch_count(TrainingSettings& settings, int epochs);
 
+/// Stages of windows of these lengths instead, in this order, that share the epochs there are.
+/// @param window_frames  one a stage, each ≥ 1
+/// @throws InputError where there are fewer epochs than stages.
+void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames);
+
 /// @throws InputError naming the setting, what it is and what is allowed.
 void require_usable(const TrainingSettings& settings);
 

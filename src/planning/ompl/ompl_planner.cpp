@@ -22,6 +22,7 @@
 #include "limber/planning/plan_builder.hpp"
 #include "mended_sst.hpp"
 #include "planning/plan_result.hpp"
+#include "planning/planner_name.hpp"
 
 namespace limber {
 
@@ -45,42 +46,11 @@ const std::map<std::string, ob::PlannerPtr (*)(const oc::SpaceInformationPtr&)> 
     {"ompl:SST-mended", make<MendedSst>}, {"ompl:KPIECE1", make<oc::KPIECE1>},
     {"ompl:EST", make<oc::EST>},          {"ompl:PDST", make<oc::PDST>}};
 
-double number_of(const std::string& key, const std::string& value, double low, double high) {
-  char* end = nullptr;
-  const double number = std::strtod(value.c_str(), &end);
-  if (value.empty() || *end != '\0' || !(number >= low && number <= high)) {
-    throw InputError(fmt::format("planner setting {} = '{}'; expected a number from {} to {}", key,
-                                 value, low, high));
-  }
-  return number;
-}
-
-/// "NAME,key=value,…" in its parts.
-std::string split_name(const std::string& text, Parameters& parameters) {
-  const std::size_t comma = text.find(',');
-  for (std::size_t at = comma; at != std::string::npos;) {
-    const std::size_t next = text.find(',', at + 1);
-    const std::string part = text.substr(at + 1, next == std::string::npos ? next : next - at - 1);
-    const std::size_t equals = part.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw InputError(
-          fmt::format("planner setting '{}'; expected NAME,key=value,key=value", part));
-    }
-    parameters[part.substr(0, equals)] = part.substr(equals + 1);
-    at = next;
-  }
-  return text.substr(0, comma);
-}
-
-OmplSettings take_settings(Parameters& parameters) {
+OmplSettings take_settings(PlannerName& name) {
   OmplSettings settings;
-  const auto take = [&](const char* key, double low, double high, double fallback) {
-    const auto node = parameters.extract(key);
-    return node.empty() ? fallback : number_of(key, node.mapped(), low, high);
-  };
-  settings.frames = static_cast<int>(take("frames", 1, 100, settings.frames));
-  settings.tip_weight = take("tip_weight", 0, 100, settings.tip_weight);
-  settings.directed = take("directed", 0, 1, 1) != 0;
+  settings.frames = static_cast<int>(name.take("frames", 1, 100, settings.frames));
+  settings.tip_weight = name.take("tip_weight", 0, 100, settings.tip_weight);
+  settings.directed = name.take("directed", 0, 1, 1) != 0;
   return settings;
 }
 
@@ -255,12 +225,14 @@ class Run {
 class OmplPlanner final : public Planner {
  public:
   explicit OmplPlanner(const std::string& text) : text_(text) {
-    name_ = split_name(text, parameters_);
+    PlannerName parsed = PlannerName::parse(text);
+    name_ = parsed.name;
     if (kPlanners.count(name_) == 0) {
       throw InputError(fmt::format("planner '{}'; of OMPL's there are {}", name_,
                                    fmt::join(ompl_planner_names(), ", ")));
     }
-    settings_ = take_settings(parameters_);
+    settings_ = take_settings(parsed);
+    parameters_ = std::move(parsed.settings);
   }
 
   const char* name() const override { return text_.c_str(); }

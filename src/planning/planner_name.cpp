@@ -1,0 +1,43 @@
+#include "planner_name.hpp"
+
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+PlannerName PlannerName::parse(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  PlannerName parsed{text.substr(0, comma), {}};
+  for (std::size_t at = comma; at != std::string::npos;) {
+    const std::size_t next = text.find(',', at + 1);
+    const std::string part = text.substr(at + 1, next == std::string::npos ? next : next - at - 1);
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw InputError(
+          fmt::format("planner setting '{}'; expected NAME,key=value,key=value", part));
+    }
+    parsed.settings[part.substr(0, equals)] = part.substr(equals + 1);
+    at = next;
+  }
+  return parsed;
+}
+
+double PlannerName::take(const std::string& key, double low, double high, double fallback) {
+  const auto setting = settings.extract(key);
+  if (setting.empty()) {
+    return fallback;
+  }
+  const std::string& value = setting.mapped();
+  char* end = nullptr;
+  const double number = std::strtod(value.c_str(), &end);
+  if (value.empty() || *end != '\0' || !(number >= low && number <= high)) {
+    throw InputError(fmt::format("planner setting {} = '{}'; expected a number from {} to {}", key,
+                                 value, low, high));
+  }
+  return number;
+}
+
+}  // namespace limber

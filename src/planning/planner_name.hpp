@@ -1,0 +1,21 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace limber {
+
+/// A planner as people name it: "NAME" or "NAME,key=value,key=value".
+struct PlannerName {
+  std::string name;
+  std::map<std::string, std::string> settings;  ///< as they were typed
+
+  /// @throws InputError naming the part that is no key=value.
+  static PlannerName parse(const std::string& text);
+
+  /// The number of a setting, which is then no longer there; `fallback` where it was not given.
+  /// @throws InputError where it is no number from `low` to `high`.
+  double take(const std::string& key, double low, double high, double fallback);
+};
+
+}  // namespace limber
