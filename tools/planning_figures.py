@@ -1,0 +1,212 @@
+#!/usr/bin/env python3
+"""Measures the tables of docs/planning.md: ablation, paper mode, OMPL's planners, random environments.
+
+    tools/planning_figures.py --limber build/release/bin/limber --model model.safetensors --out out/planning
+    tools/planning_figures.py --model model.safetensors --out out/planning --rows default paper
+    tools/planning_figures.py --out out/planning --print             the tables of what is there
+
+Every row is a `limber experiment` in OUT/ROW; rows that are finished are not run again, and one that
+was stopped goes on. Times mean something on an idle machine only.
+"""
+
+import argparse
+import json
+import pathlib
+import statistics
+import subprocess
+import sys
+
+FIRST = ["--cost-threshold-kpa", "1000000"]  # stops at the first plan
+BOTH_CORES = ["--jobs", "1", "--planner-jobs", "2"]  # one plan after another; else two at a time
+BOTH_MODELS = "both models"  # the no-load model too, which elsewhere is left out
+RANDOM = "random_environments"
+# Rows: planner, trials in each environment, seconds each, further flags.
+ROWS = {
+    "default": ("default", 20, 10, []),
+    "paper": ("paper", 5, 60, []),
+    "first": ("default", 20, 10, [*FIRST, *BOTH_CORES]),
+    "first_forest": ("default", 20, 10, [*FIRST, *BOTH_CORES, "--forest", "FOREST"]),
+    "first_paper": ("paper", 20, 60, FIRST),
+    "steer_all": ("paper-steer-all", 3, 10, []),
+    "plain": ("default,goal_shots=0,improved_plans=0", 3, 10, []),
+    "shots": ("default,improved_plans=0", 3, 10, []),
+    "forest": ("default", 3, 10, ["--forest", "FOREST"]),
+    "threads": ("default", 3, 10, ["--forest", "FOREST", *BOTH_CORES]),
+    "executed": ("default", 20, 1, [BOTH_MODELS, "--margin-m", "0.005"]),
+    "random": ("default", 1, 60, [*FIRST, *BOTH_CORES, "--environments", RANDOM]),
+    "random_1s": ("default", 1, 1, ["--environments", RANDOM]),
+    "random_paper": ("paper", 1, 60, [*FIRST, "--environments", RANDOM]),
+}
+# Settings of OMPL's planners that are tried, one trial an environment, before the best of each is
+# measured.
+OMPL = {
+    "ompl:RRT": [f"frames={f},goal_bias={b}" for f, b in
+                 [(5, 0.05), (10, 0.05), (20, 0.05), (10, 0.2), (20, 0.2), (10, 0.4)]],
+    "ompl:EST": [f"frames={f},range={r}" for f, r in
+                 [(5, 0.2), (10, 0.2), (20, 0.2), (10, 0.5), (10, 1.0)]],
+    "ompl:KPIECE1": [f"frames={f},goal_bias={b}" for f, b in
+                     [(5, 0.05), (10, 0.05), (20, 0.05), (10, 0.2), (20, 0.2)]],
+    "ompl:PDST": [f"frames={f},goal_bias={b}" for f, b in
+                  [(5, 0.05), (10, 0.05), (20, 0.05), (10, 0.2), (20, 0.2)]],
+    "ompl:SST": [f"frames={f},selection_radius={s},pruning_radius={p}" for f, s, p in
+                 [(5, 0.2, 0.1), (10, 0.2, 0.1), (20, 0.2, 0.1), (10, 0.1, 0.03), (20, 0.4, 0.2)]],
+}
+OMPL["ompl:SST-mended"] = OMPL["ompl:SST"]
+OMPL_TRIAL_S, OMPL_LIMIT_S, OMPL_TRIALS = 5, 20, 5
+
+
+class Runner:
+    def __init__(self, options):
+        self.limber = options.limber
+        self.model = options.model
+        self.out = pathlib.Path(options.out)
+        self.printing = options.print
+
+    def experiment(self, name, planner, trials, time_s, flags):
+        """The trials of a row, as `limber experiment` wrote them; none where there are none."""
+        folder = self.out / name
+        if not self.printing:
+            places = {"FOREST": str(self.out / "forest"), RANDOM: str(self.out / RANDOM)}
+            flags = [places.get(flag, flag) for flag in flags]
+            if places[RANDOM] in flags:
+                self.draw_environments()
+            models = [] if BOTH_MODELS in flags else ["--network-only"]
+            flags = [flag for flag in flags if flag != BOTH_MODELS]
+            self.run("experiment", "--model", self.model, *models, "--planner", planner, "--trials", trials, "--time-limit-s", time_s, *flags, "--out", folder, "--resume")
+        return [json.loads(p.read_text()) for p in sorted((folder / "trials").glob("*.json"))]
+
+    def run(self, *arguments):
+        command = [self.limber, *map(str, arguments)]
+        print("+", *command, file=sys.stderr)
+        if subprocess.run(command, stdout=subprocess.DEVNULL, check=False).returncode != 0:
+            sys.exit(f"{command[1]} failed")
+
+    def draw_environments(self):
+        if not (self.out / RANDOM).exists():
+            self.run("environment", "--random", "--count", 100, "--seed", 90_100, "--model",
+                     self.model, "--out", self.out / RANDOM)
+
+    def compare_ompl(self, only):
+        for planner, settings in OMPL.items():
+            if only and planner not in only:
+                continue
+            tried = {}
+            for text in settings:
+                name = f"{planner},{text}"
+                folder = "tried_" + name.replace(":", "_").replace(",", "_").replace("=", "_")
+                trials = self.experiment(folder, name, 1, OMPL_TRIAL_S, FIRST)
+                if trials:
+                    tried[name] = sum(first_s(t) or 2 * OMPL_TRIAL_S for t in trials)
+            if not tried:
+                continue
+            best = min(tried, key=tried.get)
+            folder = "ompl_" + planner.split(":")[1]
+            trials = self.experiment(folder, best, OMPL_TRIALS, OMPL_LIMIT_S, FIRST)
+            print(line(f"{best} (best of {len(tried)})", trials))
+
+
+def first_s(trial):
+    return trial["first_solution"]["time_s"] if trial["status"] == "solved" else None
+
+
+def quantile(values, share):
+    ordered = sorted(values)
+    return ordered[min(len(ordered) - 1, int(share * len(ordered)))]
+
+
+def cost_after(trial, time_s):
+    """Of the best plan known then."""
+    costs = [e["best_cost_kpa"] for e in trial["events"] if e["time_s"] <= time_s]
+    return costs[-1] if costs else None
+
+
+def medians(trials, time_s):
+    """Median cost in every environment where all its trials were solved by then."""
+    costs = {}
+    for trial in trials:
+        costs.setdefault(trial["environment"], []).append(cost_after(trial, time_s))
+    return {
+        name: statistics.median(values) for name, values in costs.items() if None not in values
+    }
+
+
+def line(name, trials):
+    solved = [t for t in trials if t["status"] == "solved"]
+    if not solved:
+        return f"| {name} | 0 of {len(trials)} | | | | | | |"
+    times = [1e3 * first_s(t) for t in solved]
+    queries = [t["first_solution"]["queries"] for t in solved]
+    mean = statistics.mean(times)
+    error = statistics.stdev(times) / len(times) ** 0.5 if len(times) > 1 else 0.0
+
+    def cost(time_s):
+        known = medians(trials, time_s)
+        return f"{statistics.mean(known.values()):.0f} ({len(known)})" if known else "–"
+
+    return (
+        f"| {name} | {len(solved)} of {len(trials)} | {statistics.median(queries):.0f} "
+        f"| {statistics.median(times):.1f}, {mean:.1f} ± {error:.1f}, {quantile(times, 0.95):.1f} ms "
+        f"| {cost(0.1)} | {cost(1)} | {cost(10)} | {cost(60)} |"
+    )
+
+
+def ratios(rows):
+    """Cost of the default planner over paper mode's after 60 s, environment by environment."""
+    paper = medians(rows["paper"], 60)
+    lines = ["", "| environment | paper, 60 s | default, 1 s | ratio | 10 s | ratio |", "|---|---|---|---|---|---|"]
+    one, ten = medians(rows["default"], 1), medians(rows["default"], 10)
+    for name, cost in paper.items():
+        if name in one and name in ten:
+            lines.append(f"| {name} | {cost:.0f} kPa | {one[name]:.0f} | {one[name] / cost:.2f} "
+                         f"| {ten[name]:.0f} | {ten[name] / cost:.2f} |")
+    return "\n".join(lines)
+
+
+def executed(trials):
+    """Where executed plans ended, runs that collided included, by model and environment."""
+    lines = ["", "| executed | plans | collided | distance to goal: median, mean, 95 % | orientation: mean |",
+             "|---|---|---|---|---|"]
+    for model in ("network", "no_load"):
+        of_model = [t for t in trials if t["model"] == model and t["execution"]]
+        for name in ["all", *sorted({t["environment"] for t in of_model})]:
+            runs = [t["execution"] for t in of_model if name in ("all", t["environment"])]
+            ends = [r["distance_to_goal_cm"] for r in runs]
+            turns = [r["orientation_to_goal_rad"] for r in runs]
+            lines.append(
+                f"| {model}, {name} | {len(runs)} | {sum(r['collided'] for r in runs)} "
+                f"| {statistics.median(ends):.1f}, {statistics.mean(ends):.1f}, "
+                f"{quantile(ends, 0.95):.1f} cm | {statistics.mean(turns):.2f} rad |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--limber", default="build/release/bin/limber")
+    parser.add_argument("--model")
+    parser.add_argument("--out", default="out/planning")
+    parser.add_argument("--rows", nargs="*", choices=[*ROWS, *OMPL])
+    parser.add_argument("--print", action="store_true", help="only what is there already")
+    options = parser.parse_args()
+    if not options.model and not options.print:
+        parser.error("--model is required")
+    runner = Runner(options)
+    print("| row | solved | queries to the first plan | time to it: median, mean, 95 % | cost after "
+          "0.1 s | 1 s | 10 s | 60 s |")
+    print("|---|---|---|---|---|---|---|---|")
+    rows = {}
+    for name, (planner, trials, time_s, flags) in ROWS.items():
+        if options.rows and name not in options.rows:
+            continue
+        found = runner.experiment(name, planner, trials, time_s, flags)
+        if found:
+            rows[name] = found
+            print(line(name, found), flush=True)
+    if not options.rows or set(options.rows) & set(OMPL):
+        runner.compare_ompl(options.rows)
+    if "executed" in rows:
+        print(executed(rows["executed"]))
+    if "paper" in rows and "default" in rows:
+        print(ratios(rows))
+
+
+main()
