@@ -1,5 +1,7 @@
 #include "file_kind.hpp"
 
+#include <string_view>
+
 namespace limber {
 
 FileKind kind_of(const std::string& content) {
@@ -7,9 +9,11 @@ FileKind kind_of(const std::string& content) {
     return FileKind::recording;
   }
   constexpr std::size_t kSafetensorsHeader = 8;  // its length, then JSON
+  constexpr std::size_t kHeaderLooked = 2048;    // a forest's has three tensors
   if (content.size() > kSafetensorsHeader && content[kSafetensorsHeader] == '{' &&
       content[kSafetensorsHeader - 1] == '\0') {
-    return FileKind::model;
+    const std::string_view header = std::string_view(content).substr(0, kHeaderLooked);
+    return header.find("limber/forest/") == header.npos ? FileKind::model : FileKind::forest;
   }
   // JSON is YAML too: arms and environments may be written either way.
   const std::size_t first = content.find_first_not_of(" \t\r\n");

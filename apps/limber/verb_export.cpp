@@ -113,6 +113,9 @@ class ExportVerb final : public Verb {
         require_only(csv_, csv_, "a plan", "--csv");
         export_plan();
         break;
+      case FileKind::forest:
+        throw InputError(
+            fmt::format("{}: a forest; any reader of safetensors opens it as it is", file_));
       default:
         require_only(mjcf_, mjcf_, "an arm", "--mjcf");
         export_arm();

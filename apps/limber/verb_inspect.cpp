@@ -11,6 +11,7 @@
 #include "limber/data/recording_inspection.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/planning/environment.hpp"
+#include "limber/planning/forest.hpp"
 #include "limber/planning/plan.hpp"
 #include "verbs.hpp"
 
@@ -98,7 +99,7 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
                      const std::optional<ArmDescription>& arm) {
   if (content.find("schema") == std::string::npos) {
     throw InputError(fmt::format(
-        "{}: none of limber's files; expected a recording (HDF5), a model (safetensors), a plan "
+        "{}: none of limber's files; expected a recording (HDF5), a model or forest (safetensors), a plan "
         "(JSON), or an arm or environment (YAML with a line 'schema: limber/…')",
         file));
   }
@@ -144,6 +145,24 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
   return finding;
 }
 
+Finding inspect_forest(const std::string& file, const std::optional<ArmDescription>& arm) {
+  const Forest forest = read_forest(file);
+  if (arm && forest.key.arm_hash != arm->hash()) {
+    throw InputError(fmt::format("{}: grown for arm {}; --arm is '{}' ({})", file,
+                                 forest.key.arm_hash, arm->name, arm->hash()));
+  }
+  const std::string model =
+      forest.key.model_hash.empty() ? "the no-load model" : "model " + forest.key.model_hash;
+  return {{{"kind", "forest"},
+           {"arm_hash", forest.key.arm_hash},
+           {"model_hash", forest.key.model_hash},
+           {"start_hash", forest.key.start_hash},
+           {"segments", forest.pressures_kpa.rows()},
+           {"nodes", forest.size()}},
+          fmt::format("forest of {} motions from start {}\n  arm {}, {}", forest.size(),
+                      forest.key.start_hash, forest.key.arm_hash, model)};
+}
+
 Finding inspect_plan(const std::string& file, const std::optional<ArmDescription>& arm) {
   const Plan plan = read_plan(file);
   if (arm) {
@@ -186,6 +205,8 @@ Finding inspect_file(const std::string& file, const std::optional<ArmDescription
       return inspect_recording(file, arm);
     case FileKind::model:
       return inspect_model(file, arm);
+    case FileKind::forest:
+      return inspect_forest(file, arm);
     case FileKind::plan:
       return inspect_plan(file, arm);
     default:
