@@ -1,6 +1,7 @@
 #include "path_simulator.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -11,11 +12,33 @@ namespace limber {
 
 namespace {
 
-constexpr std::size_t kPart = 32;  // paths that run side by side on one thread
+constexpr std::size_t kWidth = 64;      // most paths that run side by side on one thread
+constexpr std::size_t kLeastWidth = 32;  // fewer are not worth another thread
 
 }  // namespace
 
-/// Some paths side by side on one thread.
+/// Paths of one call, taken by whoever has room: which thread simulates a path, and beside which
+/// others, changes nothing about it.
+class PathSimulator::Queue {
+ public:
+  Queue(const std::vector<Path>& paths, std::vector<PathOutcome>& outcomes)
+      : paths_(paths), outcomes_(outcomes) {}
+
+  /// The next path's number; none when all are taken.
+  std::optional<int> take() {
+    const std::size_t i = next_.fetch_add(1, std::memory_order_relaxed);
+    return i < paths_.size() ? std::optional(static_cast<int>(i)) : std::nullopt;
+  }
+  const Path& path(int i) const { return paths_[static_cast<std::size_t>(i)]; }
+  PathOutcome& outcome(int i) { return outcomes_[static_cast<std::size_t>(i)]; }
+
+ private:
+  const std::vector<Path>& paths_;
+  std::vector<PathOutcome>& outcomes_;
+  std::atomic<std::size_t> next_{0};
+};
+
+/// Some paths side by side on one thread; where one has ended, the next begins.
 class PathSimulator::Worker {
  public:
   Worker(const PlanningProblem& problem, const CollisionChecker& checker, HoldRange range)
@@ -25,27 +48,34 @@ class PathSimulator::Worker {
         hold_frames_(hold_frame_count(problem.arm)),
         rollouts_(problem.model) {}
 
-  void run(const Path* paths, PathOutcome* outcomes, int count,
-           const std::function<bool()>& give_up) {
+  /// @param width  paths side by side, at most
+  void run(Queue& queue, std::size_t width, const std::function<bool()>& give_up) {
     rollouts_.clear();
-    for (int i = 0; i < count; ++i) {
-      outcomes[i].free = false;
-      outcomes[i].in_goal = false;
-      outcomes[i].held_tip.reset();
-      outcomes[i].at.clear();
-      outcomes[i].queries = 0;
-      start_motion(i, paths[i], paths[i].from_kpa, paths[i].from, 0);
-    }
-    while (rollouts_.size() > 0 && !give_up()) {
+    while (true) {
+      fill(queue, static_cast<int>(width));
+      if (rollouts_.size() == 0 || give_up()) {
+        return;
+      }
       rollouts_.step();
       for (int column = rollouts_.size() - 1; column >= 0; --column) {
         const int i = rollouts_.label(column);
-        judge(column, paths[i], outcomes[i]);
+        judge(column, queue.path(i), queue.outcome(i));
       }
     }
   }
 
  private:
+  void fill(Queue& queue, int width) {
+    while (rollouts_.size() < width) {
+      const std::optional<int> i = queue.take();
+      if (!i) {
+        return;
+      }
+      const Path& path = queue.path(*i);
+      start_motion(*i, path, path.from_kpa, path.from, 0);
+    }
+  }
+
   void start_motion(int i, const Path& path, const PressuresRef& from_kpa, const BackboneRef& from,
                     std::size_t motion) {
     const Pressures& to = path.to_kpa[motion];
@@ -115,21 +145,22 @@ PathSimulator::~PathSimulator() = default;
 
 void PathSimulator::run(const std::vector<Path>& paths, std::vector<PathOutcome>& outcomes,
                         const std::function<bool()>& give_up) {
-  outcomes.resize(paths.size());
-  const std::size_t parts = (paths.size() + kPart - 1) / kPart;
-  const auto run_part = [&](std::size_t part) {
+  outcomes.assign(paths.size(), {});
+  Queue queue(paths, outcomes);
+  const std::size_t threads = std::clamp(paths.size() / kLeastWidth, std::size_t{1},
+                                         static_cast<std::size_t>(threads_->arena.jobs()));
+  const std::size_t width = std::min(kWidth, (paths.size() + threads - 1) / threads);
+  const auto run_thread = [&](std::size_t) {
     std::unique_ptr<Worker>& worker = threads_->workers.local();
     if (!worker) {
       worker = std::make_unique<Worker>(problem_, checker_, range_);
     }
-    const std::size_t from = part * kPart;
-    worker->run(&paths[from], &outcomes[from],
-                static_cast<int>(std::min(kPart, paths.size() - from)), give_up);
+    worker->run(queue, width, give_up);
   };
-  if (parts == 1) {
-    run_part(0);
+  if (threads == 1) {
+    run_thread(0);
   } else {
-    threads_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, parts, run_part); });
+    threads_->arena.execute([&] { tbb::parallel_for(std::size_t{0}, threads, run_thread); });
   }
   for (const PathOutcome& outcome : outcomes) {
     queries_ += outcome.queries;

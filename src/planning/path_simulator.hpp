@@ -35,7 +35,7 @@ struct HoldRange {
 };
 
 /// Simulates many paths at once: batches of the forward model, every frame checked for collision
-/// and a path left at its first, spread over threads. A path's outcome depends on the path alone:
+/// and a path left at its first, which gives its place to the next, spread over threads. A path's outcome depends on the path alone:
 /// not on the others, nor on the number of threads. Threads: one caller at a time. What it is made
 /// from is borrowed.
 class PathSimulator {
@@ -55,6 +55,7 @@ class PathSimulator {
 
  private:
   struct Threads;
+  class Queue;
   class Worker;
 
   const PlanningProblem& problem_;
