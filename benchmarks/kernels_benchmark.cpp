@@ -68,39 +68,6 @@ void layer_of_rows(benchmark::State& state, CpuLevel level) {
   report_multiply_adds(state, 1.0 * kUnits * kUnits * queries);
 }
 
-using Gemm = decltype(GemmKernels::nn);
-
-// Products as training has them. `nn` and `tn`: a hidden layer's weight, as stored or transposed,
-// times range(0) columns; `nt`: the gradient of that weight, a sum over range(0) columns.
-void product(benchmark::State& state, CpuLevel level, Gemm GemmKernels::*kernel) {
-  const Gemm multiply = gemm_kernels(level).*kernel;
-  const int columns = static_cast<int>(state.range(0));
-  const bool over_columns = kernel == &GemmKernels::nt;
-  const int n = over_columns ? kUnits : columns;
-  const int k = over_columns ? columns : kUnits;
-  const AlignedFloats a = random_floats(kUnits * k, 0);
-  const AlignedFloats b = random_floats(k * n, 1);
-  AlignedFloats c(static_cast<std::size_t>(kUnits * n));
-  for (auto _ : state) {
-    multiply(kUnits, n, k, a.data(), kUnits, b.data(), kUnits, c.data(), kUnits, false);
-    benchmark::ClobberMemory();
-  }
-  report_multiply_adds(state, 1.0 * kUnits * n * k);
-}
-
-void sincos(benchmark::State& state, CpuLevel level) {
-  const GemmKernels& kernels = gemm_kernels(level);
-  const int count = static_cast<int>(state.range(0));
-  const AlignedFloats angle_rad = random_floats(count, 0);
-  AlignedFloats sine(angle_rad.size());
-  AlignedFloats cosine(angle_rad.size());
-  for (auto _ : state) {
-    kernels.sincos(count, angle_rad.data(), sine.data(), cosine.data());
-    benchmark::ClobberMemory();
-  }
-  state.SetItemsProcessed(state.iterations() * count);
-}
-
 // Names are kernel/level/queries.
 const bool kRegistered = [] {
   for (const CpuLevel level : available_cpu_levels()) {
@@ -113,10 +80,6 @@ const bool kRegistered = [] {
     benchmark::RegisterBenchmark(named("multiply_add").c_str(), multiply_add, level);
     sized(benchmark::RegisterBenchmark(named("layer").c_str(), layer, level));
     sized(benchmark::RegisterBenchmark(named("layer_of_rows").c_str(), layer_of_rows, level));
-    sized(benchmark::RegisterBenchmark(named("nn").c_str(), product, level, &GemmKernels::nn));
-    sized(benchmark::RegisterBenchmark(named("tn").c_str(), product, level, &GemmKernels::tn));
-    sized(benchmark::RegisterBenchmark(named("nt").c_str(), product, level, &GemmKernels::nt));
-    benchmark::RegisterBenchmark(named("sincos").c_str(), sincos, level)->Arg(1024);
   }
   return true;
 }();

@@ -15,8 +15,7 @@ namespace {
 using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
-constexpr double kRounding = 1e-5;       // sums of up to 300 products of numbers below 1, in float
-constexpr double kSineTolerance = 2e-7;  // promised by the header
+constexpr double kRounding = 1e-5;  // sums of up to 300 products of numbers below 1, in float
 constexpr float kUntouched = -77.0F;
 
 MatrixXf random_matrix(int rows, int columns, std::uint64_t stream) {
@@ -54,33 +53,6 @@ struct Guarded {
   MatrixXf storage;
 };
 
-TEST_P(GemmKernelsOfLevel, ProductsAgreeWithDoublePrecision) {
-  const GemmKernels& kernels = gemm_kernels(GetParam());
-  for (const auto [m, n, k] : kSizes) {
-    for (const bool accumulate : {false, true}) {
-      SCOPED_TRACE(testing::Message() << m << "x" << n << "x" << k << " += " << accumulate);
-      const MatrixXf a = random_matrix(m, k, 1);
-      const MatrixXf b = random_matrix(k, n, 2);
-      const MatrixXf c = random_matrix(m, n, 3);
-      const MatrixXf at = a.transpose();
-      const MatrixXf bt = b.transpose();
-      Eigen::MatrixXd wanted = a.cast<double>() * b.cast<double>();
-      if (accumulate) {
-        wanted += c.cast<double>();
-      }
-      Guarded nn(c);
-      kernels.nn(m, n, k, a.data(), m, b.data(), k, nn.data(), nn.ld(), accumulate);
-      nn.expect(wanted);
-      Guarded tn(c);
-      kernels.tn(m, n, k, at.data(), k, b.data(), k, tn.data(), tn.ld(), accumulate);
-      tn.expect(wanted);
-      Guarded nt(c);
-      kernels.nt(m, n, k, a.data(), m, bt.data(), n, nt.data(), nt.ld(), accumulate);
-      nt.expect(wanted);
-    }
-  }
-}
-
 TEST_P(GemmKernelsOfLevel, LayersAddTheirBiasAndCutBelowZero) {
   const GemmKernels& kernels = gemm_kernels(GetParam());
   for (const auto [m, n, k] : kSizes) {
@@ -115,11 +87,12 @@ TEST_P(GemmKernelsOfLevel, ColumnDoesNotDependOnItsNeighbours) {
   const int k = 257;
   const MatrixXf a = random_matrix(m, k, 1);
   const MatrixXf b = random_matrix(k, n, 2);
+  const VectorXf bias = random_matrix(m, 1, 3);
   MatrixXf together(m, n);
-  kernels.nn(m, n, k, a.data(), m, b.data(), k, together.data(), m, false);
+  kernels.layer(m, n, k, a.data(), m, b.data(), k, bias.data(), true, together.data(), m);
   for (int j = 0; j < n; ++j) {
     VectorXf alone(m);
-    kernels.nn(m, 1, k, a.data(), m, b.col(j).data(), k, alone.data(), m, false);
+    kernels.layer(m, 1, k, a.data(), m, b.col(j).data(), k, bias.data(), true, alone.data(), m);
     EXPECT_TRUE(alone == together.col(j)) << "column " << j;
   }
 }
@@ -149,36 +122,6 @@ TEST_P(GemmKernelsOfLevel, NotANumberSurvivesRelu) {
   float c = 0.0F;
   gemm_kernels(GetParam()).layer(1, 1, 1, &nan, 1, &one, 1, &zero, true, &c, 1);
   EXPECT_TRUE(std::isnan(c));
-}
-
-TEST_P(GemmKernelsOfLevel, ReluGradientPassesOnlyWhereTheUnitWasOn) {
-  const MatrixXf activation = random_matrix(37, 5, 1).cwiseMax(0.0F);
-  MatrixXf gradient = random_matrix(37, 5, 2);
-  const MatrixXf wanted = (activation.array() > 0.0F).select(gradient, 0.0F);
-  gemm_kernels(GetParam()).relu_gradient(37, 5, activation.data(), 37, gradient.data(), 37);
-  EXPECT_TRUE(gradient == wanted);
-}
-
-TEST_P(GemmKernelsOfLevel, RowSumsAddUpColumns) {
-  const MatrixXf a = random_matrix(53, 40, 1);
-  VectorXf sums = VectorXf::Ones(53);
-  gemm_kernels(GetParam()).row_sums(53, 40, a.data(), 53, sums.data(), true);
-  EXPECT_LT((sums - a.rowwise().sum() - VectorXf::Ones(53)).cwiseAbs().maxCoeff(), kRounding);
-  gemm_kernels(GetParam()).row_sums(53, 40, a.data(), 53, sums.data(), false);
-  EXPECT_LT((sums - a.rowwise().sum()).cwiseAbs().maxCoeff(), kRounding);
-}
-
-TEST_P(GemmKernelsOfLevel, SineAndCosineAgreeWithTheStandardLibrary) {
-  constexpr int kCount = 20001;
-  VectorXf angle = VectorXf::LinSpaced(kCount, -100.0F, 100.0F);
-  angle[7] = 0.0F;
-  VectorXf sine(kCount);
-  VectorXf cosine(kCount);
-  gemm_kernels(GetParam()).sincos(kCount, angle.data(), sine.data(), cosine.data());
-  for (int i = 0; i < kCount; ++i) {
-    ASSERT_NEAR(sine[i], std::sin(double(angle[i])), kSineTolerance) << angle[i];
-    ASSERT_NEAR(cosine[i], std::cos(double(angle[i])), kSineTolerance) << angle[i];
-  }
 }
 
 TEST_P(GemmKernelsOfLevel, MultiplyAddReachesItsFixedPoint) {

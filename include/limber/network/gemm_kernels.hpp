@@ -14,16 +14,6 @@ namespace limber {
 struct GemmKernels {
   int lanes;  ///< floats in a vector register: 4, 8 or 16
 
-  /// C = A·B, or C += A·B with `accumulate`. A m×k, B k×n, C m×n; all sizes ≥ 0.
-  void (*nn)(int m, int n, int k, const float* a, int lda, const float* b, int ldb, float* c,
-             int ldc, bool accumulate);
-  /// C (+)= Aᵀ·B with A stored k×m.
-  void (*tn)(int m, int n, int k, const float* a, int lda, const float* b, int ldb, float* c,
-             int ldc, bool accumulate);
-  /// C (+)= A·Bᵀ with B stored n×k.
-  void (*nt)(int m, int n, int k, const float* a, int lda, const float* b, int ldb, float* c,
-             int ldc, bool accumulate);
-
   /// A layer over n columns, C = A·B + bias, then max(·, 0) where `relu`: bias (m) is added per
   /// row. A is the weight, a column of B one query.
   void (*layer)(int m, int n, int k, const float* a, int lda, const float* b, int ldb,
@@ -42,15 +32,6 @@ struct GemmKernels {
   /// bytes. Null at levels that cannot.
   void (*query_layer_of_halves)(int m, int k, const unsigned short* a, const float* x,
                                 const float* bias, bool relu, float* y);
-
-  /// Back through ReLU: gradient(i, j) = 0 where activation(i, j) ≤ 0. Both m×n.
-  void (*relu_gradient)(int m, int n, const float* activation, int ld_activation, float* gradient,
-                        int ld_gradient);
-  /// sums(i) (+)= Σ_j a(i, j), A m×n: the gradient of a bias.
-  void (*row_sums)(int m, int n, const float* a, int lda, float* sums, bool accumulate);
-
-  /// sine[i], cosine[i] of angle_rad[i]; within 2e-7 for |angle| ≤ 100 rad.
-  void (*sincos)(int count, const float* angle_rad, float* sine, float* cosine);
 
   /// `multiply_adds_per_round`·`rounds` independent multiply-adds that never leave the registers;
   /// time it to know the machine's peak. Returns a value that depends on all of them.
