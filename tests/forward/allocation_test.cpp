@@ -1,39 +1,15 @@
-// Counts what the hot path takes from the heap: malloc is replaced for this program. Sanitizers
-// replace it themselves, so there the count is not taken.
-#include <atomic>
-#include <cstdlib>
-
 #include <gtest/gtest.h>
 
 #include "limber/forward/forward_model.hpp"
 #include "limber/network/untrained_model.hpp"
+#include "support/allocation_count.hpp"
 #include "support/sample_arm.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-constexpr bool kCounting = true;
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" void* __libc_memalign(std::size_t alignment, std::size_t size);
-extern "C" void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-extern "C" void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  ++allocations;
-  return __libc_memalign(alignment, size);
-}
-#else
-constexpr bool kCounting = false;
-#endif
 
 namespace limber {
 namespace {
 
 TEST(ForwardModel, HotPathAllocatesNothing) {
-  if (!kCounting) {
+  if (!kCountsAllocations) {
     GTEST_SKIP() << "the heap belongs to the sanitizer";
   }
   const ArmDescription arm = sample_arm(3);
