@@ -5,15 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <tuple>
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
-#include "limber/common/units.hpp"
+#include "motive_rotations.hpp"
 
 namespace limber {
 
@@ -25,7 +24,6 @@ constexpr const char* kHowToExport =
     "or 'Markers', 'Use World Coordinates', rotation 'Quaternion', units 'Meters'";
 constexpr double kOldestFormat = 1.2;
 constexpr double kMostBadRows = 0.01;
-constexpr double kUnitLength = 0.02;  // quaternions are written with six digits
 constexpr const char* kTypes[] = {
     "Rigid Body", "Rigid Body Marker", "Marker",       "Bone",          "Bone Marker",
     "Unlabeled",  "Unlabeled Marker",  "Other Marker", "Labeled Marker"};
@@ -338,41 +336,20 @@ class MotiveFile {
       refuse(fmt::format("'{}' ({}) has no X, Y and Z of its position", object.name, object.type));
     }
     if (present[6]) {
-      object.rotation = checked_quaternions(object, std::move(rotation));
+      object.rotation = unit_quaternions(csv_, object.name, take_.time_s, std::move(rotation));
     } else if (present[3] && present[4] && present[5]) {
-      object.rotation = quaternions_of_angles(rotation.leftCols(3));
+      require_euler_order(take_.rotation_type);
+      object.rotation = quaternions_of_euler(rotation.leftCols(3), take_.rotation_type);
     }
   }
 
-  Eigen::MatrixXd checked_quaternions(const MotiveObject& object, Eigen::MatrixXd rotation) const {
-    for (Eigen::Index t = 0; t < rotation.rows(); ++t) {
-      const double length = rotation.row(t).norm();
-      if (std::isfinite(length) && std::abs(length - 1.0) > kUnitLength) {
-        refuse(
-            fmt::format("the rotation of '{}' at {} s is ({}, {}, {}, {}), of length {:.4g}; "
-                        "expected a unit quaternion X, Y, Z, W",
-                        object.name, take_.time_s[std::size_t(t)], rotation(t, 0), rotation(t, 1),
-                        rotation(t, 2), rotation(t, 3), length));
-      }
-      rotation.row(t) /= length;
-    }
-    return rotation;
-  }
-
-  Eigen::MatrixXd quaternions_of_angles(const Eigen::MatrixXd& angles_deg) const {
-    Texts orders = {"XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX"};
-    if (std::find(orders.begin(), orders.end(), take_.rotation_type) == orders.end()) {
+  void require_euler_order(const std::string& order) const {
+    if (!is_euler_order(order)) {
       refuse(
           fmt::format("'Rotation Type' is '{}'; expected Quaternion or an order of Euler angles, "
                       "XYZ … ZYX. {}",
-                      take_.rotation_type, kHowToExport));
+                      order, kHowToExport));
     }
-    Eigen::MatrixXd rotation(angles_deg.rows(), 4);
-    for (Eigen::Index t = 0; t < angles_deg.rows(); ++t) {
-      rotation.row(t) =
-          quaternion_of_euler(angles_deg.row(t).transpose() * (M_PI / 180.0), take_.rotation_type);
-    }
-    return rotation;
   }
 
   CsvReader csv_;
@@ -393,15 +370,6 @@ class MotiveFile {
 
 MotiveTake read_motive_csv(const std::filesystem::path& path, RunReport& report) {
   return MotiveFile(path, report).read();
-}
-
-Eigen::Vector4d quaternion_of_euler(const Eigen::Vector3d& angles_rad, const std::string& order) {
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-  for (const char axis : order) {
-    const int i = axis - 'X';
-    rotation = rotation * Eigen::AngleAxisd(angles_rad[i], Eigen::Vector3d::Unit(i));
-  }
-  return rotation.coeffs();  // x, y, z, w
 }
 
 }  // namespace limber

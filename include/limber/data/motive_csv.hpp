@@ -37,8 +37,4 @@ struct MotiveTake {
 /// duplicate names, rotations that are no unit quaternions.
 MotiveTake read_motive_csv(const std::filesystem::path& path, RunReport& report);
 
-/// Unit quaternion x, y, z, w of relative rotations by `angles_rad` (about x, y, z) in `order`,
-/// such as "XYZ": first about x, then about the new y, then about the new z.
-Eigen::Vector4d quaternion_of_euler(const Eigen::Vector3d& angles_rad, const std::string& order);
-
 }  // namespace limber

@@ -1,0 +1,50 @@
+#pragma once
+
+// What the writer and the reader of recordings share. Only sources that include this, and
+// hdf5_version.cpp, include HDF5.
+
+#include <mutex>
+#include <vector>
+
+#include <H5Cpp.h>
+
+#include "limber/data/recording.hpp"
+
+namespace limber {
+
+inline constexpr const char* kRecordingSchema = "limber/recording/1";
+
+/// One thread inside HDF5, its own error printing off (it would go to standard error).
+class Hdf5Section {
+ public:
+  Hdf5Section() : lock_(mutex()) {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &client_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~Hdf5Section() { H5Eset_auto2(H5E_DEFAULT, print_, client_); }
+  Hdf5Section(const Hdf5Section&) = delete;
+  Hdf5Section& operator=(const Hdf5Section&) = delete;
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex instance;
+    return instance;
+  }
+
+  std::lock_guard<std::mutex> lock_;
+  H5E_auto2_t print_ = nullptr;
+  void* client_ = nullptr;
+};
+
+using Shape = std::vector<hsize_t>;
+
+/// Data sets of what was measured and of what was asked for: their names carry the unit, if it is
+/// that of pressures; of another command, the attribute `unit` alone does.
+inline const char* measured_name(const Command& command) {
+  return command.is_pressure_kpa() ? "pressure_kpa" : "command";
+}
+inline const char* setpoint_name(const Command& command) {
+  return command.is_pressure_kpa() ? "setpoint_kpa" : "command_setpoint";
+}
+
+}  // namespace limber
