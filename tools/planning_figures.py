@@ -20,6 +20,8 @@ FIRST = ["--cost-threshold-kpa", "1000000"]  # stops at the first plan
 BOTH_CORES = ["--jobs", "1", "--planner-jobs", "2"]  # one plan after another; else two at a time
 BOTH_MODELS = "both models"  # the no-load model too, which elsewhere is left out
 RANDOM = "random_environments"
+EMPTY = "empty_environments"  # limber's own, without their obstacles: what a plan costs at least
+OWN = pathlib.Path(__file__).resolve().parents[1] / "environments"
 # Rows: planner, trials in each environment, seconds each, further flags.
 ROWS = {
     "default": ("default", 20, 10, []),
@@ -32,6 +34,7 @@ ROWS = {
     "shots": ("default,improved_plans=0", 3, 10, []),
     "forest": ("default", 3, 10, ["--forest", "FOREST"]),
     "threads": ("default", 3, 10, ["--forest", "FOREST", *BOTH_CORES]),
+    "empty": ("default", 3, 10, ["--environments", EMPTY]),
     "executed": ("default", 20, 1, [BOTH_MODELS, "--margin-m", "0.005"]),
     "random": ("default", 1, 60, [*FIRST, *BOTH_CORES, "--environments", RANDOM]),
     "random_1s": ("default", 1, 1, ["--environments", RANDOM]),
@@ -66,10 +69,13 @@ class Runner:
         """The trials of a row, as `limber experiment` wrote them; none where there are none."""
         folder = self.out / name
         if not self.printing:
-            places = {"FOREST": str(self.out / "forest"), RANDOM: str(self.out / RANDOM)}
+            places = {"FOREST": "forest", RANDOM: RANDOM, EMPTY: EMPTY}
+            places = {word: str(self.out / name) for word, name in places.items()}
             flags = [places.get(flag, flag) for flag in flags]
             if places[RANDOM] in flags:
                 self.draw_environments()
+            if places[EMPTY] in flags:
+                self.empty_environments()
             models = [] if BOTH_MODELS in flags else ["--network-only"]
             flags = [flag for flag in flags if flag != BOTH_MODELS]
             self.run("experiment", "--model", self.model, *models, "--planner", planner, "--trials", trials, "--time-limit-s", time_s, *flags, "--out", folder, "--resume")
@@ -85,6 +91,15 @@ class Runner:
         if not (self.out / RANDOM).exists():
             self.run("environment", "--random", "--count", 100, "--seed", 90_100, "--model",
                      self.model, "--out", self.out / RANDOM)
+
+    def empty_environments(self):
+        folder = self.out / EMPTY
+        folder.mkdir(parents=True, exist_ok=True)
+        for path in OWN.glob("*.yaml"):
+            lines = path.read_text().splitlines()
+            kept = [line for line in lines if not line.startswith("  - ")]
+            text = "\n".join(kept).replace("obstacles:", "obstacles: []")
+            (folder / path.name).write_text(text + "\n")
 
     def compare_ompl(self, only):
         for planner, settings in OMPL.items():
@@ -153,12 +168,14 @@ def line(name, trials):
 def ratios(rows):
     """Cost of the default planner over paper mode's after 60 s, environment by environment."""
     paper = medians(rows["paper"], 60)
-    lines = ["", "| environment | paper, 60 s | default, 1 s | ratio | 10 s | ratio |", "|---|---|---|---|---|---|"]
+    lines = ["", "| environment | paper, 60 s | default, 1 s | ratio | 10 s | ratio | no obstacles, 10 s |",
+             "|---|---|---|---|---|---|---|"]
     one, ten = medians(rows["default"], 1), medians(rows["default"], 10)
+    empty = medians(rows.get("empty", []), 10)
     for name, cost in paper.items():
         if name in one and name in ten:
             lines.append(f"| {name} | {cost:.0f} kPa | {one[name]:.0f} | {one[name] / cost:.2f} "
-                         f"| {ten[name]:.0f} | {ten[name] / cost:.2f} |")
+                         f"| {ten[name]:.0f} | {ten[name] / cost:.2f} | {empty.get(name, 0):.0f} |")
     return "\n".join(lines)
 
 

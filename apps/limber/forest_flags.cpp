@@ -11,10 +11,11 @@ namespace limber {
 
 void ForestFlags::add_to(CLI::App& app) {
   app.add_option("--forest", file_,
-                 "Stored motions of model and start, looked through before anything is searched; "
+                 "Stored motions of model and start, looked through before much is searched; "
                  "grown and written here where there are none, or those of another model");
   app.add_flag("--build-forest", build_,
-               "Grow them anew; beside the model where --forest names no file");
+               "Grow them anew; as MODEL.forest, to be named by --forest from then on, where "
+               "--forest names no file");
   app.add_option("--forest-nodes", nodes_, "How many, where they are grown")
       ->check(CLI::Range(1, 1 << 24))
       ->capture_default_str();

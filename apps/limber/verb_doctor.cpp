@@ -12,8 +12,8 @@
 #include "limber/data/hdf5_version.hpp"
 #include "limber/experiment/speed_peers.hpp"
 #include "limber/hardware/mujoco_version.hpp"
-#include "limber/planning/ompl_planner.hpp"
 #include "limber/network/onnx_export.hpp"
+#include "limber/planning/ompl_planner.hpp"
 #include "verbs.hpp"
 
 namespace limber {

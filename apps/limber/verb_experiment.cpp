@@ -41,7 +41,7 @@ class ExperimentVerb final : public Verb {
         ->take_all()
         ->capture_default_str();
     app.add_option("--planner-jobs", settings_.planner_jobs,
-                   "Threads of each planner; trials run side by side, as many as --jobs")
+                   "Threads of each planner, 0 for one a core; --jobs trials run side by side")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     app.add_flag("--network-only", network_only_, "Leave the no-load model out");
@@ -78,6 +78,7 @@ class ExperimentVerb final : public Verb {
     settings_.say = [&](const std::string& line) { say(flags, "{}", line); };
     settings_.with_no_load = !network_only_;
     if (forest_.is_asked_for()) {
+      require_usable(settings_);
       settings_.forest = forest(flags);
     }
     const nlohmann::ordered_json table = run_experiment(settings_);
@@ -92,10 +93,8 @@ class ExperimentVerb final : public Verb {
   std::optional<Forest> forest(const CommonFlags& flags) const {
     const std::string model_file = settings_.model_file.string();
     const ForwardModel network(settings_.arm, read_model(model_file));
-    const ArmStart start =
-        start_state(settings_.environments.front().environment, settings_.arm);
-    std::optional<Forest> forest =
-        forest_.forest(settings_.arm, network, model_file, start, flags);
+    const ArmStart start = start_state(settings_.environments.front().environment, settings_.arm);
+    std::optional<Forest> forest = forest_.forest(settings_.arm, network, model_file, start, flags);
     throw_if_interrupted();
     return forest;
   }

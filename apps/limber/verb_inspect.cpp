@@ -98,10 +98,11 @@ Finding inspect_environment(const YamlReader& root, const std::optional<ArmDescr
 Finding inspect_yaml(const std::string& file, const std::string& content,
                      const std::optional<ArmDescription>& arm) {
   if (content.find("schema") == std::string::npos) {
-    throw InputError(fmt::format(
-        "{}: none of limber's files; expected a recording (HDF5), a model or forest (safetensors), a plan "
-        "(JSON), or an arm or environment (YAML with a line 'schema: limber/…')",
-        file));
+    throw InputError(
+        fmt::format("{}: none of limber's files; expected a recording (HDF5), a model or forest "
+                    "(safetensors), a plan "
+                    "(JSON), or an arm or environment (YAML with a line 'schema: limber/…')",
+                    file));
   }
   const YamlReader root = YamlReader::from_file(file);
   const YamlReader schema = root.at("schema");

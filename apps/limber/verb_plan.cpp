@@ -84,11 +84,13 @@ class PlanVerb final : public Verb {
     app.add_option("--environment", environment_,
                    "Environment file, or the name of one of limber's own; not needed to "
                    "--build-forest alone");
-    app.add_option("--planner", planner_,
-                   "default: several backbones for like pressures, plans then improved; paper: RRT* in pressure "
-                   "space; paper-steer-all: the same, simulating from every near node; ompl:NAME: "
-                   "one of OMPL's, with settings as ompl:SST,pruning_radius=0.1; the default's go as "
-                   "default,goal_shots=0.2")
+    app.add_option(
+           "--planner", planner_,
+           "default: several backbones for like pressures, plans then improved; paper: RRT* in "
+           "pressure "
+           "space; paper-steer-all: the same, simulating from every near node; ompl:NAME: "
+           "one of OMPL's, with settings as ompl:SST,pruning_radius=0.1; the default's go as "
+           "default,goal_shots=0.2")
         ->capture_default_str();
     app.add_option("--time-limit-s", limits_.time_s,
                    fmt::format("Stop after so many seconds; {} where no limit is given",
@@ -160,6 +162,9 @@ class PlanVerb final : public Verb {
   PlanResult search(const PlanningProblem& problem, const CommonFlags& flags) {
     std::optional<Forest> forest;
     if (forest_.is_asked_for()) {
+      const Forest none;
+      (void)make_planner(planner_, flags.jobs,
+                         &none);  // refuses one that uses none, before growing
       forest = forest_.forest(problem.arm, problem.model, model_,
                               start_state(problem.environment, problem.arm), flags);
       throw_if_interrupted();

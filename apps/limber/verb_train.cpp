@@ -55,9 +55,10 @@ class TrainVerb final : public Verb {
                    "Fixes the number of epochs at the start to what fits")
         ->check(CLI::PositiveNumber)
         ->excludes("--epochs");
-    app.add_option("--windows", windows_,
-                   "Frames that each stage rolls the network over, such as --windows 32, which does "
-                   "better where there are the 729 transitions alone; the preset's are 2 8 32")
+    app.add_option(
+           "--windows", windows_,
+           "Frames that each stage rolls the network over, instead of the preset's: 32 alone does "
+           "better than best's 2 8 32 where there are the 729 transitions and no more")
         ->check(CLI::Range(1, 1000));
     app.add_option("--learning-rate", learning_rate_, "Instead of the preset's")
         ->check(CLI::PositiveNumber);

@@ -59,8 +59,8 @@ inline void store(float* p, Vector v) {
   *reinterpret_cast<UnalignedVector*>(p) = v;
 }
 
-// Minus zero, not plus: x − 0 is x for every x, −0 too, so that the compiler leaves it out, and loads
-// all lanes at once. An addition it has to carry out, on the ports that the products need.
+// Minus zero, not plus: x − 0 is x for every x, −0 too, so that the compiler leaves it out, and
+// loads all lanes at once. An addition it has to carry out, on the ports that the products need.
 inline Vector broadcast(float x) {
   return x - Vector{};
 }

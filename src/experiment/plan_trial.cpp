@@ -18,9 +18,8 @@ PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
   trial.seed = seed;
   trial.asks_heading = item.environment.goal.theta_rad.has_value();
   const PlanningProblem problem{arm, model, item.environment, settings.margin_m};
-  trial.planning =
-      make_planner(settings.planner, settings.planner_jobs, settings.forest)
-          ->plan(problem, settings.limits, seed);
+  trial.planning = make_planner(settings.planner, settings.planner_jobs, settings.forest)
+                       ->plan(problem, settings.limits, seed);
   if (trial.planning.plan) {
     trial.planning.plan->model_hash = model.has_network() ? settings.model_hash : "";
   }

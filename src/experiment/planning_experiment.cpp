@@ -36,6 +36,11 @@ Json optional_json(const auto& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+std::string forest_hash(const Forest& forest) {
+  return content_hash({reinterpret_cast<const char*>(forest.pressures_kpa.data()),
+                       static_cast<std::size_t>(forest.pressures_kpa.size()) * sizeof(float)});
+}
+
 /// What has to be the same for trials of two runs to stand in one table. The number of trials is
 /// not among it: more can be added.
 Json identity(const ExperimentSettings& settings, const std::string& model_hash) {
@@ -51,7 +56,8 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   json["max_queries"] = optional_json(settings.limits.queries);
   json["max_memory_mb"] = optional_json(settings.limits.memory_mb);
   json["cost_threshold_kpa"] = optional_json(settings.limits.cost_threshold_kpa);
-  json["forest_nodes"] = settings.forest ? Json(settings.forest->size()) : Json(nullptr);
+  json["forest"] = settings.forest ? Json(forest_hash(*settings.forest)) : Json(nullptr);
+  json["planner_jobs"] = settings.planner_jobs;
   json["environments"] = Json::object();
   for (const EnvironmentCase& item : settings.environments) {
     json["environments"][item.id] = environment_hash(item.environment);
@@ -74,21 +80,6 @@ void require_same(const fs::path& file, const Json& wanted) {
           "another --out, or drop --resume",
           file.string(), key, there.dump(), value.dump()));
     }
-  }
-}
-
-void require_valid(const ExperimentSettings& settings) {
-  if (settings.trials < 1 || settings.trials > 100'000) {
-    throw InputError(fmt::format("--trials {}: expected 1 to 100000", settings.trials));
-  }
-  if (settings.planners.empty()) {
-    throw InputError("no planner given");
-  }
-  for (const std::string& planner : settings.planners) {
-    (void)make_planner(planner);  // refuses an unknown one before any work
-  }
-  if (settings.environments.empty()) {
-    throw InputError("no environments to plan in");
   }
 }
 
@@ -132,11 +123,6 @@ class Experiment {
     if (settings_.resume && fs::exists(file(kSettingsFile))) {
       require_same(file(kSettingsFile), wanted);
       return;
-    }
-    if (fs::exists(file(kSettingsFile)) && !settings_.force) {
-      throw InputError(
-          fmt::format("{}: holds an experiment already: --resume continues it, --force replaces it",
-                      settings_.folder.string()));
     }
     prepare_output_folder(settings_.folder, settings_.force, "experiment");
     Json written = wanted;
@@ -197,7 +183,7 @@ class Experiment {
 
   void run_task(const Task& task, PlanTrialSettings settings) const {
     settings.planner = *task.planner;
-    if (settings_.forest && task.model->has_network() && task.planner->starts_with("default")) {
+    if (settings_.forest && task.model->has_network() && is_default_planner(*task.planner)) {
       settings.forest = &*settings_.forest;
     }
     const Environment& environment = task.environment->environment;
@@ -270,8 +256,34 @@ class Experiment {
 
 }  // namespace
 
+void require_usable(const ExperimentSettings& settings) {
+  if (settings.trials < 1 || settings.trials > 100'000) {
+    throw InputError(fmt::format("--trials {}: expected 1 to 100000", settings.trials));
+  }
+  if (settings.planners.empty()) {
+    throw InputError("no planner given");
+  }
+  for (const std::string& planner : settings.planners) {
+    (void)make_planner(planner);  // refuses an unknown one before any work
+  }
+  if (settings.environments.empty()) {
+    throw InputError("no environments to plan in");
+  }
+  if (fs::exists(settings.folder / kSettingsFile) && !settings.resume && !settings.force) {
+    throw InputError(
+        fmt::format("{}: holds an experiment already: --resume continues it, --force replaces it",
+                    settings.folder.string()));
+  }
+  for (const EnvironmentCase& item : settings.environments) {
+    if (settings.forest) {
+      require_forest_of(*settings.forest, settings.arm,
+                        start_state(item.environment, settings.arm));
+    }
+  }
+}
+
 Json run_experiment(const ExperimentSettings& settings) {
-  require_valid(settings);
+  require_usable(settings);
   return Experiment(settings).run();
 }
 

@@ -138,19 +138,15 @@ void BatchSearch::add(const Proposal& edge, double cost_kpa, const PathOutcome& 
   }
   note_error(*node);
   if (outcome.in_goal) {
-    solutions_.push_back({*node, cost_kpa});
+    note_solution(*node);
   }
 }
 
-int BatchSearch::graft(int parent, const Pressures& pressures_kpa, const Backbone& backbone,
-                       bool in_goal) {
+int BatchSearch::graft(int parent, const Pressures& pressures_kpa, const Backbone& backbone) {
   const double cost_kpa =
       tree().cost_kpa(parent) + motion_cost_kpa(tree().pressures_kpa(parent), pressures_kpa);
   const int node = *tree_.add(pressures_kpa, backbone, parent, cost_kpa, true);
   note_error(node);
-  if (in_goal) {
-    solutions_.push_back({node, cost_kpa});
-  }
   return node;
 }
 

@@ -29,7 +29,9 @@ class BatchSearch {
 
   /// Adds a state that someone else has reached from `parent`, free of collision.
   /// @return its node
-  int graft(int parent, const Pressures& pressures_kpa, const Backbone& backbone, bool in_goal);
+  int graft(int parent, const Pressures& pressures_kpa, const Backbone& backbone);
+  /// Someone else has found that a node is in the goal after the hold.
+  void note_solution(int node) { solutions_.push_back({node, tree().cost_kpa(node)}); }
 
   /// Nodes in the goal, in the order found.
   const std::vector<Solution>& solutions() const { return solutions_; }

@@ -92,6 +92,7 @@ class CertifiedPlanner final : public Planner {
           result.plan->planner, first.check, first.frame, first.message, result.plan->seed);
       result.best_partial = std::move(result.plan);
       result.plan.reset();
+      result.events.clear();
     }
     result.statistics.time_s +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

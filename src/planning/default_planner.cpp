@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "batch_search.hpp"
+#include "default_settings.hpp"
 #include "forest_search.hpp"
-#include "limber/common/error.hpp"
 #include "path_simulator.hpp"
 #include "plan_improver.hpp"
 #include "plan_result.hpp"
 #include "planner_budget.hpp"
-#include "setting_check.hpp"
 
 namespace limber {
 
@@ -21,16 +18,6 @@ constexpr double kSearchShare = 0.2;  // of the model's queries, once there is a
 constexpr int kPatience = 15;  // rounds without success until a plan that is not the best goes
 constexpr int kMostIdleTurns = 10'000;
 constexpr std::uint64_t kChoiceStream = std::uint64_t{1} << 60;
-
-void require_forest_of(const Forest& forest, const PlanningProblem& problem) {
-  const ArmStart start = start_state(problem.environment, problem.arm);
-  if (forest.key.arm_hash != problem.arm.hash() ||
-      forest.pressures_kpa.col(0) != start.pressures_kpa) {
-    throw InputError(fmt::format(
-        "the forest was grown for another arm or start than '{}' in environment '{}': grow it anew",
-        problem.arm.name, problem.environment.name));
-  }
-}
 
 /// One run: the tree, and some of the plans it has found, which are improved side by side. One that
 /// gets no cheaper, and is not the best, gives its place to another from the tree.
@@ -57,7 +44,7 @@ class Run {
       return std::move(result_);
     }
     if (forest != nullptr) {
-      require_forest_of(*forest, problem_);
+      require_forest_of(*forest, problem_.arm, start_state(problem_.environment, problem_.arm));
       forest_.emplace(*forest, problem_, paths_, search_, seed_);
     }
     start_in_goal();
@@ -105,10 +92,11 @@ class Run {
       result_.first_solution =
           FirstSolution{budget_.elapsed_s(), waypoint_cost_kpa(best_kpa_), paths_.queries()};
     }
+    budget_.note(progress());
   }
 
-  /// The forest and the search in turns, as long as there is something in it; then whoever is behind
-  /// with its share of the queries.
+  /// The forest and the search in turns, as long as there is something in it; then whoever is
+  /// behind with its share of the queries.
   void take_turn() {
     const std::uint64_t before = paths_.queries();
     if (forest_) {
@@ -212,7 +200,9 @@ class Run {
   void note_end() {
     result_.events = budget_.events();
     if (result_.plan) {
-      result_.events.push_back(progress());
+      PlannerProgress end = progress();
+      end.queries = result_.statistics.queries;
+      result_.events.push_back(end);
     }
   }
 
@@ -237,32 +227,14 @@ class Run {
   PlanResult result_;
 };
 
-void require_valid(const DefaultPlannerSettings& s) {
-  require_between("step_size", s.step_size, 1e-3, 10.0);
-  require_between("goal_shots", s.goal_shots, 0.0, 1.0);
-  require_between("shot_spread", s.shot_spread, 0.0, 10.0);
-  require_between("goal_bias", s.goal_bias, 0.0, 1.0);
-  require_between("goal_bias + goal_shots", s.goal_bias + s.goal_shots, 0.0, 1.0);
-  require_between("goal_spread", s.goal_spread, 0.0, 10.0);
-  require_between("goal_configurations", s.goal_configurations, 1, 1e6);
-  require_between("random_parent", s.random_parent, 0.0, 1.0);
-  require_between("cell_pressure", s.cell_pressure, 1e-4, 2.0);
-  require_between("cell_position_m", s.cell_position_m, 1e-5, 10.0);
-  require_between("cell_orientation_rad", s.cell_orientation_rad, 1e-4, 10.0);
-  require_between("dearest", s.dearest, 1.0, 1e6);
-  require_between("improved_plans", s.improved_plans, 0, 64);
-  require_between("hold_position_m", s.hold_position_m, 0.0, 10.0);
-  require_between("hold_orientation_rad", s.hold_orientation_rad, 0.0, 10.0);
-  require_between("jobs", s.jobs, 0, 1024);
-}
-
 class DefaultPlanner final : public Planner {
  public:
-  explicit DefaultPlanner(const DefaultPlannerSettings& settings) : settings_(settings) {
+  DefaultPlanner(const DefaultPlannerSettings& settings, std::string name)
+      : settings_(settings), name_(std::move(name)) {
     require_valid(settings);
   }
 
-  const char* name() const override { return "default"; }
+  const char* name() const override { return name_.c_str(); }
 
   PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
@@ -271,12 +243,14 @@ class DefaultPlanner final : public Planner {
 
  private:
   DefaultPlannerSettings settings_;
+  std::string name_;
 };
 
 }  // namespace
 
-std::unique_ptr<Planner> make_default_planner(const DefaultPlannerSettings& settings) {
-  return std::make_unique<DefaultPlanner>(settings);
+std::unique_ptr<Planner> make_default_planner(const DefaultPlannerSettings& settings,
+                                              std::string name) {
+  return std::make_unique<DefaultPlanner>(settings, std::move(name));
 }
 
 }  // namespace limber

@@ -16,12 +16,11 @@ namespace {
 
 // Finer than a search's: nodes are many, and of each only the way there is kept.
 constexpr StateCells kCells{0.02, 0.005, 0.05};
-constexpr std::uint64_t kGrowStream = std::uint64_t{1} << 32;  // one stream a proposal from here
+constexpr std::uint64_t kGrowStream = std::uint64_t{1} << 33;  // one stream a proposal from here
 constexpr double kStep = 0.5;
 constexpr double kRandomParent = 0.5;
 constexpr double kFarShare = 0.5;  // of the edges that go all the way to their target
 constexpr std::size_t kBatch = 512;
-constexpr int kMostNodes = 1 << 24;  // numbers that a float still tells apart
 constexpr int kMostIdleRounds = 1000;
 
 struct Edge {
@@ -72,10 +71,10 @@ class Grower {
     forest.held_tips.resize(3, states.size());
     for (int i = 0; i < states.size(); ++i) {
       forest.parents.push_back(states.parent(i));
-      forest.costs_kpa.push_back(static_cast<float>(states.cost_kpa(i)));
       forest.pressures_kpa.col(i) = states.pressures_kpa(i);
       forest.held_tips.col(i) = held_tips_[static_cast<std::size_t>(i)];
     }
+    forest.sum_costs();
     return forest;
   }
 
@@ -91,6 +90,9 @@ class Grower {
   void hold_start(const ArmStart& start) {
     batch_.assign(1, {start.pressures_kpa, start.backbone, {start.pressures_kpa}});
     paths_.run(batch_, outcomes_, [] { return false; });
+    if (!outcomes_.front().held_tip) {
+      throw InputError("the model runs off to infinity where the arm stands still at its start");
+    }
     note_tip(outcomes_.front());
   }
 
@@ -101,9 +103,11 @@ class Grower {
   }
 
   void add(const Edge& edge, const PathOutcome& outcome) {
-    const double cost =
-        tree_.states().cost_kpa(edge.parent) +
-        motion_cost_kpa(tree_.states().pressures_kpa(edge.parent), edge.to_kpa);
+    if (!outcome.held_tip) {
+      return;  // where nothing is in the way, what is not free has run off to infinity
+    }
+    const double cost = tree_.states().cost_kpa(edge.parent) +
+                        motion_cost_kpa(tree_.states().pressures_kpa(edge.parent), edge.to_kpa);
     if (tree_.add(edge.to_kpa, outcome.at.front(), edge.parent, cost)) {
       note_tip(outcome);
     }
@@ -128,6 +132,34 @@ std::string bytes_of(const float* values, Eigen::Index count) {
 
 }  // namespace
 
+void Forest::sum_costs() {
+  std::vector<double> sums(parents.size(), 0.0);
+  for (std::size_t i = 1; i < sums.size(); ++i) {
+    const auto parent = static_cast<std::size_t>(parents[i]);
+    sums[i] = sums[parent] + motion_cost_kpa(pressures_kpa.col(static_cast<Eigen::Index>(parent)),
+                                             pressures_kpa.col(static_cast<Eigen::Index>(i)));
+  }
+  costs_kpa.assign(sums.begin(), sums.end());
+}
+
+void require_forest_of(const Forest& forest, const ArmDescription& arm, const ArmStart& start) {
+  const ForestKey key = forest_key(arm, forest.key.model_hash, start);
+  if (!(forest.key == key)) {
+    throw InputError(
+        fmt::format("the forest was grown for another {} than '{}' has here: grow it anew",
+                    forest.key.arm_hash == key.arm_hash ? "start" : "arm", arm.name));
+  }
+  const Pressures limits_kpa = pressure_limits_kpa(arm);
+  const bool fits = forest.pressures_kpa.rows() == limits_kpa.size();
+  if (!fits || ((forest.pressures_kpa.cwiseAbs().colwise() - limits_kpa).array() > 0.0F).any()) {
+    throw InputError(
+        fmt::format("the forest holds {}: it is broken; grow it anew",
+                    fits ? "pressures beyond the arm's limits"
+                         : fmt::format("{} pressures a node; arm '{}' has {} segments",
+                                       forest.pressures_kpa.rows(), arm.name, limits_kpa.size())));
+  }
+}
+
 ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
                      const ArmStart& start) {
   return {arm.hash(), model_hash,
@@ -138,9 +170,9 @@ ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
 std::optional<Forest> grow_forest(const ArmDescription& arm, const ForwardModel& model,
                                   const ForestKey& key, const ArmStart& start,
                                   const ForestSettings& settings, const ForestCallback& callback) {
-  if (settings.nodes < 1 || settings.nodes > kMostNodes) {
+  if (settings.nodes < 1 || settings.nodes > Forest::kMostNodes) {
     throw InputError(
-        fmt::format("a forest of {} nodes; expected 1 to {}", settings.nodes, kMostNodes));
+        fmt::format("a forest of {} nodes; expected 1 to {}", settings.nodes, Forest::kMostNodes));
   }
   Grower grower(arm, model, start, settings);
   int idle_rounds = 0;

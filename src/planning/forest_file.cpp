@@ -49,9 +49,13 @@ class ForestReader {
       refuse(where_, fmt::format("tensor {} is missing", name));
     }
     const Tensor& tensor = found->second;
-    if (tensor.shape.size() != rank || tensor.shape[0] == 0 ||
+    if (tensor.shape.size() != rank || tensor.values.empty() ||
         (nodes_ != 0 && tensor.shape[0] != nodes_)) {
       refuse(where_, fmt::format("tensor {} has not one row for each of the forest's nodes", name));
+    }
+    if (tensor.shape[0] > static_cast<std::size_t>(Forest::kMostNodes)) {
+      refuse(where_, fmt::format("tensor {} has {} rows; expected at most {}", name,
+                                 tensor.shape[0], Forest::kMostNodes));
     }
     nodes_ = tensor.shape[0];
     for (const float value : tensor.values) {
@@ -86,17 +90,6 @@ std::vector<std::int32_t> parents_of(ForestReader& reader) {
   return parents;
 }
 
-std::vector<float> costs_of(const Forest& forest) {
-  std::vector<float> costs(forest.parents.size(), 0.0F);
-  for (std::size_t i = 1; i < costs.size(); ++i) {
-    const auto parent = static_cast<std::size_t>(forest.parents[i]);
-    const auto way = forest.pressures_kpa.col(static_cast<Eigen::Index>(i)) -
-                     forest.pressures_kpa.col(static_cast<Eigen::Index>(parent));
-    costs[i] = costs[parent] + way.cwiseAbs().sum();
-  }
-  return costs;
-}
-
 }  // namespace
 
 void write_forest(const std::filesystem::path& path, const Forest& forest) {
@@ -120,15 +113,15 @@ Forest read_forest(const std::filesystem::path& path) {
   forest.parents = parents_of(reader);
   const Tensor& pressures = reader.tensor("pressures_kpa", 2);
   const auto segments = static_cast<Eigen::Index>(pressures.shape[1]);
-  forest.pressures_kpa = Eigen::Map<const Eigen::MatrixXf>(pressures.values.data(), segments,
-                                                           static_cast<Eigen::Index>(forest.size()));
+  forest.pressures_kpa = Eigen::Map<const Eigen::MatrixXf>(
+      pressures.values.data(), segments, static_cast<Eigen::Index>(forest.size()));
   const Tensor& tips = reader.tensor("held_tips", 2);
   if (tips.shape[1] != 3) {
     refuse(reader.where(), "tensor held_tips has not 3 columns (x_m, y_m, theta_rad)");
   }
   forest.held_tips = Eigen::Map<const Eigen::Matrix3Xf>(tips.values.data(), 3,
                                                         static_cast<Eigen::Index>(forest.size()));
-  forest.costs_kpa = costs_of(forest);
+  forest.sum_costs();
   return forest;
 }
 

@@ -10,9 +10,9 @@ constexpr std::uint64_t kStream = std::uint64_t{1} << 59;
 constexpr std::size_t kFirstBatch = 8;  // small, so that an easy plan comes at once; then doubled
 constexpr std::size_t kLargestBatch = 64;
 constexpr std::size_t kMostInGoal = 4096;
-constexpr std::size_t kMostNear = 8;   // motions that end near the goal: the search goes on there
-constexpr float kNearM = 0.1F;          // how near the goal those end
-constexpr int kRoundsWithPlan = 2;      // dearer ones, for the improvers to start from
+constexpr std::size_t kMostNear = 8;  // motions that end near the goal: the search goes on there
+constexpr float kNearM = 0.1F;        // how near the goal those end
+constexpr int kRoundsWithPlan = 2;    // dearer ones, for the improvers to start from
 
 }  // namespace
 
@@ -59,12 +59,13 @@ void ForestSearch::find_candidates(std::uint64_t seed) {
 }
 
 std::optional<std::vector<int>> ForestSearch::way_to(int node) const {
-  std::vector<int> way;
-  int i = node;
+  std::vector<int> way{node};  // even where it is known: its hold is not
+  int i = forest_.parents[static_cast<std::size_t>(node)];
   for (; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
     way.push_back(i);
   }
-  if (known_.at(i).size() == 0) {
+  const auto last = known_.find(node);
+  if (known_.at(i).size() == 0 || (last != known_.end() && last->second.size() == 0)) {
     return std::nullopt;
   }
   std::reverse(way.begin(), way.end());
@@ -81,14 +82,15 @@ bool ForestSearch::round(const std::function<bool()>& give_up) {
   paths_.clear();
   ways_.clear();
   for (; next_ < end && paths_.size() < wanted; ++next_) {
-    std::optional<std::vector<int>> way = way_to(candidates_[next_]);
-    if (!way || way->empty()) {
+    const int node = candidates_[next_];
+    std::optional<std::vector<int>> way;
+    if (node == 0 || !tried_.insert(node).second || !(way = way_to(node))) {
       continue;
     }
     const int from = forest_.parents[static_cast<std::size_t>(way->front())];
     Path path{forest_.pressures_kpa.col(from), known_.at(from), {}};
-    for (const int node : *way) {
-      path.to_kpa.emplace_back(forest_.pressures_kpa.col(node));
+    for (const int step : *way) {
+      path.to_kpa.emplace_back(forest_.pressures_kpa.col(step));
     }
     paths_.push_back(std::move(path));
     ways_.push_back(std::move(*way));
@@ -97,7 +99,8 @@ bool ForestSearch::round(const std::function<bool()>& give_up) {
     return false;
   }
   simulator_.run(paths_, outcomes_, give_up);
-  for (std::size_t k = 0; k < paths_.size() && !give_up(); ++k) {
+  // Once time is up some are wrongly ruled out, which nobody asks for any more.
+  for (std::size_t k = 0; k < paths_.size(); ++k) {
     settle(ways_[k], outcomes_[k]);
   }
   return true;
@@ -111,12 +114,15 @@ void ForestSearch::settle(const std::vector<int>& way, const PathOutcome& outcom
     }
     known_.try_emplace(way[i], outcome.at[i]);
   }
-  if (outcome.in_goal || outcome.free) {
-    graft(way.back(), outcome.in_goal);
+  if (outcome.free) {
+    const int place = graft(way.back());
+    if (outcome.in_goal) {
+      search_.note_solution(place);
+    }
   }
 }
 
-void ForestSearch::graft(int node, bool in_goal) {
+int ForestSearch::graft(int node) {
   std::vector<int> way;
   int i = node;
   for (; grafted_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
@@ -124,10 +130,10 @@ void ForestSearch::graft(int node, bool in_goal) {
   }
   int place = grafted_.at(i);
   for (auto step = way.rbegin(); step != way.rend(); ++step) {
-    place = search_.graft(place, forest_.pressures_kpa.col(*step), known_.at(*step),
-                          in_goal && *step == node);
+    place = search_.graft(place, forest_.pressures_kpa.col(*step), known_.at(*step));
     grafted_[*step] = place;
   }
+  return place;
 }
 
 }  // namespace limber

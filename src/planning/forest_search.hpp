@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "batch_search.hpp"
@@ -13,8 +14,8 @@ namespace limber {
 
 /// Looks through a forest for motions that an environment leaves free, and grafts them into a
 /// search: first those that end in the goal, in turns the cheapest and any; where none of them is
-/// free, those that end near it. A motion in collision rules out all that go on from it. Everything given is
-/// borrowed.
+/// free, those that end near it. A motion in collision rules out all that go on from it. Everything
+/// given is borrowed.
 class ForestSearch {
  public:
   /// @pre the forest was grown for the problem's arm, model and start
@@ -26,11 +27,12 @@ class ForestSearch {
 
  private:
   void find_candidates(std::uint64_t seed);
-  /// What is behind the last state known on the way to `node`; none where that is ruled out.
+  /// What is behind the last state known on the way to `node`, itself included; none where that is
+  /// ruled out.
   std::optional<std::vector<int>> way_to(int node) const;
   void settle(const std::vector<int>& way, const PathOutcome& outcome);
-  /// Hands the whole motion to the search.
-  void graft(int node, bool in_goal);
+  /// Hands the whole motion to the search. @return the search's node
+  int graft(int node);
 
   const Forest& forest_;
   const PlanningProblem& problem_;
@@ -42,6 +44,7 @@ class ForestSearch {
   int rounds_ = 0;
   int rounds_since_plan_ = 0;
   std::unordered_map<int, Backbone> known_;  // backbones at nodes that are free; empty: ruled out
+  std::unordered_set<int> tried_;            // candidates
   std::unordered_map<int, int> grafted_;     // node of the forest → node of the search
   std::vector<Path> paths_;
   std::vector<std::vector<int>> ways_;

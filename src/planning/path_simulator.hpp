@@ -21,10 +21,10 @@ struct Path {
 };
 
 struct PathOutcome {
-  bool free = false;         ///< every frame, and between frames
-  bool in_goal = false;      ///< free, and after the hold at its end in the goal's region
+  bool free = false;             ///< every frame, and between frames
+  bool in_goal = false;          ///< free, and after the hold at its end in the goal's region
   std::optional<Pose> held_tip;  ///< after that hold, where it was simulated and free
-  std::vector<Backbone> at;  ///< after each motion; those not reached are absent
+  std::vector<Backbone> at;      ///< after each motion; those not reached are absent
   std::uint64_t queries = 0;
 };
 
@@ -35,9 +35,9 @@ struct HoldRange {
 };
 
 /// Simulates many paths at once: batches of the forward model, every frame checked for collision
-/// and a path left at its first, which gives its place to the next, spread over threads. A path's outcome depends on the path alone:
-/// not on the others, nor on the number of threads. Threads: one caller at a time. What it is made
-/// from is borrowed.
+/// and a path left at its first, which gives its place to the next, spread over threads. A path's
+/// outcome depends on the path alone: not on the others, nor on the number of threads. Threads: one
+/// caller at a time. What it is made from is borrowed.
 class PathSimulator {
  public:
   /// @param jobs  threads to use, 0 for one a core

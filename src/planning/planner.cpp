@@ -1,51 +1,16 @@
 #include "limber/planning/planner.hpp"
 
-#include <limits>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "default_settings.hpp"
 #include "limber/common/error.hpp"
 #include "limber/planning/certified_planner.hpp"
 #include "limber/planning/default_planner.hpp"
 #include "limber/planning/ompl_planner.hpp"
 #include "limber/planning/pressure_rrt_star.hpp"
-#include "planner_name.hpp"
 
 namespace limber {
-
-namespace {
-
-/// Ranges are those of make_default_planner, which names them.
-DefaultPlannerSettings take_settings(PlannerName& name) {
-  DefaultPlannerSettings settings;
-  const auto take = [&](const char* key, auto& value) {
-    constexpr double kAny = std::numeric_limits<double>::max();
-    value = static_cast<std::remove_reference_t<decltype(value)>>(
-        name.take(key, 0.0, kAny, double(value)));
-  };
-  take("step_size", settings.step_size);
-  take("goal_shots", settings.goal_shots);
-  take("shot_spread", settings.shot_spread);
-  take("goal_bias", settings.goal_bias);
-  take("goal_spread", settings.goal_spread);
-  take("random_parent", settings.random_parent);
-  take("cell_pressure", settings.cell_pressure);
-  take("cell_position_m", settings.cell_position_m);
-  take("cell_orientation_rad", settings.cell_orientation_rad);
-  take("dearest", settings.dearest);
-  take("improved_plans", settings.improved_plans);
-  if (!name.settings.empty()) {
-    throw InputError(fmt::format(
-        "planner setting {}: the default planner has step_size, goal_shots, shot_spread, goal_bias, "
-        "goal_spread, random_parent, cell_pressure, cell_position_m, cell_orientation_rad, dearest, "
-        "improved_plans",
-        name.settings.begin()->first));
-  }
-  return settings;
-}
-
-}  // namespace
 
 const char* to_string(PlanStatus status) {
   switch (status) {
@@ -87,10 +52,10 @@ std::vector<std::string> planner_names() {
 
 std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const Forest* forest) {
   if (PlannerName parsed = PlannerName::parse(name); parsed.name == "default") {
-    DefaultPlannerSettings settings = take_settings(parsed);
+    DefaultPlannerSettings settings = default_settings_of(std::move(parsed));
     settings.jobs = jobs;
     settings.forest = forest;
-    return make_certified_planner(make_default_planner(settings));
+    return make_certified_planner(make_default_planner(settings, name));
   }
   if (forest != nullptr) {
     throw InputError(fmt::format("planner '{}' uses no forest; 'default' does", name));
@@ -107,6 +72,10 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
   throw InputError(
       fmt::format("planner '{}'; expected one of {}, or ompl:NAME (planning/ompl_planner.hpp)",
                   name, fmt::join(planner_names(), ", ")));
+}
+
+bool is_default_planner(const std::string& name) {
+  return PlannerName::parse(name).name == "default";
 }
 
 int hold_frame_count(const ArmDescription& arm) {

@@ -46,7 +46,7 @@ bool PlannerBudget::out_of_time() const {
 
 void PlannerBudget::note(const PlannerProgress& progress) {
   if (progress.best_cost_kpa &&
-      (events_.empty() || *progress.best_cost_kpa <= kNotable * *events_.back().best_cost_kpa)) {
+      (events_.empty() || *progress.best_cost_kpa < kNotable * *events_.back().best_cost_kpa)) {
     events_.push_back(progress);
   }
 }

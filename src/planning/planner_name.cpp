@@ -19,7 +19,9 @@ PlannerName PlannerName::parse(const std::string& text) {
       throw InputError(
           fmt::format("planner setting '{}'; expected NAME,key=value,key=value", part));
     }
-    parsed.settings[part.substr(0, equals)] = part.substr(equals + 1);
+    if (!parsed.settings.emplace(part.substr(0, equals), part.substr(equals + 1)).second) {
+      throw InputError(fmt::format("planner setting {}: given twice", part.substr(0, equals)));
+    }
     at = next;
   }
   return parsed;

@@ -76,7 +76,9 @@ class Run {
   void note_end() {
     result_.events = budget_.events();
     if (result_.plan) {
-      result_.events.push_back(progress());
+      PlannerProgress end = progress();
+      end.queries = result_.statistics.queries;
+      result_.events.push_back(end);
     }
   }
 

@@ -89,7 +89,9 @@ void set_window_frames(TrainingSettings& settings, const std::vector<int>& windo
   constexpr int kMostWindows = 512;
   const int epochs = settings.epoch_count();
   settings.stages.clear();
+  require(!window_frames.empty(), "windows", 0, "at least one stage");
   for (const int frames : window_frames) {
+    require(frames >= 1, "stages.window_frames", frames, ">= 1");
     settings.stages.push_back({frames, std::clamp(kFramesInBatch / frames, 1, kMostWindows), 1});
   }
   set_epoch_count(settings, epochs);

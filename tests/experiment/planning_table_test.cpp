@@ -132,6 +132,7 @@ TEST(PlannerArena, WritesARunALineUnderEachPlanner) {
   trials[1].planning.status = PlanStatus::limit;
   trials[1].planning.plan.reset();
   trials[1].planning.first_solution.reset();
+  trials[0].planning.events = {{0.1, 0, 9, 50, 200.0}, {2.0, 0, 90, 500, 100.0}};
   PlannerLimits limits;
   limits.time_s = 2.5;
   const std::string log = planner_arena_log("01", trials, limits, 7);
@@ -142,7 +143,9 @@ TEST(PlannerArena, WritesARunALineUnderEachPlanner) {
   EXPECT_THAT(log, HasSubstr("\n2 planners\ncontrol_default_network\n0 common properties\n"
                              "9 properties for each run\ntime REAL\n"));
   EXPECT_THAT(log, HasSubstr("\nstatus ENUM\n2 runs\n0; 1; 1; 100; 0.1; 200; 0; 0; 0; \n"
-                             "0; 0; 0; ; ; ; 0; 0; 1; \n.\ncontrol_ompl:RRT_network\n"));
+                             "0; 0; 0; ; ; ; 0; 0; 1; \n"
+                             "2 progress properties for each run\ntime REAL\nbest cost REAL\n"
+                             "2 runs\n0.1,200,;2,100,;\n\n.\ncontrol_ompl:RRT_network\n"));
   EXPECT_EQ(log.substr(log.size() - 2), ".\n");
 }
 

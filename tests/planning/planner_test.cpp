@@ -103,7 +103,10 @@ TEST(Planner, TakesSettingsWithItsName) {
   refusal("default,goal_shot=0", "planner setting goal_shot: the default planner has step_size");
   refusal("default,goal_shots", "planner setting 'goal_shots'; expected NAME,key=value");
   refusal("default,goal_shots=x", "goal_shots = 'x'; expected a number");
-  refusal("default,goal_shots=2", "goal_shots = 2; expected 0 to 1");
+  refusal("default,goal_shots=2", "goal_shots = '2'; expected a number from 0 to 1");
+  refusal("default,goal_shots=0,goal_shots=1", "planner setting goal_shots: given twice");
+  refusal("default,improved_plans=2.5", "improved_plans = 2.5; expected a whole number");
+  refusal("default,goal_shots=0.6,goal_bias=0.6", "goal_bias + goal_shots = 1.2; expected 0 to 1");
   refusal("paper,goal_shots=0", "planner 'paper,goal_shots=0'; expected one of default");
 }
 
@@ -117,8 +120,19 @@ TEST(Planner, LogsHowTheCostFell) {
     EXPECT_GE(result.events[i].queries, result.events[i - 1].queries);
     EXPECT_LE(*result.events[i].best_cost_kpa, *result.events[i - 1].best_cost_kpa);
   }
+  EXPECT_EQ(result.events.back().queries, result.statistics.queries);
   constexpr double kRoundingKpa = 0.1;  // the sum over frames, against that over waypoints
   EXPECT_NEAR(*result.events.back().best_cost_kpa, result.plan->cost_kpa, kRoundingKpa);
+}
+
+TEST(Planner, LogsAPlanThatCostsNothingOnce) {
+  Setting s(false);
+  s.environment.goal = {s.arm.length_m(), 0.0, std::nullopt, 0.02, 0.3};
+  for (const char* planner : {"default", "paper"}) {
+    const PlanResult result = s.plan(planner, 300);
+    ASSERT_EQ(result.status, PlanStatus::solved);
+    EXPECT_LE(result.events.size(), 2U) << planner;
+  }
 }
 
 TEST(Planner, EveryPlanIsLawful) {

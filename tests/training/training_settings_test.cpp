@@ -61,8 +61,11 @@ TEST(SetWindowFrames, KeepsTheEpochsAndSharesThem) {
   EXPECT_EQ(settings.epoch_count(), epochs);
   EXPECT_EQ(settings.stages[0].epochs, epochs / 2);
   settings.stages = {{32, 64, 1}};
-  EXPECT_THAT([&] { set_window_frames(settings, {2, 8}); },
-              ThrowsMessage<InputError>(HasSubstr("1 epochs; preset 'best' has 2 stages")));
+  EXPECT_THAT(
+      [&] {
+        set_window_frames(settings, {2, 8});
+      },
+      ThrowsMessage<InputError>(HasSubstr("1 epochs; preset 'best' has 2 stages")));
 }
 
 TEST(RequireUsable, NamesTheSettingAndWhatIsAllowed) {

@@ -98,8 +98,8 @@ void run_lever(const Lever& lever, const ArmDescription& arm, const TrainingData
   const RolloutErrors& errors = *evaluation.network;
   fmt::print("| {} | {:.0f} | {:.2f} ({:.2f}) | {:.2f} | {:.2f} | {:.2f}{} |\n", lever.name, cpu_s,
              errors.one_step.position_cm.mean, errors.one_step_moving.position_cm.mean,
-             errors.window_32.position_cm.mean,
-             errors.per_motion.position_cm.mean, errors.open_loop.position_cm.mean,
+             errors.window_32.position_cm.mean, errors.per_motion.position_cm.mean,
+             errors.open_loop.position_cm.mean,
              evaluation.long_rollout.bounded ? "" : ", not bounded");
   std::fflush(stdout);
 }

@@ -29,12 +29,16 @@ struct ExperimentSettings {
   double margin_m = 0.0;
   std::uint64_t seed = 1;
   int planner_jobs = 1;  ///< threads of each planner
-  int jobs = 0;         ///< trials at once, 0: one a core
-  bool resume = false;  ///< keep finished trials of the same experiment
-  bool force = false;   ///< replace a folder that limber experiment did not make
+  int jobs = 0;          ///< trials at once, 0: one a core
+  bool resume = false;   ///< keep finished trials of the same experiment
+  bool force = false;    ///< replace a folder that limber experiment did not make
   Progress::Mode progress = Progress::Mode::automatic;
   std::function<void(const std::string&)> say = [](const std::string&) {};
 };
+
+/// What can be refused before any work: planners, folder, number of trials.
+/// @throws InputError
+void require_usable(const ExperimentSettings& settings);
 
 /// The paper's Table I on the virtual arm: every environment planned in with both models, every
 /// plan certified and executed open loop. Writes to the folder

@@ -12,8 +12,8 @@ namespace limber {
 std::string execution_picture(const ArmDescription& arm, const Environment& environment,
                               const Plan& plan, const ExecutionResult& result);
 
-/// The same as a page in which the arm moves (planning/animation.hpp): as the model predicts it, and
-/// as it was measured where something was.
+/// The same as a page in which the arm moves (planning/animation.hpp): as the model predicts it,
+/// and as it was measured where something was.
 std::string execution_animation(const ArmDescription& arm, const Environment& environment,
                                 const Plan& plan, const ExecutionResult& result);
 

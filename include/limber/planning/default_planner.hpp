@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner.hpp"
@@ -26,8 +27,8 @@ struct DefaultPlannerSettings {
   double hold_position_m = 0.05;  ///< paths that end this near the goal are held and judged
   double hold_orientation_rad = 0.5;
   int jobs = 0;  ///< threads, 0 for one a core; the plan does not depend on it
-  /// Grown for the arm, model and start of every problem, and looked through before anything else;
-  /// borrowed. None: everything is searched.
+  /// Grown for the arm, model and start of every problem, and looked through in turns with the
+  /// search, first; borrowed. None: everything is searched.
   const Forest* forest = nullptr;
 };
 
@@ -35,8 +36,10 @@ struct DefaultPlannerSettings {
 /// the plans it finds are improved by random changes of their waypoints, batches of them, each
 /// accepted only after exact simulation and collision check of everything behind the change. One
 /// plan is improved as far as it goes while others from the tree challenge it.
+/// @param name  what plans say that they were made by
 /// @throws InputError where a setting is out of range.
 std::unique_ptr<Planner> make_default_planner(
-    const DefaultPlannerSettings& settings = DefaultPlannerSettings());
+    const DefaultPlannerSettings& settings = DefaultPlannerSettings(),
+    std::string name = "default");
 
 }  // namespace limber

@@ -36,13 +36,21 @@ struct Forest {
   std::vector<std::int32_t> parents;  ///< size N, −1 for the start
   Eigen::MatrixXf pressures_kpa;      ///< n×N; motions between a node and its parent are straight
   Eigen::Matrix3Xf held_tips;         ///< (x_m, y_m, theta_rad) after the hold at a node
-  std::vector<float> costs_kpa;       ///< size N, (2) from the start
+  std::vector<float> costs_kpa;       ///< size N, (2) from the start; not in the file
 
   int size() const { return static_cast<int>(parents.size()); }
+  /// Fills in the costs from the motions.
+  void sum_costs();
+
+  static constexpr int kMostNodes = 1 << 24;  ///< what a file's floats still tell apart
 };
 
+/// @throws InputError where the forest was grown for another arm or start, or does not fit them. Of
+/// the model only the caller knows whose it is.
+void require_forest_of(const Forest& forest, const ArmDescription& arm, const ArmStart& start);
+
 struct ForestSettings {
-  int nodes = 200'000;  ///< 1 to 2^24
+  int nodes = 200'000;  ///< 1 to Forest::kMostNodes
   std::uint64_t seed = 1;
   int jobs = 0;  ///< threads, 0 for one a core; the forest does not depend on it
 };
@@ -53,7 +61,7 @@ using ForestCallback = std::function<bool(int nodes)>;
 /// Grows a forest by the default planner's rules for exploring. Takes about 35 queries of the model
 /// a node.
 /// @return none where the callback asked to stop
-/// @throws InputError where settings are out of range.
+/// @throws InputError where settings are out of range, or the model runs off to infinity.
 std::optional<Forest> grow_forest(const ArmDescription& arm, const ForwardModel& model,
                                   const ForestKey& key, const ArmStart& start,
                                   const ForestSettings& settings = ForestSettings(),

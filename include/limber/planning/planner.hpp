@@ -96,7 +96,7 @@ struct PlanResult {
   std::optional<Plan> best_partial;
   std::optional<Certificate> certificate;  ///< of the plan that was found
   std::optional<FirstSolution> first_solution;
-  /// How the search went: the first plan, each that costs at least a half per cent less than the one
+  /// How the search went: the first plan, each that costs over half a per cent less than the one
   /// noted before, and the end. Empty without a plan.
   std::vector<PlannerProgress> events;
   PlannerStatistics statistics;
@@ -135,6 +135,10 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0,
 
 /// Time that the arm holds its last pressures before the goal is judged; execution does the same.
 inline constexpr double kHoldS = 1.0;
+
+/// Whether that is the default planner, with settings or without.
+/// @throws InputError where the settings are no key=value.
+bool is_default_planner(const std::string& name);
 
 /// Frames of the hold at the arm's rate.
 int hold_frame_count(const ArmDescription& arm);

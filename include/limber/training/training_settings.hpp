@@ -94,7 +94,7 @@ void set_epoch_count(TrainingSettings& settings, int epochs);
 
 /// Stages of windows of these lengths instead, in this order, that share the epochs there are.
 /// @param window_frames  one a stage, each ≥ 1
-/// @throws InputError where there are fewer epochs than stages.
+/// @throws InputError where there is none, one is < 1, or there are fewer epochs than stages.
 void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames);
 
 /// @throws InputError naming the setting, what it is and what is allowed.
