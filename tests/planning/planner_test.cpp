@@ -4,10 +4,9 @@
 
 #include "limber/common/error.hpp"
 #include "limber/planning/collision.hpp"
+#include "limber/planning/motion_simulator.hpp"
 #include "limber/planning/pressure_rrt_star.hpp"
-#include "planning/dense_oracle.hpp"
-#include "planning/play_model.hpp"
-#include "src/planning/rrt_star_search.hpp"
+#include "planning/planner_setting.hpp"
 #include "support/sample_arm.hpp"
 
 namespace limber {
@@ -17,78 +16,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-
-constexpr float kPlayM = 0.01F;
-
-/// A pillar to the left, a slanted block to the right, a goal behind the pillar.
-Environment pillars() {
-  Environment e;
-  e.name = "pillars";
-  e.obstacles = {Circle{0.45, 0.22, 0.025}, Rectangle{0.6, -0.1, 0.04, 0.1, 0.3},
-                 Polygon{{{0.1, 0.3}, {0.2, 0.3}, {0.15, 0.4}}}};
-  e.goal = {0.30, 0.40, std::nullopt, 0.02, 0.3};
-  return e;
-}
-
-/// Everything one search needs, kept alive together.
-struct Setting {
-  ArmDescription arm = three_segment_arm();
-  ForwardModel model;
-  Environment environment = pillars();
-
-  explicit Setting(bool play)
-      : model(play ? ForwardModel(arm, play_network(arm, kPlayM)) : ForwardModel(arm)) {}
-
-  PlanResult plan(const std::string& planner, std::uint64_t iterations, std::uint64_t seed = 3) {
-    PlannerLimits limits;
-    limits.iterations = iterations;
-    return make_planner(planner)->plan({arm, model, environment}, limits, seed);
-  }
-};
-
-/// Every law of Planner on a plan, by means other than the planner's own.
-void expect_lawful(const Setting& s, const Plan& plan) {
-  EXPECT_NO_THROW(require_plan_of(plan, s.arm, "plan")) << "limits, rates, sizes";
-  EXPECT_EQ(plan.cost_kpa, path_cost_kpa(plan.frames));
-  EXPECT_EQ(plan.hold_frame_count, 20);
-  EXPECT_EQ(plan.environment_hash, environment_hash(s.environment));
-  const int frames = plan.frame_count();
-
-  Eigen::MatrixXf pressures(3, frames);
-  Eigen::MatrixXf backbones(48, frames);
-  for (int k = 0; k < frames; ++k) {
-    pressures.col(k) = plan.frames[static_cast<std::size_t>(k)].setpoint_kpa;
-  }
-  const Backbone rest = start_state(s.environment, s.arm).backbone;
-  backbones.col(0) = Eigen::Map<const Eigen::VectorXf>(rest.data(), 48);
-  ForwardModel::Workspace workspace;
-  s.model.rollout(pressures, backbones, workspace);
-  for (int k = 0; k < frames; ++k) {
-    EXPECT_EQ(Backbone(Eigen::Map<const Backbone>(backbones.col(k).data(), 16, 3)),
-              plan.frames[static_cast<std::size_t>(k)].backbone)
-        << "frame " << k;
-  }
-
-  constexpr int kSamplesPerGap = 6;
-  constexpr double kRoundingM = 1e-6;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    for (const float t : {0.0F, 0.5F, 1.0F}) {
-      const Backbone between =
-          (1.0F - t) * plan.frames[k - 1].backbone + t * plan.frames[k].backbone;
-      smallest = std::min(
-          smallest, oracle::clearance(s.arm, between, s.environment.obstacles, kSamplesPerGap));
-    }
-  }
-  EXPECT_GT(smallest, 0.0);
-  EXPECT_LE(plan.clearance_m, smallest + kRoundingM);
-
-  const Pose tip = tip_pose<float>(plan.frames.back().backbone);
-  const double distance =
-      std::hypot(tip.x_m - s.environment.goal.x_m, tip.y_m - s.environment.goal.y_m);
-  EXPECT_LE(distance, s.environment.goal.position_tolerance_m);
-  EXPECT_NEAR(distance, plan.goal_distance_m, kRoundingM);
-}
 
 TEST(Planner, TakesSettingsWithItsName) {
   Setting s(false);
@@ -245,29 +172,6 @@ TEST_F(OvershootAndReturn, IsNotFoundByThePapersRule) {
   EXPECT_EQ(solved("paper"), 0);
 }
 
-bool same_tree(const PlanResult& a, const PlanResult& b) {
-  return a.tree.size() == b.tree.size() && std::equal(a.tree.begin(), a.tree.end(), b.tree.begin(),
-                                                      [](const TreeEdge& x, const TreeEdge& y) {
-                                                        return x.from_m == y.from_m &&
-                                                               x.to_m == y.to_m;
-                                                      });
-}
-
-TEST(PressureRrtStar, LazyAndSteerAllGrowTheSameTree) {
-  for (const bool play : {false, true}) {
-    for (const std::uint64_t seed : {3, 4}) {
-      Setting s(play);
-      const PlanResult lazy = s.plan("paper", 400, seed);
-      const PlanResult all = s.plan("paper-steer-all", 400, seed);
-      EXPECT_GT(lazy.tree.size(), 100U);
-      EXPECT_TRUE(same_tree(lazy, all)) << play << ' ' << seed;
-      EXPECT_EQ(lazy.statistics.rewires_accepted, all.statistics.rewires_accepted);
-      EXPECT_EQ(lazy.plan.has_value(), all.plan.has_value());
-      EXPECT_LT(lazy.statistics.queries, all.statistics.queries / 2);
-    }
-  }
-}
-
 TEST(Planner, DependsOnTheSeedAndNothingElse) {
   for (const char* planner : {"paper", "default"}) {
     Setting s(true);
@@ -281,61 +185,6 @@ TEST(Planner, DependsOnTheSeedAndNothingElse) {
     }
     EXPECT_FALSE(same_tree(a, s.plan(planner, 500, 8)));
   }
-}
-
-/// Grows a tree and checks what must hold of every node after any number of rewirings.
-void expect_sound_tree(const Setting& s, int iterations, std::uint64_t* accepted) {
-  const PlanningProblem problem{s.arm, s.model, s.environment};
-  const CollisionChecker checker(s.arm, s.environment.obstacles);
-  MotionSimulator simulator(s.arm, s.model, checker);
-  RrtStarSearch search(problem, simulator, ParentRule::lazy, PressureRrtStarSettings(), 5);
-  PlannerLimits limits;
-  limits.iterations = static_cast<std::uint64_t>(iterations);
-  const PlannerBudget budget(limits, {});
-  for (int k = 0; k < iterations; ++k) {
-    search.iterate(budget);
-  }
-  const PressureTree& tree = search.tree();
-  Backbone end(16, 3);
-  for (int i = 1; i < tree.size(); ++i) {
-    const int parent = tree.parent(i);
-    constexpr double kSumKpa = 1e-9;
-    EXPECT_NEAR(
-        tree.cost_kpa(i),
-        tree.cost_kpa(parent) + motion_cost_kpa(tree.pressures_kpa(parent), tree.pressures_kpa(i)),
-        kSumKpa);
-    ASSERT_TRUE(simulator.move(tree.pressures_kpa(parent), tree.backbone(parent),
-                               tree.pressures_kpa(i), end));
-    ASSERT_EQ(end, Backbone(tree.backbone(i))) << "node " << i;
-  }
-  PlannerStatistics statistics;
-  search.fill(statistics);
-  *accepted = statistics.rewires_accepted;
-  EXPECT_GT(statistics.rewires_tried, statistics.rewires_accepted);
-}
-
-TEST(PressureRrtStar, EveryNodeIsWhatItsParentLeadsToAfterAnyRewiring) {
-  std::uint64_t without_memory = 0;
-  std::uint64_t with_memory = 0;
-  expect_sound_tree(Setting(false), 600, &without_memory);
-  expect_sound_tree(Setting(true), 1500, &with_memory);
-  EXPECT_GT(without_memory, 20U);
-  EXPECT_GT(with_memory, 0U) << "the test should hold rewirings that change shapes downstream";
-}
-
-TEST(PressureRrtStar, RewiresOnlyWhereTheBackboneMatches) {
-  Setting s(true);
-  PressureRrtStarSettings strict;
-  strict.match_position_m = 0.0;
-  PlannerLimits limits;
-  limits.iterations = 500;
-  const PlanResult exact = make_pressure_rrt_star(ParentRule::lazy, strict)
-                               ->plan({s.arm, s.model, s.environment}, limits, 5);
-  PressureRrtStarSettings loose;
-  loose.match_position_m = 0.05;
-  const PlanResult anything = make_pressure_rrt_star(ParentRule::lazy, loose)
-                                  ->plan({s.arm, s.model, s.environment}, limits, 5);
-  EXPECT_LT(exact.statistics.rewires_accepted, anything.statistics.rewires_accepted);
 }
 
 // The paper's point: a plan made without the arm's memory misses the goal on the arm that has one.
