@@ -24,21 +24,20 @@ struct Range {
   double high;
 };
 
-const std::array kRanges{
-    Range{"step_size", &Settings::step_size, 1e-3, 10.0},
-    Range{"goal_shots", &Settings::goal_shots, 0.0, 1.0},
-    Range{"shot_spread", &Settings::shot_spread, 0.0, 10.0},
-    Range{"goal_bias", &Settings::goal_bias, 0.0, 1.0},
-    Range{"goal_spread", &Settings::goal_spread, 0.0, 10.0},
-    Range{"goal_configurations", &Settings::goal_configurations, 1, 1e6},
-    Range{"random_parent", &Settings::random_parent, 0.0, 1.0},
-    Range{"cell_pressure", &Settings::cell_pressure, 1e-4, 2.0},
-    Range{"cell_position_m", &Settings::cell_position_m, 1e-5, 10.0},
-    Range{"cell_orientation_rad", &Settings::cell_orientation_rad, 1e-4, 10.0},
-    Range{"dearest", &Settings::dearest, 1.0, 1e6},
-    Range{"improved_plans", &Settings::improved_plans, 0, 64},
-    Range{"hold_position_m", &Settings::hold_position_m, 0.0, 10.0},
-    Range{"hold_orientation_rad", &Settings::hold_orientation_rad, 0.0, 10.0}};
+const std::array kRanges{Range{"step_size", &Settings::step_size, 1e-3, 10.0},
+                         Range{"goal_shots", &Settings::goal_shots, 0.0, 1.0},
+                         Range{"shot_spread", &Settings::shot_spread, 0.0, 10.0},
+                         Range{"goal_bias", &Settings::goal_bias, 0.0, 1.0},
+                         Range{"goal_spread", &Settings::goal_spread, 0.0, 10.0},
+                         Range{"goal_configurations", &Settings::goal_configurations, 1, 1e6},
+                         Range{"random_parent", &Settings::random_parent, 0.0, 1.0},
+                         Range{"cell_pressure", &Settings::cell_pressure, 1e-4, 2.0},
+                         Range{"cell_position_m", &Settings::cell_position_m, 1e-5, 10.0},
+                         Range{"cell_orientation_rad", &Settings::cell_orientation_rad, 1e-4, 10.0},
+                         Range{"dearest", &Settings::dearest, 1.0, 1e6},
+                         Range{"improved_plans", &Settings::improved_plans, 0, 64},
+                         Range{"hold_position_m", &Settings::hold_position_m, 0.0, 10.0},
+                         Range{"hold_orientation_rad", &Settings::hold_orientation_rad, 0.0, 10.0}};
 
 double value_of(const Settings& settings, const Range& range) {
   return std::visit([&](auto member) { return double(settings.*member); }, range.member);
@@ -46,7 +45,7 @@ double value_of(const Settings& settings, const Range& range) {
 
 void set(Settings& settings, const Range& range, double value) {
   if (const auto* real = std::get_if<double Settings::*>(&range.member)) {
-    settings.**real = value;
+    settings.** real = value;
     return;
   }
   if (value != std::floor(value)) {
