@@ -24,17 +24,17 @@ EMPTY = "empty_environments"  # limber's own, without their obstacles: what a pl
 OWN = pathlib.Path(__file__).resolve().parents[1] / "environments"
 # Rows: planner, trials in each environment, seconds each, further flags.
 ROWS = {
-    "default": ("default", 20, 10, []),
-    "paper": ("paper", 5, 60, []),
+    "default": ("default", 5, 10, []),
+    "paper": ("paper", 3, 60, []),
     "first": ("default", 20, 10, [*FIRST, *BOTH_CORES]),
     "first_forest": ("default", 20, 10, [*FIRST, *BOTH_CORES, "--forest", "FOREST"]),
     "first_paper": ("paper", 20, 60, FIRST),
-    "steer_all": ("paper-steer-all", 3, 10, []),
-    "plain": ("default,goal_shots=0,improved_plans=0", 3, 10, []),
-    "shots": ("default,improved_plans=0", 3, 10, []),
-    "forest": ("default", 3, 10, ["--forest", "FOREST"]),
-    "threads": ("default", 3, 10, ["--forest", "FOREST", *BOTH_CORES]),
-    "empty": ("default", 3, 10, ["--environments", EMPTY]),
+    "steer_all": ("paper-steer-all", 2, 10, []),
+    "plain": ("default,goal_shots=0,improved_plans=0", 2, 10, []),
+    "shots": ("default,improved_plans=0", 2, 10, []),
+    "forest": ("default", 2, 10, ["--forest", "FOREST"]),
+    "threads": ("default", 2, 10, ["--forest", "FOREST", *BOTH_CORES]),
+    "empty": ("default", 2, 10, ["--environments", EMPTY]),
     "executed": ("default", 20, 1, [BOTH_MODELS, "--margin-m", "0.005"]),
     "random": ("default", 1, 60, [*FIRST, *BOTH_CORES, "--environments", RANDOM]),
     "random_1s": ("default", 1, 1, ["--environments", RANDOM]),
@@ -55,7 +55,7 @@ OMPL = {
                  [(5, 0.2, 0.1), (10, 0.2, 0.1), (20, 0.2, 0.1), (10, 0.1, 0.03), (20, 0.4, 0.2)]],
 }
 OMPL["ompl:SST-mended"] = OMPL["ompl:SST"]
-OMPL_TRIAL_S, OMPL_LIMIT_S, OMPL_TRIALS = 5, 20, 5
+OMPL_TRIAL_S, OMPL_LIMIT_S, OMPL_TRIALS = 3, 10, 5
 
 
 class Runner:

@@ -1,6 +1,8 @@
 #include "limber/planning/forest.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -74,7 +76,7 @@ class Grower {
       forest.pressures_kpa.col(i) = states.pressures_kpa(i);
       forest.held_tips.col(i) = held_tips_[static_cast<std::size_t>(i)];
     }
-    forest.sum_costs();
+    forest.complete();
     return forest;
   }
 
@@ -132,7 +134,7 @@ std::string bytes_of(const float* values, Eigen::Index count) {
 
 }  // namespace
 
-void Forest::sum_costs() {
+void Forest::complete() {
   std::vector<double> sums(parents.size(), 0.0);
   for (std::size_t i = 1; i < sums.size(); ++i) {
     const auto parent = static_cast<std::size_t>(parents[i]);
@@ -140,6 +142,10 @@ void Forest::sum_costs() {
                                              pressures_kpa.col(static_cast<Eigen::Index>(i)));
   }
   costs_kpa.assign(sums.begin(), sums.end());
+  largest_kpa = pressures_kpa.cwiseAbs().rowwise().maxCoeff();
+  by_x.resize(parents.size());
+  std::iota(by_x.begin(), by_x.end(), 0);
+  std::ranges::stable_sort(by_x, {}, [this](std::int32_t i) { return held_tips(0, i); });
 }
 
 void require_forest_of(const Forest& forest, const ArmDescription& arm, const ArmStart& start) {
@@ -150,13 +156,13 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm, const Ar
                     forest.key.arm_hash == key.arm_hash ? "start" : "arm", arm.name));
   }
   const Pressures limits_kpa = pressure_limits_kpa(arm);
-  const bool fits = forest.pressures_kpa.rows() == limits_kpa.size();
-  if (!fits || ((forest.pressures_kpa.cwiseAbs().colwise() - limits_kpa).array() > 0.0F).any()) {
+  const bool fits = forest.largest_kpa.size() == limits_kpa.size();
+  if (!fits || (forest.largest_kpa.array() > limits_kpa.array()).any()) {
     throw InputError(
         fmt::format("the forest holds {}: it is broken; grow it anew",
                     fits ? "pressures beyond the arm's limits"
                          : fmt::format("{} pressures a node; arm '{}' has {} segments",
-                                       forest.pressures_kpa.rows(), arm.name, limits_kpa.size())));
+                                       forest.largest_kpa.size(), arm.name, limits_kpa.size())));
   }
 }
 

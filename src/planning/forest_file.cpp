@@ -121,7 +121,7 @@ Forest read_forest(const std::filesystem::path& path) {
   }
   forest.held_tips = Eigen::Map<const Eigen::Matrix3Xf>(tips.values.data(), 3,
                                                         static_cast<Eigen::Index>(forest.size()));
-  forest.sum_costs();
+  forest.complete();
   return forest;
 }
 

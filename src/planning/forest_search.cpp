@@ -11,7 +11,7 @@ constexpr std::size_t kFirstBatch = 8;  // small, so that an easy plan comes at 
 constexpr std::size_t kLargestBatch = 64;
 constexpr std::size_t kMostInGoal = 4096;
 constexpr std::size_t kMostNear = 8;  // motions that end near the goal: the search goes on there
-constexpr float kNearM = 0.1F;        // how near the goal those end
+constexpr float kNearM = 0.05F;       // how near the goal those end
 constexpr int kRoundsWithPlan = 2;    // dearer ones, for the improvers to start from
 
 }  // namespace
@@ -30,7 +30,10 @@ void ForestSearch::find_candidates(std::uint64_t seed) {
   const float reach = static_cast<float>(goal.position_tolerance_m) + kNearM;
   std::vector<std::pair<double, int>> inside;  // cost
   std::vector<std::pair<double, int>> near;    // error
-  for (int i = 0; i < forest_.size(); ++i) {
+  const auto x_of = [this](std::int32_t node) { return forest_.held_tips(0, node); };
+  auto place = std::ranges::lower_bound(forest_.by_x, centre.x() - reach, {}, x_of);
+  for (; place != forest_.by_x.end() && x_of(*place) <= centre.x() + reach; ++place) {
+    const int i = *place;
     const auto held = forest_.held_tips.col(i);
     if ((held.head<2>() - centre).squaredNorm() > reach * reach) {
       continue;

@@ -186,7 +186,7 @@ struct ByHand {
     forest.held_tips.resize(3, 3);
     // B is said to end in the goal too, and is tried first where chance wants it.
     forest.held_tips << Eigen::Vector3f(0.7F, 0.0F, 0.0F), tip, tip;
-    forest.sum_costs();
+    forest.complete();
   }
 };
 
@@ -212,8 +212,10 @@ TEST(Forest, OfAnotherArmOrStartIsRefused) {
   refusal("grown for another start");
   s.environment.start = rest;
   forest.pressures_kpa(1, 7) = 1e6F;
+  forest.complete();
   refusal("pressures beyond the arm's limits");
   forest.pressures_kpa.conservativeResize(2, Eigen::NoChange);
+  forest.complete();
   refusal("2 pressures a node; arm 'three_segment' has 3 segments");
   forest.key.arm_hash = "another";
   refusal("grown for another arm");

@@ -36,11 +36,15 @@ struct Forest {
   std::vector<std::int32_t> parents;  ///< size N, −1 for the start
   Eigen::MatrixXf pressures_kpa;      ///< n×N; motions between a node and its parent are straight
   Eigen::Matrix3Xf held_tips;         ///< (x_m, y_m, theta_rad) after the hold at a node
-  std::vector<float> costs_kpa;       ///< size N, (2) from the start; not in the file
+
+  // What `complete` derives from those; not in the file.
+  std::vector<float> costs_kpa;    ///< size N, (2) from the start
+  Pressures largest_kpa;           ///< size n, of all nodes, without sign
+  std::vector<std::int32_t> by_x;  ///< nodes in the order of their held tips' x
 
   int size() const { return static_cast<int>(parents.size()); }
-  /// Fills in the costs from the motions.
-  void sum_costs();
+  /// Fills in the rest from parents, pressures and tips.
+  void complete();
 
   static constexpr int kMostNodes = 1 << 24;  ///< what a file's floats still tell apart
 };
