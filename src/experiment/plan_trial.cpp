@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "limber/common/interrupt.hpp"
 #include "limber/hardware/execution_report.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/planning/plan_report.hpp"
@@ -19,7 +20,8 @@ PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
   trial.asks_heading = item.environment.goal.theta_rad.has_value();
   const PlanningProblem problem{arm, model, item.environment, settings.margin_m};
   trial.planning = make_planner(settings.planner, settings.planner_jobs, settings.forest)
-                       ->plan(problem, settings.limits, seed);
+                       ->plan(problem, settings.limits, seed,
+                 [](const PlannerProgress&) { return !interrupt_requested(); });
   if (trial.planning.plan) {
     trial.planning.plan->model_hash = model.has_network() ? settings.model_hash : "";
   }

@@ -42,7 +42,8 @@ struct PlanTrialSettings {
   std::string model_hash;          ///< goes into the plan of a network; docs/formats.md
 };
 
-/// Plans in the environment with `model`. The result's execution is not set.
+/// Plans in the environment with `model`, until its limits or Ctrl-C. The result's execution is not
+/// set.
 PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
                      const EnvironmentCase& item, const PlanTrialSettings& settings,
                      std::uint64_t seed);
