@@ -32,7 +32,7 @@ ROWS = {
     "steer_all": ("paper-steer-all", 2, 10, []),
     "plain": ("default,goal_shots=0,improved_plans=0", 2, 10, []),
     "shots": ("default,improved_plans=0", 2, 10, []),
-    "forest": ("default", 2, 10, ["--forest", "FOREST"]),
+    "with_forest": ("default", 2, 10, ["--forest", "FOREST"]),
     "threads": ("default", 2, 10, ["--forest", "FOREST", *BOTH_CORES]),
     "empty": ("default", 2, 10, ["--environments", EMPTY]),
     "executed": ("default", 20, 1, [BOTH_MODELS, "--margin-m", "0.005"]),
@@ -55,7 +55,7 @@ OMPL = {
                  [(5, 0.2, 0.1), (10, 0.2, 0.1), (20, 0.2, 0.1), (10, 0.1, 0.03), (20, 0.4, 0.2)]],
 }
 OMPL["ompl:SST-mended"] = OMPL["ompl:SST"]
-OMPL_TRIAL_S, OMPL_LIMIT_S, OMPL_TRIALS = 3, 10, 5
+OMPL_TRIAL_S, OMPL_LIMIT_S, OMPL_TRIALS = 2, 10, 3
 
 
 class Runner:
@@ -188,11 +188,12 @@ def executed(trials):
         for name in ["all", *sorted({t["environment"] for t in of_model})]:
             runs = [t["execution"] for t in of_model if name in ("all", t["environment"])]
             ends = [r["distance_to_goal_cm"] for r in runs]
-            turns = [r["orientation_to_goal_rad"] for r in runs]
+            turns = [r["orientation_to_goal_rad"] for r in runs if r["orientation_to_goal_rad"]]
+            turn = f"{statistics.mean(turns):.2f} rad" if turns else "–"
             lines.append(
                 f"| {model}, {name} | {len(runs)} | {sum(r['collided'] for r in runs)} "
                 f"| {statistics.median(ends):.1f}, {statistics.mean(ends):.1f}, "
-                f"{quantile(ends, 0.95):.1f} cm | {statistics.mean(turns):.2f} rad |")
+                f"{quantile(ends, 0.95):.1f} cm | {turn} |")
     return "\n".join(lines)
 
 

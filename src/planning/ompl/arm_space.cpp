@@ -231,7 +231,8 @@ class ArmGoal final : public ob::GoalSampleableRegion {
     *distance = excess(tip);
     const bool satisfied = is_within(goal, pose_error(goal, tip));
     if (satisfied && !world_.first_solution) {
-      world_.first_solution = FirstSolution{world_.elapsed_s(), values(state)[world_.cost_index()]};
+      world_.first_solution = FirstSolution{world_.elapsed_s(), values(state)[world_.cost_index()],
+                                            world_.simulator.queries()};
     }
     return satisfied;
   }
