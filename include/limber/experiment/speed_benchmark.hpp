@@ -46,7 +46,7 @@ struct SpeedReport {
   std::string cpu_level;
   int threads = 1;                   ///< that the largest batches were split over
   int lanes = 1;                     ///< floats in a vector register
-  double clock_ghz = 0.0;            ///< from a chain of additions, one a cycle
+  double clock_ghz = 0.0;            ///< from a chain of operations, one a cycle
   double fma_peak_gmac_per_s = 0.0;  ///< one core, registers only: mean of before and after
   double fma_peak_difference = 0.0;  ///< relative, of before and after; small on a quiet machine
   std::int64_t queries = 0;          ///< asked in each measurement of one query at a time
