@@ -21,7 +21,7 @@ PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
   const PlanningProblem problem{arm, model, item.environment, settings.margin_m};
   trial.planning = make_planner(settings.planner, settings.planner_jobs, settings.forest)
                        ->plan(problem, settings.limits, seed,
-                 [](const PlannerProgress&) { return !interrupt_requested(); });
+                              [](const PlannerProgress&) { return !interrupt_requested(); });
   if (trial.planning.plan) {
     trial.planning.plan->model_hash = model.has_network() ? settings.model_hash : "";
   }
