@@ -25,7 +25,7 @@ OWN = pathlib.Path(__file__).resolve().parents[1] / "environments"
 # Rows: planner, trials in each environment, seconds each, further flags.
 ROWS = {
     "default": ("default", 5, 10, []),
-    "paper": ("paper", 3, 60, []),
+    "paper": ("paper", 5, 60, []),
     "first": ("default", 20, 10, [*FIRST, *BOTH_CORES]),
     "first_forest": ("default", 20, 10, [*FIRST, *BOTH_CORES, "--forest", "FOREST"]),
     "first_paper": ("paper", 20, 60, FIRST),
