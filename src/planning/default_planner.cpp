@@ -192,18 +192,7 @@ class Run {
                   best_kpa_.empty() ? search_.waypoints_to(search_.nearest_node()) : best_kpa_,
                   !best_kpa_.empty(), planner, seed_, result_);
     result_.statistics.queries = paths_.queries() + single_.queries();
-    result_.tree = tree_edges(search_.tree());
-    result_.statistics.time_s = budget_.elapsed_s();
-    note_end();
-  }
-
-  void note_end() {
-    result_.events = budget_.events();
-    if (result_.plan) {
-      PlannerProgress end = progress();
-      end.queries = result_.statistics.queries;
-      result_.events.push_back(end);
-    }
+    close_search(budget_, search_.tree(), progress(), result_);
   }
 
   const PlanningProblem& problem_;

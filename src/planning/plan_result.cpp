@@ -62,6 +62,8 @@ void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
   }
 }
 
+namespace {
+
 std::vector<TreeEdge> tree_edges(const PressureTree& tree) {
   std::vector<TreeEdge> edges;
   const int count = std::min(tree.size(), static_cast<int>(PlanResult::kMostTreeEdges) + 1);
@@ -71,6 +73,20 @@ std::vector<TreeEdge> tree_edges(const PressureTree& tree) {
     edges.push_back({{from[0], from[1]}, {to[0], to[1]}});
   }
   return edges;
+}
+
+}  // namespace
+
+void close_search(const PlannerBudget& budget, const PressureTree& tree, PlannerProgress end,
+                  PlanResult& result) {
+  result.tree = tree_edges(tree);
+  result.statistics.time_s = budget.elapsed_s();
+  result.events = budget.events();
+  if (result.plan) {
+    end.time_s = result.statistics.time_s;
+    end.queries = result.statistics.queries;
+    result.events.push_back(end);
+  }
 }
 
 }  // namespace limber

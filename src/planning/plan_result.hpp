@@ -21,7 +21,10 @@ void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
                    const PlannerBudget& budget, const std::vector<Pressures>& waypoints_kpa,
                    bool solved, const char* planner, std::uint64_t seed, PlanResult& result);
 
-/// The oldest edges, for pictures.
-std::vector<TreeEdge> tree_edges(const PressureTree& tree);
+/// What is said of a search last: its tree for pictures (the oldest edges), its time and its log.
+/// @param end     how the search stands, of which time and queries are the result's
+/// @param result  its statistics of queries are filled in
+void close_search(const PlannerBudget& budget, const PressureTree& tree, PlannerProgress end,
+                  PlanResult& result);
 
 }  // namespace limber

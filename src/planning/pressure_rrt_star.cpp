@@ -68,18 +68,7 @@ class Run {
                   solved ? search_.best_waypoints_kpa() : search_.nearest_waypoints_kpa(), solved,
                   planner, seed_, result_);
     result_.statistics.queries = simulator_.queries();
-    result_.tree = tree_edges(search_.tree());
-    result_.statistics.time_s = budget_.elapsed_s();
-    note_end();
-  }
-
-  void note_end() {
-    result_.events = budget_.events();
-    if (result_.plan) {
-      PlannerProgress end = progress();
-      end.queries = result_.statistics.queries;
-      result_.events.push_back(end);
-    }
+    close_search(budget_, search_.tree(), progress(), result_);
   }
 
   const PlanningProblem& problem_;
