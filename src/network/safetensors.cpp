@@ -23,6 +23,8 @@ constexpr std::size_t kLengthBytes = 8;
 constexpr std::size_t kAlignment = 8;
 constexpr std::uint64_t kLargestHeader = 100'000'000;  // the format's own limit
 constexpr const char* kMetadataKey = "__metadata__";
+constexpr const char* kFloats = "F32";
+constexpr const char* kShorts = "I16";
 static_assert(std::endian::native == std::endian::little,
               "safetensors is little endian; swap bytes here for other machines");
 
@@ -94,19 +96,19 @@ std::size_t element_count(const std::vector<std::size_t>& shape, const std::stri
   return count;
 }
 
-Tensor read_tensor(const Json& entry, const std::string& name, std::string_view data,
-                   const std::string& where, Range& range) {
+std::string dtype_of(const Json& entry, const std::string& name, const std::string& where) {
   if (!entry.is_object()) {
     refuse(where,
            fmt::format("tensor {}: header entry is {}; expected an object", name, entry.dump()));
   }
-  const std::string dtype = entry.contains("dtype") && entry["dtype"].is_string()
-                                ? entry["dtype"].get<std::string>()
-                                : "missing";
-  if (dtype != "F32") {
-    refuse(where, fmt::format("tensor {}: dtype is {}; expected F32", name, dtype));
-  }
-  Tensor tensor;
+  return entry.contains("dtype") && entry["dtype"].is_string() ? entry["dtype"].get<std::string>()
+                                                               : "missing";
+}
+
+template <class Number>
+TensorOf<Number> read_tensor(const Json& entry, const std::string& name, std::string_view data,
+                             const std::string& where, Range& range) {
+  TensorOf<Number> tensor;
   tensor.shape = sizes_at(entry, "shape", name, where);
   const std::vector<std::size_t> offsets = sizes_at(entry, "data_offsets", name, where);
   if (offsets.size() != 2 || offsets[0] > offsets[1] || offsets[1] > data.size()) {
@@ -115,17 +117,29 @@ Tensor read_tensor(const Json& entry, const std::string& name, std::string_view 
                               name, fmt::join(offsets, ", "), data.size()));
   }
   const std::size_t count = element_count(tensor.shape, name, where);
-  if (offsets[1] - offsets[0] != count * sizeof(float)) {
+  if (offsets[1] - offsets[0] != count * sizeof(Number)) {
     refuse(where, fmt::format("tensor {}: data_offsets span {} bytes; shape [{}] needs {}", name,
                               offsets[1] - offsets[0], fmt::join(tensor.shape, ", "),
-                              count * sizeof(float)));
+                              count * sizeof(Number)));
   }
   tensor.values.resize(count);
   if (count > 0) {
-    std::memcpy(tensor.values.data(), data.data() + offsets[0], count * sizeof(float));
+    std::memcpy(tensor.values.data(), data.data() + offsets[0], count * sizeof(Number));
   }
   range = {offsets[0], offsets[1], name};
   return tensor;
+}
+
+template <class Number>
+void append_tensors(const std::map<std::string, TensorOf<Number>>& tensors, const char* dtype,
+                    Json& header, std::string& data) {
+  for (const auto& [name, tensor] : tensors) {
+    const std::size_t begin = data.size();
+    data.append(reinterpret_cast<const char*>(tensor.values.data()),
+                tensor.values.size() * sizeof(Number));
+    header[name] = {
+        {"dtype", dtype}, {"shape", tensor.shape}, {"data_offsets", {begin, data.size()}}};
+  }
 }
 
 // The format wants the tensors to cover the data without overlaps or holes.
@@ -170,13 +184,8 @@ std::string safetensors_bytes(const Safetensors& content) {
     header[kMetadataKey] = content.metadata;
   }
   std::string data;
-  for (const auto& [name, tensor] : content.tensors) {
-    const std::size_t begin = data.size();
-    data.append(reinterpret_cast<const char*>(tensor.values.data()),
-                tensor.values.size() * sizeof(float));
-    header[name] = {
-        {"dtype", "F32"}, {"shape", tensor.shape}, {"data_offsets", {begin, data.size()}}};
-  }
+  append_tensors(content.tensors, kFloats, header, data);
+  append_tensors(content.shorts, kShorts, header, data);  // behind, so that floats stay aligned
   std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace);
   text.append((kAlignment - text.size() % kAlignment) % kAlignment, ' ');
   const std::uint64_t length = text.size();
@@ -194,8 +203,17 @@ Safetensors parse_safetensors(std::string_view bytes, const std::string& where) 
   for (const auto& [name, entry] : header.items()) {
     if (name == kMetadataKey) {
       content.metadata = read_metadata(entry, where);
+      continue;
+    }
+    const std::string dtype = dtype_of(entry, name, where);
+    if (dtype == kFloats) {
+      content.tensors[name] = read_tensor<float>(entry, name, data, where, ranges.emplace_back());
+    } else if (dtype == kShorts) {
+      content.shorts[name] =
+          read_tensor<std::int16_t>(entry, name, data, where, ranges.emplace_back());
     } else {
-      content.tensors[name] = read_tensor(entry, name, data, where, ranges.emplace_back());
+      refuse(where, fmt::format("tensor {}: dtype is {}; expected {} or {}", name, dtype, kFloats,
+                                kShorts));
     }
   }
   require_contiguous(std::move(ranges), data.size(), where);

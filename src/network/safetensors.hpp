@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -9,15 +10,19 @@
 
 namespace limber {
 
-/// A tensor of 32-bit floats, last index fastest.
-struct Tensor {
+/// A tensor, last index fastest.
+template <class Number>
+struct TensorOf {
   std::vector<std::size_t> shape;
-  std::vector<float> values;
+  std::vector<Number> values;
 };
+using Tensor = TensorOf<float>;
+using ShortTensor = TensorOf<std::int16_t>;
 
 /// What a safetensors file holds: tensors by name, and strings about them.
 struct Safetensors {
-  std::map<std::string, Tensor> tensors;
+  std::map<std::string, Tensor> tensors;      ///< F32
+  std::map<std::string, ShortTensor> shorts;  ///< I16
   std::map<std::string, std::string> metadata;
 };
 
@@ -25,7 +30,8 @@ struct Safetensors {
 /// to a multiple of 8, then the tensors one after another.
 std::string safetensors_bytes(const Safetensors& content);
 
-/// Parses what `safetensors_bytes` or any other writer of the format made; F32 tensors only.
+/// Parses what `safetensors_bytes` or any other writer of the format made; F32 and I16 tensors
+/// only.
 /// @throws InputError beginning with `where`, naming the tensor or the part of the header.
 Safetensors parse_safetensors(std::string_view bytes, const std::string& where);
 

@@ -33,6 +33,8 @@ class BatchSearch {
   /// Someone else has found that a node is in the goal after the hold.
   void note_solution(int node) { solutions_.push_back({node, tree().cost_kpa(node)}); }
 
+  Pressures limited(const Pressures& pressures_kpa) const { return tree_.limited(pressures_kpa); }
+
   /// Nodes in the goal, in the order found.
   const std::vector<Solution>& solutions() const { return solutions_; }
   std::vector<Pressures> waypoints_to(int node) const { return tree().path_to(node); }

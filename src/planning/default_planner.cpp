@@ -45,7 +45,7 @@ class Run {
     }
     if (forest != nullptr) {
       require_forest_of(*forest, problem_.arm, start_state(problem_.environment, problem_.arm));
-      forest_.emplace(*forest, problem_, paths_, search_, seed_);
+      forest_.emplace(*forest, problem_, checker_, paths_, search_);
     }
     start_in_goal();
     while (!nothing_left() && !budget_.good_enough(best_cost_kpa()) &&
@@ -125,12 +125,18 @@ class Run {
   /// What the search has found since the model had been asked `before` queries.
   void note_solutions(std::uint64_t before) {
     const auto& solutions = search_.solutions();
+    int cheapest = -1;
+    std::optional<double> cost_kpa = best_cost_kpa();
     for (; seen_ < solutions.size(); ++seen_) {
       const BatchSearch::Solution& found = solutions[seen_];
-      if (best_kpa_.empty() || found.cost_kpa < *best_cost_kpa()) {
-        note_plan(search_.waypoints_to(found.node));
+      if (!cost_kpa || found.cost_kpa < *cost_kpa) {
+        cheapest = found.node;
+        cost_kpa = found.cost_kpa;
       }
       waiting_.push_back(found.node);
+    }
+    if (cheapest >= 0) {
+      note_plan(search_.waypoints_to(cheapest));
     }
     if (best_kpa_.empty()) {
       before_plan_ = paths_.queries();

@@ -1,8 +1,6 @@
 #include "limber/planning/forest.hpp"
 
-#include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -71,10 +69,12 @@ class Grower {
     forest.key = key;
     forest.pressures_kpa.resize(tree_.limits_kpa().size(), states.size());
     forest.held_tips.resize(3, states.size());
+    forest.shapes.resize(3 * (problem_.arm.point_count() - 1), states.size());
     for (int i = 0; i < states.size(); ++i) {
       forest.parents.push_back(states.parent(i));
       forest.pressures_kpa.col(i) = states.pressures_kpa(i);
       forest.held_tips.col(i) = held_tips_[static_cast<std::size_t>(i)];
+      round_shape(states.backbone(i), problem_.arm.length_m(), forest.shapes.col(i));
     }
     forest.complete();
     return forest;
@@ -143,9 +143,7 @@ void Forest::complete() {
   }
   costs_kpa.assign(sums.begin(), sums.end());
   largest_kpa = pressures_kpa.cwiseAbs().rowwise().maxCoeff();
-  by_x.resize(parents.size());
-  std::iota(by_x.begin(), by_x.end(), 0);
-  std::ranges::stable_sort(by_x, {}, [this](std::int32_t i) { return held_tips(0, i); });
+  tips = TipGrid(held_tips);
 }
 
 void require_forest_of(const Forest& forest, const ArmDescription& arm, const ArmStart& start) {
@@ -156,13 +154,20 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm, const Ar
                     forest.key.arm_hash == key.arm_hash ? "start" : "arm", arm.name));
   }
   const Pressures limits_kpa = pressure_limits_kpa(arm);
-  const bool fits = forest.largest_kpa.size() == limits_kpa.size();
-  if (!fits || (forest.largest_kpa.array() > limits_kpa.array()).any()) {
-    throw InputError(
-        fmt::format("the forest holds {}: it is broken; grow it anew",
-                    fits ? "pressures beyond the arm's limits"
-                         : fmt::format("{} pressures a node; arm '{}' has {} segments",
-                                       forest.largest_kpa.size(), arm.name, limits_kpa.size())));
+  const auto refuse = [](const std::string& what) {
+    throw InputError(fmt::format("the forest holds {}: it is broken; grow it anew", what));
+  };
+  if (forest.largest_kpa.size() != limits_kpa.size()) {
+    refuse(fmt::format("{} pressures a node; arm '{}' has {} segments", forest.largest_kpa.size(),
+                       arm.name, limits_kpa.size()));
+  }
+  if ((forest.largest_kpa.array() > limits_kpa.array()).any()) {
+    refuse("pressures beyond the arm's limits");
+  }
+  const Eigen::Index numbers = 3 * (arm.point_count() - 1);
+  if (forest.shapes.rows() != numbers) {
+    refuse(fmt::format("{} numbers a shape; arm '{}' needs {}", forest.shapes.rows(), arm.name,
+                       numbers));
   }
 }
 

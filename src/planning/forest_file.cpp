@@ -11,7 +11,7 @@ namespace limber {
 
 namespace {
 
-constexpr const char* kSchema = "limber/forest/1";
+constexpr const char* kSchema = "limber/forest/2";
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
   throw InputError(where + ": " + what);
@@ -19,7 +19,7 @@ constexpr const char* kSchema = "limber/forest/1";
 
 // One row a node.
 template <class Matrix>
-Tensor rows_of(const Matrix& columns) {
+TensorOf<typename Matrix::Scalar> rows_of(const Matrix& columns) {
   return {{static_cast<std::size_t>(columns.cols()), static_cast<std::size_t>(columns.rows())},
           {columns.data(), columns.data() + columns.size()}};
 }
@@ -30,7 +30,8 @@ class ForestReader {
   explicit ForestReader(const std::filesystem::path& path)
       : where_(path.string()), content_(parse_safetensors(read_file(path), where_)) {
     if (text("schema") != kSchema) {
-      refuse(where_, fmt::format("schema '{}'; expected {}", text("schema"), kSchema));
+      refuse(where_, fmt::format("schema '{}'; expected {}: delete it to have a forest grown anew",
+                                 text("schema"), kSchema));
     }
   }
 
@@ -44,11 +45,31 @@ class ForestReader {
 
   /// N×columns numbers, N as in the first tensor asked for.
   const Tensor& tensor(const std::string& name, std::size_t rank) {
-    const auto found = content_.tensors.find(name);
-    if (found == content_.tensors.end()) {
+    const Tensor& tensor = named(content_.tensors, name, rank);
+    for (const float value : tensor.values) {
+      if (!std::isfinite(value)) {
+        refuse(where_, fmt::format("tensor {} holds a number that is not finite", name));
+      }
+    }
+    return tensor;
+  }
+
+  /// The same of whole numbers.
+  const ShortTensor& shorts(const std::string& name, std::size_t rank) {
+    return named(content_.shorts, name, rank);
+  }
+
+  const std::string& where() const { return where_; }
+
+ private:
+  template <class Number>
+  const TensorOf<Number>& named(const std::map<std::string, TensorOf<Number>>& tensors,
+                                const std::string& name, std::size_t rank) {
+    const auto found = tensors.find(name);
+    if (found == tensors.end()) {
       refuse(where_, fmt::format("tensor {} is missing", name));
     }
-    const Tensor& tensor = found->second;
+    const TensorOf<Number>& tensor = found->second;
     if (tensor.shape.size() != rank || tensor.values.empty() ||
         (nodes_ != 0 && tensor.shape[0] != nodes_)) {
       refuse(where_, fmt::format("tensor {} has not one row for each of the forest's nodes", name));
@@ -58,17 +79,9 @@ class ForestReader {
                                  tensor.shape[0], Forest::kMostNodes));
     }
     nodes_ = tensor.shape[0];
-    for (const float value : tensor.values) {
-      if (!std::isfinite(value)) {
-        refuse(where_, fmt::format("tensor {} holds a number that is not finite", name));
-      }
-    }
     return tensor;
   }
 
-  const std::string& where() const { return where_; }
-
- private:
   std::string where_;
   Safetensors content_;
   std::size_t nodes_ = 0;
@@ -103,6 +116,7 @@ void write_forest(const std::filesystem::path& path, const Forest& forest) {
                                 {forest.parents.begin(), forest.parents.end()}};
   content.tensors["pressures_kpa"] = rows_of(forest.pressures_kpa);
   content.tensors["held_tips"] = rows_of(forest.held_tips);
+  content.shorts["shapes"] = rows_of(forest.shapes);
   write_file_atomically(path, safetensors_bytes(content));
 }
 
@@ -121,6 +135,9 @@ Forest read_forest(const std::filesystem::path& path) {
   }
   forest.held_tips = Eigen::Map<const Eigen::Matrix3Xf>(tips.values.data(), 3,
                                                         static_cast<Eigen::Index>(forest.size()));
+  const ShortTensor& shapes = reader.shorts("shapes", 2);
+  forest.shapes = Eigen::Map<const RoundedShapes>(
+      shapes.values.data(), static_cast<Eigen::Index>(shapes.shape[1]), forest.size());
   forest.complete();
   return forest;
 }

@@ -7,30 +7,40 @@
 #include <vector>
 
 #include "batch_search.hpp"
+#include "forest_filter.hpp"
 #include "limber/planning/forest.hpp"
 #include "path_simulator.hpp"
 
 namespace limber {
 
 /// Looks through a forest for motions that an environment leaves free, and grafts them into a
-/// search: first those that end in the goal, in turns the cheapest and any; where none of them is
-/// free, those that end near it. A motion in collision rules out all that go on from it. Everything
-/// given is borrowed.
+/// search: those that end in the goal, the cheapest first; where there are none, those that end
+/// near it, with a Newton step toward it at their end. Only what the filter takes for free is
+/// simulated, and a motion in collision rules out all that go on from it. Everything given is
+/// borrowed.
 class ForestSearch {
  public:
   /// @pre the forest was grown for the problem's arm, model and start
-  ForestSearch(const Forest& forest, const PlanningProblem& problem, PathSimulator& simulator,
-               BatchSearch& search, std::uint64_t seed);
+  ForestSearch(const Forest& forest, const PlanningProblem& problem,
+               const CollisionChecker& checker, PathSimulator& simulator, BatchSearch& search);
 
   /// Tries a batch of motions. False where there is nothing more worth trying.
   bool round(const std::function<bool()>& give_up);
 
  private:
-  void find_candidates(std::uint64_t seed);
-  /// What is behind the last state known on the way to `node`, itself included; none where that is
-  /// ruled out.
-  std::optional<std::vector<int>> way_to(int node) const;
-  void settle(const std::vector<int>& way, const PathOutcome& outcome);
+  /// A motion to try: to a node of the forest, and from there perhaps a step on.
+  struct Candidate {
+    int node;
+    std::vector<int> way;  // nodes behind the last state known on the way, the node included
+    std::optional<Pressures> step_kpa;
+  };
+
+  void find_those_in_goal();
+  void find_those_near();
+  /// Of `nodes`, from `next` on, at most `wanted` that may be free. @param step  toward the goal
+  void collect(const std::vector<int>& nodes, std::size_t& next, std::size_t wanted, bool step);
+  std::optional<Candidate> candidate(int node, bool step);
+  void settle(const Candidate& tried, const PathOutcome& outcome);
   /// Hands the whole motion to the search. @return the search's node
   int graft(int node);
 
@@ -38,16 +48,19 @@ class ForestSearch {
   const PlanningProblem& problem_;
   PathSimulator& simulator_;
   BatchSearch& search_;
-  std::vector<int> candidates_;  // of the forest's nodes, in the order to try
-  std::size_t in_goal_ = 0;      // so many of them end in the goal
-  std::size_t next_ = 0;
+  ForestFilter filter_;
+  std::vector<int> in_goal_;  // nodes that end there, in the order to try
+  std::size_t next_in_goal_ = 0;
+  std::optional<std::vector<int>> near_;  // found once they are asked for
+  std::size_t next_near_ = 0;
+  std::size_t near_left_;
   int rounds_ = 0;
   int rounds_since_plan_ = 0;
   std::unordered_map<int, Backbone> known_;  // backbones at nodes that are free; empty: ruled out
-  std::unordered_set<int> tried_;            // candidates
-  std::unordered_map<int, int> grafted_;     // node of the forest → node of the search
+  std::unordered_set<int> tried_;
+  std::unordered_map<int, int> grafted_;  // node of the forest → node of the search
+  std::vector<Candidate> candidates_;     // of a round
   std::vector<Path> paths_;
-  std::vector<std::vector<int>> ways_;
   std::vector<PathOutcome> outcomes_;
 };
 

@@ -109,7 +109,7 @@ class PathSimulator::Worker {
       return;
     }
     outcome.free = true;
-    if (is_near_goal(now)) {
+    if (path.hold || is_near_goal(now)) {
       rollouts_.add(i, path.to_kpa.back(), now, path.to_kpa.back(), hold_frames_);
     }
   }

@@ -18,6 +18,7 @@ struct Path {
   Pressures from_kpa;
   Backbone from;
   std::vector<Pressures> to_kpa;  ///< at least one
+  bool hold = false;              ///< at its end in any case, not only near the goal
 };
 
 struct PathOutcome {

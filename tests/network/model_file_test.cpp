@@ -216,6 +216,11 @@ INSTANTIATE_TEST_SUITE_P(
                [](Safetensors& s) {
                  s.tensors["extra"] = {{1}, {0.0F}};
                },
+               "tensor extra does not belong into a model file"},
+        Damage{"stray_tensor_of_whole_numbers",
+               [](Safetensors& s) {
+                 s.shorts["extra"] = {{1}, {0}};
+               },
                "tensor extra does not belong into a model file"}),
     [](const auto& damage) { return std::string(damage.param.name); });
 

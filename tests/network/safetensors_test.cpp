@@ -33,6 +33,7 @@ TEST(Safetensors, ComeBackAfterARoundTrip) {
   Safetensors content;
   content.tensors["b"] = {{2, 3}, {1, 2, 3, 4, 5, 6.5F}};
   content.tensors["a"] = {{0}, {}};
+  content.shorts["0"] = {{3, 1}, {-32768, 7, 32767}};  // of an odd size, and named first
   content.metadata["what"] = "ein \"Test\" ü";
   const Safetensors back = parse_safetensors(safetensors_bytes(content), "f");
   EXPECT_EQ(back.metadata, content.metadata);
@@ -40,6 +41,8 @@ TEST(Safetensors, ComeBackAfterARoundTrip) {
   EXPECT_EQ(back.tensors.at("b").shape, content.tensors["b"].shape);
   EXPECT_EQ(back.tensors.at("b").values, content.tensors["b"].values);
   EXPECT_TRUE(back.tensors.at("a").values.empty());
+  EXPECT_EQ(back.shorts.at("0").shape, content.shorts["0"].shape);
+  EXPECT_EQ(back.shorts.at("0").values, content.shorts["0"].values);
 }
 
 TEST(Safetensors, DataBeginAtAMultipleOfEight) {
@@ -85,9 +88,9 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenFile{"no_json", file_of("{\"a\": ", 0), "header is no JSON"},
         BrokenFile{"no_object", file_of("[1]", 0), "header is no JSON object"},
         BrokenFile{"other_dtype", file_of("{\"w\":" + tensor_entry("[1]", "[0,2]", "F16") + "}", 2),
-                   "tensor w: dtype is F16; expected F32"},
+                   "tensor w: dtype is F16; expected F32 or I16"},
         BrokenFile{"no_dtype", file_of(R"({"w":{"shape":[1]}})", 4),
-                   "tensor w: dtype is missing; expected F32"},
+                   "tensor w: dtype is missing; expected F32 or I16"},
         BrokenFile{"no_shape", file_of(R"({"w":{"dtype":"F32","data_offsets":[0,4]}})", 4),
                    "tensor w: no list shape"},
         BrokenFile{"negative_shape", file_of("{\"w\":" + tensor_entry("[-1]", "[0,4]") + "}", 4),

@@ -12,6 +12,8 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/forward/forward_model.hpp"
 #include "limber/planning/environment.hpp"
+#include "limber/planning/rounded_shape.hpp"
+#include "limber/planning/tip_grid.hpp"
 
 namespace limber {
 
@@ -36,11 +38,12 @@ struct Forest {
   std::vector<std::int32_t> parents;  ///< size N, −1 for the start
   Eigen::MatrixXf pressures_kpa;      ///< n×N; motions between a node and its parent are straight
   Eigen::Matrix3Xf held_tips;         ///< (x_m, y_m, theta_rad) after the hold at a node
+  RoundedShapes shapes;               ///< 3(m−1)×N, before it (planning/rounded_shape.hpp)
 
   // What `complete` derives from those; not in the file.
-  std::vector<float> costs_kpa;    ///< size N, (2) from the start
-  Pressures largest_kpa;           ///< size n, of all nodes, without sign
-  std::vector<std::int32_t> by_x;  ///< nodes in the order of their held tips' x
+  std::vector<float> costs_kpa;  ///< size N, (2) from the start
+  Pressures largest_kpa;         ///< size n, of all nodes, without sign
+  TipGrid tips;                  ///< of the held tips
 
   int size() const { return static_cast<int>(parents.size()); }
   /// Fills in the rest from parents, pressures and tips.
@@ -71,7 +74,7 @@ std::optional<Forest> grow_forest(const ArmDescription& arm, const ForwardModel&
                                   const ForestSettings& settings = ForestSettings(),
                                   const ForestCallback& callback = {});
 
-/// Writes a forest as a safetensors file (docs/formats.md, schema limber/forest/1), atomically.
+/// Writes a forest as a safetensors file (docs/formats.md, schema limber/forest/2), atomically.
 void write_forest(const std::filesystem::path& path, const Forest& forest);
 
 /// @throws InputError naming file and tensor where it is no forest, or a broken one.

@@ -143,14 +143,18 @@ std::vector<double> ExactArm::network_output(const std::vector<double>& input) c
   std::vector<double> values = normalised(input, network_->input);
   for (std::size_t l = 0; l < network_->layers.size(); ++l) {
     const Layer& layer = network_->layers[l];
-    std::vector<double> next;
-    for (Eigen::Index row = 0; row < layer.weight.rows(); ++row) {
-      double sum = double(layer.bias[row]);
-      for (std::size_t k = 0; k < values.size(); ++k) {
-        sum += double(layer.weight(row, static_cast<Eigen::Index>(k))) * values[k];
+    // Column by column, as the weights lie in memory: a row's sum still grows in the order of k.
+    std::vector<double> next(layer.bias.begin(), layer.bias.end());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const float* column = layer.weight.col(static_cast<Eigen::Index>(k)).data();
+      for (std::size_t row = 0; row < next.size(); ++row) {
+        next[row] += double(column[row]) * values[k];
       }
-      const bool is_last = l + 1 == network_->layers.size();
-      next.push_back(is_last || sum > 0.0 ? sum : 0.0);
+    }
+    if (l + 1 < network_->layers.size()) {
+      for (double& value : next) {
+        value = value > 0.0 ? value : 0.0;
+      }
     }
     values = std::move(next);
   }
