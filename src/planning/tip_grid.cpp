@@ -21,7 +21,8 @@ TipGrid::TipGrid(const Eigen::Matrix3Xf& tips) {
   columns_ = place(size_m.x(), kMostCells) + 1;
   rows_ = place(size_m.y(), kMostCells) + 1;
   const auto cell_of = [&](Eigen::Index i) { return cell(column(tips(0, i)), row(tips(1, i))); };
-  // A counting sort: how many there are in each cell, where each cell begins, then everyone's place.
+  // A counting sort: how many there are in each cell, where each cell begins, then everyone's
+  // place.
   begins_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
   for (Eigen::Index i = 0; i < tips.cols(); ++i) {
     ++begins_[cell_of(i) + 1];

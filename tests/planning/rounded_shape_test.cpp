@@ -40,8 +40,8 @@ TEST(RoundedShape, ComesBackWithinATenthOfAMillimetre) {
   const Setting s;
   RandomStream random(3, 1);
   for (int k = 0; k < 200; ++k) {
-    const Backbone shape = s.backbone({random.uniform(-100, 100), random.uniform(-100, 100),
-                                       random.uniform(-100, 100)});
+    const Backbone shape = s.backbone(
+        {random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(-100, 100)});
     const Shape stored = s.rounded(shape);
     EXPECT_LT(farthest_m(s.blended(stored, stored, 0.0F), shape), 5e-4);
     EXPECT_EQ(s.blended(stored, s.rounded(s.backbone({0, 0, 0})), 0.0F),
