@@ -22,13 +22,16 @@ constexpr int kLanes = 8;
 constexpr int kLanes = 4;
 #endif
 
-// Registers that a tile of a matrix product may fill with sums, of 32 or of 16.
+// Registers that a tile of a matrix product may fill with sums, of 32 or of 16, and its height: the
+// usual one, and that of a tile with few columns.
 #if defined(__AVX512F__) || defined(__aarch64__)
 constexpr int kTileVectors = 4;
+constexpr int kTallVectors = 8;
 constexpr int kAccumulators = 24;
 constexpr int kWidestTile = 12;
 #else
 constexpr int kTileVectors = 3;
+constexpr int kTallVectors = 3;
 constexpr int kAccumulators = 12;
 constexpr int kWidestTile = 12;
 #endif
@@ -39,6 +42,17 @@ typedef float UnalignedVector __attribute__((vector_size(4 * kLanes), aligned(4)
 
 inline Vector load(const float* p) {
   return *reinterpret_cast<const UnalignedVector*>(p);
+}
+
+// Has the compiler load a vector before it is used, rather than as an operand of each use.
+inline void keep_in_register(Vector& v) {
+#if defined(__AVX512F__)
+  asm("" : "+v"(v));
+#elif defined(__SSE2__)
+  asm("" : "+x"(v));
+#elif defined(__aarch64__)
+  asm("" : "+w"(v));
+#endif
 }
 
 // Half-precision numbers (their bits) widened on the way from memory; not every level can.
@@ -107,6 +121,15 @@ inline Vector multiply_add(Vector a, Vector b, Vector c) {
   return _mm256_fmadd_ps(a, b, c);
 #elif defined(__aarch64__)
   return vfmaq_f32(c, a, b);
+#else
+  return a * b + c;
+#endif
+}
+
+// The same of one number: to the bit what each lane gets.
+inline float multiply_add(float a, float b, float c) {
+#if defined(__AVX512F__) || defined(__AVX2__) || defined(__aarch64__)
+  return __builtin_fmaf(a, b, c);
 #else
   return a * b + c;
 #endif

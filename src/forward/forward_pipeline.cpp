@@ -134,42 +134,52 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
   const int width = network_->padded_width();
   float* const base = scratch;
   float* const gap = base + 3 * points_ * stride;
-  float* const output = gap + 3 * points_ * stride;
-  float* const input = output + layout_.output_size() * stride;  // columns from here on
+  float* const input = gap + 3 * points_ * stride;  // columns from here on
   float* const layers = input + ld * count;
   float* const pressure = layers;  // rows again, read before the layers are written
   float* const no_load_gap = pressure + segments_ * stride;
+  const bool has_gap_poses = layout_.backbone_layout() == BackboneLayout::gap_poses;
   for (int q = 0; q < count; ++q) {
-    std::copy_n(queries.previous_kpa.column(q), segments_, input + q * ld);
-    std::copy_n(queries.current_kpa.column(q), segments_, input + q * ld + segments_);
+    float* const column = input + q * ld;
+    std::copy_n(queries.previous_kpa.column(q), segments_, column);
+    std::copy_n(queries.current_kpa.column(q), segments_, column + segments_);
+    if (has_gap_poses) {
+      rows_.encode_gaps_of_one(points_ - 1, queries.previous.column(q),
+                               column + layout_.backbone_row());
+    } else {
+      std::copy_n(queries.previous.column(q), 3 * points_, column + layout_.backbone_row());
+    }
   }
   rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
-  if (layout_.backbone_layout() == BackboneLayout::base_poses) {
-    for (int q = 0; q < count; ++q) {
-      std::copy_n(queries.previous.column(q), 3 * points_, input + q * ld + layout_.backbone_row());
-    }
+  if (has_gap_poses) {
+    rows_.no_load_gaps(no_load_.data(), segments_, pressure, no_load_gap, stride);
+    rows_.scatter(3 * segments_, count, no_load_gap, stride, input + layout_.no_load_row(), ld);
+  } else {
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
     rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
     rows_.scatter(3 * points_, count, base, stride, input + layout_.no_load_row(), ld);
-    const float* outputs = network_->evaluate_columns(count, input, ld, layers);
-    for (int q = 0; q < count; ++q) {
-      const float* column = input + q * ld;
-      compose(3 * points_, column + layout_.backbone_row(), column + layout_.no_load_row(),
-              outputs + q * width, outputs + q * width + 3 * points_, queries.next.column(q));
+  }
+  const float* outputs = network_->evaluate_columns(count, input, ld, layers);
+  for (int q = 0; q < count; ++q) {
+    const float* const previous = input + q * ld + layout_.backbone_row();
+    const float* const no_load = input + q * ld + layout_.no_load_row();
+    const float* const output = outputs + q * width;
+    const float* const gate = output + layout_.backbone_size();
+    if (has_gap_poses) {
+      spread_over_gaps(no_load, base);
+      compose(layout_.backbone_size(), previous, base, output, gate, gap);
+      rows_.decode_gaps_of_one(points_ - 1, gap, queries.next.column(q));
+    } else {
+      compose(layout_.backbone_size(), previous, no_load, output, gate, queries.next.column(q));
     }
-  } else {
-    rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, base, stride);
-    rows_.encode_gaps(points_ - 1, base, gap, stride);
-    rows_.scatter(3 * (points_ - 1), count, gap, stride, input + layout_.backbone_row(), ld);
-    rows_.no_load_gaps(no_load_.data(), segments_, pressure, no_load_gap, stride);
-    rows_.scatter(3 * segments_, count, no_load_gap, stride, input + layout_.no_load_row(), ld);
-    const float* outputs = network_->evaluate_columns(count, input, ld, layers);
-    rows_.gather(layout_.output_size(), count, outputs, width, output, stride);
-    rows_.gather(3 * segments_, count, input + layout_.no_load_row(), ld, base, stride);
-    compose_gaps(stride, gap, base, output, gap);
-    rows_.decode_gaps(points_ - 1, gap, base, stride);
-    rows_.scatter(3 * points_, count, base, stride, queries.next.data, queries.next.ld);
+  }
+}
+
+// Of B̃ there is one gap pose a segment; every gap of it gets its own.
+void ForwardPipeline::spread_over_gaps(const float* no_load, float* gaps) const {
+  for (std::size_t g = 0; g < segment_of_gap_.size(); ++g) {
+    std::copy_n(no_load + 3 * segment_of_gap_[g], 3, gaps + 3 * g);
   }
 }
 

@@ -57,6 +57,7 @@ class ForwardPipeline {
   void run_few(int count, const QueryColumns& queries, float* scratch) const;
   void compose(int count, const float* previous, const float* no_load, const float* output,
                const float* gate, float* next) const;
+  void spread_over_gaps(const float* no_load, float* gaps) const;
   void compose_gaps(int stride, const float* previous, const float* no_load, const float* output,
                     float* next) const;
 

@@ -39,6 +39,9 @@ struct RowKernels {
   /// Base poses of gaps + 1 plates to the poses of the gaps about the plate before; and back.
   void (*encode_gaps)(int gaps, const float* base, float* gap, int stride);
   void (*decode_gaps)(int gaps, const float* gap, float* base, int stride);
+  /// The same of one query whose numbers lie side by side: 3(gaps + 1) and 3 gaps of them.
+  void (*encode_gaps_of_one)(int gaps, const float* base, float* gap);
+  void (*decode_gaps_of_one)(int gaps, const float* gap, float* base);
   /// sum = a + b, `count` numbers.
   void (*add)(int count, const float* a, const float* b, float* sum);
   /// (16): next = previous + logistic(gate)·(no_load − previous) + change, `count` numbers. `next`

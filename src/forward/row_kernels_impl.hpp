@@ -173,6 +173,69 @@ void decode_gaps(int gaps, const float* gap, float* base, int stride) {
   }
 }
 
+// One query's gaps side by side: a lane has a gap, not a query.
+struct GapLanes {
+  float x[kLanes];
+  float y[kLanes];
+  float theta[kLanes];
+};
+
+void encode_gaps_of_one(int gaps, const float* base, float* gap) {
+  for (int from = 0; from < gaps; from += kLanes) {
+    const int count = gaps - from < kLanes ? gaps - from : kLanes;
+    GapLanes way{};
+    for (int i = 0; i < count; ++i) {
+      const float* plate = base + 3 * (from + i);
+      way.x[i] = plate[3] - plate[0];
+      way.y[i] = plate[4] - plate[1];
+      way.theta[i] = plate[2];
+    }
+    const Rotation heading = rotation_of(load(way.theta));
+    const Vector x = load(way.x);
+    const Vector y = load(way.y);
+    GapLanes seen;
+    store(seen.x, multiply_add(heading.cosine, x, heading.sine * y));
+    store(seen.y, multiply_add(heading.cosine, y, -(heading.sine * x)));
+    for (int i = 0; i < count; ++i) {
+      const float* plate = base + 3 * (from + i);
+      float* out = gap + 3 * (from + i);
+      out[0] = seen.x[i];
+      out[1] = seen.y[i];
+      out[2] = plate[5] - plate[2];
+    }
+  }
+}
+
+void decode_gaps_of_one(int gaps, const float* gap, float* base) {
+  float x = 0.0F;
+  float y = 0.0F;
+  float theta = 0.0F;
+  base[0] = x;
+  base[1] = y;
+  base[2] = theta;
+  for (int from = 0; from < gaps; from += kLanes) {
+    const int count = gaps - from < kLanes ? gaps - from : kLanes;
+    float headings[kLanes] = {};
+    for (int i = 0; i < count; ++i) {
+      headings[i] = theta;
+      theta += gap[3 * (from + i) + 2];
+      base[3 * (from + i + 1) + 2] = theta;
+    }
+    const Rotation heading = rotation_of(load(headings));
+    float cosine[kLanes];
+    float sine[kLanes];
+    store(cosine, heading.cosine);
+    store(sine, heading.sine);
+    for (int i = 0; i < count; ++i) {
+      const float* in = gap + 3 * (from + i);
+      x = multiply_add(cosine[i], in[0], multiply_add(-sine[i], in[1], x));
+      y = multiply_add(sine[i], in[0], multiply_add(cosine[i], in[1], y));
+      base[3 * (from + i + 1)] = x;
+      base[3 * (from + i + 1) + 1] = y;
+    }
+  }
+}
+
 void add(int count, const float* a, const float* b, float* sum) {
   int i = 0;
   for (; i + kLanes <= count; i += kLanes) {
@@ -202,8 +265,17 @@ void gated_change(int count, const float* previous, const float* no_load, const 
 }
 
 constexpr RowKernels row_kernels_of_this_level() {
-  return {kLanes,      gather,      scatter, no_load_gaps, chain_segments,
-          encode_gaps, decode_gaps, add,     gated_change};
+  return {kLanes,
+          gather,
+          scatter,
+          no_load_gaps,
+          chain_segments,
+          encode_gaps,
+          decode_gaps,
+          encode_gaps_of_one,
+          decode_gaps_of_one,
+          add,
+          gated_change};
 }
 
 }  // namespace

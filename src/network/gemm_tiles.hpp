@@ -65,6 +65,26 @@ void multiply_tile(const Product& p, Tile t) {
   const float* a = p.a + t.i;
   const float* b = p.b + t.j * p.b_step_j;
   for (int k = 0; k < p.k; ++k, a += p.lda, b += p.b_step_k) {
+    if constexpr (kVectors > kTileVectors) {
+      // Every row is loaded once, by itself: as an operand of each product, and still on its way
+      // from the second cache, it would be asked for once a column.
+      Vector columns[kColumns];
+#pragma GCC unroll 12
+      for (int j = 0; j < kColumns; ++j) {
+        columns[j] = broadcast(b[j * p.b_step_j]);
+      }
+#pragma GCC unroll 12
+      for (int v = 0; v < kVectors; ++v) {
+        const bool last = kPartial && v == kVectors - 1;
+        Vector row = last ? load_part(a + v * kLanes, t.tail) : load(a + v * kLanes);
+        keep_in_register(row);
+#pragma GCC unroll 12
+        for (int j = 0; j < kColumns; ++j) {
+          sum[j][v] = multiply_add(row, columns[j], sum[j][v]);
+        }
+      }
+      continue;
+    }
     Vector rows[kVectors];
 #pragma GCC unroll 12
     for (int v = 0; v < kVectors; ++v) {
@@ -121,7 +141,7 @@ void multiply_panel(const Product& p, Tile t) {
 
 template <bool kPartial>
 void multiply_vectors(const Product& p, Tile t, int vectors) {
-  static_assert(kTileVectors <= 4);
+  static_assert(kTileVectors <= 4 && kTallVectors <= 8);
   switch (vectors) {
     case 1:
       return multiply_panel<1, kPartial>(p, t);
@@ -129,8 +149,16 @@ void multiply_vectors(const Product& p, Tile t, int vectors) {
       return multiply_panel<2, kPartial>(p, t);
     case 3:
       return multiply_panel<3, kPartial>(p, t);
+    case 4:
+      return multiply_panel<4, kPartial>(p, t);
+    case 5:
+      return multiply_panel<5, kPartial>(p, t);
+    case 6:
+      return multiply_panel<6, kPartial>(p, t);
+    case 7:
+      return multiply_panel<7, kPartial>(p, t);
     default:
-      return multiply_panel<kTileVectors, kPartial>(p, t);
+      return multiply_panel<8, kPartial>(p, t);
   }
 }
 
@@ -140,10 +168,15 @@ inline int balanced(int remaining, int largest) {
   return (remaining + pieces - 1) / pieces;
 }
 
+// So few columns leave registers for tiles as tall as a layer: its weights then stream by once and
+// in order, which is what they cost.
+constexpr int kFewColumns = 3;
+
 inline void multiply_panels(const Product& p) {
   int vectors_left = (p.m + kLanes - 1) / kLanes;
+  const int tallest = p.n <= kFewColumns ? kTallVectors : kTileVectors;
   for (int i = 0; vectors_left > 0;) {
-    const int vectors = balanced(vectors_left, kTileVectors);
+    const int vectors = balanced(vectors_left, tallest);
     const int tail = p.m - i < vectors * kLanes ? (p.m - i) % kLanes : 0;
     if (tail != 0) {
       multiply_vectors<true>(p, {i, 0, tail}, vectors);

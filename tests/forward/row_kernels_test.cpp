@@ -1,6 +1,7 @@
 #include "forward/row_kernels.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -31,6 +32,27 @@ TEST_P(RowKernelsOfLevel, SineAndCosineAgreeWithTheStandardLibrary) {
     const float angle = base(2, i);
     ASSERT_NEAR(gap(0, i), std::cos(double(angle)), kSineTolerance) << angle;
     ASSERT_NEAR(gap(1, i), -std::sin(double(angle)), kSineTolerance) << angle;
+  }
+}
+
+// One query's numbers side by side come out as those of a row do, to the bit: for fewer gaps than a
+// vector has lanes, and for more.
+TEST_P(RowKernelsOfLevel, GapsOfOneQueryAreThoseOfTheRows) {
+  const RowKernels& kernels = row_kernels(GetParam());
+  for (const int gaps : {1, 3, 15, 16, 17, 40}) {
+    std::srand(static_cast<unsigned>(gaps));
+    const Eigen::VectorXf column = 3.0F * Eigen::VectorXf::Random(3 * (gaps + 1));
+    const Rows base = column.replicate(1, kernels.lanes);
+    Rows gap(3 * gaps, kernels.lanes);
+    kernels.encode_gaps(gaps, base.data(), gap.data(), kernels.lanes);
+    Eigen::VectorXf gap_of_one(3 * gaps);
+    kernels.encode_gaps_of_one(gaps, column.data(), gap_of_one.data());
+    EXPECT_EQ(gap_of_one, gap.col(0)) << gaps << " gaps";
+    Rows back(3 * (gaps + 1), kernels.lanes);
+    kernels.decode_gaps(gaps, gap.data(), back.data(), kernels.lanes);
+    Eigen::VectorXf back_of_one(3 * (gaps + 1));
+    kernels.decode_gaps_of_one(gaps, gap_of_one.data(), back_of_one.data());
+    EXPECT_EQ(back_of_one, back.col(0)) << gaps << " gaps";
   }
 }
 
