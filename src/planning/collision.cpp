@@ -1,12 +1,15 @@
 #include "limber/planning/collision.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
 
+#include "broad_phase.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -40,8 +43,10 @@ double bulge_m(double chord_m, double turn_rad) {
   return 0.5 * chord_m * tangent_bound(0.25 * std::abs(turn_rad));
 }
 
+/// At most half a turn. What is not finite is no turn at all, nor cut down to one.
 double limited_turn(double turn_rad) {
-  return std::clamp(turn_rad, -std::numbers::pi, std::numbers::pi);
+  return std::isfinite(turn_rad) ? std::clamp(turn_rad, -std::numbers::pi, std::numbers::pi)
+                                 : std::numeric_limits<double>::quiet_NaN();
 }
 
 template <class Scalar>
@@ -225,6 +230,25 @@ bool backbone_is_free(const std::vector<ObstacleShape>& shapes, const std::vecto
   return true;
 }
 
+/// Calls is_free(gap) for the gaps that boxes cannot clear, from the tip down, which travels
+/// farthest and meets obstacles first. @return whether all of them are
+template <class IsFree>
+bool all_are_free(const BroadPhase& broad, int gaps, const Eigen::Ref<const Backbone>& from,
+                  const Eigen::Ref<const Backbone>& to, IsFree&& is_free) {
+  for (int first = (gaps - 1) / BroadPhase::kGaps * BroadPhase::kGaps; first >= 0;
+       first -= BroadPhase::kGaps) {
+    std::uint32_t left = broad.may_touch(from, to, first);
+    while (left != 0) {
+      const int i = std::bit_width(left) - 1;
+      if (!is_free(first + i)) {
+        return false;
+      }
+      left &= ~(std::uint32_t{1} << i);
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 CollisionChecker::CollisionChecker(const ArmDescription& arm,
@@ -244,6 +268,7 @@ CollisionChecker::CollisionChecker(const ArmDescription& arm,
     radius_m_.insert(radius_m_.end(), static_cast<std::size_t>(segment.gaps),
                      0.5 * segment.width_m + arm.actuator_radius_m + margin_m);
   }
+  broad_ = std::make_shared<const BroadPhase>(obstacles_, radius_m_);
 }
 
 Clearance CollisionChecker::clearance(const Eigen::Ref<const Backbone>& backbone) const {
@@ -255,7 +280,9 @@ Clearance CollisionChecker::clearance(const Eigen::Ref<const BackboneD>& backbon
 }
 
 bool CollisionChecker::is_free(const Eigen::Ref<const Backbone>& backbone) const {
-  return backbone_is_free<float>(obstacles_, radius_m_, backbone);
+  return all_are_free(*broad_, gap_count(), backbone, backbone, [&](int gap) {
+    return !arc_touches(obstacles_, gap_arc<float>(backbone, gap), radius_m(gap));
+  });
 }
 
 bool CollisionChecker::is_free(const Eigen::Ref<const BackboneD>& backbone) const {
@@ -264,15 +291,10 @@ bool CollisionChecker::is_free(const Eigen::Ref<const BackboneD>& backbone) cons
 
 bool CollisionChecker::is_motion_free(const Eigen::Ref<const Backbone>& from,
                                       const Eigen::Ref<const Backbone>& to) const {
-  // The tip travels farthest and meets obstacles first.
-  for (std::size_t gap = radius_m_.size(); gap-- > 0;) {
-    const int g = static_cast<int>(gap);
-    const GapMotion motion{gap_arc<float>(from, g), gap_arc<float>(to, g)};
-    if (!motion_is_free(obstacles_, motion, radius_m_[gap], motion.travel_bound_m(), 0.0, 1.0)) {
-      return false;
-    }
-  }
-  return true;
+  return all_are_free(*broad_, gap_count(), from, to, [&](int gap) {
+    const GapMotion motion{gap_arc<float>(from, gap), gap_arc<float>(to, gap)};
+    return motion_is_free(obstacles_, motion, radius_m(gap), motion.travel_bound_m(), 0.0, 1.0);
+  });
 }
 
 Clearance CollisionChecker::motion_clearance(const Eigen::Ref<const Backbone>& from,

@@ -217,12 +217,42 @@ TEST(CollisionChecker, WithoutObstaclesEverythingIsFreeAndInfinitelyClear) {
 
 TEST(CollisionChecker, ABackboneThatIsNoNumberIsNeverFree) {
   const ArmDescription arm = three_segment_arm();
-  Backbone b = straight(arm);
-  b(7, 1) = std::numeric_limits<float>::quiet_NaN();
-  const CollisionChecker checker(arm, {Circle{5.0, 5.0, 0.1}});
-  EXPECT_FALSE(checker.is_free(b));
-  EXPECT_FALSE(checker.is_motion_free(straight(arm), b));
-  EXPECT_LT(checker.clearance(b).value_m, 0.0);
+  const CollisionChecker far(arm, {Circle{5.0, 5.0, 0.1}});
+  const CollisionChecker alone(arm, {});
+  for (const float value :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    for (const int plate : {0, 7, 15}) {
+      for (const int coordinate : {0, 1, 2}) {
+        Backbone b = straight(arm);
+        b(plate, coordinate) = value;
+        EXPECT_FALSE(far.is_free(b));
+        EXPECT_FALSE(alone.is_free(b));
+        EXPECT_FALSE(far.is_motion_free(straight(arm), b));
+        EXPECT_FALSE(far.is_motion_free(b, straight(arm)));
+        EXPECT_LT(far.clearance(b).value_m, 0.0);
+      }
+    }
+  }
+}
+
+// More gaps than the broad phase takes at a time.
+TEST(CollisionChecker, EveryGapOfALongArmIsLookedAt) {
+  ArmDescription arm = three_segment_arm();
+  for (Segment& segment : arm.segments) {
+    segment.gaps = 22;
+  }
+  const Backbone b = straight(arm);
+  const Backbone aside = (b.rowwise() + Eigen::RowVector3f(0.0F, 0.01F, 0.0F)).eval();
+  for (int gap = 0; gap < arm.point_count() - 1; ++gap) {
+    const double x = 0.5 * double(b(gap, 0) + b(gap + 1, 0));
+    const double radius = CollisionChecker(arm, {}).radius_m(gap);
+    const CollisionChecker touched(arm, {Circle{x, radius + 0.004, 0.005}});
+    EXPECT_FALSE(touched.is_free(b)) << "gap " << gap;
+    EXPECT_FALSE(touched.is_motion_free(b, aside)) << "gap " << gap;
+    EXPECT_FALSE(touched.is_motion_free(aside, b)) << "gap " << gap;
+    const CollisionChecker clear(arm, {Circle{x, 0.031 + 0.007, 0.005}});  // of the widest segment
+    EXPECT_TRUE(clear.is_free(b)) << "gap " << gap;
+  }
 }
 
 TEST(CollisionChecker, RefusesANegativeMargin) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,6 +13,8 @@
 namespace limber {
 
 /// Smallest distance between the arm's outside and an obstacle.
+class BroadPhase;
+
 struct Clearance {
   double value_m = 0.0;  ///< negative: how deep the arm is in the obstacle; +∞ without obstacles
   int gap = -1;  ///< between plates gap and gap + 1, from 0 at the base; −1 without obstacles
@@ -53,12 +56,14 @@ class CollisionChecker {
                              const Eigen::Ref<const Backbone>& to) const;
 
   int obstacle_count() const { return static_cast<int>(obstacles_.size()); }
+  int gap_count() const { return static_cast<int>(radius_m_.size()); }
   /// Half width of the gap's segment + actuator radius + margin.
   double radius_m(int gap) const { return radius_m_[static_cast<std::size_t>(gap)]; }
 
  private:
   std::vector<ObstacleShape> obstacles_;  // nearest to the base first
   std::vector<double> radius_m_;          // one a gap
+  std::shared_ptr<const BroadPhase> broad_;
 };
 
 }  // namespace limber

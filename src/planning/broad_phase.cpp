@@ -1,0 +1,84 @@
+#include "broad_phase.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace limber {
+
+namespace {
+
+// Far above the rounding of coordinates of a few metres in float32, far below what matters.
+constexpr float kRoundingM = 1e-5F;
+
+// Farthest point of an arc from its chord, over half the chord: tan(turn / 4) or a little more.
+float bulge_over_half_chord(float turn_rad) {
+  const float x = 0.25F * std::min(turn_rad, std::numbers::pi_v<float>);
+  return x * (1.0F + 0.4431F * x * x);
+}
+
+}  // namespace
+
+BroadPhase::BroadPhase(const std::vector<ObstacleShape>& obstacles,
+                       const std::vector<double>& radius_m) {
+  for (const ObstacleShape& obstacle : obstacles) {
+    const Eigen::Vector2f low = obstacle.box.low.cast<float>();
+    const Eigen::Vector2f high = obstacle.box.high.cast<float>();
+    obstacles_.push_back({low.x(), low.y(), high.x(), high.y()});
+  }
+  for (const double radius : radius_m) {
+    radius_m_.push_back(static_cast<float>(radius) + kRoundingM);
+  }
+}
+
+std::uint32_t BroadPhase::may_touch(const Eigen::Ref<const Backbone>& from,
+                                    const Eigen::Ref<const Backbone>& to, int first) const {
+  assert(from.outerStride() == 3 && to.outerStride() == 3);
+  const int count = std::min(kGaps, static_cast<int>(radius_m_.size()) - first);
+  std::array<FloatBox, kGaps> gaps;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  FloatBox all{kInfinity, kInfinity, -kInfinity, -kInfinity};
+  std::uint32_t touching = 0;
+  for (int i = 0; i < count; ++i) {
+    const float* a = from.data() + 3 * (first + i);  // this plate and the next, before
+    const float* b = to.data() + 3 * (first + i);    // and after
+    const float turn = std::max(std::abs(a[5] - a[2]), std::abs(b[5] - b[2]));
+    // Of both sides of a triangle the third is never longer.
+    const float chord = std::max(std::abs(a[3] - a[0]) + std::abs(a[4] - a[1]),
+                                 std::abs(b[3] - b[0]) + std::abs(b[4] - b[1]));
+    // Chords lie in the hull of the four places of their ends, arcs no farther than their bulge
+    // beside their chords.
+    const float reach = radius_m_[static_cast<std::size_t>(first + i)] +
+                        0.5F * chord * bulge_over_half_chord(turn);
+    FloatBox& box = gaps[static_cast<std::size_t>(i)];
+    box.low_x = std::min(std::min(a[0], a[3]), std::min(b[0], b[3])) - reach;
+    box.high_x = std::max(std::max(a[0], a[3]), std::max(b[0], b[3])) + reach;
+    box.low_y = std::min(std::min(a[1], a[4]), std::min(b[1], b[4])) - reach;
+    box.high_y = std::max(std::max(a[1], a[4]), std::max(b[1], b[4])) + reach;
+    // What is not finite is lost in a minimum, but never in a sum.
+    const float sum = a[0] + a[1] + a[2] + a[3] + a[4] + a[5] + b[0] + b[1] + b[2] + b[3] + b[4] +
+                      b[5] + reach;
+    touching |= std::uint32_t{!std::isfinite(sum)} << i;
+    all.low_x = std::min(all.low_x, box.low_x);
+    all.high_x = std::max(all.high_x, box.high_x);
+    all.low_y = std::min(all.low_y, box.low_y);
+    all.high_y = std::max(all.high_y, box.high_y);
+  }
+  const auto apart = [](const FloatBox& a, const FloatBox& b) {
+    return a.low_x > b.high_x || b.low_x > a.high_x || a.low_y > b.high_y || b.low_y > a.high_y;
+  };
+  for (const FloatBox& obstacle : obstacles_) {
+    if (apart(obstacle, all)) {
+      continue;
+    }
+    for (int i = 0; i < count; ++i) {
+      touching |= std::uint32_t{!apart(obstacle, gaps[static_cast<std::size_t>(i)])} << i;
+    }
+  }
+  return touching;
+}
+
+}  // namespace limber
