@@ -55,7 +55,7 @@ OMPL = {
                  [(5, 0.2, 0.1), (10, 0.2, 0.1), (20, 0.2, 0.1), (10, 0.1, 0.03), (20, 0.4, 0.2)]],
 }
 OMPL["ompl:SST-mended"] = OMPL["ompl:SST"]
-OMPL_TRIAL_S, OMPL_LIMIT_S, OMPL_TRIALS = 2, 10, 3
+OMPL_TRIAL_S, OMPL_LIMIT_S, OMPL_TRIALS = 2, 10, 5
 
 
 class Runner:

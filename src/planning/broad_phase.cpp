@@ -51,16 +51,16 @@ std::uint32_t BroadPhase::may_touch(const Eigen::Ref<const Backbone>& from,
                                  std::abs(b[3] - b[0]) + std::abs(b[4] - b[1]));
     // Chords lie in the hull of the four places of their ends, arcs no farther than their bulge
     // beside their chords.
-    const float reach = radius_m_[static_cast<std::size_t>(first + i)] +
-                        0.5F * chord * bulge_over_half_chord(turn);
+    const float reach =
+        radius_m_[static_cast<std::size_t>(first + i)] + 0.5F * chord * bulge_over_half_chord(turn);
     FloatBox& box = gaps[static_cast<std::size_t>(i)];
     box.low_x = std::min(std::min(a[0], a[3]), std::min(b[0], b[3])) - reach;
     box.high_x = std::max(std::max(a[0], a[3]), std::max(b[0], b[3])) + reach;
     box.low_y = std::min(std::min(a[1], a[4]), std::min(b[1], b[4])) - reach;
     box.high_y = std::max(std::max(a[1], a[4]), std::max(b[1], b[4])) + reach;
     // What is not finite is lost in a minimum, but never in a sum.
-    const float sum = a[0] + a[1] + a[2] + a[3] + a[4] + a[5] + b[0] + b[1] + b[2] + b[3] + b[4] +
-                      b[5] + reach;
+    const float sum =
+        a[0] + a[1] + a[2] + a[3] + a[4] + a[5] + b[0] + b[1] + b[2] + b[3] + b[4] + b[5] + reach;
     touching |= std::uint32_t{!std::isfinite(sum)} << i;
     all.low_x = std::min(all.low_x, box.low_x);
     all.high_x = std::max(all.high_x, box.high_x);

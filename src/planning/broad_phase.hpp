@@ -10,8 +10,8 @@
 
 namespace limber {
 
-/// Tells by boxes which gaps of a moving backbone may touch an obstacle, for all gaps at the cost of
-/// one exact look. Never leaves out one that touches. Threads: constant after construction.
+/// Tells by boxes which gaps of a moving backbone may touch an obstacle, for all gaps at the cost
+/// of one exact look. Never leaves out one that touches. Threads: constant after construction.
 class BroadPhase {
  public:
   /// Gaps that are looked at together, one a bit.
