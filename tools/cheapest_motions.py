@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What the goals of limber's environments cost at least, where nothing is in the way: the cheapest motions of a
-forest (docs/planning.md) that end in them, and in discs twice as wide. A dense forest is grown by
+"""What the goals of limber's environments cost where nothing is in the way: the cheapest motions of a forest
+(docs/planning.md) that end in them, and in discs twice as wide. A dense forest is grown by
 
     limber plan --model M --environment 01_pillar --time-limit-s 1 --forest F --forest-nodes 2000000 --out P.json
 
@@ -23,6 +23,8 @@ def read_tensors(path, names):
     length = struct.unpack("<Q", content[:8])[0]
     header = json.loads(content[8 : 8 + length])
     for name in names:
+        if name not in header or header[name]["dtype"] != "F32":
+            sys.exit(f"{path}: no forest: tensor {name} is missing, or not of 32-bit floats")
         begin, end = header[name]["data_offsets"]
         data = content[8 + length + begin : 8 + length + end]
         yield np.frombuffer(data, "<f4").reshape(header[name]["shape"])
@@ -38,8 +40,10 @@ def costs_kpa(parents, pressures):
 
 
 def goal_of(path):
-    text = re.search(r"^goal: \{(.*)\}", path.read_text(), re.MULTILINE).group(1)
-    return {key: float(value) for key, value in re.findall(r"(\w+): ([-\d.]+)", text)}
+    found = re.search(r"^goal: \{(.*)\}", path.read_text(), re.MULTILINE)
+    if not found:
+        sys.exit(f"{path}: no line 'goal: {{...}}'")
+    return {key: float(value) for key, value in re.findall(r"(\w+): ([-\d.]+)", found.group(1))}
 
 
 def ends_in(goal, tips, widening):

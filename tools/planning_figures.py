@@ -160,7 +160,7 @@ def line(name, trials):
 
     return (
         f"| {name} | {len(solved)} of {len(trials)} | {statistics.median(queries):.0f} "
-        f"| {statistics.median(times):.1f}, {mean:.1f} ± {error:.1f}, {quantile(times, 0.95):.1f} ms "
+        f"| {statistics.median(times):.2f}, {mean:.2f} ± {error:.2f}, {quantile(times, 0.95):.1f} ms "
         f"| {cost(0.1)} | {cost(1)} | {cost(10)} | {cost(60)} |"
     )
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "file_kind.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
@@ -37,13 +38,17 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Forwa
   const std::string path = path_beside(model_file);
   const ForestKey key =
       forest_key(arm, model_file.empty() ? "" : content_hash(read_file(model_file)), start);
-  if (std::filesystem::exists(path)) {
-    Forest stored = read_forest(path);  // what is no forest is never replaced
-    if (stored.key == key && !build_) {
+  if (std::filesystem::exists(path) && build_) {
+    if (kind_of(read_file(path)) != FileKind::forest) {
+      throw InputError(path + ": no forest; only a forest is replaced by another");
+    }
+    say(flags, "{}: asked for; growing it anew", path);
+  } else if (std::filesystem::exists(path)) {
+    Forest stored = read_forest(path);
+    if (stored.key == key) {
       return stored;
     }
-    say(flags, "{}: {}; growing it anew", path,
-        build_ ? "asked for" : "grown for another arm, model or start");
+    say(flags, "{}: grown for another arm, model or start; growing it anew", path);
   }
   ForestSettings settings;
   settings.nodes = nodes_;

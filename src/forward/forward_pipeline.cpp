@@ -62,11 +62,8 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
 }
 
 std::size_t ForwardPipeline::scratch_size() const {
-  // Base poses, gap poses and outputs as rows, then a network's input and two layers as rows or as
-  // columns.
-  const int network =
-      network_ ? layout_.output_size() + layout_.input_size() + 2 * network_->padded_width()
-               : segments_;
+  // Base poses and gap poses as rows, then a network's input and two layers as rows or as columns.
+  const int network = network_ ? layout_.input_size() + 2 * network_->padded_width() : segments_;
   return static_cast<std::size_t>((3 * points_ + 3 * points_ + network) * kTileQueries);
 }
 

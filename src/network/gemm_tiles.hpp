@@ -1,8 +1,9 @@
 #pragma once
 
 // The matrix product behind GemmKernels, compiled once per CPU level by kernels_<level>.cpp. A tile
-// of C (up to kTileVectors vectors down, as many columns across as kAccumulators allow) stays in
-// registers while k runs; each step loads one column piece of A and broadcasts one row piece of B.
+// of C (up to kTileVectors vectors down, or kTallVectors where there are few columns, and as many
+// columns across as kAccumulators allow) stays in registers while k runs; each step loads one
+// column piece of A and broadcasts one row piece of B.
 
 #include <cstddef>
 
@@ -139,26 +140,12 @@ void multiply_panel(const Product& p, Tile t) {
   multiply_columns<kVectors, (kFit < kWidestTile ? kFit : kWidestTile), kPartial>(p, t, p.n);
 }
 
-template <bool kPartial>
+template <bool kPartial, int kVectors = 1>
 void multiply_vectors(const Product& p, Tile t, int vectors) {
-  static_assert(kTileVectors <= 4 && kTallVectors <= 8);
-  switch (vectors) {
-    case 1:
-      return multiply_panel<1, kPartial>(p, t);
-    case 2:
-      return multiply_panel<2, kPartial>(p, t);
-    case 3:
-      return multiply_panel<3, kPartial>(p, t);
-    case 4:
-      return multiply_panel<4, kPartial>(p, t);
-    case 5:
-      return multiply_panel<5, kPartial>(p, t);
-    case 6:
-      return multiply_panel<6, kPartial>(p, t);
-    case 7:
-      return multiply_panel<7, kPartial>(p, t);
-    default:
-      return multiply_panel<8, kPartial>(p, t);
+  if (vectors == kVectors) {
+    multiply_panel<kVectors, kPartial>(p, t);
+  } else if constexpr (kVectors < kTallVectors) {
+    multiply_vectors<kPartial, kVectors + 1>(p, t, vectors);
   }
 }
 
@@ -168,8 +155,8 @@ inline int balanced(int remaining, int largest) {
   return (remaining + pieces - 1) / pieces;
 }
 
-// So few columns leave registers for tiles as tall as a layer: its weights then stream by once and
-// in order, which is what they cost.
+// So few columns leave registers for tiles as tall as most layers: their weights then stream by
+// once and in order, which is what they cost.
 constexpr int kFewColumns = 3;
 
 inline void multiply_panels(const Product& p) {
@@ -188,7 +175,8 @@ inline void multiply_panels(const Product& p) {
   }
 }
 
-// Steps of k taken at a time: a panel of A, kTileVectors·kLanes rows, then fits the first cache.
+// Steps of k taken at a time: a panel of A, kTileVectors·kLanes rows, then fits the first cache. (A
+// tall one is used once, and need not.)
 constexpr int kBlock = 128;
 
 void multiply(Product p) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,7 +10,7 @@ namespace limber {
 
 namespace {
 
-// Far above the rounding of coordinates of a few metres in float32, far below what matters.
+// Above the rounding of coordinates of 10 m in float32, and far below what matters.
 constexpr float kRoundingM = 1e-5F;
 
 // Farthest point of an arc from its chord, over half the chord: tan(turn / 4) or a little more.
@@ -36,28 +35,30 @@ BroadPhase::BroadPhase(const std::vector<ObstacleShape>& obstacles,
 
 std::uint32_t BroadPhase::may_touch(const Eigen::Ref<const Backbone>& from,
                                     const Eigen::Ref<const Backbone>& to, int first) const {
-  assert(from.outerStride() == 3 && to.outerStride() == 3);
   const int count = std::min(kGaps, static_cast<int>(radius_m_.size()) - first);
   std::array<FloatBox, kGaps> gaps;
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   FloatBox all{kInfinity, kInfinity, -kInfinity, -kInfinity};
   std::uint32_t touching = 0;
   for (int i = 0; i < count; ++i) {
-    const float* a = from.data() + 3 * (first + i);  // this plate and the next, before
-    const float* b = to.data() + 3 * (first + i);    // and after
-    const float turn = std::max(std::abs(a[5] - a[2]), std::abs(b[5] - b[2]));
+    // This plate and the next, before (a, c) and after (b, d).
+    const float* a = from.data() + (first + i) * from.outerStride();
+    const float* b = to.data() + (first + i) * to.outerStride();
+    const float* c = a + from.outerStride();
+    const float* d = b + to.outerStride();
+    const float turn = std::max(std::abs(c[2] - a[2]), std::abs(d[2] - b[2]));
     // Of both sides of a triangle the third is never longer.
-    const float chord = std::max(std::abs(a[3] - a[0]) + std::abs(a[4] - a[1]),
-                                 std::abs(b[3] - b[0]) + std::abs(b[4] - b[1]));
+    const float chord = std::max(std::abs(c[0] - a[0]) + std::abs(c[1] - a[1]),
+                                 std::abs(d[0] - b[0]) + std::abs(d[1] - b[1]));
     // Chords lie in the hull of the four places of their ends, arcs no farther than their bulge
     // beside their chords.
     const float reach =
         radius_m_[static_cast<std::size_t>(first + i)] + 0.5F * chord * bulge_over_half_chord(turn);
     FloatBox& box = gaps[static_cast<std::size_t>(i)];
-    box.low_x = std::min(std::min(a[0], a[3]), std::min(b[0], b[3])) - reach;
-    box.high_x = std::max(std::max(a[0], a[3]), std::max(b[0], b[3])) + reach;
-    box.low_y = std::min(std::min(a[1], a[4]), std::min(b[1], b[4])) - reach;
-    box.high_y = std::max(std::max(a[1], a[4]), std::max(b[1], b[4])) + reach;
+    box.low_x = std::min(std::min(a[0], c[0]), std::min(b[0], d[0])) - reach;
+    box.high_x = std::max(std::max(a[0], c[0]), std::max(b[0], d[0])) + reach;
+    box.low_y = std::min(std::min(a[1], c[1]), std::min(b[1], d[1])) - reach;
+    box.high_y = std::max(std::max(a[1], c[1]), std::max(b[1], d[1])) + reach;
     // What is not finite is lost in a minimum, but never in a sum.
     const float sum =
         a[0] + a[1] + a[2] + a[3] + a[4] + a[5] + b[0] + b[1] + b[2] + b[3] + b[4] + b[5] + reach;

@@ -11,7 +11,8 @@
 namespace limber {
 
 /// Tells by boxes which gaps of a moving backbone may touch an obstacle, for all gaps at the cost
-/// of one exact look. Never leaves out one that touches. Threads: constant after construction.
+/// of one exact look. Never leaves out one that touches, where the arm reaches no farther than 10
+/// m. Threads: constant after construction.
 class BroadPhase {
  public:
   /// Gaps that are looked at together, one a bit.

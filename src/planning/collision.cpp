@@ -268,8 +268,12 @@ CollisionChecker::CollisionChecker(const ArmDescription& arm,
     radius_m_.insert(radius_m_.end(), static_cast<std::size_t>(segment.gaps),
                      0.5 * segment.width_m + arm.actuator_radius_m + margin_m);
   }
-  broad_ = std::make_shared<const BroadPhase>(obstacles_, radius_m_);
+  broad_ = std::make_unique<const BroadPhase>(obstacles_, radius_m_);
 }
+
+CollisionChecker::CollisionChecker(CollisionChecker&&) noexcept = default;
+CollisionChecker& CollisionChecker::operator=(CollisionChecker&&) noexcept = default;
+CollisionChecker::~CollisionChecker() = default;
 
 Clearance CollisionChecker::clearance(const Eigen::Ref<const Backbone>& backbone) const {
   return backbone_clearance<float>(obstacles_, radius_m_, backbone);

@@ -12,6 +12,7 @@ namespace limber {
 namespace {
 
 constexpr const char* kSchema = "limber/forest/2";
+constexpr float kFarthest = 1e4F;  // [m, rad] of a tip; an arm's reach is a few metres
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
   throw InputError(where + ": " + what);
@@ -30,7 +31,7 @@ class ForestReader {
   explicit ForestReader(const std::filesystem::path& path)
       : where_(path.string()), content_(parse_safetensors(read_file(path), where_)) {
     if (text("schema") != kSchema) {
-      refuse(where_, fmt::format("schema '{}'; expected {}: delete it to have a forest grown anew",
+      refuse(where_, fmt::format("schema '{}'; expected {}: --build-forest grows it anew",
                                  text("schema"), kSchema));
     }
   }
@@ -111,7 +112,7 @@ void write_forest(const std::filesystem::path& path, const Forest& forest) {
                       {"arm_hash", forest.key.arm_hash},
                       {"model_hash", forest.key.model_hash},
                       {"start_hash", forest.key.start_hash}};
-  // The format has integers, our reader of it has not: a float tells all of them apart.
+  // Our reader has no whole numbers of 32 bits: a float tells all of these apart.
   content.tensors["parents"] = {{forest.parents.size()},
                                 {forest.parents.begin(), forest.parents.end()}};
   content.tensors["pressures_kpa"] = rows_of(forest.pressures_kpa);
@@ -132,6 +133,12 @@ Forest read_forest(const std::filesystem::path& path) {
   const Tensor& tips = reader.tensor("held_tips", 2);
   if (tips.shape[1] != 3) {
     refuse(reader.where(), "tensor held_tips has not 3 columns (x_m, y_m, theta_rad)");
+  }
+  for (std::size_t i = 0; i < tips.values.size(); ++i) {
+    if (std::abs(tips.values[i]) > kFarthest) {
+      refuse(reader.where(), fmt::format("held_tips[{}, {}] = {}; expected at most {} (m, rad)",
+                                         i / 3, i % 3, tips.values[i], kFarthest));
+    }
   }
   forest.held_tips = Eigen::Map<const Eigen::Matrix3Xf>(tips.values.data(), 3,
                                                         static_cast<Eigen::Index>(forest.size()));

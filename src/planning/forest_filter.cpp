@@ -29,8 +29,11 @@ ForestFilter::ForestFilter(const Forest& forest, const PlanningProblem& problem,
 }
 
 bool ForestFilter::leaves_free(int node) {
-  // The end first, whose way is not known yet: one look rules out most.
-  return stands_free(node) && leaves_way_free(node) && leaves_hold_free(node);
+  // The end first: one look rules out most, and all that goes on from there.
+  if (known_.count(node) == 0 && !stands_free(node)) {
+    known_[node] = false;
+  }
+  return leaves_way_free(node) && leaves_hold_free(node);
 }
 
 bool ForestFilter::stands_free(int node) {

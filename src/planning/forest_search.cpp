@@ -12,8 +12,29 @@ constexpr std::size_t kLargestBatch = 64;
 constexpr std::size_t kMostInGoal = 4096;
 constexpr std::size_t kMostNear = 64;  // tried: then the search has footholds enough
 constexpr std::size_t kMostNearLookedAt = 2048;
-constexpr double kNearM = 0.10;     // how near the goal those end
+constexpr double kNearM = 0.10;     // how near the goal's disc those end
 constexpr int kRoundsWithPlan = 2;  // dearer ones, for the improvers to start from
+constexpr int kLooksAtOnce = 64;    // until somebody asks whether there is time for more
+
+Eigen::Vector2f place_m(const PoseGoal& goal) {
+  return {static_cast<float>(goal.x_m), static_cast<float>(goal.y_m)};
+}
+
+Pose pose_of(const TipGrid::Tip& tip) {
+  return {double(tip.x_m), double(tip.y_m), double(tip.theta_rad)};
+}
+
+/// The nodes with the smallest numbers beside them, in their order, at most `most`.
+template <class Number>
+std::vector<int> first_of(std::vector<std::pair<Number, int>> nodes, std::size_t most) {
+  const std::size_t count = std::min(nodes.size(), most);
+  std::partial_sort(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(count), nodes.end());
+  std::vector<int> first;
+  for (std::size_t k = 0; k < count; ++k) {
+    first.push_back(nodes[k].second);
+  }
+  return first;
+}
 
 }  // namespace
 
@@ -31,18 +52,6 @@ ForestSearch::ForestSearch(const Forest& forest, const PlanningProblem& problem,
   find_those_in_goal();
 }
 
-namespace {
-
-Eigen::Vector2f place_m(const PoseGoal& goal) {
-  return {static_cast<float>(goal.x_m), static_cast<float>(goal.y_m)};
-}
-
-Pose pose_of(const TipGrid::Tip& tip) {
-  return {double(tip.x_m), double(tip.y_m), double(tip.theta_rad)};
-}
-
-}  // namespace
-
 void ForestSearch::find_those_in_goal() {
   const PoseGoal& goal = problem_.environment.goal;
   std::vector<std::pair<float, int>> inside;  // cost
@@ -52,10 +61,7 @@ void ForestSearch::find_those_in_goal() {
           inside.emplace_back(forest_.costs_kpa[static_cast<std::size_t>(tip.node)], tip.node);
         }
       });
-  std::sort(inside.begin(), inside.end());
-  for (const auto& [cost_kpa, node] : inside) {
-    in_goal_.push_back(node);
-  }
+  in_goal_ = first_of(std::move(inside), kMostInGoal);
 }
 
 void ForestSearch::find_those_near() {
@@ -65,12 +71,7 @@ void ForestSearch::find_those_near() {
                           [&](const TipGrid::Tip& tip) {
                             near.emplace_back(goal_error(goal, pose_of(tip)), tip.node);
                           });
-  const std::size_t count = std::min(near.size(), kMostNearLookedAt);
-  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
-  near_.emplace();
-  for (std::size_t k = 0; k < count; ++k) {
-    near_->push_back(near[k].second);
-  }
+  near_ = first_of(std::move(near), kMostNearLookedAt);
 }
 
 std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool step) {
@@ -97,14 +98,18 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
 }
 
 void ForestSearch::collect(const std::vector<int>& nodes, std::size_t& next, std::size_t wanted,
-                           bool step) {
-  for (; next < nodes.size() && paths_.size() < wanted; ++next) {
+                           bool step, const std::function<bool()>& give_up) {
+  for (int looks = 1; next < nodes.size() && paths_.size() < wanted; ++next, ++looks) {
+    if (looks % kLooksAtOnce == 0 && give_up()) {
+      return;
+    }
     std::optional<Candidate> found = candidate(nodes[next], step);
     if (!found) {
       continue;
     }
     const int from = forest_.parents[static_cast<std::size_t>(found->way.front())];
-    Path path{forest_.pressures_kpa.col(from), known_.at(from), {}, true};
+    Path path{forest_.pressures_kpa.col(from), known_.at(from), {}};
+    path.hold = true;  // the forest knows where that leads, however far it goes
     for (const int node : found->way) {
       path.to_kpa.emplace_back(forest_.pressures_kpa.col(node));
     }
@@ -126,12 +131,12 @@ bool ForestSearch::round(const std::function<bool()>& give_up) {
   };
   paths_.clear();
   candidates_.clear();
-  collect(in_goal_, next_in_goal_, wanted(kFirstBatch), false);
+  collect(in_goal_, next_in_goal_, wanted(kFirstBatch), false, give_up);
   if (paths_.empty() && !has_plan) {
     if (!near_) {
       find_those_near();
     }
-    collect(*near_, next_near_, std::min(wanted(kFirstNear), near_left_), true);
+    collect(*near_, next_near_, std::min(wanted(kFirstNear), near_left_), true, give_up);
     near_left_ -= paths_.size();
   }
   ++rounds_;

@@ -38,7 +38,8 @@ class ForestSearch {
   void find_those_in_goal();
   void find_those_near();
   /// Of `nodes`, from `next` on, at most `wanted` that may be free. @param step  toward the goal
-  void collect(const std::vector<int>& nodes, std::size_t& next, std::size_t wanted, bool step);
+  void collect(const std::vector<int>& nodes, std::size_t& next, std::size_t wanted, bool step,
+               const std::function<bool()>& give_up);
   std::optional<Candidate> candidate(int node, bool step);
   void settle(const Candidate& tried, const PathOutcome& outcome);
   /// Hands the whole motion to the search. @return the search's node

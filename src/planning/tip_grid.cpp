@@ -38,9 +38,12 @@ TipGrid::TipGrid(const Eigen::Matrix3Xf& tips) {
 }
 
 int TipGrid::place(float distance_m, int count) const {
-  // Clamped as a float: a place far away is no int.
-  const float cells = std::clamp(distance_m / cell_m_, 0.0F, static_cast<float>(count - 1));
-  return static_cast<int>(cells);
+  // Compared as floats: a place far away is no int, nor is one that is no number.
+  const float cells = distance_m / cell_m_;
+  if (!(cells > 0.0F)) {
+    return 0;
+  }
+  return cells < static_cast<float>(count) ? static_cast<int>(cells) : count - 1;
 }
 
 }  // namespace limber

@@ -29,7 +29,8 @@ struct Sizes {
 
 // Around every edge: nothing, one, a vector and one more, several tiles, several blocks of k.
 const Sizes kSizes[] = {{1, 1, 1},     {3, 5, 7},      {16, 6, 4},   {17, 7, 0},    {33, 13, 129},
-                        {64, 12, 128}, {100, 65, 102}, {48, 1, 100}, {5, 300, 257}, {0, 3, 2}};
+                        {64, 12, 128}, {100, 65, 102}, {48, 1, 100}, {5, 300, 257}, {0, 3, 2},
+                        {100, 2, 129}, {112, 3, 102},  {130, 2, 7},  {272, 3, 300}};
 
 class GemmKernelsOfLevel : public ::testing::TestWithParam<CpuLevel> {};
 

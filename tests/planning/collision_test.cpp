@@ -235,8 +235,8 @@ TEST(CollisionChecker, ABackboneThatIsNoNumberIsNeverFree) {
   }
 }
 
-// More gaps than the broad phase takes at a time.
-TEST(CollisionChecker, EveryGapOfALongArmIsLookedAt) {
+// It has more gaps than the broad phase takes at a time (broad_phase_test.cpp has each of them).
+TEST(CollisionChecker, ALongArmIsLookedAtFromBaseToTip) {
   ArmDescription arm = three_segment_arm();
   for (Segment& segment : arm.segments) {
     segment.gaps = 22;

@@ -1,6 +1,7 @@
 #include "limber/planning/tip_grid.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -65,6 +66,16 @@ TEST(TipGrid, OfTipsAtOnePlaceOrOfNone) {
   EXPECT_EQ(near(TipGrid(Eigen::Matrix3Xf::Zero(3, 5)), {0.0F, 0.0F}, 0.0F).size(), 5U);
   EXPECT_TRUE(near(TipGrid(Eigen::Matrix3Xf(3, 0)), {0.0F, 0.0F}, 1.0F).empty());
   EXPECT_TRUE(near(TipGrid(), {0.0F, 0.0F}, 1.0F).empty());
+}
+
+TEST(TipGrid, OfPlacesThatAreNoNumbersStaysWithinItsCells) {
+  constexpr float kHuge = 3e38F;
+  Eigen::Matrix3Xf tips = Eigen::Matrix3Xf::Zero(3, 3);
+  tips.col(1).setConstant(kHuge);
+  tips.col(2).setConstant(-kHuge);
+  const TipGrid grid(tips);
+  EXPECT_EQ(near(grid, {0.0F, 0.0F}, 1.0F), std::vector<int>{0});
+  EXPECT_TRUE(near(grid, {std::numeric_limits<float>::quiet_NaN(), 0.0F}, 1.0F).empty());
 }
 
 }  // namespace

@@ -57,10 +57,28 @@ class Plan(InFolder):
         self.assertIn("growing it anew", other.stderr)
         self.assertIn("grown for another arm, model or start; growing it anew",
                       said("--environment", rest))
+
+    def test_a_forest_of_another_form_is_grown_anew_where_asked_for(self):
+        rest = self.plan_file(PILLAR, "rest.yaml")
+        forest = ("--forest", "f", "--forest-nodes", 2000)
+        plan = ("plan", *ARM, *BUDGET, *forest, "--environment", rest)
+        self.run_limber(*plan)
+        grown = (self.folder / "f").read_bytes()
+        (self.folder / "f").write_bytes(grown.replace(b"limber/forest/2", b"limber/forest/1"))
+        refused = self.run_limber(*plan, code=2)
+        self.assertIn("f: schema 'limber/forest/1'; expected limber/forest/2: --build-forest grows "
+                      "it anew", refused.stderr)
+        self.run_limber(*plan, "--build-forest")
+        self.assertEqual((self.folder / "f").read_bytes(), grown)
+
+    def test_what_is_no_forest_is_never_replaced(self):
+        rest = self.plan_file(PILLAR, "rest.yaml")
         self.write("f", "mine")
-        refused = self.run_limber("plan", *ARM, *BUDGET, *forest, "--environment", rest, code=2)
-        self.assertIn("f: ", refused.stderr)
-        self.assertEqual((self.folder / "f").read_text(), "mine")
+        for flags in ([], ["--build-forest"]):
+            refused = self.run_limber("plan", *ARM, *BUDGET, "--forest", "f", *flags,
+                                      "--environment", rest, code=2)
+            self.assertIn("f: ", refused.stderr)
+            self.assertEqual((self.folder / "f").read_text(), "mine")
 
     def test_finds_a_plan_and_draws_it(self):
         found = self.plan(PILLAR, "--out", "p.json", "--csv", "p.csv", "--svg", "p.svg")

@@ -12,9 +12,9 @@
 
 namespace limber {
 
-/// Smallest distance between the arm's outside and an obstacle.
 class BroadPhase;
 
+/// Smallest distance between the arm's outside and an obstacle.
 struct Clearance {
   double value_m = 0.0;  ///< negative: how deep the arm is in the obstacle; +∞ without obstacles
   int gap = -1;  ///< between plates gap and gap + 1, from 0 at the base; −1 without obstacles
@@ -37,6 +37,9 @@ class CollisionChecker {
   /// @param margin_m  added to the arm's radius everywhere, ≥ 0.
   CollisionChecker(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
                    double margin_m = 0.0);
+  CollisionChecker(CollisionChecker&&) noexcept;
+  CollisionChecker& operator=(CollisionChecker&&) noexcept;
+  ~CollisionChecker();
 
   /// Smallest clearance of one backbone (m×3), less the margin.
   Clearance clearance(const Eigen::Ref<const Backbone>& backbone) const;
@@ -63,7 +66,7 @@ class CollisionChecker {
  private:
   std::vector<ObstacleShape> obstacles_;  // nearest to the base first
   std::vector<double> radius_m_;          // one a gap
-  std::shared_ptr<const BroadPhase> broad_;
+  std::unique_ptr<const BroadPhase> broad_;
 };
 
 }  // namespace limber

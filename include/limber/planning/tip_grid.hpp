@@ -20,10 +20,11 @@ class TipGrid {
   };
 
   TipGrid() = default;
-  /// @param tips  3×N, (x_m, y_m, theta_rad) of node 0 … N − 1
+  /// @param tips  3×N, (x_m, y_m, theta_rad) of node 0 … N − 1, finite
   explicit TipGrid(const Eigen::Matrix3Xf& tips);
 
-  /// Calls visit(tip) for every tip at most `radius_m` from a place, by cells, in a cell by node.
+  /// Calls visit(tip) for every tip at most `radius_m` from a place (rounding apart), by cells, in
+  /// a cell by node.
   template <class Visit>
   void visit_near(const Eigen::Vector2f& place_m, float radius_m, Visit&& visit) const {
     if (tips_.empty()) {
