@@ -12,8 +12,8 @@ namespace limber {
 
 namespace {
 
-constexpr std::size_t kWidth = 64;       // most paths that run side by side on one thread
-constexpr std::size_t kLeastWidth = 32;  // fewer are not worth another thread
+constexpr std::size_t kWidth = 64;      // most paths that run side by side on one thread
+constexpr std::size_t kLeastWidth = 8;  // fewer are not worth another thread
 
 }  // namespace
 

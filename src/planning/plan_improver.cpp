@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
+
+#include "goal_seeker.hpp"
 
 namespace limber {
 
@@ -13,9 +16,11 @@ constexpr double kImprovementKpa = 1e-4;
 constexpr double kNotable = 1e-3;      // of the cost
 constexpr double kLargestShift = 0.3;  // standard deviation, of the limit
 constexpr double kSmallestShift = 0.002;
-constexpr std::size_t kCandidates = 16;
+constexpr std::size_t kCandidates = 8;
 constexpr int kTries = 128;  // random changes, to find as many that are cheaper
 constexpr std::size_t kMostWaypoints = 40;
+constexpr std::size_t kRepairs = 4;  // of a round's changes, those that would be the cheapest
+constexpr double kInsideRim = 0.98;  // of the goal's tolerance, where a repair leads
 
 }  // namespace
 
@@ -28,11 +33,14 @@ double waypoint_cost_kpa(const std::vector<Pressures>& waypoints_kpa) {
 }
 
 PlanImprover::PlanImprover(const PlanningProblem& problem, std::uint64_t seed, std::uint64_t stream)
-    : seed_(seed),
+    : problem_(problem),
+      seed_(seed),
       stream_(kFirstStream * (1 + stream)),
       limit_kpa_(pressure_limits_kpa(problem.arm)) {}
 
 void PlanImprover::adopt(std::vector<Pressures> waypoints_kpa, std::vector<Backbone> backbones) {
+  before_kpa_.clear();
+  misses_.clear();
   waypoints_kpa_ = std::move(waypoints_kpa);
   backbones_ = std::move(backbones);
   cost_kpa_ = waypoint_cost_kpa(waypoints_kpa_);
@@ -94,12 +102,15 @@ void PlanImprover::shift_one(RandomStream& random) {
   candidate_kpa_[i] = limited(candidate_kpa_[i] + random_shift(random));
 }
 
-/// Shifts the end, and the waypoints before it in proportion to how far along they are.
 void PlanImprover::shift_end(RandomStream& random) {
-  const Pressures shift = random_shift(random);
+  shift_in_proportion(random_shift(random));
+}
+
+/// Shifts the end, and the waypoints before it in proportion to how far along they are.
+void PlanImprover::shift_in_proportion(const Pressures& shift_kpa) {
   const auto last = static_cast<float>(candidate_kpa_.size() - 1);
   for (std::size_t i = 1; i < candidate_kpa_.size(); ++i) {
-    candidate_kpa_[i] = limited(candidate_kpa_[i] + shift * (float(i) / last));
+    candidate_kpa_[i] = limited(candidate_kpa_[i] + shift_kpa * (float(i) / last));
   }
 }
 
@@ -141,29 +152,85 @@ void PlanImprover::propose(std::vector<Path>& paths) {
   if (waypoints_kpa_.size() < 2) {
     return;  // the start is in the goal
   }
+  for (const Miss& miss : misses_) {
+    repair(miss);
+    add_candidate(paths);
+  }
+  if (before_kpa_.size() == waypoints_kpa_.size()) {
+    go_on(paths);
+  }
   for (int k = 0; k < kTries && candidates_.size() < kCandidates; ++k) {
     RandomStream random(seed_, stream_ + changes_++);
     candidate_kpa_ = waypoints_kpa_;
     change(random);
-    const double cost = waypoint_cost_kpa(candidate_kpa_);
-    if (cost >= cost_kpa_ - kImprovementKpa) {
-      continue;
-    }
-    std::size_t same = 1;
-    while (same < candidate_kpa_.size() && same < waypoints_kpa_.size() &&
-           candidate_kpa_[same] == waypoints_kpa_[same]) {
-      ++same;
-    }
-    same = std::min(same, candidate_kpa_.size() - 1);  // the last motion's hold is simulated anew
-    paths.push_back(
-        {candidate_kpa_[same - 1],
-         backbones_[same - 1],
-         {candidate_kpa_.begin() + static_cast<std::ptrdiff_t>(same), candidate_kpa_.end()}});
-    candidates_.push_back({candidate_kpa_, same, cost});
+    add_candidate(paths);
   }
 }
 
+/// What the last round changed may be worth changing farther.
+void PlanImprover::go_on(std::vector<Path>& paths) {
+  for (const float factor : {1.0F, 3.0F}) {
+    candidate_kpa_ = waypoints_kpa_;
+    for (std::size_t i = 1; i < candidate_kpa_.size(); ++i) {
+      const Pressures way = waypoints_kpa_[i] - before_kpa_[i];
+      candidate_kpa_[i] = limited(candidate_kpa_[i] + factor * way);
+    }
+    add_candidate(paths);
+  }
+}
+
+void PlanImprover::add_candidate(std::vector<Path>& paths) {
+  const double cost = waypoint_cost_kpa(candidate_kpa_);
+  if (cost >= cost_kpa_ - kImprovementKpa) {
+    return;
+  }
+  std::size_t same = 1;
+  while (same < candidate_kpa_.size() && same < waypoints_kpa_.size() &&
+         candidate_kpa_[same] == waypoints_kpa_[same]) {
+    ++same;
+  }
+  same = std::min(same, candidate_kpa_.size() - 1);  // the last motion's hold is simulated anew
+  paths.push_back(
+      {candidate_kpa_[same - 1],
+       backbones_[same - 1],
+       {candidate_kpa_.begin() + static_cast<std::ptrdiff_t>(same), candidate_kpa_.end()}});
+  candidates_.push_back({candidate_kpa_, same, cost});
+}
+
+namespace {
+
+/// The pose nearest to `tip` well inside the goal's region.
+PoseGoal nearest_inside(const PoseGoal& goal, const Pose& tip) {
+  PoseGoal inside = goal;
+  const double distance = std::hypot(tip.x_m - goal.x_m, tip.y_m - goal.y_m);
+  const double most = kInsideRim * goal.position_tolerance_m;
+  const double share = distance > most ? most / distance : 1.0;
+  inside.x_m += share * (tip.x_m - goal.x_m);
+  inside.y_m += share * (tip.y_m - goal.y_m);
+  if (goal.theta_rad) {
+    const double most_rad = kInsideRim * goal.orientation_tolerance_rad;
+    const double turn = std::remainder(tip.theta_rad - *goal.theta_rad, 2.0 * std::numbers::pi);
+    inside.theta_rad = *goal.theta_rad + std::clamp(turn, -most_rad, most_rad);
+  }
+  return inside;
+}
+
+}  // namespace
+
+/// By the no-load model's Newton step from where it ended, to the rim of the goal: cheap plans end
+/// there, so that most changes that save something end just beyond.
+void PlanImprover::repair(const Miss& miss) {
+  candidate_kpa_ = miss.waypoints_kpa;
+  const Pressures end = candidate_kpa_.back();
+  const PoseGoal target = nearest_inside(problem_.environment.goal, miss.held_tip);
+  shift_in_proportion(step_toward_goal(problem_.model.no_load(), target, problem_.arm.length_m(),
+                                       end, miss.held_tip) -
+                      end);
+}
+
 void PlanImprover::settle(const PathOutcome* outcomes) {
+  note_misses(outcomes);
+  before_kpa_.clear();
   std::size_t best = candidates_.size();
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
     if (outcomes[k].in_goal &&
@@ -176,11 +243,27 @@ void PlanImprover::settle(const PathOutcome* outcomes) {
   }
 }
 
+/// The cheapest of them.
+void PlanImprover::note_misses(const PathOutcome* outcomes) {
+  std::vector<std::pair<double, std::size_t>> by_cost;
+  for (std::size_t k = 0; k < candidates_.size(); ++k) {
+    if (outcomes[k].held_tip && !outcomes[k].in_goal) {
+      by_cost.emplace_back(candidates_[k].cost_kpa, k);
+    }
+  }
+  std::sort(by_cost.begin(), by_cost.end());
+  by_cost.resize(std::min(by_cost.size(), kRepairs));
+  misses_.clear();
+  for (const auto& [cost_kpa, k] : by_cost) {
+    misses_.push_back({candidates_[k].waypoints_kpa, *outcomes[k].held_tip});
+  }
+}
+
 void PlanImprover::accept(std::size_t candidate, const PathOutcome& outcome) {
   Candidate& taken = candidates_[candidate];
   backbones_.resize(taken.same);
   backbones_.insert(backbones_.end(), outcome.at.begin(), outcome.at.end());
-  waypoints_kpa_.swap(taken.waypoints_kpa);
+  before_kpa_ = std::exchange(waypoints_kpa_, std::move(taken.waypoints_kpa));
   cost_kpa_ = taken.cost_kpa;
   if (cost_kpa_ < (1.0 - kNotable) * milestone_kpa_) {
     milestone_kpa_ = cost_kpa_;

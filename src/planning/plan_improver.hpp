@@ -11,10 +11,11 @@ namespace limber {
 double waypoint_cost_kpa(const std::vector<Pressures>& waypoints_kpa);
 
 /// Makes a plan cheaper: leaves out, straightens, splits and shifts waypoints at random, some ways
-/// at once. A change counts only after everything behind it has been simulated anew, found free,
-/// and ends in the goal after the hold: elsewhere friction would make the plan another one. Several
-/// improvers share a batch of the simulator: each proposes its paths, then all settle. Everything
-/// given is borrowed. What it does depends on the seed, the stream and the number of rounds alone.
+/// at once; what is cheaper and ends beside the goal is shifted back into it. A change counts only
+/// after everything behind it has been simulated anew, found free, and ends in the goal after the
+/// hold: elsewhere friction would make the plan another one. Several improvers share a batch of the
+/// simulator: each proposes its paths, then all settle. Everything given is borrowed. What it does
+/// depends on the seed, the stream and the number of rounds alone.
 class PlanImprover {
  public:
   /// @param stream  tells several improvers of one seed apart
@@ -37,23 +38,37 @@ class PlanImprover {
   void settle(const PathOutcome* outcomes);
 
  private:
-  /// Changes candidate_kpa_; false where this plan cannot be changed so.
-  bool leave_out(RandomStream& random);
-  bool straighten(RandomStream& random);
-  void shift_one(RandomStream& random);
-  void shift_end(RandomStream& random);
-  bool split(RandomStream& random);
-  void change(RandomStream& random);
-  Pressures random_shift(RandomStream& random) const;
-  Pressures limited(const Pressures& pressures_kpa) const;
-  void accept(std::size_t candidate, const PathOutcome& outcome);
-
   struct Candidate {
     std::vector<Pressures> waypoints_kpa;
     std::size_t same;  // waypoints, from the start, that are as before
     double cost_kpa;
   };
+  /// A change that is free, and ends beside the goal.
+  struct Miss {
+    std::vector<Pressures> waypoints_kpa;
+    Pose held_tip;
+  };
 
+  /// Changes candidate_kpa_; false where this plan cannot be changed so.
+  bool leave_out(RandomStream& random);
+  bool straighten(RandomStream& random);
+  void shift_one(RandomStream& random);
+  void shift_end(RandomStream& random);
+  void shift_in_proportion(const Pressures& shift_kpa);
+  bool split(RandomStream& random);
+  void change(RandomStream& random);
+  /// Makes candidate_kpa_ of a miss.
+  void repair(const Miss& miss);
+  Pressures random_shift(RandomStream& random) const;
+  Pressures limited(const Pressures& pressures_kpa) const;
+  void accept(std::size_t candidate, const PathOutcome& outcome);
+
+  /// Proposes candidate_kpa_ where it is cheaper than the plan.
+  void add_candidate(std::vector<Path>& paths);
+  void go_on(std::vector<Path>& paths);
+  void note_misses(const PathOutcome* outcomes);
+
+  const PlanningProblem& problem_;
   std::uint64_t seed_;
   std::uint64_t stream_;
   Pressures limit_kpa_;
@@ -66,6 +81,8 @@ class PlanImprover {
   std::uint64_t changes_ = 0;
   std::vector<Pressures> candidate_kpa_;
   std::vector<Candidate> candidates_;
+  std::vector<Pressures> before_kpa_;  // where the last round has changed it; else empty
+  std::vector<Miss> misses_;           // of the last round
 };
 
 }  // namespace limber

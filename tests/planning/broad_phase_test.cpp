@@ -61,8 +61,8 @@ bool has(const BroadPhase& broad, const Backbone& from, const Backbone& to, int 
   return (broad.may_touch(from, to, first) >> (gap - first) & 1U) != 0;
 }
 
-// A pin that just touches a gap's outside, at any place of its arc and any time of its motion, on the
-// side where boxes are tightest.
+// A pin that just touches a gap's outside, at any place of its arc and any time of its motion, on
+// the side where boxes are tightest.
 TEST(BroadPhase, NeverLeavesOutAGapThatTouches) {
   RandomStream random(11, 1);
   const std::vector<double> radius(kGaps, kRadiusM);
@@ -81,8 +81,8 @@ TEST(BroadPhase, NeverLeavesOutAGapThatTouches) {
     };
     const Eigen::Vector2d point = arc_point(plate(gap), plate(gap + 1), place);
     const double angle = 0.5 * std::numbers::pi * random.index(4);
-    const Eigen::Vector2d pin = point + (kRadiusM + kPinM - kInsideM) *
-                                            Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d pin =
+        point + (kRadiusM + kPinM - kInsideM) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     const BroadPhase broad({make_obstacle_shape(Circle{pin.x(), pin.y(), kPinM}, 0)}, radius);
     EXPECT_TRUE(has(broad, from, to, gap)) << "trial " << trial << ", gap " << gap;
   }
