@@ -143,7 +143,7 @@ void Forest::complete() {
   }
   costs_kpa.assign(sums.begin(), sums.end());
   largest_kpa = pressures_kpa.cwiseAbs().rowwise().maxCoeff();
-  tips = TipGrid(held_tips);
+  tips = TipGrid(held_tips, costs_kpa);
 }
 
 void require_forest_of(const Forest& forest, const ArmDescription& arm, const ArmStart& start) {

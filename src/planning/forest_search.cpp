@@ -9,12 +9,12 @@ namespace {
 constexpr std::size_t kFirstBatch = 1;  // small, so that an easy plan comes at once; then doubled
 constexpr std::size_t kFirstNear = 8;   // their step mostly ends in the goal, not nearly always
 constexpr std::size_t kLargestBatch = 64;
-constexpr std::size_t kMostInGoal = 4096;
 constexpr std::size_t kMostNear = 64;  // tried: then the search has footholds enough
-constexpr std::size_t kMostNearLookedAt = 2048;
-constexpr double kNearM = 0.10;     // how near the goal's disc those end
-constexpr int kRoundsWithPlan = 2;  // dearer ones, for the improvers to start from
-constexpr int kLooksAtOnce = 64;    // until somebody asks whether there is time for more
+constexpr double kNearM = 0.10;        // how near the goal's disc those end
+constexpr int kRoundsWithPlan = 2;     // dearer ones, for the improvers to start from
+constexpr std::ptrdiff_t kMostNearLookedAt = 2048;
+constexpr int kMostLooks = 1024;  // of the filter in a round: then it is the search's turn
+constexpr int kLooksAtOnce = 64;  // until somebody asks whether there is time for more
 
 Eigen::Vector2f place_m(const PoseGoal& goal) {
   return {static_cast<float>(goal.x_m), static_cast<float>(goal.y_m)};
@@ -22,18 +22,6 @@ Eigen::Vector2f place_m(const PoseGoal& goal) {
 
 Pose pose_of(const TipGrid::Tip& tip) {
   return {double(tip.x_m), double(tip.y_m), double(tip.theta_rad)};
-}
-
-/// The nodes with the smallest numbers beside them, in their order, at most `most`.
-template <class Number>
-std::vector<int> first_of(std::vector<std::pair<Number, int>> nodes, std::size_t most) {
-  const std::size_t count = std::min(nodes.size(), most);
-  std::partial_sort(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(count), nodes.end());
-  std::vector<int> first;
-  for (std::size_t k = 0; k < count; ++k) {
-    first.push_back(nodes[k].second);
-  }
-  return first;
 }
 
 }  // namespace
@@ -54,24 +42,28 @@ ForestSearch::ForestSearch(const Forest& forest, const PlanningProblem& problem,
 
 void ForestSearch::find_those_in_goal() {
   const PoseGoal& goal = problem_.environment.goal;
-  std::vector<std::pair<float, int>> inside;  // cost
-  forest_.tips.visit_near(
-      place_m(goal), static_cast<float>(goal.position_tolerance_m), [&](const TipGrid::Tip& tip) {
-        if (is_within(goal, pose_error(goal, pose_of(tip)))) {
-          inside.emplace_back(forest_.costs_kpa[static_cast<std::size_t>(tip.node)], tip.node);
-        }
-      });
-  in_goal_ = first_of(std::move(inside), kMostInGoal);
+  std::vector<Ranked> found;
+  forest_.tips.visit_near(place_m(goal), static_cast<float>(goal.position_tolerance_m),
+                          [&](const TipGrid::Tip& tip) {
+                            if (is_within(goal, pose_error(goal, pose_of(tip)))) {
+                              found.emplace_back(double(tip.cost_kpa), tip.node);
+                            }
+                          });
+  in_goal_ = Ranking({}, std::move(found));
 }
 
 void ForestSearch::find_those_near() {
   const PoseGoal& goal = problem_.environment.goal;
-  std::vector<std::pair<double, int>> near;  // error
+  std::vector<Ranked> found;
   forest_.tips.visit_near(place_m(goal), static_cast<float>(goal.position_tolerance_m + kNearM),
                           [&](const TipGrid::Tip& tip) {
-                            near.emplace_back(goal_error(goal, pose_of(tip)), tip.node);
+                            found.emplace_back(goal_error(goal, pose_of(tip)), tip.node);
                           });
-  near_ = first_of(std::move(near), kMostNearLookedAt);
+  if (std::ssize(found) > kMostNearLookedAt) {
+    std::nth_element(found.begin(), found.begin() + kMostNearLookedAt, found.end());
+    found.resize(static_cast<std::size_t>(kMostNearLookedAt));
+  }
+  near_.emplace(Ranking({}, std::move(found)));
 }
 
 std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool step) {
@@ -97,21 +89,23 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
   return found;
 }
 
-void ForestSearch::collect(const std::vector<int>& nodes, std::size_t& next, std::size_t wanted,
-                           bool step, const std::function<bool()>& give_up) {
-  for (int looks = 1; next < nodes.size() && paths_.size() < wanted; ++next, ++looks) {
+void ForestSearch::collect(Ranking& nodes, std::size_t wanted, bool step,
+                           const std::function<bool()>& give_up) {
+  for (int looks = 1; looks <= kMostLooks && !nodes.empty() && paths_.size() < wanted; ++looks) {
     if (looks % kLooksAtOnce == 0 && give_up()) {
       return;
     }
-    std::optional<Candidate> found = candidate(nodes[next], step);
+    const int node = nodes.top().second;
+    nodes.pop();
+    std::optional<Candidate> found = candidate(node, step);
     if (!found) {
       continue;
     }
     const int from = forest_.parents[static_cast<std::size_t>(found->way.front())];
     Path path{forest_.pressures_kpa.col(from), known_.at(from), {}};
     path.hold = true;  // the forest knows where that leads, however far it goes
-    for (const int node : found->way) {
-      path.to_kpa.emplace_back(forest_.pressures_kpa.col(node));
+    for (const int passed : found->way) {
+      path.to_kpa.emplace_back(forest_.pressures_kpa.col(passed));
     }
     if (found->step_kpa) {
       path.to_kpa.push_back(*found->step_kpa);
@@ -131,17 +125,17 @@ bool ForestSearch::round(const std::function<bool()>& give_up) {
   };
   paths_.clear();
   candidates_.clear();
-  collect(in_goal_, next_in_goal_, wanted(kFirstBatch), false, give_up);
-  if (paths_.empty() && !has_plan) {
+  collect(in_goal_, wanted(kFirstBatch), false, give_up);
+  if (in_goal_.empty() && paths_.empty() && !has_plan) {
     if (!near_) {
       find_those_near();
     }
-    collect(*near_, next_near_, std::min(wanted(kFirstNear), near_left_), true, give_up);
+    collect(*near_, std::min(wanted(kFirstNear), near_left_), true, give_up);
     near_left_ -= paths_.size();
   }
   ++rounds_;
   if (paths_.empty()) {
-    return false;
+    return !in_goal_.empty() || (near_ && !near_->empty() && near_left_ > 0);
   }
   simulator_.run(paths_, outcomes_, give_up);
   // Once time is up some are wrongly ruled out, which nobody asks for any more.

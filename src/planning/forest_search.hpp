@@ -2,8 +2,10 @@
 
 #include <functional>
 #include <optional>
+#include <queue>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "batch_search.hpp"
@@ -28,6 +30,10 @@ class ForestSearch {
   bool round(const std::function<bool()>& give_up);
 
  private:
+  /// Nodes, those with the smallest numbers first. A heap: mostly few of them are asked for.
+  using Ranked = std::pair<double, int>;
+  using Ranking = std::priority_queue<Ranked, std::vector<Ranked>, std::greater<>>;
+
   /// A motion to try: to a node of the forest, and from there perhaps a step on.
   struct Candidate {
     int node;
@@ -37,9 +43,9 @@ class ForestSearch {
 
   void find_those_in_goal();
   void find_those_near();
-  /// Of `nodes`, from `next` on, at most `wanted` that may be free. @param step  toward the goal
-  void collect(const std::vector<int>& nodes, std::size_t& next, std::size_t wanted, bool step,
-               const std::function<bool()>& give_up);
+  /// Of the first of `nodes`, which are taken out, at most `wanted` that may be free. @param step
+  /// toward the goal
+  void collect(Ranking& nodes, std::size_t wanted, bool step, const std::function<bool()>& give_up);
   std::optional<Candidate> candidate(int node, bool step);
   void settle(const Candidate& tried, const PathOutcome& outcome);
   /// Hands the whole motion to the search. @return the search's node
@@ -50,10 +56,8 @@ class ForestSearch {
   PathSimulator& simulator_;
   BatchSearch& search_;
   ForestFilter filter_;
-  std::vector<int> in_goal_;  // nodes that end there, in the order to try
-  std::size_t next_in_goal_ = 0;
-  std::optional<std::vector<int>> near_;  // found once they are asked for
-  std::size_t next_near_ = 0;
+  Ranking in_goal_;              // nodes that end there, by cost
+  std::optional<Ranking> near_;  // by error; found once they are asked for
   std::size_t near_left_;
   int rounds_ = 0;
   int rounds_since_plan_ = 0;

@@ -10,7 +10,7 @@ constexpr int kMostCells = 64;  // along the longer side of what the tips reach
 
 }  // namespace
 
-TipGrid::TipGrid(const Eigen::Matrix3Xf& tips) {
+TipGrid::TipGrid(const Eigen::Matrix3Xf& tips, const std::vector<float>& costs_kpa) {
   if (tips.cols() == 0) {
     return;
   }
@@ -33,7 +33,9 @@ TipGrid::TipGrid(const Eigen::Matrix3Xf& tips) {
   std::vector<std::size_t> next(begins_.begin(), begins_.end() - 1);
   tips_.resize(static_cast<std::size_t>(tips.cols()));
   for (Eigen::Index i = 0; i < tips.cols(); ++i) {
-    tips_[next[cell_of(i)]++] = {tips(0, i), tips(1, i), tips(2, i), static_cast<std::int32_t>(i)};
+    tips_[next[cell_of(i)]++] = {tips(0, i), tips(1, i), tips(2, i),
+                                 costs_kpa[static_cast<std::size_t>(i)],
+                                 static_cast<std::int32_t>(i)};
   }
 }
 

@@ -8,20 +8,22 @@
 
 namespace limber {
 
-/// Poses of tips in square cells, to look at those near a place and at few others. Constant after
-/// construction.
+/// Poses of tips, and what it cost to get there, in square cells, to look at those near a place and
+/// at few others. Constant after construction.
 class TipGrid {
  public:
   struct Tip {
     float x_m;
     float y_m;
     float theta_rad;
+    float cost_kpa;
     std::int32_t node;
   };
 
   TipGrid() = default;
-  /// @param tips  3×N, (x_m, y_m, theta_rad) of node 0 … N − 1, finite
-  explicit TipGrid(const Eigen::Matrix3Xf& tips);
+  /// @param tips       3×N, (x_m, y_m, theta_rad) of node 0 … N − 1, finite
+  /// @param costs_kpa  size N
+  TipGrid(const Eigen::Matrix3Xf& tips, const std::vector<float>& costs_kpa);
 
   /// Calls visit(tip) for every tip at most `radius_m` from a place (rounding apart), by cells, in
   /// a cell by node.
