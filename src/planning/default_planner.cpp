@@ -40,7 +40,7 @@ class Run {
   }
 
   PlanResult run(const char* planner, const Forest* forest) {
-    if (is_refused(problem_, checker_, seed_, result_)) {
+    if (is_refused(problem_, checker_, result_)) {
       return std::move(result_);
     }
     if (forest != nullptr) {

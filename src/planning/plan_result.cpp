@@ -35,10 +35,9 @@ std::string reason_of_failure(const PlannerBudget& budget, const PoseGoal& goal,
 
 }  // namespace
 
-bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker, std::uint64_t seed,
+bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker,
                 PlanResult& result) {
-  ProblemCheck check = check_problem(problem, checker, seed);
-  result.warnings = std::move(check.warnings);
+  ProblemCheck check = find_refusal(problem, checker);
   if (check.refusal) {
     result.status = *check.refusal;
     result.reason = std::move(check.reason);
@@ -49,6 +48,7 @@ bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker,
 void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
                    const PlannerBudget& budget, const std::vector<Pressures>& waypoints_kpa,
                    bool solved, const char* planner, std::uint64_t seed, PlanResult& result) {
+  result.warnings = find_warnings(problem, seed);
   result.limit = budget.limit();
   result.status = solved ? PlanStatus::solved : PlanStatus::limit;
   Plan plan = build_plan(problem, simulator, waypoints_kpa, planner, seed);

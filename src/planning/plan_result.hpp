@@ -9,13 +9,13 @@
 
 namespace limber {
 
-/// Whether the problem is refused before any search; status and reason then say why. Its warnings
-/// are passed on either way.
+/// Whether the problem is refused before any search; status and reason then say why.
 [[nodiscard]] bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker,
-                              std::uint64_t seed, PlanResult& result);
+                              PlanResult& result);
 
 /// Finishes a search: the plan along `waypoints_kpa`, simulated anew from the start, as the
-/// solution or as the best partial one, with the reason why the search ended.
+/// solution or as the best partial one, with the reason why the search ended and the problem's
+/// warnings: nobody waits for them before a first plan.
 /// @param result  its statistics of iterations and nodes are filled in
 void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
                    const PlannerBudget& budget, const std::vector<Pressures>& waypoints_kpa,

@@ -33,7 +33,7 @@ class Run {
         seed_(seed) {}
 
   PlanResult run(const char* planner) {
-    if (is_refused(problem_, checker_, seed_, result_)) {
+    if (is_refused(problem_, checker_, result_)) {
       return std::move(result_);
     }
     note_first_solution();

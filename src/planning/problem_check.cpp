@@ -73,22 +73,6 @@ void check_start(const PlanningProblem& problem, const CollisionChecker& checker
   }
 }
 
-void warn_of_no_load_reach(const PlanningProblem& problem, std::uint64_t seed,
-                           ProblemCheck& result) {
-  RandomStream random(seed, kCheckStream);
-  InverseKinematicsSettings settings;
-  settings.most_solutions = 1;
-  const InverseKinematicsResult found =
-      solve_inverse_kinematics(problem.model.no_load(), problem.environment.goal, settings, random);
-  if (!found.reachable()) {
-    result.warnings.push_back(fmt::format(
-        "the no-load model reaches no closer to the goal than {:.1f} cm and {:.2f} rad (from {} "
-        "starts); the arm may differ",
-        found.best_error.position_m * kCmPerM, found.best_error.orientation_rad,
-        found.starts_used));
-  }
-}
-
 }  // namespace
 
 std::string obstacle_name(const Environment& environment, int obstacle) {
@@ -130,8 +114,7 @@ std::string reached_only_in_collision(const PlanningProblem& problem,
       margin_note(problem));
 }
 
-ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecker& checker,
-                           std::uint64_t seed) {
+ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker& checker) {
   ProblemCheck result;
   check_start(problem, checker, result);
   if (!result.refusal) {
@@ -140,8 +123,29 @@ ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecke
   if (!result.refusal) {
     check_goal_clearance(problem, checker, result);
   }
+  return result;
+}
+
+std::vector<std::string> find_warnings(const PlanningProblem& problem, std::uint64_t seed) {
+  RandomStream random(seed, kCheckStream);
+  InverseKinematicsSettings settings;
+  settings.most_solutions = 1;
+  const InverseKinematicsResult found =
+      solve_inverse_kinematics(problem.model.no_load(), problem.environment.goal, settings, random);
+  if (found.reachable()) {
+    return {};
+  }
+  return {fmt::format(
+      "the no-load model reaches no closer to the goal than {:.1f} cm and {:.2f} rad (from {} "
+      "starts); the arm may differ",
+      found.best_error.position_m * kCmPerM, found.best_error.orientation_rad, found.starts_used)};
+}
+
+ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecker& checker,
+                           std::uint64_t seed) {
+  ProblemCheck result = find_refusal(problem, checker);
   if (!result.refusal) {
-    warn_of_no_load_reach(problem, seed, result);
+    result.warnings = find_warnings(problem, seed);
   }
   return result;
 }

@@ -17,7 +17,13 @@ struct ProblemCheck {
   std::vector<std::string> warnings;
 };
 
-/// @param seed  of the inverse kinematics behind the warnings
+/// The refusal alone, if there is one: what a planner asks first.
+ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker& checker);
+
+/// What is doubtful about a problem that is not refused. @param seed  of the inverse kinematics
+std::vector<std::string> find_warnings(const PlanningProblem& problem, std::uint64_t seed);
+
+/// Both. @param seed  of the inverse kinematics behind the warnings
 ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecker& checker,
                            std::uint64_t seed);
 

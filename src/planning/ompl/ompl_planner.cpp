@@ -20,6 +20,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 #include "limber/planning/plan_builder.hpp"
+#include "limber/planning/problem_check.hpp"
 #include "mended_sst.hpp"
 #include "planning/plan_result.hpp"
 #include "planning/planner_name.hpp"
@@ -77,7 +78,7 @@ class Run {
         world_{problem, checker_, simulator_, settings, RandomStream(seed, kStream)} {}
 
   PlanResult run(const std::string& name, const Parameters& parameters) {
-    if (is_refused(problem_, checker_, seed_, result_)) {
+    if (is_refused(problem_, checker_, result_)) {
       return std::move(result_);
     }
     find_goal_configurations();
@@ -180,6 +181,7 @@ class Run {
   }
 
   void finish(const std::string& name, const ob::ProblemDefinition& definition) {
+    result_.warnings = find_warnings(problem_, seed_);
     const ob::PathPtr path = definition.getSolutionPath();
     const bool solved = world_.first_solution && path && !definition.hasApproximateSolution();
     if (path) {
