@@ -71,8 +71,8 @@ ForwardModel::ForwardModel(ForwardModel&&) noexcept = default;
 ForwardModel& ForwardModel::operator=(ForwardModel&&) noexcept = default;
 ForwardModel::~ForwardModel() = default;
 
-float* ForwardModel::scratch_of(int count, Workspace& workspace) const {
-  const std::size_t size = pipeline_->scratch_size(count);
+float* ForwardModel::scratch_of(Workspace& workspace) const {
+  const std::size_t size = pipeline_->scratch_size();
   if (workspace.scratch_.size() < size) {
     workspace.scratch_.resize(size);
   }
@@ -94,7 +94,7 @@ void ForwardModel::step(const Eigen::Ref<const Pressures>& previous_kpa,
                   {current_kpa.data(), segment_count()},
                   {previous.data(), size},
                   {next.data(), size}},
-                 scratch_of(1, workspace));
+                 scratch_of(workspace));
 }
 
 void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
@@ -111,7 +111,7 @@ void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_
                   columns_of(current_kpa),
                   columns_of(previous),
                   {next.data(), static_cast<int>(next.outerStride())}},
-                 scratch_of(static_cast<int>(next.cols()), workspace));
+                 scratch_of(workspace));
 }
 
 Backbone ForwardModel::checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,

@@ -61,11 +61,10 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
   }
 }
 
-std::size_t ForwardPipeline::scratch_size(int count) const {
+std::size_t ForwardPipeline::scratch_size() const {
   // Base poses and gap poses as rows, then a network's input and two layers as rows or as columns.
   const int network = network_ ? layout_.input_size() + 2 * network_->padded_width() : segments_;
-  const int tile = padded(std::min(count, kTileQueries), rows_.lanes);
-  return static_cast<std::size_t>((3 * points_ + 3 * points_ + network) * tile);
+  return static_cast<std::size_t>((3 * points_ + 3 * points_ + network) * kTileQueries);
 }
 
 void ForwardPipeline::run(int count, const QueryColumns& queries, float* scratch) const {

@@ -45,8 +45,8 @@ class ForwardPipeline {
   ForwardPipeline(const ArmDescription& arm, const CompensationModel* model, CpuLevel level,
                   WeightPrecision precision);
 
-  /// Floats of scratch that `run` needs for `count` queries.
-  std::size_t scratch_size(int count) const;
+  /// Floats of scratch that `run` needs, whatever the batch.
+  std::size_t scratch_size() const;
 
   /// `count` queries. `next` may be `previous`.
   void run(int count, const QueryColumns& queries, float* scratch) const;

@@ -75,7 +75,7 @@ class ForwardModel {
                Eigen::Ref<Eigen::MatrixXf> backbones, Workspace& workspace) const;
 
  private:
-  float* scratch_of(int count, Workspace& workspace) const;
+  float* scratch_of(Workspace& workspace) const;
 
   NoLoadModel no_load_;
   std::optional<CompensationModel> compensation_;

@@ -181,7 +181,8 @@ class Run {
   }
 
   void finish(const std::string& name, const ob::ProblemDefinition& definition) {
-    result_.warnings = find_warnings(problem_, seed_);
+    const std::vector<std::string> warnings = find_warnings(problem_, seed_);
+    result_.warnings.insert(result_.warnings.begin(), warnings.begin(), warnings.end());
     const ob::PathPtr path = definition.getSolutionPath();
     const bool solved = world_.first_solution && path && !definition.hasApproximateSolution();
     if (path) {
