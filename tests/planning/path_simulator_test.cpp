@@ -92,8 +92,7 @@ TEST(PathSimulator, HoldsNearTheGoalAndWhereAskedTo) {
   EXPECT_FALSE(passing.held_tip);
   ASSERT_TRUE(held.held_tip);
   EXPECT_FALSE(held.in_goal);
-  EXPECT_EQ(held.queries,
-            passing.queries + static_cast<std::uint64_t>(hold_frame_count(s.arm)));
+  EXPECT_EQ(held.queries, passing.queries + static_cast<std::uint64_t>(hold_frame_count(s.arm)));
 
   Setting near;
   near.environment.goal = {held.held_tip->x_m, held.held_tip->y_m, std::nullopt, 0.02, 0.3};

@@ -40,8 +40,8 @@ TEST(SparseTree, OfLikeStatesTheCheapestStands) {
   }
 }
 
-// The same pressures with another tip are another state: what overshot and came back lives on beside
-// what came straight.
+// The same pressures with another tip are another state: what overshot and came back lives on
+// beside what came straight.
 TEST(SparseTree, StatesWithOtherTipsLiveSideBySide) {
   Setting s;
   EXPECT_TRUE(s.tree.add(s.kpa, s.with_tip(0.0F), 0, 45.0));
