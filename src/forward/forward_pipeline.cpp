@@ -134,7 +134,6 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
   float* const input = gap + 3 * points_ * stride;  // columns from here on
   float* const layers = input + ld * count;
   float* const pressure = layers;  // rows again, read before the layers are written
-  float* const no_load_gap = pressure + segments_ * stride;
   const bool has_gap_poses = layout_.backbone_layout() == BackboneLayout::gap_poses;
   for (int q = 0; q < count; ++q) {
     float* const column = input + q * ld;
@@ -149,11 +148,10 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
   }
   rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
+  rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
   if (has_gap_poses) {
-    rows_.no_load_gaps(no_load_.data(), segments_, pressure, no_load_gap, stride);
-    rows_.scatter(3 * segments_, count, no_load_gap, stride, input + layout_.no_load_row(), ld);
+    rows_.scatter(3 * segments_, count, gap, stride, input + layout_.no_load_row(), ld);
   } else {
-    rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
     rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
     rows_.scatter(3 * points_, count, base, stride, input + layout_.no_load_row(), ld);
   }

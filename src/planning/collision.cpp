@@ -219,17 +219,6 @@ Clearance backbone_clearance(const std::vector<ObstacleShape>& shapes,
   return best;
 }
 
-template <class Scalar>
-bool backbone_is_free(const std::vector<ObstacleShape>& shapes, const std::vector<double>& radius,
-                      const Eigen::Ref<const BackboneOf<Scalar>>& backbone) {
-  for (std::size_t gap = 0; gap < radius.size(); ++gap) {
-    if (arc_touches(shapes, gap_arc<Scalar>(backbone, static_cast<int>(gap)), radius[gap])) {
-      return false;
-    }
-  }
-  return true;
-}
-
 /// Calls is_free(gap) for the gaps that boxes cannot clear, from the tip down, which travels
 /// farthest and meets obstacles first. @return whether all of them are
 template <class IsFree>
@@ -290,7 +279,12 @@ bool CollisionChecker::is_free(const Eigen::Ref<const Backbone>& backbone) const
 }
 
 bool CollisionChecker::is_free(const Eigen::Ref<const BackboneD>& backbone) const {
-  return backbone_is_free<double>(obstacles_, radius_m_, backbone);
+  for (int gap = 0; gap < gap_count(); ++gap) {
+    if (arc_touches(obstacles_, gap_arc<double>(backbone, gap), radius_m(gap))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool CollisionChecker::is_motion_free(const Eigen::Ref<const Backbone>& from,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "limber/network/backbone_layout.hpp"
+
 namespace limber {
 
 namespace {
@@ -24,18 +26,18 @@ constexpr float kUnitRad = std::numbers::pi_v<float> / kLargest;
 
 void round_shape(const Eigen::Ref<const Backbone>& backbone, double arm_length_m,
                  Eigen::Ref<Eigen::Matrix<std::int16_t, Eigen::Dynamic, 1>> shape) {
+  const Backbone poses = backbone;  // its numbers side by side
+  const Eigen::VectorXf gaps =
+      gap_poses_of(Eigen::Map<const Eigen::VectorXf>(poses.data(), poses.size()).cast<double>())
+          .cast<float>();
   const float unit = unit_m(arm_length_m);
-  for (Eigen::Index gap = 0; gap + 1 < backbone.rows(); ++gap) {
-    const float dx = backbone(gap + 1, 0) - backbone(gap, 0);
-    const float dy = backbone(gap + 1, 1) - backbone(gap, 1);
-    const float cosine = std::cos(backbone(gap, 2));
-    const float sine = std::sin(backbone(gap, 2));
-    shape[3 * gap] = rounded(cosine * dx + sine * dy, unit);
-    shape[3 * gap + 1] = rounded(cosine * dy - sine * dx, unit);
-    shape[3 * gap + 2] = rounded(backbone(gap + 1, 2) - backbone(gap, 2), kUnitRad);
+  for (Eigen::Index i = 0; i < gaps.size(); ++i) {
+    shape[i] = rounded(gaps[i], i % 3 == 2 ? kUnitRad : unit);
   }
 }
 
+// By loops of its own, not base_poses_of: the filter blends many shapes, and allocates
+// nothing.
 void blend_shapes(const RoundedShapeRef& from, const RoundedShapeRef& to, float fraction,
                   double arm_length_m, Eigen::Ref<Backbone> backbone) {
   const float unit = unit_m(arm_length_m);
