@@ -22,6 +22,22 @@ constexpr std::size_t kMostWaypoints = 40;
 constexpr std::size_t kRepairs = 4;  // of a round's changes, those that would be the cheapest
 constexpr double kInsideRim = 0.98;  // of the goal's tolerance, where a repair leads
 
+/// The pose nearest to `tip` well inside the goal's region.
+PoseGoal nearest_inside(const PoseGoal& goal, const Pose& tip) {
+  PoseGoal inside = goal;
+  const double distance = std::hypot(tip.x_m - goal.x_m, tip.y_m - goal.y_m);
+  const double most = kInsideRim * goal.position_tolerance_m;
+  const double share = distance > most ? most / distance : 1.0;
+  inside.x_m += share * (tip.x_m - goal.x_m);
+  inside.y_m += share * (tip.y_m - goal.y_m);
+  if (goal.theta_rad) {
+    const double most_rad = kInsideRim * goal.orientation_tolerance_rad;
+    const double turn = std::remainder(tip.theta_rad - *goal.theta_rad, 2.0 * std::numbers::pi);
+    inside.theta_rad = *goal.theta_rad + std::clamp(turn, -most_rad, most_rad);
+  }
+  return inside;
+}
+
 }  // namespace
 
 double waypoint_cost_kpa(const std::vector<Pressures>& waypoints_kpa) {
@@ -196,26 +212,6 @@ void PlanImprover::add_candidate(std::vector<Path>& paths) {
        {candidate_kpa_.begin() + static_cast<std::ptrdiff_t>(same), candidate_kpa_.end()}});
   candidates_.push_back({candidate_kpa_, same, cost});
 }
-
-namespace {
-
-/// The pose nearest to `tip` well inside the goal's region.
-PoseGoal nearest_inside(const PoseGoal& goal, const Pose& tip) {
-  PoseGoal inside = goal;
-  const double distance = std::hypot(tip.x_m - goal.x_m, tip.y_m - goal.y_m);
-  const double most = kInsideRim * goal.position_tolerance_m;
-  const double share = distance > most ? most / distance : 1.0;
-  inside.x_m += share * (tip.x_m - goal.x_m);
-  inside.y_m += share * (tip.y_m - goal.y_m);
-  if (goal.theta_rad) {
-    const double most_rad = kInsideRim * goal.orientation_tolerance_rad;
-    const double turn = std::remainder(tip.theta_rad - *goal.theta_rad, 2.0 * std::numbers::pi);
-    inside.theta_rad = *goal.theta_rad + std::clamp(turn, -most_rad, most_rad);
-  }
-  return inside;
-}
-
-}  // namespace
 
 /// By the no-load model's Newton step from where it ended, to the rim of the goal: cheap plans end
 /// there, so that most changes that save something end just beyond.
