@@ -1,45 +1,18 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
+#include "limber/arm/valve_motion.hpp"
+#include "limber/arm/valve_parameters.hpp"
 
 namespace limber {
 
-/// How one segment's pressure moves in one direction.
-struct ValveDirection {
-  double time_constant_s = 0.0;       ///< ≥ 0; 0 follows at once
-  double rate_limit_kpa_per_s = 0.0;  ///< > 0; +∞ where nothing limits it
-  bool operator==(const ValveDirection&) const = default;
-};
-
-/// One segment's valves and their pressure controller (docs/valves.md).
-struct SegmentValves {
-  ValveDirection inflating;  ///< away from zero; rising where the command has no sides
-  ValveDirection venting;    ///< toward zero; falling where the command has no sides
-  double dead_time_s = 0.0;  ///< from a set point to the first effect, ≥ 0, not in whole frames
-  double dead_band_kpa = 0.0;  ///< the valves stay closed within this distance of the set point, ≥ 0
-  bool operator==(const SegmentValves&) const = default;
-};
-
-/// Parameters of the valve model V of p_t = V(p_{t−1}, set points) as plain values: schema
-/// limber/valves/1.
-struct ValveParameters {
-  /// A pressure has two sides, of which one vents before the other inflates; a curvature or an
-  /// angle has none.
-  bool has_sides = true;
-  std::vector<SegmentValves> segments;  ///< empty: ideal valves, pressures are the set points
-
-  bool is_ideal() const { return segments.empty(); }
-  /// Of everything that a prediction depends on; empty for ideal valves.
-  std::string hash() const;
-};
-
-/// Set points to pressures, frame by frame. A continuous map, so that float and double agree.
+/// Set points to pressures, frame by frame: docs/valves.md. A continuous map, so that float and
+/// double agree.
 ///
 /// What the future depends on is a *valve state* of one column: the pressures (n), then the last
 /// set points (n), then the ones before, as many as may still be under way through the dead time.
@@ -86,7 +59,7 @@ class ValveModel {
   ValveParameters parameters_;
   int segment_count_ = 0;
   int setpoint_count_ = 1;
-  double frame_period_s_ = 0.0;
+  std::vector<ValveMotion> motions_;  // empty for ideal valves
 };
 
 }  // namespace limber

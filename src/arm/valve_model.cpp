@@ -1,0 +1,121 @@
+#include "limber/arm/valve_model.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+/// One frame of one column; `motions` empty for ideal valves. Not inlined, so that every caller
+/// runs the same instructions and gets the same bits.
+template <class Scalar>
+[[gnu::noinline]] void step_column(const std::vector<ValveMotion>& motions, int segments,
+                                   int setpoint_count, const Scalar* setpoint, Scalar* state) {
+  Scalar* history = state + segments;  // newest first
+  for (int i = 0; i < segments; ++i) {
+    if (motions.empty()) {
+      state[i] = setpoint[i];
+      continue;
+    }
+    const ValveMotion& motion = motions[std::size_t(i)];
+    const int late = motion.frames_late();
+    const Scalar newer = late == 0 ? setpoint[i] : history[(late - 1) * segments + i];
+    const Scalar older = motion.splits() ? history[late * segments + i] : newer;
+    state[i] = static_cast<Scalar>(motion.after_frame(state[i], older, newer));
+  }
+  const auto kept = std::ptrdiff_t(setpoint_count - 1) * segments;
+  std::copy_backward(history, history + kept, history + kept + segments);
+  std::copy(setpoint, setpoint + segments, history);
+}
+
+void require_size(const char* what, Eigen::Index found, Eigen::Index expected) {
+  if (found != expected) {
+    throw InputError(
+        fmt::format("valve model: {} of size {}; expected {}", what, found, expected));
+  }
+}
+
+}  // namespace
+
+ValveModel::ValveModel(const ArmDescription& arm) : ValveModel(arm, ValveParameters{}) {}
+
+ValveModel::ValveModel(const ArmDescription& arm, ValveParameters parameters)
+    : parameters_(std::move(parameters)), segment_count_(arm.segment_count()) {
+  const std::string fault = why_unusable(parameters_, arm);
+  if (!fault.empty()) {
+    throw InputError("valves: " + fault);
+  }
+  for (const SegmentValves& valves : parameters_.segments) {
+    motions_.emplace_back(valves, parameters_.has_sides, arm.frame_period_s());
+    setpoint_count_ = std::max(setpoint_count_, motions_.back().pending_setpoints());
+  }
+}
+
+Eigen::VectorXf ValveModel::settled_state(const Eigen::Ref<const Pressures>& kpa) const {
+  require_size("pressures", kpa.size(), segment_count_);
+  return kpa.replicate(1 + setpoint_count_, 1);
+}
+
+void ValveModel::step(const Eigen::Ref<const Pressures>& setpoint_kpa,
+                      Eigen::Ref<Eigen::VectorXf> state) const {
+  require_size("set points", setpoint_kpa.size(), segment_count_);
+  require_size("a state", state.size(), state_size());
+  step_column(motions_, segment_count_, setpoint_count_, setpoint_kpa.data(), state.data());
+}
+
+void ValveModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& setpoint_kpa,
+                            Eigen::Ref<Eigen::MatrixXf> states) const {
+  require_size("set points", setpoint_kpa.rows(), segment_count_);
+  require_size("states", states.rows(), state_size());
+  require_size("a batch of states", states.cols(), setpoint_kpa.cols());
+  for (Eigen::Index k = 0; k < states.cols(); ++k) {
+    step_column(motions_, segment_count_, setpoint_count_, setpoint_kpa.col(k).data(),
+                states.col(k).data());
+  }
+}
+
+Eigen::MatrixXd ValveModel::run(const Eigen::Ref<const Eigen::MatrixXd>& setpoint_kpa,
+                                const Eigen::Ref<const Eigen::VectorXd>& first_pressure_kpa) const {
+  require_size("set points", setpoint_kpa.rows(), segment_count_);
+  require_size("first pressures", first_pressure_kpa.size(), segment_count_);
+  Eigen::MatrixXd pressure(setpoint_kpa.rows(), setpoint_kpa.cols());
+  if (pressure.cols() == 0) {
+    return pressure;
+  }
+  Eigen::VectorXd state = setpoint_kpa.col(0).replicate(1 + setpoint_count_, 1);
+  state.head(segment_count_) = first_pressure_kpa;
+  pressure.col(0) = first_pressure_kpa;
+  for (Eigen::Index k = 1; k < pressure.cols(); ++k) {
+    step_column(motions_, segment_count_, setpoint_count_, setpoint_kpa.col(k).data(),
+                state.data());
+    pressure.col(k) = state.head(segment_count_);
+  }
+  return pressure;
+}
+
+int ValveModel::frames_to_settle(const Eigen::Ref<const Eigen::VectorXf>& state,
+                                 const Eigen::Ref<const Pressures>& tolerance_kpa, int most) const {
+  require_size("a state", state.size(), state_size());
+  require_size("tolerances", tolerance_kpa.size(), segment_count_);
+  Eigen::VectorXf moving = state;
+  const Pressures held = state.segment(segment_count_, segment_count_);
+  int frames = 0;  // after which all were within the tolerance, so far
+  for (int frame = 0; frame <= most; ++frame) {
+    const bool within =
+        ((moving.head(segment_count_) - held).cwiseAbs().array() <= tolerance_kpa.array()).all();
+    if (!within) {
+      frames = std::min(frame + 1, most);
+    } else if (frame >= setpoint_count_) {
+      break;  // no older set point is under way: from here on pressures only come nearer
+    }
+    step(held, moving);
+  }
+  return frames;
+}
+
+}  // namespace limber
