@@ -35,8 +35,7 @@ template <class Scalar>
 
 void require_size(const char* what, Eigen::Index found, Eigen::Index expected) {
   if (found != expected) {
-    throw InputError(
-        fmt::format("valve model: {} of size {}; expected {}", what, found, expected));
+    throw InputError(fmt::format("valve model: {} of size {}; expected {}", what, found, expected));
   }
 }
 

@@ -62,17 +62,21 @@ std::string ValveParameters::hash() const {
 }
 
 std::string why_unusable(const ValveParameters& parameters, const ArmDescription& arm) {
-  if (parameters.is_ideal()) {
-    return {};
-  }
-  if (int(parameters.segments.size()) != arm.segment_count()) {
-    return fmt::format("{} segments; arm '{}' has {}", parameters.segments.size(), arm.name,
-                       arm.segment_count());
-  }
-  if (parameters.has_sides != arm.command.is_pressure_kpa()) {
+  if (!parameters.is_ideal() && parameters.has_sides != arm.command.is_pressure_kpa()) {
     return fmt::format("has_sides = {}; arm '{}' is driven by '{}' in {}, which has {}",
                        parameters.has_sides, arm.name, arm.command.name, arm.command.unit,
                        arm.command.is_pressure_kpa() ? "two sides" : "no sides");
+  }
+  return why_unusable(parameters, arm.segment_count());
+}
+
+std::string why_unusable(const ValveParameters& parameters, int segment_count) {
+  if (parameters.is_ideal()) {
+    return {};
+  }
+  if (int(parameters.segments.size()) != segment_count) {
+    return fmt::format("{} segments found; the arm has {}", parameters.segments.size(),
+                       segment_count);
   }
   for (std::size_t i = 0; i < parameters.segments.size(); ++i) {
     const std::string fault = fault_of(parameters.segments[i]);

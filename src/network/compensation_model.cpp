@@ -129,6 +129,8 @@ CompensationModel CompensationModel::member(int index) const {
   one.segment_count = segment_count;
   one.point_count = point_count;
   one.preset = preset;
+  one.valves = valves;
+  one.valve_findings = valve_findings;
   return one;
 }
 
@@ -163,6 +165,12 @@ void validate(const CompensationModel& model, const std::string& where) {
     refuse(where, fmt::format("tensor normalisation.output.offset is not 0; expected 0 in a model "
                               "of output_form {}, whose changes are scaled and not shifted",
                               to_string(model.form)));
+  }
+  if (model.valves) {
+    const std::string fault = why_unusable(*model.valves, model.segment_count);
+    if (!fault.empty()) {
+      refuse(where, "metadata valves: " + fault);
+    }
   }
 }
 

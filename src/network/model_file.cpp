@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/yaml_reader.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "network/safetensors.hpp"
 
@@ -14,6 +16,7 @@ namespace {
 
 constexpr const char* kSchema = "limber/model/1";
 constexpr const char* kTrainingPrefix = "training.";
+constexpr const char* kValvesKey = "valves";
 using RowMajorMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
@@ -141,6 +144,21 @@ OutputForm output_form_at(const Safetensors& content, const std::string& where) 
          fmt::format("metadata output_form = '{}'; expected compensation or gated_change", text));
 }
 
+// Models of before valves were identified, and of recordings without set points, have none.
+void read_valves_into(CompensationModel& model, const Safetensors& content,
+                      const std::string& where) {
+  const auto found = content.metadata.find(kValvesKey);
+  if (found == content.metadata.end()) {
+    return;
+  }
+  IdentifiedValves valves =
+      read_valves(YamlReader::from_text(found->second, where + ": metadata valves"));
+  model.valve_findings = std::move(valves.findings);
+  if (!valves.parameters.is_ideal()) {
+    model.valves = std::move(valves.parameters);
+  }
+}
+
 }  // namespace
 
 void write_model(const std::filesystem::path& path, const CompensationModel& model) {
@@ -165,6 +183,10 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
   for (const auto& [key, value] : model.training) {
     content.metadata[kTrainingPrefix + key] = value;
   }
+  if (model.valves || !model.valve_findings.reason.empty()) {
+    content.metadata[kValvesKey] =
+        valves_to_json({model.valves.value_or(ValveParameters{}), model.valve_findings}).dump();
+  }
   write_file_atomically(path, safetensors_bytes(content));
 }
 
@@ -188,6 +210,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
       model.training[key.substr(std::char_traits<char>::length(kTrainingPrefix))] = value;
     }
   }
+  read_valves_into(model, content, where);
   TensorReader tensors(content, where);
   model.layers = tensors.layers("layers.");
   while (tensors.has(member_prefix(model.more_members.size() + 1) + "0.weight")) {

@@ -10,8 +10,8 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
-#include "support/allocation_count.hpp"
 #include "random_valves.hpp"
+#include "support/allocation_count.hpp"
 #include "test_arms.hpp"
 
 namespace limber {
@@ -21,9 +21,9 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
-constexpr double kExactKpa = 1e-9;     // closed forms in double precision
-constexpr double kFloatKpa = 2e-5;     // float at 100 kPa
-constexpr double kFloatWalkKpa = 1e-3; // float against double over long walks
+constexpr double kExactKpa = 1e-9;      // closed forms in double precision
+constexpr double kFloatKpa = 2e-5;      // float at 100 kPa
+constexpr double kFloatWalkKpa = 1e-3;  // float against double over long walks
 
 SegmentValves lag(double inflate_s, double vent_s) {
   return {{inflate_s, kNone}, {vent_s, kNone}, 0.0, 0.0};

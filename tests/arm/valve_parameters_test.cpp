@@ -53,7 +53,7 @@ TEST(ValveParameters, SaysWhichParameterIsOutOfRange) {
     EXPECT_THAT([&] { ValveModel(arm, parameters); },
                 ThrowsMessage<InputError>(HasSubstr(message)));
   };
-  expect_refused(same(3, lag(0.1, 0.1)), "valves: 3 segments; arm 'test_arm_of_2' has 2");
+  expect_refused(same(3, lag(0.1, 0.1)), "valves: 3 segments found; the arm has 2");
   expect_refused(same(2, lag(0.1, 0.1), false), "has_sides = false; arm 'test_arm_of_2' is driven");
   expect_refused(same(2, lag(-0.1, 0.1)),
                  "segment 0: inflating.time_constant_s = -0.1; expected 0 to 100 s");

@@ -104,6 +104,40 @@ TEST(ModelFile, WithoutAFormIsThePapers) {
   EXPECT_EQ(read_model(path).form, OutputForm::compensation);
 }
 
+TEST(ModelFile, KeepsTheValves) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "model.safetensors";
+  CompensationModel model = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {5}, 1);
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  const SegmentValves first{{0.1, 99.5}, {0.12, kNoLimit}, 0.013, 0.2};
+  model.valves = ValveParameters{true, {first, {}}};
+  model.valves->segments[1].inflating.rate_limit_kpa_per_s = 1.0 / 3.0;
+  model.valves->segments[1].venting.rate_limit_kpa_per_s = 70.0;
+  model.valve_findings = {"a \"b\".h5", {0.2, 0.5, 1.5, 900}, {8.0, 20.0, 60.0, 900}, "", {"slow"}};
+  write_model(path, model);
+  for (const CompensationModel& back : {read_model(path), read_model(path).member(0)}) {
+    ASSERT_TRUE(back.valves);
+    EXPECT_EQ(*back.valves, *model.valves);
+    EXPECT_EQ(back.valve_findings.source, model.valve_findings.source);
+    EXPECT_EQ(back.valve_findings.held_back.p95_kpa, 0.5);
+    EXPECT_EQ(back.valve_findings.from_setpoints.frames, 900);
+    EXPECT_EQ(back.valve_findings.warnings, model.valve_findings.warnings);
+  }
+}
+
+TEST(ModelFile, KeepsTheReasonWhyThereAreNoValves) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "model.safetensors";
+  CompensationModel model = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {5}, 1);
+  write_model(path, model);
+  EXPECT_EQ(parse_safetensors(read_file(path), path).metadata.count("valves"), 0U);
+  EXPECT_FALSE(read_model(path).valves);
+  model.valve_findings.reason = "the set points never change";
+  write_model(path, model);
+  EXPECT_FALSE(read_model(path).valves);
+  EXPECT_EQ(read_model(path).valve_findings.reason, "the set points never change");
+}
+
 TEST(ModelFile, RefusesAChangeThatIsShifted) {
   CompensationModel model =
       untrained_model(sample_arm(3), BackboneLayout::gap_poses, {7}, 1, OutputForm::gated_change);
@@ -168,6 +202,15 @@ INSTANTIATE_TEST_SUITE_P(
         metadata_damage("no_segment", "segment_count", "0", "segment_count 0 and point_count 16"),
         metadata_damage("other_size", "point_count", "17",
                         "tensor layers.0.weight has 102 columns; expected 108"),
+        metadata_damage("valves_of_another_arm", "valves",
+                        R"({"schema":"limber/valves/1","has_sides":true,"segments":[
+                            {"inflate_time_constant_s":0.1,"vent_time_constant_s":0.1,
+                             "dead_time_s":0,"dead_band_kpa":0}]})",
+                        "metadata valves: 1 segments found; the arm has 3"),
+        metadata_damage("negative_valves", "valves",
+                        R"({"schema":"limber/valves/1","has_sides":true,"segments":[
+                            {"inflate_time_constant_s":-1}]})",
+                        "metadata valves:2: segments[0].inflate_time_constant_s: -1 found"),
         Damage{"no_schema", [](Safetensors& s) { s.metadata.erase("schema"); },
                "no metadata key schema"},
         Damage{"no_hash", [](Safetensors& s) { s.metadata.erase("arm_hash"); },

@@ -63,8 +63,8 @@ class ValveMotion {
     double left_after(double distance, double time) const {
       const double limited_time = std::max(distance - knee, 0.0) * inverse_rate;
       return limited_time > time ? distance - rate * time
-                                  : std::min(distance, knee) *
-                                        std::exp((limited_time - time) * inverse_time_constant);
+                                 : std::min(distance, knee) *
+                                       std::exp((limited_time - time) * inverse_time_constant);
     }
     /// The same over the whole part.
     double left_after_part(double distance, double part) const {
@@ -73,9 +73,9 @@ class ValveMotion {
     /// Time from `distance` down to `end`, 0 < end ≤ distance.
     double time_to(double distance, double end) const {
       const double limited = std::max(distance - std::max(end, knee), 0.0) * inverse_rate;
-      return knee > 0.0 ? limited + time_constant * std::log(std::min(distance, knee) /
-                                                                   std::min(end, knee))
-                              : limited;
+      return knee > 0.0 ? limited + time_constant *
+                                        std::log(std::min(distance, knee) / std::min(end, knee))
+                        : limited;
     }
 
     double time_constant = 0.0, inverse_time_constant = 0.0;
@@ -88,9 +88,7 @@ class ValveMotion {
   struct Part {
     Part() = default;
     Part(const SegmentValves& valves, double part_s)
-        : time(part_s),
-          inflating(valves.inflating, part_s),
-          venting(valves.venting, part_s) {}
+        : time(part_s), inflating(valves.inflating, part_s), venting(valves.venting, part_s) {}
     double time = 0.0;
     Direction inflating, venting;
   };

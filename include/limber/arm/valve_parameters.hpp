@@ -16,10 +16,11 @@ struct ValveDirection {
 
 /// One segment's valves and their pressure controller (docs/valves.md).
 struct SegmentValves {
-  ValveDirection inflating;    ///< away from zero; rising where the command has no sides
-  ValveDirection venting;      ///< toward zero; falling where the command has no sides
-  double dead_time_s = 0.0;    ///< from a set point to the first effect, ≥ 0, not in whole frames
-  double dead_band_kpa = 0.0;  ///< ≥ 0; the valves stay closed within this distance of the set point
+  ValveDirection inflating;  ///< away from zero; rising where the command has no sides
+  ValveDirection venting;    ///< toward zero; falling where the command has no sides
+  double dead_time_s = 0.0;  ///< from a set point to the first effect, ≥ 0, not in whole frames
+  double dead_band_kpa =
+      0.0;  ///< ≥ 0; the valves stay closed within this distance of the set point
   bool operator==(const SegmentValves&) const = default;
 };
 
@@ -40,8 +41,10 @@ struct ValveParameters {
 /// Longest dead time that a model accepts.
 inline constexpr double kLongestDeadTimeS = 5.0;
 
-/// Empty where a valve model of `arm` can use the parameters, else what is wrong with them: "segment
-/// 1: dead_time_s = -1; expected …".
+/// Empty where a valve model of `arm` can use the parameters, else what is wrong with them:
+/// "segment 1: dead_time_s = -1; expected …".
 std::string why_unusable(const ValveParameters& parameters, const ArmDescription& arm);
+/// The same without the arm: numbers out of range, or another number of segments.
+std::string why_unusable(const ValveParameters& parameters, int segment_count);
 
 }  // namespace limber

@@ -2,12 +2,14 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/valve_findings.hpp"
 
 namespace limber {
 
@@ -63,6 +65,10 @@ struct CompensationModel {
   std::string preset;  ///< "paper" or "best"
   /// Record of the training: data files and hashes, seed, epochs, losses, seconds.
   std::map<std::string, std::string> training;
+  /// What lies between set points and pressures of the recordings (docs/valves.md); none where
+  /// they did not tell, for the reason that the findings give.
+  std::optional<ValveParameters> valves;
+  ValveFindings valve_findings;
 
   int member_count() const { return 1 + static_cast<int>(more_members.size()); }
   /// Member `index` as a model of its own, without the training record. @pre index < member_count()
