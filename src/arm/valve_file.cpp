@@ -166,10 +166,9 @@ std::string valves_to_text(const IdentifiedValves& valves, const std::string& un
     return "valves: none known" +
            (valves.findings.reason.empty() ? "" : " (" + valves.findings.reason + ")");
   }
-  const bool alike =
-      std::ranges::all_of(parameters.segments, [&](const SegmentValves& segment) {
-        return segment == parameters.segments.front();
-      });
+  const bool alike = std::ranges::all_of(parameters.segments, [&](const SegmentValves& segment) {
+    return segment == parameters.segments.front();
+  });
   std::string text = "valves: ";
   for (std::size_t i = 0; i < (alike ? 1 : parameters.segments.size()); ++i) {
     text += (i > 0 ? "; " : "") + (alike ? std::string() : fmt::format("segment {}: ", i)) +

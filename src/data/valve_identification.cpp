@@ -1,0 +1,334 @@
+#include "limber/data/valve_identification.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/data/valve_simulation.hpp"
+#include "valve_fit.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kChangedWithinS = 0.5;
+constexpr double kChange = 1e-3;          // of the limit, from one frame to the next
+constexpr int kFewestChanges = 20;        // frames with one
+constexpr double kCopy = 1e-4;            // of the limit
+constexpr double kSuspiciousMean = 0.02;  // of the limit
+
+bool changes_at(const Episode& episode, int segment, int frame, double limit) {
+  return frame > 0 && std::abs(episode.setpoint_kpa(frame, segment) -
+                               episode.setpoint_kpa(frame - 1, segment)) > kChange * limit;
+}
+
+std::vector<double> largest_setpoints(const Recording& recording) {
+  std::vector<double> limits(std::size_t(recording.segment_count), 0.0);
+  for (const Episode& episode : recording.episodes) {
+    for (int i = 0; i < recording.segment_count; ++i) {
+      limits[std::size_t(i)] = std::max<double>(
+          limits[std::size_t(i)], episode.setpoint_kpa.col(i).cwiseAbs().maxCoeff());
+    }
+  }
+  return limits;
+}
+
+int change_count(const Recording& recording, int segment, double limit) {
+  int count = 0;
+  for (const Episode& episode : recording.episodes) {
+    for (int t = 1; t < episode.frame_count(); ++t) {
+      count += changes_at(episode, segment, t, limit) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+/// Set points that an import made of the measured pressures, for want of a log of them.
+bool setpoints_are_copies(const Recording& recording, const std::vector<double>& limits) {
+  return std::ranges::all_of(recording.episodes, [&](const Episode& episode) {
+    for (int i = 0; i < recording.segment_count; ++i) {
+      if ((episode.setpoint_kpa.col(i) - episode.pressure_kpa.col(i)).cwiseAbs().maxCoeff() >
+          kCopy * limits[std::size_t(i)]) {
+        return false;
+      }
+    }
+    return true;
+  });
+}
+
+/// Fitted ranges as runs of one segment, about a minute each, evenly picked from what there is.
+std::vector<ValveRun> runs_of(const std::vector<Episode>& episodes,
+                              const std::vector<FrameRange>& ranges, int segment) {
+  constexpr int kRunFrames = 600;
+  constexpr int kMostFrames = 20000;
+  std::vector<ValveRun> runs;
+  int frames = 0;
+  for (const FrameRange& range : ranges) {
+    for (int at = 0; at + 1 < range.count; at += kRunFrames) {
+      const int count = std::min(kRunFrames, range.count - at);
+      if (count > 1) {
+        runs.push_back({&episodes[std::size_t(range.episode)], segment, range.first + at, count});
+        frames += count;
+      }
+    }
+  }
+  std::vector<ValveRun> chosen;
+  const std::size_t wanted =
+      frames <= kMostFrames ? runs.size() : runs.size() * std::size_t(kMostFrames) / std::size_t(frames);
+  for (std::size_t k = 0; k < wanted; ++k) {
+    chosen.push_back(runs[k * runs.size() / wanted]);
+  }
+  return chosen;
+}
+
+/// Errors of one recording's valves, or of part of its segments.
+class ErrorCollector {
+ public:
+  ErrorCollector(const Recording& recording, const std::vector<double>& limits)
+      : recording_(recording), limits_(limits) {}
+
+  /// @param early  frames that set points are moved up: what if they were logged late?
+  ValveErrors errors(const ValveParameters& valves, const std::vector<FrameRange>& ranges,
+                     int early = 0) const {
+    std::vector<double> sizes;
+    for (const FrameRange& range : ranges) {
+      add(valves, range, early, sizes);
+    }
+    ValveErrors errors;
+    errors.frames = std::int64_t(sizes.size());
+    if (!sizes.empty()) {
+      constexpr double kHigh = 0.95;
+      std::sort(sizes.begin(), sizes.end());
+      errors.mean_kpa = std::accumulate(sizes.begin(), sizes.end(), 0.0) / double(sizes.size());
+      errors.p95_kpa = sizes[std::size_t(kHigh * double(sizes.size() - 1))];
+      errors.max_kpa = sizes.back();
+    }
+    return errors;
+  }
+
+ private:
+  void add(const ValveParameters& valves, const FrameRange& range, int early,
+           std::vector<double>& sizes) const {
+    const Episode* episode = &recording_.episodes[std::size_t(range.episode)];
+    Episode moved;
+    if (early > 0) {
+      moved = *episode;
+      for (int t = 0; t < moved.frame_count(); ++t) {
+        moved.setpoint_kpa.row(t) =
+            episode->setpoint_kpa.row(std::min(t + early, moved.frame_count() - 1));
+      }
+      episode = &moved;
+    }
+    const FrameMatrix simulated =
+        simulate_valves(valves, recording_.rate_hz, *episode, range.first, range.count);
+    const int within = int(std::lround(kChangedWithinS * recording_.rate_hz));
+    for (int i = 0; i < recording_.segment_count; ++i) {
+      int changed = -within - 1;
+      for (int t = std::max(range.first - within, 0); t < range.first + range.count; ++t) {
+        if (changes_at(*episode, i, t, limits_[std::size_t(i)])) {
+          changed = t;
+        }
+        if (t > range.first && t - changed <= within) {
+          sizes.push_back(
+              std::abs(double(simulated(t - range.first, i)) - episode->pressure_kpa(t, i)));
+        }
+      }
+    }
+  }
+
+  const Recording& recording_;
+  const std::vector<double>& limits_;
+};
+
+/// Fits and chooses.
+class Identification {
+ public:
+  Identification(const Recording& recording, std::vector<double> limits)
+      : recording_(recording),
+        limits_(std::move(limits)),
+        split_(split_for_valves(recording.episodes)),
+        collector_(recording_, limits_) {}
+
+  IdentifiedValves run() {
+    IdentifiedValves result;
+    result.parameters.has_sides = recording_.command.is_pressure_kpa();
+    result.findings.source = recording_.source;
+    result.findings.reason = why_impossible();
+    if (!result.findings.reason.empty()) {
+      return result;
+    }
+    result.parameters.segments = choose();
+    result.findings.held_back = collector_.errors(result.parameters, split_.held_back);
+    result.findings.from_setpoints =
+        collector_.errors({result.parameters.has_sides, {}}, split_.held_back);
+    look_for_causes(result);
+    return result;
+  }
+
+ private:
+  bool has_sides() const { return recording_.command.is_pressure_kpa(); }
+  double scale() const { return *std::ranges::max_element(limits_); }
+
+  std::string why_impossible() {
+    const std::string& what = recording_.command.name;
+    if (setpoints_are_copies(recording_, limits_)) {
+      return fmt::format(
+          "the set points are the measured numbers ({}): an import without a log of set points "
+          "writes them so, or the recording holds no lag",
+          what);
+    }
+    int changes = 0;
+    for (int i = 0; i < recording_.segment_count; ++i) {
+      const int count = change_count(recording_, i, limits_[std::size_t(i)]);
+      changes = std::max(changes, count);
+      if (count >= kFewestChanges) {
+        told_.push_back(i);
+      }
+    }
+    if (changes == 0) {
+      return "the set points never change";
+    }
+    if (told_.empty()) {
+      return fmt::format("set points change in {} frames at most; expected {} or more", changes,
+                         kFewestChanges);
+    }
+    if (split_.fitted.empty() || split_.held_back.empty()) {
+      return "the episodes are too short to fit valves to a part and judge them by the rest";
+    }
+    return {};
+  }
+
+  SegmentValves fit(const std::vector<int>& segments) const {
+    std::vector<ValveRun> runs;
+    double limit = 0.0;
+    for (const int i : segments) {
+      std::ranges::copy(runs_of(recording_.episodes, split_.fitted, i), std::back_inserter(runs));
+      limit = std::max(limit, limits_[std::size_t(i)]);
+    }
+    return fit_valves(runs, has_sides(), recording_.rate_hz, limit);
+  }
+
+  std::vector<SegmentValves> choose() const {
+    constexpr double kAsGood = 1.05;
+    constexpr double kNothing = 1e-4;  // of the limit: no error worth own parameters
+    const auto segments = std::size_t(recording_.segment_count);
+    const std::vector<SegmentValves> pooled(segments, fit(told_));
+    if (told_.size() < 2) {
+      return pooled;
+    }
+    std::vector<SegmentValves> own = pooled;
+    for (const int i : told_) {
+      own[std::size_t(i)] = fit({i});
+    }
+    const double pooled_mean =
+        collector_.errors({has_sides(), pooled}, split_.held_back).mean_kpa;
+    const double own_mean = collector_.errors({has_sides(), own}, split_.held_back).mean_kpa;
+    return pooled_mean <= kAsGood * own_mean + kNothing * scale() ? pooled : own;
+  }
+
+  void look_for_causes(IdentifiedValves& result) const {
+    const std::string& unit = recording_.command.unit;
+    const ValveErrors& held_back = result.findings.held_back;
+    if (held_back.frames == 0) {
+      result.findings.warnings.push_back(
+          "no set point changes in what is held back: the errors are unknown");
+      return;
+    }
+    if (int(told_.size()) < recording_.segment_count) {
+      result.findings.warnings.push_back(fmt::format(
+          "set points of {} of {} segments hardly change: these take the valves of the others",
+          recording_.segment_count - int(told_.size()), recording_.segment_count));
+    }
+    if (held_back.mean_kpa <= kSuspiciousMean * scale()) {
+      return;
+    }
+    result.findings.warnings.push_back(fmt::format(
+        "the valve model errs by {:.3g} {} on average where set points change, more than {:.0f} % "
+        "of {:.4g} {}: look for a supply pressure that is too low, a leak, a sensor that drifts, "
+        "set points and measurements whose clocks are not aligned, or set points logged late",
+        held_back.mean_kpa, unit, 100.0 * kSuspiciousMean, scale(), unit));
+    look_for_late_setpoints(result);
+  }
+
+  /// Valves cannot know a set point before it is given.
+  void look_for_late_setpoints(IdentifiedValves& result) const {
+    constexpr double kMuchBetter = 0.8;
+    constexpr int kMostFrames = 10;
+    double best = result.findings.held_back.mean_kpa;
+    int best_frames = 0;
+    for (int early = 1; early <= kMostFrames; ++early) {
+      const double mean =
+          collector_.errors(result.parameters, split_.held_back, early).mean_kpa;
+      if (mean < kMuchBetter * result.findings.held_back.mean_kpa && mean < best) {
+        best = mean;
+        best_frames = early;
+      }
+    }
+    if (best_frames > 0) {
+      result.findings.warnings.push_back(fmt::format(
+          "pressures move before their set points: with set points {} frames ({:.3g} s) earlier "
+          "the error would be {:.3g} {}; align the clocks, or log set points when they are given",
+          best_frames, best_frames / recording_.rate_hz, best, recording_.command.unit));
+    }
+  }
+
+  const Recording& recording_;
+  std::vector<double> limits_;
+  ValveSplit split_;
+  ErrorCollector collector_;
+  std::vector<int> told_;  // segments whose set points change enough
+};
+
+}  // namespace
+
+ValveSplit split_for_valves(const std::vector<Episode>& episodes) {
+  constexpr int kHeldBack = 5;  // one in so many
+  constexpr int kFewestFrames = 20;
+  ValveSplit split;
+  const bool whole = episodes.size() >= kHeldBack;
+  for (int e = 0; e < int(episodes.size()); ++e) {
+    const int frames = episodes[std::size_t(e)].frame_count();
+    const bool held = e % kHeldBack == kHeldBack - 1;
+    const int fitted = whole ? (held ? 0 : frames) : frames - frames / kHeldBack;
+    if (fitted >= kFewestFrames) {
+      split.fitted.push_back({e, 0, fitted});
+    }
+    if (frames - fitted >= kFewestFrames) {
+      split.held_back.push_back({e, fitted, frames - fitted});
+    }
+  }
+  return split;
+}
+
+ValveErrors valve_errors(const ValveParameters& valves, const Recording& recording,
+                         const std::vector<FrameRange>& ranges) {
+  const std::vector<double> limits = largest_setpoints(recording);
+  return ErrorCollector(recording, limits).errors(valves, ranges);
+}
+
+IdentifiedValves identify_valves(const Recording& recording, std::vector<double> limits_kpa) {
+  if (limits_kpa.empty()) {
+    limits_kpa = largest_setpoints(recording);
+  }
+  if (int(limits_kpa.size()) != recording.segment_count) {
+    throw InputError(fmt::format("valves: {} limits; the recording has {} segments",
+                                 limits_kpa.size(), recording.segment_count));
+  }
+  return Identification(recording, std::move(limits_kpa)).run();
+}
+
+IdentifiedValves identify_valves(const std::vector<Episode>& episodes, const ArmDescription& arm,
+                                 const std::string& source) {
+  Recording recording = make_recording(arm, source, 0);
+  recording.episodes = episodes;
+  std::vector<double> limits;
+  for (const Segment& segment : arm.segments) {
+    limits.push_back(segment.pressure_limit_kpa);
+  }
+  return identify_valves(recording, std::move(limits));
+}
+
+}  // namespace limber
