@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "limber/common/utf8.hpp"
+
 namespace limber {
 
 FileKind kind_of(const std::string& content) {
@@ -16,7 +18,9 @@ FileKind kind_of(const std::string& content) {
     return header.find("limber/forest/") == header.npos ? FileKind::model : FileKind::forest;
   }
   // JSON is YAML too: arms and environments may be written either way.
-  const std::size_t first = content.find_first_not_of(" \t\r\n");
+  // A byte order mark, which every reader of text skips, says nothing of the kind.
+  const std::size_t begin = content.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  const std::size_t first = content.find_first_not_of(" \t\r\n", begin);
   const bool braced = first != std::string::npos && content[first] == '{';
   const bool names_yaml_schema = content.find("limber/arm/") != std::string::npos ||
                                  content.find("limber/environment/") != std::string::npos;

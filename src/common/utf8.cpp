@@ -34,4 +34,12 @@ std::size_t find_invalid_utf8(std::string_view text) {
   return std::string_view::npos;
 }
 
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) {
+    return std::string(text);
+  }
+  const std::string_view cut = text.substr(0, most);
+  return std::string(cut.substr(0, find_invalid_utf8(cut))) + "…";
+}
+
 }  // namespace limber

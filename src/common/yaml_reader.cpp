@@ -94,7 +94,7 @@ void YamlReader::refuse(const std::string& message) const {
 std::string YamlReader::found() const {
   switch (node_.Type()) {
     case YAML::NodeType::Scalar:
-      return fmt::format("'{}'", node_.Scalar());
+      return fmt::format("'{}'", shortened(node_.Scalar()));
     case YAML::NodeType::Sequence:
       return fmt::format("a list of {}", node_.size());
     case YAML::NodeType::Map:

@@ -6,6 +6,7 @@
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "network/safetensors.hpp"
@@ -114,7 +115,7 @@ int count_at(const Safetensors& content, const std::string& key, const std::stri
   const std::string text = text_at(content, key, where);
   if (text.empty() || text.size() > 6 ||
       !std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; })) {
-    refuse(where, fmt::format("metadata {} = '{}'; expected a whole number", key, text));
+    refuse(where, fmt::format("metadata {} = '{}'; expected a whole number", key, shortened(text)));
   }
   return std::stoi(text);
 }
@@ -126,7 +127,8 @@ BackboneLayout layout_at(const Safetensors& content, const std::string& where) {
       return layout;
     }
   }
-  refuse(where, fmt::format("metadata layout = '{}'; expected base_poses or gap_poses", text));
+  refuse(where, fmt::format("metadata layout = '{}'; expected base_poses or gap_poses",
+                            shortened(text)));
 }
 
 // Files of before there was a choice don't say: the paper's form.
@@ -141,7 +143,8 @@ OutputForm output_form_at(const Safetensors& content, const std::string& where) 
     }
   }
   refuse(where,
-         fmt::format("metadata output_form = '{}'; expected compensation or gated_change", text));
+         fmt::format("metadata output_form = '{}'; expected compensation or gated_change",
+                     shortened(text)));
 }
 
 // Models of before valves were identified, and of recordings without set points, have none.
@@ -195,7 +198,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
   Safetensors content = parse_safetensors(read_file(path), where);
   const std::string schema = text_at(content, "schema", where);
   if (schema != kSchema) {
-    refuse(where, fmt::format("metadata schema = '{}'; expected {}", schema, kSchema));
+    refuse(where, fmt::format("metadata schema = '{}'; expected {}", shortened(schema), kSchema));
   }
   CompensationModel model;
   model.arm_name = text_at(content, "arm_name", where);

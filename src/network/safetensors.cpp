@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/common/utf8.hpp"
 
 namespace limber {
 
@@ -53,18 +55,6 @@ std::string_view header_of(std::string_view bytes, const std::string& where) {
   return bytes.substr(kLengthBytes, static_cast<std::size_t>(length));
 }
 
-Json parse_header(std::string_view text, const std::string& where) {
-  try {
-    Json header = Json::parse(text);
-    if (!header.is_object()) {
-      refuse(where, "header is no JSON object");
-    }
-    return header;
-  } catch (const Json::parse_error& error) {
-    refuse(where, fmt::format("header is no JSON: {}", error.what()));
-  }
-}
-
 // A list of whole numbers ≥ 0 at header[name][key].
 std::vector<std::size_t> sizes_at(const Json& entry, const char* key, const std::string& name,
                                   const std::string& where) {
@@ -76,7 +66,7 @@ std::vector<std::size_t> sizes_at(const Json& entry, const char* key, const std:
   for (const Json& size : *found) {
     if (!size.is_number_unsigned()) {
       refuse(where, fmt::format("tensor {}: {} is {}; expected whole numbers ≥ 0", name, key,
-                                found->dump()));
+                                in_few_words(*found)));
     }
     sizes.push_back(size.get<std::size_t>());
   }
@@ -99,7 +89,7 @@ std::size_t element_count(const std::vector<std::size_t>& shape, const std::stri
 std::string dtype_of(const Json& entry, const std::string& name, const std::string& where) {
   if (!entry.is_object()) {
     refuse(where,
-           fmt::format("tensor {}: header entry is {}; expected an object", name, entry.dump()));
+           fmt::format("tensor {}: header entry is {}; expected an object", name, in_few_words(entry)));
   }
   return entry.contains("dtype") && entry["dtype"].is_string() ? entry["dtype"].get<std::string>()
                                                                : "missing";
@@ -169,7 +159,7 @@ std::map<std::string, std::string> read_metadata(const Json& metadata, const std
   std::map<std::string, std::string> strings;
   for (const auto& [key, value] : metadata.items()) {
     if (!value.is_string()) {
-      refuse(where, fmt::format("__metadata__ {} is {}; expected a string", key, value.dump()));
+      refuse(where, fmt::format("__metadata__ {} is {}; expected a string", key, in_few_words(value)));
     }
     strings[key] = value.get<std::string>();
   }
@@ -197,7 +187,7 @@ std::string safetensors_bytes(const Safetensors& content) {
 Safetensors parse_safetensors(std::string_view bytes, const std::string& where) {
   const std::string_view text = header_of(bytes, where);
   const std::string_view data = bytes.substr(kLengthBytes + text.size());
-  const Json header = parse_header(text, where);
+  const Json header = parse_json_object(text, where + ": header");
   Safetensors content;
   std::vector<Range> ranges;
   for (const auto& [name, entry] : header.items()) {
@@ -212,7 +202,7 @@ Safetensors parse_safetensors(std::string_view bytes, const std::string& where) 
       content.shorts[name] =
           read_tensor<std::int16_t>(entry, name, data, where, ranges.emplace_back());
     } else {
-      refuse(where, fmt::format("tensor {}: dtype is {}; expected {} or {}", name, dtype, kFloats,
+      refuse(where, fmt::format("tensor {}: dtype is {}; expected {} or {}", name, shortened(dtype), kFloats,
                                 kShorts));
     }
   }

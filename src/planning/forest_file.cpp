@@ -4,6 +4,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/planning/forest.hpp"
 #include "network/safetensors.hpp"
 
@@ -32,7 +33,7 @@ class ForestReader {
       : where_(path.string()), content_(parse_safetensors(read_file(path), where_)) {
     if (text("schema") != kSchema) {
       refuse(where_, fmt::format("schema '{}'; expected {}: --build-forest grows it anew",
-                                 text("schema"), kSchema));
+                                 shortened(text("schema")), kSchema));
     }
   }
 

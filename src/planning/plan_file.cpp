@@ -7,7 +7,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/planning/plan.hpp"
 
@@ -56,100 +56,31 @@ std::string one_line_an_entry(const Json& head, const Json& waypoints, const Jso
   return text + fmt::format(" \"frames\": {}\n}}\n", lines(frames));
 }
 
-/// A value of the file with the name of its place, for messages.
-class Field {
- public:
-  Field(const Json& value, std::string file, std::string name)
-      : value_(value), file_(std::move(file)), name_(std::move(name)) {}
+double number_at(const JsonReader& root, const char* key, double low = -kLargest) {
+  return root.at(key).number(low, kLargest);
+}
 
-  [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError(fmt::format("{}: {}: {}", file_, name_, message));
-  }
+Pressures read_vector(const JsonReader& field, Eigen::Index size, const char* what) {
+  const std::vector<double> values =
+      field.numbers(static_cast<std::size_t>(size), what, -kLargest, kLargest);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), size).cast<float>();
+}
 
-  Field at(const char* key) const {
-    if (!value_.is_object() || !value_.contains(key)) {
-      throw InputError(
-          fmt::format("{}: {}{}: missing", file_, name_.empty() ? "" : name_ + ".", key));
-    }
-    return {value_.at(key), file_, name_.empty() ? key : name_ + "." + key};
-  }
-
-  std::vector<Field> elements(const std::string& expected) const {
-    if (!value_.is_array()) {
-      refuse(fmt::format("{} found; expected {}", value_.type_name(), expected));
-    }
-    std::vector<Field> result;
-    for (std::size_t i = 0; i < value_.size(); ++i) {
-      result.emplace_back(value_[i], file_, fmt::format("{}[{}]", name_, i));
-    }
-    return result;
-  }
-
-  std::string text() const {
-    if (!value_.is_string()) {
-      refuse(fmt::format("{} found; expected a text", value_.dump()));
-    }
-    return value_.get<std::string>();
-  }
-
-  double number(double low = -kLargest, double high = kLargest) const {
-    if (!value_.is_number()) {
-      refuse(fmt::format("{} found; expected a finite number", shortened()));
-    }
-    const double value = value_.get<double>();
-    if (!(value >= low && value <= high)) {
-      refuse(fmt::format("{} found; expected a number from {} to {}", value, low, high));
-    }
-    return value;
-  }
-
-  std::uint64_t count(std::uint64_t most) const {
-    if (!value_.is_number_unsigned() || value_.get<std::uint64_t>() > most) {
-      refuse(fmt::format("{} found; expected a whole number from 0 to {}", shortened(), most));
-    }
-    return value_.get<std::uint64_t>();
-  }
-
-  bool is_null() const { return value_.is_null(); }
-
-  Pressures vector(Eigen::Index size, const char* what) const {
-    const std::vector<Field> items = elements(fmt::format("a list of {}", what));
-    if (static_cast<Eigen::Index>(items.size()) != size) {
-      refuse(fmt::format("{} numbers found; expected {} {}", items.size(), size, what));
-    }
-    Pressures result(size);
-    for (Eigen::Index i = 0; i < size; ++i) {
-      result[i] = static_cast<float>(items[static_cast<std::size_t>(i)].number());
-    }
-    return result;
-  }
-
- private:
-  std::string shortened() const {
-    const std::string text = value_.dump();
-    return text.size() <= 40 ? text : text.substr(0, 40) + "…";
-  }
-
-  const Json& value_;
-  std::string file_;
-  std::string name_;
-};
-
-Backbone read_backbone(const Field& field, std::size_t point_count) {
-  const std::vector<Field> rows = field.elements("a list of poses [x_m, y_m, theta_rad]");
+Backbone read_backbone(const JsonReader& field, std::size_t point_count) {
+  const std::vector<JsonReader> rows = field.elements("a list of poses [x_m, y_m, theta_rad]");
   if (rows.size() != point_count) {
     field.refuse(fmt::format("{} poses found; expected {}", rows.size(), point_count));
   }
   Backbone backbone(static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     backbone.row(static_cast<Eigen::Index>(i)) =
-        rows[i].vector(3, "numbers [x_m, y_m, theta_rad]").transpose();
+        read_vector(rows[i], 3, "numbers [x_m, y_m, theta_rad]").transpose();
   }
   return backbone;
 }
 
-std::vector<PlanFrame> read_frames(const Field& field) {
-  const std::vector<Field> items = field.elements("a list of frames");
+std::vector<PlanFrame> read_frames(const JsonReader& field) {
+  const std::vector<JsonReader> items = field.elements("a list of frames");
   if (items.empty()) {
     field.refuse("no frame found; expected at least the start");
   }
@@ -161,15 +92,16 @@ std::vector<PlanFrame> read_frames(const Field& field) {
                                      segments, points));
   }
   std::vector<PlanFrame> frames;
-  for (const Field& item : items) {
+  for (const JsonReader& item : items) {
     frames.push_back(
-        {item.at("setpoint_kpa").vector(static_cast<Eigen::Index>(segments), "pressures in kPa"),
+        {read_vector(item.at("setpoint_kpa"), static_cast<Eigen::Index>(segments),
+                     "pressures in kPa"),
          read_backbone(item.at("backbone"), points)});
   }
   return frames;
 }
 
-void require_consistent(const Field& root, const Plan& plan) {
+void require_consistent(const JsonReader& root, const Plan& plan) {
   const double cost = path_cost_kpa(plan.frames);
   if (std::abs(cost - plan.cost_kpa) > kCostToleranceKpa * std::max(1.0, cost)) {
     root.at("cost_kpa")
@@ -195,10 +127,9 @@ void require_consistent(const Field& root, const Plan& plan) {
 }
 
 /// Hash of everything in the file but the certificate itself; layout and order do not matter.
-std::string seal_of(const Json& root) {
-  nlohmann::json sorted = root;
-  sorted.erase("certificate");
-  return content_hash(sorted.dump());
+std::string seal_of(nlohmann::json root) {
+  root.erase("certificate");
+  return content_hash(root.dump());
 }
 
 /// NaN and infinities have no JSON; null says "no obstacles".
@@ -206,23 +137,24 @@ Json clearance_to_json(double clearance_m) {
   return std::isfinite(clearance_m) ? Json(clearance_m) : Json(nullptr);
 }
 
-double read_clearance(const Field& field) {
-  return field.is_null() ? std::numeric_limits<double>::infinity() : field.number();
+double read_clearance(const JsonReader& field) {
+  return field.is_null() ? std::numeric_limits<double>::infinity()
+                         : field.number(-kLargest, kLargest);
 }
 
-std::optional<CertifiedFigures> read_certificate(const Field& root, const Json& json) {
-  if (!json.contains("certificate")) {
+std::optional<CertifiedFigures> read_certificate(const JsonReader& root) {
+  if (!root.has("certificate")) {
     return std::nullopt;
   }
-  const Field field = root.at("certificate");
+  const JsonReader field = root.at("certificate");
   CertifiedFigures figures;
   figures.clearance_m = read_clearance(field.at("clearance_m"));
-  figures.largest_deviation_m = field.at("largest_deviation_m").number(0.0);
-  figures.seal_is_intact = field.at("seal").text() == seal_of(json);
+  figures.largest_deviation_m = number_at(field, "largest_deviation_m", 0.0);
+  figures.seal_is_intact = field.at("seal").text() == seal_of(root.value());
   return figures;
 }
 
-Plan read_fields(const Field& root) {
+Plan read_fields(const JsonReader& root) {
   Plan plan;
   plan.program_version = root.at("program_version").text();
   plan.arm_name = root.at("arm").at("name").text();
@@ -230,43 +162,31 @@ Plan read_fields(const Field& root) {
   plan.model = root.at("model").at("kind").text();
   plan.model_hash = root.at("model").at("hash").text();
   if (plan.model != "no_load" && plan.model != "network") {
-    root.at("model").at("kind").refuse(
-        fmt::format("'{}' found; expected no_load or network", plan.model));
+    root.at("model").at("kind").refuse_found("expected no_load or network");
   }
   plan.environment_name = root.at("environment").at("name").text();
   plan.environment_hash = root.at("environment").at("hash").text();
   plan.planner = root.at("planner").text();
   plan.seed = root.at("seed").count(std::numeric_limits<std::uint64_t>::max());
-  plan.margin_m = root.at("margin_m").number(0.0);
+  plan.margin_m = number_at(root, "margin_m", 0.0);
   plan.frame_rate_hz = root.at("frame_rate_hz").number(1.0, 1000.0);
-  plan.cost_kpa = root.at("cost_kpa").number(0.0);
+  plan.cost_kpa = number_at(root, "cost_kpa", 0.0);
   plan.clearance_m = read_clearance(root.at("clearance_m"));
-  plan.goal_distance_m = root.at("goal_distance_m").number(0.0);
-  plan.goal_orientation_rad = root.at("goal_orientation_rad").number(0.0);
+  plan.goal_distance_m = number_at(root, "goal_distance_m", 0.0);
+  plan.goal_orientation_rad = number_at(root, "goal_orientation_rad", 0.0);
   plan.hold_frame_count = static_cast<int>(root.at("hold_frame_count").count(1000000));
   plan.frames = read_frames(root.at("frames"));
   const Eigen::Index segments = plan.frames.front().setpoint_kpa.size();
-  for (const Field& point : root.at("waypoints_kpa").elements("a list of configurations")) {
-    plan.waypoints_kpa.push_back(point.vector(segments, "pressures in kPa"));
+  for (const JsonReader& point : root.at("waypoints_kpa").elements("a list of configurations")) {
+    plan.waypoints_kpa.push_back(read_vector(point, segments, "pressures in kPa"));
   }
   return plan;
 }
 
-Json parse_file(const std::filesystem::path& path) {
-  try {
-    return Json::parse(read_file(path));
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: not valid JSON: {}", path.string(), error.what()));
-  }
-}
-
-Plan read_root(const Field& fields, const Json& root) {
-  const std::string schema = fields.at("schema").text();
-  if (schema != kSchema) {
-    fields.at("schema").refuse(fmt::format("'{}' found; this program reads '{}'", schema, kSchema));
-  }
-  Plan plan = read_fields(fields);
-  plan.certified = read_certificate(fields, root);
+Plan read_root(const JsonReader& root) {
+  root.require_schema(kSchema);
+  Plan plan = read_fields(root);
+  plan.certified = read_certificate(root);
   return plan;
 }
 
@@ -309,9 +229,9 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
 }
 
 Plan read_plan(const std::filesystem::path& path) {
-  const Json root = parse_file(path);
-  const Field fields(root, path.string(), "");
-  Plan plan = read_root(fields, root);
+  const nlohmann::json root = read_json_object(path);
+  const JsonReader fields(root, path.string());
+  Plan plan = read_root(fields);
   require_consistent(fields, plan);
   if (plan.certified && !plan.certified->seal_is_intact) {
     fields.at("certificate")
@@ -323,8 +243,8 @@ Plan read_plan(const std::filesystem::path& path) {
 }
 
 Plan read_plan_unjudged(const std::filesystem::path& path) {
-  const Json root = parse_file(path);
-  return read_root(Field(root, path.string(), ""), root);
+  const nlohmann::json root = read_json_object(path);
+  return read_root(JsonReader(root, path.string()));
 }
 
 void write_backbones_csv(const std::filesystem::path& path, const Plan& plan) {

@@ -106,7 +106,7 @@ TEST(PlanFile, NamesFileAndFieldOfEveryBrokenPlan) {
       {"negative seed", [](Json& j) { j["seed"] = -1; }, {"seed", "-1 found"}},
       {"text as number",
        [](Json& j) { j["cost_kpa"] = "12"; },
-       {"cost_kpa", "\"12\" found", "finite number"}},
+       {"cost_kpa", "'12' found", "finite number"}},
       {"null as number",
        [](Json& j) { j["frames"][2]["setpoint_kpa"][1] = nullptr; },
        {"frames[2].setpoint_kpa[1]", "null found"}},

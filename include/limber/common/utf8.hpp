@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace limber {
@@ -11,5 +12,11 @@ std::size_t find_invalid_utf8(std::string_view text);
 inline bool is_utf8(std::string_view text) {
   return find_invalid_utf8(text) == std::string_view::npos;
 }
+
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// `text` as messages quote it: at most `most` bytes, no character cut, and "…" where some are left
+/// out.
+std::string shortened(std::string_view text, std::size_t most = 40);
 
 }  // namespace limber

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace limber {
+
+/// Levels of lists and objects in each other that are read: limber's own files need 6, and a
+/// recursion over more could end the stack.
+inline constexpr int kMostJsonLevels = 32;
+
+/// The one way in which limber reads JSON: an object, in UTF-8, with or without a byte order mark,
+/// at most kMostJsonLevels deep, with numbers that a double can hold.
+/// @param where  begins every message: the file, or the part of it.
+/// @throws InputError
+nlohmann::json parse_json_object(std::string_view text, const std::string& where);
+
+/// The same of a whole file. @throws InputError naming it, also where it can't be read.
+nlohmann::json read_json_object(const std::filesystem::path& path);
+
+/// A value in a few words, for messages: "'text'", "3", "a list of 200"; long texts shortened.
+std::string in_few_words(const nlohmann::json& value);
+
+/// One value of a JSON file with its place: every refusal names file and field, what was found and
+/// what is allowed. Borrows the value.
+class JsonReader {
+ public:
+  static constexpr double kLargestNumber = std::numeric_limits<double>::max();
+
+  /// @param file   begins every message
+  /// @param field  path of the value in the file; empty for the root
+  JsonReader(const nlohmann::json& value, std::string file, std::string field = "");
+
+  /// The value at `key`. @throws InputError where it is missing or this is no object.
+  JsonReader at(const char* key) const;
+  bool has(const char* key) const;
+  /// @param expected  words the message: "a list of frames"
+  std::vector<JsonReader> elements(const std::string& expected) const;
+
+  bool is_null() const;
+  std::string text() const;
+  bool boolean() const;
+  /// A finite number in [low, high].
+  double number(double low = -kLargestNumber, double high = kLargestNumber) const;
+  /// A whole number from 0 to `most`.
+  std::uint64_t count(std::uint64_t most) const;
+  /// The same, as an int in [low, high].
+  int integer(int low, int high) const;
+  /// Numbers in [low, high]. @param size  how many there have to be; npos: any number of them.
+  std::vector<double> numbers(std::size_t size, const char* what, double low = -kLargestNumber,
+                              double high = kLargestNumber) const;
+
+  /// @throws InputError where the text `schema` is another than `expected`.
+  void require_schema(const std::string& expected) const;
+
+  const nlohmann::json& value() const { return value_; }
+  /// @throws InputError "file: field: message".
+  [[noreturn]] void refuse(const std::string& message) const;
+  /// `message` with "… found; " before it.
+  [[noreturn]] void refuse_found(const std::string& message) const;
+
+ private:
+  const nlohmann::json& value_;
+  std::string file_;
+  std::string field_;
+};
+
+}  // namespace limber

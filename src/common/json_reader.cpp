@@ -1,0 +1,192 @@
+#include "limber/common/json_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/utf8.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// A few numbers, which say more than how many there are.
+bool is_short(const Json& list) {
+  constexpr std::size_t kMostShown = 4;
+  return list.size() <= kMostShown &&
+         std::ranges::all_of(list, [](const Json& item) { return item.is_number(); });
+}
+
+/// What the library says, without its own numbering: "[json.exception.parse_error.101] ".
+std::string reason_of(const Json::exception& error) {
+  constexpr std::size_t kMostReason = 160;
+  const std::string text = error.what();
+  const std::size_t end = text.find("] ");
+  return shortened(end == std::string::npos ? text : text.substr(end + 2), kMostReason);
+}
+
+}  // namespace
+
+Json parse_json_object(std::string_view text, const std::string& where) {
+  const auto shallow = [&](int depth, Json::parse_event_t event, const Json&) {
+    const bool opens =
+        event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+    if (opens && depth >= kMostJsonLevels) {
+      throw InputError(fmt::format("{}: lists and objects more than {} deep in each other; none of "
+                                   "limber's files has so many",
+                                   where, kMostJsonLevels));
+    }
+    return true;
+  };
+  try {
+    Json root = Json::parse(text, shallow);
+    if (!root.is_object()) {
+      throw InputError(
+          fmt::format("{}: {} found; expected a JSON object, {{…}}", where, in_few_words(root)));
+    }
+    return root;
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: not valid JSON: {}", where, reason_of(error)));
+  }
+}
+
+Json read_json_object(const std::filesystem::path& path) {
+  return parse_json_object(read_file(path), path.string());
+}
+
+std::string in_few_words(const Json& value) {
+  switch (value.type()) {
+    case Json::value_t::null:
+      return "null";
+    case Json::value_t::object:
+      return fmt::format("an object of {}", value.size());
+    case Json::value_t::array:
+      return is_short(value) ? value.dump() : fmt::format("a list of {}", value.size());
+    case Json::value_t::string:
+      return fmt::format("'{}'", shortened(value.get_ref<const std::string&>()));
+    default:
+      return value.dump();
+  }
+}
+
+JsonReader::JsonReader(const Json& value, std::string file, std::string field)
+    : value_(value), file_(std::move(file)), field_(std::move(field)) {}
+
+void JsonReader::refuse(const std::string& message) const {
+  throw InputError(fmt::format("{}: {}{}", file_, field_.empty() ? "" : field_ + ": ", message));
+}
+
+void JsonReader::refuse_found(const std::string& message) const {
+  refuse(fmt::format("{} found; {}", in_few_words(value_), message));
+}
+
+JsonReader JsonReader::at(const char* key) const {
+  std::string field = field_.empty() ? key : fmt::format("{}.{}", field_, key);
+  if (!has(key)) {
+    throw InputError(fmt::format("{}: {}: missing", file_, field));
+  }
+  return {value_.at(key), file_, std::move(field)};
+}
+
+bool JsonReader::has(const char* key) const {
+  return value_.is_object() && value_.contains(key);
+}
+
+std::vector<JsonReader> JsonReader::elements(const std::string& expected) const {
+  if (!value_.is_array()) {
+    refuse_found("expected " + expected);
+  }
+  std::vector<JsonReader> result;
+  result.reserve(value_.size());
+  for (std::size_t i = 0; i < value_.size(); ++i) {
+    result.emplace_back(value_[i], file_, fmt::format("{}[{}]", field_, i));
+  }
+  return result;
+}
+
+bool JsonReader::is_null() const {
+  return value_.is_null();
+}
+
+std::string JsonReader::text() const {
+  if (!value_.is_string()) {
+    refuse_found("expected a text");
+  }
+  return value_.get<std::string>();
+}
+
+bool JsonReader::boolean() const {
+  if (!value_.is_boolean()) {
+    refuse_found("expected true or false");
+  }
+  return value_.get<bool>();
+}
+
+double JsonReader::number(double low, double high) const {
+  if (!value_.is_number()) {
+    refuse_found("expected a finite number");
+  }
+  const double value = value_.get<double>();
+  if (!(value >= low && value <= high)) {
+    refuse_found(low == -kLargestNumber   ? fmt::format("expected a number of at most {}", high)
+                 : high == kLargestNumber ? fmt::format("expected a number of at least {}", low)
+                                          : fmt::format("expected a number from {} to {}", low,
+                                                        high));
+  }
+  return value;
+}
+
+std::uint64_t JsonReader::count(std::uint64_t most) const {
+  if (!value_.is_number_unsigned() || value_.get<std::uint64_t>() > most) {
+    refuse_found(fmt::format("expected a whole number from 0 to {}", most));
+  }
+  return value_.get<std::uint64_t>();
+}
+
+int JsonReader::integer(int low, int high) const {
+  // A number beyond 64 bits is read as a double, and is none of these.
+  const bool fits = value_.is_number_unsigned() ? value_.get<std::uint64_t>() <= INT64_MAX
+                                                : value_.is_number_integer();
+  const std::int64_t value = fits ? value_.get<std::int64_t>() : 0;
+  if (!fits || value < low || value > high) {
+    refuse_found(fmt::format("expected a whole number from {} to {}", low, high));
+  }
+  return static_cast<int>(value);
+}
+
+std::vector<double> JsonReader::numbers(std::size_t size, const char* what, double low,
+                                        double high) const {
+  if (!value_.is_array()) {
+    refuse_found(fmt::format("expected a list of {}", what));
+  }
+  if (size != std::string::npos && value_.size() != size) {
+    refuse(fmt::format("{} numbers found; expected {} {}", value_.size(), size, what));
+  }
+  std::vector<double> result;
+  result.reserve(value_.size());
+  for (std::size_t i = 0; i < value_.size(); ++i) {
+    const Json& item = value_[i];
+    const double value = item.is_number() ? item.get<double>() : std::nan("");
+    if (!(value >= low && value <= high)) {
+      // Says what and where.
+      (void)JsonReader(item, file_, fmt::format("{}[{}]", field_, i)).number(low, high);
+    }
+    result.push_back(value);
+  }
+  return result;
+}
+
+void JsonReader::require_schema(const std::string& expected) const {
+  const JsonReader schema = at("schema");
+  if (schema.text() != expected) {
+    schema.refuse_found(fmt::format("this program reads '{}'", expected));
+  }
+}
+
+}  // namespace limber
