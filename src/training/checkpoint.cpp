@@ -8,6 +8,8 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/common/utf8.hpp"
 #include "network/safetensors.hpp"
 
 namespace limber {
@@ -15,8 +17,12 @@ namespace limber {
 namespace {
 
 using Json = nlohmann::json;
+namespace fs = std::filesystem;
 
 constexpr const char* kSchema = "limber/checkpoint/2";
+constexpr int kMostEpochs = 10'000'000;  // as --epochs; of a stage's numbers too
+constexpr double kMostSeconds = 1e9;     // 30 years
+constexpr std::uint64_t kMostSteps = 1'000'000'000'000;
 
 Tensor to_tensor(const Eigen::VectorXf& vector) {
   return {{static_cast<std::size_t>(vector.size())}, {vector.begin(), vector.end()}};
@@ -38,16 +44,6 @@ Json curve_to_json(const std::vector<LearningCurvePoint>& curve) {
   return rows;
 }
 
-std::vector<LearningCurvePoint> curve_from_json(const Json& rows) {
-  std::vector<LearningCurvePoint> curve;
-  for (const Json& row : rows) {
-    const double error =
-        row.at(4).is_null() ? std::numeric_limits<double>::quiet_NaN() : row.at(4).get<double>();
-    curve.push_back({row.at(0), row.at(1), row.at(2), row.at(3), error, row.at(5)});
-  }
-  return curve;
-}
-
 Json stages_to_json(const std::vector<TrainingStage>& stages) {
   Json rows = Json::array();
   for (const TrainingStage& stage : stages) {
@@ -56,9 +52,158 @@ Json stages_to_json(const std::vector<TrainingStage>& stages) {
   return rows;
 }
 
+/// One checkpoint's parts, each checked against the run that goes on with it.
+class CheckpointReader {
+ public:
+  CheckpointReader(const fs::path& path, const RunShape& run)
+      : where_(path.string()), run_(run), content_(parse_safetensors(read_file(path), where_)) {}
+
+  Checkpoint read(const std::string& identity) {
+    if (text("schema") != kSchema) {
+      refuse(fmt::format("schema '{}'; expected {}", shortened(text("schema")), kSchema));
+    }
+    if (text("identity") != identity) {
+      throw InputError(
+          fmt::format("{}: the checkpoint of a run with other data or settings; give the same, or "
+                      "leave out --resume to start anew",
+                      where_));
+    }
+    const Json numbers = parse_json_object(text("state"), where_ + ": state");
+    const JsonReader state(numbers, where_, "state");
+    try {
+      return read_state(state, identity);
+    } catch (const InputError& error) {
+      throw InputError(std::string(error.what()) + kRemedy);
+    }
+  }
+
+ private:
+  static constexpr const char* kRemedy = "; the checkpoint is damaged: remove it and train again";
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InputError(fmt::format("{}: {}", where_, what));
+  }
+
+  const std::string& text(const std::string& key) const {
+    const auto found = content_.metadata.find(key);
+    if (found == content_.metadata.end()) {
+      refuse(fmt::format("no metadata {}{}", key, kRemedy));
+    }
+    return found->second;
+  }
+
+  /// A vector of finite numbers ≥ low. @param size  what it has to have
+  Eigen::VectorXf vector(const char* name, Eigen::Index size,
+                         float low = std::numeric_limits<float>::lowest()) const {
+    const auto found = content_.tensors.find(name);
+    if (found == content_.tensors.end()) {
+      refuse(fmt::format("no tensor {}", name));
+    }
+    const Tensor& tensor = found->second;
+    if (tensor.values.size() != static_cast<std::size_t>(size)) {
+      refuse(fmt::format("tensor {}: {} numbers found; expected {}", name, tensor.values.size(),
+                         size));
+    }
+    for (std::size_t i = 0; i < tensor.values.size(); ++i) {
+      if (!std::isfinite(tensor.values[i]) || tensor.values[i] < low) {
+        refuse(fmt::format("tensor {}: {} found at {}; expected a finite number{}", name,
+                           tensor.values[i], i, low == 0.0F ? ", not negative" : ""));
+      }
+    }
+    return to_vector(tensor);
+  }
+
+  Checkpoint read_state(const JsonReader& json, const std::string& identity) const {
+    Checkpoint result;
+    result.identity = identity;
+    result.elapsed_s = json.at("elapsed_s").number(0.0, kMostSeconds);
+    result.stages = stages(json.at("stages"));
+    const Eigen::Index moments = run_.keeps_moments ? run_.parameters : 0;
+    TrainingState& state = result.state;
+    state.parameters = vector("parameters", run_.parameters);
+    state.average = vector("average", run_.keeps_average ? run_.parameters : 0);
+    state.optimiser.first_moment = vector("first_moment", moments);
+    state.optimiser.second_moment = vector("second_moment", moments, 0.0F);
+    state.optimiser.step = static_cast<std::int64_t>(json.at("step").count(kMostSteps));
+    read_progress(json, result.stages, state);
+    read_best(json, state);
+    return result;
+  }
+
+  static std::vector<TrainingStage> stages(const JsonReader& field) {
+    std::vector<TrainingStage> result;
+    int epochs = 0;
+    for (const JsonReader& row : field.elements("a list of stages")) {
+      const std::vector<JsonReader> items = row.elements("a stage of 3 numbers");
+      if (items.size() != 3) {
+        row.refuse(fmt::format("{} numbers found; expected 3", items.size()));
+      }
+      result.push_back({items[0].integer(1, kMostEpochs), items[1].integer(1, kMostEpochs),
+                        items[2].integer(1, kMostEpochs - epochs)});
+      epochs += result.back().epochs;
+    }
+    return result;
+  }
+
+  void read_progress(const JsonReader& json, const std::vector<TrainingStage>& stages,
+                     TrainingState& state) const {
+    int epochs = 0;
+    for (const TrainingStage& stage : stages) {
+      epochs += stage.epochs;
+    }
+    state.epochs_done = json.at("epochs_done").integer(0, epochs);
+    state.curve = curve(json.at("curve"));
+    if (state.curve.size() != static_cast<std::size_t>(state.epochs_done)) {
+      json.at("curve").refuse(fmt::format("{} epochs found; expected the {} that are done",
+                                          state.curve.size(), state.epochs_done));
+    }
+    // The first loss of a stage is known from its first epoch to its last but one.
+    int end = 0;
+    bool within = state.epochs_done > 0;
+    for (const TrainingStage& stage : stages) {
+      end += stage.epochs;
+      within = within && state.epochs_done != end;
+    }
+    state.stage_first_loss =
+        json.at("stage_first_loss")
+            .numbers(within ? static_cast<std::size_t>(run_.members) : 0, "losses", 0.0);
+  }
+
+  std::vector<LearningCurvePoint> curve(const JsonReader& field) const {
+    std::vector<LearningCurvePoint> result;
+    for (const JsonReader& row : field.elements("a list of epochs")) {
+      const std::vector<JsonReader> items = row.elements("an epoch of 6 numbers");
+      if (items.size() != 6) {
+        row.refuse(fmt::format("{} numbers found; expected 6", items.size()));
+      }
+      const int epoch = static_cast<int>(result.size()) + 1;
+      const double error =
+          items[4].is_null() ? std::numeric_limits<double>::quiet_NaN() : items[4].number(0.0);
+      result.push_back({items[0].integer(epoch, epoch), items[1].integer(1, kMostEpochs),
+                        items[2].number(0.0), items[3].number(0.0), error,
+                        items[5].number(0.0, kMostSeconds)});
+    }
+    return result;
+  }
+
+  void read_best(const JsonReader& json, TrainingState& state) const {
+    state.best_epoch = json.at("best_epoch").integer(0, state.epochs_done);
+    const bool is_known = state.best_epoch > 0;
+    state.best = vector("best", is_known ? run_.parameters : 0);
+    state.best_error_m = json.at("best_error_m").number(0.0);
+    const int members = is_known && run_.validates ? run_.members : 0;
+    state.best_members_m =
+        json.at("best_members_m").numbers(static_cast<std::size_t>(members), "errors", 0.0);
+  }
+
+  std::string where_;
+  const RunShape& run_;
+  Safetensors content_;
+};
+
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
   const TrainingState& state = checkpoint.state;
   Safetensors content;
   content.tensors["parameters"] = to_tensor(state.parameters);
@@ -80,47 +225,9 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
   write_file_atomically(path, safetensors_bytes(content));
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& identity) {
-  const Safetensors content = parse_safetensors(read_file(path), path.string());
-  Checkpoint result;
-  try {
-    if (content.metadata.at("schema") != kSchema) {
-      throw InputError(fmt::format("{}: schema {}; expected {}", path.string(),
-                                   content.metadata.at("schema"), kSchema));
-    }
-    result.identity = content.metadata.at("identity");
-    TrainingState& state = result.state;
-    state.parameters = to_vector(content.tensors.at("parameters"));
-    state.average = to_vector(content.tensors.at("average"));
-    state.optimiser.first_moment = to_vector(content.tensors.at("first_moment"));
-    state.optimiser.second_moment = to_vector(content.tensors.at("second_moment"));
-    state.best = to_vector(content.tensors.at("best"));
-    const Json numbers = Json::parse(content.metadata.at("state"));
-    state.epochs_done = numbers.at("epochs_done");
-    state.optimiser.step = numbers.at("step");
-    state.stage_first_loss = numbers.at("stage_first_loss").get<std::vector<double>>();
-    state.best_error_m = numbers.at("best_error_m");
-    state.best_members_m = numbers.at("best_members_m").get<std::vector<double>>();
-    result.elapsed_s = numbers.at("elapsed_s");
-    state.best_epoch = numbers.at("best_epoch");
-    state.curve = curve_from_json(numbers.at("curve"));
-    for (const Json& row : numbers.at("stages")) {
-      result.stages.push_back({row.at(0), row.at(1), row.at(2)});
-    }
-  } catch (const std::out_of_range&) {
-    throw InputError(
-        fmt::format("{}: not a whole checkpoint; remove it and train anew", path.string()));
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{}: not a whole checkpoint ({}); remove it and train anew",
-                                 path.string(), error.what()));
-  }
-  if (result.identity != identity) {
-    throw InputError(
-        fmt::format("{}: the checkpoint of a run with other data or settings; give the same, or "
-                    "leave out --resume to start anew",
-                    path.string()));
-  }
-  return result;
+Checkpoint read_checkpoint(const fs::path& path, const std::string& identity,
+                           const RunShape& run) {
+  return CheckpointReader(path, run).read(identity);
 }
 
 }  // namespace limber

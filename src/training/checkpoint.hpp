@@ -15,11 +15,22 @@ struct Checkpoint {
   TrainingState state;
 };
 
-/// Writes safetensors (schema limber/checkpoint/1), atomically; every number survives exactly.
+/// What a run's checkpoint has to have: anything else is damage.
+struct RunShape {
+  Eigen::Index parameters = 0;  ///< of all networks together
+  int members = 1;              ///< networks
+  bool keeps_average = false;
+  bool keeps_moments = false;  ///< of the gradient
+  bool validates = true;       ///< on data held back
+};
+
+/// Writes safetensors (schema limber/checkpoint/2), atomically; every number survives exactly.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-/// @throws InputError naming the file and what is wrong with it; also where its identity is
-/// another.
-Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& identity);
+/// Reads, and checks everything that training goes on with: sizes, ranges, finite numbers, and that
+/// the parts agree with each other. @throws InputError naming the file and what is wrong with it;
+/// also where its identity is another.
+Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& identity,
+                           const RunShape& run);
 
 }  // namespace limber

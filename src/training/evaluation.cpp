@@ -48,8 +48,10 @@ void require_finite(const std::vector<FrameMatrix>& predicted,
     const FrameMatrix& frames = predicted[static_cast<std::size_t>(piece.episode)];
     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
       if (!frames.row(t).allFinite()) {
-        throw InputError(fmt::format(
-            "the model's prediction is not finite from frame {} on: it can't be rolled out", t));
+        throw InputError(
+            fmt::format("the model's prediction of episode {} is not finite from frame {} on: "
+                        "weights, or numbers of the recording, are too large for it",
+                        piece.episode, t));
       }
     }
   }

@@ -32,6 +32,7 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
   Eigen::MatrixXf current_kpa(model.segment_count(), columns);
   Eigen::MatrixXf state(size, columns);
   ForwardModel::Workspace workspace;
+  std::vector<char> ran_off(pieces.size(), 0);  // their predictions stay NaN from there on
   Eigen::Index active = columns;
   for (int k = 0; k < pieces.front().frames; ++k) {
     while (pieces[static_cast<std::size_t>(active - 1)].frames <= k) {
@@ -49,8 +50,15 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
     model.step_batch(previous_kpa.leftCols(active), current_kpa.leftCols(active),
                      state.leftCols(active), state.leftCols(active), workspace);
     for (Eigen::Index j = 0; j < active; ++j) {
-      const RolloutPiece& piece = pieces[static_cast<std::size_t>(j)];
-      predicted[static_cast<std::size_t>(piece.episode)].row(piece.first + k + 1) = state.col(j);
+      const auto at = static_cast<std::size_t>(j);
+      if (!state.col(j).allFinite()) {
+        ran_off[at] = 1;
+        state.col(j).setZero();  // the model asks for finite numbers
+      }
+      if (ran_off[at] == 0) {
+        const RolloutPiece& piece = pieces[at];
+        predicted[static_cast<std::size_t>(piece.episode)].row(piece.first + k + 1) = state.col(j);
+      }
     }
   }
 }

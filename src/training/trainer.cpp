@@ -41,9 +41,9 @@ TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction
     const int held = static_cast<int>(std::lround(fraction * whole.frame_count()));
     if (held < 1 || held >= whole.frame_count()) {
       throw InputError(fmt::format(
-          "{} frames are too few to hold {} of them back for validation; give more with --data, or "
-          "a recording of its own with --validation",
-          whole.frame_count(), held));
+          "{} frames are too few to hold some of them back for validation; give more with --data, "
+          "or a recording of its own with --validation",
+          whole.frame_count()));
     }
     data.training.push_back(slice(whole, 0, whole.frame_count() - held));
     data.validation.push_back(slice(whole, whole.frame_count() - held, held));

@@ -38,11 +38,15 @@ TrainingSettings usable(TrainingSettings settings, const CompensationModel* star
   return start != nullptr ? in_form_of(*start, std::move(settings)) : settings;
 }
 
-bool same_stages(const std::vector<TrainingStage>& a, const std::vector<TrainingStage>& b) {
+bool same_windows(const std::vector<TrainingStage>& a, const std::vector<TrainingStage>& b) {
   return std::ranges::equal(a, b, [](const TrainingStage& x, const TrainingStage& y) {
-    return x.window_frames == y.window_frames && x.windows_per_batch == y.windows_per_batch &&
-           x.epochs == y.epochs;
+    return x.window_frames == y.window_frames && x.windows_per_batch == y.windows_per_batch;
   });
+}
+
+bool same_stages(const std::vector<TrainingStage>& a, const std::vector<TrainingStage>& b) {
+  return same_windows(a, b) && std::ranges::equal(a, b, {}, &TrainingStage::epochs,
+                                                  &TrainingStage::epochs);
 }
 
 std::string in_words(const std::vector<TrainingStage>& stages) {
@@ -216,13 +220,16 @@ std::string TrainingRun::identity() const {
 }
 
 void TrainingRun::resume() {
-  Checkpoint checkpoint = read_checkpoint(settings_.checkpoint, identity_);
-  if (checkpoint.state.parameters.size() != trainer_.state().parameters.size()) {
-    throw InputError(fmt::format("{}: {} parameters; expected {}", settings_.checkpoint.string(),
-                                 checkpoint.state.parameters.size(),
-                                 trainer_.state().parameters.size()));
-  }
-  if (!(settings_.time_limit_s > 0.0) && !same_stages(settings_.stages, checkpoint.stages)) {
+  const TrainingState& fresh = trainer_.state();
+  Checkpoint checkpoint =
+      read_checkpoint(settings_.checkpoint, identity_,
+                      {fresh.parameters.size(), trainer_.member_count(), fresh.average.size() > 0,
+                       fresh.optimiser.first_moment.size() > 0, !data_.validation.empty()});
+  // A time limit fixed the epochs of the run that began, and these alone.
+  const bool same = settings_.time_limit_s > 0.0
+                        ? same_windows(settings_.stages, checkpoint.stages)
+                        : same_stages(settings_.stages, checkpoint.stages);
+  if (!same) {
     throw InputError(fmt::format(
         "{}: the checkpoint of a run of {}; this one is to be {}. Give the --epochs or "
         "--time-limit-s that it was begun with, or leave out --resume to start anew",
@@ -309,6 +316,12 @@ TrainingResult TrainingRun::run() {
     }
   }
   progress.finish();
+  if (trainer_.state().best_epoch == 0) {
+    // Not stored: resuming it would end here again.
+    return result(TrainingStatus::diverged,
+                  "in no epoch was the validation error a finite number, so there is no best epoch "
+                  "to keep; try a smaller --learning-rate, or look at the data with limber inspect");
+  }
   store(true);
   return result(TrainingStatus::finished, "");
 }
