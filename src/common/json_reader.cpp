@@ -38,9 +38,10 @@ Json parse_json_object(std::string_view text, const std::string& where) {
     const bool opens =
         event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
     if (opens && depth >= kMostJsonLevels) {
-      throw InputError(fmt::format("{}: lists and objects more than {} deep in each other; none of "
-                                   "limber's files has so many",
-                                   where, kMostJsonLevels));
+      throw InputError(
+          fmt::format("{}: lists and objects more than {} deep in each other; none of "
+                      "limber's files has so many",
+                      where, kMostJsonLevels));
     }
     return true;
   };
@@ -134,10 +135,10 @@ double JsonReader::number(double low, double high) const {
   }
   const double value = value_.get<double>();
   if (!(value >= low && value <= high)) {
-    refuse_found(low == -kLargestNumber   ? fmt::format("expected a number of at most {}", high)
-                 : high == kLargestNumber ? fmt::format("expected a number of at least {}", low)
-                                          : fmt::format("expected a number from {} to {}", low,
-                                                        high));
+    refuse_found(low == -kLargestNumber ? fmt::format("expected a number of at most {}", high)
+                 : high == kLargestNumber
+                     ? fmt::format("expected a number of at least {}", low)
+                     : fmt::format("expected a number from {} to {}", low, high));
   }
   return value;
 }

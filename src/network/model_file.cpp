@@ -127,8 +127,8 @@ BackboneLayout layout_at(const Safetensors& content, const std::string& where) {
       return layout;
     }
   }
-  refuse(where, fmt::format("metadata layout = '{}'; expected base_poses or gap_poses",
-                            shortened(text)));
+  refuse(where,
+         fmt::format("metadata layout = '{}'; expected base_poses or gap_poses", shortened(text)));
 }
 
 // Files of before there was a choice don't say: the paper's form.
@@ -142,9 +142,8 @@ OutputForm output_form_at(const Safetensors& content, const std::string& where) 
       return form;
     }
   }
-  refuse(where,
-         fmt::format("metadata output_form = '{}'; expected compensation or gated_change",
-                     shortened(text)));
+  refuse(where, fmt::format("metadata output_form = '{}'; expected compensation or gated_change",
+                            shortened(text)));
 }
 
 // Models of before valves were identified, and of recordings without set points, have none.

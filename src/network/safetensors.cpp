@@ -88,8 +88,8 @@ std::size_t element_count(const std::vector<std::size_t>& shape, const std::stri
 
 std::string dtype_of(const Json& entry, const std::string& name, const std::string& where) {
   if (!entry.is_object()) {
-    refuse(where,
-           fmt::format("tensor {}: header entry is {}; expected an object", name, in_few_words(entry)));
+    refuse(where, fmt::format("tensor {}: header entry is {}; expected an object", name,
+                              in_few_words(entry)));
   }
   return entry.contains("dtype") && entry["dtype"].is_string() ? entry["dtype"].get<std::string>()
                                                                : "missing";
@@ -159,7 +159,8 @@ std::map<std::string, std::string> read_metadata(const Json& metadata, const std
   std::map<std::string, std::string> strings;
   for (const auto& [key, value] : metadata.items()) {
     if (!value.is_string()) {
-      refuse(where, fmt::format("__metadata__ {} is {}; expected a string", key, in_few_words(value)));
+      refuse(where,
+             fmt::format("__metadata__ {} is {}; expected a string", key, in_few_words(value)));
     }
     strings[key] = value.get<std::string>();
   }
@@ -202,8 +203,8 @@ Safetensors parse_safetensors(std::string_view bytes, const std::string& where) 
       content.shorts[name] =
           read_tensor<std::int16_t>(entry, name, data, where, ranges.emplace_back());
     } else {
-      refuse(where, fmt::format("tensor {}: dtype is {}; expected {} or {}", name, shortened(dtype), kFloats,
-                                kShorts));
+      refuse(where, fmt::format("tensor {}: dtype is {}; expected {} or {}", name, shortened(dtype),
+                                kFloats, kShorts));
     }
   }
   require_contiguous(std::move(ranges), data.size(), where);

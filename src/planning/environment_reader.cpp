@@ -156,8 +156,9 @@ ArmStart read_given_start(const YamlReader& node) {
       rows[i].refuse(
           fmt::format("{} numbers found; expected a pose [x_m, y_m, theta_rad]", pose.size()));
     }
-    start.backbone.row(static_cast<Eigen::Index>(i)) << static_cast<float>(coordinate(pose[0])),
-        static_cast<float>(coordinate(pose[1])), static_cast<float>(angle(pose[2]));
+    // All three first: a row that is begun and left by an exception is an error to Eigen.
+    const Eigen::RowVector3d row(coordinate(pose[0]), coordinate(pose[1]), angle(pose[2]));
+    start.backbone.row(static_cast<Eigen::Index>(i)) = row.cast<float>();
   }
   return start;
 }

@@ -93,10 +93,9 @@ std::vector<PlanFrame> read_frames(const JsonReader& field) {
   }
   std::vector<PlanFrame> frames;
   for (const JsonReader& item : items) {
-    frames.push_back(
-        {read_vector(item.at("setpoint_kpa"), static_cast<Eigen::Index>(segments),
-                     "pressures in kPa"),
-         read_backbone(item.at("backbone"), points)});
+    frames.push_back({read_vector(item.at("setpoint_kpa"), static_cast<Eigen::Index>(segments),
+                                  "pressures in kPa"),
+                      read_backbone(item.at("backbone"), points)});
   }
   return frames;
 }

@@ -225,8 +225,7 @@ void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
   write_file_atomically(path, safetensors_bytes(content));
 }
 
-Checkpoint read_checkpoint(const fs::path& path, const std::string& identity,
-                           const RunShape& run) {
+Checkpoint read_checkpoint(const fs::path& path, const std::string& identity, const RunShape& run) {
   return CheckpointReader(path, run).read(identity);
 }
 

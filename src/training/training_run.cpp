@@ -45,8 +45,8 @@ bool same_windows(const std::vector<TrainingStage>& a, const std::vector<Trainin
 }
 
 bool same_stages(const std::vector<TrainingStage>& a, const std::vector<TrainingStage>& b) {
-  return same_windows(a, b) && std::ranges::equal(a, b, {}, &TrainingStage::epochs,
-                                                  &TrainingStage::epochs);
+  return same_windows(a, b) &&
+         std::ranges::equal(a, b, {}, &TrainingStage::epochs, &TrainingStage::epochs);
 }
 
 std::string in_words(const std::vector<TrainingStage>& stages) {
@@ -226,9 +226,8 @@ void TrainingRun::resume() {
                       {fresh.parameters.size(), trainer_.member_count(), fresh.average.size() > 0,
                        fresh.optimiser.first_moment.size() > 0, !data_.validation.empty()});
   // A time limit fixed the epochs of the run that began, and these alone.
-  const bool same = settings_.time_limit_s > 0.0
-                        ? same_windows(settings_.stages, checkpoint.stages)
-                        : same_stages(settings_.stages, checkpoint.stages);
+  const bool same = settings_.time_limit_s > 0.0 ? same_windows(settings_.stages, checkpoint.stages)
+                                                 : same_stages(settings_.stages, checkpoint.stages);
   if (!same) {
     throw InputError(fmt::format(
         "{}: the checkpoint of a run of {}; this one is to be {}. Give the --epochs or "
@@ -318,9 +317,10 @@ TrainingResult TrainingRun::run() {
   progress.finish();
   if (trainer_.state().best_epoch == 0) {
     // Not stored: resuming it would end here again.
-    return result(TrainingStatus::diverged,
-                  "in no epoch was the validation error a finite number, so there is no best epoch "
-                  "to keep; try a smaller --learning-rate, or look at the data with limber inspect");
+    return result(
+        TrainingStatus::diverged,
+        "in no epoch was the validation error a finite number, so there is no best epoch "
+        "to keep; try a smaller --learning-rate, or look at the data with limber inspect");
   }
   store(true);
   return result(TrainingStatus::finished, "");

@@ -50,7 +50,7 @@ TEST(JsonReader, RefusesWhatLiesTooDeepWithoutRecursion) {
 
 TEST(JsonReader, RefusesNumbersThatNoDoubleHolds) {
   EXPECT_THAT(refusal_of(R"({"a": 1e309})"), AllOf(StartsWith("f.json: not valid JSON: "),
-                                                  HasSubstr("number overflow parsing '1e309'")));
+                                                   HasSubstr("number overflow parsing '1e309'")));
 }
 
 TEST(JsonReader, RefusesARootThatIsNoObject) {
@@ -94,7 +94,8 @@ TEST(JsonReader, SaysFieldWhatWasFoundAndWhatIsAllowed) {
       R"({"a": {"b": [1, "x", 2.5, -3]}, "n": null, "big": 18446744073709551615, "t": true})", "f");
   const JsonReader reader(root, "f");
   const std::vector<JsonReader> items = reader.at("a").at("b").elements("a list");
-  EXPECT_EQ(refusal([&] { (void)items[1].number(); }), "f: a.b[1]: 'x' found; expected a finite number");
+  EXPECT_EQ(refusal([&] { (void)items[1].number(); }),
+            "f: a.b[1]: 'x' found; expected a finite number");
   EXPECT_EQ(refusal([&] { (void)items[2].count(9); }),
             "f: a.b[2]: 2.5 found; expected a whole number from 0 to 9");
   EXPECT_EQ(refusal([&] { (void)items[3].integer(0, 9); }),

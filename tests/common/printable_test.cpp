@@ -14,8 +14,13 @@ TEST(Printable, LeavesTextAsItIs) {
 
 TEST(Printable, SpellsOutWhatWouldCommandATerminal) {
   EXPECT_EQ(printable("\x1b[2Jgone"), "\\x1b[2Jgone");
-  EXPECT_EQ(printable("a\rb\bc\x7f" "d"), "a\\x0db\\x08c\\x7fd");
-  EXPECT_EQ(printable("\xC2\x9B" "31m"), "\\x9b31m") << "CSI as one character";
+  EXPECT_EQ(printable("a\rb\bc\x7f"
+                      "d"),
+            "a\\x0db\\x08c\\x7fd");
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "31m"),
+            "\\x9b31m")
+      << "CSI as one character";
   EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a\\x00b");
 }
 

@@ -1,10 +1,15 @@
 #include "limber/planning/certificate.hpp"
 
+#include <chrono>
+#include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numbers>
 #include <regex>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <rapidcheck.h>
@@ -12,8 +17,10 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/network/untrained_model.hpp"
 #include "limber/planning/certified_planner.hpp"
+#include "limber/planning/obstacle_shape.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/planning/pressure_rrt_star.hpp"
 #include "planning/dense_oracle.hpp"
@@ -148,6 +155,65 @@ TEST(SweptClearance, AgreesWithDenseSamplingInSpaceAndTime) {
   }
   EXPECT_GT(touching, 3);
   EXPECT_LT(touching, 17);
+}
+
+/// A star about the origin, whose outline the ray from a point meets many times.
+Polygon star(int corners, double inner_m, double outer_m) {
+  Polygon polygon;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    const double radius = i % 2 == 0 ? outer_m : inner_m;
+    polygon.points_m.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return polygon;
+}
+
+// Boxes over edges only say where not to look: the distance is that over all edges.
+TEST(SweptClearance, DistanceToAnOutlineIsThatOverAllItsEdges) {
+  constexpr double kRoundingM = 1e-12;
+  RandomStream random(3, 0);
+  for (const int corners : {4, 16, 18, 34, 1000}) {
+    const Polygon polygon = star(corners, 0.05, 0.15);
+    const PolygonOutline outline(polygon);
+    const ObstacleShape slow = make_obstacle_shape(polygon, 0);
+    int inside = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+      const Eigen::Vector2d p(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
+      const double expected = signed_distance(slow, p);
+      EXPECT_NEAR(outline.distance_m({p.x(), p.y()}), expected, kRoundingM) << corners;
+      inside += expected < 0.0 ? 1 : 0;
+    }
+    EXPECT_GT(inside, 10);
+    EXPECT_LT(inside, 200);
+  }
+}
+
+/// Sweeps for a second or more, and is sent a signal soon after it began.
+[[noreturn]] void sweep_with_signal() {
+  constexpr auto kSoon = std::chrono::milliseconds(50);
+  const ArmDescription arm = three_segment_arm();
+  const ExactArm::Shape shape =
+      shape_of(no_load_backbone(NoLoadModel(arm), Pressures::Constant(3, 20.0F)));
+  const std::vector<Obstacle> obstacles(300, star(1000, 0.05, 0.15));
+  const SweptClearance sweep(arm, obstacles, Certificate::kClearanceToleranceM);
+  const std::vector<ExactArm::Shape> shapes(20'000, shape);
+  install_interrupt_handler();
+  std::thread([kSoon] {
+    std::this_thread::sleep_for(kSoon);
+    (void)std::raise(SIGINT);
+  }).detach();
+  try {
+    (void)sweep.over(shapes);
+  } catch (const Interrupted&) {
+    // Asked again by one who knows of the signal: done to its end.
+    std::_Exit(std::isfinite(sweep.over({shape}).value_m) ? 0 : 2);
+  }
+  std::_Exit(3);
+}
+
+// In a process of its own, for the signal's flag stays set.
+TEST(SweptClearanceDeathTest, StopsOnASignalThatComesMeanwhileAndOnlyThen) {
+  EXPECT_EXIT(sweep_with_signal(), ::testing::ExitedWithCode(0), "");
 }
 
 TEST(Certificate, APlannersPlanIsCertifiedWithRoomToSpare) {
@@ -333,14 +399,12 @@ TEST(CertifiedPlanner, APlanThatIsRefusedIsADefectAndNoSolution) {
 // plain values and nothing that computes.
 TEST(Certificate, ItsSourcesIncludeNothingThatThePlannerComputesWith) {
   const std::regex include("#include \"(limber/[^\"]+)\"");
-  const std::vector<std::string> allowed{"limber/arm/arm_description.hpp",
-                                         "limber/arm/backbone.hpp",
-                                         "limber/common/error.hpp",
-                                         "limber/common/units.hpp",
-                                         "limber/network/compensation_model.hpp",
-                                         "limber/planning/certificate.hpp",
-                                         "limber/planning/environment.hpp",
-                                         "limber/planning/plan.hpp"};
+  const std::vector<std::string> allowed{
+      "limber/arm/arm_description.hpp",  "limber/arm/backbone.hpp",
+      "limber/common/error.hpp",         "limber/common/interrupt.hpp",
+      "limber/common/units.hpp",         "limber/network/compensation_model.hpp",
+      "limber/planning/certificate.hpp", "limber/planning/environment.hpp",
+      "limber/planning/plan.hpp"};
   int seen = 0;
   for (const auto& entry : std::filesystem::directory_iterator(
            std::filesystem::path(LIMBER_SOURCE_DIR) / "src/planning/certificate")) {

@@ -172,6 +172,15 @@ TEST(Environment, RefusesAStartThatDoesNotFitTheArm) {
   EXPECT_THAT(refusal(q, b * 100.0F), HasSubstr("poses are in metres"));
 }
 
+TEST(Environment, RefusesABrokenNumberInAnyPlaceOfAStartingPose) {
+  for (const char* pose : {"[x, 0, 0]", "[0, .nan, 0]", "[0, 0, 1e9]", "[5000, 0, 0]"}) {
+    expect_refused(with("start: rest", std::string("start: {pressures_kpa: [0, 0, 0], backbone: "
+                                                   "[[0, 0, 0], ") +
+                                           pose + "]}"),
+                   "e.yaml:7: start.backbone[1]", "found; expected");
+  }
+}
+
 TEST(Environment, RestIsTheStraightUnpressurisedArm) {
   const ArmDescription arm = three_segment_arm();
   const ArmStart start = start_state(read(kGood), arm);

@@ -151,6 +151,23 @@ TEST(PlanFile, NamesFileAndFieldOfEveryBrokenPlan) {
   }
 }
 
+// The seal is a hash over everything, so an extra key counts, however deep it goes.
+TEST(PlanFile, RefusesNestingThatWouldEndTheStack) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "p.json";
+  write_plan(path, small_plan(three_segment_arm()));
+  const std::string nested = std::string(200'000, '[') + std::string(200'000, ']');
+  const std::string whole = read_file(path);
+  for (const std::string& text :
+       {"{\"schema\":" + nested + "}", "{\"extra\":" + nested + "," + whole.substr(1)}) {
+    write_file_atomically(path, text);
+    for (const auto& read : {read_plan, read_plan_unjudged}) {
+      EXPECT_THAT([&] { read(path); },
+                  ThrowsMessage<InputError>(AllOf(HasSubstr("p.json: "), HasSubstr("32 deep"))));
+    }
+  }
+}
+
 TEST(PlanFile, RefusesWhatIsNoJson) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "p.json";

@@ -108,11 +108,12 @@ TEST_F(DamagedCheckpoint, NumbersOfItsStateAreRefusedByName) {
   for (const Case& broken : cases) {
     const std::string message =
         refusal([&](Safetensors&, Json& state) { state[broken.field] = broken.value; });
-    EXPECT_THAT(message,
-                AllOf(StartsWith(settings_.checkpoint.string()), HasSubstr("the checkpoint is damaged"),
-                      HasSubstr("remove it and train again")))
+    EXPECT_THAT(message, AllOf(StartsWith(settings_.checkpoint.string()),
+                               HasSubstr("the checkpoint is damaged"),
+                               HasSubstr("remove it and train again")))
         << broken.field << " = " << broken.value;
-    EXPECT_THAT(message, AnyOf(HasSubstr(broken.field), HasSubstr("curve"), HasSubstr("best_epoch")))
+    EXPECT_THAT(message,
+                AnyOf(HasSubstr(broken.field), HasSubstr("curve"), HasSubstr("best_epoch")))
         << broken.field << " = " << broken.value;
   }
 }
@@ -142,19 +143,17 @@ TEST_F(DamagedCheckpoint, StagesAreRefusedWithATimeLimitToo) {
 TEST_F(DamagedCheckpoint, TensorsAreRefusedByName) {
   for (const char* name : {"parameters", "average", "first_moment", "second_moment", "best"}) {
     const auto expect = [&](const char* why, const std::function<void(Tensor&)>& damage) {
-      EXPECT_THAT(refusal([&](Safetensors& content, Json&) { damage(content.tensors[name]); }),
-                  AllOf(StartsWith(settings_.checkpoint.string()), HasSubstr(name),
-                        HasSubstr("damaged")))
+      EXPECT_THAT(
+          refusal([&](Safetensors& content, Json&) { damage(content.tensors[name]); }),
+          AllOf(StartsWith(settings_.checkpoint.string()), HasSubstr(name), HasSubstr("damaged")))
           << name << " " << why;
     };
     expect("short", [](Tensor& tensor) { tensor = {{2}, {0.5F, 0.5F}}; });
     expect("empty", [](Tensor& tensor) { tensor = {{0}, {}}; });
-    expect("not a number", [](Tensor& tensor) {
-      tensor.values[1] = std::numeric_limits<float>::quiet_NaN();
-    });
-    expect("infinite", [](Tensor& tensor) {
-      tensor.values[0] = std::numeric_limits<float>::infinity();
-    });
+    expect("not a number",
+           [](Tensor& tensor) { tensor.values[1] = std::numeric_limits<float>::quiet_NaN(); });
+    expect("infinite",
+           [](Tensor& tensor) { tensor.values[0] = std::numeric_limits<float>::infinity(); });
     EXPECT_THAT(refusal([&](Safetensors& content, Json&) { content.tensors.erase(name); }),
                 HasSubstr(fmt::format("no tensor {}", name)));
   }

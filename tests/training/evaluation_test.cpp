@@ -59,6 +59,18 @@ Episode still_episode(const ArmDescription& arm, int frames) {
   return episode;
 }
 
+// Finite, but not for long: every frame multiplies what the one before it came to.
+TEST(Evaluate, AModelThatRunsOffToInfinityIsRefusedWithEpisodeAndFrame) {
+  const ArmDescription arm = three_segment_arm();
+  CompensationModel model = drifting_network(arm);
+  model.layers[0].weight *= 1e18F;
+  model.layers[0].bias.setConstant(1e18F);
+  const ForwardModel no_load(arm);
+  const ForwardModel network(arm, model);
+  EXPECT_THAT([&] { (void)evaluate(no_load, &network, {still_episode(arm, 161)}); },
+              ThrowsMessage<InputError>(HasSubstr("prediction of episode 0 is not finite")));
+}
+
 TEST(Evaluate, ErrorsOfADriftFollowTheRestarts) {
   const ArmDescription arm = three_segment_arm();
   const ForwardModel no_load(arm);

@@ -267,8 +267,9 @@ TEST(HoldBackValidation, CutsASingleEpisode) {
   EXPECT_EQ(data.training[0].frame_count(), 81);
   EXPECT_EQ(data.validation[0].frame_count(), 20);
   EXPECT_EQ(data.validation[0].backbone.rows(), 20);
-  EXPECT_THAT([&] { hold_back_validation({toy_episode(arm, 1, 2, 1)}, 0.1, 1); },
-              ThrowsMessage<InputError>(HasSubstr("3 frames are too few to hold some of them back")));
+  EXPECT_THAT(
+      [&] { hold_back_validation({toy_episode(arm, 1, 2, 1)}, 0.1, 1); },
+      ThrowsMessage<InputError>(HasSubstr("3 frames are too few to hold some of them back")));
 }
 
 TEST(LearningCurve, LeavesCellsEmptyWhereNothingWasMeasured) {

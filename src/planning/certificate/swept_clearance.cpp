@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "limber/common/interrupt.hpp"
+
 namespace limber {
 
 namespace {
@@ -36,24 +38,26 @@ double distance_of(const Rectangle& rectangle, Complex p) {
   return std::hypot(std::max(x, 0.0), std::max(y, 0.0)) + std::min(std::max(x, y), 0.0);
 }
 
-double distance_of(const Polygon& polygon, Complex p) {
-  double nearest = kInfinity;
-  int winding = 0;
-  const std::size_t count = polygon.points_m.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Eigen::Vector2d& from = polygon.points_m[i];
-    const Eigen::Vector2d& to = polygon.points_m[(i + 1) % count];
-    const Complex a(from.x(), from.y());
-    const Complex b(to.x(), to.y());
-    nearest = std::min(nearest, distance_to_edge(p, a, b));
-    const double side = (std::conj(b - a) * (p - a)).imag();  // > 0: p is left of the edge
-    if (a.imag() <= p.imag() && b.imag() > p.imag() && side > 0.0) {
-      ++winding;
-    } else if (a.imag() > p.imag() && b.imag() <= p.imag() && side < 0.0) {
-      --winding;
-    }
+/// Of a point from an axis-aligned box, negative inside. No point of what the box covers is nearer,
+/// nor farther inside.
+double distance_to(const CoveringBox& box, Complex p) {
+  const double x = std::max(box.low.real() - p.real(), p.real() - box.high.real());
+  const double y = std::max(box.low.imag() - p.imag(), p.imag() - box.high.imag());
+  return std::hypot(std::max(x, 0.0), std::max(y, 0.0)) + std::min(std::max(x, y), 0.0);
+}
+
+void cover(CoveringBox& box, Complex p) {
+  box.low = {std::min(box.low.real(), p.real()), std::min(box.low.imag(), p.imag())};
+  box.high = {std::max(box.high.real(), p.real()), std::max(box.high.imag(), p.imag())};
+}
+
+/// One edge's part in the winding number about p.
+int winding_of(Complex a, Complex b, Complex p) {
+  const double side = (std::conj(b - a) * (p - a)).imag();  // > 0: p is left of the edge
+  if (a.imag() <= p.imag() && b.imag() > p.imag() && side > 0.0) {
+    return 1;
   }
-  return winding != 0 ? -nearest : nearest;
+  return a.imag() > p.imag() && b.imag() <= p.imag() && side < 0.0 ? -1 : 0;
 }
 
 }  // namespace
@@ -120,39 +124,98 @@ std::array<Cell, 2> halves(const Cell& cell, bool by_time) {
 
 }  // namespace
 
-double exact_distance(const Obstacle& obstacle, double x_m, double y_m) {
-  return std::visit([&](const auto& o) { return distance_of(o, Complex(x_m, y_m)); }, obstacle);
+PolygonOutline::PolygonOutline(const Polygon& polygon) {
+  for (const Eigen::Vector2d& p : polygon.points_m) {
+    corners_.emplace_back(p.x(), p.y());
+  }
+  corners_.push_back(corners_.front());
+  for (std::size_t first = 0; first + 1 < corners_.size(); first += kEdgesPerBox) {
+    CoveringBox box;
+    for (std::size_t i = first; i <= std::min(first + kEdgesPerBox, corners_.size() - 1); ++i) {
+      cover(box, corners_[i]);
+    }
+    boxes_.push_back(box);
+  }
+}
+
+double PolygonOutline::distance_m(Complex p) const {
+  double nearest = kInfinity;
+  int winding = 0;
+  for (std::size_t k = 0; k < boxes_.size(); ++k) {
+    const CoveringBox& box = boxes_[k];
+    const bool is_near = distance_to(box, p) < nearest;
+    // Edges count where the ray from p along x meets them.
+    const bool is_met =
+        box.low.imag() <= p.imag() && p.imag() <= box.high.imag() && p.real() <= box.high.real();
+    if (!is_near && !is_met) {
+      continue;
+    }
+    const std::size_t end = std::min((k + 1) * kEdgesPerBox, corners_.size() - 1);
+    for (std::size_t i = k * kEdgesPerBox; i < end; ++i) {
+      nearest = std::min(nearest, distance_to_edge(p, corners_[i], corners_[i + 1]));
+      winding += winding_of(corners_[i], corners_[i + 1], p);
+    }
+  }
+  return winding != 0 ? -nearest : nearest;
+}
+
+double SweptClearance::CoveredObstacle::distance_m(Complex p) const {
+  if (const auto* circle = std::get_if<Circle>(&shape)) {
+    return distance_of(*circle, p);
+  }
+  if (const auto* rectangle = std::get_if<Rectangle>(&shape)) {
+    return distance_of(*rectangle, p);
+  }
+  return std::get<PolygonOutline>(shape).distance_m(p);
 }
 
 SweptClearance::SweptClearance(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
                                double tolerance_m)
-    : arm_(arm), obstacles_(obstacles), tolerance_m_(tolerance_m) {
-  for (const Segment& segment : arm_.segments) {
+    : tolerance_m_(tolerance_m) {
+  for (const Segment& segment : arm.segments) {
     for (int g = 0; g < segment.gaps; ++g) {
-      radius_m_.push_back(segment.width_m / 2.0 + arm_.actuator_radius_m);
+      radius_m_.push_back(segment.width_m / 2.0 + arm.actuator_radius_m);
     }
   }
-  for (const Obstacle& obstacle : obstacles_) {
-    Disc disc{};
-    if (const auto* circle = std::get_if<Circle>(&obstacle)) {
-      disc = {circle->x_m, circle->y_m, circle->radius_m};
-    } else if (const auto* rectangle = std::get_if<Rectangle>(&obstacle)) {
-      disc = {rectangle->x_m, rectangle->y_m,
-              std::hypot(rectangle->width_m, rectangle->height_m) / 2.0};
-    } else {
-      const Polygon& polygon = std::get<Polygon>(obstacle);
-      disc = {polygon.points_m.front().x(), polygon.points_m.front().y(), 0.0};
-      for (const Eigen::Vector2d& p : polygon.points_m) {
-        disc.radius_m = std::max(disc.radius_m, std::hypot(p.x() - disc.x_m, p.y() - disc.y_m));
+  for (const Obstacle& obstacle : obstacles) {
+    obstacles_.push_back(covered(obstacle));
+  }
+}
+
+SweptClearance::CoveredObstacle SweptClearance::covered(const Obstacle& obstacle) {
+  CoveringBox box;
+  if (const auto* circle = std::get_if<Circle>(&obstacle)) {
+    const Complex centre(circle->x_m, circle->y_m);
+    const Complex corner(circle->radius_m, circle->radius_m);
+    cover(box, centre - corner);
+    cover(box, centre + corner);
+    return {box, *circle};
+  }
+  if (const auto* rectangle = std::get_if<Rectangle>(&obstacle)) {
+    const Complex turn = std::polar(1.0, rectangle->angle_rad);
+    for (const double x : {-0.5, 0.5}) {
+      for (const double y : {-0.5, 0.5}) {
+        cover(box, Complex(rectangle->x_m, rectangle->y_m) +
+                       turn * Complex(x * rectangle->width_m, y * rectangle->height_m));
       }
     }
-    around_.push_back(disc);
+    return {box, *rectangle};
   }
+  const Polygon& polygon = std::get<Polygon>(obstacle);
+  for (const Eigen::Vector2d& p : polygon.points_m) {
+    cover(box, {p.x(), p.y()});
+  }
+  return {box, PolygonOutline(polygon)};
 }
 
 SweptClearance::Result SweptClearance::over(const std::vector<ExactArm::Shape>& shapes) const {
   Result best{kInfinity};
+  // A signal from before has been heeded by the caller, who asks for this all the same.
+  const bool was_interrupted = interrupt_requested();
   for (std::size_t k = 0; k < shapes.size(); ++k) {
+    if (!was_interrupted) {
+      throw_if_interrupted();
+    }
     const ExactArm::Shape& from = shapes[k == 0 ? 0 : k - 1];
     const ExactArm::Shape& to = shapes[k];
     for (std::size_t gap = 0; gap + 1 < to.size(); ++gap) {
@@ -170,7 +233,7 @@ SweptClearance::Result SweptClearance::over(const std::vector<ExactArm::Shape>& 
 }
 
 double SweptClearance::lowest(const MovingArc& arc, std::size_t obstacle, double best) const {
-  const Disc& disc = around_[obstacle];
+  const CoveredObstacle& covered = obstacles_[obstacle];
   std::vector<Cell> open{{0.5, 0.5, 0.5, 0.5}};
   while (!open.empty()) {
     const Cell cell = open.back();
@@ -179,10 +242,10 @@ double SweptClearance::lowest(const MovingArc& arc, std::size_t obstacle, double
     const double place_way = cell.half_place * arc.length_m();
     const double slack = time_way + place_way - tolerance_m_;
     const Complex p = arc.at(cell.time, cell.place);
-    if (std::abs(p - Complex(disc.x_m, disc.y_m)) - disc.radius_m >= best + slack) {
+    if (distance_to(covered.box, p) >= best + slack) {
       continue;
     }
-    const double distance = exact_distance(obstacles_[obstacle], p.real(), p.imag());
+    const double distance = covered.distance_m(p);
     best = std::min(best, distance);
     if (distance < best + slack) {
       const auto parts = halves(cell, time_way > place_way);

@@ -1,11 +1,35 @@
 #pragma once
 
+#include <complex>
+#include <limits>
+#include <variant>
 #include <vector>
 
 #include "exact_arm.hpp"
 #include "limber/planning/environment.hpp"
 
 namespace limber {
+
+/// Axis-aligned; covers nothing at first.
+struct CoveringBox {
+  std::complex<double> low{std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::infinity()};
+  std::complex<double> high{-std::numeric_limits<double>::infinity(),
+                            -std::numeric_limits<double>::infinity()};
+};
+
+/// A polygon's edges, some under each box, so that most of them are not looked at.
+class PolygonOutline {
+ public:
+  explicit PolygonOutline(const Polygon& polygon);
+  /// Of a point, negative inside. Exact.
+  double distance_m(std::complex<double> p) const;
+
+ private:
+  static constexpr std::size_t kEdgesPerBox = 16;
+  std::vector<std::complex<double>> corners_;  // the first again at the end
+  std::vector<CoveringBox> boxes_;
+};
 
 /// Smallest distance between a moving arm and obstacles, by a Lipschitz bound alone.
 ///
@@ -27,6 +51,7 @@ class SweptClearance {
   };
   /// Over the motion from each shape to the next; a single shape stands still. @pre no gap turns by
   /// more than half a turn, and every number is finite.
+  /// @throws Interrupted where a signal comes meanwhile.
   Result over(const std::vector<ExactArm::Shape>& shapes) const;
 
  private:
@@ -35,19 +60,18 @@ class SweptClearance {
   /// Smallest distance of the arc's middle line from an obstacle, or `best` where that is less.
   double lowest(const MovingArc& arc, std::size_t obstacle, double best) const;
 
-  const ArmDescription& arm_;
-  const std::vector<Obstacle>& obstacles_;
+  struct CoveredObstacle {
+    CoveringBox box;
+    std::variant<Circle, Rectangle, PolygonOutline> shape;
+
+    /// From its outline, negative inside.
+    double distance_m(std::complex<double> p) const;
+  };
+  static CoveredObstacle covered(const Obstacle& obstacle);
+
   double tolerance_m_;
   std::vector<double> radius_m_;  // one a gap
-  struct Disc {
-    double x_m;
-    double y_m;
-    double radius_m;
-  };
-  std::vector<Disc> around_;  // one an obstacle, covers it
+  std::vector<CoveredObstacle> obstacles_;
 };
-
-/// Distance of a point from an obstacle's outline, negative inside.
-double exact_distance(const Obstacle& obstacle, double x_m, double y_m);
 
 }  // namespace limber
