@@ -21,6 +21,10 @@ constexpr double kCoveredTo = 0.9;            // × p_max: the highest must be a
 constexpr double kRefusedResidual = 0.10;     // of full strain, of a refitted curve
 constexpr double kNotedResidual = 0.05;       // of full strain
 constexpr double kBareActuatorStrain = 0.24;  // between a mounted side (0.20) and a bare one (0.27)
+// Seven digits move the slope by at most 5e-7 Σ k |a_k|, where the a_k are some tens of full
+// strain: some ten turns are enough.
+constexpr int kHoldingTurns = 20;
+constexpr double kLeastHeldSlope = 1e-7;  // of the mean slope
 
 /// 7 significant digits: sums in another order, on another machine, give the same file.
 double rounded(double value) {
@@ -137,6 +141,24 @@ void add_warnings(std::size_t given, StrainFit& fit) {
   }
 }
 
+/// The best polynomial that never falls, after rounding too: rounding can tip a slope that was held
+/// at exactly zero, so it is held a little higher, twice as much each turn.
+StrainPolynomial never_falling(const MonotoneFit& problem, double limit_kpa) {
+  double held = 0.0;
+  for (int turn = 0; turn < kHoldingTurns; ++turn) {
+    const Eigen::Vector4d fit = problem.monotone(held);
+    const StrainPolynomial polynomial = per_kpa(fit, limit_kpa);
+    if (least_strain_slope(polynomial, limit_kpa).slope_per_kpa >= 0.0) {
+      return polynomial;
+    }
+    held = std::max(2.0 * held, kLeastHeldSlope * fit.sum());  // Σ a_k = e(1), the mean slope
+  }
+  throw InputError(
+      fmt::format("no polynomial of 7 digits that never falls was found in {} turns. Look for "
+                  "readings far off the others and take them out, or read at more pressures",
+                  kHoldingTurns));
+}
+
 }  // namespace
 
 StrainFit fit_strain_polynomial(const std::vector<BenchPoint>& points, double pressure_limit_kpa) {
@@ -148,12 +170,8 @@ StrainFit fit_strain_polynomial(const std::vector<BenchPoint>& points, double pr
   fit.pressure_limit_kpa = pressure_limit_kpa;
   const MonotoneFit problem(used, pressure_limit_kpa);
   fit.polynomial = per_kpa(problem.unconstrained(), pressure_limit_kpa);
-  // Rounding can tip a slope that was held at exactly zero: hold it that much higher.
-  double held = 0.0;
-  for (LeastSlope least = least_strain_slope(fit.polynomial, pressure_limit_kpa);
-       least.slope_per_kpa < 0.0; least = least_strain_slope(fit.polynomial, pressure_limit_kpa)) {
-    held = fit.refitted ? held - 2.0 * least.slope_per_kpa * pressure_limit_kpa : 0.0;
-    fit.polynomial = per_kpa(problem.monotone(held), pressure_limit_kpa);
+  if (least_strain_slope(fit.polynomial, pressure_limit_kpa).slope_per_kpa < 0.0) {
+    fit.polynomial = never_falling(problem, pressure_limit_kpa);
     fit.refitted = true;
   }
   measure(used, fit);
