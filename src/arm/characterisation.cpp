@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "monotone_fit.hpp"
 
 namespace limber {
@@ -207,6 +208,7 @@ CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench)
   }
   CharacterisedArm result{arm, {}};
   for (std::size_t i = 0; i < bench.size(); ++i) {
+    throw_if_interrupted();
     try {
       result.fits.push_back(fit_strain_polynomial(bench[i], arm.segments[i].pressure_limit_kpa));
     } catch (const InputError& error) {

@@ -7,6 +7,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
 
 namespace limber {
@@ -98,6 +99,7 @@ class MotionLog {
     const double length_s = episode_.time_s.tail<1>()[0] - episode_.time_s[0];
     const auto rows = static_cast<Eigen::Index>(length_s * rate_hz + 1e-6) + 1;
     for (Eigen::Index k = 0; k < rows; ++k) {
+      throw_if_interrupted();
       const double time_s = episode_.time_s[0] + double(k) / rate_hz;
       text += fmt::format("{},{:.6f}{}\n", k, time_s, cells(time_s));
     }
@@ -207,6 +209,7 @@ class MotionLog {
 std::string pressure_log(const Recording& recording, const Episode& episode, double offset_s) {
   std::string text = "time_s" + command_header(recording) + "\n";
   for (Eigen::Index t = 0; t < episode.time_s.size(); ++t) {
+    throw_if_interrupted();
     text += fmt::format("{:.6f}{}\n", episode.time_s[t] - offset_s, command_cells(episode, t));
   }
   return text;
@@ -244,6 +247,7 @@ std::vector<fs::path> export_csv(const Recording& recording, const fs::path& fol
     const Episode& episode = recording.episodes[e];
     std::string text = header;
     for (Eigen::Index t = 0; t < episode.time_s.size(); ++t) {
+      throw_if_interrupted();
       text += fmt::format("{}{}", episode.time_s[t], command_cells(episode, t));
       for (const float value : episode.backbone.row(t)) {
         text += is_tracked(episode, t) ? fmt::format(",{:.9g}", value) : std::string(",");

@@ -12,6 +12,7 @@
 #include "experiment/peer_makers.hpp"
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/forward_model.hpp"
 #include "limber/forward/parallel_forward.hpp"
@@ -54,6 +55,7 @@ double rate_of(std::int64_t queries, std::int64_t queries_per_pass,
   const auto start = std::chrono::steady_clock::now();
   std::vector<double> seconds;
   for (std::int64_t k = 0; k < passes; ++k) {
+    throw_if_interrupted();
     seconds.push_back(seconds_of(pass));
     if (k + 1 >= kLeastPasses && std::chrono::steady_clock::now() - start > kLongestMeasurement) {
       break;

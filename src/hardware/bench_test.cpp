@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 
 namespace limber {
@@ -38,6 +39,7 @@ BenchPoint settled_point(VirtualArm& arm, double pressure_kpa) {
   double before = 0.0;
   double strain = arm.right_strain(0);
   do {
+    throw_if_interrupted();
     before = strain;
     arm.command(setpoint);
     strain = arm.right_strain(0);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limber/common/interrupt.hpp"
+
 namespace limber {
 
 namespace {
@@ -52,6 +54,7 @@ LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>&
   state.reshaped<Eigen::RowMajor>() = episode.backbone.row(begin).transpose();
   Pressures previous = episode.pressure_kpa.row(begin);
   for (; result.frames < frames && state.allFinite(); ++result.frames) {
+    throw_if_interrupted();
     const Pressures current =
         episode.pressure_kpa.row(begin + there_and_back(result.frames + 1, count));
     model.step(previous, current, state, state, workspace);

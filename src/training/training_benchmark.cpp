@@ -13,6 +13,7 @@
 
 #include "epoch_trainer.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/network/gemm_kernels.hpp"
 #include "network/safetensors.hpp"
 
@@ -83,6 +84,7 @@ double median(std::vector<double> values) {
 StageSpeed measure_stage(const ArmDescription& arm, const TrainingData& data,
                          const TrainingSettings& settings, const TrainingStage& stage, int epochs,
                          int threads) {
+  throw_if_interrupted();
   EpochTrainer trainer(arm, data, settings, nullptr);
   StageSpeed speed;
   speed.window_frames = stage.window_frames;
@@ -96,6 +98,7 @@ StageSpeed measure_stage(const ArmDescription& arm, const TrainingData& data,
   std::vector<double> peaks;
   double before = peak_gmac_per_s(threads);
   for (int epoch = 0; epoch < epochs; ++epoch) {
+    throw_if_interrupted();
     const Clock::time_point begin = Clock::now();
     (void)trainer.train_epoch(stage);
     seconds.push_back(seconds_since(begin));

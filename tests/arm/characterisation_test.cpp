@@ -12,6 +12,7 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "support/exit_interrupted.hpp"
 
 namespace limber {
 namespace {
@@ -222,6 +223,13 @@ TEST(LeastStrainSlope, IsTheSmallestOnADenseGrid) {
     EXPECT_GE(found.slope_per_kpa, least - 1e-6);
     EXPECT_DOUBLE_EQ(strain_slope_at(c, found.pressure_kpa), found.slope_per_kpa);
   }
+}
+
+TEST(Characterise, StopsOnCtrlC) {
+  ::testing::FLAGS_gtest_death_test_style = "threadsafe";
+  const BenchData data = {bench([](double p) { return 0.002 * p; })};
+  EXPECT_EXIT(exit_interrupted([&] { characterise(arm_of(1), data); }),
+              ::testing::ExitedWithCode(0), "stopped on request");
 }
 
 TEST(Characterise, RefusesArmsThatHaveNothingToFit) {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/QR>
 #include <gtest/gtest.h>
+#include <Eigen/QR>
 
 #include "limber/arm/characterisation.hpp"
 #include "limber/common/random_stream.hpp"
@@ -144,11 +144,21 @@ TEST(MonotoneFit, EndsOnEveryBenchAndIsAsGoodAsASearch) {
 
 // Lifting the slope by what rounding tipped moved no digit of the result, and so never ended.
 TEST(MonotoneFit, EndsWhereRoundingTipsTheSlopeByLessThanADigit) {
-  expect_best_that_never_falls(
-      {{5, -0.00880978},  {10, -0.018503},  {20, -0.0401003}, {20, -0.0402825}, {30, -0.0629589},
-       {40, -0.0846032},  {40, -0.0844282}, {50, -0.103638},  {60, -0.119283},  {70, -0.130739},
-       {80, -0.137701},   {90, -0.140579},  {100, -0.14002},  {100, -0.140053}},
-      0);
+  expect_best_that_never_falls({{5, -0.00880978},
+                                {10, -0.018503},
+                                {20, -0.0401003},
+                                {20, -0.0402825},
+                                {30, -0.0629589},
+                                {40, -0.0846032},
+                                {40, -0.0844282},
+                                {50, -0.103638},
+                                {60, -0.119283},
+                                {70, -0.130739},
+                                {80, -0.137701},
+                                {90, -0.140579},
+                                {100, -0.14002},
+                                {100, -0.140053}},
+                               0);
 }
 
 }  // namespace

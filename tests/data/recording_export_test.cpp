@@ -5,6 +5,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/log_import.hpp"
+#include "support/exit_interrupted.hpp"
 #include "support/log_truth.hpp"
 #include "support/sample_arm.hpp"
 #include "support/temporary_folder.hpp"
@@ -87,6 +88,14 @@ class RecordingExport : public ::testing::Test {
   LogTruth truth_;
   Recording recording_;
 };
+
+TEST_F(RecordingExport, StopsOnCtrlC) {
+  ::testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(exit_interrupted([&] { export_csv(recording_, folder_.path()); }),
+              ::testing::ExitedWithCode(0), "stopped on request");
+  EXPECT_EXIT(exit_interrupted([&] { export_motive(recording_, folder_.path(), {}); }),
+              ::testing::ExitedWithCode(0), "stopped on request");
+}
 
 TEST_F(RecordingExport, CsvComesBackToTheBit) {
   recording_.episodes[0].tracked[100] = 0;

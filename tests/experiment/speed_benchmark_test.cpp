@@ -5,6 +5,7 @@
 
 #include "limber/experiment/speed_peers.hpp"
 #include "limber/network/untrained_model.hpp"
+#include "support/exit_interrupted.hpp"
 #include "support/sample_arm.hpp"
 
 namespace limber {
@@ -45,6 +46,12 @@ std::vector<std::string> expected_peers() {
     }
   }
   return names;
+}
+
+TEST(SpeedBenchmark, StopsOnCtrlC) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(exit_interrupted([] { measure_speed(sample_arm(3), nullptr, brief()); }),
+              testing::ExitedWithCode(0), "stopped on request");
 }
 
 // measure_speed itself refuses a peer whose answers differ, so this also checks those that are

@@ -5,6 +5,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "network/safetensors.hpp"
+#include "support/exit_interrupted.hpp"
 #include "support/temporary_folder.hpp"
 #include "training/toy_arm.hpp"
 
@@ -48,6 +49,12 @@ TEST_F(TrainingBenchmark, WritesTablesForAPeer) {
   EXPECT_EQ(content.tensors.at("starts.2").shape, (std::vector<std::size_t>{6}));
   const std::vector<std::size_t>& shape = content.tensors.at("layers.0.weight").shape;
   EXPECT_EQ(shape, (std::vector<std::size_t>{100, 60}));
+}
+
+TEST_F(TrainingBenchmark, StopsOnCtrlC) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_EXIT(exit_interrupted([&] { measure_training_speed(arm_, data_, settings_, 1); }),
+              testing::ExitedWithCode(0), "stopped on request");
 }
 
 }  // namespace
