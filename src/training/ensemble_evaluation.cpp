@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 #include "limber/training/rollout.hpp"
 
@@ -42,6 +41,10 @@ std::vector<double> ranks(const std::vector<double>& values) {
 SpreadStatistics spread_statistics(const std::vector<double>& spread_cm,
                                    const std::vector<double>& error_cm) {
   SpreadStatistics result;
+  if (spread_cm.empty()) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return {kNone, kNone, kNone, kNone};
+  }
   const auto count = static_cast<double>(spread_cm.size());
   std::vector<double> factors;
   for (std::size_t i = 0; i < spread_cm.size(); ++i) {
@@ -85,9 +88,6 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
       error_cm.push_back(one.position_cm[i]);
     }
   }
-  if (error_cm.empty()) {
-    throw InputError("the recording can't be evaluated on: no frame follows one that was tracked");
-  }
   return {summarise(series), spread_statistics(spread_cm, error_cm)};
 }
 
@@ -97,9 +97,9 @@ Json number(double value) {
 
 Json to_json(const EnsembleErrors& errors) {
   Json json = tip_errors_to_json(errors.mean);
-  json["spread"] = {{"mean_cm", errors.spread.mean_cm},
+  json["spread"] = {{"mean_cm", number(errors.spread.mean_cm)},
                     {"rank_correlation", number(errors.spread.rank_correlation)},
-                    {"covered_by_two", errors.spread.covered_by_two},
+                    {"covered_by_two", number(errors.spread.covered_by_two)},
                     {"factor_for_95", number(errors.spread.factor_for_95)}};
   return json;
 }

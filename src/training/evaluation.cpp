@@ -32,6 +32,18 @@ std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Resta
   return pieces_of_length(episodes, std::numeric_limits<int>::max());
 }
 
+/// A piece for every frame but the first, whether a start was seen or not: for models that need
+/// none.
+std::vector<RolloutPiece> pieces_of_every_frame(const std::vector<Episode>& episodes) {
+  std::vector<RolloutPiece> pieces;
+  for (int index = 0; index < static_cast<int>(episodes.size()); ++index) {
+    for (int t = 1; t < episodes[static_cast<std::size_t>(index)].frame_count(); ++t) {
+      pieces.push_back({index, t - 1, 1});
+    }
+  }
+  return pieces;
+}
+
 TipErrorSeries errors_over(const std::vector<FrameMatrix>& predicted,
                            const std::vector<Episode>& episodes, int first) {
   TipErrorSeries all;
@@ -102,27 +114,37 @@ double reduction_percent(double before, double after) {
   return before > 0.0 ? 100.0 * (1.0 - after / before) : 0.0;
 }
 
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+}
+
 nlohmann::ordered_json to_json(const ErrorStatistics& value) {
-  return {{"mean", value.mean},
-          {"std", value.std},
-          {"p95", value.p95},
-          {"worst_motion", value.worst_motion}};
+  return {{"mean", number(value.mean)},
+          {"std", number(value.std)},
+          {"p95", number(value.p95)},
+          {"worst_motion", number(value.worst_motion)}};
+}
+
+std::string cells(const ErrorStatistics& value, int digits) {
+  std::string text;
+  for (const double one : {value.mean, value.std, value.p95, value.worst_motion}) {
+    text += std::isfinite(one) ? fmt::format(" {:6.{}f}", one, digits) : fmt::format(" {:>6}", "-");
+  }
+  return text;
 }
 
 std::string row(const char* name, const TipErrors& errors) {
-  const ErrorStatistics& cm = errors.position_cm;
-  const ErrorStatistics& rad = errors.orientation_rad;
-  return fmt::format("{:<32} {:6.2f} {:6.2f} {:6.2f} {:6.2f}   {:6.3f} {:6.3f} {:6.3f} {:6.3f}\n",
-                     name, cm.mean, cm.std, cm.p95, cm.worst_motion, rad.mean, rad.std, rad.p95,
-                     rad.worst_motion);
+  return fmt::format("{:<32}{}  {}\n", name, cells(errors.position_cm, 2),
+                     cells(errors.orientation_rad, 3));
 }
 
 }  // namespace
 
 std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
                                  Restart restart, int jobs) {
-  const std::vector<RolloutPiece> pieces = pieces_for(episodes, restart);
-  std::vector<FrameMatrix> predicted = roll_out(model, episodes, pieces, jobs);
+  const std::vector<RolloutPiece> pieces =
+      model.has_network() ? pieces_for(episodes, restart) : pieces_of_every_frame(episodes);
+  std::vector<FrameMatrix> predicted = roll_out(model, episodes, pieces, jobs, OnInterrupt::stop);
   require_finite(predicted, pieces);
   return predicted;
 }
@@ -138,14 +160,20 @@ nlohmann::ordered_json tip_errors_to_json(const TipErrors& value) {
 
 namespace {
 
-void require_tracked(const std::vector<Episode>& episodes) {
-  const auto is_seen = [](const Episode& episode) {
-    return episode.untracked_count() < episode.frame_count();
-  };
-  if (std::none_of(episodes.begin(), episodes.end(), is_seen)) {
-    throw InputError(
-        "the recording can't be evaluated on: the arm was tracked in none of its frames");
+/// Frames that count: those tracked after the first of their episode, which is given.
+std::int64_t counted_frames(const std::vector<Episode>& episodes) {
+  std::int64_t frames = 0;
+  for (const Episode& episode : episodes) {
+    for (int t = 1; t < episode.frame_count(); ++t) {
+      frames += episode.was_tracked(t) ? 1 : 0;
+    }
   }
+  if (frames == 0) {
+    throw InputError(
+        "the recording can't be evaluated on: the arm was tracked in none of the frames after the "
+        "first of an episode");
+  }
+  return frames;
 }
 
 }  // namespace
@@ -153,9 +181,9 @@ void require_tracked(const std::vector<Episode>& episodes) {
 Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     const std::vector<Episode>& all_episodes, int jobs) {
   std::vector<Episode> episodes;
-  Evaluation result;
+  std::int64_t frames = 0;
   for (const Episode& episode : all_episodes) {
-    result.frames += episode.frame_count();
+    frames += episode.frame_count();
     if (episode.frame_count() >= kLeastFrames) {
       episodes.push_back(episode);
     }
@@ -164,9 +192,10 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
     throw InputError(
         fmt::format("the recording is too short to evaluate on: {} frames in {} episodes; expected "
                     "an episode of at least {} frames",
-                    result.frames, all_episodes.size(), kLeastFrames));
+                    frames, all_episodes.size(), kLeastFrames));
   }
-  require_tracked(episodes);
+  Evaluation result;
+  result.frames = counted_frames(episodes);
   // The no-load model has no memory: restarting it would change nothing.
   const auto errors_of = [&](const ForwardModel& model, Restart restart) {
     return summarise(rollout_errors(model, episodes, restart, jobs));
@@ -221,8 +250,8 @@ nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation) {
       {"one_step", tip_errors_to_json(evaluation.constant_velocity_one_step)},
       {"one_step_moving", tip_errors_to_json(evaluation.constant_velocity_one_step_moving)}};
   if (evaluation.network) {
-    json["reduction_percent"] = {{"position", evaluation.position_reduction_percent},
-                                 {"orientation", evaluation.orientation_reduction_percent}};
+    json["reduction_percent"] = {{"position", number(evaluation.position_reduction_percent)},
+                                 {"orientation", number(evaluation.orientation_reduction_percent)}};
   }
   return json;
 }
@@ -244,7 +273,9 @@ std::string evaluation_to_text(const Evaluation& evaluation) {
   text += row("hold the pose, one step, moving", evaluation.hold_one_step_moving);
   text += row("constant velocity, one step", evaluation.constant_velocity_one_step);
   text += row("the same, moving", evaluation.constant_velocity_one_step_moving);
-  text += "worst: the mean over the worst motion; moving: over frames in which the tip moves\n";
+  text +=
+      "worst: the mean over the worst motion; moving: over frames in which the tip moves; -: there "
+      "are none\n";
   if (evaluation.network) {
     text += fmt::format("open loop, the network's errors are smaller by {:.1f} % and {:.1f} %\n",
                         evaluation.position_reduction_percent,

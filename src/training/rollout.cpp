@@ -8,6 +8,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "limber/common/interrupt.hpp"
+
 namespace limber {
 
 namespace {
@@ -25,7 +27,8 @@ int next_seen(const Episode& episode, int frame, int end) {
 /// Rolls out pieces of a batch; they are sorted, longest first, so that those still running are the
 /// first columns.
 void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episodes,
-                    std::span<const RolloutPiece> pieces, std::vector<FrameMatrix>& predicted) {
+                    std::span<const RolloutPiece> pieces, OnInterrupt on_interrupt,
+                    std::vector<FrameMatrix>& predicted) {
   const auto columns = static_cast<Eigen::Index>(pieces.size());
   const Eigen::Index size = 3 * model.point_count();
   Eigen::MatrixXf previous_kpa(model.segment_count(), columns);
@@ -35,6 +38,9 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
   std::vector<char> ran_off(pieces.size(), 0);  // their predictions stay NaN from there on
   Eigen::Index active = columns;
   for (int k = 0; k < pieces.front().frames; ++k) {
+    if (on_interrupt == OnInterrupt::stop) {
+      throw_if_interrupted();
+    }
     while (pieces[static_cast<std::size_t>(active - 1)].frames <= k) {
       --active;
     }
@@ -101,15 +107,12 @@ std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes
 }
 
 std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<Episode>& episodes,
-                                  std::vector<RolloutPiece> pieces, int jobs) {
+                                  std::vector<RolloutPiece> pieces, int jobs,
+                                  OnInterrupt on_interrupt) {
   std::vector<FrameMatrix> predicted;
   for (const Episode& episode : episodes) {
     predicted.push_back(FrameMatrix::Constant(episode.backbone.rows(), episode.backbone.cols(),
                                               std::numeric_limits<float>::quiet_NaN()));
-  }
-  for (const RolloutPiece& piece : pieces) {
-    const auto index = static_cast<std::size_t>(piece.episode);
-    predicted[index].row(piece.first) = episodes[index].backbone.row(piece.first);
   }
   std::stable_sort(pieces.begin(), pieces.end(), [](const RolloutPiece& a, const RolloutPiece& b) {
     return a.frames > b.frames;
@@ -120,7 +123,8 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
     tbb::parallel_for(std::size_t{0}, batches, [&](std::size_t batch) {
       const std::size_t first = batch * kPiecesPerBatch;
       const std::size_t count = std::min(kPiecesPerBatch, pieces.size() - first);
-      roll_out_batch(model, episodes, std::span(pieces).subspan(first, count), predicted);
+      roll_out_batch(model, episodes, std::span(pieces).subspan(first, count), on_interrupt,
+                     predicted);
     });
   });
   return predicted;

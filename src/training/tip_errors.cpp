@@ -13,7 +13,7 @@ namespace {
 
 /// Largest mean over the values of one motion.
 double worst_motion(const std::vector<double>& values, const std::vector<int>& motion) {
-  double worst = 0.0;
+  double worst = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t first = 0; first < values.size();) {
     double sum = 0.0;
     int count = 0;
@@ -22,7 +22,7 @@ double worst_motion(const std::vector<double>& values, const std::vector<int>& m
       sum += std::isnan(values[i]) ? 0.0 : values[i];
       count += std::isnan(values[i]) ? 0 : 1;
     }
-    worst = std::max(worst, count > 0 ? sum / count : 0.0);
+    worst = count > 0 ? std::fmax(worst, sum / count) : worst;
     first = i;
   }
   return worst;
@@ -31,9 +31,10 @@ double worst_motion(const std::vector<double>& values, const std::vector<int>& m
 ErrorStatistics statistics(std::vector<double> values, const std::vector<int>& motion) {
   ErrorStatistics result;
   result.worst_motion = worst_motion(values, motion);
-  // Frames in which the arm was not seen are marked NaN.
+  // Frames in which the arm was not seen, or nothing was predicted, are marked NaN.
   std::erase_if(values, [](double value) { return std::isnan(value); });
   if (values.empty()) {
+    result.mean = result.std = result.p95 = std::numeric_limits<double>::quiet_NaN();
     return result;
   }
   const auto count = static_cast<double>(values.size());

@@ -12,7 +12,7 @@ namespace limber {
 
 /// Whether an ensemble knows how wrong it is. A frame's spread is the root of the members' mean
 /// squared distance from their mean tip; its error is that mean tip's distance from the recorded
-/// one.
+/// one. NaN where there is no frame.
 struct SpreadStatistics {
   double mean_cm = 0.0;
   /// Spearman's, between spread and error over frames: 1 where a larger spread always means a
@@ -37,7 +37,7 @@ struct EnsembleEvaluation {
   EnsembleErrors open_loop;
 };
 
-/// @throws InputError as `evaluate`.
+/// @throws InputError where a prediction is not finite.
 EnsembleEvaluation evaluate_ensemble(const EnsembleForward& ensemble,
                                      const std::vector<Episode>& episodes, int jobs = 0);
 

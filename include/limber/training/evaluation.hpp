@@ -34,7 +34,7 @@ struct RolloutErrors {
 /// Errors of the models and of two trivial predictors on one recording (INTERFACE: evaluate
 /// --json).
 struct Evaluation {
-  std::int64_t frames = 0;
+  std::int64_t frames = 0;  ///< tracked ones after the first of each episode: those that count
   TipErrors no_load_open_loop;
   std::optional<RolloutErrors> network;
   LongRollout long_rollout;  ///< of the network, where there is one
@@ -46,10 +46,11 @@ struct Evaluation {
   double orientation_reduction_percent = 0.0;
 };
 
-/// Predicted backbones of an episode (T×3m), fed with its measured pressures: row 0 is the recorded
-/// first backbone, and so is the state before every restart. A restart waits for the next frame in
-/// which the arm was seen; frames that are not predicted are NaN. Batched over restarts, and over
-/// `jobs` threads; the result does not depend on their number.
+/// Predicted backbones of an episode (T×3m), fed with its measured pressures. The state before the
+/// first prediction and before every restart is the recorded one; a restart waits for the next
+/// frame in which the arm was seen. The no-load model needs no start. Frames that are not predicted
+/// are NaN: the first, and those that are only a start. Batched over restarts, and over `jobs`
+/// threads; the result does not depend on their number.
 FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart,
                     int jobs = 0);
 

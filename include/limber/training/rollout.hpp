@@ -23,12 +23,16 @@ std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes,
 /// after that in which the arm was seen.
 std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes);
 
+/// What a rollout does when Ctrl-C comes: training needs the whole validation.
+enum class OnInterrupt { finish, stop };
+
 /// Predicted backbones of every episode (T×3m), fed with its measured pressures. A piece's first
-/// frame is the recorded one; frames that no piece covers are NaN. Pieces are rolled out side by
-/// side, in batches and over `jobs` threads (0: one a core); the result does not depend on their
-/// number.
+/// frame is given, not predicted: frames that no piece predicts are NaN. Pieces are rolled out side
+/// by side, in batches and over `jobs` threads (0: one per core); the result does not depend on
+/// their number. @throws Interrupted where Ctrl-C is to stop it.
 std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<Episode>& episodes,
-                                  std::vector<RolloutPiece> pieces, int jobs);
+                                  std::vector<RolloutPiece> pieces, int jobs,
+                                  OnInterrupt on_interrupt = OnInterrupt::finish);
 
 /// Mean over an ensemble's members of what `roll_out` gave for each, episode by episode.
 std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted);

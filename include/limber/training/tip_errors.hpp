@@ -7,7 +7,7 @@
 namespace limber {
 
 /// Over frames: mean, standard deviation (of the population) and 95th percentile; and the largest
-/// mean over the frames of one commanded motion. Zero where there is no frame.
+/// mean over the frames of one commanded motion. NaN where there is no frame.
 struct ErrorStatistics {
   double mean = 0.0;
   double std = 0.0;
@@ -21,7 +21,7 @@ struct TipErrors {
   ErrorStatistics orientation_rad;
 };
 
-/// Errors of predicted tips, one a frame; NaN where the arm was not seen.
+/// Errors of predicted tips, one per frame; NaN where the arm was not seen or nothing predicted.
 struct TipErrorSeries {
   std::vector<double> position_cm;
   std::vector<double> orientation_rad;
