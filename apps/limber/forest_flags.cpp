@@ -32,12 +32,13 @@ std::string ForestFlags::path_beside(const std::string& model_file) const {
   return std::filesystem::path(model_file).replace_extension(".forest").string();
 }
 
-std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const ForwardModel& model,
+std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const MotionModel& model,
                                           const std::string& model_file, const ArmStart& start,
                                           const CommonFlags& flags) const {
   const std::string path = path_beside(model_file);
   const ForestKey key =
-      forest_key(arm, model_file.empty() ? "" : content_hash(read_file(model_file)), start);
+      forest_key(arm, model_file.empty() ? "" : content_hash(read_file(model_file)),
+                 model.valves().parameters(), start);
   if (std::filesystem::exists(path) && build_) {
     if (kind_of(read_file(path)) != FileKind::forest) {
       throw InputError(path + ": no forest; only a forest is replaced by another");
@@ -48,7 +49,7 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Forwa
     if (stored.key == key) {
       return stored;
     }
-    say(flags, "{}: grown for another arm, model or start; growing it anew", path);
+    say(flags, "{}: grown for another arm, model, valves or start; growing it anew", path);
   }
   ForestSettings settings;
   settings.nodes = nodes_;

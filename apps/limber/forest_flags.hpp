@@ -20,7 +20,7 @@ class ForestFlags {
   /// model or start, and with --build-forest.
   /// @param model_file  empty for the no-load model
   /// @return none where Ctrl-C interrupted the growth
-  std::optional<Forest> forest(const ArmDescription& arm, const ForwardModel& model,
+  std::optional<Forest> forest(const ArmDescription& arm, const MotionModel& model,
                                const std::string& model_file, const ArmStart& start,
                                const CommonFlags& flags) const;
 

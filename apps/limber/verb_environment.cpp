@@ -9,6 +9,7 @@
 #include "limber/planning/environment_measures.hpp"
 #include "limber/planning/plan_picture.hpp"
 #include "limber/planning/problem_check.hpp"
+#include "model_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -41,6 +42,7 @@ class EnvironmentVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--model", model_,
                    "Network model that says what is in reach; the no-load model where not given");
+    valves_.add_valves_to(app);
     app.add_option("--margin-m", margin_m_, "Clearance that a check asks for")
         ->capture_default_str();
     app.add_option("--svg", svg_, "Draw the environment that is checked here");
@@ -54,13 +56,14 @@ class EnvironmentVerb final : public Verb {
           "--count N --out DIR'");
     }
     const ArmDescription arm = load_arm(find_arm_file(arm_));
-    const ForwardModel model =
+    const ForwardModel forward =
         model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
+    const MotionModel model = valves_.motion_model(arm, forward);
     return check ? run_check(arm, model, flags) : run_random(arm, model, flags);
   }
 
  private:
-  int run_check(const ArmDescription& arm, const ForwardModel& model, const CommonFlags& flags) {
+  int run_check(const ArmDescription& arm, const MotionModel& model, const CommonFlags& flags) {
     const Environment environment = load_environment(find_environment_file(words_[1]), arm);
     if (!svg_.empty()) {
       refuse_to_overwrite(svg_, flags.force);
@@ -101,7 +104,7 @@ class EnvironmentVerb final : public Verb {
     return check.refusal ? kExitNoSolution : kExitDone;
   }
 
-  int run_random(const ArmDescription& arm, const ForwardModel& model, const CommonFlags& flags) {
+  int run_random(const ArmDescription& arm, const MotionModel& model, const CommonFlags& flags) {
     if (out_.empty()) {
       throw InputError("--random needs --out DIR, the folder for the environments");
     }
@@ -143,6 +146,7 @@ class EnvironmentVerb final : public Verb {
   std::string out_;
   std::string arm_ = "three_segment";
   std::string model_;
+  ModelFlags valves_;
   double margin_m_ = 0.0;
   std::string svg_;
 };

@@ -6,6 +6,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/experiment/planning_experiment.hpp"
+#include "model_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -58,6 +59,7 @@ class ExperimentVerb final : public Verb {
                    "Stop at a plan this cheap; a large number stops at the first");
     app.add_option("--margin-m", settings_.margin_m, "Clearance asked of every plan")
         ->capture_default_str();
+    valves_.add_valves_to(app);
     forest_.add_to(app);
     app.add_option("--out", settings_.folder, "Folder for tables, figures, trials and plans")
         ->capture_default_str();
@@ -77,9 +79,13 @@ class ExperimentVerb final : public Verb {
     settings_.progress = flags.progress();
     settings_.say = [&](const std::string& line) { say(flags, "{}", line); };
     settings_.with_no_load = !network_only_;
+    const ForwardModel network(settings_.arm, read_model(settings_.model_file));
+    const MotionModel model = valves_.motion_model(settings_.arm, network);
+    valves_.warn_without_valves(model, flags);
+    settings_.valves = model.valves().parameters();
     if (forest_.is_asked_for()) {
       require_usable(settings_);
-      settings_.forest = forest(flags);
+      settings_.forest = forest(model, flags);
     }
     const nlohmann::ordered_json table = run_experiment(settings_);
     print_result(
@@ -90,9 +96,8 @@ class ExperimentVerb final : public Verb {
 
  private:
   /// For all environments: a trial refuses it where one starts differently.
-  std::optional<Forest> forest(const CommonFlags& flags) const {
+  std::optional<Forest> forest(const MotionModel& network, const CommonFlags& flags) const {
     const std::string model_file = settings_.model_file.string();
-    const ForwardModel network(settings_.arm, read_model(model_file));
     const ArmStart start = start_state(settings_.environments.front().environment, settings_.arm);
     std::optional<Forest> forest = forest_.forest(settings_.arm, network, model_file, start, flags);
     throw_if_interrupted();
@@ -125,6 +130,7 @@ class ExperimentVerb final : public Verb {
   std::string arm_ = "three_segment";
   std::string environments_;
   bool network_only_ = false;
+  ModelFlags valves_;
   ForestFlags forest_;
   ExperimentSettings settings_;
 };

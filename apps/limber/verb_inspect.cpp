@@ -157,8 +157,9 @@ Finding inspect_forest(const std::string& file, const std::optional<ArmDescripti
   return {{{"kind", "forest"},
            {"arm_hash", forest.key.arm_hash},
            {"model_hash", forest.key.model_hash},
+           {"valves_hash", forest.key.valves_hash},
            {"start_hash", forest.key.start_hash},
-           {"segments", forest.pressures_kpa.rows()},
+           {"segments", forest.setpoints_kpa.rows()},
            {"nodes", forest.size()}},
           fmt::format("forest of {} motions from start {}\n  arm {}, {}", forest.size(),
                       forest.key.start_hash, forest.key.arm_hash, model)};

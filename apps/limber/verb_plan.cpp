@@ -8,6 +8,7 @@
 #include "limber/planning/plan_picture.hpp"
 #include "limber/planning/plan_report.hpp"
 #include "limber/planning/planner.hpp"
+#include "model_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -79,8 +80,7 @@ class PlanVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
         ->capture_default_str();
-    CLI::Option* model = app.add_option("--model", model_, "Network model to plan with");
-    app.add_flag("--no-load", no_load_, "Plan with the no-load model alone")->excludes(model);
+    model_.add_to(app, " to plan with");
     app.add_option("--environment", environment_,
                    "Environment file, or the name of one of limber's own; not needed to "
                    "--build-forest alone");
@@ -117,11 +117,9 @@ class PlanVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     const ArmDescription arm = load_arm(find_arm_file(arm_));
-    if (model_.empty() && !no_load_) {
-      throw InputError("nothing to predict with: give --model MODEL.safetensors, or --no-load");
-    }
-    const ForwardModel model =
-        model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
+    const ForwardModel forward = model_.forward_model(arm);
+    const MotionModel model = model_.motion_model(arm, forward);
+    model_.warn_without_valves(model, flags);
     if (environment_.empty()) {
       return build_forest_alone(arm, model, flags);
     }
@@ -132,8 +130,8 @@ class PlanVerb final : public Verb {
       }
     }
     PlanResult result = search({arm, model, environment, margin_m_}, flags);
-    if (result.plan && !model_.empty()) {
-      result.plan->model_hash = content_hash(read_file(model_));
+    if (result.plan && model_.names_model()) {
+      result.plan->model_hash = content_hash(read_file(model_.model_file()));
     }
     write(result, arm, environment);
     const std::string model_name = model.has_network() ? "network" : "no_load";
@@ -147,13 +145,13 @@ class PlanVerb final : public Verb {
   }
 
  private:
-  int build_forest_alone(const ArmDescription& arm, const ForwardModel& model,
+  int build_forest_alone(const ArmDescription& arm, const MotionModel& model,
                          const CommonFlags& flags) const {
     if (!forest_.builds()) {
       throw InputError("--environment is required: a file, or the name of one of limber's own");
     }
     const std::optional<Forest> forest =
-        forest_.forest(arm, model, model_, start_state(Environment(), arm), flags);
+        forest_.forest(arm, model, model_.model_file(), start_state(Environment(), arm), flags);
     throw_if_interrupted();
     print_result(flags, {{"forest_nodes", forest->size()}}, "");
     return kExitDone;
@@ -165,7 +163,7 @@ class PlanVerb final : public Verb {
       const Forest none;
       (void)make_planner(planner_, flags.jobs,
                          &none);  // refuses one that uses none, before growing
-      forest = forest_.forest(problem.arm, problem.model, model_,
+      forest = forest_.forest(problem.arm, problem.model, model_.model_file(),
                               start_state(problem.environment, problem.arm), flags);
       throw_if_interrupted();
     }
@@ -202,8 +200,7 @@ class PlanVerb final : public Verb {
   }
 
   std::string arm_ = "three_segment";
-  std::string model_;
-  bool no_load_ = false;
+  ModelFlags model_;
   std::string environment_;
   std::string planner_ = "default";
   PlannerLimits limits_;

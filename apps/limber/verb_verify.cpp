@@ -5,6 +5,7 @@
 #include "limber/common/error.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/planning/certificate.hpp"
+#include "model_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -25,8 +26,7 @@ class VerifyVerb final : public Verb {
     app.add_option("--plan", plan_, "Plan to certify, as `limber plan` wrote it")->required();
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
-    CLI::Option* model = app.add_option("--model", model_, "Network model that it was made with");
-    app.add_flag("--no-load", no_load_, "It was made with the no-load model")->excludes(model);
+    model_.add_to(app, " that it was made with");
     app.add_option("--environment", environment_,
                    "Environment that it was made for; or the name of one of limber's own")
         ->required();
@@ -37,9 +37,11 @@ class VerifyVerb final : public Verb {
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan_unjudged(plan_);
     const std::optional<CompensationModel> network = read_network(plan);
+    const CompensationModel* used = network ? &*network : nullptr;
+    const ValveParameters valves = valves_of(plan, arm, used);
     Certificate certificate;
     try {
-      certificate = certify(plan, arm, network ? &*network : nullptr, environment);
+      certificate = certify(plan, arm, used, valves, environment);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", plan_, error.what()));
     }
@@ -49,28 +51,46 @@ class VerifyVerb final : public Verb {
   }
 
  private:
+  /// What the judge knows of the valves; the plan itself is never asked.
+  ValveParameters valves_of(const Plan& plan, const ArmDescription& arm,
+                            const CompensationModel* network) const {
+    if (plan.is_older_than_valves) {
+      return {};
+    }
+    ValveParameters valves = model_.valves(arm, network);
+    if (valves.is_ideal() && !plan.valves_hash.empty()) {
+      throw InputError(fmt::format(
+          "{}: made with valves (hash {}): give --valves FILE, those that it was made with", plan_,
+          plan.valves_hash));
+    }
+    if (!valves.is_ideal() && plan.valves_hash.empty()) {
+      throw InputError(
+          fmt::format("{}: made without valves: give --no-valves to judge it so", plan_));
+    }
+    return valves;
+  }
+
   std::optional<CompensationModel> read_network(const Plan& plan) const {
-    if (model_.empty() && !no_load_) {
+    if (!model_.names_model() && !model_.asks_no_load()) {
       throw InputError(
           fmt::format("{} was made with {}: give {}", plan_,
                       plan.model == "network" ? "a network" : "the no-load model",
                       plan.model == "network" ? "--model MODEL.safetensors" : "--no-load"));
     }
-    if (no_load_) {
+    if (model_.asks_no_load()) {
       return std::nullopt;
     }
-    const std::string hash = content_hash(read_file(model_));
+    const std::string hash = content_hash(read_file(model_.model_file()));
     if (plan.model == "network" && plan.model_hash != hash) {
       throw InputError(fmt::format("{}: made with another model (hash {}; {} has {})", plan_,
-                                   plan.model_hash, model_, hash));
+                                   plan.model_hash, model_.model_file(), hash));
     }
-    return read_model(model_);
+    return read_model(model_.model_file());
   }
 
   std::string plan_;
   std::string arm_ = "three_segment";
-  std::string model_;
-  bool no_load_ = false;
+  ModelFlags model_;
   std::string environment_;
 };
 

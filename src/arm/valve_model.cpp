@@ -55,6 +55,10 @@ ValveModel::ValveModel(const ArmDescription& arm, ValveParameters parameters)
   }
 }
 
+ValveModel ValveModel::ideal(int segment_count) {
+  return ValveModel(segment_count);
+}
+
 Eigen::VectorXf ValveModel::settled_state(const Eigen::Ref<const Pressures>& kpa) const {
   require_size("pressures", kpa.size(), segment_count_);
   return kpa.replicate(1 + setpoint_count_, 1);

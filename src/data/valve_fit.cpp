@@ -15,8 +15,8 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kFastestS = 1e-4;  // a time constant below it can't be told from none
 constexpr double kSlowestS = 50.0;
 
-/// Parameters as the optimiser sees them: the dead time in frames, logarithms of all others, so that
-/// a step of 1 means something in each.
+/// Parameters as the optimiser sees them: the dead time in frames, logarithms of all others, so
+/// that a step of 1 means something in each.
 struct Coordinates {
   double rate_hz = 20.0;
   double limit_kpa = 100.0;
@@ -96,8 +96,8 @@ int error_count(const std::vector<ValveRun>& runs) {
 class Fitter {
  public:
   Fitter(const std::vector<ValveRun>& runs, bool has_sides, double rate_hz, double limit_kpa)
-      : errors_{&runs, has_sides, {rate_hz, limit_kpa}, kFirstScale * limit_kpa,
-                error_count(runs)} {}
+      : errors_{
+            &runs, has_sides, {rate_hz, limit_kpa}, kFirstScale * limit_kpa, error_count(runs)} {}
 
   double loss(const Eigen::VectorXd& x) const {
     Eigen::VectorXd residual(errors_.count);
@@ -123,7 +123,7 @@ class Fitter {
   void rescale(const Eigen::VectorXd& x) {
     constexpr double kDeviationsPerMedian = 1.4826;  // of a normal distribution
     constexpr double kTypicalErrors = 3.0;
-    constexpr double kLeast = 5e-4;  // of the limit: finer than any sensor
+    constexpr double kLeast = 5e-4;     // of the limit: finer than any sensor
     constexpr double kUnderWay = 0.02;  // of the limit, from the set point
     const ValveMotion motion(errors_.coordinates.valves(x), errors_.has_sides,
                              1.0 / errors_.coordinates.rate_hz);
@@ -193,8 +193,8 @@ std::vector<ValveRun> thinned(const std::vector<ValveRun>& runs, int most_frames
 SegmentValves coarse_fit(const std::vector<ValveRun>& runs, bool has_sides, double rate_hz,
                          double limit_kpa) {
   constexpr double kTimesS[] = {0.01, 0.03, 0.08, 0.2, 0.5, 1.2};
-  constexpr double kDeadTimesS[] = {0.0,  0.01, 0.025, 0.05, 0.075, 0.1, 0.15,
-                                    0.2,  0.25, 0.3,   0.4,  0.5,   0.7, 1.0};
+  constexpr double kDeadTimesS[] = {0.0, 0.01, 0.025, 0.05, 0.075, 0.1, 0.15,
+                                    0.2, 0.25, 0.3,   0.4,  0.5,   0.7, 1.0};
   constexpr std::size_t kStarts = 3;
   constexpr int kEvaluations = 60;
   const double fastest = fastest_kpa_per_s(runs, rate_hz, limit_kpa);
@@ -205,7 +205,8 @@ SegmentValves coarse_fit(const std::vector<ValveRun>& runs, bool has_sides, doub
   for (const double time_s : kTimesS) {
     for (const double dead_time_s : kDeadTimesS) {
       for (const double rate : {0.6 * fastest, fastest, 10.0 * fastest}) {
-        const Eigen::VectorXd x = coordinates.of({{time_s, rate}, {time_s, rate}, dead_time_s, first_band});
+        const Eigen::VectorXd x =
+            coordinates.of({{time_s, rate}, {time_s, rate}, dead_time_s, first_band});
         starts.emplace_back(fitter.loss(x), x);
       }
     }
@@ -222,7 +223,7 @@ SegmentValves coarse_fit(const std::vector<ValveRun>& runs, bool has_sides, doub
 
 /// Takes a direction's rate limit away where the data say nothing of it.
 void drop_idle_limits(Fitter& fitter, Eigen::VectorXd& x) {
-  constexpr double kAsGood = 1.01;    // of the loss
+  constexpr double kAsGood = 1.01;   // of the loss
   constexpr double kNothing = 1e-4;  // a hundredth of the errors that count as small
   constexpr int kEvaluations = 60;
   for (bool Coordinates::*limits : {&Coordinates::limits_inflating, &Coordinates::limits_venting}) {

@@ -29,8 +29,8 @@ std::vector<double> largest_setpoints(const Recording& recording) {
   std::vector<double> limits(std::size_t(recording.segment_count), 0.0);
   for (const Episode& episode : recording.episodes) {
     for (int i = 0; i < recording.segment_count; ++i) {
-      limits[std::size_t(i)] = std::max<double>(
-          limits[std::size_t(i)], episode.setpoint_kpa.col(i).cwiseAbs().maxCoeff());
+      limits[std::size_t(i)] = std::max<double>(limits[std::size_t(i)],
+                                                episode.setpoint_kpa.col(i).cwiseAbs().maxCoeff());
     }
   }
   return limits;
@@ -76,8 +76,9 @@ std::vector<ValveRun> runs_of(const std::vector<Episode>& episodes,
     }
   }
   std::vector<ValveRun> chosen;
-  const std::size_t wanted =
-      frames <= kMostFrames ? runs.size() : runs.size() * std::size_t(kMostFrames) / std::size_t(frames);
+  const std::size_t wanted = frames <= kMostFrames
+                                 ? runs.size()
+                                 : runs.size() * std::size_t(kMostFrames) / std::size_t(frames);
   for (std::size_t k = 0; k < wanted; ++k) {
     chosen.push_back(runs[k * runs.size() / wanted]);
   }
@@ -223,8 +224,7 @@ class Identification {
     for (const int i : told_) {
       own[std::size_t(i)] = fit({i});
     }
-    const double pooled_mean =
-        collector_.errors({has_sides(), pooled}, split_.held_back).mean_kpa;
+    const double pooled_mean = collector_.errors({has_sides(), pooled}, split_.held_back).mean_kpa;
     const double own_mean = collector_.errors({has_sides(), own}, split_.held_back).mean_kpa;
     return pooled_mean <= kAsGood * own_mean + kNothing * scale() ? pooled : own;
   }
@@ -260,8 +260,7 @@ class Identification {
     double best = result.findings.held_back.mean_kpa;
     int best_frames = 0;
     for (int early = 1; early <= kMostFrames; ++early) {
-      const double mean =
-          collector_.errors(result.parameters, split_.held_back, early).mean_kpa;
+      const double mean = collector_.errors(result.parameters, split_.held_back, early).mean_kpa;
       if (mean < kMuchBetter * result.findings.held_back.mean_kpa && mean < best) {
         best = mean;
         best_frames = early;

@@ -16,9 +16,7 @@ struct ValveRun {
   int first = 0;
   int count = 0;
 
-  double setpoint(int frame) const {
-    return episode->setpoint_kpa(std::max(frame, 0), segment);
-  }
+  double setpoint(int frame) const { return episode->setpoint_kpa(std::max(frame, 0), segment); }
   double measured(int frame) const { return episode->pressure_kpa(frame, segment); }
 };
 

@@ -37,8 +37,8 @@ std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
   }
   for (int k = 1; k <= results.recipe.random_environments; ++k) {
     std::optional<Environment> drawn = draw_proven_environment(
-        results.arm(), *results.network, derived_seed(results.settings->seed, kEnvironmentSeed),
-        std::uint64_t(k));
+        results.arm(), results.motion_model(*results.network),
+        derived_seed(results.settings->seed, kEnvironmentSeed), std::uint64_t(k));
     if (!drawn) {
       throw InputError(
           fmt::format("arm '{}': no random environment was found in which it has to "
@@ -71,6 +71,11 @@ std::vector<TrialTask> all_tasks(const DemoResults& results) {
 
 }  // namespace
 
+MotionModel DemoResults::motion_model(const ForwardModel& forward) const {
+  const std::optional<ValveParameters>& valves = network->compensation().valves;
+  return {forward, ValveModel(arm(), valves ? *valves : ValveParameters{})};
+}
+
 const Environment& DemoResults::environment(const std::string& id) const {
   const auto found = std::find_if(environments.begin(), environments.end(),
                                   [&](const EnvironmentCase& item) { return item.id == id; });
@@ -98,8 +103,8 @@ void plan_stage(DemoResults& results) {
       const std::uint64_t seed =
           derived_seed(results.settings->seed, kPlanSeed + std::uint64_t(task.number));
       if (!interrupt_requested()) {
-        results.trials[i] =
-            plan_trial(results.arm(), *task.model, *task.environment, settings, seed);
+        results.trials[i] = plan_trial(results.arm(), results.motion_model(*task.model),
+                                       *task.environment, settings, seed);
       }
       progress.advance();
     });

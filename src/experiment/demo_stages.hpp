@@ -13,7 +13,7 @@
 #include "limber/experiment/report_page.hpp"
 #include "limber/experiment/speed_benchmark.hpp"
 #include "limber/experiment/stage_clock.hpp"
-#include "limber/forward/forward_model.hpp"
+#include "limber/forward/motion_model.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/evaluation_plots.hpp"
 #include "limber/training/trainer.hpp"
@@ -49,6 +49,8 @@ struct DemoResults {
   std::vector<PlanTrial> trials;            ///< environment by environment, no load before network
   std::vector<ReportFigure> plan_pictures;  ///< planned and executed, environment by environment
 
+  /// What motions are predicted with: the no-load model or the network behind the network's valves.
+  MotionModel motion_model(const ForwardModel& forward) const;
   const Environment& environment(const std::string& id) const;
   const ArmDescription& arm() const { return characterised.arm; }
   std::filesystem::path file(const std::string& name) const { return settings->folder / name; }

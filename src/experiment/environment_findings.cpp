@@ -37,18 +37,17 @@ class SimpleWays {
 
   /// True where the motion along the waypoints stays free and ends, after the hold, in the goal.
   bool solves(const std::vector<Pressures>& waypoints_kpa) {
-    Pressures at = start_.pressures_kpa;
-    Backbone backbone = start_.backbone;
-    Backbone end(backbone.rows(), 3);
+    MotionState at = simulator_.start(start_);
+    MotionState end;
     for (const Pressures& next : waypoints_kpa) {
-      if (!simulator_.move(at, backbone, next, end)) {
+      if (!simulator_.move(at, next, end)) {
         return false;
       }
-      at = next;
-      backbone = end;
+      std::swap(at, end);
     }
-    return simulator_.hold(at, backbone, hold_frame_count(arm_), end) &&
-           is_within(environment_.goal, pose_error(environment_.goal, tip_pose(end)));
+    return simulator_.hold(at, end) &&
+           is_within(environment_.goal,
+                     pose_error(environment_.goal, tip_pose<float>(end.backbone)));
   }
 
   /// Waypoints between which every pressure only rises or only falls, ending at `end_kpa`.
@@ -132,8 +131,8 @@ bool EnvironmentFindings::keeps_rules() const {
   return network.solved == network.trials && straight_line_collides;
 }
 
-EnvironmentFindings find_out(const ArmDescription& arm, const ForwardModel& no_load,
-                             const ForwardModel& network, const EnvironmentCase& item,
+EnvironmentFindings find_out(const ArmDescription& arm, const MotionModel& no_load,
+                             const MotionModel& network, const EnvironmentCase& item,
                              const FindingsSettings& settings, std::uint64_t seed) {
   EnvironmentFindings findings;
   findings.trials.resize(2 * static_cast<std::size_t>(settings.trials));

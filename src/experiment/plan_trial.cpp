@@ -9,7 +9,7 @@
 
 namespace limber {
 
-PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
+PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
                      const EnvironmentCase& item, const PlanTrialSettings& settings,
                      std::uint64_t seed) {
   PlanTrial trial;

@@ -37,8 +37,8 @@ Json optional_json(const auto& value) {
 }
 
 std::string forest_hash(const Forest& forest) {
-  return content_hash({reinterpret_cast<const char*>(forest.pressures_kpa.data()),
-                       static_cast<std::size_t>(forest.pressures_kpa.size()) * sizeof(float)});
+  return content_hash({reinterpret_cast<const char*>(forest.setpoints_kpa.data()),
+                       static_cast<std::size_t>(forest.setpoints_kpa.size()) * sizeof(float)});
 }
 
 /// What has to be the same for trials of two runs to stand in one table. The number of trials is
@@ -49,6 +49,7 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   json["arm"] = {{"name", settings.arm.name}, {"hash", settings.arm.hash()}};
   json["virtual_arm"] = content_hash(arm_to_yaml(settings.arm));
   json["model"] = model_hash;
+  json["valves"] = settings.valves.hash();
   json["margin_m"] = settings.margin_m;
   json["seed"] = settings.seed;
   json["time_limit_s"] = optional_json(settings.limits.time_s);
@@ -93,7 +94,7 @@ std::string as_file_name(std::string text) {
 
 struct Task {
   const EnvironmentCase* environment;
-  const ForwardModel* model;
+  const MotionModel* model;
   const std::string* planner;
   std::uint64_t seed;
   std::string id;  ///< of its files
@@ -104,8 +105,10 @@ class Experiment {
   explicit Experiment(const ExperimentSettings& settings)
       : settings_(settings),
         model_bytes_hash_(content_hash(read_file(settings.model_file))),
-        no_load_(settings.arm),
-        network_(settings.arm, read_model(settings.model_file)) {}
+        no_load_forward_(settings.arm),
+        network_forward_(settings.arm, read_model(settings.model_file)),
+        no_load_(no_load_forward_, ValveModel(settings.arm, settings.valves)),
+        network_(network_forward_, ValveModel(settings.arm, settings.valves)) {}
 
   Json run() {
     prepare_folder();
@@ -140,7 +143,7 @@ class Experiment {
   }
 
   void add_tasks(const std::string& planner, const EnvironmentCase& item,
-                 const ForwardModel& model) {
+                 const MotionModel& model) {
     if (!settings_.with_no_load && !model.has_network()) {
       return;
     }
@@ -249,8 +252,10 @@ class Experiment {
 
   const ExperimentSettings& settings_;
   std::string model_bytes_hash_;
-  ForwardModel no_load_;
-  ForwardModel network_;
+  ForwardModel no_load_forward_;
+  ForwardModel network_forward_;
+  MotionModel no_load_;
+  MotionModel network_;
   std::vector<Task> tasks_;
 };
 
@@ -276,7 +281,7 @@ void require_usable(const ExperimentSettings& settings) {
   }
   for (const EnvironmentCase& item : settings.environments) {
     if (settings.forest) {
-      require_forest_of(*settings.forest, settings.arm,
+      require_forest_of(*settings.forest, settings.arm, settings.valves,
                         start_state(item.environment, settings.arm));
     }
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr int kDraws = 100;
 constexpr std::uint64_t kNextDraw = 1'000'000;  // between the numbers of one environment's draws
 
-bool is_proven(const ArmDescription& arm, const ForwardModel& model,
+bool is_proven(const ArmDescription& arm, const MotionModel& model,
                const RandomEnvironment& drawn) {
   const CollisionChecker checker(arm, drawn.environment.obstacles);
   MotionSimulator simulator(arm, model, checker);
@@ -29,7 +29,7 @@ bool is_proven(const ArmDescription& arm, const ForwardModel& model,
 }  // namespace
 
 std::optional<Environment> draw_proven_environment(const ArmDescription& arm,
-                                                   const ForwardModel& model, std::uint64_t seed,
+                                                   const MotionModel& model, std::uint64_t seed,
                                                    std::uint64_t number) {
   for (int k = 0; k < kDraws; ++k) {
     throw_if_interrupted();

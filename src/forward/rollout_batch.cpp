@@ -21,23 +21,26 @@ void motion_setpoint(const Eigen::Ref<const Pressures>& from_kpa,
   }
 }
 
-RolloutBatch::RolloutBatch(const ForwardModel& model) : model_(model) {
+RolloutBatch::RolloutBatch(const MotionModel& model)
+    : model_(model), setpoint_kpa_(model.segment_count()) {
   for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &before_kpa_, &now_kpa_}) {
     m->resize(model.segment_count(), 0);
   }
+  valves_.resize(model.valves().state_size(), 0);
   before_.resize(3 * model.point_count(), 0);
   now_.resize(3 * model.point_count(), 0);
 }
 
 void RolloutBatch::grow() {
   const Eigen::Index capacity = std::max(kFirstCapacity, 2 * now_.cols());
-  for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &before_kpa_, &now_kpa_, &before_, &now_}) {
+  for (Eigen::MatrixXf* m :
+       {&from_kpa_, &to_kpa_, &before_kpa_, &now_kpa_, &valves_, &before_, &now_}) {
     m->conservativeResize(Eigen::NoChange, capacity);
   }
 }
 
-void RolloutBatch::add(int label, const Eigen::Ref<const Pressures>& from_kpa,
-                       const Eigen::Ref<const Backbone>& from,
+void RolloutBatch::add(int label, const Eigen::Ref<const Eigen::VectorXf>& valves,
+                       const Eigen::Ref<const Backbone>& backbone,
                        const Eigen::Ref<const Pressures>& to_kpa, int frames) {
   assert(frames >= 1);
   const Eigen::Index column = size();
@@ -45,10 +48,12 @@ void RolloutBatch::add(int label, const Eigen::Ref<const Pressures>& from_kpa,
     grow();
   }
   motions_.push_back({label, 0, frames});
-  from_kpa_.col(column) = from_kpa;
+  const Eigen::Index n = setpoint_kpa_.size();
+  from_kpa_.col(column) = valves.segment(n, n);
   to_kpa_.col(column) = to_kpa;
-  now_kpa_.col(column) = from_kpa;
-  Eigen::Map<Backbone>(now_.col(column).data(), model_.point_count(), 3) = from;
+  now_kpa_.col(column) = valves.head(n);
+  valves_.col(column) = valves;
+  Eigen::Map<Backbone>(now_.col(column).data(), model_.point_count(), 3) = backbone;
 }
 
 void RolloutBatch::step() {
@@ -58,10 +63,12 @@ void RolloutBatch::step() {
     Motion& motion = motions_[static_cast<std::size_t>(c)];
     assert(motion.frame < motion.frames);
     ++motion.frame;
-    motion_setpoint(from_kpa_.col(c), to_kpa_.col(c), motion.frame, motion.frames, now_kpa_.col(c));
+    motion_setpoint(from_kpa_.col(c), to_kpa_.col(c), motion.frame, motion.frames, setpoint_kpa_);
+    model_.valves().step(setpoint_kpa_, valves_.col(c));
+    now_kpa_.col(c) = valves_.col(c).head(setpoint_kpa_.size());
   }
-  model_.step_batch(before_kpa_.leftCols(size()), now_kpa_.leftCols(size()),
-                    before_.leftCols(size()), now_.leftCols(size()), workspace_);
+  model_.forward().step_batch(before_kpa_.leftCols(size()), now_kpa_.leftCols(size()),
+                              before_.leftCols(size()), now_.leftCols(size()), workspace_);
 }
 
 Eigen::Map<const Backbone> RolloutBatch::before(int column) const {
@@ -73,11 +80,19 @@ Eigen::Map<const Backbone> RolloutBatch::now(int column) const {
   return {now_.col(column).data(), model_.point_count(), 3};
 }
 
+Eigen::Map<const Eigen::VectorXf> RolloutBatch::valves(int column) const {
+  return {valves_.col(column).data(), valves_.rows()};
+}
+
+MotionState RolloutBatch::state(int column) const {
+  return {setpoint_kpa_.size(), valves(column), now(column)};
+}
+
 void RolloutBatch::remove(int column) {
   const int last = size() - 1;
   if (column != last) {
     motions_[static_cast<std::size_t>(column)] = motions_.back();
-    for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &now_kpa_, &before_, &now_}) {
+    for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &now_kpa_, &valves_, &before_, &now_}) {
       m->col(column) = m->col(last);
     }
   }

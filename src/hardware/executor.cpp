@@ -76,21 +76,37 @@ class Execution {
   }
 
  private:
-  /// Unrecorded: from rest to where the plan starts.
+  /// Unrecorded: from rest to where the plan starts. The plan takes the arm to have long stood
+  /// there, so slow valves get their time.
   void approach_start() {
     const Pressures& start_kpa = plan_.frames.front().setpoint_kpa;
     if (start_kpa.isZero()) {
       return;
     }
-    constexpr double kSettling_s = 3.0;  // what full reversals take
+    constexpr double kSettlingS = 3.0;  // at least: what full reversals take, and shapes to rest
+    constexpr double kLongestSettlingS = 60.0;
     for (const Pressures& setpoint_kpa :
          straight_frames(arm_, Pressures::Zero(arm_.segment_count()), start_kpa)) {
       driver_.command(setpoint_kpa);
     }
-    for (int k = 0; k < arm_.frames_in(kSettling_s); ++k) {
+    const int least = arm_.frames_in(kSettlingS);
+    const int most = arm_.frames_in(kLongestSettlingS);
+    for (int k = 0; k < least || (k < most && !has_arrived(start_kpa)); ++k) {
       throw_if_interrupted();
       driver_.command(start_kpa);
     }
+  }
+
+  bool has_arrived(const Pressures& setpoint_kpa) const {
+    constexpr double kArrived = 0.01;  // of the limit, as planning's hold has it
+    for (Eigen::Index i = 0; i < setpoint_kpa.size(); ++i) {
+      const double limit = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      if (!(std::abs(double(driver_.state().pressure_kpa[i]) - double(setpoint_kpa[i])) <=
+            kArrived * limit)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   void command(const Pressures& setpoint_kpa) {

@@ -24,14 +24,14 @@ BatchSearch::BatchSearch(const PlanningProblem& problem, PathSimulator& simulato
       seed_(seed),
       goal_sampler_(problem.model.no_load(), problem.environment.goal,
                     settings.goal_configurations),
-      tree_(problem.arm,
+      tree_(problem.arm, problem.model,
             {settings.cell_pressure, settings.cell_position_m, settings.cell_orientation_rad},
-            start_state(problem.environment, problem.arm)) {
+            start_of(problem)) {
   note_error(0);
 }
 
 double BatchSearch::error_of(int node) const {
-  return goal_error(problem_.environment.goal, tip_pose(tree().backbone(node)));
+  return goal_error(problem_.environment.goal, tree().settled_tip(node));
 }
 
 void BatchSearch::note_error(int node) {
@@ -75,7 +75,7 @@ BatchSearch::Proposal BatchSearch::shot_at_goal(RandomStream& random) {
   }
   const Pressures to =
       step_toward_goal(problem_.model.no_load(), problem_.environment.goal, problem_.arm.length_m(),
-                       tree().pressures_kpa(node), tip_pose(tree().backbone(node)));
+                       tree().setpoint_kpa(node), tree().settled_tip(node));
   return {node, scattered(to, settings_.shot_spread, random)};
 }
 
@@ -112,13 +112,13 @@ void BatchSearch::round(const std::optional<double>& best_cost_kpa,
   for (std::size_t k = 0; k < wanted; ++k) {
     RandomStream random(seed_, kSearchStream + proposals_++);
     Proposal edge = propose(random);
-    const auto from = tree().pressures_kpa(edge.parent);
+    const auto from = tree().setpoint_kpa(edge.parent);
     const double cost = tree().cost_kpa(edge.parent) + motion_cost_kpa(from, edge.to_kpa);
     if (tree_.scaled(edge.to_kpa - from).norm() <= kSamePoint ||
         (best_cost_kpa && cost >= settings_.dearest * *best_cost_kpa)) {
       continue;
     }
-    paths_.push_back({from, tree().backbone(edge.parent), {edge.to_kpa}});
+    paths_.push_back({tree().state(edge.parent), {edge.to_kpa}});
     costs_kpa_.push_back(cost);
     batch_.push_back(std::move(edge));
   }
@@ -132,7 +132,7 @@ void BatchSearch::round(const std::optional<double>& best_cost_kpa,
 
 void BatchSearch::add(const Proposal& edge, double cost_kpa, const PathOutcome& outcome) {
   const std::optional<int> node =
-      tree_.add(edge.to_kpa, outcome.at.front(), edge.parent, cost_kpa, outcome.in_goal);
+      tree_.add(outcome.at.front(), edge.parent, cost_kpa, outcome.in_goal);
   if (!node) {
     return;
   }
@@ -142,10 +142,10 @@ void BatchSearch::add(const Proposal& edge, double cost_kpa, const PathOutcome& 
   }
 }
 
-int BatchSearch::graft(int parent, const Pressures& pressures_kpa, const Backbone& backbone) {
+int BatchSearch::graft(int parent, const MotionState& state) {
   const double cost_kpa =
-      tree().cost_kpa(parent) + motion_cost_kpa(tree().pressures_kpa(parent), pressures_kpa);
-  const int node = *tree_.add(pressures_kpa, backbone, parent, cost_kpa, true);
+      tree().cost_kpa(parent) + motion_cost_kpa(tree().setpoint_kpa(parent), state.setpoint_kpa());
+  const int node = *tree_.add(state, parent, cost_kpa, true);
   note_error(node);
   return node;
 }

@@ -29,7 +29,7 @@ class BatchSearch {
 
   /// Adds a state that someone else has reached from `parent`, free of collision.
   /// @return its node
-  int graft(int parent, const Pressures& pressures_kpa, const Backbone& backbone);
+  int graft(int parent, const MotionState& state);
   /// Someone else has found that a node is in the goal after the hold.
   void note_solution(int node) { solutions_.push_back({node, tree().cost_kpa(node)}); }
 
@@ -38,7 +38,7 @@ class BatchSearch {
   /// Nodes in the goal, in the order found.
   const std::vector<Solution>& solutions() const { return solutions_; }
   std::vector<Pressures> waypoints_to(int node) const { return tree().path_to(node); }
-  /// The node whose tip is nearest to the goal.
+  /// The node whose tip settles nearest to the goal.
   int nearest_node() const { return elite_.front().node; }
 
   const PressureTree& tree() const { return tree_.states(); }

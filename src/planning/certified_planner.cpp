@@ -27,12 +27,16 @@ Environment with_reserve(Environment environment) {
 
 class CertifiedPlanner final : public Planner {
  public:
-  explicit CertifiedPlanner(std::unique_ptr<Planner> planner) : planner_(std::move(planner)) {}
+  CertifiedPlanner(std::unique_ptr<Planner> planner, Valves valves)
+      : planner_(std::move(planner)), valves_(valves) {}
 
   const char* name() const override { return planner_->name(); }
 
-  PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
+  PlanResult plan(const PlanningProblem& asked, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
+    const PlanningProblem problem{
+        asked.arm, valves_ == Valves::left_out ? asked.model.without_valves() : asked.model,
+        asked.environment, asked.margin_m};
     const Environment environment = with_reserve(problem.environment);
     const double margin_m = std::max(problem.margin_m, Certificate::kLeastClearanceM) + kReserveM;
     PlanResult result =
@@ -77,7 +81,8 @@ class CertifiedPlanner final : public Planner {
     const auto start = std::chrono::steady_clock::now();
     const CompensationModel* network =
         problem.model.has_network() ? &problem.model.compensation() : nullptr;
-    result.certificate = certify(*result.plan, problem.arm, network, problem.environment);
+    result.certificate = certify(*result.plan, problem.arm, network,
+                                 problem.model.valves().parameters(), problem.environment);
     const Certificate& certificate = *result.certificate;
     if (certificate.certified()) {
       result.plan->certified =
@@ -99,12 +104,13 @@ class CertifiedPlanner final : public Planner {
   }
 
   std::unique_ptr<Planner> planner_;
+  Valves valves_;
 };
 
 }  // namespace
 
-std::unique_ptr<Planner> make_certified_planner(std::unique_ptr<Planner> planner) {
-  return std::make_unique<CertifiedPlanner>(std::move(planner));
+std::unique_ptr<Planner> make_certified_planner(std::unique_ptr<Planner> planner, Valves valves) {
+  return std::make_unique<CertifiedPlanner>(std::move(planner), valves);
 }
 
 }  // namespace limber

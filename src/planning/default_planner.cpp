@@ -44,7 +44,8 @@ class Run {
       return std::move(result_);
     }
     if (forest != nullptr) {
-      require_forest_of(*forest, problem_.arm, start_state(problem_.environment, problem_.arm));
+      require_forest_of(*forest, problem_.arm, problem_.model.valves().parameters(),
+                        start_state(problem_.environment, problem_.arm));
       forest_.emplace(*forest, problem_, checker_, paths_, search_);
     }
     start_in_goal();
@@ -78,11 +79,11 @@ class Run {
 
   /// An arm that need not move has the cheapest plan of all.
   void start_in_goal() {
-    const ArmStart start = start_state(problem_.environment, problem_.arm);
-    batch_.assign(1, {start.pressures_kpa, start.backbone, {start.pressures_kpa}});
+    const MotionState start = start_of(problem_);
+    batch_.assign(1, {start, {start.setpoint_kpa()}});
     paths_.run(batch_, outcomes_, give_up());
     if (outcomes_.front().in_goal) {
-      note_plan({start.pressures_kpa});
+      note_plan({start.setpoint_kpa()});
     }
   }
 
@@ -180,12 +181,12 @@ class Run {
       return;
     }
     const std::size_t place = choice_.index(static_cast<std::uint32_t>(waiting_.size()));
-    std::vector<Backbone> backbones;
+    std::vector<MotionState> states;
     const std::vector<int> nodes = search_.tree().nodes_to(waiting_[place]);
     for (const int node : nodes) {
-      backbones.emplace_back(search_.tree().backbone(node));
+      states.push_back(search_.tree().state(node));
     }
-    improver.adopt(search_.waypoints_to(waiting_[place]), std::move(backbones));
+    improver.adopt(search_.waypoints_to(waiting_[place]), std::move(states));
     waiting_[place] = waiting_.back();
     waiting_.pop_back();
   }

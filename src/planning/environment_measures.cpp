@@ -59,14 +59,12 @@ double ray_distance(const std::vector<ObstacleShape>& shapes, const Vector2d& p,
 /// Moves straight to `to_kpa` and holds; none where that collides.
 std::optional<Backbone> end_of_straight_line(const PlanningProblem& problem,
                                              MotionSimulator& simulator, const Pressures& to_kpa) {
-  const ArmStart start = start_state(problem.environment, problem.arm);
-  Backbone there(problem.arm.point_count(), 3);
-  Backbone held(problem.arm.point_count(), 3);
-  if (!simulator.move(start.pressures_kpa, start.backbone, to_kpa, there) ||
-      !simulator.hold(to_kpa, there, hold_frame_count(problem.arm), held)) {
+  MotionState there;
+  MotionState held;
+  if (!simulator.move(start_of(problem), to_kpa, there) || !simulator.hold(there, held)) {
     return std::nullopt;
   }
-  return held;
+  return held.backbone;
 }
 
 }  // namespace

@@ -31,15 +31,15 @@ struct Edge {
 /// One growth, round by round.
 class Grower {
  public:
-  Grower(const ArmDescription& arm, const ForwardModel& model, const ArmStart& start,
+  Grower(const ArmDescription& arm, const MotionModel& model, const ArmStart& start,
          const ForestSettings& settings)
       : settings_(settings),
         environment_(empty_environment(start)),
         problem_{arm, model, environment_},
         checker_(arm, environment_.obstacles, 0.0),
         paths_(problem_, checker_, {kAnywhere, kAnywhere}, settings.jobs),
-        tree_(arm, kCells, start) {
-    hold_start(start);
+        tree_(arm, problem_.model, kCells, start_of(problem_)) {
+    hold_start();
   }
 
   int size() const { return tree_.size(); }
@@ -53,8 +53,7 @@ class Grower {
       const int parent = tree_.parent_near(target, kRandomParent, random);
       const Pressures to =
           random.uniform() < kFarShare ? target : tree_.stepped(parent, target, kStep);
-      batch_.push_back(
-          {tree_.states().pressures_kpa(parent), tree_.states().backbone(parent), {to}});
+      batch_.push_back({tree_.states().state(parent), {to}});
       edges_.push_back({parent, to});
     }
     paths_.run(batch_, outcomes_, [] { return false; });
@@ -67,12 +66,12 @@ class Grower {
     const PressureTree& states = tree_.states();
     Forest forest;
     forest.key = key;
-    forest.pressures_kpa.resize(tree_.limits_kpa().size(), states.size());
+    forest.setpoints_kpa.resize(tree_.limits_kpa().size(), states.size());
     forest.held_tips.resize(3, states.size());
     forest.shapes.resize(3 * (problem_.arm.point_count() - 1), states.size());
     for (int i = 0; i < states.size(); ++i) {
       forest.parents.push_back(states.parent(i));
-      forest.pressures_kpa.col(i) = states.pressures_kpa(i);
+      forest.setpoints_kpa.col(i) = states.setpoint_kpa(i);
       forest.held_tips.col(i) = held_tips_[static_cast<std::size_t>(i)];
       round_shape(states.backbone(i), problem_.arm.length_m(), forest.shapes.col(i));
     }
@@ -89,8 +88,9 @@ class Grower {
     return environment;
   }
 
-  void hold_start(const ArmStart& start) {
-    batch_.assign(1, {start.pressures_kpa, start.backbone, {start.pressures_kpa}});
+  void hold_start() {
+    const MotionState start = start_of(problem_);
+    batch_.assign(1, {start, {start.setpoint_kpa()}});
     paths_.run(batch_, outcomes_, [] { return false; });
     if (!outcomes_.front().held_tip) {
       throw InputError("the model runs off to infinity where the arm stands still at its start");
@@ -109,8 +109,8 @@ class Grower {
       return;  // where nothing is in the way, what is not free has run off to infinity
     }
     const double cost = tree_.states().cost_kpa(edge.parent) +
-                        motion_cost_kpa(tree_.states().pressures_kpa(edge.parent), edge.to_kpa);
-    if (tree_.add(edge.to_kpa, outcome.at.front(), edge.parent, cost)) {
+                        motion_cost_kpa(tree_.states().setpoint_kpa(edge.parent), edge.to_kpa);
+    if (tree_.add(outcome.at.front(), edge.parent, cost)) {
       note_tip(outcome);
     }
   }
@@ -138,20 +138,23 @@ void Forest::complete() {
   std::vector<double> sums(parents.size(), 0.0);
   for (std::size_t i = 1; i < sums.size(); ++i) {
     const auto parent = static_cast<std::size_t>(parents[i]);
-    sums[i] = sums[parent] + motion_cost_kpa(pressures_kpa.col(static_cast<Eigen::Index>(parent)),
-                                             pressures_kpa.col(static_cast<Eigen::Index>(i)));
+    sums[i] = sums[parent] + motion_cost_kpa(setpoints_kpa.col(static_cast<Eigen::Index>(parent)),
+                                             setpoints_kpa.col(static_cast<Eigen::Index>(i)));
   }
   costs_kpa.assign(sums.begin(), sums.end());
-  largest_kpa = pressures_kpa.cwiseAbs().rowwise().maxCoeff();
+  largest_kpa = setpoints_kpa.cwiseAbs().rowwise().maxCoeff();
   tips = TipGrid(held_tips, costs_kpa);
 }
 
-void require_forest_of(const Forest& forest, const ArmDescription& arm, const ArmStart& start) {
-  const ForestKey key = forest_key(arm, forest.key.model_hash, start);
+void require_forest_of(const Forest& forest, const ArmDescription& arm,
+                       const ValveParameters& valves, const ArmStart& start) {
+  const ForestKey key = forest_key(arm, forest.key.model_hash, valves, start);
   if (!(forest.key == key)) {
-    throw InputError(
-        fmt::format("the forest was grown for another {} than '{}' has here: grow it anew",
-                    forest.key.arm_hash == key.arm_hash ? "start" : "arm", arm.name));
+    const char* other = forest.key.arm_hash != key.arm_hash         ? "another arm"
+                        : forest.key.valves_hash != key.valves_hash ? "other valves"
+                                                                    : "another start";
+    throw InputError(fmt::format("the forest was grown for {} than '{}' has here: grow it again",
+                                 other, arm.name));
   }
   const Pressures limits_kpa = pressure_limits_kpa(arm);
   const auto refuse = [](const std::string& what) {
@@ -172,13 +175,13 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm, const Ar
 }
 
 ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
-                     const ArmStart& start) {
-  return {arm.hash(), model_hash,
+                     const ValveParameters& valves, const ArmStart& start) {
+  return {arm.hash(), model_hash, valves.hash(),
           content_hash(bytes_of(start.pressures_kpa.data(), start.pressures_kpa.size()) +
                        bytes_of(start.backbone.data(), start.backbone.size()))};
 }
 
-std::optional<Forest> grow_forest(const ArmDescription& arm, const ForwardModel& model,
+std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& model,
                                   const ForestKey& key, const ArmStart& start,
                                   const ForestSettings& settings, const ForestCallback& callback) {
   if (settings.nodes < 1 || settings.nodes > Forest::kMostNodes) {

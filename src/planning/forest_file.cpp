@@ -12,7 +12,7 @@ namespace limber {
 
 namespace {
 
-constexpr const char* kSchema = "limber/forest/2";
+constexpr const char* kSchema = "limber/forest/3";
 constexpr float kFarthest = 1e4F;  // [m, rad] of a tip; an arm's reach is a few metres
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
@@ -112,11 +112,12 @@ void write_forest(const std::filesystem::path& path, const Forest& forest) {
   content.metadata = {{"schema", kSchema},
                       {"arm_hash", forest.key.arm_hash},
                       {"model_hash", forest.key.model_hash},
+                      {"valves_hash", forest.key.valves_hash},
                       {"start_hash", forest.key.start_hash}};
   // Our reader has no whole numbers of 32 bits: a float tells all of these apart.
   content.tensors["parents"] = {{forest.parents.size()},
                                 {forest.parents.begin(), forest.parents.end()}};
-  content.tensors["pressures_kpa"] = rows_of(forest.pressures_kpa);
+  content.tensors["setpoints_kpa"] = rows_of(forest.setpoints_kpa);
   content.tensors["held_tips"] = rows_of(forest.held_tips);
   content.shorts["shapes"] = rows_of(forest.shapes);
   write_file_atomically(path, safetensors_bytes(content));
@@ -125,12 +126,13 @@ void write_forest(const std::filesystem::path& path, const Forest& forest) {
 Forest read_forest(const std::filesystem::path& path) {
   ForestReader reader(path);
   Forest forest;
-  forest.key = {reader.text("arm_hash"), reader.text("model_hash"), reader.text("start_hash")};
+  forest.key = {reader.text("arm_hash"), reader.text("model_hash"), reader.text("valves_hash"),
+                reader.text("start_hash")};
   forest.parents = parents_of(reader);
-  const Tensor& pressures = reader.tensor("pressures_kpa", 2);
-  const auto segments = static_cast<Eigen::Index>(pressures.shape[1]);
-  forest.pressures_kpa = Eigen::Map<const Eigen::MatrixXf>(
-      pressures.values.data(), segments, static_cast<Eigen::Index>(forest.size()));
+  const Tensor& setpoints = reader.tensor("setpoints_kpa", 2);
+  const auto segments = static_cast<Eigen::Index>(setpoints.shape[1]);
+  forest.setpoints_kpa = Eigen::Map<const Eigen::MatrixXf>(
+      setpoints.values.data(), segments, static_cast<Eigen::Index>(forest.size()));
   const Tensor& tips = reader.tensor("held_tips", 2);
   if (tips.shape[1] != 3) {
     refuse(reader.where(), "tensor held_tips has not 3 columns (x_m, y_m, theta_rad)");

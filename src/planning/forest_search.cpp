@@ -20,6 +20,11 @@ Eigen::Vector2f place_m(const PoseGoal& goal) {
   return {static_cast<float>(goal.x_m), static_cast<float>(goal.y_m)};
 }
 
+/// Of a node that a motion has collided on the way to, nothing is known.
+bool is_ruled_out(const MotionState& state) {
+  return state.backbone.size() == 0;
+}
+
 Pose pose_of(const TipGrid::Tip& tip) {
   return {double(tip.x_m), double(tip.y_m), double(tip.theta_rad)};
 }
@@ -36,7 +41,7 @@ ForestSearch::ForestSearch(const Forest& forest, const PlanningProblem& problem,
       filter_(forest, problem, checker),
       near_left_(kMostNear) {
   grafted_[0] = 0;
-  known_[0] = start_state(problem.environment, problem.arm).backbone;
+  known_[0] = start_of(problem);
   find_those_in_goal();
 }
 
@@ -76,7 +81,7 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
     found.way.push_back(i);
   }
   const auto last = known_.find(node);
-  if (known_.at(i).size() == 0 || (last != known_.end() && last->second.size() == 0)) {
+  if (is_ruled_out(known_.at(i)) || (last != known_.end() && is_ruled_out(last->second))) {
     return std::nullopt;
   }
   std::reverse(found.way.begin(), found.way.end());
@@ -84,7 +89,7 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
     const auto held = forest_.held_tips.col(node);
     found.step_kpa = search_.limited(step_toward_goal(
         problem_.model.no_load(), problem_.environment.goal, problem_.arm.length_m(),
-        forest_.pressures_kpa.col(node), {double(held[0]), double(held[1]), double(held[2])}));
+        forest_.setpoints_kpa.col(node), {double(held[0]), double(held[1]), double(held[2])}));
   }
   return found;
 }
@@ -102,10 +107,10 @@ void ForestSearch::collect(Ranking& nodes, std::size_t wanted, bool step,
       continue;
     }
     const int from = forest_.parents[static_cast<std::size_t>(found->way.front())];
-    Path path{forest_.pressures_kpa.col(from), known_.at(from), {}};
+    Path path{known_.at(from), {}};
     path.hold = true;  // the forest knows where that leads, however far it goes
     for (const int passed : found->way) {
-      path.to_kpa.emplace_back(forest_.pressures_kpa.col(passed));
+      path.to_kpa.emplace_back(forest_.setpoints_kpa.col(passed));
     }
     if (found->step_kpa) {
       path.to_kpa.push_back(*found->step_kpa);
@@ -158,7 +163,7 @@ void ForestSearch::settle(const Candidate& tried, const PathOutcome& outcome) {
     return;  // the step collides, not the way to it
   }
   if (tried.step_kpa) {
-    place = search_.graft(place, *tried.step_kpa, outcome.at.back());
+    place = search_.graft(place, outcome.at.back());
   }
   if (outcome.in_goal) {
     search_.note_solution(place);
@@ -173,7 +178,7 @@ int ForestSearch::graft(int node) {
   }
   int place = grafted_.at(i);
   for (auto step = way.rbegin(); step != way.rend(); ++step) {
-    place = search_.graft(place, forest_.pressures_kpa.col(*step), known_.at(*step));
+    place = search_.graft(place, known_.at(*step));
     grafted_[*step] = place;
   }
   return place;

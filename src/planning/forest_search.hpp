@@ -61,7 +61,7 @@ class ForestSearch {
   std::size_t near_left_;
   int rounds_ = 0;
   int rounds_since_plan_ = 0;
-  std::unordered_map<int, Backbone> known_;  // backbones at nodes that are free; empty: ruled out
+  std::unordered_map<int, MotionState> known_;  // at nodes that are free; empty: ruled out
   std::unordered_set<int> tried_;
   std::unordered_map<int, int> grafted_;  // node of the forest → node of the search
   std::vector<Candidate> candidates_;     // of a round

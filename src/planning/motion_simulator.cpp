@@ -7,7 +7,9 @@ namespace limber {
 
 namespace {
 
-constexpr double kRoundingFrames = 1e-6;  // float32 set points of a motion of whole frames
+constexpr double kRoundingFrames = 1e-6;       // float32 set points of a motion of whole frames
+constexpr float kSettledShare = 0.01F;         // of the limit: pressures this near have arrived
+constexpr float kDeadBandRoundingKpa = 1e-3F;  // valves stop at the band's edge
 
 }  // namespace
 
@@ -29,106 +31,140 @@ double motion_cost_kpa(const PressuresRef& from_kpa, const PressuresRef& to_kpa)
   return (to_kpa.cast<double>() - from_kpa.cast<double>()).lpNorm<1>();
 }
 
-MotionSimulator::MotionSimulator(const ArmDescription& arm, const ForwardModel& model,
+MotionState state_after(const std::vector<PlanFrame>& frames, const MotionModel& model) {
+  const PlanFrame& last = frames.back();
+  const Eigen::Index n = last.setpoint_kpa.size();
+  MotionState state{n, Eigen::VectorXf(model.valves().state_size()), last.backbone};
+  state.valves.head(n) = last.pressure_kpa;
+  for (int back = 0; back < model.valves().setpoint_count(); ++back) {
+    const std::size_t k = frames.size() - 1 - std::min(frames.size() - 1, std::size_t(back));
+    state.valves.segment((1 + back) * n, n) = frames[k].setpoint_kpa;
+  }
+  return state;
+}
+
+int hold_frame_count(const ArmDescription& arm, const ValveModel& valves,
+                     const Eigen::Ref<const Eigen::VectorXf>& state) {
+  const int least = arm.frames_in(kHoldS);
+  if (valves.is_ideal()) {
+    return least;
+  }
+  Pressures tolerance_kpa = kSettledShare * pressure_limits_kpa(arm);
+  for (Eigen::Index i = 0; i < tolerance_kpa.size(); ++i) {
+    const SegmentValves& segment = valves.parameters().segments[static_cast<std::size_t>(i)];
+    tolerance_kpa[i] = std::max(tolerance_kpa[i],
+                                static_cast<float>(segment.dead_band_kpa) + kDeadBandRoundingKpa);
+  }
+  return std::max(least,
+                  valves.frames_to_settle(state, tolerance_kpa, arm.frames_in(kLongestHoldS)));
+}
+
+MotionSimulator::MotionSimulator(const ArmDescription& arm, const MotionModel& model,
                                  const CollisionChecker& checker)
     : arm_(arm),
       model_(model),
       checker_(checker),
-      previous_kpa_(arm.segment_count()),
-      current_kpa_(arm.segment_count()),
-      previous_(arm.point_count(), 3),
-      current_(arm.point_count(), 3) {}
+      setpoint_kpa_(arm.segment_count()),
+      before_(arm.point_count(), 3) {}
 
-void MotionSimulator::step(const PressuresRef& previous_kpa, const PressuresRef& current_kpa,
-                           const BackboneRef& previous, Eigen::Ref<Backbone> next) {
-  model_.step(previous_kpa, current_kpa, previous, next, workspace_);
+void MotionSimulator::step(const PressuresRef& setpoint_kpa) {
+  before_ = state_.backbone;
+  model_.step(setpoint_kpa, state_, workspace_);
   ++queries_;
 }
 
-bool MotionSimulator::move(const PressuresRef& from_kpa, const BackboneRef& from,
-                           const PressuresRef& to_kpa, Eigen::Ref<Backbone> end) {
+bool MotionSimulator::move(const MotionState& from, const PressuresRef& to_kpa, MotionState& end) {
+  const Pressures from_kpa = from.setpoint_kpa();
   const int count = motion_frame_count(from_kpa, to_kpa, arm_.pressure_step_limit_kpa());
-  previous_kpa_ = from_kpa;
-  previous_ = from;
+  state_ = from;
   bool is_free = true;
   for (int k = 1; k <= count && is_free; ++k) {
-    motion_setpoint(from_kpa, to_kpa, k, count, current_kpa_);
-    step(previous_kpa_, current_kpa_, previous_, current_);
-    is_free = checker_.is_motion_free(previous_, current_);
-    previous_kpa_.swap(current_kpa_);
-    previous_.swap(current_);
+    motion_setpoint(from_kpa, to_kpa, k, count, setpoint_kpa_);
+    step(setpoint_kpa_);
+    is_free = checker_.is_motion_free(before_, state_.backbone);
   }
-  end = previous_;
+  end = state_;
   return is_free;
 }
 
-void MotionSimulator::move_unchecked(const PressuresRef& from_kpa, const BackboneRef& from,
-                                     const PressuresRef& to_kpa, Eigen::Ref<Backbone> end) {
+void MotionSimulator::move_unchecked(const MotionState& from, const PressuresRef& to_kpa,
+                                     MotionState& end) {
+  const Pressures from_kpa = from.setpoint_kpa();
   const int count = motion_frame_count(from_kpa, to_kpa, arm_.pressure_step_limit_kpa());
-  previous_kpa_ = from_kpa;
-  previous_ = from;
+  state_ = from;
   for (int k = 1; k <= count; ++k) {
-    motion_setpoint(from_kpa, to_kpa, k, count, current_kpa_);
-    step(previous_kpa_, current_kpa_, previous_, current_);
-    previous_kpa_.swap(current_kpa_);
-    previous_.swap(current_);
+    motion_setpoint(from_kpa, to_kpa, k, count, setpoint_kpa_);
+    step(setpoint_kpa_);
   }
-  end = previous_;
+  end = state_;
 }
 
-bool MotionSimulator::hold(const PressuresRef& kpa, const BackboneRef& from, int frames,
-                           Eigen::Ref<Backbone> end) {
-  previous_ = from;
+bool MotionSimulator::hold(const MotionState& from, int frames, MotionState& end) {
+  state_ = from;
+  setpoint_kpa_ = from.setpoint_kpa();
   bool is_free = true;
   for (int k = 0; k < frames && is_free; ++k) {
-    step(kpa, kpa, previous_, current_);
-    is_free = checker_.is_motion_free(previous_, current_);
-    previous_.swap(current_);
+    step(setpoint_kpa_);
+    is_free = checker_.is_motion_free(before_, state_.backbone);
   }
-  end = previous_;
+  end = state_;
   return is_free;
+}
+
+bool MotionSimulator::hold(const MotionState& from, MotionState& end) {
+  return hold(from, hold_frame_count(arm_, model_.valves(), from.valves), end);
+}
+
+void MotionSimulator::append_frame(const PressuresRef& setpoint_kpa,
+                                   std::vector<PlanFrame>& frames) {
+  step(setpoint_kpa);
+  frames.push_back({setpoint_kpa, state_.pressure_kpa(), state_.backbone});
 }
 
 void MotionSimulator::append_motion(const PressuresRef& to_kpa, std::vector<PlanFrame>& frames) {
   const Pressures from_kpa = frames.back().setpoint_kpa;
   const int count = motion_frame_count(from_kpa, to_kpa, arm_.pressure_step_limit_kpa());
+  state_ = state_after(frames, model_);
   for (int k = 1; k <= count; ++k) {
-    PlanFrame next{Pressures(from_kpa.size()), Backbone(arm_.point_count(), 3)};
-    motion_setpoint(from_kpa, to_kpa, k, count, next.setpoint_kpa);
-    step(frames.back().setpoint_kpa, next.setpoint_kpa, frames.back().backbone, next.backbone);
-    frames.push_back(std::move(next));
+    motion_setpoint(from_kpa, to_kpa, k, count, setpoint_kpa_);
+    append_frame(setpoint_kpa_, frames);
   }
 }
 
-void MotionSimulator::append_hold(int count, std::vector<PlanFrame>& frames) {
+int MotionSimulator::append_hold(std::vector<PlanFrame>& frames) {
+  state_ = state_after(frames, model_);
+  setpoint_kpa_ = frames.back().setpoint_kpa;
+  const int count = hold_frame_count(arm_, model_.valves(), state_.valves);
   for (int k = 0; k < count; ++k) {
-    PlanFrame next{frames.back().setpoint_kpa, Backbone(arm_.point_count(), 3)};
-    step(next.setpoint_kpa, next.setpoint_kpa, frames.back().backbone, next.backbone);
-    frames.push_back(std::move(next));
+    append_frame(setpoint_kpa_, frames);
   }
+  return count;
 }
 
-void MotionBatch::run(const Eigen::Ref<const Eigen::MatrixXf>& from_kpa,
-                      const Eigen::Ref<const Eigen::MatrixXf>& from,
+void MotionBatch::run(const std::vector<MotionState>& from,
                       const Eigen::Ref<const Eigen::MatrixXf>& to_kpa) {
-  const auto motions = static_cast<int>(from_kpa.cols());
-  frames_.resize(static_cast<std::size_t>(motions));
+  const auto motions = static_cast<int>(from.size());
+  frames_.resize(from.size());
+  ends_.resize(from.size());
   rollouts_.clear();
   for (int j = 0; j < motions; ++j) {
-    const int frames = motion_frame_count(from_kpa.col(j), to_kpa.col(j),
+    const MotionState& start = from[static_cast<std::size_t>(j)];
+    const int frames = motion_frame_count(start.setpoint_kpa(), to_kpa.col(j),
                                           simulator_.arm().pressure_step_limit_kpa());
     Eigen::MatrixXf& kept = frames_[static_cast<std::size_t>(j)];
-    kept.resize(from.rows(), frames + 1);
-    kept.col(0) = from.col(j);
-    rollouts_.add(j, from_kpa.col(j), frame(j, 0), to_kpa.col(j), frames);
+    kept.resize(start.backbone.size(), frames + 1);
+    kept.col(0) = Eigen::Map<const Eigen::VectorXf>(start.backbone.data(), kept.rows());
+    rollouts_.add(j, start, to_kpa.col(j), frames);
   }
   while (rollouts_.size() > 0) {
     simulator_.count_queries(static_cast<std::uint64_t>(rollouts_.size()));
     rollouts_.step();
     for (int column = rollouts_.size() - 1; column >= 0; --column) {
-      frames_[static_cast<std::size_t>(rollouts_.label(column))].col(rollouts_.frame(column)) =
-          Eigen::Map<const Eigen::VectorXf>(rollouts_.now(column).data(), from.rows());
+      const auto motion = static_cast<std::size_t>(rollouts_.label(column));
+      frames_[motion].col(rollouts_.frame(column)) =
+          Eigen::Map<const Eigen::VectorXf>(rollouts_.now(column).data(), frames_[motion].rows());
       if (rollouts_.has_ended(column)) {
+        ends_[motion] = rollouts_.state(column);
         rollouts_.remove(column);
       }
     }

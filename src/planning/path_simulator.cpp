@@ -42,11 +42,7 @@ class PathSimulator::Queue {
 class PathSimulator::Worker {
  public:
   Worker(const PlanningProblem& problem, const CollisionChecker& checker, HoldRange range)
-      : problem_(problem),
-        checker_(checker),
-        range_(range),
-        hold_frames_(hold_frame_count(problem.arm)),
-        rollouts_(problem.model) {}
+      : problem_(problem), checker_(checker), range_(range), rollouts_(problem.model) {}
 
   /// @param width  paths side by side, at most
   void run(Queue& queue, std::size_t width, const std::function<bool()>& give_up) {
@@ -72,15 +68,15 @@ class PathSimulator::Worker {
         return;
       }
       const Path& path = queue.path(*i);
-      start_motion(*i, path, path.from_kpa, path.from, 0);
+      start_motion(*i, path, path.from, 0);
     }
   }
 
-  void start_motion(int i, const Path& path, const PressuresRef& from_kpa, const BackboneRef& from,
-                    std::size_t motion) {
+  void start_motion(int i, const Path& path, const MotionState& from, std::size_t motion) {
     const Pressures& to = path.to_kpa[motion];
-    rollouts_.add(i, from_kpa, from, to,
-                  motion_frame_count(from_kpa, to, problem_.arm.pressure_step_limit_kpa()));
+    rollouts_.add(
+        i, from, to,
+        motion_frame_count(from.setpoint_kpa(), to, problem_.arm.pressure_step_limit_kpa()));
   }
 
   // A frame later: on, or out.
@@ -94,29 +90,32 @@ class PathSimulator::Worker {
       return;
     }
     const int i = rollouts_.label(column);
-    const Backbone now = rollouts_.now(column);
+    MotionState now = rollouts_.state(column);
     rollouts_.remove(column);
     const bool held = outcome.at.size() == path.to_kpa.size();
     if (held) {
-      outcome.held_tip = tip_pose<float>(now);
+      outcome.held_tip = tip_pose<float>(now.backbone);
       outcome.in_goal = is_within(problem_.environment.goal,
                                   pose_error(problem_.environment.goal, *outcome.held_tip));
       return;
     }
-    outcome.at.push_back(now);
+    outcome.at.push_back(std::move(now));
+    const MotionState& end = outcome.at.back();
     if (outcome.at.size() < path.to_kpa.size()) {
-      start_motion(i, path, path.to_kpa[outcome.at.size() - 1], now, outcome.at.size());
+      start_motion(i, path, end, outcome.at.size());
       return;
     }
     outcome.free = true;
-    if (path.hold || is_near_goal(now)) {
-      rollouts_.add(i, path.to_kpa.back(), now, path.to_kpa.back(), hold_frames_);
+    if (path.hold || is_near_goal(end)) {
+      rollouts_.add(i, end, path.to_kpa.back(),
+                    hold_frame_count(problem_.arm, problem_.model.valves(), end.valves));
     }
   }
 
-  bool is_near_goal(const BackboneRef& backbone) const {
+  bool is_near_goal(const MotionState& state) const {
     const PoseGoal& goal = problem_.environment.goal;
-    const PoseError error = pose_error(goal, tip_pose(backbone));
+    const PoseError error =
+        pose_error(goal, problem_.model.settled_tip(state.valves, state.backbone));
     return error.position_m <= goal.position_tolerance_m + range_.position_m &&
            error.orientation_rad <= goal.orientation_tolerance_rad + range_.orientation_rad;
   }
@@ -124,7 +123,6 @@ class PathSimulator::Worker {
   const PlanningProblem& problem_;
   const CollisionChecker& checker_;
   HoldRange range_;
-  int hold_frames_;
   RolloutBatch rollouts_;
 };
 

@@ -13,10 +13,9 @@
 
 namespace limber {
 
-/// Straight motions one after another from a known state.
+/// Motions along straight lines of set points one after another from a known state.
 struct Path {
-  Pressures from_kpa;
-  Backbone from;
+  MotionState from;
   std::vector<Pressures> to_kpa;  ///< at least one
   bool hold = false;              ///< at its end in any case, not only near the goal
 };
@@ -25,11 +24,12 @@ struct PathOutcome {
   bool free = false;             ///< every frame, and between frames
   bool in_goal = false;          ///< free, and after the hold at its end in the goal's region
   std::optional<Pose> held_tip;  ///< after that hold, where it was simulated and free
-  std::vector<Backbone> at;      ///< after each motion; those not reached are absent
+  std::vector<MotionState> at;   ///< after each motion; those not reached are absent
   std::uint64_t queries = 0;
 };
 
-/// How near the goal a path has to end for the hold behind it to be worth simulating.
+/// How near the goal a path's tip has to settle (MotionModel::settled_tip) for the hold behind it
+/// to be worth simulating.
 struct HoldRange {
   double position_m;
   double orientation_rad;

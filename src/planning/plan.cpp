@@ -43,7 +43,8 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
   const double step_limit = arm.pressure_step_limit_kpa();
   for (std::size_t k = 0; k < plan.frames.size(); ++k) {
     const PlanFrame& frame = plan.frames[k];
-    if (frame.setpoint_kpa.size() != n || frame.backbone.rows() != arm.point_count()) {
+    if (frame.setpoint_kpa.size() != n || frame.pressure_kpa.size() != n ||
+        frame.backbone.rows() != arm.point_count()) {
       throw InputError(fmt::format(
           "{}: frames[{}]: {} pressures and {} poses found; arm '{}' has {} segments and {} plates",
           file, k, frame.setpoint_kpa.size(), frame.backbone.rows(), arm.name, n,
@@ -77,11 +78,16 @@ void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan) {
   for (Eigen::Index i = 0; i < n; ++i) {
     text += fmt::format(",setpoint_{}_kpa", i + 1);
   }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    text += fmt::format(",pressure_{}_kpa", i + 1);
+  }
   text += '\n';
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
     text += fmt::format("{}", static_cast<double>(k - 1) / plan.frame_rate_hz);
-    for (const float pressure : plan.frames[k].setpoint_kpa) {
-      text += fmt::format(",{}", pressure);
+    for (const Pressures& row : {plan.frames[k].setpoint_kpa, plan.frames[k].pressure_kpa}) {
+      for (const float pressure : row) {
+        text += fmt::format(",{}", pressure);
+      }
     }
     text += '\n';
   }

@@ -35,6 +35,7 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
   plan.arm_name = problem.arm.name;
   plan.arm_hash = problem.arm.hash();
   plan.model = problem.model.has_network() ? "network" : "no_load";
+  plan.valves_hash = problem.model.valves().parameters().hash();
   plan.environment_name = problem.environment.name;
   plan.environment_hash = environment_hash(problem.environment);
   plan.planner = planner;
@@ -43,13 +44,12 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
   plan.frame_rate_hz = problem.arm.frame_rate_hz;
   plan.program_version = version();
   plan.waypoints_kpa = waypoints_kpa;
-  plan.frames.push_back(
-      {waypoints_kpa.front(), start_state(problem.environment, problem.arm).backbone});
+  plan.frames.push_back({waypoints_kpa.front(), waypoints_kpa.front(),
+                         start_state(problem.environment, problem.arm).backbone});
   for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
     simulator.append_motion(waypoints_kpa[w], plan.frames);
   }
-  plan.hold_frame_count = hold_frame_count(problem.arm);
-  simulator.append_hold(plan.hold_frame_count, plan.frames);
+  plan.hold_frame_count = simulator.append_hold(plan.frames);
   plan.cost_kpa = path_cost_kpa(plan.frames);
   plan.clearance_m = plan_clearance_m(simulator.checker(), problem.margin_m, plan);
   const PoseError error = final_error(problem, plan);

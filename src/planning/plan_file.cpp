@@ -17,7 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSchema = "limber/plan/1";
+constexpr const char* kSchema = "limber/plan/2";
+constexpr const char* kSchemaWithoutValves = "limber/plan/1";  // of older programs
 constexpr double kCostToleranceKpa = 1e-6;
 constexpr double kLargest = 1e6;  // of any number in a plan; nothing real comes near
 
@@ -79,7 +80,8 @@ Backbone read_backbone(const JsonReader& field, std::size_t point_count) {
   return backbone;
 }
 
-std::vector<PlanFrame> read_frames(const JsonReader& field) {
+/// @param has_pressures  of the file's schema; else pressures are the set points
+std::vector<PlanFrame> read_frames(const JsonReader& field, bool has_pressures) {
   const std::vector<JsonReader> items = field.elements("a list of frames");
   if (items.empty()) {
     field.refuse("no frame found; expected at least the start");
@@ -93,8 +95,11 @@ std::vector<PlanFrame> read_frames(const JsonReader& field) {
   }
   std::vector<PlanFrame> frames;
   for (const JsonReader& item : items) {
-    frames.push_back({read_vector(item.at("setpoint_kpa"), static_cast<Eigen::Index>(segments),
-                                  "pressures in kPa"),
+    const auto pressures = [&](const char* key) {
+      return read_vector(item.at(key), static_cast<Eigen::Index>(segments), "pressures in kPa");
+    };
+    frames.push_back({pressures("setpoint_kpa"),
+                      pressures(has_pressures ? "pressure_kpa" : "setpoint_kpa"),
                       read_backbone(item.at("backbone"), points)});
   }
   return frames;
@@ -153,7 +158,7 @@ std::optional<CertifiedFigures> read_certificate(const JsonReader& root) {
   return figures;
 }
 
-Plan read_fields(const JsonReader& root) {
+Plan read_fields(const JsonReader& root, bool has_valves) {
   Plan plan;
   plan.program_version = root.at("program_version").text();
   plan.arm_name = root.at("arm").at("name").text();
@@ -163,6 +168,8 @@ Plan read_fields(const JsonReader& root) {
   if (plan.model != "no_load" && plan.model != "network") {
     root.at("model").at("kind").refuse_found("expected no_load or network");
   }
+  plan.valves_hash = has_valves ? root.at("valves").at("hash").text() : "";
+  plan.is_older_than_valves = !has_valves;
   plan.environment_name = root.at("environment").at("name").text();
   plan.environment_hash = root.at("environment").at("hash").text();
   plan.planner = root.at("planner").text();
@@ -174,7 +181,7 @@ Plan read_fields(const JsonReader& root) {
   plan.goal_distance_m = number_at(root, "goal_distance_m", 0.0);
   plan.goal_orientation_rad = number_at(root, "goal_orientation_rad", 0.0);
   plan.hold_frame_count = static_cast<int>(root.at("hold_frame_count").count(1000000));
-  plan.frames = read_frames(root.at("frames"));
+  plan.frames = read_frames(root.at("frames"), has_valves);
   const Eigen::Index segments = plan.frames.front().setpoint_kpa.size();
   for (const JsonReader& point : root.at("waypoints_kpa").elements("a list of configurations")) {
     plan.waypoints_kpa.push_back(read_vector(point, segments, "pressures in kPa"));
@@ -183,8 +190,11 @@ Plan read_fields(const JsonReader& root) {
 }
 
 Plan read_root(const JsonReader& root) {
-  root.require_schema(kSchema);
-  Plan plan = read_fields(root);
+  const bool has_valves = root.at("schema").text() != kSchemaWithoutValves;
+  if (has_valves) {
+    root.require_schema(kSchema);
+  }
+  Plan plan = read_fields(root, has_valves);
   plan.certified = read_certificate(root);
   return plan;
 }
@@ -197,6 +207,7 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   root["program_version"] = plan.program_version.empty() ? version() : plan.program_version;
   root["arm"] = {{"name", plan.arm_name}, {"hash", plan.arm_hash}};
   root["model"] = {{"kind", plan.model}, {"hash", plan.model_hash}};
+  root["valves"] = {{"hash", plan.valves_hash}};
   root["environment"] = {{"name", plan.environment_name}, {"hash", plan.environment_hash}};
   root["planner"] = plan.planner;
   root["seed"] = plan.seed;
@@ -213,8 +224,9 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   }
   Json frames = Json::array();
   for (const PlanFrame& frame : plan.frames) {
-    frames.push_back(
-        {{"setpoint_kpa", numbers(frame.setpoint_kpa)}, {"backbone", poses(frame.backbone)}});
+    frames.push_back({{"setpoint_kpa", numbers(frame.setpoint_kpa)},
+                      {"pressure_kpa", numbers(frame.pressure_kpa)},
+                      {"backbone", poses(frame.backbone)}});
   }
   if (plan.certified) {
     Json sealed = root;

@@ -54,11 +54,11 @@ PlanImprover::PlanImprover(const PlanningProblem& problem, std::uint64_t seed, s
       stream_(kFirstStream * (1 + stream)),
       limit_kpa_(pressure_limits_kpa(problem.arm)) {}
 
-void PlanImprover::adopt(std::vector<Pressures> waypoints_kpa, std::vector<Backbone> backbones) {
+void PlanImprover::adopt(std::vector<Pressures> waypoints_kpa, std::vector<MotionState> states) {
   before_kpa_.clear();
   misses_.clear();
   waypoints_kpa_ = std::move(waypoints_kpa);
-  backbones_ = std::move(backbones);
+  states_ = std::move(states);
   cost_kpa_ = waypoint_cost_kpa(waypoints_kpa_);
   milestone_kpa_ = cost_kpa_;
   fruitless_rounds_ = 0;
@@ -207,8 +207,7 @@ void PlanImprover::add_candidate(std::vector<Path>& paths) {
   }
   same = std::min(same, candidate_kpa_.size() - 1);  // the last motion's hold is simulated anew
   paths.push_back(
-      {candidate_kpa_[same - 1],
-       backbones_[same - 1],
+      {states_[same - 1],
        {candidate_kpa_.begin() + static_cast<std::ptrdiff_t>(same), candidate_kpa_.end()}});
   candidates_.push_back({candidate_kpa_, same, cost});
 }
@@ -257,8 +256,8 @@ void PlanImprover::note_misses(const PathOutcome* outcomes) {
 
 void PlanImprover::accept(std::size_t candidate, const PathOutcome& outcome) {
   Candidate& taken = candidates_[candidate];
-  backbones_.resize(taken.same);
-  backbones_.insert(backbones_.end(), outcome.at.begin(), outcome.at.end());
+  states_.resize(taken.same);
+  states_.insert(states_.end(), outcome.at.begin(), outcome.at.end());
   before_kpa_ = std::exchange(waypoints_kpa_, std::move(taken.waypoints_kpa));
   cost_kpa_ = taken.cost_kpa;
   if (cost_kpa_ < (1.0 - kNotable) * milestone_kpa_) {

@@ -23,8 +23,8 @@ class PlanImprover {
 
   /// Takes over a plan that is a solution.
   /// @param waypoints_kpa  start first
-  /// @param backbones      at the waypoints
-  void adopt(std::vector<Pressures> waypoints_kpa, std::vector<Backbone> backbones);
+  /// @param states         at the waypoints
+  void adopt(std::vector<Pressures> waypoints_kpa, std::vector<MotionState> states);
 
   bool has_plan() const { return !waypoints_kpa_.empty(); }
   const std::vector<Pressures>& waypoints_kpa() const { return waypoints_kpa_; }
@@ -73,7 +73,7 @@ class PlanImprover {
   std::uint64_t stream_;
   Pressures limit_kpa_;
   std::vector<Pressures> waypoints_kpa_;
-  std::vector<Backbone> backbones_;  // at the waypoints
+  std::vector<MotionState> states_;  // at the waypoints
   double cost_kpa_ = 0.0;
   double milestone_kpa_ = 0.0;  // cost when it last fell by enough
   int fruitless_rounds_ = 0;

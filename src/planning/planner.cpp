@@ -12,6 +12,11 @@
 
 namespace limber {
 
+MotionState start_of(const PlanningProblem& problem) {
+  const ArmStart start = start_state(problem.environment, problem.arm);
+  return problem.model.settled_state(start.pressures_kpa, start.backbone);
+}
+
 const char* to_string(PlanStatus status) {
   switch (status) {
     case PlanStatus::solved:
@@ -46,6 +51,22 @@ const char* to_string(PlanLimit limit) {
   return "";
 }
 
+namespace {
+
+/// As published, pressures are the set points; "paper,valves=1" predicts with the valves.
+std::unique_ptr<Planner> make_paper_planner(PlannerName parsed, const std::string& name) {
+  const Valves valves = parsed.take("valves", 0, 1, 0) != 0 ? Valves::as_given : Valves::left_out;
+  if (!parsed.settings.empty()) {
+    throw InputError(
+        fmt::format("planner setting {}: unknown; '{}' has the setting valves (0 or 1)",
+                    parsed.settings.begin()->first, parsed.name));
+  }
+  const ParentRule rule = parsed.name == "paper" ? ParentRule::lazy : ParentRule::steer_all;
+  return make_certified_planner(make_pressure_rrt_star(rule, {}, name), valves);
+}
+
+}  // namespace
+
 std::vector<std::string> planner_names() {
   return {"default", "paper", "paper-steer-all"};
 }
@@ -60,11 +81,9 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
   if (forest != nullptr) {
     throw InputError(fmt::format("planner '{}' uses no forest; 'default' does", name));
   }
-  if (name == "paper") {
-    return make_certified_planner(make_pressure_rrt_star(ParentRule::lazy));
-  }
-  if (name == "paper-steer-all") {
-    return make_certified_planner(make_pressure_rrt_star(ParentRule::steer_all));
+  if (PlannerName parsed = PlannerName::parse(name);
+      parsed.name == "paper" || parsed.name == "paper-steer-all") {
+    return make_paper_planner(std::move(parsed), name);
   }
   if (name.rfind("ompl:", 0) == 0) {
     return make_certified_planner(make_ompl_planner(name));
@@ -76,10 +95,6 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
 
 bool is_default_planner(const std::string& name) {
   return PlannerName::parse(name).name == "default";
-}
-
-int hold_frame_count(const ArmDescription& arm) {
-  return arm.frames_in(kHoldS);
 }
 
 }  // namespace limber

@@ -14,6 +14,7 @@ void require_valid(const PressureRrtStarSettings& s) {
   require_between("goal_bias", s.goal_bias, 0.0, 1.0);
   require_between("goal_spread", s.goal_spread, 0.0, 10.0);
   require_between("goal_configurations", s.goal_configurations, 1, 1e6);
+  require_between("match_pressure_kpa", s.match_pressure_kpa, 0.0, 1e6);
   require_between("match_position_m", s.match_position_m, 0.0, 1.0);
   require_between("match_orientation_rad", s.match_orientation_rad, 0.0, 10.0);
   require_between("hold_position_m", s.hold_position_m, 0.0, 10.0);
@@ -82,20 +83,20 @@ class Run {
 
 class PressureRrtStar final : public Planner {
  public:
-  PressureRrtStar(const char* name, ParentRule rule, const PressureRrtStarSettings& settings)
-      : name_(name), rule_(rule), settings_(settings) {
+  PressureRrtStar(std::string name, ParentRule rule, const PressureRrtStarSettings& settings)
+      : name_(std::move(name)), rule_(rule), settings_(settings) {
     require_valid(settings);
   }
 
-  const char* name() const override { return name_; }
+  const char* name() const override { return name_.c_str(); }
 
   PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
-    return Run(problem, limits, callback, rule_, settings_, seed).run(name_);
+    return Run(problem, limits, callback, rule_, settings_, seed).run(name());
   }
 
  private:
-  const char* name_;
+  std::string name_;
   ParentRule rule_;
   PressureRrtStarSettings settings_;
 };
@@ -103,9 +104,12 @@ class PressureRrtStar final : public Planner {
 }  // namespace
 
 std::unique_ptr<Planner> make_pressure_rrt_star(ParentRule rule,
-                                                const PressureRrtStarSettings& settings) {
-  return std::make_unique<PressureRrtStar>(rule == ParentRule::lazy ? "paper" : "paper-steer-all",
-                                           rule, settings);
+                                                const PressureRrtStarSettings& settings,
+                                                std::string name) {
+  if (name.empty()) {
+    name = rule == ParentRule::lazy ? "paper" : "paper-steer-all";
+  }
+  return std::make_unique<PressureRrtStar>(std::move(name), rule, settings);
 }
 
 }  // namespace limber

@@ -5,26 +5,36 @@
 
 namespace limber {
 
-int PressureTree::add(const Eigen::Ref<const Pressures>& pressures_kpa,
-                      const Eigen::Ref<const Backbone>& backbone, int parent, double cost_kpa) {
-  assert(pressures_kpa.size() == segment_count_ && backbone.rows() == point_count_);
+int PressureTree::add(const MotionState& state, int parent, double cost_kpa) {
+  assert(state.valves.size() == model_.valves().state_size() &&
+         state.backbone.rows() == model_.point_count());
   const int i = size();
-  nodes_.push_back({-1, -1, -1, cost_kpa});
-  pressures_kpa_.insert(pressures_kpa_.end(), pressures_kpa.data(),
-                        pressures_kpa.data() + segment_count_);
-  backbones_.insert(backbones_.end(), backbone.data(), backbone.data() + 3 * point_count_);
+  nodes_.push_back({-1, -1, -1, cost_kpa, model_.settled_tip(state.valves, state.backbone)});
+  valves_.insert(valves_.end(), state.valves.begin(), state.valves.end());
+  backbones_.insert(backbones_.end(), state.backbone.data(),
+                    state.backbone.data() + state.backbone.size());
   if (parent >= 0) {
     attach(i, parent);
   }
   return i;
 }
 
-Eigen::Map<const Pressures> PressureTree::pressures_kpa(int i) const {
-  return {pressures_kpa_.data() + std::ptrdiff_t(i) * segment_count_, segment_count_};
+Eigen::Map<const Eigen::VectorXf> PressureTree::valves(int i) const {
+  const int size = model_.valves().state_size();
+  return {valves_.data() + std::ptrdiff_t(i) * size, size};
+}
+
+Eigen::Map<const Pressures> PressureTree::setpoint_kpa(int i) const {
+  return {valves(i).data() + model_.segment_count(), model_.segment_count()};
 }
 
 Eigen::Map<const Backbone> PressureTree::backbone(int i) const {
-  return {backbones_.data() + std::ptrdiff_t(i) * 3 * point_count_, point_count_, 3};
+  const int points = model_.point_count();
+  return {backbones_.data() + std::ptrdiff_t(i) * 3 * points, points, 3};
+}
+
+MotionState PressureTree::state(int i) const {
+  return {model_.segment_count(), valves(i), backbone(i)};
 }
 
 void PressureTree::attach(int i, int parent) {
@@ -42,9 +52,12 @@ void PressureTree::set_parent(int i, int parent) {
   attach(i, parent);
 }
 
-void PressureTree::set_backbone(int i, const Eigen::Ref<const Backbone>& backbone) {
-  std::copy_n(backbone.data(), 3 * point_count_,
-              backbones_.data() + std::ptrdiff_t(i) * 3 * point_count_);
+void PressureTree::set_state(int i, const MotionState& state) {
+  std::copy(state.valves.begin(), state.valves.end(),
+            valves_.begin() + std::ptrdiff_t(i) * state.valves.size());
+  std::copy_n(state.backbone.data(), state.backbone.size(),
+              backbones_.begin() + std::ptrdiff_t(i) * state.backbone.size());
+  node(i).settled_tip = model_.settled_tip(state.valves, state.backbone);
 }
 
 std::vector<int> PressureTree::nodes_to(int i) const {
@@ -59,13 +72,14 @@ std::vector<int> PressureTree::nodes_to(int i) const {
 std::vector<Pressures> PressureTree::path_to(int i) const {
   std::vector<Pressures> path;
   for (const int node : nodes_to(i)) {
-    path.emplace_back(pressures_kpa(node));
+    path.emplace_back(setpoint_kpa(node));
   }
   return path;
 }
 
 std::size_t PressureTree::bytes_per_node() const {
-  return sizeof(Node) + sizeof(float) * static_cast<std::size_t>(segment_count_ + 3 * point_count_);
+  return sizeof(Node) + sizeof(float) * static_cast<std::size_t>(model_.valves().state_size() +
+                                                                 3 * model_.point_count());
 }
 
 }  // namespace limber

@@ -24,7 +24,7 @@ constexpr int kStraightLineStarts = 20;
 /// Builds one environment about one random motion.
 class Drawing {
  public:
-  Drawing(const ArmDescription& arm, const ForwardModel& model,
+  Drawing(const ArmDescription& arm, const MotionModel& model,
           const RandomEnvironmentSettings& settings, RandomStream& random)
       : arm_(arm),
         model_(model),
@@ -71,7 +71,7 @@ class Drawing {
 
   void draw_motion() {
     const ArmStart rest = start_state(result_.environment, arm_);
-    motion_.assign(1, {rest.pressures_kpa, rest.backbone});
+    motion_.assign(1, {rest.pressures_kpa, rest.pressures_kpa, rest.backbone});
     straight_ = motion_;
     result_.witness_kpa.assign(1, rest.pressures_kpa);
     const int waypoints = 2 + static_cast<int>(random_.index(kMostWaypoints - 1));
@@ -79,7 +79,7 @@ class Drawing {
       result_.witness_kpa.push_back(random_pressures());
       simulator_.append_motion(result_.witness_kpa.back(), motion_);
     }
-    simulator_.append_hold(hold_frame_count(arm_), motion_);
+    simulator_.append_hold(motion_);
     simulator_.append_motion(result_.witness_kpa.back(), straight_);
   }
 
@@ -140,7 +140,7 @@ class Drawing {
   }
 
   const ArmDescription& arm_;
-  const ForwardModel& model_;
+  const MotionModel& model_;
   const RandomEnvironmentSettings& settings_;
   RandomStream& random_;
   CollisionChecker nothing_;
@@ -153,7 +153,7 @@ class Drawing {
 }  // namespace
 
 std::optional<RandomEnvironment> random_environment(const ArmDescription& arm,
-                                                    const ForwardModel& model, std::uint64_t seed,
+                                                    const MotionModel& model, std::uint64_t seed,
                                                     std::uint64_t number,
                                                     const RandomEnvironmentSettings& settings) {
   RandomStream random(seed, kEnvironmentStream + number);

@@ -34,14 +34,13 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
                     settings.goal_configurations),
       limit_kpa_(pressure_limits_kpa(problem.arm)),
       near_gain_(settings.near_factor * least_near_gain(problem.arm.segment_count())),
-      tree_(problem.arm.segment_count(), problem.arm.point_count()),
+      tree_(problem.model),
       index_(problem.arm.segment_count()),
       new_kpa_(problem.arm.segment_count()),
-      new_backbone_(problem.arm.point_count(), 3),
       batch_(simulator) {
-  const ArmStart start = start_state(problem.environment, problem.arm);
-  tree_.add(start.pressures_kpa, start.backbone, -1, 0.0);
-  index_.add(scaled(start.pressures_kpa));
+  const MotionState start = start_of(problem);
+  tree_.add(start, -1, 0.0);
+  index_.add(scaled(start.setpoint_kpa()));
   in_goal_.push_back(0);
   nearest_error_ = std::numeric_limits<double>::infinity();
   judge(0);
@@ -68,7 +67,7 @@ Pressures RrtStarSearch::sample() {
 }
 
 bool RrtStarSearch::steer(const Pressures& sample, int nearest) {
-  const auto from = tree_.pressures_kpa(nearest);
+  const auto from = tree_.setpoint_kpa(nearest);
   const float distance = scaled(sample - from).norm();
   if (distance <= kSamePoint) {
     return false;
@@ -91,25 +90,19 @@ void RrtStarSearch::find_near(int nearest) {
 }
 
 void RrtStarSearch::simulate_all_candidates() {
-  const auto count = static_cast<Eigen::Index>(near_.size());
-  batch_kpa_.resize(limit_kpa_.size(), count);
-  batch_backbones_.resize(3 * problem_.arm.point_count(), count);
-  for (Eigen::Index c = 0; c < count; ++c) {
-    const int node = near_[static_cast<std::size_t>(c)];
-    batch_kpa_.col(c) = tree_.pressures_kpa(node);
-    batch_backbones_.col(c) =
-        Eigen::Map<const Eigen::VectorXf>(tree_.backbone(node).data(), batch_backbones_.rows());
+  batch_from_.clear();
+  for (const int node : near_) {
+    batch_from_.push_back(tree_.state(node));
   }
-  batch_to_kpa_ = new_kpa_.replicate(1, count);
-  batch_.run(batch_kpa_, batch_backbones_, batch_to_kpa_);
+  batch_to_kpa_ = new_kpa_.replicate(1, std::ssize(near_));
+  batch_.run(batch_from_, batch_to_kpa_);
 }
 
 bool RrtStarSearch::edge_is_free(const Candidate& candidate) {
   if (rule_ == ParentRule::lazy) {
-    return simulator_.move(tree_.pressures_kpa(candidate.node), tree_.backbone(candidate.node),
-                           new_kpa_, new_backbone_);
+    return simulator_.move(tree_.state(candidate.node), new_kpa_, new_state_);
   }
-  new_backbone_ = batch_.frame(candidate.column, batch_.frame_count(candidate.column));
+  new_state_ = batch_.end(candidate.column);
   return batch_.is_free(candidate.column, simulator_.checker());
 }
 
@@ -121,7 +114,7 @@ int RrtStarSearch::connect() {
   for (std::size_t c = 0; c < near_.size(); ++c) {
     const int node = near_[c];
     candidates_.push_back(
-        {tree_.cost_kpa(node) + motion_cost_kpa(tree_.pressures_kpa(node), new_kpa_), node,
+        {tree_.cost_kpa(node) + motion_cost_kpa(tree_.setpoint_kpa(node), new_kpa_), node,
          static_cast<int>(c)});
   }
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
@@ -129,7 +122,7 @@ int RrtStarSearch::connect() {
   });
   for (const Candidate& candidate : candidates_) {
     if (edge_is_free(candidate)) {
-      const int node = tree_.add(new_kpa_, new_backbone_, candidate.node, candidate.cost_kpa);
+      const int node = tree_.add(new_state_, candidate.node, candidate.cost_kpa);
       index_.add(scaled(new_kpa_));
       in_goal_.push_back(0);
       return node;
@@ -138,18 +131,23 @@ int RrtStarSearch::connect() {
   return -1;
 }
 
-bool RrtStarSearch::matches(const BackboneRef& a, const BackboneRef& b) const {
-  return ((a - b).leftCols<2>().rowwise().norm().array() <=
+bool RrtStarSearch::matches(const MotionState& end, int node) const {
+  const Eigen::Index n = limit_kpa_.size();
+  const auto valves = tree_.valves(node);
+  const Backbone apart = end.backbone - tree_.backbone(node);
+  return end.setpoint_kpa() == valves.segment(n, n) &&
+         (end.valves - valves).lpNorm<Eigen::Infinity>() <=
+             static_cast<float>(settings_.match_pressure_kpa) &&
+         (apart.leftCols<2>().rowwise().norm().array() <=
           static_cast<float>(settings_.match_position_m))
              .all() &&
-         ((a - b).col(2).array().abs() <= static_cast<float>(settings_.match_orientation_rad))
-             .all();
+         (apart.col(2).array().abs() <= static_cast<float>(settings_.match_orientation_rad)).all();
 }
 
 /// Simulates all below changed_[0] anew, into changed_. False, the tree untouched, where it
 /// collides.
 bool RrtStarSearch::simulate_below(const PlannerBudget& budget) {
-  Backbone end(problem_.arm.point_count(), 3);
+  MotionState end;
   for (std::size_t k = 0; k < changed_.size(); ++k) {
     if (budget.out_of_time()) {
       return false;
@@ -158,15 +156,14 @@ bool RrtStarSearch::simulate_below(const PlannerBudget& budget) {
     bool is_free = true;
     tree_.visit_children(node, [&](int child) {
       const double cost = changed_[k].cost_kpa +
-                          motion_cost_kpa(tree_.pressures_kpa(node), tree_.pressures_kpa(child));
-      if (!is_free || !changed_[k].backbone) {
+                          motion_cost_kpa(tree_.setpoint_kpa(node), tree_.setpoint_kpa(child));
+      if (!is_free || !changed_[k].state) {
         changed_.push_back({child, cost, std::nullopt});  // the same state: the same below
         return;
       }
-      const Backbone from = *changed_[k].backbone;
-      is_free = simulator_.move(tree_.pressures_kpa(node), from, tree_.pressures_kpa(child), end);
-      const bool as_before = end == tree_.backbone(child);
-      changed_.push_back({child, cost, as_before ? std::nullopt : std::optional<Backbone>(end)});
+      is_free = simulator_.move(*changed_[k].state, tree_.setpoint_kpa(child), end);
+      const bool as_before = end == tree_.state(child);
+      changed_.push_back({child, cost, as_before ? std::nullopt : std::optional(end)});
     });
     if (!is_free) {
       return false;
@@ -177,21 +174,18 @@ bool RrtStarSearch::simulate_below(const PlannerBudget& budget) {
 
 void RrtStarSearch::simulate_rewirings(int from) {
   const auto count = static_cast<Eigen::Index>(rewirings_.size());
-  batch_kpa_ = tree_.pressures_kpa(from).replicate(1, count);
-  batch_backbones_ =
-      Eigen::Map<const Eigen::VectorXf>(tree_.backbone(from).data(), 3 * problem_.arm.point_count())
-          .replicate(1, count);
+  batch_from_.assign(rewirings_.size(), tree_.state(from));
   batch_to_kpa_.resize(limit_kpa_.size(), count);
   for (Eigen::Index c = 0; c < count; ++c) {
-    batch_to_kpa_.col(c) = tree_.pressures_kpa(rewirings_[static_cast<std::size_t>(c)]);
+    batch_to_kpa_.col(c) = tree_.setpoint_kpa(rewirings_[static_cast<std::size_t>(c)]);
   }
-  batch_.run(batch_kpa_, batch_backbones_, batch_to_kpa_);
+  batch_.run(batch_from_, batch_to_kpa_);
 }
 
 void RrtStarSearch::rewire(int from, const PlannerBudget& budget) {
   const auto cost_through = [&](int node) {
     return tree_.cost_kpa(from) +
-           motion_cost_kpa(tree_.pressures_kpa(from), tree_.pressures_kpa(node));
+           motion_cost_kpa(tree_.setpoint_kpa(from), tree_.setpoint_kpa(node));
   };
   const auto is_cheaper = [&](int node) {
     return cost_through(node) < tree_.cost_kpa(node) - kImprovementKpa;
@@ -209,14 +203,13 @@ void RrtStarSearch::rewire(int from, const PlannerBudget& budget) {
     }
     ++statistics_.rewires_tried;
     const auto motion = static_cast<int>(c);
-    const auto end = batch_.frame(motion, batch_.frame_count(motion));
-    if (!matches(end, tree_.backbone(node)) || !batch_.is_free(motion, simulator_.checker())) {
+    const MotionState& end = batch_.end(motion);
+    if (!matches(end, node) || !batch_.is_free(motion, simulator_.checker())) {
       continue;
     }
     changed_.clear();
-    const bool as_before = end == tree_.backbone(node);
-    changed_.push_back(
-        {node, cost_through(node), as_before ? std::nullopt : std::optional<Backbone>(end)});
+    const bool as_before = end == tree_.state(node);
+    changed_.push_back({node, cost_through(node), as_before ? std::nullopt : std::optional(end)});
     if (simulate_below(budget)) {
       accept_rewiring(node, from);
     }
@@ -228,31 +221,30 @@ void RrtStarSearch::accept_rewiring(int node, int from) {
   tree_.set_parent(node, from);
   for (const Changed& change : changed_) {
     tree_.set_cost_kpa(change.node, change.cost_kpa);
-    if (change.backbone) {
-      tree_.set_backbone(change.node, *change.backbone);
+    if (change.state) {
+      tree_.set_state(change.node, *change.state);
     }
   }
   for (const Changed& change : changed_) {
-    change.backbone ? judge(change.node) : consider_best(change.node);
+    change.state ? judge(change.node) : consider_best(change.node);
   }
 }
 
 bool RrtStarSearch::ends_in_goal(int node) {
   const PoseGoal& goal = problem_.environment.goal;
-  const PoseError error = pose_error(goal, tip_pose(tree_.backbone(node)));
+  const PoseError error = pose_error(goal, tree_.settled_tip(node));
   if (error.position_m > goal.position_tolerance_m + settings_.hold_position_m ||
       error.orientation_rad > goal.orientation_tolerance_rad + settings_.hold_orientation_rad) {
     return false;
   }
-  Backbone held(problem_.arm.point_count(), 3);
-  return simulator_.hold(tree_.pressures_kpa(node), tree_.backbone(node),
-                         hold_frame_count(problem_.arm), held) &&
-         is_within(goal, pose_error(goal, tip_pose(held)));
+  MotionState held;
+  return simulator_.hold(tree_.state(node), held) &&
+         is_within(goal, pose_error(goal, tip_pose<float>(held.backbone)));
 }
 
 void RrtStarSearch::judge(int node) {
   const PoseGoal& goal = problem_.environment.goal;
-  const double error = goal_error(goal, tip_pose(tree_.backbone(node)));
+  const double error = goal_error(goal, tree_.settled_tip(node));
   if (error < nearest_error_) {
     nearest_error_ = error;
     nearest_node_ = node;

@@ -43,7 +43,7 @@ class RrtStarSearch {
   struct Changed {
     int node;
     double cost_kpa;
-    std::optional<Backbone> backbone;  // none: as before
+    std::optional<MotionState> state;  // none: as before
   };
 
   Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const;
@@ -60,7 +60,9 @@ class RrtStarSearch {
   void rewire(int from, const PlannerBudget& budget);
   void accept_rewiring(int node, int from);
   bool simulate_below(const PlannerBudget& budget);
-  bool matches(const BackboneRef& a, const BackboneRef& b) const;
+  /// Whether `end` may stand for what the tree has at `node`: the same set points, pressures and
+  /// backbone, within the settings.
+  bool matches(const MotionState& end, int node) const;
   void judge(int node);
   bool ends_in_goal(int node);
   void consider_best(int node);
@@ -85,15 +87,14 @@ class RrtStarSearch {
 
   // Scratch.
   Pressures new_kpa_;
-  Backbone new_backbone_;
+  MotionState new_state_;
   std::vector<int> near_;
   std::vector<Candidate> candidates_;
   std::vector<int> rewirings_;  // nodes that would be cheaper through the new one
   std::vector<Changed> changed_;
   MotionBatch batch_;
-  Eigen::MatrixXf batch_kpa_;
+  std::vector<MotionState> batch_from_;
   Eigen::MatrixXf batch_to_kpa_;
-  Eigen::MatrixXf batch_backbones_;
 };
 
 }  // namespace limber

@@ -29,24 +29,25 @@ int random_power_of_two(RandomStream& random, int most) {
   return 1 << random.index(static_cast<std::uint32_t>(kinds));
 }
 
-SparseTree::SparseTree(const ArmDescription& arm, const StateCells& cells, const ArmStart& root)
-    : cells_(cells),
+SparseTree::SparseTree(const ArmDescription& arm, const MotionModel& model, const StateCells& cells,
+                       const MotionState& root)
+    : model_(model),
+      cells_(cells),
       limit_kpa_(pressure_limits_kpa(arm)),
-      tree_(arm.segment_count(), arm.point_count()),
+      tree_(model),
       index_(arm.segment_count()) {
-  add(root.pressures_kpa, root.backbone, -1, 0.0);
+  add(root, -1, 0.0);
 }
 
-std::optional<int> SparseTree::add(const Pressures& pressures_kpa, const Backbone& backbone,
-                                   int parent, double cost_kpa, bool always) {
-  const auto [place, is_new] =
-      cheapest_.try_emplace(cell_of(pressures_kpa, tip_pose(backbone)), tree_.size());
+std::optional<int> SparseTree::add(const MotionState& state, int parent, double cost_kpa,
+                                   bool always) {
+  const auto [place, is_new] = cheapest_.try_emplace(cell_of(state), tree_.size());
   const bool is_cheaper = !is_new && cost_kpa < tree_.cost_kpa(place->second);
   if (!is_new && !is_cheaper && !always) {
     return std::nullopt;
   }
-  const int node = tree_.add(pressures_kpa, backbone, parent, cost_kpa);
-  index_.add(scaled(pressures_kpa));
+  const int node = tree_.add(state, parent, cost_kpa);
+  index_.add(scaled(state.setpoint_kpa()));
   stands_for_.push_back(node);
   if (is_cheaper) {
     stands_for_[static_cast<std::size_t>(place->second)] = node;
@@ -70,7 +71,7 @@ int SparseTree::parent_near(const Pressures& target_kpa, double random_share,
     for (int k = 0; k < choices; ++k) {
       const int other = random_node(random);
       const float distance =
-          (target_kpa - tree_.pressures_kpa(other)).cwiseQuotient(limit_kpa_).squaredNorm();
+          (target_kpa - tree_.setpoint_kpa(other)).cwiseQuotient(limit_kpa_).squaredNorm();
       if (distance < nearest) {
         nearest = distance;
         node = other;
@@ -92,7 +93,7 @@ Pressures SparseTree::random_configuration(RandomStream& random) const {
 }
 
 Pressures SparseTree::stepped(int node, const Pressures& target_kpa, double step) const {
-  const auto from = tree_.pressures_kpa(node);
+  const auto from = tree_.setpoint_kpa(node);
   const float distance = scaled(target_kpa - from).norm();
   if (distance <= static_cast<float>(step)) {
     return target_kpa;
@@ -108,15 +109,19 @@ Pressures SparseTree::limited(const Pressures& pressures_kpa) const {
   return pressures_kpa.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
 }
 
-std::uint64_t SparseTree::cell_of(const PressuresRef& pressures_kpa, const Pose& tip) const {
+std::uint64_t SparseTree::cell_of(const MotionState& state) const {
   const auto quantised = [](double value, double cell) {
     return static_cast<std::int64_t>(std::floor(value / cell));
   };
   std::uint64_t hash = 0;
-  for (Eigen::Index i = 0; i < pressures_kpa.size(); ++i) {
+  // Behind ideal valves the second half says what the first has said.
+  const Eigen::Index numbers = (model_.valves().is_ideal() ? 1 : 2) * limit_kpa_.size();
+  for (Eigen::Index i = 0; i < numbers; ++i) {
     hash =
-        mixed(hash, quantised(double(pressures_kpa[i]) / double(limit_kpa_[i]), cells_.pressure));
+        mixed(hash, quantised(double(state.valves[i]) / double(limit_kpa_[i % limit_kpa_.size()]),
+                              cells_.pressure));
   }
+  const Pose tip = model_.settled_tip(state.valves, state.backbone);
   hash = mixed(hash, quantised(tip.x_m, cells_.position_m));
   hash = mixed(hash, quantised(tip.y_m, cells_.position_m));
   return mixed(hash, quantised(tip.theta_rad, cells_.orientation_rad));

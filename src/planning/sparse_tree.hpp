@@ -13,25 +13,26 @@
 
 namespace limber {
 
-/// What makes two states alike: the same cell of pressures (as fractions of their limits), tip
-/// position and tip heading.
+/// What makes two states alike: the same cell of set points, of pressures (both as fractions of
+/// their limits), and of the position and heading that the tip settles at.
 struct StateCells {
   double pressure;
   double position_m;
   double orientation_rad;
 };
 
-/// A tree over states (q, B) of which the cheapest of its kind is kept: states with the same
-/// pressures and another tip live side by side, since friction may make the dearer one the only way
-/// to the goal (overshoot and return). Threads: one writer, or many readers.
+/// A tree over states of which the cheapest of its kind is kept: states with the same set points
+/// and another tip live side by side, since friction may make the dearer one the only way to the
+/// goal (overshoot and return). Threads: one writer, or many readers.
 class SparseTree {
  public:
-  SparseTree(const ArmDescription& arm, const StateCells& cells, const ArmStart& root);
+  SparseTree(const ArmDescription& arm, const MotionModel& model, const StateCells& cells,
+             const MotionState& root);
 
   /// The new node; none where a state like it is there already and costs no more.
   /// @param always  adds it all the same
-  std::optional<int> add(const Pressures& pressures_kpa, const Backbone& backbone, int parent,
-                         double cost_kpa, bool always = false);
+  std::optional<int> add(const MotionState& state, int parent, double cost_kpa,
+                         bool always = false);
 
   const PressureTree& states() const { return tree_; }
   int size() const { return tree_.size(); }
@@ -52,8 +53,9 @@ class SparseTree {
   const Pressures& limits_kpa() const { return limit_kpa_; }
 
  private:
-  std::uint64_t cell_of(const PressuresRef& pressures_kpa, const Pose& tip) const;
+  std::uint64_t cell_of(const MotionState& state) const;
 
+  MotionModel model_;
   StateCells cells_;
   Pressures limit_kpa_;
   PressureTree tree_;

@@ -21,8 +21,8 @@ using testing::IsEmpty;
 constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr double kLimitKpa = 100.0;
 // What 20 minutes tell of valves whose model is exact.
-constexpr double kTimeShare = 0.01;     // of a time constant
-constexpr double kRateShare = 0.01;     // of a rate limit
+constexpr double kTimeShare = 0.01;  // of a time constant
+constexpr double kRateShare = 0.01;  // of a rate limit
 constexpr double kDeadTimeS = 0.0005;
 constexpr double kNoisyTimeShare = 0.03;
 constexpr double kNoisyDeadTimeS = 0.002;
@@ -36,8 +36,7 @@ FrameMatrix random_setpoints(int frames, int segments, RandomStream& random,
     float value = 0.0F;
     int t = 1;
     while (t < frames) {
-      const auto target =
-          float(random.uniform() < 0.1 ? 0.0 : random.uniform(-largest, largest));
+      const auto target = float(random.uniform() < 0.1 ? 0.0 : random.uniform(-largest, largest));
       const float step = random.uniform() < 0.5 ? 1e6F : float(largest / 20.0);
       const int until = std::min(frames, t + 5 + int(random.index(50)));
       for (; t < until; ++t) {
@@ -76,8 +75,8 @@ Recording recording_of(const ValveParameters& valves, int episodes, int frames,
 
 void expect_near(const SegmentValves& found, const SegmentValves& truth, double time_share,
                  double dead_time_s) {
-  for (const auto& [f, t] : {std::pair{found.inflating, truth.inflating},
-                             std::pair{found.venting, truth.venting}}) {
+  for (const auto& [f, t] :
+       {std::pair{found.inflating, truth.inflating}, std::pair{found.venting, truth.venting}}) {
     EXPECT_NEAR(f.time_constant_s, t.time_constant_s, time_share * t.time_constant_s);
     if (std::isfinite(t.rate_limit_kpa_per_s)) {
       EXPECT_NEAR(f.rate_limit_kpa_per_s, t.rate_limit_kpa_per_s,
@@ -121,15 +120,14 @@ TEST_P(ValveIdentification, IsNotBiasedBySensorNoise) {
               0.1 * kNoiseKpa);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Valves, ValveIdentification,
-    ::testing::Values(
-        Case{"usual", {{0.1, 100.0}, {0.12, 100.0}, 0.01, 0.2}},
-        Case{"slow", {{0.3, kNone}, {0.5, kNone}, 0.01, 0.2}},
-        Case{"late", {{0.1, 100.0}, {0.12, 100.0}, 0.14, 0.2}},
-        Case{"limited", {{0.1, 60.0}, {0.12, 140.0}, 0.01, 0.2}},
-        Case{"very_late", {{0.2, kNone}, {0.05, 150.0}, 0.63, 0.0}}),
-    [](const auto& one) { return std::string(one.param.name); });
+INSTANTIATE_TEST_SUITE_P(Valves, ValveIdentification,
+                         ::testing::Values(Case{"usual", {{0.1, 100.0}, {0.12, 100.0}, 0.01, 0.2}},
+                                           Case{"slow", {{0.3, kNone}, {0.5, kNone}, 0.01, 0.2}},
+                                           Case{"late", {{0.1, 100.0}, {0.12, 100.0}, 0.14, 0.2}},
+                                           Case{"limited", {{0.1, 60.0}, {0.12, 140.0}, 0.01, 0.2}},
+                                           Case{"very_late",
+                                                {{0.2, kNone}, {0.05, 150.0}, 0.63, 0.0}}),
+                         [](const auto& one) { return std::string(one.param.name); });
 
 TEST(ValveIdentificationOf, SegmentsThatDifferGetTheirOwnValves) {
   const SegmentValves first{{0.1, 100.0}, {0.12, 100.0}, 0.02, 0.0};
@@ -182,8 +180,7 @@ TEST(ValveIdentificationOf, ASpikeDoesNotDecide) {
 }
 
 TEST(ValveIdentificationOf, SetpointsThatCopyThePressuresTellNothing) {
-  Recording recording =
-      recording_of({true, {{{0.1, 100.0}, {0.12, 100.0}, 0.01, 0.2}}}, 6, 300);
+  Recording recording = recording_of({true, {{{0.1, 100.0}, {0.12, 100.0}, 0.01, 0.2}}}, 6, 300);
   for (Episode& episode : recording.episodes) {
     episode.setpoint_kpa = episode.pressure_kpa;
   }
@@ -193,8 +190,7 @@ TEST(ValveIdentificationOf, SetpointsThatCopyThePressuresTellNothing) {
 }
 
 TEST(ValveIdentificationOf, SetpointsThatHardlyChangeTellNothing) {
-  Recording recording =
-      recording_of({true, {{{0.1, 100.0}, {0.12, 100.0}, 0.01, 0.2}}}, 6, 300);
+  Recording recording = recording_of({true, {{{0.1, 100.0}, {0.12, 100.0}, 0.01, 0.2}}}, 6, 300);
   for (Episode& episode : recording.episodes) {
     episode.setpoint_kpa.setConstant(40.0F);
   }
@@ -231,7 +227,8 @@ TEST(ValveIdentificationOf, SetpointsLoggedLateAreNoticed) {
   }
   const IdentifiedValves found = identify_valves(recording);
   EXPECT_THAT(found.findings.warnings, Contains(HasSubstr("look for a supply pressure")));
-  EXPECT_THAT(found.findings.warnings, Contains(HasSubstr("pressures move before their set points")));
+  EXPECT_THAT(found.findings.warnings,
+              Contains(HasSubstr("pressures move before their set points")));
 }
 
 TEST(ValveIdentificationOf, ASupplyThatIsTooLowIsNoticed) {

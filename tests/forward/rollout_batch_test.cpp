@@ -59,7 +59,8 @@ class RolloutBatchOfModel : public ::testing::Test {
 
   void add(RolloutBatch& batch, int label) const {
     const Motion& motion = motions_[static_cast<std::size_t>(label)];
-    batch.add(label, motion.from_kpa, motion.from, motion.to_kpa, motion.frames);
+    batch.add(label, MotionModel(model_).settled_state(motion.from_kpa, motion.from), motion.to_kpa,
+              motion.frames);
   }
 };
 

@@ -25,7 +25,7 @@ constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is to
 Plan bending_plan(const ArmDescription& arm, const Environment& environment) {
   const NoLoadModel model(arm);
   const auto frame = [&](const Pressures& setpoint_kpa) {
-    PlanFrame result{setpoint_kpa, Backbone(arm.point_count(), 3)};
+    PlanFrame result{setpoint_kpa, setpoint_kpa, Backbone(arm.point_count(), 3)};
     model.backbone(Eigen::Ref<const Eigen::VectorXf>(setpoint_kpa),
                    Eigen::Ref<Backbone>(result.backbone));
     return result;

@@ -74,7 +74,7 @@ struct Solved {
   }
 
   Certificate certificate(const Plan& p) const {
-    return certify(p, arm, &model.compensation(), environment);
+    return certify(p, arm, &model.compensation(), {}, environment);
   }
 };
 
@@ -238,7 +238,7 @@ TEST(Certificate, ANoLoadPlanIsCertifiedToo) {
   environment.goal.theta_rad.reset();
   const PlanResult result = make_planner("paper")->plan({s.arm, model, environment}, limits, 3);
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
-  EXPECT_TRUE(certify(*result.plan, s.arm, nullptr, environment).certified());
+  EXPECT_TRUE(certify(*result.plan, s.arm, nullptr, {}, environment).certified());
 }
 
 // Each way of changing a plan by hand, and the check that must notice it.
@@ -268,6 +268,7 @@ TEST(Certificate, RefusesAPlanChangedByHandInAnyField) {
          p.frames.pop_back();
          p.frames.back().backbone.setZero();
        }},
+      {"valves", [](Plan& p) { p.frames[6].pressure_kpa[1] += 2e-3F; }},
       {"claims", [](Plan& p) { p.clearance_m += 0.01; }},
       {"claims", [](Plan& p) { p.goal_distance_m -= 0.001; }},
       {"claims", [](Plan& p) { p.goal_orientation_rad += 0.01; }},
@@ -316,7 +317,7 @@ TEST(Certificate, CollisionsAndMissedGoalsAreNamedWithPlateObstacleAndAmount) {
   environment.goal.x_m += 0.1;
   Plan plan = s.plan;
   plan.environment_hash = environment_hash(environment);
-  const Certificate certificate = certify(plan, s.arm, &s.model.compensation(), environment);
+  const Certificate certificate = certify(plan, s.arm, &s.model.compensation(), {}, environment);
   EXPECT_THAT(failed_checks(certificate), AllOf(Contains("collision"), Contains("goal")));
   for (const CertificateFailure& failure : certificate.failures) {
     if (failure.check == "collision") {
@@ -333,14 +334,14 @@ TEST(Certificate, OtherArmsEnvironmentsAndModelsAreBadInput) {
   const Solved& s = solved();
   ArmDescription arm = s.arm;
   arm.segments[0].length_m += 0.001;
-  EXPECT_THAT([&] { (void)certify(s.plan, arm, &s.model.compensation(), s.environment); },
+  EXPECT_THAT([&] { (void)certify(s.plan, arm, &s.model.compensation(), {}, s.environment); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("made for another arm"),
                                               HasSubstr(s.arm.hash()), HasSubstr(arm.hash()))));
   Environment environment = s.environment;
   environment.goal.x_m += 1e-3;
-  EXPECT_THAT([&] { (void)certify(s.plan, s.arm, &s.model.compensation(), environment); },
+  EXPECT_THAT([&] { (void)certify(s.plan, s.arm, &s.model.compensation(), {}, environment); },
               ThrowsMessage<InputError>(HasSubstr("made for another environment")));
-  EXPECT_THAT([&] { (void)certify(s.plan, s.arm, nullptr, s.environment); },
+  EXPECT_THAT([&] { (void)certify(s.plan, s.arm, nullptr, {}, s.environment); },
               ThrowsMessage<InputError>(HasSubstr("another kind of model")));
 }
 
@@ -400,11 +401,11 @@ TEST(CertifiedPlanner, APlanThatIsRefusedIsADefectAndNoSolution) {
 TEST(Certificate, ItsSourcesIncludeNothingThatThePlannerComputesWith) {
   const std::regex include("#include \"(limber/[^\"]+)\"");
   const std::vector<std::string> allowed{
-      "limber/arm/arm_description.hpp",  "limber/arm/backbone.hpp",
-      "limber/common/error.hpp",         "limber/common/interrupt.hpp",
-      "limber/common/units.hpp",         "limber/network/compensation_model.hpp",
-      "limber/planning/certificate.hpp", "limber/planning/environment.hpp",
-      "limber/planning/plan.hpp"};
+      "limber/arm/arm_description.hpp",        "limber/arm/backbone.hpp",
+      "limber/arm/valve_parameters.hpp",       "limber/common/error.hpp",
+      "limber/common/interrupt.hpp",           "limber/common/units.hpp",
+      "limber/network/compensation_model.hpp", "limber/planning/certificate.hpp",
+      "limber/planning/environment.hpp",       "limber/planning/plan.hpp"};
   int seen = 0;
   for (const auto& entry : std::filesystem::directory_iterator(
            std::filesystem::path(LIMBER_SOURCE_DIR) / "src/planning/certificate")) {

@@ -12,7 +12,7 @@ constexpr double kFloatM = 1e-6;
 Plan at_rest(const ArmDescription& arm) {
   const ArmStart rest = start_state(Environment{}, arm);
   Plan plan;
-  plan.frames = {{rest.pressures_kpa, rest.backbone}};
+  plan.frames = {{rest.pressures_kpa, rest.pressures_kpa, rest.backbone}};
   return plan;
 }
 

@@ -21,22 +21,20 @@ struct Setting {
     ForestSettings settings;
     settings.nodes = 3000;
     settings.jobs = 1;
-    forest = *grow_forest(arm, model, forest_key(arm, "model", start), start, settings);
+    forest = *grow_forest(arm, model, forest_key(arm, "model", {}, start), start, settings);
   }
 
   /// The truth about every node, simulated frame by frame: motions and hold.
   std::vector<bool> free(const CollisionChecker& checker) const {
     MotionSimulator simulator(arm, model, checker);
-    std::vector<Backbone> at{start.backbone};
+    std::vector<MotionState> at{simulator.start(start)};
     std::vector<bool> way{true};
     std::vector<bool> all{true};
-    Backbone end(arm.point_count(), 3), held(arm.point_count(), 3);
+    MotionState end, held;
     for (int i = 1; i < forest.size(); ++i) {
       const auto parent = static_cast<std::size_t>(forest.parents[static_cast<std::size_t>(i)]);
-      const auto kpa = forest.pressures_kpa.col(i);
-      way.push_back(way[parent] && simulator.move(forest.pressures_kpa.col(Eigen::Index(parent)),
-                                                  at[parent], kpa, end));
-      all.push_back(way.back() && simulator.hold(kpa, end, hold_frame_count(arm), held));
+      way.push_back(way[parent] && simulator.move(at[parent], forest.setpoints_kpa.col(i), end));
+      all.push_back(way.back() && simulator.hold(end, held));
       at.push_back(end);
     }
     return all;

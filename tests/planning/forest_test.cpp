@@ -36,7 +36,7 @@ struct Setting {
     settings.nodes = nodes;
     settings.jobs = jobs;
     settings.seed = seed;
-    return *grow_forest(arm, model, forest_key(arm, "model", start), start, settings);
+    return *grow_forest(arm, model, forest_key(arm, "model", {}, start), start, settings);
   }
 
   PlanResult plan(const Forest* forest, std::uint64_t iterations, std::uint64_t seed = 3) const {
@@ -53,27 +53,27 @@ TEST(Forest, EveryNodeIsWhereItsMotionsLead) {
   ASSERT_EQ(forest.size(), kNodes);
   const CollisionChecker free(s.arm, {}, 0.0);
   MotionSimulator simulator(s.arm, s.model, free);
-  std::vector<Backbone> shapes{s.start.backbone};
+  std::vector<MotionState> states{simulator.start(s.start)};
   for (int i = 1; i < forest.size(); ++i) {
     const int parent = forest.parents[static_cast<std::size_t>(i)];
     ASSERT_LT(parent, i);
-    Backbone at(s.arm.point_count(), 3);
-    simulator.move_unchecked(forest.pressures_kpa.col(parent),
-                             shapes[static_cast<std::size_t>(parent)], forest.pressures_kpa.col(i),
+    MotionState at;
+    simulator.move_unchecked(states[static_cast<std::size_t>(parent)], forest.setpoints_kpa.col(i),
                              at);
-    shapes.push_back(at);
-    Backbone held(s.arm.point_count(), 3);
-    ASSERT_TRUE(simulator.hold(forest.pressures_kpa.col(i), at, hold_frame_count(s.arm), held));
+    states.push_back(at);
+    MotionState held;
+    ASSERT_TRUE(simulator.hold(at, held));
     constexpr float kRounding = 1e-5F;  // [m, rad]; batches round as single queries do, nearly
-    EXPECT_TRUE(held.bottomRows<1>().transpose().isApprox(forest.held_tips.col(i), kRounding))
+    EXPECT_TRUE(
+        held.backbone.bottomRows<1>().transpose().isApprox(forest.held_tips.col(i), kRounding))
         << "node " << i;
     Backbone stored = s.start.backbone;
     blend_shapes(forest.shapes.col(i), forest.shapes.col(i), 0.0F, s.arm.length_m(), stored);
     constexpr float kStored =
         1e-3F;  // [m, rad]; 15 gaps of half a unit each, and their turns' lever
-    EXPECT_LT((stored - at).cwiseAbs().maxCoeff(), kStored) << "node " << i;
+    EXPECT_LT((stored - at.backbone).cwiseAbs().maxCoeff(), kStored) << "node " << i;
     EXPECT_LE(
-        (forest.pressures_kpa.col(i).array().abs() - pressure_limits_kpa(s.arm).array()).maxCoeff(),
+        (forest.setpoints_kpa.col(i).array().abs() - pressure_limits_kpa(s.arm).array()).maxCoeff(),
         0.0F);
   }
 }
@@ -83,10 +83,10 @@ TEST(Forest, IsTheSameForAnyNumberOfThreads) {
   const Forest one = s.grow(1);
   const Forest two = s.grow(2);
   EXPECT_EQ(one.parents, two.parents);
-  EXPECT_EQ(one.pressures_kpa, two.pressures_kpa);
+  EXPECT_EQ(one.setpoints_kpa, two.setpoints_kpa);
   EXPECT_EQ(one.held_tips, two.held_tips);
   EXPECT_EQ(one.shapes, two.shapes);
-  EXPECT_NE(one.pressures_kpa, s.grow(1, 2).pressures_kpa) << "the seed counts";
+  EXPECT_NE(one.setpoints_kpa, s.grow(1, 2).setpoints_kpa) << "the seed counts";
 }
 
 TEST(Forest, SurvivesItsFile) {
@@ -97,7 +97,7 @@ TEST(Forest, SurvivesItsFile) {
   const Forest back = read_forest(folder.path() / "a.forest");
   EXPECT_EQ(back.key, forest.key);
   EXPECT_EQ(back.parents, forest.parents);
-  EXPECT_EQ(back.pressures_kpa, forest.pressures_kpa);
+  EXPECT_EQ(back.setpoints_kpa, forest.setpoints_kpa);
   EXPECT_EQ(back.held_tips, forest.held_tips);
   EXPECT_EQ(back.costs_kpa, forest.costs_kpa);
   EXPECT_EQ(back.shapes, forest.shapes);
@@ -126,8 +126,8 @@ TEST(Forest, ABrokenFileIsRefusedByTensor) {
   broken.held_tips(2, 3) = 3e38F;
   EXPECT_THAT(refusal(broken), HasSubstr("held_tips[3, 2] = 3e+38; expected at most 10000"));
   broken = good;
-  broken.pressures_kpa.conservativeResize(Eigen::NoChange, 5);
-  EXPECT_THAT(refusal(broken), HasSubstr("pressures_kpa has not one row for each"));
+  broken.setpoints_kpa.conservativeResize(Eigen::NoChange, 5);
+  EXPECT_THAT(refusal(broken), HasSubstr("setpoints_kpa has not one row for each"));
   broken = good;
   broken.shapes.conservativeResize(Eigen::NoChange, 5);
   EXPECT_THAT(refusal(broken), HasSubstr("shapes has not one row for each"));
@@ -183,23 +183,23 @@ struct ByHand {
   ByHand() {
     const Pressures to_a = Eigen::Vector3f(-40.0F, -40.0F, -40.0F);
     const Pressures to_b = Eigen::Vector3f(-90.0F, -90.0F, -90.0F);
-    forest.key = forest_key(s.arm, "model", s.start);
+    forest.key = forest_key(s.arm, "model", {}, s.start);
     forest.parents = {-1, 0, 1};
-    forest.pressures_kpa.resize(3, 3);
-    forest.pressures_kpa << s.start.pressures_kpa, to_a, to_b;
+    forest.setpoints_kpa.resize(3, 3);
+    forest.setpoints_kpa << s.start.pressures_kpa, to_a, to_b;
     const CollisionChecker free(s.arm, {}, 0.0);
     MotionSimulator simulator(s.arm, s.model, free);
-    Backbone a(16, 3), held_at_a(16, 3), b(16, 3);
-    simulator.move_unchecked(s.start.pressures_kpa, s.start.backbone, to_a, a);
-    EXPECT_TRUE(simulator.hold(to_a, a, hold_frame_count(s.arm), held_at_a));
-    simulator.move_unchecked(to_a, a, to_b, b);
+    MotionState a, held_at_a, b;
+    simulator.move_unchecked(simulator.start(s.start), to_a, a);
+    EXPECT_TRUE(simulator.hold(a, held_at_a));
+    simulator.move_unchecked(a, to_b, b);
     forest.shapes.resize(45, 3);
     int column = 0;
-    for (const Backbone& shape : {s.start.backbone, a, b}) {
+    for (const Backbone& shape : {s.start.backbone, a.backbone, b.backbone}) {
       round_shape(shape, s.arm.length_m(), forest.shapes.col(column++));
     }
-    held = tip_pose(BackboneRef(held_at_a));
-    at_b = tip_pose(BackboneRef(b));
+    held = tip_pose<float>(held_at_a.backbone);
+    at_b = tip_pose<float>(b.backbone);
     s.environment.goal = {held.x_m, held.y_m, std::nullopt, 0.01, 0.3};
     s.environment.obstacles = {};
     set_held_tips(held);
@@ -250,10 +250,10 @@ TEST(Forest, OfAnotherArmOrStartIsRefused) {
   s.environment.start = ArmStart{s.start.pressures_kpa, bent};
   refusal("grown for another start");
   s.environment.start = rest;
-  forest.pressures_kpa(1, 7) = 1e6F;
+  forest.setpoints_kpa(1, 7) = 1e6F;
   forest.complete();
   refusal("pressures beyond the arm's limits");
-  forest.pressures_kpa.conservativeResize(2, Eigen::NoChange);
+  forest.setpoints_kpa.conservativeResize(2, Eigen::NoChange);
   forest.complete();
   refusal("2 pressures a node; arm 'three_segment' has 3 segments");
   forest = s.grow();
@@ -271,8 +271,9 @@ TEST(Forest, OfAModelThatRunsOffIsRefused) {
   model.layers.back().weight *= 1e30F;
   model.layers.front().weight *= 1e30F;
   const ForwardModel wild(s.arm, model);
-  EXPECT_THAT([&] { (void)grow_forest(s.arm, wild, forest_key(s.arm, "wild", s.start), s.start); },
-              ThrowsMessage<InputError>(HasSubstr("runs off to infinity")));
+  EXPECT_THAT(
+      [&] { (void)grow_forest(s.arm, wild, forest_key(s.arm, "wild", {}, s.start), s.start); },
+      ThrowsMessage<InputError>(HasSubstr("runs off to infinity")));
 }
 
 }  // namespace

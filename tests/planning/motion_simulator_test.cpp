@@ -63,12 +63,12 @@ TEST(MotionSimulator, SameMotionFromAnotherShapeEndsInAnotherShape) {
   MotionSimulator simulator(arm, model, checker);
   const Pressures zero = Pressures::Zero(3);
   const Pressures bent = Pressures::Constant(3, 40.0F);
-  const Backbone straight = start_state(Environment{}, arm).backbone;
-  Backbone there(16, 3);
-  Backbone back(16, 3);
-  ASSERT_TRUE(simulator.move(zero, straight, bent, there));
-  ASSERT_TRUE(simulator.move(bent, there, zero, back));
-  EXPECT_NEAR((back - straight).leftCols<2>().rowwise().norm()[15], kPlayM * std::sqrt(2.0), 0.01);
+  const MotionState straight = simulator.start(start_state(Environment{}, arm));
+  MotionState there, back;
+  ASSERT_TRUE(simulator.move(straight, bent, there));
+  ASSERT_TRUE(simulator.move(there, zero, back));
+  EXPECT_NEAR((back.backbone - straight.backbone).leftCols<2>().rowwise().norm()[15],
+              kPlayM * std::sqrt(2.0), 0.01);
   EXPECT_EQ(simulator.queries(), 16U);
 }
 
@@ -80,28 +80,26 @@ TEST(MotionSimulator, CheckedUncheckedRecordedAndBatchedMotionsAgreeToTheBit) {
   RandomStream random(8, 0);
   constexpr int kMotions = 17;
   const Pressures to = random_pressures(arm, random);
-  Eigen::MatrixXf from_kpa(3, kMotions);
-  Eigen::MatrixXf from(48, kMotions);
-  std::vector<Backbone> ends;
+  std::vector<MotionState> from;
+  std::vector<MotionState> ends;
   for (int j = 0; j < kMotions; ++j) {
     const Pressures q = random_pressures(arm, random);
     const Backbone b = no_load_backbone(model.no_load(), random_pressures(arm, random));
-    from_kpa.col(j) = q;
-    from.col(j) = Eigen::Map<const Eigen::VectorXf>(b.data(), 48);
-    Backbone checked(16, 3);
-    Backbone unchecked(16, 3);
-    ASSERT_TRUE(simulator.move(q, b, to, checked));
-    simulator.move_unchecked(q, b, to, unchecked);
-    std::vector<PlanFrame> frames{{q, b}};
+    from.push_back(simulator.start({q, b}));
+    MotionState checked, unchecked;
+    ASSERT_TRUE(simulator.move(from.back(), to, checked));
+    simulator.move_unchecked(from.back(), to, unchecked);
+    std::vector<PlanFrame> frames{{q, q, b}};
     simulator.append_motion(to, frames);
-    EXPECT_EQ(checked, unchecked);
-    EXPECT_EQ(checked, frames.back().backbone);
+    EXPECT_TRUE(checked == unchecked);
+    EXPECT_TRUE(checked == state_after(frames, simulator.model()));
     ends.push_back(checked);
   }
   MotionBatch batch(simulator);
-  batch.run(from_kpa, from, to.replicate(1, kMotions));
+  batch.run(from, to.replicate(1, kMotions));
   for (int j = 0; j < kMotions; ++j) {
-    EXPECT_EQ(Backbone(batch.frame(j, batch.frame_count(j))), ends[static_cast<std::size_t>(j)]);
+    EXPECT_TRUE(batch.end(j) == ends[static_cast<std::size_t>(j)]);
+    EXPECT_EQ(Backbone(batch.frame(j, batch.frame_count(j))), batch.end(j).backbone);
     EXPECT_TRUE(batch.is_free(j, checker));
   }
 }
@@ -111,10 +109,10 @@ TEST(MotionSimulator, StopsAtTheFirstCollision) {
   const ForwardModel model(arm);
   const CollisionChecker checker(arm, {Circle{0.6, -0.2, 0.05}});
   MotionSimulator simulator(arm, model, checker);
-  const Backbone straight = start_state(Environment{}, arm).backbone;
-  Backbone end(16, 3);
-  EXPECT_FALSE(simulator.move(Pressures::Zero(3), straight, Pressures::Constant(3, 90.0F), end));
-  EXPECT_FALSE(checker.is_free(end));
+  MotionState end;
+  EXPECT_FALSE(simulator.move(simulator.start(start_state(Environment{}, arm)),
+                              Pressures::Constant(3, 90.0F), end));
+  EXPECT_FALSE(checker.is_free(end.backbone));
   EXPECT_LT(simulator.queries(), 18U) << "frames behind the collision are not simulated";
 }
 

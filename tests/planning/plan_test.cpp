@@ -27,6 +27,7 @@ Plan small_plan(const ArmDescription& arm) {
   plan.arm_hash = arm.hash();
   plan.model = "network";
   plan.model_hash = "abc";
+  plan.valves_hash = "fed";
   plan.environment_name = "e";
   plan.environment_hash = "def";
   plan.planner = "paper";
@@ -37,7 +38,7 @@ Plan small_plan(const ArmDescription& arm) {
   plan.program_version = "0.1.0";
   Pressures q = Pressures::Zero(arm.segment_count());
   for (int k = 0; k < 5; ++k) {
-    plan.frames.push_back({q, no_load_backbone(model, q)});
+    plan.frames.push_back({q, 0.9F * q, no_load_backbone(model, q)});
     for (int i = 0; i < q.size(); ++i) {
       q[i] += static_cast<float>(random.uniform(-4.9, 4.9));
     }
@@ -57,6 +58,7 @@ TEST(PlanFile, SurvivesTheRoundTripExactly) {
   write_plan(folder.path() / "p.json", plan);
   const Plan again = read_plan(folder.path() / "p.json");
   EXPECT_EQ(again.seed, plan.seed);
+  EXPECT_EQ(again.valves_hash, plan.valves_hash);
   EXPECT_EQ(again.cost_kpa, plan.cost_kpa);
   EXPECT_EQ(again.clearance_m, plan.clearance_m);
   EXPECT_EQ(again.goal_distance_m, plan.goal_distance_m);
@@ -66,6 +68,7 @@ TEST(PlanFile, SurvivesTheRoundTripExactly) {
   ASSERT_EQ(again.frame_count(), plan.frame_count());
   for (std::size_t k = 0; k < plan.frames.size(); ++k) {
     EXPECT_EQ(again.frames[k].setpoint_kpa, plan.frames[k].setpoint_kpa);
+    EXPECT_EQ(again.frames[k].pressure_kpa, plan.frames[k].pressure_kpa);
     EXPECT_EQ(again.frames[k].backbone, plan.frames[k].backbone);
   }
   write_plan(folder.path() / "q.json", again);
@@ -96,7 +99,7 @@ TEST(PlanFile, NamesFileAndFieldOfEveryBrokenPlan) {
   const std::vector<Broken> cases{
       {"other schema",
        [](Json& j) { j["schema"] = "limber/arm/1"; },
-       {"schema", "'limber/arm/1' found", "limber/plan/1"}},
+       {"schema", "'limber/arm/1' found", "limber/plan/2"}},
       {"no schema", [](Json& j) { j.erase("schema"); }, {"schema: missing"}},
       {"no hash", [](Json& j) { j["arm"].erase("hash"); }, {"arm.hash: missing"}},
       {"arm is a text", [](Json& j) { j["arm"] = "mine"; }, {"arm.name: missing"}},
@@ -217,7 +220,9 @@ TEST(Plan, CsvHoldsTheSetPointsToCommandAndWhen) {
   std::ifstream file(folder.path() / "p.csv");
   std::string line;
   std::getline(file, line);
-  EXPECT_EQ(line, "time_s,setpoint_1_kpa,setpoint_2_kpa,setpoint_3_kpa");
+  EXPECT_EQ(line,
+            "time_s,setpoint_1_kpa,setpoint_2_kpa,setpoint_3_kpa,"
+            "pressure_1_kpa,pressure_2_kpa,pressure_3_kpa");
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
     ASSERT_TRUE(std::getline(file, line));
     std::stringstream row(line);
@@ -227,6 +232,10 @@ TEST(Plan, CsvHoldsTheSetPointsToCommandAndWhen) {
     for (int i = 0; i < 3; ++i) {
       std::getline(row, cell, ',');
       EXPECT_EQ(std::stof(cell), plan.frames[k].setpoint_kpa[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      std::getline(row, cell, ',');
+      EXPECT_EQ(std::stof(cell), plan.frames[k].pressure_kpa[i]);
     }
   }
   EXPECT_FALSE(std::getline(file, line));

@@ -34,7 +34,8 @@ TEST(Planner, TakesSettingsWithItsName) {
   refusal("default,goal_shots=0,goal_shots=1", "planner setting goal_shots: given twice");
   refusal("default,improved_plans=2.5", "improved_plans = 2.5; expected a whole number");
   refusal("default,goal_shots=0.6,goal_bias=0.6", "goal_bias + goal_shots = 1.2; expected 0 to 1");
-  refusal("paper,goal_shots=0", "planner 'paper,goal_shots=0'; expected one of default");
+  refusal("paper,goal_shots=0",
+          "planner setting goal_shots: unknown; 'paper' has the setting valves");
 }
 
 TEST(Planner, LogsHowTheCostFell) {
@@ -140,7 +141,8 @@ class OvershootAndReturn : public ::testing::Test {
     const Pressures ways_kpa[] = {Pressures::Zero(1), Pressures::Constant(1, 90.0F),
                                   Pressures::Constant(1, 60.0F)};
     MotionSimulator simulator(arm_, model_, checker_);
-    std::vector<PlanFrame> frames{{ways_kpa[0], start_state(environment_, arm_).backbone}};
+    std::vector<PlanFrame> frames{
+        {ways_kpa[0], ways_kpa[0], start_state(environment_, arm_).backbone}};
     simulator.append_motion(ways_kpa[1], frames);
     simulator.append_motion(ways_kpa[2], frames);
     const Pose tip = tip_pose(frames.back().backbone);

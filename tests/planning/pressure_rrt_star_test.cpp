@@ -37,17 +37,16 @@ void expect_sound_tree(const Setting& s, int iterations, std::uint64_t* accepted
     search.iterate(budget);
   }
   const PressureTree& tree = search.tree();
-  Backbone end(16, 3);
+  MotionState end;
   for (int i = 1; i < tree.size(); ++i) {
     const int parent = tree.parent(i);
     constexpr double kSumKpa = 1e-9;
     EXPECT_NEAR(
         tree.cost_kpa(i),
-        tree.cost_kpa(parent) + motion_cost_kpa(tree.pressures_kpa(parent), tree.pressures_kpa(i)),
+        tree.cost_kpa(parent) + motion_cost_kpa(tree.setpoint_kpa(parent), tree.setpoint_kpa(i)),
         kSumKpa);
-    ASSERT_TRUE(simulator.move(tree.pressures_kpa(parent), tree.backbone(parent),
-                               tree.pressures_kpa(i), end));
-    ASSERT_EQ(end, Backbone(tree.backbone(i))) << "node " << i;
+    ASSERT_TRUE(simulator.move(tree.state(parent), tree.setpoint_kpa(i), end));
+    ASSERT_TRUE(end == tree.state(i)) << "node " << i;
   }
   PlannerStatistics statistics;
   search.fill(statistics);

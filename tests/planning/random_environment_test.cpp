@@ -31,11 +31,11 @@ TEST(RandomEnvironment, KeepsItsRules) {
 
     MotionSimulator simulator(arm, model, checker);
     const ArmStart rest = start_state(e, arm);
-    std::vector<PlanFrame> frames{{rest.pressures_kpa, rest.backbone}};
+    std::vector<PlanFrame> frames{{rest.pressures_kpa, rest.pressures_kpa, rest.backbone}};
     for (std::size_t k = 1; k < drawn->witness_kpa.size(); ++k) {
       simulator.append_motion(drawn->witness_kpa[k], frames);
     }
-    simulator.append_hold(hold_frame_count(arm), frames);
+    simulator.append_hold(frames);
     for (std::size_t k = 1; k < frames.size(); ++k) {
       EXPECT_GE(checker.motion_clearance(frames[k - 1].backbone, frames[k].backbone).value_m,
                 settings.clearance_m - CollisionChecker::kToleranceM);
@@ -63,7 +63,8 @@ TEST(RandomEnvironment, SaysWhereThereIsNone) {
   RandomEnvironmentSettings impossible;
   impossible.clearance_m = 5.0;
   impossible.attempts = 2;
-  EXPECT_FALSE(random_environment(arm, ForwardModel(arm), 1, 1, impossible));
+  const ForwardModel model(arm);
+  EXPECT_FALSE(random_environment(arm, model, 1, 1, impossible));
 }
 
 }  // namespace

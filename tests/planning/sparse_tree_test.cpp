@@ -15,23 +15,25 @@ constexpr StateCells kCells{0.1, 0.01, 0.1};
 struct Setting {
   ArmDescription arm = three_segment_arm();
   ArmStart start = start_state(Environment{}, arm);
-  SparseTree tree{arm, kCells, start};
+  ForwardModel model{arm};
+  MotionModel motion{model};
+  SparseTree tree{arm, motion, kCells, motion.settled_state(start.pressures_kpa, start.backbone)};
   Pressures kpa = Eigen::Vector3f(15.0F, 15.0F, 15.0F);
 
-  /// The start's backbone with the tip moved aside.
-  Backbone with_tip(float y_m) const {
+  /// Settled at `kpa`, with the start's backbone, its tip moved aside.
+  MotionState with_tip(float y_m) const {
     Backbone b = start.backbone;
     b(b.rows() - 1, 1) = y_m;
-    return b;
+    return motion.settled_state(kpa, b);
   }
 };
 
 TEST(SparseTree, OfLikeStatesTheCheapestStands) {
   Setting s;
-  const auto dear = s.tree.add(s.kpa, s.with_tip(0.0F), 0, 50.0);
+  const auto dear = s.tree.add(s.with_tip(0.0F), 0, 50.0);
   ASSERT_TRUE(dear);
-  EXPECT_FALSE(s.tree.add(s.kpa, s.with_tip(0.0F), 0, 50.0)) << "no cheaper";
-  const auto cheap = s.tree.add(s.kpa, s.with_tip(0.0F), 0, 45.0);
+  EXPECT_FALSE(s.tree.add(s.with_tip(0.0F), 0, 50.0)) << "no cheaper";
+  const auto cheap = s.tree.add(s.with_tip(0.0F), 0, 45.0);
   ASSERT_TRUE(cheap);
   // Whoever asks for the dear one's pressures gets the cheap one, always.
   RandomStream random(1, 1);
@@ -44,8 +46,8 @@ TEST(SparseTree, OfLikeStatesTheCheapestStands) {
 // beside what came straight.
 TEST(SparseTree, StatesWithOtherTipsLiveSideBySide) {
   Setting s;
-  EXPECT_TRUE(s.tree.add(s.kpa, s.with_tip(0.0F), 0, 45.0));
-  EXPECT_TRUE(s.tree.add(s.kpa, s.with_tip(0.05F), 0, 90.0));
+  EXPECT_TRUE(s.tree.add(s.with_tip(0.0F), 0, 45.0));
+  EXPECT_TRUE(s.tree.add(s.with_tip(0.05F), 0, 90.0));
   EXPECT_EQ(s.tree.size(), 3);
 }
 

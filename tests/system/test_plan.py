@@ -64,9 +64,9 @@ class Plan(InFolder):
         plan = ("plan", *ARM, *BUDGET, *forest, "--environment", rest)
         self.run_limber(*plan)
         grown = (self.folder / "f").read_bytes()
-        (self.folder / "f").write_bytes(grown.replace(b"limber/forest/2", b"limber/forest/1"))
+        (self.folder / "f").write_bytes(grown.replace(b"limber/forest/3", b"limber/forest/1"))
         refused = self.run_limber(*plan, code=2)
-        self.assertIn("f: schema 'limber/forest/1'; expected limber/forest/2: --build-forest grows "
+        self.assertIn("f: schema 'limber/forest/1'; expected limber/forest/3: --build-forest grows "
                       "it anew", refused.stderr)
         self.run_limber(*plan, "--build-forest")
         self.assertEqual((self.folder / "f").read_bytes(), grown)

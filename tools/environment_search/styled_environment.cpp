@@ -29,7 +29,7 @@ constexpr double kGoalToleranceRad = 0.3;
 /// One draw: a motion, and obstacles about it.
 class Draft {
  public:
-  Draft(const ArmDescription& arm, const ForwardModel& model, const StyleSettings& settings,
+  Draft(const ArmDescription& arm, const MotionModel& model, const StyleSettings& settings,
         std::uint64_t seed, std::uint64_t stream)
       : arm_(arm), model_(model), settings_(settings), random_(seed, stream) {}
 
@@ -243,7 +243,7 @@ class Draft {
   }
 
   const ArmDescription& arm_;
-  const ForwardModel& model_;
+  const MotionModel& model_;
   const StyleSettings& settings_;
   RandomStream random_;
   Environment environment_;
@@ -253,7 +253,7 @@ class Draft {
 
 }  // namespace
 
-std::optional<StyledEnvironment> draw_styled(const ArmDescription& arm, const ForwardModel& model,
+std::optional<StyledEnvironment> draw_styled(const ArmDescription& arm, const MotionModel& model,
                                              const StyleSettings& settings, std::uint64_t seed,
                                              std::uint64_t number) {
   return Draft(arm, model, settings, seed, number).draw();

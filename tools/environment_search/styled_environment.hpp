@@ -37,7 +37,7 @@ struct StyledEnvironment {
 /// close about the motion but clear of it, so that the straight line in pressure to the same end
 /// collides. Depends on its arguments alone; none where this draw came to nothing (try the next
 /// number).
-std::optional<StyledEnvironment> draw_styled(const ArmDescription& arm, const ForwardModel& model,
+std::optional<StyledEnvironment> draw_styled(const ArmDescription& arm, const MotionModel& model,
                                              const StyleSettings& settings, std::uint64_t seed,
                                              std::uint64_t number);
 

@@ -24,6 +24,8 @@ class ValveModel {
  public:
   /// Ideal valves: pressures are the set points.
   explicit ValveModel(const ArmDescription& arm);
+  /// The same of an arm of so many segments.
+  static ValveModel ideal(int segment_count);
   /// @throws InputError where the parameters do not fit the arm or are out of range.
   ValveModel(const ArmDescription& arm, ValveParameters parameters);
 
@@ -56,6 +58,8 @@ class ValveModel {
                        const Eigen::Ref<const Pressures>& tolerance_kpa, int most) const;
 
  private:
+  explicit ValveModel(int segment_count) : segment_count_(segment_count) {}
+
   ValveParameters parameters_;
   int segment_count_ = 0;
   int setpoint_count_ = 1;

@@ -41,8 +41,8 @@ struct EnvironmentFindings {
 
 /// Plans `trials` times with each model, executes every plan, and looks for straight and monotone
 /// ways. Depends on the seed alone where the planner's limits are iterations.
-EnvironmentFindings find_out(const ArmDescription& arm, const ForwardModel& no_load,
-                             const ForwardModel& network, const EnvironmentCase& item,
+EnvironmentFindings find_out(const ArmDescription& arm, const MotionModel& no_load,
+                             const MotionModel& network, const EnvironmentCase& item,
                              const FindingsSettings& settings, std::uint64_t seed);
 
 }  // namespace limber

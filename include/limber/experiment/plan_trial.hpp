@@ -7,7 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "limber/forward/forward_model.hpp"
+#include "limber/forward/motion_model.hpp"
 #include "limber/hardware/executor.hpp"
 #include "limber/planning/environment.hpp"
 #include "limber/planning/planner.hpp"
@@ -44,7 +44,7 @@ struct PlanTrialSettings {
 
 /// Plans in the environment with `model`, until its limits or Ctrl-C. The result's execution is not
 /// set.
-PlanTrial plan_trial(const ArmDescription& arm, const ForwardModel& model,
+PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
                      const EnvironmentCase& item, const PlanTrialSettings& settings,
                      std::uint64_t seed);
 

@@ -18,6 +18,8 @@ struct ExperimentSettings {
   std::filesystem::path folder = "experiment";
   ArmDescription arm;
   std::filesystem::path model_file;  ///< network; the no-load model is always the other one
+  /// Of every prediction, whatever its model; ideal ones: pressures are the set points.
+  ValveParameters valves;
   std::vector<EnvironmentCase> environments;
   int trials = 20;  ///< of each environment and model, ≥ 1; trial k has the same seed everywhere
   std::vector<std::string> planners = {"default"};

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "limber/forward/forward_model.hpp"
+#include "limber/forward/motion_model.hpp"
 #include "limber/planning/environment.hpp"
 
 namespace limber {
@@ -14,7 +14,7 @@ namespace limber {
 /// @param number  of the environment among those of `seed`
 /// @return none where a hundred draws did not give one
 std::optional<Environment> draw_proven_environment(const ArmDescription& arm,
-                                                   const ForwardModel& model, std::uint64_t seed,
+                                                   const MotionModel& model, std::uint64_t seed,
                                                    std::uint64_t number);
 
 }  // namespace limber

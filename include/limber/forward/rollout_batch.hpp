@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "limber/forward/forward_model.hpp"
+#include "limber/forward/motion_model.hpp"
 
 namespace limber {
 
@@ -14,22 +14,28 @@ void motion_setpoint(const Eigen::Ref<const Pressures>& from_kpa,
                      const Eigen::Ref<const Pressures>& to_kpa, int k, int count,
                      Eigen::Ref<Pressures> setpoint_kpa);
 
-/// Straight motions in pressure, each of its own length, simulated side by side: one step moves all
-/// of them by a frame in one batch. A motion that has ended, or that nobody wants to go on with, is
-/// removed, and the last column takes its place, so that every batch is full of work.
+/// Motions along straight lines of set points, each of its own length, simulated side by side
+/// through valves and forward model: one step moves all of them by a frame in one batch. A motion
+/// that has ended, or that nobody wants to go on with, is removed, and the last column takes its
+/// place, so that every batch is full of work.
 ///
-/// A motion's backbones are to the bit those of ForwardModel::step, whatever runs beside it.
-/// Threads: one batch, one thread. Borrows the model. Allocates where it grows beyond its largest
+/// A motion's states are to the bit those of MotionModel::step, whatever runs beside it.
+/// Threads: one batch, one thread. Borrows what the model borrows.
+/// Allocates where it grows beyond its largest
 /// size so far.
 class RolloutBatch {
  public:
-  explicit RolloutBatch(const ForwardModel& model);
+  explicit RolloutBatch(const MotionModel& model);
 
-  /// Adds a motion from (from_kpa, from) to to_kpa in `frames` ≥ 1 frames (motion_setpoint).
-  /// Sizes n, m×3, n; numbers finite. `label` is the caller's.
-  void add(int label, const Eigen::Ref<const Pressures>& from_kpa,
-           const Eigen::Ref<const Backbone>& from, const Eigen::Ref<const Pressures>& to_kpa,
+  /// Adds a motion from a state, that is from its last set points, to `to_kpa` in `frames` ≥ 1
+  /// frames (motion_setpoint). Numbers finite. `label` is the caller's.
+  void add(int label, const Eigen::Ref<const Eigen::VectorXf>& valves,
+           const Eigen::Ref<const Backbone>& backbone, const Eigen::Ref<const Pressures>& to_kpa,
            int frames);
+  void add(int label, const MotionState& from, const Eigen::Ref<const Pressures>& to_kpa,
+           int frames) {
+    add(label, from.valves, from.backbone, to_kpa, frames);
+  }
 
   /// Motions in progress; they are in columns 0 … size() − 1.
   int size() const { return static_cast<int>(motions_.size()); }
@@ -43,6 +49,9 @@ class RolloutBatch {
   /// Backbones one frame ago and now. @pre frame ≥ 1 for `before`
   Eigen::Map<const Backbone> before(int column) const;
   Eigen::Map<const Backbone> now(int column) const;
+  /// Valve state now.
+  Eigen::Map<const Eigen::VectorXf> valves(int column) const;
+  MotionState state(int column) const;
 
   /// Ends a motion; the last column is then this one.
   void remove(int column);
@@ -58,13 +67,15 @@ class RolloutBatch {
   const Motion& motion(int column) const { return motions_[static_cast<std::size_t>(column)]; }
   void grow();
 
-  const ForwardModel& model_;
-  ForwardModel::Workspace workspace_;
+  MotionModel model_;
+  MotionModel::Workspace workspace_;
   std::vector<Motion> motions_;
-  Eigen::MatrixXf from_kpa_;  // n × capacity, as the next ones
+  Pressures setpoint_kpa_;
+  Eigen::MatrixXf from_kpa_;  // n × capacity, set points, as the next one
   Eigen::MatrixXf to_kpa_;
-  Eigen::MatrixXf before_kpa_;
+  Eigen::MatrixXf before_kpa_;  // n × capacity, pressures, as the next one
   Eigen::MatrixXf now_kpa_;
+  Eigen::MatrixXf valves_;  // valve states
   Eigen::MatrixXf before_;  // 3m × capacity
   Eigen::MatrixXf now_;
 };

@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/valve_parameters.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/planning/environment.hpp"
 #include "limber/planning/plan.hpp"
@@ -15,8 +16,8 @@ namespace limber {
 
 /// One thing that is wrong with a plan.
 struct CertificateFailure {
-  std::string check;  ///< "limits", "rate", "start", "waypoints", "cost", "hold", "model",
-                      ///< "collision", "goal", "claims", "seal" or "sizes"
+  std::string check;  ///< "limits", "rate", "start", "waypoints", "cost", "hold", "valves",
+                      ///< "model", "collision", "goal", "claims", "seal" or "sizes"
   int frame = -1;     ///< the first one that fails; −1 where no frame is to blame
   std::string message;
 };
@@ -37,6 +38,8 @@ struct Certificate {
   /// this is rounding and the other is not, the plan is no mistake: the model amplifies rounding
   /// along it, and nothing can be said of where the arm ends.
   double largest_step_deviation_m = 0.0;
+  /// Of a predicted pressure, own simulation of the valves against the stored one.
+  double largest_pressure_deviation_kpa = 0.0;
   double cost_kpa = 0.0;
   double largest_step_kpa = 0.0;  ///< of a pressure in one frame
   double goal_distance_m =
@@ -48,20 +51,25 @@ struct Certificate {
 
   static constexpr double kDeviationM = 1e-4;  ///< allowed at every plate of every frame
   static constexpr double kHeadingDeviationRad = 1e-3;
+  static constexpr double kPressureDeviationKpa = 1e-3;  ///< of every pressure of every frame
+  static constexpr double kSettledShare = 0.01;  ///< of the limit: what the hold has to settle to
   static constexpr double kLeastClearanceM = 1e-4;  ///< even where no margin was asked for
   static constexpr double kClearanceToleranceM = 2e-5;
 };
 
-/// Certifies a plan with nothing of the planner's: an own forward model in double precision, run
-/// open loop from the environment's start through the stored set points; an own swept distance
-/// (branch and bound over time and arc length); limits, rate, frame rule, cost, hold and goal
-/// checked from their definitions. Collision and goal are judged on the own simulation.
+/// Certifies a plan with nothing of the planner's: own valves and an own forward model in double
+/// precision, run open loop from the environment's start through the stored set points; an own
+/// swept distance (branch and bound over time and arc length); limits, rate, frame rule, cost, hold
+/// and goal checked from their definitions. Collision and goal are judged on the own simulation.
 ///
 /// @param network  the plan's model; null: the no-load model alone
-/// @throws InputError where the plan was made for another arm or environment (hashes in the
-/// message), or `network` is of another arm. Everything else is a failure in the result.
+/// @param valves   what lies between set points and pressures, by the judge's knowledge: never
+///                 taken from the plan; ideal ones for a plan without valves
+/// @throws InputError where the plan was made for another arm, other valves or another environment
+/// (hashes in the message), or `network` is of another arm. Everything else is a failure in the
+/// result.
 Certificate certify(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
-                    const Environment& environment);
+                    const ValveParameters& valves, const Environment& environment);
 
 /// The object of `limber verify --json`.
 nlohmann::ordered_json certificate_to_json(const Certificate& certificate,

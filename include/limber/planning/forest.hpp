@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/forward/forward_model.hpp"
+#include "limber/forward/motion_model.hpp"
 #include "limber/planning/environment.hpp"
 #include "limber/planning/rounded_shape.hpp"
 #include "limber/planning/tip_grid.hpp"
@@ -19,16 +19,17 @@ namespace limber {
 
 /// What a forest was grown for. A plan's shapes depend on all of it.
 struct ForestKey {
-  std::string arm_hash;    ///< ArmDescription::hash()
-  std::string model_hash;  ///< of the model file; empty for the no-load model
-  std::string start_hash;  ///< of pressures and backbone that the arm starts with
+  std::string arm_hash;     ///< ArmDescription::hash()
+  std::string model_hash;   ///< of the model file; empty for the no-load model
+  std::string valves_hash;  ///< ValveParameters::hash()
+  std::string start_hash;   ///< of pressures and backbone that the arm starts with
 
   bool operator==(const ForestKey&) const = default;
 };
 
 /// @param model_hash  content hash of the model file; empty for the no-load model
 ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
-                     const ArmStart& start);
+                     const ValveParameters& valves, const ArmStart& start);
 
 /// Motions that a model can make from one start where nothing is in the way, to be looked through
 /// for those that an environment leaves free (docs/planning.md). Node 0 is the start; a node comes
@@ -36,25 +37,26 @@ ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
 struct Forest {
   ForestKey key;
   std::vector<std::int32_t> parents;  ///< size N, −1 for the start
-  Eigen::MatrixXf pressures_kpa;      ///< n×N; motions between a node and its parent are straight
+  Eigen::MatrixXf setpoints_kpa;      ///< n×N; motions between a node and its parent are straight
   Eigen::Matrix3Xf held_tips;         ///< (x_m, y_m, theta_rad) after the hold at a node
   RoundedShapes shapes;               ///< 3(m−1)×N, before it (planning/rounded_shape.hpp)
 
   // What `complete` derives from those; not in the file.
   std::vector<float> costs_kpa;  ///< size N, (2) from the start
-  Pressures largest_kpa;         ///< size n, of all nodes, without sign
+  Pressures largest_kpa;         ///< size n, of all nodes' set points, without sign
   TipGrid tips;                  ///< of the held tips
 
   int size() const { return static_cast<int>(parents.size()); }
-  /// Fills in the rest from parents, pressures and tips.
+  /// Fills in the rest from parents, set points and tips.
   void complete();
 
   static constexpr int kMostNodes = 1 << 24;  ///< what a file's floats still tell apart
 };
 
-/// @throws InputError where the forest was grown for another arm or start, or does not fit them. Of
-/// the model only the caller knows whose it is.
-void require_forest_of(const Forest& forest, const ArmDescription& arm, const ArmStart& start);
+/// @throws InputError where the forest was grown for another arm, other valves or another start, or
+/// does not fit them. Of the model only the caller knows whose it is.
+void require_forest_of(const Forest& forest, const ArmDescription& arm,
+                       const ValveParameters& valves, const ArmStart& start);
 
 struct ForestSettings {
   int nodes = 200'000;  ///< 1 to Forest::kMostNodes
@@ -69,12 +71,12 @@ using ForestCallback = std::function<bool(int nodes)>;
 /// a node.
 /// @return none where the callback asked to stop
 /// @throws InputError where settings are out of range, or the model runs off to infinity.
-std::optional<Forest> grow_forest(const ArmDescription& arm, const ForwardModel& model,
+std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& model,
                                   const ForestKey& key, const ArmStart& start,
                                   const ForestSettings& settings = ForestSettings(),
                                   const ForestCallback& callback = {});
 
-/// Writes a forest as a safetensors file (docs/formats.md, schema limber/forest/2), atomically.
+/// Writes a forest as a safetensors file (docs/formats.md, schema limber/forest/3), atomically.
 void write_forest(const std::filesystem::path& path, const Forest& forest);
 
 /// @throws InputError naming file and tensor where it is no forest, or a broken one.

@@ -7,7 +7,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
-#include "limber/forward/forward_model.hpp"
+#include "limber/forward/motion_model.hpp"
 #include "limber/forward/rollout_batch.hpp"
 #include "limber/planning/collision.hpp"
 #include "limber/planning/plan.hpp"
@@ -35,51 +35,69 @@ int motion_frame_count(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
 /// (2) of a straight motion: Σ|Δp|.
 double motion_cost_kpa(const PressuresRef& from_kpa, const PressuresRef& to_kpa);
 
-/// Runs straight motions in pressure through the forward model, frame by frame, and checks them for
-/// collision. Counts model queries. Threads: one simulator, one thread.
+/// The state at the end of a plan's first frames; before the first the arm has long stood there.
+MotionState state_after(const std::vector<PlanFrame>& frames, const MotionModel& model);
+
+/// Frames of the hold behind a motion that ends in the valve state `valves`: kHoldS, or as long as
+/// the pressures take to come, and stay, within 1 % of their limits of the set points (within the
+/// valves' dead band, where that is wider), up to kLongestHoldS.
+int hold_frame_count(const ArmDescription& arm, const ValveModel& valves,
+                     const Eigen::Ref<const Eigen::VectorXf>& state);
+
+/// Time that the arm holds its last set points at least, before the goal is judged; execution does
+/// the same.
+inline constexpr double kHoldS = 1.0;
+inline constexpr double kLongestHoldS = 60.0;
+
+/// Runs motions along straight lines of set points through the motion model, frame by frame, and
+/// checks them for collision. Counts model queries. Threads: one simulator, one thread.
 class MotionSimulator {
  public:
-  /// Everything is borrowed.
-  MotionSimulator(const ArmDescription& arm, const ForwardModel& model,
+  /// Borrows arm, checker and what the model borrows.
+  MotionSimulator(const ArmDescription& arm, const MotionModel& model,
                   const CollisionChecker& checker);
 
-  /// Moves from (from_kpa, from) to to_kpa. Returns false at the first frame that collides, or that
-  /// is reached through a collision; `end` (m×3) is then the frame's.
-  [[nodiscard]] bool move(const PressuresRef& from_kpa, const BackboneRef& from,
-                          const PressuresRef& to_kpa, Eigen::Ref<Backbone> end);
+  /// Moves on from a state to `to_kpa`. Returns false at the first frame that collides, or that is
+  /// reached through a collision; `end` is then the frame's.
+  [[nodiscard]] bool move(const MotionState& from, const PressuresRef& to_kpa, MotionState& end);
 
   /// The same without looking at obstacles.
-  void move_unchecked(const PressuresRef& from_kpa, const BackboneRef& from,
-                      const PressuresRef& to_kpa, Eigen::Ref<Backbone> end);
+  void move_unchecked(const MotionState& from, const PressuresRef& to_kpa, MotionState& end);
 
-  /// Holds the pressures for `frames` frames; otherwise as `move`.
-  [[nodiscard]] bool hold(const PressuresRef& kpa, const BackboneRef& from, int frames,
-                          Eigen::Ref<Backbone> end);
+  /// Holds the set points for `frames` frames; otherwise as `move`.
+  [[nodiscard]] bool hold(const MotionState& from, int frames, MotionState& end);
+  /// The same for as long as hold_frame_count says.
+  [[nodiscard]] bool hold(const MotionState& from, MotionState& end);
+
+  /// The state of the arm where a problem starts.
+  MotionState start(const ArmStart& start) const {
+    return model_.settled_state(start.pressures_kpa, start.backbone);
+  }
 
   /// Appends the frames of a motion to `frames`, which holds at least its start.
   void append_motion(const PressuresRef& to_kpa, std::vector<PlanFrame>& frames);
-  /// Appends `count` frames of holding.
-  void append_hold(int count, std::vector<PlanFrame>& frames);
+  /// Appends as many frames of holding as hold_frame_count says. @return how many
+  int append_hold(std::vector<PlanFrame>& frames);
 
   const CollisionChecker& checker() const { return checker_; }
   const ArmDescription& arm() const { return arm_; }
-  const ForwardModel& model() const { return model_; }
+  const MotionModel& model() const { return model_; }
   std::uint64_t queries() const { return queries_; }
   void count_queries(std::uint64_t queries) { queries_ += queries; }
 
  private:
-  void step(const PressuresRef& previous_kpa, const PressuresRef& current_kpa,
-            const BackboneRef& previous, Eigen::Ref<Backbone> next);
+  /// One frame of `state_`; its backbone before is left in before_.
+  void step(const PressuresRef& setpoint_kpa);
+  void append_frame(const PressuresRef& setpoint_kpa, std::vector<PlanFrame>& frames);
 
   const ArmDescription& arm_;
-  const ForwardModel& model_;
+  MotionModel model_;
   const CollisionChecker& checker_;
-  ForwardModel::Workspace workspace_;
+  MotionModel::Workspace workspace_;
   std::uint64_t queries_ = 0;
-  Pressures previous_kpa_;
-  Pressures current_kpa_;
-  Backbone previous_;
-  Backbone current_;
+  Pressures setpoint_kpa_;
+  Backbone before_;
+  MotionState state_;
 };
 
 /// Straight motions simulated side by side without looking at obstacles, with every frame kept.
@@ -90,24 +108,24 @@ class MotionBatch {
   explicit MotionBatch(MotionSimulator& simulator)
       : simulator_(simulator), rollouts_(simulator.model()) {}
 
-  /// @param from_kpa   n×k, states' pressures, one a column
-  /// @param from       3m×k, their backbones in row order
-  /// @param to_kpa     n×k, where each goes
-  void run(const Eigen::Ref<const Eigen::MatrixXf>& from_kpa,
-           const Eigen::Ref<const Eigen::MatrixXf>& from,
-           const Eigen::Ref<const Eigen::MatrixXf>& to_kpa);
+  /// @param from    states that motions begin in
+  /// @param to_kpa  n×k, set points where each goes
+  void run(const std::vector<MotionState>& from, const Eigen::Ref<const Eigen::MatrixXf>& to_kpa);
 
   int frame_count(int motion) const {
     return static_cast<int>(frames_[static_cast<std::size_t>(motion)].cols()) - 1;
   }
   /// Backbone of `motion` after frame k, 0 ≤ k ≤ frame_count.
   Eigen::Map<const Backbone> frame(int motion, int k) const;
+  /// After its last frame.
+  const MotionState& end(int motion) const { return ends_[static_cast<std::size_t>(motion)]; }
   bool is_free(int motion, const CollisionChecker& checker) const;
 
  private:
   MotionSimulator& simulator_;
   RolloutBatch rollouts_;
   std::vector<Eigen::MatrixXf> frames_;  // one a motion, 3m × (frames + 1)
+  std::vector<MotionState> ends_;
 };
 
 }  // namespace limber

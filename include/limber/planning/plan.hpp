@@ -12,9 +12,10 @@
 namespace limber {
 
 /// One frame of a plan. The set points of frame k are commanded at time (k − 1)/rate and held for
-/// one frame period; `backbone` is the shape predicted for its end, time k/rate.
+/// one frame period; pressures and backbone are those predicted for its end, time k/rate.
 struct PlanFrame {
   Pressures setpoint_kpa;  ///< size n
+  Pressures pressure_kpa;  ///< size n, predicted; the set points where the plan knows no valves
   Backbone backbone;       ///< m×3, predicted
 };
 
@@ -26,7 +27,7 @@ struct CertifiedFigures {
   bool seal_is_intact = true;
 };
 
-/// A motion in pressure space (docs/formats.md, schema limber/plan/1). Frames are part of it: the
+/// A motion in pressure space (docs/formats.md, schema limber/plan/2). Frames are part of it: the
 /// arm's shape depends on how the pressures were reached, so they are executed as they stand, never
 /// resampled.
 ///
@@ -34,9 +35,12 @@ struct CertifiedFigures {
 /// the final set point while the arm settles, after which the goal is judged.
 struct Plan {
   std::string arm_name;
-  std::string arm_hash;    ///< ArmDescription::hash()
-  std::string model;       ///< "no_load" or "network"
-  std::string model_hash;  ///< content hash of the model file; empty for "no_load"
+  std::string arm_hash;     ///< ArmDescription::hash()
+  std::string model;        ///< "no_load" or "network"
+  std::string model_hash;   ///< content hash of the model file; empty for "no_load"
+  std::string valves_hash;  ///< ValveParameters::hash(); empty: planned without valves
+  /// Read from schema limber/plan/1, which knew none.
+  bool is_older_than_valves = false;
   std::string environment_name;
   std::string environment_hash;  ///< environment_hash()
   std::string planner;
@@ -67,8 +71,9 @@ double path_cost_kpa(const std::vector<PlanFrame>& frames);
 /// plan is sealed with a hash of everything in the file.
 void write_plan(const std::filesystem::path& path, const Plan& plan);
 
-/// Reads and validates: sizes agree, numbers are finite, the cost is Σ|Δp|, frames start and end at
-/// the waypoints, the hold stands still, nothing was changed since it was certified.
+/// Reads and validates; a plan of schema limber/plan/1 is one without valves. Sizes agree, numbers
+/// are finite, the cost is Σ|Δp|, frames start and end at the waypoints, the hold stands still,
+/// nothing was changed since it was certified.
 /// @throws InputError naming file and field.
 Plan read_plan(const std::filesystem::path& path);
 
@@ -80,8 +85,9 @@ Plan read_plan_unjudged(const std::filesystem::path& path);
 /// the arm's pressure limits or rate.
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file);
 
-/// Set points for a valve controller: `time_s,setpoint_1_kpa,…`, one row a frame, time at which the
-/// frame's set points are to be commanded.
+/// Set points for a valve controller, and the pressures predicted for the end of their frame:
+/// `time_s,setpoint_1_kpa,…,pressure_1_kpa,…`, one row a frame, time at which the frame's set
+/// points are to be commanded.
 void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan);
 
 /// Predicted shapes: `time_s,x_0_m,y_0_m,theta_0_rad,…`, one row a frame, its time the frame's end.

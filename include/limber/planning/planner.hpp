@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/forward/forward_model.hpp"
+#include "limber/forward/motion_model.hpp"
 #include "limber/planning/certificate.hpp"
 #include "limber/planning/environment.hpp"
 #include "limber/planning/forest.hpp"
@@ -21,10 +21,13 @@ namespace limber {
 /// What is to be solved. Borrowed: everything outlives the call that gets it.
 struct PlanningProblem {
   const ArmDescription& arm;
-  const ForwardModel& model;
+  MotionModel model;  ///< of a forward model alone: ideal valves
   const Environment& environment;
   double margin_m = 0.0;  ///< clearance kept from every obstacle, ≥ 0
 };
+
+/// The state that the environment starts with; the arm has long stood there.
+MotionState start_of(const PlanningProblem& problem);
 
 /// When to stop; whichever comes first. At least one of time, iterations and queries is set.
 struct PlannerLimits {
@@ -133,14 +136,8 @@ std::vector<std::string> planner_names();
 std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0,
                                       const Forest* forest = nullptr);
 
-/// Time that the arm holds its last pressures before the goal is judged; execution does the same.
-inline constexpr double kHoldS = 1.0;
-
 /// Whether that is the default planner, with settings or without.
 /// @throws InputError where the settings are no key=value.
 bool is_default_planner(const std::string& name);
-
-/// Frames of the hold at the arm's rate.
-int hold_frame_count(const ArmDescription& arm);
 
 }  // namespace limber

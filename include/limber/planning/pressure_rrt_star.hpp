@@ -12,14 +12,16 @@ struct PressureRrtStarSettings {
   double goal_bias = 0.2;    ///< share of samples at inverse-kinematics solutions, in [0, 1]
   double goal_spread = 0.1;  ///< standard deviation about such a solution: it is approximate
   int goal_configurations = 200;    ///< solutions drawn before they are used again, ≥ 1
-  double match_position_m = 0.005;  ///< a rewired node's backbone agrees at every plate
+  double match_pressure_kpa = 1.0;  ///< a rewired node's set points are the same, its pressures so
+  double match_position_m = 0.005;  ///< and its backbone agrees at every plate
   double match_orientation_rad = 0.05;
   bool rewire = true;
   double hold_position_m = 0.05;  ///< nodes whose tip is this near the goal are held and judged
   double hold_orientation_rad = 0.5;
 };
 
-/// The paper's planner (IV-D and IV-E): RRT* over states (q, B). A new configuration is reached
+/// The paper's planner (IV-D and IV-E): RRT* over states (q, B); with valves q is set points and
+/// pressures. A new configuration is reached
 /// from the cheapest of the near nodes whose motion is free; a node is rewired only where the new
 /// way ends at the same pressures and the same backbone, and everything downstream, simulated
 /// anew, stays free.
@@ -28,8 +30,10 @@ enum class ParentRule {
   steer_all  ///< as written: simulates from all near nodes, then sorts; the same tree, slower
 };
 
-/// "paper" or "paper-steer-all". @throws InputError where a setting is out of range.
+/// @param name  what plans say that they were made by; empty: "paper" or "paper-steer-all"
+/// @throws InputError where a setting is out of range.
 std::unique_ptr<Planner> make_pressure_rrt_star(
-    ParentRule rule, const PressureRrtStarSettings& settings = PressureRrtStarSettings());
+    ParentRule rule, const PressureRrtStarSettings& settings = PressureRrtStarSettings(),
+    std::string name = "");
 
 }  // namespace limber

@@ -5,27 +5,30 @@
 
 #include <Eigen/Core>
 
-#include "limber/arm/backbone.hpp"
+#include "limber/forward/motion_model.hpp"
 
 namespace limber {
 
-/// Tree of states (q, B) that grows from one root: the same pressures reached another way are
-/// another state. Node 0 is the root. References into it hold until the next `add`.
+/// Tree of states (set points, pressures, backbone) that grows from one root: the same set points
+/// reached another way are another state. Node 0 is the root. References into it hold until the
+/// next `add`.
 class PressureTree {
  public:
-  PressureTree(int segment_count, int point_count)
-      : segment_count_(segment_count), point_count_(point_count) {}
+  explicit PressureTree(const MotionModel& model) : model_(model) {}
 
   /// @param parent  −1 for the root, which comes first
   /// @param cost_kpa  of the motion from the root
-  int add(const Eigen::Ref<const Pressures>& pressures_kpa,
-          const Eigen::Ref<const Backbone>& backbone, int parent, double cost_kpa);
+  int add(const MotionState& state, int parent, double cost_kpa);
 
   int size() const { return static_cast<int>(nodes_.size()); }
   int parent(int i) const { return node(i).parent; }
   double cost_kpa(int i) const { return node(i).cost_kpa; }
-  Eigen::Map<const Pressures> pressures_kpa(int i) const;
+  Eigen::Map<const Pressures> setpoint_kpa(int i) const;
+  Eigen::Map<const Eigen::VectorXf> valves(int i) const;
   Eigen::Map<const Backbone> backbone(int i) const;
+  MotionState state(int i) const;
+  /// MotionModel::settled_tip of the state: where the node's set points lead, about.
+  const Pose& settled_tip(int i) const { return node(i).settled_tip; }
 
   /// Calls visit(child) for the children of i.
   template <class Visit>
@@ -38,9 +41,10 @@ class PressureTree {
   /// Hangs i, with everything below it, under another parent. @pre `parent` is not below i.
   void set_parent(int i, int parent);
   void set_cost_kpa(int i, double cost_kpa) { node(i).cost_kpa = cost_kpa; }
-  void set_backbone(int i, const Eigen::Ref<const Backbone>& backbone);
+  /// Another state at the same set points.
+  void set_state(int i, const MotionState& state);
 
-  /// The nodes from the root to i, and their pressures.
+  /// The nodes from the root to i, and their set points.
   std::vector<int> nodes_to(int i) const;
   std::vector<Pressures> path_to(int i) const;
 
@@ -53,17 +57,17 @@ class PressureTree {
     int first_child = -1;
     int next_sibling = -1;
     double cost_kpa = 0.0;
+    Pose settled_tip;
   };
 
   Node& node(int i) { return nodes_[static_cast<std::size_t>(i)]; }
   const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
   void attach(int i, int parent);
 
-  int segment_count_;
-  int point_count_;
+  MotionModel model_;
   std::vector<Node> nodes_;
-  std::vector<float> pressures_kpa_;  // n a node
-  std::vector<float> backbones_;      // 3m a node
+  std::vector<float> valves_;     // a valve state a node
+  std::vector<float> backbones_;  // 3m a node
 };
 
 }  // namespace limber

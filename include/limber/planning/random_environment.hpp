@@ -30,7 +30,7 @@ struct RandomEnvironment {
 /// @param number  of the environment among those of `seed`; names it, too
 /// @return none where `attempts` did not give one
 std::optional<RandomEnvironment> random_environment(
-    const ArmDescription& arm, const ForwardModel& model, std::uint64_t seed, std::uint64_t number,
+    const ArmDescription& arm, const MotionModel& model, std::uint64_t seed, std::uint64_t number,
     const RandomEnvironmentSettings& settings = RandomEnvironmentSettings());
 
 }  // namespace limber

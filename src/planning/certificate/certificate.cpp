@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "exact_arm.hpp"
+#include "exact_valves.hpp"
 #include "frame_checks.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
@@ -28,8 +29,8 @@ ExactArm::Shape shape_of(const Backbone& backbone) {
   return shape;
 }
 
-std::vector<double> pressures_of(const PlanFrame& frame) {
-  return {frame.setpoint_kpa.begin(), frame.setpoint_kpa.end()};
+std::vector<double> numbers(const Pressures& kpa) {
+  return {kpa.begin(), kpa.end()};
 }
 
 /// Whether collision has a meaning: finite poses, and no gap that turns by more than half a turn.
@@ -73,8 +74,8 @@ Deviation deviation(const ExactArm::Shape& own, const ExactArm::Shape& stored) {
 class Certification {
  public:
   Certification(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
-                const Environment& environment)
-      : plan_(plan), arm_(arm), environment_(environment), model_(arm, network) {}
+                const ValveParameters& valves, const Environment& environment)
+      : plan_(plan), arm_(arm), valves_(valves), environment_(environment), model_(arm, network) {}
 
   Certificate run() {
     result_.frames = plan_.frame_count();
@@ -86,6 +87,8 @@ class Certification {
       return result_;  // nothing to simulate
     }
     check_start();
+    simulate_valves();
+    check_settling();
     simulate();
     check_deviation();
     if (check_shapes()) {
@@ -117,16 +120,60 @@ class Certification {
       pressures.assign(start.pressures_kpa.begin(), start.pressures_kpa.end());
       shape = shape_of(start.backbone);
     }
-    if (pressures_of(plan_.frames.front()) != pressures) {
+    if (numbers(plan_.frames.front().setpoint_kpa) != pressures) {
       fail("start", 0, "the first set points are not the environment's start");
     }
     simulated_ = {std::move(shape)};
   }
 
+  void simulate_valves() {
+    ExactValves::Configurations setpoints_kpa;
+    for (const PlanFrame& frame : plan_.frames) {
+      setpoints_kpa.push_back(numbers(frame.setpoint_kpa));
+    }
+    pressures_kpa_ = ExactValves(arm_, valves_).pressures_along(setpoints_kpa);
+    for (std::size_t k = 0; k < pressures_kpa_.size(); ++k) {
+      for (std::size_t i = 0; i < pressures_kpa_[k].size(); ++i) {
+        const double stored = double(plan_.frames[k].pressure_kpa[static_cast<Eigen::Index>(i)]);
+        const double apart = std::abs(pressures_kpa_[k][i] - stored);
+        const bool agreed =
+            result_.largest_pressure_deviation_kpa <= Certificate::kPressureDeviationKpa;
+        if (!(apart <= result_.largest_pressure_deviation_kpa)) {
+          result_.largest_pressure_deviation_kpa = apart;
+        }
+        if (agreed && !(apart <= Certificate::kPressureDeviationKpa)) {
+          fail("valves", static_cast<int>(k),
+               fmt::format("segment {} is said to be at {:.6g} {unit}; its valves bring it to "
+                           "{:.6g} {unit}",
+                           i, stored, pressures_kpa_[k][i], fmt::arg("unit", arm_.command.unit)));
+        }
+      }
+    }
+  }
+
+  /// The goal is judged once the pressures have arrived.
+  void check_settling() {
+    for (std::size_t i = 0; i < valves_.segments.size(); ++i) {
+      const double setpoint =
+          double(plan_.frames.back().setpoint_kpa[static_cast<Eigen::Index>(i)]);
+      const double apart = std::abs(pressures_kpa_.back()[i] - setpoint);
+      const double allowed =
+          std::max(valves_.segments[i].dead_band_kpa,
+                   Certificate::kSettledShare * arm_.segments[i].pressure_limit_kpa);
+      if (!(apart <= allowed + Certificate::kPressureDeviationKpa)) {
+        fail("hold", plan_.frame_count() - 1,
+             fmt::format("segment {} is still {:.3g} {unit} from its set point; {:.3g} {unit} are "
+                         "allowed at the end of the hold",
+                         i, apart, allowed, fmt::arg("unit", arm_.command.unit)));
+        return;
+      }
+    }
+  }
+
   void simulate() {
     for (std::size_t k = 1; k < plan_.frames.size(); ++k) {
-      simulated_.push_back(model_.next(pressures_of(plan_.frames[k - 1]),
-                                       pressures_of(plan_.frames[k]), simulated_.back()));
+      simulated_.push_back(
+          model_.next(pressures_kpa_[k - 1], pressures_kpa_[k], simulated_.back()));
     }
   }
 
@@ -146,9 +193,8 @@ class Certification {
         result_.largest_heading_deviation_rad = of_path.turned_rad;
       }
       if (k > 0) {
-        const Deviation of_step = deviation(
-            model_.next(pressures_of(plan_.frames[k - 1]), pressures_of(plan_.frames[k]), before),
-            stored);
+        const Deviation of_step =
+            deviation(model_.next(pressures_kpa_[k - 1], pressures_kpa_[k], before), stored);
         if (!(of_step.apart_m <= result_.largest_step_deviation_m)) {
           result_.largest_step_deviation_m = of_step.apart_m;
         }
@@ -242,8 +288,10 @@ class Certification {
 
   const Plan& plan_;
   const ArmDescription& arm_;
+  const ValveParameters& valves_;
   const Environment& environment_;
   ExactArm model_;
+  ExactValves::Configurations pressures_kpa_;
   std::vector<ExactArm::Shape> simulated_;
   Certificate result_;
 };
@@ -251,7 +299,7 @@ class Certification {
 }  // namespace
 
 Certificate certify(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
-                    const Environment& environment) {
+                    const ValveParameters& valves, const Environment& environment) {
   const auto require = [&](const char* what, const std::string& made_for,
                            const std::string& given) {
     if (made_for != given) {
@@ -262,6 +310,10 @@ Certificate certify(const Plan& plan, const ArmDescription& arm, const Compensat
   require("arm", fmt::format("'{}', hash {}", plan.arm_name, plan.arm_hash),
           fmt::format("'{}', hash {}", plan.arm_hash == arm.hash() ? plan.arm_name : arm.name,
                       arm.hash()));
+  const auto valves_named = [](const std::string& hash) {
+    return hash.empty() ? std::string("none") : "hash " + hash;
+  };
+  require("valve model", valves_named(plan.valves_hash), valves_named(valves.hash()));
   const std::string environment_now = environment_hash(environment);
   if (plan.environment_hash != environment_now) {
     throw InputError(fmt::format(
@@ -272,7 +324,7 @@ Certificate certify(const Plan& plan, const ArmDescription& arm, const Compensat
   if (network != nullptr) {
     require_model_of(*network, arm, "the plan's model");
   }
-  return Certification(plan, arm, network, environment).run();
+  return Certification(plan, arm, network, valves, environment).run();
 }
 
 }  // namespace limber

@@ -34,6 +34,7 @@ Json certificate_to_json(const Certificate& certificate, const Environment& envi
   json["largest_deviation_m"] = finite(certificate.largest_deviation_m);
   json["largest_step_deviation_m"] = finite(certificate.largest_step_deviation_m);
   json["largest_heading_deviation_rad"] = finite(certificate.largest_heading_deviation_rad);
+  json["largest_pressure_deviation_kpa"] = finite(certificate.largest_pressure_deviation_kpa);
   json["cost_kpa"] = certificate.cost_kpa;
   json["largest_step_kpa"] = certificate.largest_step_kpa;
   json["distance_to_goal_cm"] = finite(certificate.goal_distance_m * kCmPerM);

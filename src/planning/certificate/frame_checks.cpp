@@ -52,6 +52,7 @@ class FrameChecks {
     for (std::size_t k = 0; k < plan_.frames.size(); ++k) {
       const PlanFrame& frame = plan_.frames[k];
       if (frame.setpoint_kpa.size() != arm_.segment_count() ||
+          frame.pressure_kpa.size() != arm_.segment_count() ||
           frame.backbone.rows() != arm_.point_count()) {
         fail("sizes", k,
              fmt::format("{} pressures and {} poses; the arm has {} segments and {} plates",

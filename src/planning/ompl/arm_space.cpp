@@ -15,7 +15,8 @@ namespace ob = ompl::base;
 namespace oc = ompl::control;
 
 constexpr double kLargestAngleRad = 100.0;
-constexpr double kGoalSpread = 0.1;      // of the limits, about a goal configuration
+constexpr double kOvershoot = 1.05;  // × the limit: OMPL asks for bounds, the arm keeps its own
+constexpr double kGoalSpread = 0.1;  // of the limits, about a goal configuration
 constexpr double kHoldPositionM = 0.05;  // tips this near are held and judged, as in the default
 constexpr double kHoldOrientationRad = 0.5;
 
@@ -36,7 +37,7 @@ double limit_kpa(const ArmWorld& world, int segment) {
   return world.problem.arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
 }
 
-/// Draws pressures; the shape is the no-load model's, so that distances to it mean something.
+/// Draws set points; the shape is the no-load model's, so that distances to it mean something.
 class ArmSampler final : public ob::StateSampler {
  public:
   ArmSampler(const ob::StateSpace* space, ArmWorld& world) : StateSampler(space), world_(world) {}
@@ -47,28 +48,22 @@ class ArmSampler final : public ob::StateSampler {
       kpa[i] =
           static_cast<float>(world_.random.uniform(-limit_kpa(world_, i), limit_kpa(world_, i)));
     }
-    write(kpa, state);
+    world_.write_target(kpa, state);
   }
   void sampleUniformNear(ob::State* state, const ob::State* near, double distance) override {
     sampleGaussian(state, near, distance);
   }
   void sampleGaussian(ob::State* state, const ob::State* mean, double deviation) override {
-    Pressures kpa = world_.pressures(mean);
+    Pressures kpa = world_.setpoint_kpa(mean);
     for (int i = 0; i < kpa.size(); ++i) {
       const double limit = limit_kpa(world_, i);
       kpa[i] = static_cast<float>(
           std::clamp(double(kpa[i]) + limit * deviation * world_.random.normal(), -limit, limit));
     }
-    write(kpa, state);
+    world_.write_target(kpa, state);
   }
 
  private:
-  void write(const Pressures& kpa, ob::State* state) {
-    Backbone shape(world_.problem.arm.point_count(), 3);
-    world_.problem.model.no_load().backbone(kpa, shape);
-    world_.write(kpa, shape, 0.0, true, state);
-  }
-
   ArmWorld& world_;
 };
 
@@ -76,7 +71,7 @@ class ArmSampler final : public ob::StateSampler {
 class TipProjection final : public ob::ProjectionEvaluator {
  public:
   TipProjection(const ob::StateSpace* space, const ArmWorld& world)
-      : ProjectionEvaluator(space), tip_(world.segments() + world.poses() - 3) {
+      : ProjectionEvaluator(space), tip_(world.valves() + world.poses() - 3) {
     constexpr double kCells = 20.0;  // an arm's length
     cellSizes_ = {world.problem.arm.length_m() / kCells, world.problem.arm.length_m() / kCells};
   }
@@ -97,8 +92,8 @@ class ArmSpace final : public ob::RealVectorStateSpace {
     const double reach = 4.0 * world.problem.arm.length_m();
     for (int i = 0; i < world.size(); ++i) {
       const auto index = static_cast<unsigned>(i);
-      const bool angle = (i - world.segments()) % 3 == 2;
-      const double most = i < world.segments()      ? limit_kpa(world, i)
+      const bool angle = (i - world.valves()) % 3 == 2;
+      const double most = i < world.valves() ? kOvershoot * limit_kpa(world, i % world.segments())
                           : i == world.cost_index() ? 1e9
                           : i == world.free_index() ? 1.0
                           : angle                   ? kLargestAngleRad
@@ -115,7 +110,7 @@ class ArmSpace final : public ob::RealVectorStateSpace {
       const double change = (values(a)[i] - values(b)[i]) / limit_kpa(world_, i);
       squares += change * change;
     }
-    const int tip = world_.segments() + world_.poses() - 3;
+    const int tip = world_.valves() + world_.poses() - 3;
     const double way =
         std::hypot(values(a)[tip] - values(b)[tip], values(a)[tip + 1] - values(b)[tip + 1]) *
         world_.settings.tip_weight / world_.problem.arm.length_m();
@@ -184,14 +179,13 @@ class FramePropagator final : public oc::StatePropagator {
 
   void propagate(const ob::State* state, const oc::Control* control, double /*one frame*/,
                  ob::State* result) const override {
-    const Pressures from = world_.pressures(state);
-    const Pressures to = world_.next_pressures(from, values(control));
-    const Backbone shape = world_.backbone(state);
-    Backbone next(shape.rows(), 3);
-    const bool free = world_.simulator.move(from, shape, to, next);
+    const Pressures from = world_.setpoint_kpa(state);
+    const Pressures to = world_.next_setpoint(from, values(control));
+    MotionState next;
+    const bool free = world_.simulator.move(world_.motion_state(state), to, next);
     const double cost = values(state)[world_.cost_index()] + motion_cost_kpa(from, to);
     const bool was_free = values(state)[world_.free_index()] > 0.5;
-    world_.write(to, next, cost, free && was_free, result);
+    world_.write(next, cost, free && was_free, result);
   }
   bool canPropagateBackward() const override { return false; }
 
@@ -205,7 +199,7 @@ class ArmGoal final : public ob::GoalSampleableRegion {
       : GoalSampleableRegion(si), world_(world) {}
 
   double distanceGoal(const ob::State* state) const override {
-    return excess(tip_pose<float>(world_.backbone(state)));
+    return excess(settled_tip(world_.motion_state(state)));
   }
 
   bool isSatisfied(const ob::State* state) const override {
@@ -214,20 +208,19 @@ class ArmGoal final : public ob::GoalSampleableRegion {
   }
   bool isSatisfied(const ob::State* state, double* distance) const override {
     const PoseGoal& goal = world_.problem.environment.goal;
-    const Backbone shape = world_.backbone(state);
-    const PoseError error = pose_error(goal, tip_pose<float>(shape));
-    *distance = excess(tip_pose<float>(shape));
+    const MotionState now = world_.motion_state(state);
+    const PoseError error = pose_error(goal, settled_tip(now));
+    *distance = excess(settled_tip(now));
     if (error.position_m > goal.position_tolerance_m + kHoldPositionM ||
         (goal.theta_rad &&
          error.orientation_rad > goal.orientation_tolerance_rad + kHoldOrientationRad)) {
       return false;
     }
-    Backbone held(shape.rows(), 3);
-    if (!world_.simulator.hold(world_.pressures(state), shape, hold_frame_count(world_.problem.arm),
-                               held)) {
+    MotionState held;
+    if (!world_.simulator.hold(now, held)) {
       return false;
     }
-    const Pose tip = tip_pose<float>(held);
+    const Pose tip = tip_pose<float>(held.backbone);
     *distance = excess(tip);
     const bool satisfied = is_within(goal, pose_error(goal, tip));
     if (satisfied && !world_.first_solution) {
@@ -239,10 +232,7 @@ class ArmGoal final : public ob::GoalSampleableRegion {
 
   void sampleGoal(ob::State* state) const override {
     const auto count = static_cast<std::uint32_t>(world_.goal_configurations.size());
-    Backbone shape(world_.problem.arm.point_count(), 3);
-    const Pressures& kpa = world_.goal_configurations[world_.random.index(count)];
-    world_.problem.model.no_load().backbone(kpa, shape);
-    world_.write(kpa, shape, 0.0, true, state);
+    world_.write_target(world_.goal_configurations[world_.random.index(count)], state);
     ArmSampler(si_->getStateSpace().get(), world_).sampleGaussian(state, state, kGoalSpread);
   }
   unsigned int maxSampleCount() const override {
@@ -250,6 +240,10 @@ class ArmGoal final : public ob::GoalSampleableRegion {
   }
 
  private:
+  Pose settled_tip(const MotionState& state) const {
+    return world_.problem.model.settled_tip(state.valves, state.backbone);
+  }
+
   /// Metres beyond the region, a radian counted as a tenth of one; 0 inside.
   double excess(const Pose& tip) const {
     constexpr double kMetresPerRad = 0.1;
@@ -279,24 +273,38 @@ class PressureObjective final : public ob::OptimizationObjective {
 
 }  // namespace
 
-Pressures ArmWorld::pressures(const ob::State* state) const {
+Pressures ArmWorld::setpoint_kpa(const ob::State* state) const {
   return Eigen::Map<const Eigen::VectorXd>(values(state), segments()).cast<float>();
 }
 
-Backbone ArmWorld::backbone(const ob::State* state) const {
-  return Eigen::Map<const BackboneD>(values(state) + segments(), problem.arm.point_count(), 3)
-      .cast<float>();
+MotionState ArmWorld::motion_state(const ob::State* state) const {
+  const Eigen::Index n = segments();
+  const double* numbers = values(state);
+  MotionState result{
+      n, Eigen::Map<const Eigen::VectorXd>(numbers, valves()).cast<float>(),
+      Eigen::Map<const BackboneD>(numbers + valves(), problem.arm.point_count(), 3).cast<float>()};
+  result.valves.head(n).swap(result.valves.segment(n, n));  // set points first in OMPL's state
+  return result;
 }
 
-void ArmWorld::write(const Pressures& kpa, const Backbone& shape, double cost_kpa, bool free,
+void ArmWorld::write(const MotionState& motion_state, double cost_kpa, bool free,
                      ob::State* state) const {
-  std::copy(kpa.begin(), kpa.end(), values(state));
-  std::copy_n(shape.data(), shape.size(), values(state) + segments());
-  values(state)[cost_index()] = cost_kpa;
-  values(state)[free_index()] = free ? 1.0 : 0.0;
+  double* numbers = values(state);
+  const Eigen::Index n = segments();
+  std::copy(motion_state.valves.begin(), motion_state.valves.end(), numbers);
+  std::swap_ranges(numbers, numbers + n, numbers + n);
+  std::copy_n(motion_state.backbone.data(), motion_state.backbone.size(), numbers + valves());
+  numbers[cost_index()] = cost_kpa;
+  numbers[free_index()] = free ? 1.0 : 0.0;
 }
 
-Pressures ArmWorld::next_pressures(const Pressures& kpa, const double* change_kpa) const {
+void ArmWorld::write_target(const Pressures& kpa, ob::State* state) const {
+  Backbone shape(problem.arm.point_count(), 3);
+  problem.model.no_load().backbone(kpa, shape);
+  write(problem.model.settled_state(kpa, shape), 0.0, true, state);
+}
+
+Pressures ArmWorld::next_setpoint(const Pressures& kpa, const double* change_kpa) const {
   Pressures next = kpa;
   for (int i = 0; i < segments(); ++i) {
     const double limit = limit_kpa(*this, i);

@@ -20,8 +20,9 @@ struct OmplSettings {
   bool directed = true;
 };
 
-/// What every part of the adapter works on during one plan. A state is (q, B, cost, free): n + 3m
-/// numbers that are exactly float32, the cost of the path to it, and 1 or, where the motion to it
+/// What every part of the adapter works on during one plan. A state is (valve state, B, cost,
+/// free): numbers that are exactly float32, n set points first, then pressures and set points
+/// before them, 3m of the backbone, the cost of the path to it, and 1 or, where the motion to it
 /// collided, 0.
 struct ArmWorld {
   const PlanningProblem& problem;
@@ -34,8 +35,9 @@ struct ArmWorld {
   std::optional<FirstSolution> first_solution = std::nullopt;
 
   int segments() const { return problem.arm.segment_count(); }
+  int valves() const { return problem.model.valves().state_size(); }
   int poses() const { return 3 * problem.arm.point_count(); }
-  int cost_index() const { return segments() + poses(); }
+  int cost_index() const { return valves() + poses(); }
   int free_index() const { return cost_index() + 1; }
   int size() const { return cost_index() + 2; }
   /// Largest Δp of a frame, with room for rounding to float32.
@@ -44,13 +46,15 @@ struct ArmWorld {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  Pressures pressures(const ompl::base::State* state) const;
-  Backbone backbone(const ompl::base::State* state) const;
-  void write(const Pressures& kpa, const Backbone& backbone, double cost_kpa, bool free,
+  Pressures setpoint_kpa(const ompl::base::State* state) const;
+  MotionState motion_state(const ompl::base::State* state) const;
+  void write(const MotionState& motion_state, double cost_kpa, bool free,
              ompl::base::State* state) const;
+  /// A state that is only a place to go to: settled at `kpa`, the shape the no-load model's.
+  void write_target(const Pressures& kpa, ompl::base::State* state) const;
 
   /// One frame under a control, Δp of a frame as OMPL holds it; the rule that plans are rebuilt by.
-  Pressures next_pressures(const Pressures& kpa, const double* change_kpa) const;
+  Pressures next_setpoint(const Pressures& kpa, const double* change_kpa) const;
 };
 
 /// Limits, distance and samples of states.

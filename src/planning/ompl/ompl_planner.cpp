@@ -126,9 +126,8 @@ class Run {
 
   ob::ProblemDefinitionPtr define_problem(const oc::SpaceInformationPtr& si) {
     auto definition = std::make_shared<ob::ProblemDefinition>(si);
-    const ArmStart start = start_state(problem_.environment, problem_.arm);
     ob::ScopedState<> state(si);
-    world_.write(start.pressures_kpa, start.backbone, 0.0, true, state.get());
+    world_.write(start_of(problem_), 0.0, true, state.get());
     definition->addStartState(state);
     definition->setGoal(make_arm_goal(world_, si));
     // RRT and the others stop at the first solution whatever it costs; SST at one this cheap.
@@ -167,14 +166,14 @@ class Run {
 
   /// Set points of every frame of OMPL's path, by the rule that it was propagated by.
   std::vector<Pressures> waypoints(oc::PathControl& path) const {
-    std::vector<Pressures> kpa{world_.pressures(path.getState(0))};
+    std::vector<Pressures> kpa{world_.setpoint_kpa(path.getState(0))};
     for (std::size_t i = 0; i < path.getControlCount(); ++i) {
       const auto index = static_cast<unsigned>(i);
       const auto frames = std::lround(path.getControlDuration(index) * problem_.arm.frame_rate_hz);
       const double* change =
           path.getControl(index)->as<oc::RealVectorControlSpace::ControlType>()->values;
       for (long k = 0; k < frames; ++k) {
-        kpa.push_back(world_.next_pressures(kpa.back(), change));
+        kpa.push_back(world_.next_setpoint(kpa.back(), change));
       }
     }
     return kpa;

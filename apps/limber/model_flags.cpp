@@ -1,0 +1,63 @@
+#include "model_flags.hpp"
+
+#include "limber/arm/valve_file.hpp"
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+void ModelFlags::add_to(CLI::App& app, const std::string& of_plan) {
+  CLI::Option* model = app.add_option("--model", model_, "Network model" + of_plan);
+  app.add_flag("--no-load", no_load_, "The no-load model alone" + of_plan)->excludes(model);
+  add_valves_to(app);
+}
+
+void ModelFlags::add_valves_to(CLI::App& app) {
+  CLI::Option* valves = app.add_option(
+      "--valves", valves_,
+      "Valve model between set points and pressures (limber characterize --valves); without it "
+      "the one that the network was trained with");
+  app.add_flag("--no-valves", no_valves_, "Take pressures to be the set points")->excludes(valves);
+}
+
+ForwardModel ModelFlags::forward_model(const ArmDescription& arm) const {
+  if (model_.empty() && !no_load_) {
+    throw InputError("nothing to predict with: give --model MODEL.safetensors, or --no-load");
+  }
+  return model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
+}
+
+ValveParameters ModelFlags::valves(const ArmDescription& arm,
+                                   const CompensationModel* network) const {
+  if (no_valves_) {
+    return {};
+  }
+  if (valves_.empty()) {
+    return network != nullptr && network->valves ? *network->valves : ValveParameters{};
+  }
+  ValveParameters valves = read_valves(std::filesystem::path(valves_)).parameters;
+  const std::string fault = why_unusable(valves, arm);
+  if (!fault.empty()) {
+    throw InputError(fmt::format("{}: {}", valves_, fault));
+  }
+  return valves;
+}
+
+MotionModel ModelFlags::motion_model(const ArmDescription& arm, const ForwardModel& forward) const {
+  const CompensationModel* network = forward.has_network() ? &forward.compensation() : nullptr;
+  return {forward, ValveModel(arm, valves(arm, network))};
+}
+
+void ModelFlags::warn_without_valves(const MotionModel& model, const CommonFlags& flags) const {
+  if (!model.valves().is_ideal() || no_valves_) {
+    return;
+  }
+  const std::string reason =
+      model.has_network() ? model.compensation().valve_findings.reason : std::string();
+  say(flags,
+      "warning: no valve model{}: pressures are taken to be the set points, and an arm whose "
+      "valves lag is elsewhere while it moves; --valves FILE names one (limber characterize "
+      "--valves RECORDING), --no-valves says that this is meant",
+      reason.empty() ? "" : " (" + reason + ")");
+}
+
+}  // namespace limber

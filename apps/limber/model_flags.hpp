@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "limber/arm/valve_parameters.hpp"
+#include "limber/forward/motion_model.hpp"
+#include "verb.hpp"
+
+namespace limber {
+
+/// What motions are predicted with, as flags name it: a network or the no-load model, and valves.
+class ModelFlags {
+ public:
+  /// --model, --no-load, --valves and --no-valves. @param of_plan  "… that it was made with"
+  void add_to(CLI::App& app, const std::string& of_plan = "");
+  /// --valves and --no-valves alone, for verbs that ask for a model in their own way.
+  void add_valves_to(CLI::App& app);
+
+  bool names_model() const { return !model_.empty(); }
+  bool asks_no_load() const { return no_load_; }
+  bool asks_no_valves() const { return no_valves_; }
+  const std::string& model_file() const { return model_; }
+
+  /// @throws InputError where neither --model nor --no-load is given, or a file does not fit.
+  ForwardModel forward_model(const ArmDescription& arm) const;
+
+  /// Those of --valves FILE, else those that `network` was trained with; none with --no-valves.
+  /// @param network  null: the no-load model
+  /// @throws InputError where they do not fit the arm.
+  ValveParameters valves(const ArmDescription& arm, const CompensationModel* network) const;
+  MotionModel motion_model(const ArmDescription& arm, const ForwardModel& forward) const;
+  /// Where nothing says what the valves do, and nobody said that this is meant.
+  void warn_without_valves(const MotionModel& model, const CommonFlags& flags) const;
+
+ private:
+  std::string model_;
+  bool no_load_ = false;
+  std::string valves_;
+  bool no_valves_ = false;
+};
+
+}  // namespace limber

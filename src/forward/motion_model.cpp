@@ -1,0 +1,73 @@
+#include "limber/forward/motion_model.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace limber {
+
+namespace {
+
+/// Size n without a heap.
+using SmallPressures = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, kMostSegments, 1>;
+
+/// What a segment's bending by `turn_rad` and growing by `grown_m` about its middle does to `tip`.
+void turn_about(const Eigen::RowVector3d& middle, double turn_rad, double grown_m, Pose& tip) {
+  const double x = tip.x_m - middle[0];
+  const double y = tip.y_m - middle[1];
+  const double along = middle[2] + 0.5 * turn_rad;
+  const double c = std::cos(turn_rad);
+  const double s = std::sin(turn_rad);
+  tip.x_m = middle[0] + c * x - s * y + grown_m * std::cos(along);
+  tip.y_m = middle[1] + s * x + c * y + grown_m * std::sin(along);
+  tip.theta_rad += turn_rad;
+}
+
+}  // namespace
+
+MotionModel::MotionModel(const ForwardModel& forward)
+    : forward_(&forward), valves_(ValveModel::ideal(forward.segment_count())) {}
+
+MotionModel::MotionModel(const ForwardModel& forward, ValveModel valves)
+    : forward_(&forward), valves_(std::move(valves)) {
+  assert(valves_.segment_count() == forward.segment_count());
+}
+
+MotionState MotionModel::settled_state(const Eigen::Ref<const Pressures>& kpa,
+                                       const Eigen::Ref<const Backbone>& backbone) const {
+  return {kpa.size(), valves_.settled_state(kpa), backbone};
+}
+
+void MotionModel::step(const Eigen::Ref<const Pressures>& setpoint_kpa, MotionState& state,
+                       Workspace& workspace) const {
+  const SmallPressures before_kpa = state.pressure_kpa();
+  valves_.step(setpoint_kpa, state.valves);
+  forward_->step(before_kpa, state.pressure_kpa(), state.backbone, state.backbone, workspace);
+}
+
+Pose MotionModel::settled_tip(const Eigen::Ref<const Eigen::VectorXf>& valves,
+                              const Eigen::Ref<const Backbone>& backbone) const {
+  const Eigen::Index last = backbone.rows() - 1;
+  Pose tip{double(backbone(last, 0)), double(backbone(last, 1)), double(backbone(last, 2))};
+  const int n = segment_count();
+  Eigen::Index end = last;
+  // From the tip's side: what lies beyond a segment has turned already.
+  for (int i = n - 1; i >= 0; --i) {
+    const int gaps = no_load().segment(i).gaps;
+    const Eigen::Index begin = end - gaps;
+    const double now_kpa = double(valves[i]);
+    const double then_kpa = double(valves[n + i]);
+    if (now_kpa != then_kpa) {
+      const SegmentShape now = no_load().segment_shape(i, now_kpa);
+      const SegmentShape then = no_load().segment_shape(i, then_kpa);
+      const double turn = then.curvature_per_m * then.length_m - now.curvature_per_m * now.length_m;
+      const Eigen::RowVector3d middle =
+          0.5 * (backbone.row(begin + gaps / 2) + backbone.row(end - gaps / 2)).cast<double>();
+      turn_about(middle, turn, then.length_m - now.length_m, tip);
+    }
+    end = begin;
+  }
+  return tip;
+}
+
+}  // namespace limber

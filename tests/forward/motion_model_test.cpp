@@ -1,0 +1,157 @@
+#include "limber/forward/motion_model.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "limber/common/random_stream.hpp"
+#include "limber/forward/rollout_batch.hpp"
+#include "limber/network/untrained_model.hpp"
+#include "support/sample_arm.hpp"
+
+namespace limber {
+namespace {
+
+/// Slow, with a dead time of one frame and a half: three set points are under way at most.
+ValveParameters slow_valves(int segments) {
+  return {true, std::vector<SegmentValves>(static_cast<std::size_t>(segments),
+                                           {{0.2, 100.0}, {0.3, 100.0}, 0.075, 0.1})};
+}
+
+class MotionModelOfArm : public ::testing::Test {
+ protected:
+  Pressures pressures() {
+    return Pressures::NullaryExpr(
+        3, [this] { return static_cast<float>(random_.uniform(-90.0, 90.0)); });
+  }
+
+  ArmDescription arm_ = sample_arm(3);
+  ForwardModel forward_{arm_, untrained_model(arm_, BackboneLayout::gap_poses, {32, 32}, 1)};
+  ForwardModel no_load_{arm_};
+  ValveModel valves_{arm_, slow_valves(3)};
+  RandomStream random_{4, 0};
+};
+
+TEST_F(MotionModelOfArm, BehindIdealValvesIsTheForwardModel) {
+  const MotionModel model(forward_);
+  ForwardModel::Workspace workspace;
+  const Pressures from = pressures();
+  Backbone backbone(arm_.point_count(), 3);
+  forward_.no_load().backbone(from, backbone);
+  MotionState state = model.settled_state(from, backbone);
+  Pressures before = from;
+  for (int k = 0; k < 20; ++k) {
+    const Pressures now = pressures();
+    forward_.step(before, now, backbone, backbone, workspace);
+    model.step(now, state, workspace);
+    EXPECT_EQ(state.backbone, backbone);
+    EXPECT_EQ(Pressures(state.pressure_kpa()), now);
+    before = now;
+  }
+}
+
+TEST_F(MotionModelOfArm, FeedsTheForwardModelWithWhatTheValvesLetThrough) {
+  const MotionModel model(forward_, valves_);
+  ForwardModel::Workspace workspace;
+  const Pressures from = pressures();
+  Backbone backbone(arm_.point_count(), 3);
+  forward_.no_load().backbone(from, backbone);
+  MotionState state = model.settled_state(from, backbone);
+  Eigen::VectorXf valves = valves_.settled_state(from);
+  for (int k = 0; k < 20; ++k) {
+    const Pressures setpoint = pressures();
+    const Pressures before = valves.head(3);
+    valves_.step(setpoint, valves);
+    forward_.step(before, valves.head(3), backbone, backbone, workspace);
+    model.step(setpoint, state, workspace);
+    EXPECT_EQ(state.backbone, backbone);
+    EXPECT_EQ(state.valves, valves);
+  }
+}
+
+TEST_F(MotionModelOfArm, ABatchOfMotionsIsToTheBitTheModelsSteps) {
+  const MotionModel model(forward_, valves_);
+  ForwardModel::Workspace workspace;
+  RolloutBatch batch(model);
+  std::vector<MotionState> alone;
+  std::vector<Pressures> to;
+  constexpr int kMotions = 70;
+  constexpr int kFrames = 12;
+  for (int i = 0; i < kMotions; ++i) {
+    const Pressures from = pressures();
+    Backbone backbone(arm_.point_count(), 3);
+    forward_.no_load().backbone(from, backbone);
+    alone.push_back(model.settled_state(from, backbone));
+    model.step(pressures(), alone.back(), workspace);  // in the middle of a motion
+    to.push_back(pressures());
+    batch.add(i, alone.back(), to.back(), kFrames);
+  }
+  for (int i = 0; i < kMotions; ++i) {
+    MotionState& state = alone[static_cast<std::size_t>(i)];
+    const Pressures from = state.setpoint_kpa();
+    Pressures setpoint(3);
+    for (int k = 1; k <= kFrames; ++k) {
+      motion_setpoint(from, to[static_cast<std::size_t>(i)], k, kFrames, setpoint);
+      model.step(setpoint, state, workspace);
+    }
+  }
+  for (int k = 0; k < kFrames; ++k) {
+    batch.step();
+  }
+  for (int column = 0; column < batch.size(); ++column) {
+    EXPECT_TRUE(batch.state(column) == alone[static_cast<std::size_t>(batch.label(column))]);
+  }
+}
+
+TEST_F(MotionModelOfArm, ATipAtRestIsWhereItIs) {
+  const MotionModel model(no_load_, valves_);
+  const Pressures kpa = pressures();
+  Backbone backbone(arm_.point_count(), 3);
+  no_load_.no_load().backbone(kpa, backbone);
+  const MotionState state = model.settled_state(kpa, backbone);
+  const Pose tip = tip_pose<float>(backbone);
+  const Pose settled = model.settled_tip(state.valves, state.backbone);
+  EXPECT_EQ(settled.x_m, tip.x_m);
+  EXPECT_EQ(settled.y_m, tip.y_m);
+  EXPECT_EQ(settled.theta_rad, tip.theta_rad);
+}
+
+// The guess against the truth: the same set points held until the pressures have arrived.
+TEST_F(MotionModelOfArm, ASettledTipIsNearWhereHoldingLeads) {
+  const MotionModel model(no_load_, valves_);
+  ForwardModel::Workspace workspace;
+  double off_now = 0.0;
+  double off_settled = 0.0;
+  double turned_off = 0.0;
+  constexpr int kMotions = 100;
+  for (int i = 0; i < kMotions; ++i) {
+    const Pressures from = pressures();
+    const Pressures to = pressures();
+    Backbone backbone(arm_.point_count(), 3);
+    no_load_.no_load().backbone(from, backbone);
+    MotionState state = model.settled_state(from, backbone);
+    Pressures setpoint(3);
+    constexpr int kFrames = 20;
+    for (int k = 1; k <= kFrames; ++k) {
+      motion_setpoint(from, to, k, kFrames, setpoint);
+      model.step(setpoint, state, workspace);
+    }
+    const Pose now = tip_pose<float>(state.backbone);
+    const Pose guess = model.settled_tip(state.valves, state.backbone);
+    for (int k = 0; k < 60; ++k) {
+      model.step(to, state, workspace);
+    }
+    const Pose truth = tip_pose<float>(state.backbone);
+    off_now += std::hypot(now.x_m - truth.x_m, now.y_m - truth.y_m) / kMotions;
+    off_settled += std::hypot(guess.x_m - truth.x_m, guess.y_m - truth.y_m) / kMotions;
+    turned_off = std::max(turned_off, std::abs(guess.theta_rad - truth.theta_rad));
+  }
+  constexpr double kPart = 0.1;          // of the way that the tip still has to go
+  constexpr double kDeadBandRad = 0.01;  // the valves stop 0.1 kPa short
+  EXPECT_GT(off_now, 0.02) << "there is something to guess";
+  EXPECT_LT(off_settled, kPart * off_now);
+  EXPECT_LT(turned_off, kDeadBandRad) << "headings add up, whatever the shape";
+}
+
+}  // namespace
+}  // namespace limber
