@@ -1,16 +1,14 @@
 #include "limber/common/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
+#include <algorithm>
+#include <utility>
 
-#include <fmt/format.h>
-
-#include "limber/common/error.hpp"
+#include "limber/common/file_error.hpp"
+#include "temporary_file.hpp"
 
 namespace limber {
 
@@ -18,99 +16,218 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const char* what, const fs::path& path) {
-  throw SystemFault(fmt::format("{}: {}: {}", path.string(), what, std::strerror(errno)));
-}
+constexpr mode_t kNewFile = 0666;  // less what the umask takes away
 
 /// A file descriptor, closed on the way out.
 class Descriptor {
  public:
-  Descriptor(const fs::path& path, int flags) : descriptor_(::open(path.c_str(), flags)) {
-    if (descriptor_ < 0) {
-      fail("can't be opened", path);
-    }
+  Descriptor(const fs::path& path, int flags) {
+    do {
+      descriptor_ = ::open(path.c_str(), flags | O_CLOEXEC, kNewFile);
+    } while (descriptor_ < 0 && errno == EINTR);
   }
-  ~Descriptor() { ::close(descriptor_); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+  Descriptor(Descriptor&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  Descriptor& operator=(Descriptor&&) = delete;
+
+  bool is_open() const { return descriptor_ >= 0; }
   int get() const { return descriptor_; }
 
+  /// Network file systems may tell only here that something was not written.
+  bool close() {
+    const int descriptor = std::exchange(descriptor_, -1);
+    return descriptor < 0 || ::close(descriptor) == 0 || errno == EINTR;
+  }
+
  private:
-  int descriptor_;
+  int descriptor_ = -1;
 };
 
-void sync_to_disk(const fs::path& path, int flags) {
-  const Descriptor descriptor(path, flags);
-  // Some file systems can't sync a folder (EINVAL); the rename is atomic on them all the same.
-  if (::fsync(descriptor.get()) != 0 && errno != EINVAL) {
-    fail("can't be synced to disk", path);
+bool sync(int descriptor) {
+  while (::fsync(descriptor) != 0) {
+    // Some file systems can't sync a folder (EINVAL); the rename is atomic on them all the same.
+    if (errno != EINTR) {
+      return errno == EINVAL;
+    }
   }
+  return true;
+}
+
+bool write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno != EINTR) {
+      return false;
+    }
+    content.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+  }
+  return true;
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+void write_and_rename(const fs::path& temporary, const fs::path& path, std::string_view content) {
+  Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL);
+  if (!file.is_open() || !write_all(file.get(), content) || !sync(file.get()) || !file.close()) {
+    throw_fault(path, "can't be written", errno);
+  }
+  if (::rename(temporary.c_str(), path.c_str()) != 0) {
+    throw_fault(path, "can't be renamed into place", errno);
+  }
+}
+
+/// The folder in which the first of the missing ones would be made, or the file itself.
+fs::path existing_folder(const fs::path& path) {
+  fs::path folder = folder_of(path);
+  std::error_code error;
+  while (!fs::exists(fs::symlink_status(folder, error)) && folder.has_relative_path() &&
+         folder != folder_of(folder)) {
+    // A name that is too long, or a folder that may not be looked into, exists for nobody.
+    if (error && error != std::errc::no_such_file_or_directory &&
+        error != std::errc::not_a_directory) {
+      throw_file_error(path, "can't be written", error.value());
+    }
+    folder = folder_of(folder);
+  }
+  return folder;
+}
+
+/// Makes a file beside where `path` will be, and removes it.
+void require_writable(const fs::path& path) {
+  const fs::path folder = existing_folder(path);
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    throw InputError(fmt::format("{}: {} is no folder", path.string(), folder.string()));
+  }
+  const long longest = ::pathconf(folder.c_str(), _PC_NAME_MAX);
+  for (const fs::path& part : path) {
+    if (longest > 0 && part.string().size() > static_cast<std::size_t>(longest)) {
+      throw InputError(
+          fmt::format("{}: a name of {} bytes is too long; at most {} are allowed there",
+                      path.string(), part.string().size(), longest));
+    }
+  }
+  const fs::path probe = folder / temporary_name(path.filename().string());
+  Descriptor file(probe, O_WRONLY | O_CREAT | O_EXCL);
+  if (!file.is_open()) {
+    throw_file_error(
+        path, fmt::format("can't be written: no file can be made in {}", folder.string()), errno);
+  }
+  ::unlink(probe.c_str());
+}
+
+[[noreturn]] void refuse_size(const fs::path& path, std::uintmax_t size) {
+  throw InputError(fmt::format("{}: {} bytes or more; files of up to {} bytes are read",
+                               path.string(), size, kLargestFile));
+}
+
+Descriptor open_to_read(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) {
+    throw_file_error(path, "can't be read", errno);
+  }
+  if (S_ISDIR(status.st_mode)) {
+    throw InputError(fmt::format("{}: is a folder; expected a file", path.string()));
+  }
+  // A pipe would block, and a device has no end.
+  if (!S_ISREG(status.st_mode)) {
+    throw InputError(
+        fmt::format("{}: is a pipe or a device; expected a plain file", path.string()));
+  }
+  if (static_cast<std::uintmax_t>(status.st_size) > kLargestFile) {
+    refuse_size(path, static_cast<std::uintmax_t>(status.st_size));
+  }
+  Descriptor file(path, O_RDONLY | O_NONBLOCK);
+  if (!file.is_open()) {
+    throw_file_error(path, "can't be read", errno);
+  }
+  return file;
 }
 
 }  // namespace
 
-void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+void write_file_atomically(const fs::path& path, std::string_view content) {
+  const fs::path folder = folder_of(path);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw SystemFault(
-        fmt::format("{}: folder can't be made: {}", folder.string(), error.message()));
+    throw_fault(folder, "folder can't be made", error.value());
   }
-  const fs::path temporary =
-      folder / fmt::format(".{}.{}.tmp", path.filename().string(), ::getpid());
+  remove_abandoned_files_once(folder);
+  const fs::path temporary = folder / temporary_name(path.filename().string());
   try {
-    write(temporary);
-    sync_to_disk(temporary, O_RDONLY);
-    if (::rename(temporary.c_str(), path.c_str()) != 0) {
-      fail("can't be renamed into place", path);
-    }
+    write_and_rename(temporary, path, content);
   } catch (...) {
-    fs::remove(temporary, error);
+    ::unlink(temporary.c_str());
     throw;
   }
-  sync_to_disk(folder, O_RDONLY | O_DIRECTORY);
+  Descriptor parent(folder, O_RDONLY | O_DIRECTORY);
+  // A folder that may be written to, but not read, can't be synced.
+  if (parent.is_open() ? !sync(parent.get()) : errno != EACCES) {
+    throw_fault(folder, "can't be synced to disk", errno);
+  }
 }
 
-void write_file_atomically(const fs::path& path, std::string_view content) {
-  write_atomically(path, [&](const fs::path& temporary) {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-    stream.close();
-    if (!stream) {
-      fail("can't be written", path);
-    }
-  });
+void require_plain_file(const fs::path& path) {
+  (void)open_to_read(path);
 }
 
 std::string read_file(const fs::path& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) {
-    throw InputError(fmt::format("{}: is a folder; expected a file", path.string()));
+  const Descriptor file = open_to_read(path);
+  struct stat status {};
+  const bool has_size = ::fstat(file.get(), &status) == 0 && status.st_size > 0;
+  constexpr std::size_t kBlock = std::size_t{1} << 16U;
+  // One byte more than expected shows the end without another block; the kernel's own files say
+  // that they are empty.
+  std::string content(has_size ? static_cast<std::size_t>(status.st_size) + 1 : kBlock, '\0');
+  std::size_t size = 0;
+  while (true) {
+    const ssize_t count = ::read(file.get(), content.data() + size, content.size() - size);
+    if (count == 0) {
+      content.resize(size);
+      return content;
+    }
+    if (count < 0 && errno != EINTR) {
+      throw_fault(path, "can't be read", errno);
+    }
+    size += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+    if (size > kLargestFile) {
+      refuse_size(path, size);
+    }
+    if (size == content.size()) {
+      content.resize(size + size / 2 + kBlock);
+    }
   }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    throw InputError(fmt::format("{}: can't be read: {}", path.string(), std::strerror(errno)));
-  }
-  std::ostringstream content;
-  content << stream.rdbuf();
-  return std::move(content).str();
 }
 
 void refuse_to_overwrite(const fs::path& path, bool force) {
-  const fs::file_status status = fs::symlink_status(path);
+  if (!path.has_filename()) {
+    throw InputError(fmt::format("'{}': names no file; expected a file to write", path.string()));
+  }
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     throw InputError(
         fmt::format("{}: exists and is no plain file; it is never replaced", path.string()));
   }
-  if (path.has_parent_path() && fs::exists(path.parent_path()) &&
-      !fs::is_directory(path.parent_path())) {
-    throw InputError(
-        fmt::format("{}: {} is no folder", path.string(), path.parent_path().string()));
-  }
-  if (!force && fs::exists(path)) {
+  if (!force && fs::exists(status)) {
     throw InputError(fmt::format("{}: exists already; --force replaces it", path.string()));
   }
+  require_writable(path);
+}
+
+void require_writable_folder(const fs::path& folder) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (folder.empty()) {
+    throw InputError("'': names no folder; expected one to write into");
+  }
+  if (fs::exists(status) && !fs::is_directory(status)) {
+    throw InputError(fmt::format("{}: is a file; expected a folder, or nothing", folder.string()));
+  }
+  require_writable(folder / "x");
 }
 
 }  // namespace limber

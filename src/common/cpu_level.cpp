@@ -1,10 +1,11 @@
 #include "limber/common/cpu_level.hpp"
 
 #include <cstdlib>
-#include <fstream>
+#include <sstream>
 
 #include <fmt/format.h>
 
+#include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -60,7 +61,12 @@ CpuLevel cpu_level() {
 }
 
 std::string cpu_name() {
-  std::ifstream file("/proc/cpuinfo");
+  std::istringstream file;
+  try {
+    file.str(read_file("/proc/cpuinfo"));
+  } catch (const std::exception&) {
+    return "unknown";  // a name is no reason to stop
+  }
   for (std::string line; std::getline(file, line);) {
     const std::size_t colon = line.find(": ");
     if (line.rfind("model name", 0) == 0 && colon != std::string::npos) {

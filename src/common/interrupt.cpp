@@ -10,16 +10,20 @@ namespace {
 
 volatile std::sig_atomic_t requested = 0;
 
-void handle_signal(int signal_number) {
+void handle_signal(int /*number*/) {
   requested = 1;
-  std::signal(signal_number, SIG_DFL);  // the second one kills
 }
 
 }  // namespace
 
 void install_interrupt_handler() {
-  std::signal(SIGINT, handle_signal);
-  std::signal(SIGTERM, handle_signal);
+  struct sigaction action {};
+  action.sa_handler = handle_signal;
+  sigemptyset(&action.sa_mask);
+  // Without SA_RESTART, a call that blocks comes back; and the second signal kills.
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
 }
 
 bool interrupt_requested() {

@@ -3,9 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include <fmt/format.h>
+
+#include "limber/common/standard_streams.hpp"
 
 namespace limber {
 
@@ -93,8 +94,7 @@ void Progress::print(bool last) {
   }
   line += note_.empty() ? std::string() : ", " + note_;
   line += terminal_ ? (last ? "\x1b[K\n" : "\x1b[K") : "\n";
-  std::fputs(line.c_str(), stderr);
-  std::fflush(stderr);
+  print_to_stderr(line);
 }
 
 }  // namespace limber

@@ -8,6 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/data/episode_path.hpp"
+#include "recording_header.hpp"
 
 namespace limber {
 
@@ -145,7 +146,7 @@ Recording make_recording(const ArmDescription& arm, const std::string& source, s
   return recording;
 }
 
-void validate(const Recording& recording, const std::string& file) {
+void validate_header(const Recording& recording, const std::string& file) {
   for (const std::string* text : {&recording.arm_name, &recording.source, &recording.settings,
                                   &recording.command.name, &recording.command.unit}) {
     if (!is_utf8(*text)) {
@@ -164,6 +165,10 @@ void validate(const Recording& recording, const std::string& file) {
     throw InputError(fmt::format("{}: attribute 'rate_hz' is {}; expected a rate in Hz, > 0", file,
                                  recording.rate_hz));
   }
+}
+
+void validate(const Recording& recording, const std::string& file) {
+  validate_header(recording, file);
   if (recording.episodes.empty()) {
     throw InputError(fmt::format("{}: episodes: none found; expected at least one", file));
   }

@@ -3,16 +3,24 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/data/episode_path.hpp"
 #include "recording_hdf5.hpp"
+#include "recording_header.hpp"
 
 namespace limber {
 
 namespace {
 
 constexpr hsize_t kLargestCount = 1U << 28;  // frames of an episode; above it, the file is damaged
+
+constexpr std::size_t kLongestText = std::size_t{1} << 20U;  // bytes of an attribute
+
+// Deflate makes data at most 1032 times smaller; less than this on disk were never written.
+constexpr hsize_t kLargestCompression = 1100;
+constexpr hsize_t kSmallData = hsize_t{1} << 26U;  // bytes; up to here other filters may do better
 
 std::string text_of(const Shape& shape) {
   return shape.empty() ? "a single value" : fmt::format("{}", fmt::join(shape, " × "));
@@ -38,6 +46,7 @@ class Reader {
     recording.segment_count = number<int>("segments", H5::PredType::NATIVE_INT);
     recording.point_count = number<int>("points", H5::PredType::NATIVE_INT);
     recording.seed = number<std::uint64_t>("seed", H5::PredType::NATIVE_UINT64);
+    validate_header(recording, name_);  // sizes decide what the data sets must hold
     const hsize_t episodes = episode_count();
     for (hsize_t i = 0; i < episodes; ++i) {
       recording.episodes.push_back(read_episode(episode_path(i), recording));
@@ -79,16 +88,34 @@ class Reader {
   }
 
   std::string text(const char* name) const {
-    const H5::Attribute found = attribute(name);
+    return text_in(attribute(name), fmt::format("attribute '{}'", name));
+  }
+
+  /// The text of any attribute.
+  std::string text_in(const H5::Attribute& found, const std::string& place) const {
     if (found.getTypeClass() != H5T_STRING) {
-      refuse(fmt::format("attribute '{}'", name), "not a text; expected a text");
+      refuse(place, "not a text; expected a text");
+    }
+    require_single(found, place);
+    const H5::StrType type = found.getStrType();
+    if (type.getSize() > kLongestText) {
+      refuse(place,
+             fmt::format("a text of {} bytes; expected up to {}", type.getSize(), kLongestText));
     }
     std::string value;
-    found.read(found.getStrType(), value);
+    found.read(type, value);
     if (!is_utf8(value)) {
-      refuse(fmt::format("attribute '{}'", name), "not a text in UTF-8; expected one");
+      refuse(place, "not a text in UTF-8; expected one");
     }
     return value;
+  }
+
+  /// HDF5 reads as many values as an attribute holds, however many there is room for.
+  void require_single(const H5::Attribute& found, const std::string& place) const {
+    const hssize_t count = found.getSpace().getSimpleExtentNpoints();
+    if (count != 1) {
+      refuse(place, fmt::format("{} values found; expected a single one", count));
+    }
   }
 
   template <class Value>
@@ -96,11 +123,11 @@ class Reader {
     const H5::Attribute found = attribute(name);
     const H5T_class_t kind = found.getTypeClass();
     const bool whole = std::is_integral_v<Value>;
-    if ((kind != H5T_INTEGER && (whole || kind != H5T_FLOAT)) ||
-        found.getSpace().getSimpleExtentNpoints() != 1) {
+    if (kind != H5T_INTEGER && (whole || kind != H5T_FLOAT)) {
       refuse(fmt::format("attribute '{}'", name),
              whole ? "not a whole number; expected one" : "not a number; expected one");
     }
+    require_single(found, fmt::format("attribute '{}'", name));
     Value value{};
     found.read(type, &value);
     return value;
@@ -118,7 +145,18 @@ class Reader {
     }
   }
 
-  bool exists(const std::string& path) const { return file_.nameExists(path); }
+  /// @throws InputError for a link to another place: what it names may be any file, or a pipe.
+  bool exists(const std::string& path) const {
+    if (!file_.nameExists(path)) {
+      return false;
+    }
+    H5L_info_t link{};
+    if (H5Lget_info(file_.getId(), path.c_str(), &link, H5P_DEFAULT) < 0 ||
+        link.type != H5L_TYPE_HARD) {
+      refuse(path, "a link to another place; expected the data themselves");
+    }
+    return true;
+  }
 
   hsize_t episode_count() const {
     if (!exists("episodes") || file_.childObjType("episodes") != H5O_TYPE_GROUP) {
@@ -164,7 +202,26 @@ class Reader {
       refuse(path, fmt::format("shape {} found; expected {}", text_of(shape), meaning));
     }
     require_unit(path, found, unit);
+    require_stored(path, found);
     return found;
+  }
+
+  /// Refuses data of which the file holds the shape alone, before memory is taken for them.
+  void require_stored(const std::string& path, const H5::DataSet& found) const {
+    const H5::DSetCreatPropList properties = found.getCreatePlist();
+    if (properties.getLayout() == H5D_VIRTUAL ||
+        (properties.getLayout() == H5D_CONTIGUOUS && properties.getExternalCount() > 0)) {
+      refuse(path, "data in another file; expected the data themselves");
+    }
+    const auto numbers = static_cast<hsize_t>(found.getSpace().getSimpleExtentNpoints());
+    const hsize_t bytes = numbers * found.getDataType().getSize();
+    const hsize_t stored = found.getStorageSize();
+    if (numbers > 0 &&
+        (stored == 0 || (bytes > kSmallData && bytes / kLargestCompression > stored))) {
+      refuse(path, fmt::format("{} numbers by its shape, but {} bytes in the file: they were never "
+                               "written, or the file is damaged",
+                               numbers, stored));
+    }
   }
 
   /// The name carries the unit; an attribute that says another is refused.
@@ -172,11 +229,7 @@ class Reader {
     if (!found.attrExists("unit")) {
       return;
     }
-    const H5::Attribute attribute = found.openAttribute("unit");
-    std::string value;
-    if (attribute.getTypeClass() == H5T_STRING) {
-      attribute.read(attribute.getStrType(), value);
-    }
+    const std::string value = text_in(found.openAttribute("unit"), path + ", attribute 'unit'");
     if (value != unit) {
       refuse(path, fmt::format("unit '{}' found; expected '{}'", value, unit));
     }
@@ -213,8 +266,8 @@ class Reader {
     episode.time_s.resize(static_cast<Eigen::Index>(frames));
     read_into(time_path, times, episode.time_s.data(), H5::PredType::NATIVE_DOUBLE);
 
-    const auto n = static_cast<hsize_t>(std::max(recording.segment_count, 0));
-    const auto m = static_cast<hsize_t>(std::max(recording.point_count, 0));
+    const auto n = static_cast<hsize_t>(recording.segment_count);
+    const auto m = static_cast<hsize_t>(recording.point_count);
     const std::string pressures = fmt::format("{} × {}: frames × segments", frames, n);
     const Command& command = recording.command;
     const auto commands = [&](const char* name) {
@@ -245,6 +298,15 @@ class Reader {
   H5::H5File file_;
 };
 
+Recording read(const std::filesystem::path& path) {
+  try {
+    return Reader(path).read();
+  } catch (const H5::Exception& failure) {
+    throw InputError(fmt::format("{}: can't be read: {} ({}); the file is damaged or cut short",
+                                 path.string(), failure.getDetailMsg(), failure.getFuncName()));
+  }
+}
+
 }  // namespace
 
 Recording read_recording(const std::filesystem::path& path) {
@@ -255,15 +317,14 @@ Recording read_recording(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(fmt::format("{}: is a folder; expected a recording file", path.string()));
   }
+  require_plain_file(path);
   Recording recording;
-  {
+  try {
     const Hdf5Section section;
-    try {
-      recording = Reader(path).read();
-    } catch (const H5::Exception& failure) {
-      throw InputError(fmt::format("{}: can't be read: {} ({}); the file is damaged or cut short",
-                                   path.string(), failure.getDetailMsg(), failure.getFuncName()));
-    }
+    recording = read(path);
+  } catch (const InputError&) {
+    (void)read_file(path);  // HDF5 does not tell a failing disk from a damaged file; this does
+    throw;
   }
   validate(recording, path.string());
   return recording;

@@ -13,6 +13,9 @@ namespace limber {
 namespace {
 
 constexpr hsize_t kChunkFrames = 1024;
+constexpr std::size_t kMemoryStep = std::size_t{1} << 20U;  // by which a file in memory grows
+// HDF5 wants a name and looks whether such a file is there; none can be below a device.
+constexpr const char* kNoFile = "/dev/null/recording";
 constexpr int kDeflateLevel = 1;  // level 1 after shuffle: half the size at 4× level 6's speed
 
 H5::StrType text_type() {
@@ -69,8 +72,12 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
   write_data_set(group, "tracked", "1", H5::PredType::NATIVE_UINT8, tracked.data(), {frames});
 }
 
-void write_file(const std::filesystem::path& path, const Recording& recording) {
-  const H5::H5File file(path.string(), H5F_ACC_TRUNC);
+/// The whole file, made in memory: HDF5 never sees a full disk, after which it can neither close
+/// its file nor end the process in order.
+std::string file_image(const Recording& recording) {
+  H5::FileAccPropList in_memory;
+  in_memory.setCore(kMemoryStep, false);
+  H5::H5File file(kNoFile, H5F_ACC_TRUNC, H5::FileCreatPropList::DEFAULT, in_memory);
   write_text(file, "schema", kRecordingSchema);
   write_text(file, "arm_name", recording.arm_name);
   write_text(file, "arm_hash", recording.arm_hash);
@@ -89,21 +96,31 @@ void write_file(const std::filesystem::path& path, const Recording& recording) {
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
     write_episode(file.createGroup(episode_path(i)), recording.episodes[i], recording);
   }
+  file.flush(H5F_SCOPE_GLOBAL);
+  const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);
+  std::string image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
+  if (size <= 0 || H5Fget_file_image(file.getId(), image.data(), image.size()) != size) {
+    throw H5::FileIException("file_image", "H5Fget_file_image failed");
+  }
+  file.close();
+  return image;
 }
 
 }  // namespace
 
 void write_recording(const std::filesystem::path& path, const Recording& recording) {
   validate(recording, path.string());
-  write_atomically(path, [&](const std::filesystem::path& temporary) {
+  std::string image;
+  {
     const Hdf5Section section;
     try {
-      write_file(temporary, recording);
+      image = file_image(recording);
     } catch (const H5::Exception& error) {
       throw SystemFault(fmt::format("{}: can't be written: {} ({})", path.string(),
                                     error.getDetailMsg(), error.getFuncName()));
     }
-  });
+  }
+  write_file_atomically(path, image);
 }
 
 }  // namespace limber

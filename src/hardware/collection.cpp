@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "collection_parts.hpp"
 #include "common/job_arena.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
@@ -120,58 +121,9 @@ class EpisodeRun {
   bool recording_ = false;
 };
 
-/// Finished episodes of a collection, one file each, beside the file they will be joined to.
-class Parts {
- public:
-  Parts(const fs::path& path, Recording identity)
-      : folder_(path.string() + ".parts"), identity_(std::move(identity)) {}
-
-  const fs::path& folder() const { return folder_; }
-  bool exist() const { return fs::exists(folder_); }
-  void remove() const { fs::remove_all(folder_); }
-
-  void write(std::size_t index, const Episode& episode) const {
-    Recording part = identity_;
-    part.episodes = {episode};
-    write_recording(path(index), part);
-  }
-
-  /// @throws InputError where the part is damaged or of other settings.
-  std::optional<Episode> read(std::size_t index) const {
-    if (!fs::exists(path(index))) {
-      return std::nullopt;
-    }
-    Recording part = read_recording(path(index));
-    require_same_origin(part, path(index).string());
-    return std::move(part.episodes.front());
-  }
-
-  void require_same_origin(const Recording& found, const std::string& file) const {
-    const auto compare = [&](const char* what, const std::string& was, const std::string& is) {
-      if (was != is) {
-        throw InputError(fmt::format(
-            "{}: --resume: recorded with {} '{}'; this run has '{}'. Use the same settings, or "
-            "--force to start anew",
-            file, what, was, is));
-      }
-    };
-    compare("source", found.source, identity_.source);
-    compare("arm", found.arm_name + " " + found.arm_hash,
-            identity_.arm_name + " " + identity_.arm_hash);
-    compare("seed", std::to_string(found.seed), std::to_string(identity_.seed));
-    compare("settings", found.settings, identity_.settings);
-  }
-
- private:
-  fs::path path(std::size_t index) const { return folder_ / fmt::format("{:06}.h5", index); }
-
-  fs::path folder_;
-  Recording identity_;
-};
-
 /// Clears the way, or finds what is done already; see `collect` for what is refused.
-std::vector<std::optional<Episode>> prepare(const CollectionSettings& settings, const Parts& parts,
-                                            std::size_t episodes) {
+std::vector<std::optional<Episode>> prepare(const CollectionSettings& settings,
+                                            const CollectionParts& parts, std::size_t episodes) {
   std::vector<std::optional<Episode>> done(episodes);
   if (!parts.exist()) {
     return done;
@@ -181,7 +133,7 @@ std::vector<std::optional<Episode>> prepare(const CollectionSettings& settings, 
       done[i] = parts.read(i);
     }
   } else if (settings.force) {
-    parts.remove();
+    (void)parts.remove();
   } else {
     throw InputError(
         fmt::format("{}: left by a collection that did not finish; --resume goes on from "
@@ -189,6 +141,50 @@ std::vector<std::optional<Episode>> prepare(const CollectionSettings& settings, 
                     parts.folder().string()));
   }
   return done;
+}
+
+/// @throws InputError where the file is another recording, or the parts hold other episodes.
+Recording read_finished(const CollectionParts& parts, const fs::path& path, std::size_t episodes) {
+  Recording finished = read_recording(path);
+  parts.require_same_origin(finished, path.string());
+  if (finished.episodes.size() != episodes) {
+    throw InputError(fmt::format("{}: holds {} episodes; this run makes {}. --force replaces it",
+                                 path.string(), finished.episodes.size(), episodes));
+  }
+  for (std::size_t i = 0; i < episodes; ++i) {
+    const std::optional<Episode> part = parts.read(i);
+    if (part && !same_values(*part, finished.episodes[i])) {
+      throw InputError(fmt::format(
+          "{}: exists already, and is not what the episodes in {} make; --resume --force goes on "
+          "from them and replaces it",
+          path.string(), parts.folder().string()));
+    }
+  }
+  return finished;
+}
+
+/// The recording, where an earlier run finished it and was then killed or could not remove the
+/// parts.
+std::optional<Recording> finished_before(const CollectionSettings& settings,
+                                         const CollectionParts& parts, const fs::path& path,
+                                         std::size_t episodes) {
+  std::error_code error;
+  if (!settings.resume || !fs::exists(path, error) || (settings.force && parts.exist())) {
+    return std::nullopt;
+  }
+  try {
+    return read_finished(parts, path, episodes);
+  } catch (const InputError&) {
+    if (settings.force) {
+      return std::nullopt;  // it is what was to be replaced
+    }
+    throw;
+  }
+}
+
+std::ptrdiff_t count_done(const std::vector<std::optional<Episode>>& done) {
+  return std::count_if(done.begin(), done.end(),
+                       [](const auto& episode) { return episode.has_value(); });
 }
 
 std::uint64_t motions_left(const std::vector<EpisodeSchedule>& schedule,
@@ -203,7 +199,7 @@ std::uint64_t motions_left(const std::vector<EpisodeSchedule>& schedule,
 /// Records what is not done yet, in parallel over episodes.
 void record_missing(const ArmDescription& arm, const CollectionSettings& settings,
                     const DriverFactory& make_driver, const std::vector<EpisodeSchedule>& schedule,
-                    const Parts& parts, std::vector<std::optional<Episode>>& done) {
+                    const CollectionParts& parts, std::vector<std::optional<Episode>>& done) {
   Progress progress("collecting", "motions", motions_left(schedule, done), settings.progress);
   JobArena arena(settings.jobs);
   const auto record = [&](std::size_t i) {
@@ -222,6 +218,40 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, schedule.size(), record, tbb::simple_partitioner());
   });
+}
+
+void record_or_say_how_to_go_on(const ArmDescription& arm, const CollectionSettings& settings,
+                                const DriverFactory& make_driver,
+                                const std::vector<EpisodeSchedule>& schedule,
+                                const CollectionParts& parts,
+                                std::vector<std::optional<Episode>>& done) {
+  try {
+    record_missing(arm, settings, make_driver, schedule, parts, done);
+  } catch (const Interrupted&) {
+    if (count_done(done) == 0) {
+      throw Interrupted("stopped on request, before the first episode was finished");
+    }
+    throw Interrupted(fmt::format(
+        "stopped on request; {} of {} episodes are kept in {}: the same command with --resume "
+        "goes on from there",
+        count_done(done), schedule.size(), parts.folder().string()));
+  }
+}
+
+/// Writes the recording and reads it back: only then may its parts go.
+void write_whole(const fs::path& path, const Recording& recording, const CollectionParts& parts) {
+  try {
+    write_recording(path, recording);
+    const Recording found = read_recording(path);
+    if (!std::equal(found.episodes.begin(), found.episodes.end(), recording.episodes.begin(),
+                    recording.episodes.end(), same_values)) {
+      throw SystemFault(fmt::format("{}: holds other values than were written", path.string()));
+    }
+  } catch (const std::exception& error) {
+    throw SystemFault(
+        fmt::format("{}. All episodes are kept in {}: the same command with --resume joins them",
+                    error.what(), parts.folder().string()));
+  }
 }
 
 }  // namespace
@@ -244,33 +274,21 @@ CollectionResult collect(const ArmDescription& arm, const CollectionSettings& se
   if (!settings.driver.empty()) {
     result.recording.settings += "; " + settings.driver;
   }
-  const Parts parts(path, result.recording);
-  if (settings.resume && fs::exists(path) && !parts.exist()) {
-    Recording finished = read_recording(path);
-    parts.require_same_origin(finished, path.string());
-    return {std::move(finished), static_cast<int>(schedule.size()), 0.0};
+  const CollectionParts parts(path, result.recording);
+  if (std::optional<Recording> finished = finished_before(settings, parts, path, schedule.size())) {
+    result.recording = std::move(*finished);
+    result.kept_episodes = static_cast<int>(schedule.size());
+  } else {
+    refuse_to_overwrite(path, settings.force);
+    std::vector<std::optional<Episode>> done = prepare(settings, parts, schedule.size());
+    result.kept_episodes = static_cast<int>(count_done(done));
+    record_or_say_how_to_go_on(arm, settings, make_driver, schedule, parts, done);
+    for (std::optional<Episode>& episode : done) {
+      result.recording.episodes.push_back(std::move(*episode));
+    }
+    write_whole(path, result.recording, parts);
   }
-  refuse_to_overwrite(path, settings.force);
-
-  std::vector<std::optional<Episode>> done = prepare(settings, parts, schedule.size());
-  for (const std::optional<Episode>& episode : done) {
-    result.kept_episodes += episode ? 1 : 0;
-  }
-  try {
-    record_missing(arm, settings, make_driver, schedule, parts, done);
-  } catch (const Interrupted&) {
-    const auto finished = std::count_if(done.begin(), done.end(),
-                                        [](const auto& episode) { return episode.has_value(); });
-    throw Interrupted(fmt::format(
-        "stopped on request; {} of {} episodes are kept in {}: the same command with --resume "
-        "goes on from there",
-        finished, schedule.size(), parts.folder().string()));
-  }
-  for (std::optional<Episode>& episode : done) {
-    result.recording.episodes.push_back(std::move(*episode));
-  }
-  write_recording(path, result.recording);
-  parts.remove();
+  result.foreign_files = parts.remove();
   result.wall_time_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

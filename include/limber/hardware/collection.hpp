@@ -26,14 +26,15 @@ struct CollectionSettings {
   double hold_limit_s = 15.0;  ///< a set point not reached by then is a fault; ≥ hold_s
   int jobs = 0;                ///< threads, 0: one a core; never changes a result
   bool resume = false;         ///< go on from the parts of an interrupted run
-  bool force = false;          ///< replace the file, and parts of other settings
+  bool force = false;          ///< replace the file, and (unless `resume`) the parts
   Progress::Mode progress = Progress::Mode::automatic;
 };
 
 struct CollectionResult {
   Recording recording;
-  int kept_episodes = 0;     ///< found finished by `resume`
-  double wall_time_s = 0.0;  ///< of this run
+  int kept_episodes = 0;          ///< found finished by `resume`
+  std::size_t foreign_files = 0;  ///< left in `path`.parts, as collect did not make them
+  double wall_time_s = 0.0;       ///< of this run
 };
 
 /// One unbroken run: leads the arm to the schedule's first configuration (unrecorded), then records
@@ -45,7 +46,8 @@ Episode record_episode(const ArmDescription& arm, ArmDriver& driver,
                        const std::function<void()>& motion_done = {});
 
 /// Runs a whole schedule and writes it to `path`. Each finished episode is kept in
-/// `path`.parts/NNNNNN.h5 until all are joined; then the folder is removed.
+/// `path`.parts/NNNNNN.h5 until all are joined and the file was read back; then they are removed.
+/// With `resume`, a file that is whole already is returned, and parts that equal it are removed.
 /// @throws Interrupted after Ctrl-C, saying how to go on; the parts are valid.
 /// @throws InputError where `path` exists, or parts of an earlier run are there and neither
 /// `resume` nor `force` is set, or they are of other settings (which is named).

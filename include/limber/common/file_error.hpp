@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+/// Whether another path, or other rights, would have helped: the caller's affair, not the machine's.
+inline bool is_callers_mistake(int error) {
+  switch (error) {
+    case ENOENT:
+    case EACCES:
+    case EPERM:
+    case EROFS:
+    case ENOTDIR:
+    case EISDIR:
+    case ELOOP:
+    case ENAMETOOLONG:
+    case EINVAL:
+    case ETXTBSY:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// @throws SystemFault "PATH: WHAT: the system's reason", for what fails in the midst of the work.
+[[noreturn]] inline void throw_fault(const std::filesystem::path& path, const std::string& what,
+                                     int error) {
+  throw SystemFault(fmt::format("{}: {}: {}", path.string(), what, std::strerror(error)));
+}
+
+/// The same for what is tried before the work: an InputError where the caller can mend it.
+[[noreturn]] inline void throw_file_error(const std::filesystem::path& path,
+                                          const std::string& what, int error) {
+  if (is_callers_mistake(error)) {
+    throw InputError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(error)));
+  }
+  throw_fault(path, what, error);
+}
+
+}  // namespace limber

@@ -1,0 +1,124 @@
+#include "collection_parts.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/file_error.hpp"
+
+namespace limber {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kDigits = 6;  // at least; a millionth episode has one more
+
+bool is_part_name(const std::string& name) {
+  const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+  return digits >= kDigits && name.substr(digits) == ".h5";
+}
+
+bool same_matrix(const FrameMatrix& a, const FrameMatrix& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
+}
+
+/// No marks at all say that every frame was tracked.
+bool same_marks(const Episode& a, const Episode& b) {
+  return a.tracked == b.tracked || (a.tracked.empty() && b.untracked_count() == 0) ||
+         (b.tracked.empty() && a.untracked_count() == 0);
+}
+
+}  // namespace
+
+bool same_values(const Episode& a, const Episode& b) {
+  return a.time_s.size() == b.time_s.size() && a.time_s == b.time_s &&
+         same_matrix(a.pressure_kpa, b.pressure_kpa) &&
+         same_matrix(a.setpoint_kpa, b.setpoint_kpa) && same_matrix(a.backbone, b.backbone) &&
+         a.motion_index == b.motion_index && same_marks(a, b);
+}
+
+CollectionParts::CollectionParts(const fs::path& path, Recording identity)
+    : folder_(path.string() + ".parts"), identity_(std::move(identity)) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder_, error);
+  if (fs::exists(status) && !fs::is_directory(status)) {
+    throw InputError(fmt::format(
+        "{}: is a file; finished episodes are kept in a folder of that name. Move it away",
+        folder_.string()));
+  }
+}
+
+void CollectionParts::write(std::size_t index, const Episode& episode) const {
+  Recording part = identity_;
+  part.episodes = {episode};
+  write_recording(path(index), part);
+}
+
+std::optional<Episode> CollectionParts::read(std::size_t index) const {
+  std::error_code error;
+  if (!fs::exists(path(index), error)) {
+    return std::nullopt;
+  }
+  Recording part = read_recording(path(index));
+  require_same_origin(part, path(index).string());
+  return std::move(part.episodes.front());
+}
+
+void CollectionParts::require_same_origin(const Recording& found, const std::string& file) const {
+  const auto compare = [&](const char* what, const std::string& was, const std::string& is) {
+    if (was != is) {
+      throw InputError(fmt::format(
+          "{}: --resume: recorded with {} '{}'; this run has '{}'. Use the same settings, or "
+          "--force to start over",
+          file, what, was, is));
+    }
+  };
+  compare("source", found.source, identity_.source);
+  compare("arm", found.arm_name + " " + found.arm_hash,
+          identity_.arm_name + " " + identity_.arm_hash);
+  compare("seed", std::to_string(found.seed), std::to_string(identity_.seed));
+  compare("settings", found.settings, identity_.settings);
+}
+
+std::size_t CollectionParts::remove() const {
+  std::error_code error;
+  if (!fs::exists(folder_, error)) {
+    return 0;
+  }
+  remove_abandoned_files(folder_);
+  for (const fs::path& part : own_files()) {
+    fs::remove(part, error);
+    if (error) {
+      throw_fault(part, "can't be removed", error.value());
+    }
+  }
+  const fs::directory_iterator rest(folder_, error);
+  const auto foreign = error ? 0 : std::distance(rest, fs::directory_iterator());
+  if (foreign == 0) {
+    fs::remove(folder_, error);  // an empty folder that stays is no reason to fail
+  }
+  return static_cast<std::size_t>(foreign);
+}
+
+fs::path CollectionParts::path(std::size_t index) const {
+  return folder_ / fmt::format("{:0{}}.h5", index, kDigits);
+}
+
+std::vector<fs::path> CollectionParts::own_files() const {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (is_part_name(entry->path().filename().string()) &&
+        fs::is_regular_file(entry->symlink_status(error))) {
+      files.push_back(entry->path());
+    }
+  }
+  return files;
+}
+
+}  // namespace limber

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/data/recording.hpp"
+
+namespace limber {
+
+/// Whether two episodes hold the same numbers.
+bool same_values(const Episode& a, const Episode& b);
+
+/// Finished episodes of a collection, one file each, `PATH.parts/NNNNNN.h5`, beside the file they
+/// will be joined to. Threads: `write` may be called from several at once, for different episodes.
+class CollectionParts {
+ public:
+  /// @param identity  the recording they will make, without episodes.
+  /// @throws InputError where something else has the folder's name.
+  CollectionParts(const std::filesystem::path& path, Recording identity);
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+  /// Whether there is one at least.
+  bool exist() const { return !own_files().empty(); }
+
+  void write(std::size_t index, const Episode& episode) const;
+
+  /// @throws InputError where the part is damaged or of other settings.
+  std::optional<Episode> read(std::size_t index) const;
+
+  /// @throws InputError that names what differs.
+  void require_same_origin(const Recording& found, const std::string& file) const;
+
+  /// Removes the parts, what killed runs left of them, and the folder if nothing else is in it.
+  /// @return how many files stay that are not collect's.
+  [[nodiscard]] std::size_t remove() const;
+
+ private:
+  std::filesystem::path path(std::size_t index) const;
+  std::vector<std::filesystem::path> own_files() const;
+
+  std::filesystem::path folder_;
+  Recording identity_;
+};
+
+}  // namespace limber
