@@ -1,12 +1,14 @@
 #include "command_line.hpp"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <vector>
 
 #include "distinct_files.hpp"
-#include "limber/common/error.hpp"
+#include "limber/common/file_error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
@@ -30,7 +32,7 @@ void add_common_flags(CLI::App& app, CommonFlags& flags) {
 }
 
 int report(int code, const std::string& message) {
-  fmt::print(stderr, "error: {}\n", message);
+  print_to_stderr(fmt::format("error: {}\n", message));
   return code;
 }
 
@@ -58,6 +60,9 @@ int run_guarded(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
     return report(kExitBadInput, error.what());
   } catch (const Interrupted& error) {
     return report(kExitNoSolution, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return report(is_callers_mistake(error.code().value()) ? kExitBadInput : kExitFault,
+                  fmt::format("{}: {}", error.path1().string(), error.code().message()));
   } catch (const std::bad_alloc&) {
     return report(kExitFault, "out of memory");
   } catch (const std::exception& error) {
@@ -68,6 +73,8 @@ int run_guarded(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+  open_missing_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is then an error like a full disk
   CLI::App app(
       "limber makes soft robot arms plannable: characterise, collect, train, evaluate, plan, "
       "execute.");

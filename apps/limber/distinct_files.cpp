@@ -55,6 +55,10 @@ void require_distinct_files(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& value : option->results()) {
       std::error_code error;
+      if (value.empty() && is_output(command, *option)) {
+        throw InputError(fmt::format("{} '': names no file; expected a file or folder to write",
+                                     option->get_name()));
+      }
       if (value.empty()) {
         continue;
       }

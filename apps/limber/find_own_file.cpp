@@ -12,11 +12,12 @@ namespace {
 std::string find_own_file(const std::string& name_or_path, const char* folder,
                           const char* complaint) {
   namespace fs = std::filesystem;
-  if (fs::is_regular_file(name_or_path)) {
+  std::error_code error;  // of a name that is too long, or in a folder that is closed to us
+  if (fs::is_regular_file(name_or_path, error)) {
     return name_or_path;
   }
   const fs::path own = data_folder() / folder / (name_or_path + ".yaml");
-  if (name_or_path.find('/') == std::string::npos && fs::exists(own)) {
+  if (name_or_path.find('/') == std::string::npos && fs::exists(own, error)) {
     return own.string();
   }
   throw InputError(fmt::format(fmt::runtime(complaint), name_or_path));

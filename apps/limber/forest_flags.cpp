@@ -39,18 +39,20 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
   const ForestKey key =
       forest_key(arm, model_file.empty() ? "" : content_hash(read_file(model_file)),
                  model.valves().parameters(), start);
-  if (std::filesystem::exists(path) && build_) {
+  std::error_code error;
+  if (std::filesystem::exists(path, error) && build_) {
     if (kind_of(read_file(path)) != FileKind::forest) {
       throw InputError(path + ": no forest; only a forest is replaced by another");
     }
     say(flags, "{}: asked for; growing it anew", path);
-  } else if (std::filesystem::exists(path)) {
+  } else if (std::filesystem::exists(path, error)) {
     Forest stored = read_forest(path);
     if (stored.key == key) {
       return stored;
     }
     say(flags, "{}: grown for another arm, model, valves or start; growing it anew", path);
   }
+  refuse_to_overwrite(path, true);
   ForestSettings settings;
   settings.nodes = nodes_;
   settings.seed = flags.seed;

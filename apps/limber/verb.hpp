@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/progress.hpp"
+#include "limber/common/standard_streams.hpp"
 
 namespace limber {
 
@@ -44,7 +45,7 @@ template <class... Arguments>
 void say(const CommonFlags& flags, fmt::format_string<Arguments...> format,
          Arguments&&... arguments) {
   if (!flags.quiet) {
-    fmt::print(stderr, "{}\n", fmt::format(format, std::forward<Arguments>(arguments)...));
+    print_to_stderr(fmt::format(format, std::forward<Arguments>(arguments)...) + "\n");
   }
 }
 

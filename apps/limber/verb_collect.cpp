@@ -62,6 +62,9 @@ class CollectVerb final : public Verb {
     settings.progress = flags.progress();
     const CollectionResult result =
         collect(arm, settings, virtual_arm_factory(arm, options_), out_);
+    if (result.foreign_files > 0) {
+      say(flags, "{}.parts: {} files are not collect's and stay", out_, result.foreign_files);
+    }
     report(flags, result);
     return kExitDone;
   }

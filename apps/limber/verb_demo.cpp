@@ -1,3 +1,5 @@
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
 #include "limber/experiment/demo.hpp"
 #include "verbs.hpp"
 
@@ -56,7 +58,14 @@ class DemoVerb final : public Verb {
     settings.jobs = flags.jobs;
     settings.progress = flags.progress();
     settings.say = [&flags](const std::string& text) { say(flags, "{}", text); };
-    const nlohmann::ordered_json summary = run_demo(settings);
+    require_writable_folder(out_);
+    nlohmann::ordered_json summary;
+    try {
+      summary = run_demo(settings);
+    } catch (const Interrupted&) {
+      // Its stages may say how they go on; the demo as a whole begins with the first again.
+      throw Interrupted("stopped on request; the next limber demo starts from the beginning");
+    }
     print_result(flags, summary, to_text(summary, out_));
     return kExitDone;
   }

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "forest_flags.hpp"
+#include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -79,6 +80,7 @@ class ExperimentVerb final : public Verb {
     settings_.progress = flags.progress();
     settings_.say = [&](const std::string& line) { say(flags, "{}", line); };
     settings_.with_no_load = !network_only_;
+    require_writable_folder(settings_.folder);
     const ForwardModel network(settings_.arm, read_model(settings_.model_file));
     const MotionModel model = valves_.motion_model(settings_.arm, network);
     valves_.warn_without_valves(model, flags);

@@ -90,9 +90,7 @@ class ExportVerb final : public Verb {
  private:
   static void refuse_to_fill(const fs::path& folder, bool force) {
     std::error_code error;
-    if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
-      throw InputError(fmt::format("{}: is a file; expected a folder", folder.string()));
-    }
+    require_writable_folder(folder);
     if (!force && fs::exists(folder, error) && !fs::is_empty(folder, error)) {
       throw InputError(
           fmt::format("{}: the folder is not empty; --force writes into it", folder.string()));
@@ -158,7 +156,6 @@ class ExportVerb final : public Verb {
     const Plan plan = read_plan(file_);
     const fs::path setpoints = fs::path(csv_) / "setpoints.csv";
     const fs::path shapes = fs::path(csv_) / "backbones.csv";
-    fs::create_directories(csv_);
     write_setpoints_csv(setpoints, plan);
     write_backbones_csv(shapes, plan);
     add({setpoints, shapes});

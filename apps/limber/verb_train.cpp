@@ -78,9 +78,9 @@ class TrainVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    for (const fs::path& path :
-         {fs::path(out_), curve_path(".curve.csv"), curve_path(".curve.svg")}) {
-      refuse_to_overwrite(path, flags.force || resume_);
+    for (const fs::path& path : {fs::path(out_), curve_path(".curve.csv"), curve_path(".curve.svg"),
+                                 fs::path(checkpoint_path())}) {
+      refuse_to_overwrite(path, flags.force || resume_ || path == checkpoint_path());
     }
     if (resume_ && !fs::exists(checkpoint_path())) {
       throw InputError(fmt::format("--resume: there is no checkpoint {}; leave --resume out",
@@ -111,7 +111,7 @@ class TrainVerb final : public Verb {
     TrainingResult result =
         start ? fine_tune(arm, data, settings, *start) : train(arm, data, settings);
     if (result.status == TrainingStatus::diverged) {
-      fmt::print(stderr, "error: {}\n", result.message);
+      print_to_stderr(fmt::format("error: {}\n", result.message));
     }
     if (result.best_epoch == 0) {
       const std::string why = "no epoch was validated before training ended; no model was written";
