@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds limber, and runs every test: C++, Python, examples, and the whole
-# chain from end to end. Arguments go to ctest: ./test.sh -L unit, ./test.sh -R Chart.
+# chain from end to end. Arguments go to ctest: ./test.sh -L unit, ./test.sh -R Chart. What takes hours
+# is left out: ctest --preset soak.
 set -euo pipefail
 root=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 # shellcheck source=tools/packages.sh

@@ -39,4 +39,4 @@ sed 's/width_m: 0.0300/width_m: 3 cm/' arm.yaml >broken.yaml
 expect 2 "segments[1].width_m: '3 cm' found; expected a length in metres" --arm broken.yaml \
   --out none.yaml
 [ ! -e none.yaml ] || fail "a refused run wrote an arm"
-expect 3 "can't be" --arm two_segment --csv line.csv --out /proc/nowhere/none.yaml
+expect 2 "no file can be made in /proc" --arm two_segment --csv line.csv --out /proc/nowhere/none.yaml

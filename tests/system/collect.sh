@@ -60,4 +60,4 @@ expect 2 "notes.md: none of limber's files; expected a recording" inspect notes.
 printf 'schema: limber/arm/2\n' >later.yaml
 expect 2 "later.yaml:1: schema: 'limber/arm/2' found" inspect later.yaml
 [ ! -e none.h5 ] || fail "a refused run wrote a recording"
-expect 3 "/proc/nowhere" "${random[@]}" --out /proc/nowhere/none.h5
+expect 2 "no file can be made in /proc" "${random[@]}" --out /proc/nowhere/none.h5

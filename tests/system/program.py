@@ -25,6 +25,11 @@ def limber(*arguments, folder=None, environment=None):
     )
 
 
+def temporary_files(folder):
+    """Files that were being written when the program ended."""
+    return sorted(pathlib.Path(folder).rglob(".*.tmp"))
+
+
 def verbs():
     """Every verb that the program has."""
     subcommands = limber("--help").stdout.split("Subcommands:")[1]
