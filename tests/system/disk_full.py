@@ -34,13 +34,15 @@ IN_NAMESPACE = "LIMBER_TEST_MAY_MOUNT"
 class Verb:
     """One command, and the files that it writes: `outputs` are replaced by --force, `folders` filled."""
 
-    def __init__(self, name, arguments, outputs=(), folders=(), old=b"what was there before\n", levels=LEVELS):
+    def __init__(self, name, arguments, outputs=(), folders=(), old=b"what was there before\n", levels=LEVELS,
+                 peak=1.0):
         self.name = name
         self.arguments = arguments
         self.outputs = outputs
         self.folders = folders
         self.old = old
         self.levels = levels
+        self.peak = peak  # room taken on the way, over that of what stays
 
 
 def make_inputs(folder):
@@ -69,11 +71,12 @@ def all_verbs(inputs):
     logs = sorted((inputs / "csv").glob("episode_*.csv"))
     return [
         Verb("collect", ["collect", *arm, "--schedule", "random", "--count", 3, "--episodes", 3, "--hold-s", 0.3,
-                         "--out", "c.h5"], ["c.h5"]),
+                         "--out", "c.h5"], ["c.h5"], peak=2.0),
         Verb("import", ["import", "csv", *logs, "--mapping", inputs / "csv" / "mapping.yaml", *arm, "--out", "i.h5"],
              ["i.h5"]),
         Verb("train", ["train", *arm, "--data", recording, "--epochs", 3, "--hidden", 8, "--checkpoint-interval-s", 0,
-                       "--out", "m.safetensors"], ["m.safetensors", "m.curve.csv", "m.curve.svg"]),
+                       "--out", "m.safetensors"], ["m.safetensors", "m.curve.csv", "m.curve.svg"],
+             peak=6.0),
         Verb("evaluate --plots", ["evaluate", *arm, "--model", model, "--data", recording, "--plots", "."],
              ["error_over_time.svg", "position_distribution.svg", "orientation_distribution.svg", "backbones.svg"]),
         Verb("plan", ["plan", *arm, "--no-load", "--environment", environment, "--max-queries", 20000,
@@ -197,7 +200,7 @@ class Campaign:
             result = self.run(verb)
             if result.returncode != 0:
                 sys.exit(f"{verb.name}: {result.returncode}: {result.stderr}")
-            return self.disk.room_needed(), {p.relative_to(folder) for p in folder.rglob("*") if p.is_file()}
+            return verb.peak * self.disk.room_needed(), {p.relative_to(folder) for p in folder.rglob("*") if p.is_file()}
 
     def cell(self, verb, room, written):
         with self.disk.fresh() as folder:

@@ -74,7 +74,7 @@ class Outputs(InFolder):
         result = subprocess.run([PROGRAM, *map(str, command)], cwd=self.folder, stdin=subprocess.DEVNULL,
                                 capture_output=True, encoding="utf-8", check=False, timeout=HANG_S)
         self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertEqual(result.stderr.count("error: "), 1, result.stderr)
         for part in parts:
             self.assertIn(part, result.stderr)
 
