@@ -6,7 +6,8 @@
     tools/planning_figures.py --out out/planning --print             the tables of what is there
 
 Every row is a `limber experiment` in OUT/ROW; rows that are finished are not run again, and one that
-was stopped goes on. Times mean something on an idle machine only.
+was stopped goes on. Times mean something on an idle machine only. Planning seeds, and the seed of the
+random environments, come from the commit's hash unless --seed gives one: nobody has chosen them.
 """
 
 import argparse
@@ -37,6 +38,8 @@ ROWS = {
     "threads": ("default", 2, 10, ["--forest", "FOREST", *BOTH_CORES]),
     "empty": ("default", 2, 10, ["--environments", EMPTY]),
     "executed": ("default", 20, 1, [BOTH_MODELS, "--margin-m", "0.005"]),
+    "no_valves": ("default", 20, 1, ["--margin-m", "0.005", "--no-valves"]),
+    "paper_valves": ("paper,valves=1", 5, 60, []),
     "random": ("default", 1, 60, [*FIRST, *BOTH_CORES, "--environments", RANDOM]),
     "random_1s": ("default", 1, 1, ["--environments", RANDOM]),
     "random_paper": ("paper", 1, 60, [*FIRST, "--environments", RANDOM]),
@@ -65,6 +68,8 @@ class Runner:
         self.model = options.model
         self.out = pathlib.Path(options.out)
         self.printing = options.print
+        self.seed = options.seed
+        self.valves = ["--valves", options.valves] if options.valves else []
 
     def experiment(self, name, planner, trials, time_s, flags):
         """The trials of a row, as `limber experiment` wrote them; none where there are none."""
@@ -79,7 +84,8 @@ class Runner:
                 self.empty_environments()
             models = [] if BOTH_MODELS in flags else ["--network-only"]
             flags = [flag for flag in flags if flag != BOTH_MODELS]
-            self.run("experiment", "--model", self.model, *models, "--planner", planner, "--trials", trials, "--time-limit-s", time_s, *flags, "--out", folder, "--resume")
+            self.run("experiment", "--model", self.model, *models, "--planner", planner, "--trials", trials, "--time-limit-s", time_s, "--seed", self.seed,
+                     *([] if "--no-valves" in flags else self.valves), *flags, "--out", folder, "--resume")
         return [json.loads(p.read_text()) for p in sorted((folder / "trials").glob("*.json"))]
 
     def run(self, *arguments):
@@ -90,8 +96,8 @@ class Runner:
 
     def draw_environments(self):
         if not (self.out / RANDOM).exists():
-            self.run("environment", "--random", "--count", 100, "--seed", 90_100, "--model",
-                     self.model, "--out", self.out / RANDOM)
+            self.run("environment", "--random", "--count", 100, "--seed", self.seed, "--model",
+                     self.model, *self.valves, "--out", self.out / RANDOM)
 
     def empty_environments(self):
         folder = self.out / EMPTY
@@ -198,14 +204,42 @@ def executed(trials):
     return "\n".join(lines)
 
 
+def predicted(name, trials):
+    """Tip as planned against tip as executed: in motion, the largest, and at the end."""
+    runs = [t["execution"]["prediction_error_cm"] for t in trials
+            if t["model"] == "network" and t["execution"]]
+    if not runs:
+        return f"| {name} | 0 | | | |"
+    return (f"| {name} | {len(runs)} | {statistics.mean(r['before_hold'] for r in runs):.2f} "
+            f"| {statistics.mean(r['largest'] for r in runs):.2f} "
+            f"| {statistics.median(r['final'] for r in runs):.2f} cm |")
+
+
+def arrivals(name, trials):
+    runs = [t["execution"] for t in trials if t["model"] == "network" and t["execution"]]
+    arrived = sum(r["goal_reached"] and not r["collided"] for r in runs)
+    return (f"| {name} | {len(trials)} | {len(runs)} | {arrived} "
+            f"| {sum(r['collided'] for r in runs)} |")
+
+
+def seed_of_commit():
+    """The first 32 bits of the commit's hash."""
+    commit = subprocess.run(["git", "rev-parse", "HEAD"], cwd=OWN, capture_output=True, text=True,
+                            check=False).stdout
+    return int(commit[:8], 16) if commit else 1
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--limber", default="build/release/bin/limber")
     parser.add_argument("--model")
     parser.add_argument("--out", default="out/planning")
     parser.add_argument("--rows", nargs="*", choices=[*ROWS, *OMPL])
+    parser.add_argument("--valves", help="valve model, where the model itself knows none")
+    parser.add_argument("--seed", type=int, help="default: the commit's hash")
     parser.add_argument("--print", action="store_true", help="only what is there already")
     options = parser.parse_args()
+    options.seed = seed_of_commit() if options.seed is None else options.seed
     if not options.model and not options.print:
         parser.error("--model is required")
     runner = Runner(options)
@@ -222,6 +256,14 @@ def main():
             print(line(name, found), flush=True)
     if not options.rows or set(options.rows) & set(OMPL):
         runner.compare_ompl(options.rows)
+    moved = [name for name in ("executed", "no_valves") if name in rows]
+    if moved:
+        print(f"\nseed {options.seed}\n\n| tip, predicted against executed | runs | mean before the hold "
+              "| largest, mean over runs | end, median |\n|---|---|---|---|---|")
+        print("\n".join(predicted(name, rows[name]) for name in moved))
+        print("\n| | trials | executed | arrived, not collided | collided |\n|---|---|---|---|---|")
+        print("\n".join(arrivals(name, [t for t in rows[name] if t["model"] == "network"])
+                        for name in moved))
     if "executed" in rows:
         print(executed(rows["executed"]))
     if "paper" in rows and "both_cores" in rows:

@@ -53,6 +53,7 @@ Json execution_to_json(const ExecutionResult& result, const Environment& environ
   json["prediction_error_cm"] = nullptr;
   if (result.prediction) {
     json["prediction_error_cm"] = {{"mean", kCmPerM * result.prediction->mean_m},
+                                   {"before_hold", kCmPerM * result.prediction->before_hold_m},
                                    {"largest", kCmPerM * result.prediction->largest_m},
                                    {"final", kCmPerM * result.prediction->final_m}};
   }

@@ -56,7 +56,7 @@ class Execution {
       measured_ = driver_.state().backbone.has_value();
       for (std::size_t k = 1; k < plan_.frames.size(); ++k) {
         command(plan_.frames[k].setpoint_kpa);
-        compare_with_prediction(plan_.frames[k].backbone);
+        compare_with_prediction(k);
         count_motion(plan_.frames[k].setpoint_kpa);
       }
       // A plan's own hold counts: planner and executor judge the goal at the same moment.
@@ -135,15 +135,18 @@ class Execution {
     }
   }
 
-  void compare_with_prediction(const Backbone& predicted) {
+  void compare_with_prediction(std::size_t frame) {
     if (!seen_ || seen_frame_ != result_.frames) {
       return;
     }
-    const double distance_m = tip_distance_m(predicted, *seen_);
+    const double distance_m = tip_distance_m(plan_.frames[frame].backbone, *seen_);
     prediction_.largest_m = std::max(prediction_.largest_m, distance_m);
     prediction_.final_m = distance_m;
     prediction_sum_m_ += distance_m;
     ++prediction_count_;
+    if (static_cast<int>(frame) < plan_.frame_count() - plan_.hold_frame_count) {
+      prediction_.before_hold_m = prediction_sum_m_ / prediction_count_;
+    }
   }
 
   /// A motion ends where its edge of the plan does.

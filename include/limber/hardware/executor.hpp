@@ -33,6 +33,7 @@ struct ExecutionSettings {
 /// Distance between predicted and executed tip over the plan's frames.
 struct PredictionError {
   double mean_m = 0.0;
+  double before_hold_m = 0.0;  ///< mean over the frames before the plan's hold: while it moves
   double largest_m = 0.0;
   double final_m = 0.0;  ///< at the plan's last frame
 };
