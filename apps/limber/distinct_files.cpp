@@ -18,8 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Every option by which a verb names a file or folder to write …
-constexpr std::array kOutputs = {"--out",  "--svg",  "--plot",   "--plots",     "--tables",
-                                 "--onnx", "--mjcf", "--motive", "--animation", "--forest"};
+constexpr std::array kOutputs = {"--out",       "--svg",    "--plot",         "--plots",
+                                 "--tables",    "--onnx",   "--mjcf",         "--motive",
+                                 "--animation", "--forest", "--pressures-svg"};
 // … and the verbs that write one which others read.
 constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
 // Fills in the arm file that it reads, where --force says so.

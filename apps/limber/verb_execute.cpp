@@ -3,6 +3,7 @@
 #include "limber/hardware/execution_picture.hpp"
 #include "limber/hardware/execution_report.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "limber/planning/plan_picture.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -30,6 +31,8 @@ class ExecuteVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--out", out_, "Recording of the run to write");
     app.add_option("--svg", svg_, "Picture of the run to write, beside the prediction");
+    app.add_option("--pressures-svg", pressures_svg_,
+                   "Set points, predicted and measured pressures over time");
     app.add_option("--animation", animation_, "The same as a page (HTML) in which the arm moves");
   }
 
@@ -41,7 +44,7 @@ class ExecuteVerb final : public Verb {
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
-    for (const std::string& file : {out_, svg_, animation_}) {
+    for (const std::string& file : {out_, svg_, pressures_svg_, animation_}) {
       if (!file.empty()) {
         refuse_to_overwrite(file, flags.force);
       }
@@ -51,6 +54,9 @@ class ExecuteVerb final : public Verb {
     write_run(arm, plan, result);
     if (!svg_.empty()) {
       write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
+    }
+    if (!pressures_svg_.empty()) {
+      write_file_atomically(pressures_svg_, pressure_picture(arm, plan, measured_in(result)));
     }
     if (!animation_.empty()) {
       write_file_atomically(animation_, execution_animation(arm, environment, plan, result));
@@ -68,6 +74,14 @@ class ExecuteVerb final : public Verb {
   }
 
  private:
+  static std::vector<Pressures> measured_in(const ExecutionResult& result) {
+    std::vector<Pressures> rows;
+    for (int t = 0; t < result.episode.frame_count(); ++t) {
+      rows.emplace_back(result.episode.pressure_kpa.row(t).transpose());
+    }
+    return rows;
+  }
+
   void write_run(const ArmDescription& arm, const Plan& plan, const ExecutionResult& result) const {
     if (out_.empty() || result.episode.frame_count() == 0) {
       return;
@@ -86,6 +100,7 @@ class ExecuteVerb final : public Verb {
   std::string driver_ = "virtual";
   std::string out_;
   std::string svg_;
+  std::string pressures_svg_;
   std::string animation_;
   ExecutionSettings settings_;
 };

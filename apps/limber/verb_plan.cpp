@@ -112,6 +112,8 @@ class PlanVerb final : public Verb {
     app.add_option("--out", out_, "Write the plan here (JSON); not written without a solution");
     app.add_option("--csv", csv_, "Write its set points here, for a valve controller");
     app.add_option("--svg", svg_, "Draw arm, plan, tree and obstacles here");
+    app.add_option("--pressures-svg", pressures_svg_,
+                   "Draw its set points and the pressures predicted from them over time here");
     app.add_option("--animation", animation_, "Write a page (HTML) here in which the arm moves");
   }
 
@@ -124,7 +126,7 @@ class PlanVerb final : public Verb {
       return build_forest_alone(arm, model, flags);
     }
     const Environment environment = load_environment(find_environment_file(environment_), arm);
-    for (const std::string& path : {out_, csv_, svg_, animation_}) {
+    for (const std::string& path : {out_, csv_, svg_, pressures_svg_, animation_}) {
       if (!path.empty()) {
         refuse_to_overwrite(path, flags.force);
       }
@@ -194,6 +196,9 @@ class PlanVerb final : public Verb {
     if (!svg_.empty()) {
       write_file_atomically(svg_, plan_picture(arm, environment, result));
     }
+    if (result.plan && !pressures_svg_.empty()) {
+      write_file_atomically(pressures_svg_, pressure_picture(arm, *result.plan));
+    }
     if (result.plan && !animation_.empty()) {
       write_file_atomically(animation_, plan_animation(arm, environment, *result.plan));
     }
@@ -209,6 +214,7 @@ class PlanVerb final : public Verb {
   std::string out_;
   std::string csv_;
   std::string svg_;
+  std::string pressures_svg_;
   std::string animation_;
 };
 

@@ -111,14 +111,17 @@ std::string execution_animation(const ArmDescription& arm, const Environment& en
     setpoints.push_back(frame.setpoint_kpa);
   }
   AnimationTrack executed{"as it moved", palette_color(kTrueArmColor), {}};
+  std::vector<Pressures> measured;
   for (int t = 0; t < result.episode.frame_count(); ++t) {
     executed.shapes.push_back(recorded_backbone(result.episode, t));
+    measured.emplace_back(result.episode.pressure_kpa.row(t).transpose());
   }
   std::vector<AnimationTrack> tracks{std::move(predicted)};
   if (!executed.shapes.empty()) {
     tracks.push_back(std::move(executed));
   }
-  return animation_page(arm, environment, title_of(environment, result), tracks, setpoints);
+  return animation_page(arm, environment, title_of(environment, result), tracks, setpoints,
+                        measured);
 }
 
 }  // namespace limber

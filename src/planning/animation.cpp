@@ -51,6 +51,14 @@ Json track_to_json(const AnimationTrack& track) {
   return {{"label", track.label}, {"color", track.color}, {"shapes", shapes}};
 }
 
+Json rows_to_json(const std::vector<Pressures>& rows) {
+  Json json = Json::array();
+  for (const Pressures& row : rows) {
+    json.push_back(std::vector<float>(row.begin(), row.end()));
+  }
+  return json;
+}
+
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos;
        at = text.find(from, at + to.size())) {
@@ -62,7 +70,8 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 
 std::string animation_page(const ArmDescription& arm, const Environment& environment,
                            const std::string& title, const std::vector<AnimationTrack>& tracks,
-                           const std::vector<Pressures>& setpoints_kpa) {
+                           const std::vector<Pressures>& setpoints_kpa,
+                           const std::vector<Pressures>& pressures_kpa) {
   const WorldBox box = picture_box(arm, environment);
   const PoseGoal& goal = environment.goal;
   Json data;
@@ -89,10 +98,9 @@ std::string animation_page(const ArmDescription& arm, const Environment& environ
   for (const AnimationTrack& track : tracks) {
     data["tracks"].push_back(track_to_json(track));
   }
-  data["setpoints_kpa"] = Json::array();
-  for (const Pressures& kpa : setpoints_kpa) {
-    data["setpoints_kpa"].push_back(std::vector<float>(kpa.begin(), kpa.end()));
-  }
+  data["setpoints_kpa"] = rows_to_json(setpoints_kpa);
+  data["pressures_kpa"] = rows_to_json(pressures_kpa);
+  data["unit"] = arm.command.unit;
   std::string json = data.dump();
   replace_all(json, "<", "\\u003c");  // nothing in the data may end the script element
   std::string page = kAnimationPage;
@@ -107,15 +115,17 @@ std::string plan_animation(const ArmDescription& arm, const Environment& environ
                        palette_color(plan.model == "network" ? kNetworkColor : kNoLoadColor),
                        {}};
   std::vector<Pressures> setpoints;
+  std::vector<Pressures> pressures;
   for (const PlanFrame& frame : plan.frames) {
     track.shapes.push_back(frame.backbone);
     setpoints.push_back(frame.setpoint_kpa);
+    pressures.push_back(frame.pressure_kpa);
   }
   return animation_page(
       arm, environment,
       fmt::format("{}: {} model, {:.1f} psi", environment.name,
                   plan.model == "network" ? "network" : "no-load", plan.cost_kpa / kKpaPerPsi),
-      {track}, setpoints);
+      {track}, setpoints, pressures);
 }
 
 }  // namespace limber

@@ -15,7 +15,7 @@ inline constexpr const char* kAnimationPage = R"html(<!DOCTYPE html>
   canvas { border: 1px solid #ccc; background: #fff; }
   .row { display: flex; gap: .8em; align-items: center; margin: .5em 0; flex-wrap: wrap; }
   input[type=range] { flex: 1; min-width: 12em; }
-  #setpoints { font-variant-numeric: tabular-nums; }
+  #setpoints { font-variant-numeric: tabular-nums; white-space: pre-wrap; }
   .key { display: inline-block; width: .9em; height: .9em; border-radius: .2em; }
 </style>
 </head>
@@ -116,6 +116,11 @@ function drawTrack(track, k) {
   paper.fillStyle = "#222";
   for (const [px, py] of shape) { disc(px, py, 0.003); paper.fill(); }
 }
+function row(name, rows, k) {
+  const numbers = rows[Math.min(k, rows.length - 1)];
+  return numbers
+      ? name + " [" + data.unit + "]: " + numbers.map((p) => p.toFixed(1)).join("  ") + "   " : "";
+}
 function draw() {
   const k = Math.round(at);
   drawWorld();
@@ -123,9 +128,8 @@ function draw() {
   slider.value = k;
   document.getElementById("clock").textContent =
       (k / data.rate_hz).toFixed(2) + " s of " + ((frames - 1) / data.rate_hz).toFixed(2);
-  const kpa = data.setpoints_kpa[Math.min(k, data.setpoints_kpa.length - 1)];
-  document.getElementById("setpoints").textContent = kpa
-      ? "set points [kPa]: " + kpa.map((p) => p.toFixed(1)).join("  ") : "";
+  document.getElementById("setpoints").textContent =
+      row("set points", data.setpoints_kpa, k) + row("pressures", data.pressures_kpa, k);
 }
 function tick(now) {
   if (playing && before !== null) {

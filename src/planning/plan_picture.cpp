@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "limber/common/units.hpp"
 #include "limber/planning/obstacle_shape.hpp"
+#include "limber/plot/chart.hpp"
 #include "limber/plot/palette.hpp"
 
 namespace limber {
@@ -145,6 +147,41 @@ void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan)
     draw_arm(drawing, arm, plan.frames[static_cast<std::size_t>(frame)].backbone, style);
   }
   draw_tip_path(drawing, plan, {.stroke = "#222222", .width_px = 1.5});
+}
+
+std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
+                             const std::vector<Pressures>& measured_kpa) {
+  std::vector<double> time_s;
+  for (int k = 0; k < plan.frame_count(); ++k) {
+    time_s.push_back(k * arm.frame_period_s());
+  }
+  Chart chart("Set points and pressures");
+  chart.x_axis("time [s]").y_axis(fmt::format("{} [{}]", arm.command.name, arm.command.unit));
+  for (Eigen::Index i = 0; i < arm.segment_count(); ++i) {
+    const auto along = [&](auto&& rows, auto&& number) {
+      std::vector<double> values;
+      for (std::size_t k = 0; k < std::min(rows.size(), time_s.size()); ++k) {
+        values.push_back(double(number(rows[k])));
+      }
+      return values;
+    };
+    const SeriesStyle style{.color = palette_color(static_cast<int>(i) + 3)};
+    SeriesStyle faint = style;
+    faint.dashed = true;
+    faint.width_px = 1.0;
+    chart.line(fmt::format("segment {}: set point", i), time_s,
+               along(plan.frames, [i](const PlanFrame& f) { return f.setpoint_kpa[i]; }), faint);
+    chart.line(fmt::format("segment {}: predicted", i), time_s,
+               along(plan.frames, [i](const PlanFrame& f) { return f.pressure_kpa[i]; }), style);
+    if (!measured_kpa.empty()) {
+      std::vector<double> measured =
+          along(measured_kpa, [i](const Pressures& row) { return row[i]; });
+      measured.resize(time_s.size(), std::numeric_limits<double>::quiet_NaN());
+      chart.points(fmt::format("segment {}: measured", i), time_s, std::move(measured),
+                   {.color = style.color, .radius_px = 2.0});
+    }
+  }
+  return chart.svg();
 }
 
 std::string environment_picture(const ArmDescription& arm, const Environment& environment) {

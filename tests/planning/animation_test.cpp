@@ -31,7 +31,7 @@ TEST(Animation, HoldsEveryFrameOfEveryArmWithItsObstaclesAndGoal) {
     track.shapes.push_back(no_load_backbone(model, setpoints.back()));
   }
   const nlohmann::json data =
-      data_of(animation_page(arm, environment, "t", {track, track}, setpoints));
+      data_of(animation_page(arm, environment, "t", {track, track}, setpoints, {setpoints[1]}));
   ASSERT_EQ(data["tracks"].size(), 2U);
   ASSERT_EQ(data["tracks"][1]["shapes"].size(), 4U);
   constexpr double kRoundedM = 0.51e-4;
@@ -48,13 +48,15 @@ TEST(Animation, HoldsEveryFrameOfEveryArmWithItsObstaclesAndGoal) {
   EXPECT_EQ(data["obstacles"][1]["points"].size(), 4U);
   EXPECT_EQ(data["goal"]["theta"], 1.2);
   EXPECT_EQ(data["setpoints_kpa"].size(), 4U);
+  ASSERT_EQ(data["pressures_kpa"].size(), 1U);
+  EXPECT_EQ(data["pressures_kpa"][0][2], setpoints[1][2]);
 }
 
 TEST(Animation, NamesCannotEndTheScriptAndNothingIsLoadedFromElsewhere) {
   const ArmDescription arm = three_segment_arm();
   Environment environment;
   AnimationTrack track{"</script><b>", "#123456", {start_state(environment, arm).backbone}};
-  const std::string page = animation_page(arm, environment, "<i>&", {track}, {});
+  const std::string page = animation_page(arm, environment, "<i>&", {track}, {}, {});
   EXPECT_THAT(page, Not(HasSubstr("</script><b>")));
   EXPECT_THAT(page, HasSubstr("<title>&lt;i&gt;&amp;</title>"));
   EXPECT_EQ(data_of(page)["tracks"][0]["label"], "</script><b>");

@@ -47,6 +47,21 @@ TEST(PlanPicture, NeverShowsANearMissAsAPlan) {
                     Not(HasSubstr("the plan's last shape"))));
 }
 
+TEST(PressurePicture, HasALineForEachSetPointAndPredictionAndPointsForWhatWasMeasured) {
+  const ArmDescription arm = three_segment_arm();
+  Plan plan;
+  const Backbone shape(arm.point_count(), 3);
+  for (int k = 0; k < 4; ++k) {
+    plan.frames.push_back(
+        {Pressures::Constant(3, 5.0F * float(k)), Pressures::Constant(3, 4.0F * float(k)), shape});
+  }
+  const std::string predicted = pressure_picture(arm, plan);
+  EXPECT_THAT(predicted, AllOf(HasSubstr("segment 0: set point"), HasSubstr("segment 2: predicted"),
+                               HasSubstr("pressure [kPa]"), Not(HasSubstr("measured"))));
+  EXPECT_THAT(pressure_picture(arm, plan, {Pressures::Zero(3), Pressures::Ones(3)}),
+              HasSubstr("segment 1: measured"));
+}
+
 TEST(PlanPicture, BoxHoldsTheGoalAndTheObstaclesInReach) {
   const ArmDescription arm = three_segment_arm();
   Environment e = one_of_each();

@@ -17,11 +17,13 @@ struct AnimationTrack {
 };
 
 /// One self-contained HTML page, nothing loaded from elsewhere, in which arms move through an
-/// environment: play, pause, speed, a slider over time, and the set points of each frame.
-/// @param setpoints_kpa  one a frame, shown as bars; may be shorter than the tracks
+/// environment: play, pause, speed, a slider over time, and set points and pressures of each frame.
+/// @param setpoints_kpa  one a frame; may be shorter than the tracks
+/// @param pressures_kpa  the same: as predicted, or as measured
 std::string animation_page(const ArmDescription& arm, const Environment& environment,
                            const std::string& title, const std::vector<AnimationTrack>& tracks,
-                           const std::vector<Pressures>& setpoints_kpa);
+                           const std::vector<Pressures>& setpoints_kpa,
+                           const std::vector<Pressures>& pressures_kpa);
 
 /// A plan as its model predicts it.
 std::string plan_animation(const ArmDescription& arm, const Environment& environment,

@@ -34,4 +34,10 @@ std::string environment_picture(const ArmDescription& arm, const Environment& en
 std::string plan_picture(const ArmDescription& arm, const Environment& environment,
                          const PlanResult& result);
 
+/// Set points, the pressures predicted from them and, where given, the measured ones over time, one
+/// chart for all segments, as an SVG file's text.
+/// @param measured_kpa  one row a frame, the plan's frames first; may be empty
+std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
+                             const std::vector<Pressures>& measured_kpa = {});
+
 }  // namespace limber
