@@ -50,7 +50,8 @@ std::string host() {
 
 /// When a process began, in the kernel's ticks since boot; none where that can't be read.
 std::optional<std::string> start_of(const std::string& process) {
-  constexpr int kFieldsBefore = 20;  // proc(5): the start is field 22; the name, field 2, ends at ')'
+  constexpr int kFieldsBefore =
+      20;  // proc(5): the start is field 22; the name, field 2, ends at ')'
   std::string text;
   try {
     text = read_file(fmt::format("/proc/{}/stat", process));
@@ -90,7 +91,8 @@ bool is_abandoned(const std::string& name, const std::string& own_host) {
   }
   const std::string process = whole.substr(process_at + 1);  // PID-START-N
   const std::size_t start_at = process.find('-');
-  const std::size_t count_at = start_at == process.npos ? start_at : process.find('-', start_at + 1);
+  const std::size_t count_at =
+      start_at == process.npos ? start_at : process.find('-', start_at + 1);
   if (count_at == process.npos) {
     return false;
   }

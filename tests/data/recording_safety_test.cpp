@@ -21,7 +21,8 @@ using ::testing::ThrowsMessage;
 // HDF5 reads as many texts as an attribute holds, whatever there is room for.
 TEST_F(RecordingFile, RefusesTextsThatAreNotASingleOne) {
   const H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
-  for (const char* name : {"schema", "arm_name", "arm_hash", "source", "settings", "program_version"}) {
+  for (const char* name :
+       {"schema", "arm_name", "arm_hash", "source", "settings", "program_version"}) {
     write_recording(path_, test_recording());
     expect_refusal(
         [&](H5::H5File& f) {

@@ -11,7 +11,8 @@
 
 namespace limber {
 
-/// Whether another path, or other rights, would have helped: the caller's affair, not the machine's.
+/// Whether another path, or other rights, would have helped: the caller's affair, not the
+/// machine's.
 inline bool is_callers_mistake(int error) {
   switch (error) {
     case ENOENT:
