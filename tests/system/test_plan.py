@@ -55,7 +55,7 @@ class Plan(InFolder):
         other = self.run_limber("plan", "--arm", "three_segment", "--no-load", *forest,
                                 "--build-forest")
         self.assertIn("growing it anew", other.stderr)
-        self.assertIn("grown for another arm, model or start; growing it anew",
+        self.assertIn("grown for another arm, model, valves or start; growing it anew",
                       said("--environment", rest))
 
     def test_a_forest_of_another_form_is_grown_anew_where_asked_for(self):
@@ -97,7 +97,7 @@ class Plan(InFolder):
         self.assertAlmostEqual(cost, found["cost_kpa"], delta=1e-3 * cost)
         self.assertIn("<svg", (self.folder / "p.svg").read_text(encoding="utf-8"))
         rows = (self.folder / "p.csv").read_text(encoding="utf-8").splitlines()
-        self.assertEqual(rows[0], "time_s,setpoint_1_kpa,setpoint_2_kpa")
+        self.assertEqual(rows[0], "time_s,setpoint_1_kpa,setpoint_2_kpa,pressure_1_kpa,pressure_2_kpa")
 
     def test_the_same_seed_gives_the_same_plan(self):
         for name, jobs in (("one.json", 1), ("two.json", 2)):
