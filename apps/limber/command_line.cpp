@@ -5,13 +5,16 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <vector>
 
 #include "distinct_files.hpp"
 #include "limber/common/file_error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/printable.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
+#include "numeric_flags.hpp"
 #include "verb.hpp"
 #include "verbs.hpp"
 
@@ -32,8 +35,18 @@ void add_common_flags(CLI::App& app, CommonFlags& flags) {
 }
 
 int report(int code, const std::string& message) {
-  print_to_stderr(fmt::format("error: {}\n", message));
+  print_error(message);
   return code;
+}
+
+/// What CLI11 has to say: help and version as they are, complaints made printable.
+int report(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out;
+  std::ostringstream complaint;
+  const int code = app.exit(error, out, complaint);
+  fmt::print("{}", out.str());
+  print_to_stderr(printable(complaint.str()));
+  return code == 0 ? kExitDone : kExitBadInput;
 }
 
 /// Names end up in JSON, HDF5 and messages, which are UTF-8.
@@ -92,12 +105,12 @@ int run_command_line(int argc, char** argv) {
     command->footer(std::string("Example:\n  ") + verb->example());
     add_common_flags(*command, flags);
     verb->add_flags(*command);
+    require_plain_numbers(*command);
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error, std::cout, std::cerr);
-    return code == 0 ? kExitDone : kExitBadInput;
+    return report(app, error);
   }
   install_interrupt_handler();
   for (const std::unique_ptr<Verb>& verb : verbs) {
@@ -108,13 +121,17 @@ int run_command_line(int argc, char** argv) {
   return kExitBadInput;
 }
 
+void print_error(const std::string& message) {
+  print_to_stderr(fmt::format("error: {}\n", printable(message)));
+}
+
 void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
                   const std::string& text) {
   if (flags.json) {
-    fmt::print("{}\n",
-               result.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  } else if (!flags.quiet) {
-    fmt::print("{}\n", text);
+    fmt::print("{}\n", printable_json(result.dump(
+                           2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
+  } else if (!flags.quiet && !text.empty()) {
+    fmt::print("{}\n", printable(text));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/experiment/output_folder.hpp"
 
 namespace limber {
 
@@ -25,6 +26,9 @@ constexpr std::array kOutputs = {"--out",       "--svg",    "--plot",         "-
 constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
 // Fills in the arm file that it reads, where --force says so.
 constexpr std::string_view kRewriter = "characterize";
+
+// Verbs that fill a folder with results, and remove the last run's.
+constexpr std::array<std::string_view, 2> kFillers = {"demo", "experiment"};
 
 struct NamedPath {
   std::string option;
@@ -48,9 +52,34 @@ bool same_file(const fs::path& a, const fs::path& b) {
   return !whole_a.empty() && whole_a == whole_b;
 }
 
+/// As given, or by default.
+fs::path folder_for_results(const CLI::Option& out) {
+  std::string name = out.results().empty() ? out.get_default_str() : out.results().front();
+  std::erase(name, '"');
+  return name;
+}
+
+/// What lies in the folder for results would be taken for one of them, or be in their way.
+void require_outside_of_results(const CLI::App& command, const fs::path& folder) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      std::error_code error;
+      if (!value.empty() && !option->check_name("--out") &&
+          fs::exists(fs::symlink_status(value, error)) && lies_in(value, folder)) {
+        throw InputError(fmt::format(
+            "{} {} lies in {}, the folder for results; choose another folder with --out",
+            option->get_name(), value, folder.string()));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void require_distinct_files(const CLI::App& command) {
+  if (std::ranges::find(kFillers, command.get_name()) != kFillers.end()) {
+    require_outside_of_results(command, folder_for_results(*command.get_option("--out")));
+  }
   std::vector<NamedPath> inputs;
   std::vector<NamedPath> outputs;
   for (const CLI::Option* option : command.get_options()) {

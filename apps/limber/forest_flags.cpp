@@ -48,6 +48,11 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
   } else if (std::filesystem::exists(path, error)) {
     Forest stored = read_forest(path);
     if (stored.key == key) {
+      try {
+        require_forest_of(stored, arm, model.valves().parameters(), start);
+      } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", path, error.what()));
+      }
       return stored;
     }
     say(flags, "{}: grown for another arm, model, valves or start; growing it anew", path);

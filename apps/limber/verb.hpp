@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "limber/common/printable.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/common/standard_streams.hpp"
 
@@ -45,11 +46,15 @@ template <class... Arguments>
 void say(const CommonFlags& flags, fmt::format_string<Arguments...> format,
          Arguments&&... arguments) {
   if (!flags.quiet) {
-    print_to_stderr(fmt::format(format, std::forward<Arguments>(arguments)...) + "\n");
+    print_to_stderr(printable(fmt::format(format, std::forward<Arguments>(arguments)...)) + "\n");
   }
 }
 
-/// The verb's result on standard output: the JSON object with --json, otherwise `text`.
+/// Why a verb ends with another code than 0, on standard error, quiet or not.
+void print_error(const std::string& message);
+
+/// The verb's result on standard output: the JSON object with --json, otherwise `text` where there
+/// is any.
 void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
                   const std::string& text);
 

@@ -100,8 +100,11 @@ class EnvironmentVerb final : public Verb {
     if (!svg_.empty()) {
       write_file_atomically(svg_, environment_picture(arm, environment));
     }
-    print_result(flags, json, text);
-    return check.refusal ? kExitNoSolution : kExitDone;
+    print_result(flags, json, check.refusal ? "" : text);
+    if (check.refusal) {
+      print_error(text);
+    }
+    return check.refusal ? kExitBadInput : kExitDone;  // as `limber plan` would
   }
 
   int run_random(const ArmDescription& arm, const MotionModel& model, const CommonFlags& flags) {

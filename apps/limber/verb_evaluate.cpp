@@ -1,5 +1,6 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
 #include "limber/training/ensemble_evaluation.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/evaluation_plots.hpp"
@@ -40,13 +41,14 @@ class EvaluateVerb final : public Verb {
     if (!model_.empty()) {
       network.emplace(arm, read_model(model_));
     }
+    const std::string data_hash = content_hash(read_file(data_));  // says why it can't be read
     const Recording recording = read_recording(data_);
     require_recording_of(recording, arm, data_);
-    if (network && was_trained_on(network->compensation())) {
+    if (network && was_trained_on(network->compensation(), data_hash)) {
       say(flags, "warning: the model was trained on {}; its errors there say nothing", data_);
     }
     const ForwardModel* compared = network ? &*network : nullptr;
-    const Evaluation evaluation = evaluate(no_load, compared, recording.episodes, flags.jobs);
+    const Evaluation evaluation = compare(no_load, compared, recording, flags.jobs);
     if (!plots_.empty()) {
       const EvaluationPlots plots =
           plot_evaluation(no_load, compared, recording.episodes, flags.jobs);
@@ -69,10 +71,20 @@ class EvaluateVerb final : public Verb {
 
  private:
   /// The record of a model's training names each data file with its hash.
-  bool was_trained_on(const CompensationModel& model) const {
+  static bool was_trained_on(const CompensationModel& model, const std::string& data_hash) {
     const auto found = model.training.find("data");
-    return found != model.training.end() &&
-           found->second.find(content_hash(read_file(data_))) != std::string::npos;
+    return found != model.training.end() && found->second.find(data_hash) != std::string::npos;
+  }
+
+  /// @throws InputError that names both files where the prediction runs off to infinity.
+  Evaluation compare(const ForwardModel& no_load, const ForwardModel* network,
+                     const Recording& recording, int jobs) const {
+    try {
+      return evaluate(no_load, network, recording.episodes, jobs);
+    } catch (const InputError& error) {
+      throw InputError(
+          fmt::format("{}{}{}: {}", data_, model_.empty() ? "" : " with ", model_, error.what()));
+    }
   }
 
   std::string arm_ = "three_segment";

@@ -9,6 +9,9 @@ namespace limber {
 
 namespace {
 
+// Clocks that count from 1970 and from the start of a log are 2e9 s apart.
+constexpr double kMostOffsetS = 1e10;
+
 class ImportVerb final : public Verb {
  public:
   const char* name() const override { return "import"; }
@@ -35,7 +38,8 @@ class ImportVerb final : public Verb {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
     app.add_option("--time-offset-s", time_offset_s_,
-                   "What to add to the pressure log's times; without it, found by correlation");
+                   "What to add to the pressure log's times; without it, found by correlation")
+        ->check(CLI::Range(-kMostOffsetS, kMostOffsetS));
     app.add_option("--out", out_, "Recording to write");
     app.add_flag("--dry-run", dry_run_, "Report what would be dropped and changed; write nothing");
   }

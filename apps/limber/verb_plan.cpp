@@ -140,10 +140,13 @@ class PlanVerb final : public Verb {
     print_result(flags,
                  plan_result_to_json(result, environment.goal, planner_, model_name, flags.seed),
                  result.plan ? plan_result_to_text(result, arm.command) : "");
-    if (!result.plan) {
+    const int code = exit_code(result.status);
+    if (code == kExitBadInput) {
+      print_error(plan_result_to_text(result, arm.command));
+    } else if (!result.plan) {
       say(flags, "{}", plan_result_to_text(result, arm.command));
     }
-    return exit_code(result.status);
+    return code;
   }
 
  private:
@@ -193,7 +196,9 @@ class PlanVerb final : public Verb {
     if (result.plan && !csv_.empty()) {
       write_setpoints_csv(csv_, *result.plan);
     }
-    if (!svg_.empty()) {
+    // Of a problem that can't be planned in there is nothing to draw: `environment check --svg`
+    // does.
+    if (!svg_.empty() && exit_code(result.status) != kExitBadInput) {
       write_file_atomically(svg_, plan_picture(arm, environment, result));
     }
     if (result.plan && !pressures_svg_.empty()) {

@@ -111,13 +111,17 @@ class TrainVerb final : public Verb {
     TrainingResult result =
         start ? fine_tune(arm, data, settings, *start) : train(arm, data, settings);
     if (result.status == TrainingStatus::diverged) {
-      print_to_stderr(fmt::format("error: {}\n", result.message));
+      print_error(result.message);
+      remove_checkpoint();  // --resume would end here again
     }
     if (result.best_epoch == 0) {
       const std::string why = "no epoch was validated before training ended; no model was written";
-      const char* status =
-          result.status == TrainingStatus::interrupted ? "interrupted" : "diverged";
-      print_result(flags, {{"status", status}, {"message", why}}, why);
+      const bool interrupted = result.status == TrainingStatus::interrupted;
+      print_error(why);
+      print_result(flags,
+                   {{"status", interrupted ? "interrupted" : "diverged"},
+                    {"message", interrupted ? why : result.message}},
+                   "");
       return kExitNoSolution;
     }
     result.model.training["data"] = sources;
@@ -131,8 +135,7 @@ class TrainVerb final : public Verb {
                                flags.jobs);
     }
     if (result.status == TrainingStatus::finished) {
-      std::error_code ignored;  // a checkpoint that stays behind harms nobody
-      fs::remove(checkpoint_path(), ignored);
+      remove_checkpoint();
     }
     report(flags, result, changes);
     if (result.status == TrainingStatus::interrupted) {
@@ -221,6 +224,11 @@ class TrainVerb final : public Verb {
     Recording recording = read_recording(validation_);
     require_recording_of(recording, arm, validation_);
     return {std::move(episodes), std::move(recording.episodes)};
+  }
+
+  void remove_checkpoint() const {
+    std::error_code ignored;  // a checkpoint that stays behind harms nobody
+    fs::remove(checkpoint_path(), ignored);
   }
 
   fs::path checkpoint_path() const { return out_ + ".checkpoint"; }

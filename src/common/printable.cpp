@@ -31,10 +31,10 @@ bool is_control(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0);
 }
 
-/// Unicode's embeddings, overrides and isolates, and its two direction marks.
-bool turns_direction(std::uint32_t code) {
+/// Unicode's embeddings, overrides, isolates and marks of direction; and what is no character.
+bool is_misleading(std::uint32_t code) {
   return (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) ||
-         code == 0x200E || code == 0x200F;
+         code == 0x200E || code == 0x200F || code == 0xFFFE || code == 0xFFFF;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ std::string printable(std::string_view text) {
       continue;
     }
     const auto [code, length] = first_character(text);
-    if (turns_direction(code)) {
+    if (is_misleading(code)) {
       shown += fmt::format("\\u{:04x}", code);
     } else if (is_control(code) && code != '\n' && code != '\t') {
       shown += fmt::format("\\x{:02x}", code);
@@ -67,7 +67,7 @@ std::string printable_json(std::string_view json) {
   shown.reserve(json.size());
   while (!json.empty()) {
     const auto [code, length] = first_character(json);
-    if (turns_direction(code) || (code >= 0x7F && code < 0xA0)) {
+    if (is_misleading(code) || (code >= 0x7F && code < 0xA0)) {
       shown += fmt::format("\\u{:04x}", code);
     } else {
       shown += json.substr(0, length);

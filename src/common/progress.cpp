@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/printable.hpp"
 #include "limber/common/standard_streams.hpp"
 
 namespace limber {
@@ -78,7 +79,7 @@ void Progress::print(bool last) {
   const double rate = elapsed_s > 0.0 ? static_cast<double>(done_) / elapsed_s : 0.0;
 
   std::string line = terminal_ ? "\r" : "";
-  line += task_;
+  line += printable(task_);
   if (total_ > 0) {
     const double fraction = std::min(1.0, static_cast<double>(done_) / static_cast<double>(total_));
     line += terminal_ ? fmt::format(" [{}]", bar(fraction)) : std::string();
@@ -92,7 +93,7 @@ void Progress::print(bool last) {
   } else if (total_ > done_ && rate > 0.0) {
     line += fmt::format(", {} left", format_duration(static_cast<double>(total_ - done_) / rate));
   }
-  line += note_.empty() ? std::string() : ", " + note_;
+  line += note_.empty() ? std::string() : ", " + printable(note_);
   line += terminal_ ? (last ? "\x1b[K\n" : "\x1b[K") : "\n";
   print_to_stderr(line);
 }

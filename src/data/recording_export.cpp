@@ -216,19 +216,27 @@ std::string pressure_log(const Recording& recording, const Episode& episode, dou
 }
 
 void require_valid(const Recording& recording, const LogExportSettings& settings) {
-  const auto require = [](bool holds, const char* name, double value, const char* allowed) {
+  const auto require = [](bool holds, const char* name, double value, const std::string& allowed) {
     if (!holds) {
       throw InputError(fmt::format("{} {}; expected {}", name, value, allowed));
     }
   };
-  require(settings.rate_hz == 0.0 || settings.rate_hz >= recording.rate_hz, "rate_hz",
-          settings.rate_hz, "at least the recording's rate");
+  const double most_hz = std::max(LogExportSettings::kMostRateHz, recording.rate_hz);
+  require(settings.rate_hz == 0.0 ||
+              (settings.rate_hz >= recording.rate_hz && settings.rate_hz <= most_hz),
+          "rate_hz", settings.rate_hz,
+          fmt::format("the recording's rate, {} Hz, to {} Hz", recording.rate_hz, most_hz));
+  require(std::abs(settings.time_offset_s) <= LogExportSettings::kMostOffsetS, "time_offset_s",
+          settings.time_offset_s, fmt::format("at most ± {} s", LogExportSettings::kMostOffsetS));
   require(settings.noise_m >= 0.0 && settings.noise_m < 1.0, "noise_m", settings.noise_m,
           "0 to 1 m");
   require(settings.noise_rad >= 0.0 && settings.noise_rad < 1.0, "noise_rad", settings.noise_rad,
           "0 to 1 rad");
-  require(settings.occlusions >= 0, "occlusions", settings.occlusions, "0 or more");
-  require(settings.occlusion_s > 0.0, "occlusion_s", settings.occlusion_s, "> 0 s");
+  require(settings.occlusions >= 0 && settings.occlusions <= LogExportSettings::kMostOcclusions,
+          "occlusions", settings.occlusions,
+          fmt::format("0 to {}", LogExportSettings::kMostOcclusions));
+  require(settings.occlusion_s > 0.0 && std::isfinite(settings.occlusion_s), "occlusion_s",
+          settings.occlusion_s, "a time > 0 s");
 }
 
 }  // namespace

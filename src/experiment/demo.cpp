@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "demo_stages.hpp"
-#include "limber/common/atomic_file.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/experiment/output_folder.hpp"
 
@@ -28,12 +27,26 @@ constexpr Stage kStages[] = {
     {"execute", "the plans on the virtual arm", execute_stage},
 };
 
+// Written whatever the arm; found in the way before the work begins.
+constexpr const char* kFiles[] = {
+    "arm.yaml",           "characterisation.svg", "train_part.h5",
+    "train.h5",           "validation.h5",        "test.h5",
+    "model.safetensors",  "learning_curve.csv",   "bench.json",
+    "learning_curve.svg", "evaluation.json",      "plots/inflate_deflate.svg",
+    "report.html",        "plots/bench.svg",      "summary.json"};
+
 }  // namespace
 
 nlohmann::ordered_json run_demo(const DemoSettings& settings) {
-  prepare_output_folder(settings.folder, settings.force);
+  OutputFolder output(settings.folder, "demo",
+                      settings.force ? OutputFolder::Start::forced : OutputFolder::Start::fresh);
+  if (!output.left().empty()) {
+    settings.say(output.about_left());
+  }
+  output.require_free({std::begin(kFiles), std::end(kFiles)});
   DemoResults results;
   results.settings = &settings;
+  results.output = &output;
   results.recipe = settings.quick ? quick_recipe(settings.arm) : full_recipe(settings.arm);
   int number = 0;
   for (const Stage& stage : kStages) {
@@ -45,10 +58,10 @@ nlohmann::ordered_json run_demo(const DemoSettings& settings) {
   }
   settings.say(fmt::format("[{0}/{0}] report", number + 1));
   results.clock.start("report");
-  write_file_atomically(results.file("report.html"), demo_report(results));
+  output.write("report.html", demo_report(results));
   results.clock.stop();
   const nlohmann::ordered_json summary = demo_summary(results);
-  write_file_atomically(results.file("summary.json"), summary.dump(2) + "\n");
+  output.write("summary.json", summary.dump(2) + "\n");
   return summary;
 }
 

@@ -29,12 +29,19 @@ constexpr double kInflateS = 3.0;
 constexpr double kDeflateS = 4.0;
 
 Recording record(const DemoResults& results, const ScheduleSettings& schedule, std::uint64_t seed,
-                 const std::filesystem::path& path) {
+                 const std::string& name) {
   CollectionSettings settings = virtual_collection(results.arm(), schedule, {});
   settings.seed = seed;
   settings.jobs = results.settings->jobs;
   settings.progress = results.settings->progress;
-  return collect(results.arm(), settings, virtual_arm_factory(results.arm(), {}), path).recording;
+  settings.force = true;  // over what a run that was killed left; the folder knows whose it is
+  Recording recording;
+  results.output->write_with({name}, [&] {
+    recording =
+        collect(results.arm(), settings, virtual_arm_factory(results.arm(), {}), results.file(name))
+            .recording;
+  });
+  return recording;
 }
 
 /// The run behind the paper's Fig. 1: the right side of every segment inflated fully, then vented.
@@ -56,8 +63,8 @@ Episode inflate_and_deflate(const ArmDescription& arm) {
 void characterise_stage(DemoResults& results) {
   results.bench_points = bench_test_all(results.settings->arm);
   results.characterised = characterise(results.settings->arm, results.bench_points);
-  write_file_atomically(results.file("arm.yaml"), arm_to_yaml(results.arm()));
-  write_file_atomically(results.file("characterisation.svg"),
+  results.output->write("arm.yaml", arm_to_yaml(results.arm()));
+  results.output->write("characterisation.svg",
                         bench_chart(results.characterised, results.bench_points).svg());
 }
 
@@ -66,9 +73,9 @@ void collect_stage(DemoResults& results) {
   Recording& training = results.training_recording;
   std::uint64_t index = kScheduleSeed;
   for (const ScheduleSettings& schedule : results.recipe.training_schedules) {
-    const std::filesystem::path part = results.file("train_part.h5");
+    const std::string part = "train_part.h5";
     Recording recording = record(results, schedule, derived_seed(seed, index++), part);
-    std::filesystem::remove(part);
+    results.output->remove(part);
     if (training.episodes.empty()) {
       training = std::move(recording);
     } else {
@@ -78,12 +85,13 @@ void collect_stage(DemoResults& results) {
     }
   }
   training.seed = seed;
-  write_recording(results.file("train.h5"), training);
+  results.output->write_with({"train.h5"},
+                             [&] { write_recording(results.file("train.h5"), training); });
   results.validation = record(results, results.recipe.validation_schedule,
-                              derived_seed(seed, kValidationSeed), results.file("validation.h5"))
+                              derived_seed(seed, kValidationSeed), "validation.h5")
                            .episodes;
-  results.test_recording = record(results, results.recipe.test_schedule,
-                                  derived_seed(seed, kTestSeed), results.file("test.h5"));
+  results.test_recording =
+      record(results, results.recipe.test_schedule, derived_seed(seed, kTestSeed), "test.h5");
 }
 
 void train_stage(DemoResults& results) {
@@ -99,11 +107,14 @@ void train_stage(DemoResults& results) {
   }
   results.training.model.training["data"] =
       "train.h5 " + content_hash(read_file(results.file("train.h5")));
-  write_model(results.file("model.safetensors"), results.training.model);
+  results.output->write_with({"model.safetensors"}, [&] {
+    write_model(results.file("model.safetensors"), results.training.model);
+  });
   results.model_hash = content_hash(read_file(results.file("model.safetensors")));
-  write_learning_curve_csv(results.file("learning_curve.csv"), results.training.curve);
-  write_file_atomically(results.file("learning_curve.svg"),
-                        learning_curve_svg(results.training.curve));
+  results.output->write_with({"learning_curve.csv"}, [&] {
+    write_learning_curve_csv(results.file("learning_curve.csv"), results.training.curve);
+  });
+  results.output->write("learning_curve.svg", learning_curve_svg(results.training.curve));
   results.no_load.emplace(results.arm());
   results.network.emplace(results.arm(), results.training.model);
 }
@@ -114,12 +125,16 @@ void evaluate_stage(DemoResults& results) {
   const std::vector<Episode>& test = results.test_recording.episodes;
   results.evaluation = evaluate(no_load, network, test, results.settings->jobs);
   results.evaluation_plots = plot_evaluation(no_load, network, test, results.settings->jobs);
-  write_evaluation_plots(results.file("plots"), results.evaluation_plots);
+  std::vector<std::string> plots;
+  for (const std::filesystem::path& path : evaluation_plot_paths("plots")) {
+    plots.push_back(path.string());
+  }
+  results.output->write_with(
+      plots, [&] { write_evaluation_plots(results.file("plots"), results.evaluation_plots); });
   results.inflate_deflate_svg =
       plot_inflate_deflate(no_load, network, inflate_and_deflate(results.arm()));
-  write_file_atomically(results.file("plots/inflate_deflate.svg"), results.inflate_deflate_svg);
-  write_file_atomically(results.file("evaluation.json"),
-                        evaluation_to_json(results.evaluation).dump(2) + "\n");
+  results.output->write("plots/inflate_deflate.svg", results.inflate_deflate_svg);
+  results.output->write("evaluation.json", evaluation_to_json(results.evaluation).dump(2) + "\n");
 }
 
 void bench_stage(DemoResults& results) {
@@ -129,8 +144,8 @@ void bench_stage(DemoResults& results) {
   settings.jobs = results.settings->jobs;
   settings.progress = results.settings->progress;
   results.speed = measure_speed(results.arm(), &results.training.model, settings);
-  write_file_atomically(results.file("bench.json"), to_json(results.speed).dump(2) + "\n");
-  write_file_atomically(results.file("plots/bench.svg"), speed_chart(results.speed).svg());
+  results.output->write("bench.json", to_json(results.speed).dump(2) + "\n");
+  results.output->write("plots/bench.svg", speed_chart(results.speed).svg());
 }
 
 }  // namespace limber

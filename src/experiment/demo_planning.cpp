@@ -8,7 +8,6 @@
 
 #include "common/job_arena.hpp"
 #include "demo_stages.hpp"
-#include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -86,7 +85,7 @@ const Environment& DemoResults::environment(const std::string& id) const {
 void plan_stage(DemoResults& results) {
   results.environments = choose_environments(results);
   for (const EnvironmentCase& item : results.environments) {
-    write_file_atomically(results.file("environments/" + item.id + ".yaml"),
+    results.output->write("environments/" + item.id + ".yaml",
                           environment_to_yaml(item.environment));
   }
   PlanTrialSettings settings;
@@ -113,9 +112,10 @@ void plan_stage(DemoResults& results) {
   throw_if_interrupted();
   for (const PlanTrial& trial : results.trials) {
     if (trial.planning.plan) {
-      write_plan(results.file(fmt::format("plans/{}_{}_{}.json", trial.environment, trial.model,
-                                          trial.seed)),
-                 *trial.planning.plan);
+      const std::string name =
+          fmt::format("plans/{}_{}_{}.json", trial.environment, trial.model, trial.seed);
+      results.output->write_with({name},
+                                 [&] { write_plan(results.file(name), *trial.planning.plan); });
     }
   }
 }
@@ -131,7 +131,7 @@ void execute_stage(DemoResults& results) {
   throw_if_interrupted();
   for (const EnvironmentCase& item : results.environments) {
     const auto add = [&](const std::string& kind, std::string svg, const std::string& caption) {
-      write_file_atomically(results.file(fmt::format("plots/{}_{}.svg", kind, item.id)), svg);
+      results.output->write(fmt::format("plots/{}_{}.svg", kind, item.id), svg);
       results.plan_pictures.push_back({std::move(svg), item.environment.name + ": " + caption});
     };
     const PlanTrial* best = cheapest_plan(results.trials, item.id, "network");

@@ -9,6 +9,7 @@
 #include "limber/data/recording.hpp"
 #include "limber/experiment/demo.hpp"
 #include "limber/experiment/demo_recipe.hpp"
+#include "limber/experiment/output_folder.hpp"
 #include "limber/experiment/plan_trial.hpp"
 #include "limber/experiment/report_page.hpp"
 #include "limber/experiment/speed_benchmark.hpp"
@@ -24,6 +25,7 @@ namespace limber {
 /// have set.
 struct DemoResults {
   const DemoSettings* settings = nullptr;
+  OutputFolder* output = nullptr;
   DemoRecipe recipe;
   StageClock clock;
 
@@ -53,7 +55,7 @@ struct DemoResults {
   MotionModel motion_model(const ForwardModel& forward) const;
   const Environment& environment(const std::string& id) const;
   const ArmDescription& arm() const { return characterised.arm; }
-  std::filesystem::path file(const std::string& name) const { return settings->folder / name; }
+  std::filesystem::path file(const std::string& name) const { return output->path() / name; }
 };
 
 void characterise_stage(DemoResults& results);

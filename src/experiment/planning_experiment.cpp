@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/experiment/demo_recipe.hpp"
 #include "limber/experiment/final_shapes_picture.hpp"
@@ -66,20 +68,15 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   return json;
 }
 
-void require_same(const fs::path& file, const Json& wanted) {
-  Json found;
-  try {
-    found = Json::parse(read_file(file));
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: not valid JSON: {}", file.string(), error.what()));
-  }
+void require_same(const fs::path& file, const nlohmann::json& wanted) {
+  const nlohmann::json root = read_json_object(file);
   for (const auto& [key, value] : wanted.items()) {
-    const Json there = found.value(key, Json(nullptr));
+    const nlohmann::json there = root.value(key, nlohmann::json(nullptr));
     if (there != value) {
       throw InputError(fmt::format(
           "{}: {} = {}; this run has {}: --resume continues the same experiment only; choose "
           "another --out, or drop --resume",
-          file.string(), key, there.dump(), value.dump()));
+          file.string(), key, in_few_words(there), in_few_words(value)));
     }
   }
 }
@@ -96,8 +93,7 @@ struct Task {
   const EnvironmentCase* environment;
   const MotionModel* model;
   const std::string* planner;
-  std::uint64_t seed;
-  std::string id;  ///< of its files
+  TrialKey key;
 };
 
 class Experiment {
@@ -108,11 +104,12 @@ class Experiment {
         no_load_forward_(settings.arm),
         network_forward_(settings.arm, read_model(settings.model_file)),
         no_load_(no_load_forward_, ValveModel(settings.arm, settings.valves)),
-        network_(network_forward_, ValveModel(settings.arm, settings.valves)) {}
+        network_(network_forward_, ValveModel(settings.arm, settings.valves)),
+        identity_(identity(settings, model_bytes_hash_)) {}
 
   Json run() {
-    prepare_folder();
     list_tasks();
+    prepare_folder();
     run_tasks();
     throw_if_interrupted();
     return write_results();
@@ -121,16 +118,41 @@ class Experiment {
  private:
   fs::path file(const std::string& name) const { return settings_.folder / name; }
 
-  void prepare_folder() const {
-    const Json wanted = identity(settings_, model_bytes_hash_);
-    if (settings_.resume && fs::exists(file(kSettingsFile))) {
-      require_same(file(kSettingsFile), wanted);
-      return;
+  void prepare_folder() {
+    const bool resumes = settings_.resume && fs::exists(file(kSettingsFile));
+    if (resumes) {
+      require_same(file(kSettingsFile), identity_);
     }
-    prepare_output_folder(settings_.folder, settings_.force, "experiment");
-    Json written = wanted;
-    written["program_version"] = version();
-    write_file_atomically(file(kSettingsFile), written.dump(1) + "\n");
+    output_.emplace(settings_.folder, "experiment",
+                    resumes           ? OutputFolder::Start::resumed
+                    : settings_.force ? OutputFolder::Start::forced
+                                      : OutputFolder::Start::fresh,
+                    std::vector<fs::path>{settings_.model_file});
+    if (!output_->left().empty()) {
+      settings_.say(output_->about_left());
+    }
+    output_->require_free(names_to_write());
+    if (!resumes) {
+      Json written = identity_;
+      written["program_version"] = version();
+      output_->write(kSettingsFile, written.dump(1) + "\n");
+    }
+  }
+
+  /// Finished trials are only read.
+  std::vector<std::string> names_to_write() const {
+    std::vector<std::string> names{"table.json", "table.md", "report.html"};
+    for (const EnvironmentCase& item : settings_.environments) {
+      names.insert(names.end(), {"figures/" + item.id + ".svg", "figures/" + item.id + "_all.svg",
+                                 "planner_arena/" + item.id + ".log"});
+    }
+    for (const Task& task : tasks_) {
+      if (!has_trial(settings_.folder, task.key.id)) {
+        const std::vector<std::string> files = trial_files(task.key.id);
+        names.insert(names.end(), files.begin(), files.end());
+      }
+    }
+    return names;
   }
 
   void list_tasks() {
@@ -147,19 +169,27 @@ class Experiment {
     if (!settings_.with_no_load && !model.has_network()) {
       return;
     }
+    TrialKey key;
+    key.experiment = content_hash(identity_.dump());
+    key.environment = item.id;
+    key.environment_hash = environment_hash(item.environment);
+    key.model = model.has_network() ? "network" : "no_load";
+    key.model_hash = model.has_network() ? model_bytes_hash_ : "";
+    key.planner = planner;
     for (int k = 0; k < settings_.trials; ++k) {
-      tasks_.push_back(
-          {&item, &model, &planner, derived_seed(settings_.seed, kTrialSeed + std::uint64_t(k)),
-           fmt::format("{}_{}_{}_{:03}", item.id, model.has_network() ? "network" : "no_load",
-                       as_file_name(planner), k + 1)});
+      key.seed = derived_seed(settings_.seed, kTrialSeed + std::uint64_t(k));
+      key.id = fmt::format("{}_{}_{}_{:03}", item.id, key.model, as_file_name(planner), k + 1);
+      tasks_.push_back({&item, &model, &planner, key});
     }
   }
 
   void run_tasks() {
     std::vector<const Task*> open;
     for (const Task& task : tasks_) {
-      if (!has_trial(settings_.folder, task.id)) {
+      if (!has_trial(settings_.folder, task.key.id)) {
         open.push_back(&task);
+      } else {
+        (void)read(task);  // a damaged one is found now, and not after hours of the others
       }
     }
     if (open.size() < tasks_.size()) {
@@ -184,44 +214,47 @@ class Experiment {
     progress.finish();
   }
 
-  void run_task(const Task& task, PlanTrialSettings settings) const {
+  PlanTrial read(const Task& task) const {
+    return read_trial(settings_.folder, task.key, settings_.arm, task.environment->environment);
+  }
+
+  void run_task(const Task& task, PlanTrialSettings settings) {
     settings.planner = *task.planner;
     if (settings_.forest && task.model->has_network() && is_default_planner(*task.planner)) {
       settings.forest = &*settings_.forest;
     }
     const Environment& environment = task.environment->environment;
     PlanTrial trial =
-        plan_trial(settings_.arm, *task.model, *task.environment, settings, task.seed);
+        plan_trial(settings_.arm, *task.model, *task.environment, settings, task.key.seed);
     execute_trial(settings_.arm, environment, trial);
     if (!interrupt_requested()) {
-      write_trial(settings_.folder, task.id, trial, environment);
+      write_trial(*output_, task.key, trial, environment);
     }
   }
 
-  Json write_results() const {
+  Json write_results() {
     std::vector<PlanTrial> trials;
     for (const Task& task : tasks_) {
-      trials.push_back(read_trial(settings_.folder, task.id, task.environment->environment));
+      trials.push_back(read(task));
     }
     const std::vector<PlanningRow> rows = planning_rows(trials);
     const Json table = planning_table_to_json(rows);
-    write_file_atomically(file("table.json"), table.dump(1) + "\n");
+    output_->write("table.json", table.dump(1) + "\n");
     const std::string title =
         fmt::format("Planning and execution, arm {}, {} trials a cell, seed {}", settings_.arm.name,
                     settings_.trials, settings_.seed);
     const std::vector<ReportTable> tables = planning_tables(rows);
-    write_file_atomically(file("table.md"), tables_to_markdown(title, tables));
+    output_->write("table.md", tables_to_markdown(title, tables));
     write_report(title, tables, rows, trials);
     for (const EnvironmentCase& item : settings_.environments) {
-      write_file_atomically(file("planner_arena/" + item.id + ".log"),
-                            planner_arena_log(item.id, trials, settings_.limits, settings_.seed));
+      output_->write("planner_arena/" + item.id + ".log",
+                     planner_arena_log(item.id, trials, settings_.limits, settings_.seed));
     }
     return table;
   }
 
   void write_report(const std::string& title, const std::vector<ReportTable>& tables,
-                    const std::vector<PlanningRow>& rows,
-                    const std::vector<PlanTrial>& trials) const {
+                    const std::vector<PlanningRow>& rows, const std::vector<PlanTrial>& trials) {
     ReportPage page("limber experiment", title);
     page.heading("Tables");
     for (const ReportTable& table : tables) {
@@ -242,12 +275,12 @@ class Experiment {
       }
       const std::string single = final_shapes_picture(settings_.arm, item, one);
       const std::string all = final_shapes_picture(settings_.arm, item, trials);
-      write_file_atomically(file("figures/" + item.id + ".svg"), single);
-      write_file_atomically(file("figures/" + item.id + "_all.svg"), all);
+      output_->write("figures/" + item.id + ".svg", single);
+      output_->write("figures/" + item.id + "_all.svg", all);
       page.figures(
           {{single, item.id + ": one plan of each model"}, {all, item.id + ": all plans"}});
     }
-    write_file_atomically(file("report.html"), page.html());
+    output_->write("report.html", page.html());
   }
 
   const ExperimentSettings& settings_;
@@ -256,6 +289,8 @@ class Experiment {
   ForwardModel network_forward_;
   MotionModel no_load_;
   MotionModel network_;
+  Json identity_;
+  std::optional<OutputFolder> output_;
   std::vector<Task> tasks_;
 };
 

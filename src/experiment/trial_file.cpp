@@ -1,11 +1,17 @@
 #include "trial_file.hpp"
 
+#include <limits>
+#include <utility>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/json_reader.hpp"
 #include "limber/common/units.hpp"
+#include "limber/common/utf8.hpp"
 #include "limber/hardware/execution_report.hpp"
 
 namespace limber {
@@ -15,6 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
+constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
 constexpr PlanStatus kPlanStatuses[] = {PlanStatus::solved,           PlanStatus::limit,
                                         PlanStatus::no_solution,      PlanStatus::invalid_start,
                                         PlanStatus::goal_unreachable, PlanStatus::goal_in_collision,
@@ -23,105 +30,200 @@ constexpr ExecutionStatus kExecutionStatuses[] = {ExecutionStatus::done, Executi
                                                   ExecutionStatus::stopped};
 
 template <class Status, std::size_t count>
-Status status_named(const std::string& name, const Status (&all)[count]) {
+Status read_status(const JsonReader& field, const Status (&all)[count]) {
+  const std::string name = field.text();
+  std::string names;
   for (const Status status : all) {
     if (name == to_string(status)) {
       return status;
     }
+    names += (names.empty() ? "" : ", ") + std::string(to_string(status));
   }
-  throw InputError(fmt::format("status '{}' found", name));
+  field.refuse_found("expected one of " + names);
 }
 
-fs::path trial_path(const fs::path& folder, const std::string& id) {
-  return folder / "trials" / (id + ".json");
+std::string trial_name(const std::string& id) {
+  return "trials/" + id + ".json";
 }
 
-fs::path plan_path(const fs::path& folder, const std::string& id) {
-  return folder / "plans" / (id + ".json");
+std::string plan_name(const std::string& id) {
+  return "plans/" + id + ".json";
 }
 
-ExecutionResult read_execution(const Json& json) {
-  ExecutionResult run;
-  run.status = status_named(json.at("status").get<std::string>(), kExecutionStatuses);
-  run.message = json.at("message").get<std::string>();
-  run.collided = json.at("collided").get<bool>();
-  run.goal_reached = json.at("goal_reached").get<bool>();
-  run.frames = json.at("frames").get<int>();
-  if (!json.at("final_backbone").is_null()) {
-    run.goal_error.position_m = json.at("distance_to_goal_cm").get<double>() / kCmPerM;
-    run.goal_error.orientation_rad = json.at("orientation_to_goal_rad").get<double>();
-    const Json& rows = json.at("final_backbone");
-    Backbone backbone(static_cast<Eigen::Index>(rows.size()), 3);
-    for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        backbone(i, k) =
-            rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)].get<float>();
-      }
+// In the order of the file; every one is compared.
+std::vector<std::pair<const char*, std::string>> texts_of(const TrialKey& key) {
+  return {{"id", key.id},
+          {"experiment", key.experiment},
+          {"environment", key.environment},
+          {"environment_hash", key.environment_hash},
+          {"model", key.model},
+          {"model_hash", key.model_hash},
+          {"planner", key.planner},
+          {"seed", std::to_string(key.seed)}};
+}
+
+void require_key(const JsonReader& field, const TrialKey& key) {
+  for (const auto& [name, wanted] : texts_of(key)) {
+    const JsonReader there = field.at(name);
+    if (there.text() != wanted) {
+      there.refuse_found(fmt::format("this trial is of '{}'", wanted));
     }
-    run.final_backbone = std::move(backbone);
+  }
+}
+
+Backbone read_backbone(const JsonReader& field, const ArmDescription& arm) {
+  constexpr double kFarthest = 1e6;  // [m, rad]; nothing real comes near
+  const std::vector<JsonReader> rows = field.elements("a list of poses [x_m, y_m, theta_rad]");
+  if (rows.size() != static_cast<std::size_t>(arm.point_count())) {
+    field.refuse(fmt::format("{} poses found; expected {}, one a plate of arm '{}'", rows.size(),
+                             arm.point_count(), arm.name));
+  }
+  Backbone backbone(arm.point_count(), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double> pose =
+        rows[i].numbers(3, "numbers [x_m, y_m, theta_rad]", -kFarthest, kFarthest);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      backbone(static_cast<Eigen::Index>(i), k) =
+          static_cast<float>(pose[static_cast<std::size_t>(k)]);
+    }
+  }
+  return backbone;
+}
+
+ExecutionResult read_execution(const JsonReader& json, const ArmDescription& arm) {
+  ExecutionResult run;
+  run.status = read_status(json.at("status"), kExecutionStatuses);
+  run.message = json.at("message").text();
+  run.collided = json.at("collided").boolean();
+  run.goal_reached = json.at("goal_reached").boolean();
+  run.frames = json.at("frames").integer(0, std::numeric_limits<int>::max());
+  if (!json.at("final_backbone").is_null()) {
+    run.goal_error.position_m = json.at("distance_to_goal_cm").number(0.0) / kCmPerM;
+    run.goal_error.orientation_rad = json.at("orientation_to_goal_rad").number(0.0);
+    run.final_backbone = read_backbone(json.at("final_backbone"), arm);
   }
   return run;
 }
 
-PlanTrial read_fields(const Json& json) {
+PlannerProgress read_event(const JsonReader& event) {
+  PlannerProgress progress;
+  progress.time_s = event.at("time_s").number(0.0);
+  progress.nodes = event.at("nodes").count(kAny);
+  progress.queries = event.at("queries").count(kAny);
+  progress.best_cost_kpa = event.at("best_cost_kpa").number(0.0);
+  return progress;
+}
+
+PlanTrial read_fields(const JsonReader& json, const TrialKey& key, const ArmDescription& arm) {
   PlanTrial trial;
-  trial.environment = json.at("environment").get<std::string>();
-  trial.model = json.at("model").get<std::string>();
-  trial.planner = json.at("planner").get<std::string>();
-  trial.seed = json.at("seed").get<std::uint64_t>();
-  trial.planning.status = status_named(json.at("status").get<std::string>(), kPlanStatuses);
-  trial.planning.reason = json.at("reason").get<std::string>();
-  const Json& first = json.at("first_solution");
+  trial.environment = key.environment;
+  trial.model = key.model;
+  trial.planner = key.planner;
+  trial.seed = key.seed;
+  PlanResult& planning = trial.planning;
+  planning.status = read_status(json.at("status"), kPlanStatuses);
+  planning.reason = json.at("reason").text();
+  const JsonReader first = json.at("first_solution");
   if (!first.is_null()) {
-    trial.planning.first_solution =
-        FirstSolution{first.at("time_s").get<double>(), first.at("cost_kpa").get<double>(),
-                      first.at("queries").get<std::uint64_t>()};
+    planning.first_solution =
+        FirstSolution{first.at("time_s").number(0.0), first.at("cost_kpa").number(0.0),
+                      first.at("queries").count(kAny)};
   }
-  for (const Json& event : json.value("events", Json::array())) {
-    trial.planning.events.push_back(
-        {event.at("time_s").get<double>(), 0, event.at("nodes").get<std::uint64_t>(),
-         event.at("queries").get<std::uint64_t>(), event.at("best_cost_kpa").get<double>()});
+  for (const JsonReader& event : json.at("events").elements("a list of events")) {
+    planning.events.push_back(read_event(event));
   }
-  trial.planning.statistics.time_s = json.at("time_s").get<double>();
-  trial.planning.statistics.iterations = json.at("iterations").get<std::uint64_t>();
-  trial.planning.statistics.queries = json.at("queries").get<std::uint64_t>();
-  trial.planning.statistics.nodes = json.at("nodes").get<std::uint64_t>();
-  if (!json.at("execution").is_null()) {
-    trial.execution = read_execution(json.at("execution"));
+  planning.statistics.time_s = json.at("time_s").number(0.0);
+  planning.statistics.iterations = json.at("iterations").count(kAny);
+  planning.statistics.queries = json.at("queries").count(kAny);
+  planning.statistics.nodes = json.at("nodes").count(kAny);
+  const JsonReader execution = json.at("execution");
+  if (!execution.is_null()) {
+    trial.execution = read_execution(execution, arm);
+  }
+  // Tables take a plan's first solution and run for granted.
+  for (const JsonReader& part : {first, execution}) {
+    if (part.is_null() == trial.solved()) {
+      part.refuse_found(fmt::format("expected {}, as status is {}",
+                                    trial.solved() ? "an object" : "null",
+                                    to_string(planning.status)));
+    }
   }
   return trial;
 }
 
+/// The plan that was written with the trial, and no other.
+Plan read_trial_plan(const fs::path& path, const JsonReader& hash, const TrialKey& key,
+                     const ArmDescription& arm) {
+  if (const std::string found = content_hash(read_file(path)); hash.text() != found) {
+    hash.refuse_found(
+        fmt::format("{} has the hash '{}': another plan, or a changed one", path.string(), found));
+  }
+  Plan plan = read_plan(path);
+  const auto require = [&](const char* field, const std::string& found, const std::string& wanted) {
+    if (found != wanted) {
+      throw InputError(fmt::format("{}: {}: '{}' found; this trial is of '{}'", path.string(),
+                                   field, shortened(found), wanted));
+    }
+  };
+  require("environment.hash", plan.environment_hash, key.environment_hash);
+  require("model.kind", plan.model, key.model);
+  require("model.hash", plan.model_hash, key.model_hash);
+  require("seed", std::to_string(plan.seed), std::to_string(key.seed));
+  require_plan_of(plan, arm, path.string());
+  if (!plan.certified) {
+    throw InputError(path.string() + ": certificate: missing");
+  }
+  return plan;
+}
+
 }  // namespace
 
-void write_trial(const fs::path& folder, const std::string& id, const PlanTrial& trial,
+void write_trial(OutputFolder& folder, const TrialKey& key, const PlanTrial& trial,
                  const Environment& environment) {
+  Json belongs = Json::object();
+  for (const auto& [name, text] : texts_of(key)) {
+    belongs[name] = text;
+  }
+  belongs["plan"] = nullptr;
   if (trial.planning.plan) {
-    write_plan(plan_path(folder, id), *trial.planning.plan);
+    const std::string name = plan_name(key.id);
+    folder.write_with({name}, [&] { write_plan(folder.path() / name, *trial.planning.plan); });
+    belongs["plan"] = content_hash(read_file(folder.path() / name));
   }
   Json json = planning_to_json(trial, environment);
   json["execution"] =
       trial.execution ? execution_to_json(*trial.execution, environment) : Json(nullptr);
-  write_file_atomically(trial_path(folder, id), json.dump(1) + "\n");
+  json["belongs_to"] = belongs;
+  folder.write(trial_name(key.id), json.dump(1) + "\n");
 }
 
 bool has_trial(const fs::path& folder, const std::string& id) {
-  return fs::exists(trial_path(folder, id));
+  return fs::exists(folder / trial_name(id));
 }
 
-PlanTrial read_trial(const fs::path& folder, const std::string& id,
+std::vector<std::string> trial_files(const std::string& id) {
+  return {trial_name(id), plan_name(id)};
+}
+
+PlanTrial read_trial(const fs::path& folder, const TrialKey& key, const ArmDescription& arm,
                      const Environment& environment) {
-  const fs::path path = trial_path(folder, id);
+  const fs::path path = folder / trial_name(key.id);
   try {
-    PlanTrial trial = read_fields(Json::parse(read_file(path)));
+    const nlohmann::json root = read_json_object(path);
+    const JsonReader json(root, path.string());
+    require_key(json.at("belongs_to"), key);
+    PlanTrial trial = read_fields(json, key, arm);
     trial.asks_heading = environment.goal.theta_rad.has_value();
     if (trial.solved()) {
-      trial.planning.plan = read_plan(plan_path(folder, id));
+      trial.planning.plan =
+          read_trial_plan(folder / plan_name(key.id), json.at("belongs_to").at("plan"), key, arm);
     }
     return trial;
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: no trial of limber experiment: {}; remove it to run it again",
-                                 path.string(), error.what()));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format(
+        "{}. The trial is damaged, or another experiment's: remove {} and {} to run it again, or "
+        "choose another --out",
+        error.what(), path.string(), (folder / plan_name(key.id)).string()));
   }
 }
 

@@ -2,22 +2,42 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "limber/experiment/output_folder.hpp"
 #include "limber/experiment/plan_trial.hpp"
 
 namespace limber {
 
-/// Writes what a finished trial left behind: FOLDER/plans/ID.json where it was solved, then
-/// FOLDER/trials/ID.json.
-void write_trial(const std::filesystem::path& folder, const std::string& id, const PlanTrial& trial,
+/// What a trial belongs to. It stands in its file, and the file of any other is refused.
+struct TrialKey {
+  std::string id;           ///< of its files
+  std::string experiment;   ///< hash of the experiment's settings
+  std::string environment;  ///< EnvironmentCase::id
+  std::string environment_hash;
+  std::string model;       ///< "no_load" or "network"
+  std::string model_hash;  ///< empty for "no_load"
+  std::string planner;
+  std::uint64_t seed = 0;
+};
+
+/// Writes what a finished trial left behind: plans/ID.json where it was solved, then
+/// trials/ID.json, which holds the key and the plan's hash.
+void write_trial(OutputFolder& folder, const TrialKey& key, const PlanTrial& trial,
                  const Environment& environment);
 
 /// Whether `write_trial` has come to its end.
 bool has_trial(const std::filesystem::path& folder, const std::string& id);
 
+/// Names of its files.
+std::vector<std::string> trial_files(const std::string& id);
+
 /// What tables and figures need of a trial: names, status, first solution, plan, and of the
-/// execution its status, errors and final shape. @throws InputError naming the file.
-PlanTrial read_trial(const std::filesystem::path& folder, const std::string& id,
-                     const Environment& environment);
+/// execution its status, errors and final shape.
+/// @throws InputError naming file and field, and what to do, where the trial is damaged or another
+/// experiment's: where its key differs, or its plan is not the one that was written with it,
+/// certified, for this arm.
+PlanTrial read_trial(const std::filesystem::path& folder, const TrialKey& key,
+                     const ArmDescription& arm, const Environment& environment);
 
 }  // namespace limber

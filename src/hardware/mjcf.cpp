@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/printable.hpp"
 #include "limber/common/random_stream.hpp"
 
 namespace limber {
@@ -11,9 +12,10 @@ namespace {
 // Streams of strength_seed: 0 … 2n − 1 are the sides' strengths (virtual_arm.cpp).
 constexpr std::uint64_t kPlateOffsetStream = 1'000'000;
 
+/// XML has no control characters, however they are written: they are spelled out.
 std::string escape_xml(const std::string& text) {
   std::string escaped;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '&':
         escaped += "&amp;";

@@ -177,7 +177,24 @@ TEST_F(RecordingExport, NamesSettingsOutOfRange) {
   LogExportSettings settings;
   settings.rate_hz = 5.0;
   EXPECT_THAT([&] { export_motive(recording_, folder_.path(), settings); },
-              ThrowsMessage<InputError>(HasSubstr("rate_hz 5; expected at least the recording's")));
+              ThrowsMessage<InputError>(HasSubstr("rate_hz 5; expected the recording's rate")));
+  const auto refusal = [&](const std::function<void(LogExportSettings&)>& change) {
+    LogExportSettings changed;
+    change(changed);
+    try {
+      export_motive(recording_, folder_.path(), changed);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(refusal([](auto& s) { s.rate_hz = 1e6; }), HasSubstr("rate_hz 1000000; expected"));
+  EXPECT_THAT(refusal([](auto& s) { s.rate_hz = 1e300; }), HasSubstr("to 2000 Hz"));
+  EXPECT_THAT(refusal([](auto& s) { s.rate_hz = std::nan(""); }), HasSubstr("rate_hz nan"));
+  EXPECT_THAT(refusal([](auto& s) { s.occlusions = 2147483647; }),
+              HasSubstr("occlusions 2147483647; expected 0 to 10000"));
+  EXPECT_THAT(refusal([](auto& s) { s.time_offset_s = std::nan(""); }), HasSubstr("time_offset_s"));
+  EXPECT_THAT(refusal([](auto& s) { s.time_offset_s = 1e300; }), HasSubstr("time_offset_s 1e+300"));
 }
 
 }  // namespace

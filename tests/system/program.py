@@ -36,6 +36,12 @@ def verbs():
     return re.findall(r"^  ([a-z]+) ", subcommands, flags=re.M)
 
 
+def numeric_flags(verb):
+    """Every flag of a verb that takes numbers, with its kind: [("--seed", "UINT"), …]."""
+    text = limber(verb, "--help").stdout
+    return re.findall(r"^  (?:-\w,)?(--[a-z-]+) (INT|UINT|FLOAT)\b", text, flags=re.M)
+
+
 class InFolder(unittest.TestCase):
     """A test with a fresh folder of its own, self.folder."""
 

@@ -6,7 +6,7 @@ import signal
 import subprocess
 import unittest
 
-from program import PROGRAM, InFolder, limber, verbs
+from program import PROGRAM, InFolder, limber, numeric_flags, verbs
 
 COMMON_FLAGS = ["--json", "--quiet", "--force", "--jobs", "--seed"]
 
@@ -38,6 +38,56 @@ class CommandLine(InFolder):
             with self.subTest(arguments=arguments):
                 result = self.run_limber(*arguments, code=2)
                 self.assertEqual(result.stdout, "")
+
+    def test_every_numeric_flag_refuses_what_is_no_plain_finite_number(self):
+        flags = [(verb, *flag) for verb in verbs() for flag in numeric_flags(verb)]
+        self.assertGreater(len(flags), 60, "the list is taken from --help")
+        self.assertIn(("plan", "--margin-m", "FLOAT"), flags)
+        for verb, flag, kind in flags:
+            wrong = ["nan", "inf", "-inf", "1e400", "18446744073709551616"]
+            if flag == "--seed" or (verb, flag) == ("plan", "--margin-m"):  # one of each kind
+                wrong += ["", "1 ", "0x10", "1,5"] + ([] if kind == "FLOAT" else ["1.5", "1e3", "-1"])
+            for value in wrong:
+                with self.subTest(verb=verb, flag=flag, value=value):
+                    result = self.run_limber(verb, f"{flag}={value}", code=2)
+                    self.assertIn(flag, result.stderr)
+                    self.assertRegex(result.stderr, "found; expected a (finite|whole) number|required")
+                    self.assertEqual(result.stdout, "")
+
+    def test_a_number_means_what_it_says(self):
+        """Zeros before it don't make it octal, and the largest seed is the largest."""
+        for given, meant in (("010", 10), ("+7", 7), ("18446744073709551615", 2**64 - 1)):
+            result = self.run_json(
+                "plan", "--no-load", "--environment", "01_pillar", "--max-iterations", 1,
+                "--seed", given, code=1,
+            )
+            self.assertEqual(result["seed"], meant)
+
+    def test_planner_settings_that_are_no_numbers_are_refused(self):
+        for verb in ("plan", "experiment"):
+            for value in ("ompl:SST,pruning_radius=nan", "default,goal_shots=inf"):
+                result = self.run_limber(verb, "--planner", value, code=2)
+                self.assertIn("expected a finite number", result.stderr)
+
+    def test_names_from_files_cannot_command_the_terminal(self):
+        self.write("arm.yaml", 'schema: limber/arm/1\nname: "\\e[2Jgone"\nsegments: 3\n')
+        for flags in ((), ("--json",)):
+            result = limber("inspect", "arm.yaml", *flags, folder=self.folder)
+            self.assertNotIn("\x1b", result.stdout + result.stderr)
+        environment = {
+            "schema": "limber/environment/1", "name": "\x1b[2J\u009b1m\u202e", "obstacles": [],
+            "start": "rest", "goal": {"x_m": 0.4, "y_m": 0.2, "position_tolerance_m": 0.03},
+        }
+        self.write("e.yaml", json.dumps(environment))
+        text = self.run_limber("inspect", "e.yaml").stdout
+        self.assertIn("'\\x1b[2J\\x9b1m\\u202e'", text)
+        plain = self.run_limber("inspect", "e.yaml", "--json").stdout
+        self.assertFalse({"\x1b", "\u009b", "\u202e"} & set(plain))
+        self.assertEqual(json.loads(plain)["name"], environment["name"])
+        refused = self.run_limber("inspect", "\x1b[2J.yaml", code=2)
+        self.assertNotIn("\x1b", refused.stderr)
+        refused = self.run_limber("plan", "--no-such-flag\x1b[2J", code=2)
+        self.assertNotIn("\x1b", refused.stderr)
 
     def test_doctor_prints_one_json_object(self):
         self.assertIsInstance(self.run_json("doctor"), dict)

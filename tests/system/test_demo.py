@@ -55,6 +55,12 @@ class Demo(InFolder):
         result = self.run_limber("demo", "--quick", "--out", "precious", code=2)
         self.assertIn("--force", result.stderr)
         self.assertEqual([path.name for path in other.iterdir()], ["thesis.txt"])
+        result = self.run_limber("demo", "--quick", "--arm", "out/arm.yaml", code=2)
+        self.assertIn("out/arm.yaml lies in out, the folder for results", result.stderr)
+        (self.folder / "out" / "train.h5").write_bytes(b"mine")
+        result = self.run_limber("demo", "--quick", code=2)
+        self.assertIn("out/train.h5: limber demo did not write this file", result.stderr)
+        self.assertEqual((self.folder / "out" / "train.h5").read_bytes(), b"mine")
 
 
 if __name__ == "__main__":

@@ -63,6 +63,59 @@ class Experiment(InFolder):
         ).stderr
         self.assertIn("--resume continues it", error)
 
+    def test_no_input_and_nobody_elses_file_is_ever_removed(self):
+        self.experiment("x")
+        for name in ("m.safetensors", "environments"):
+            (self.folder / name).rename(self.folder / "x" / name)
+        command = ("experiment", *ARM, "--max-iterations", 10, "--trials", 1, "--out", "x")
+        before = sorted(self.folder.rglob("*"))
+        for flags in (
+            ("--model", "x/m.safetensors", "--environments", "x/environments"),
+            ("--model", "./x/../x/m.safetensors"),
+        ):
+            for force in ((), ("--force",), ("--resume",)):
+                error = self.run_limber(*command, *flags, *force, code=2).stderr
+                self.assertIn("lies in x, the folder for results", error)
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
+        for name in ("m.safetensors", "environments"):
+            (self.folder / "x" / name).rename(self.folder / name)
+        (self.folder / "x" / "trials" / "my_notes.txt").write_text("mine", encoding="utf-8")
+        inputs = ("--model", "m.safetensors", "--environments", "environments")
+        said = self.run_limber(*command, *inputs, "--force").stderr
+        self.assertIn("not written by limber experiment or changed since: trials/my_notes.txt", said)
+        self.assertEqual((self.folder / "x" / "trials" / "my_notes.txt").read_text(), "mine")
+        # A result that was changed by hand is its owner's from then on.
+        (self.folder / "x" / "table.md").write_text("mine", encoding="utf-8")
+        error = self.run_limber(*command, *inputs, "--force", code=2).stderr
+        self.assertIn("x/table.md: limber experiment did not write this file", error)
+        self.assertEqual((self.folder / "x" / "table.md").read_text(), "mine")
+
+    def test_trials_of_another_experiment_and_damaged_ones_are_refused(self):
+        self.experiment("one")
+        self.experiment("two", "--seed", 2)
+        names = sorted(path.name for path in (self.folder / "one" / "trials").iterdir())
+        trial = self.folder / "one" / "trials" / names[0]
+        good = trial.read_bytes()
+        table = (self.folder / "one" / "table.json").read_bytes()
+
+        def refused():
+            return self.run_limber(
+                "experiment", *ARM, "--model", "m.safetensors", "--environments", "environments",
+                "--max-iterations", 150, "--trials", 2, "--out", "one", "--resume", code=2,
+            ).stderr
+
+        trial.write_bytes((self.folder / "two" / "trials" / names[0]).read_bytes())
+        self.assertRegex(refused(), f"one/trials/{names[0]}: belongs_to.experiment: .* remove one/")
+        damaged = json.loads(good)
+        damaged["execution"] = {"status": "done", "final_backbone": [[]]}
+        for text in (json.dumps(damaged), "[]", "{" + '"a":' + "[" * 200000, '{"a": 1e309}'):
+            trial.write_text(text, encoding="utf-8")
+            self.assertIn(f"one/trials/{names[0]}: ", refused())
+        trial.write_bytes(good)
+        (self.folder / "one" / "experiment.json").write_text("[1]", encoding="utf-8")
+        self.assertIn("one/experiment.json: [1] found; expected a JSON object", refused())
+        self.assertEqual((self.folder / "one" / "table.json").read_bytes(), table)
+
     def test_bad_input_is_named_before_any_work(self):
         for arguments, message in (
             (("--environments", "environments", "--planner", "fast"), "planner 'fast'"),

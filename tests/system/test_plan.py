@@ -39,6 +39,32 @@ class Plan(InFolder):
         path = self.plan_file(environment)
         return self.run_json("plan", *ARM, *BUDGET, "--environment", path, *arguments, code=code)
 
+    def test_a_problem_that_cannot_be_planned_in_is_told_even_when_quiet(self):
+        goal = {"x_m": 3.0, "y_m": 0.2, "position_tolerance_m": 0.03}
+        blocked = [{"circle": {"x_m": 0.2, "y_m": 0.0, "radius_m": 0.04}}]
+        for parts, status in (({"goal": goal}, "goal_unreachable"),
+                              ({"obstacles": blocked}, "invalid_start")):
+            with self.subTest(status=status):
+                path = self.plan_file(changed(**parts))
+                found = self.run_limber("plan", *ARM, *BUDGET, "--environment", path, "--quiet",
+                                        "--svg", "p.svg", code=2)
+                self.assertIn(f"error: no plan: {status}: ", found.stderr)
+                self.assertEqual(found.stdout, "")
+                self.assertFalse((self.folder / "p.svg").exists())
+                found = self.run_limber("environment", "check", path, "--arm", "two_segment",
+                                        "--quiet", code=2)
+                self.assertIn(status, found.stderr)
+                found = self.run_json("environment", "check", path, "--arm", "two_segment", code=2)
+                self.assertEqual(found["status"], status)
+
+    def test_a_byte_order_mark_changes_nothing(self):
+        self.plan(PILLAR, "--out", "p.json")
+        text = (self.folder / "p.json").read_bytes()
+        (self.folder / "bom.json").write_bytes(b"\xef\xbb\xbf" + text)
+        for name in ("p.json", "bom.json"):
+            self.assertEqual(self.run_json("inspect", name)["kind"], "plan")
+            self.run_limber("export", name, "--csv", name + ".csv")
+
     def test_a_forest_is_grown_once_and_never_stale(self):
         rest = self.plan_file(PILLAR, "rest.yaml")
         forest = ("--forest", "f", "--forest-nodes", 2000)

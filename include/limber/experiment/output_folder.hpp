@@ -1,16 +1,77 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace limber {
 
-/// Makes an empty folder for a run's results, marked as the verb's own (a file `.limber-VERB` in
-/// it), so that the next run may replace it, finished or not.
-/// @throws InputError where `folder` holds files and is not marked, unless `force`; or where it is
-/// a file.
-/// @throws SystemFault where it can't be emptied or made.
-void prepare_output_folder(const std::filesystem::path& folder, bool force,
-                           const std::string& verb = "demo");
+/// Whether `path`, or what it leads to, is `folder` or lies in it. Links and detours don't hide it;
+/// neither has to exist.
+bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
+
+/// The folder of one verb's results, with a manifest of the files that it wrote there
+/// (`.limber-VERB`, docs/formats.md). Whatever the manifest does not list, or was changed since, is
+/// somebody else's: never removed, nor written over.
+///
+/// Threads: files may be written from several at once.
+class OutputFolder {
+ public:
+  /// What to do with a folder that holds something already.
+  enum class Start {
+    fresh,   ///< remove what the manifest lists; refuse a folder that holds files and no manifest
+    forced,  ///< the same, but files without a manifest may lie in it: they stay
+    resumed  ///< keep everything, and go on with the manifest
+  };
+
+  /// Makes the folder, or removes the last run's files.
+  /// @param inputs  files and folders that the run reads: none may lie in it
+  /// @throws InputError naming the folder and what is wrong with it; SystemFault where it can't be
+  /// made or cleared.
+  OutputFolder(std::filesystem::path folder, std::string verb, Start start,
+               const std::vector<std::filesystem::path>& inputs = {});
+
+  const std::filesystem::path& path() const { return folder_; }
+
+  /// What stayed of a folder that was cleared, because it is somebody else's: names relative to the
+  /// folder, sorted.
+  const std::vector<std::string>& left() const { return left_; }
+  /// A sentence about it; empty where nothing stayed.
+  std::string about_left() const;
+
+  /// To be asked before the work begins. @throws InputError where somebody else's file has one of
+  /// these names.
+  void require_free(const std::vector<std::string>& names) const;
+
+  /// Writes a file, atomically. @param name  relative to the folder: "plots/a.svg"
+  /// @throws InputError where somebody else's file has that name; SystemFault.
+  void write(const std::string& name, std::string_view content);
+  /// The same for files that `write_them` writes to path() / name by itself.
+  void write_with(const std::vector<std::string>& names, const std::function<void()>& write_them);
+  /// Removes a file that was written.
+  void remove(const std::string& name);
+
+ private:
+  std::filesystem::path manifest_path() const { return folder_ / (".limber-" + verb_); }
+  bool read_manifest();
+  void write_manifest() const;
+  void require_usable(Start start, bool has_manifest) const;
+  void clear();
+  void list_left();
+  bool is_own(const std::string& name) const;
+  bool holds_foreign(const std::string& name) const;
+  void list(const std::string& name, const std::string& hash);
+
+  std::filesystem::path folder_;
+  std::string verb_;
+  /// Name → content hash; empty while the file is being written.
+  std::map<std::string, std::string> files_;
+  std::vector<std::string> left_;
+  std::mutex mutex_;
+};
 
 }  // namespace limber
