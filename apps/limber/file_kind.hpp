@@ -4,7 +4,7 @@
 
 namespace limber {
 
-/// What a file of limber's holds; an arm and an environment are both YAML.
+/// What a file of limber's holds; an arm, an environment and valves are all YAML.
 enum class FileKind { recording, model, forest, plan, yaml };
 
 /// By content, never by name.

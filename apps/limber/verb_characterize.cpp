@@ -1,17 +1,23 @@
+#include <filesystem>
 #include <map>
 
 #include <fmt/ranges.h>
 
 #include "limber/arm/characterisation.hpp"
+#include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/data/valve_identification.hpp"
 #include "limber/experiment/bench_chart.hpp"
 #include "limber/hardware/bench_test.hpp"
+#include "limber/training/valve_plot.hpp"
 #include "verbs.hpp"
 
 namespace limber {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* kCsvHelp =
     "Fit your own bench data: a CSV file with the header pressure_kpa,strain and optionally "
@@ -49,7 +55,8 @@ class CharacterizeVerb final : public Verb {
  public:
   const char* name() const override { return "characterize"; }
   const char* summary() const override {
-    return "Bench test of one free segment, or a fit of your bench data, for the no-load model";
+    return "Bench test of one free segment, or a fit of your bench data, for the no-load model; or "
+           "the valves of a recording";
   }
   const char* example() const override {
     return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg";
@@ -58,15 +65,28 @@ class CharacterizeVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
         ->capture_default_str();
-    app.add_option("--csv", csv_, kCsvHelp);
+    auto* csv = app.add_option("--csv", csv_, kCsvHelp);
     app.add_option("--steps", steps_, "Pressure steps of the virtual arm's bench test")
         ->capture_default_str()
         ->check(CLI::Range(4, 1000));
-    app.add_option("--out", out_, "Write the arm file with the fitted polynomials here");
-    app.add_option("--plot", plot_, "Draw points and curves to this SVG file");
+    auto* plot = app.add_option("--plot", plot_, "Draw points and curves to this SVG file");
+    auto* valves = app.add_option("--valves", valves_,
+                                  "Identify the valves between this recording's set points and "
+                                  "measured pressures instead (docs/valves.md)")
+                       ->excludes(csv)
+                       ->excludes(plot);
+    app.add_option("--plots", plots_, "Folder for valves.svg: a motion that was not fitted to")
+        ->needs(valves);
+    app.add_option("--out", out_,
+                   "Write the arm file with the fitted polynomials, or the valves, here");
   }
 
   int run(const CommonFlags& flags) override {
+    return valves_.empty() ? run_bench(flags) : run_valves(flags);
+  }
+
+ private:
+  int run_bench(const CommonFlags& flags) const {
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
     require_characterisable(arm);
@@ -91,7 +111,38 @@ class CharacterizeVerb final : public Verb {
     return kExitDone;
   }
 
- private:
+  int run_valves(const CommonFlags& flags) const {
+    const ArmDescription arm = load_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
+    const fs::path plot = plots_.empty() ? fs::path() : fs::path(plots_) / "valves.svg";
+    for (const fs::path& path : {fs::path(out_), plot}) {
+      if (!path.empty()) {
+        refuse_to_overwrite(path, flags.force);
+      }
+    }
+    const Recording recording = read_recording(valves_);
+    require_sizes_of(recording, arm, valves_);
+    const IdentifiedValves valves =
+        identify_valves(recording.episodes, arm, fs::path(valves_).filename().string());
+    for (const std::string& warning : valves.findings.warnings) {
+      say(flags, "warning: {}", warning);
+    }
+    nlohmann::ordered_json json = valves_to_json(valves);
+    json["hash"] = valves.parameters.hash();
+    std::string text = valves_to_text(valves, arm.command.unit);
+    if (!plot.empty()) {
+      write_file_atomically(plot, valve_plot_svg(valves.parameters, recording));
+      json["plot"] = plot.string();
+      text += fmt::format("\nplot written to {}", plot.string());
+    }
+    if (!valves.parameters.is_ideal() && !out_.empty()) {
+      write_valves(out_, valves);
+      json["out"] = out_;
+      text += fmt::format("\nvalves written to {}", out_);
+    }
+    print_result(flags, json, text);
+    return valves.parameters.is_ideal() ? kExitNoSolution : kExitDone;
+  }
+
   CharacterisedArm fit(const ArmDescription& arm, const BenchData& bench) const {
     try {
       return characterise(arm, bench);
@@ -143,6 +194,8 @@ class CharacterizeVerb final : public Verb {
   std::string csv_;
   std::string out_;
   std::string plot_;
+  std::string valves_;
+  std::string plots_;
   int steps_ = 20;
 };
 

@@ -1,5 +1,7 @@
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/valve_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/data/valve_identification.hpp"
 #include "limber/hardware/virtual_arm_factory.hpp"
 #include "verbs.hpp"
 
@@ -65,13 +67,16 @@ class CollectVerb final : public Verb {
     if (result.foreign_files > 0) {
       say(flags, "{}.parts: {} files are not collect's and stay", out_, result.foreign_files);
     }
-    report(flags, result);
+    report(flags, arm, result);
     return kExitDone;
   }
 
  private:
-  void report(const CommonFlags& flags, const CollectionResult& result) const {
+  void report(const CommonFlags& flags, const ArmDescription& arm,
+              const CollectionResult& result) const {
     const Recording& recording = result.recording;
+    const IdentifiedValves valves =
+        identify_valves(recording.episodes, arm, std::filesystem::path(out_).filename().string());
     std::size_t motions = 0;
     for (const Episode& episode : recording.episodes) {
       motions += static_cast<std::size_t>(episode.motion_index.back() + 1);
@@ -88,12 +93,13 @@ class CollectVerb final : public Verb {
     json["frames_dropped"] = recording.untracked_count();
     json["arm_time_s"] = recording.duration_s();
     json["wall_time_s"] = result.wall_time_s;
-    print_result(
-        flags, json,
-        fmt::format("{}: {} motions in {} episodes, {} frames ({} of arm time), seed {}, "
-                    "recorded in {:.1f} s",
-                    out_, motions, recording.episodes.size(), recording.frame_count(),
-                    format_duration(recording.duration_s()), recording.seed, result.wall_time_s));
+    json["valves"] = valves_to_json(valves);
+    print_result(flags, json,
+                 fmt::format("{}: {} motions in {} episodes, {} frames ({} of arm time), seed {}, "
+                             "recorded in {:.1f} s\n{}",
+                             out_, motions, recording.episodes.size(), recording.frame_count(),
+                             format_duration(recording.duration_s()), recording.seed,
+                             result.wall_time_s, valves_to_text(valves)));
   }
 
   std::string arm_ = "three_segment";

@@ -5,6 +5,7 @@
 
 #include "file_kind.hpp"
 #include "limber/arm/no_load_model.hpp"
+#include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
@@ -95,14 +96,36 @@ Finding inspect_environment(const YamlReader& root, const std::optional<ArmDescr
   return finding;
 }
 
+Finding inspect_valves(const YamlReader& root, const std::optional<ArmDescription>& arm,
+                       const std::string& file) {
+  const IdentifiedValves valves = read_valves(root);
+  if (arm) {
+    const std::string fault = why_unusable(valves.parameters, *arm);
+    if (!fault.empty()) {
+      throw InputError(file + ": " + fault);
+    }
+  }
+  Finding finding;
+  finding.json = {{"kind", "valves"}, {"hash", valves.parameters.hash()}};
+  finding.json.update(valves_to_json(valves));
+  finding.text = fmt::format(
+      "{}\n  from {}, hash {}", valves_to_text(valves),
+      valves.findings.source.empty() ? "a source that is not stored" : valves.findings.source,
+      valves.parameters.hash());
+  for (const std::string& warning : valves.findings.warnings) {
+    finding.text += "\n  warning: " + warning;
+  }
+  return finding;
+}
+
 Finding inspect_yaml(const std::string& file, const std::string& content,
                      const std::optional<ArmDescription>& arm) {
   if (content.find("schema") == std::string::npos) {
-    throw InputError(
-        fmt::format("{}: none of limber's files; expected a recording (HDF5), a model or forest "
-                    "(safetensors), a plan "
-                    "(JSON), or an arm or environment (YAML with a line 'schema: limber/…')",
-                    file));
+    throw InputError(fmt::format(
+        "{}: none of limber's files; expected a recording (HDF5), a model or forest "
+        "(safetensors), a plan "
+        "(JSON), or an arm, an environment or valves (YAML with a line 'schema: limber/…')",
+        file));
   }
   const YamlReader root = YamlReader::from_file(file);
   const YamlReader schema = root.at("schema");
@@ -112,9 +135,13 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
   if (schema.text() == "limber/environment/1") {
     return inspect_environment(root, arm);
   }
-  schema.refuse(
-      fmt::format("{} found; this program reads 'limber/arm/1' and 'limber/environment/1' as YAML",
-                  schema.found()));
+  if (schema.text() == "limber/valves/1") {
+    return inspect_valves(root, arm, file);
+  }
+  schema.refuse(fmt::format(
+      "{} found; this program reads 'limber/arm/1', 'limber/environment/1' and 'limber/valves/1' "
+      "as YAML",
+      schema.found()));
 }
 
 Finding inspect_model(const std::string& file, const std::optional<ArmDescription>& arm) {
@@ -134,7 +161,8 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
                   {"members", model.member_count()},
                   {"segments", model.segment_count},
                   {"points", model.point_count},
-                  {"training", model.training}};
+                  {"training", model.training},
+                  {"valves", nullptr}};
   finding.text = fmt::format("model of arm '{}' ({}), preset {}\n  {}, {}", model.arm_name,
                              model.arm_hash, model.preset, model.shape(), layout);
   if (model.member_count() > 1) {
@@ -143,6 +171,11 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
   for (const auto& [key, value] : model.training) {
     finding.text += fmt::format("\n  {}: {}", key, value);
   }
+  const IdentifiedValves valves = model.identified_valves();
+  if (model.valves || !valves.findings.reason.empty()) {
+    finding.json["valves"] = valves_to_json(valves);
+  }
+  finding.text += "\n  " + valves_to_text(valves);
   return finding;
 }
 
@@ -223,7 +256,7 @@ class InspectVerb final : public Verb {
   const char* example() const override { return "limber inspect arms/three_segment.yaml"; }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("file", file_, "Recording, model, plan, arm or environment")->required();
+    app.add_option("file", file_, "Recording, model, plan, arm, environment or valves")->required();
     app.add_option("--arm", arm_, "Arm that the file has to fit; its limits are used");
   }
 

@@ -6,9 +6,11 @@
 
 #include <fmt/ranges.h>
 
+#include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/data/valve_identification.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "limber/training/trainer.hpp"
 #include "verbs.hpp"
@@ -101,13 +103,15 @@ class TrainVerb final : public Verb {
     }
     const TrainingSettings settings = make_settings(flags, start.has_value());
     std::string sources;
-    TrainingData data = load_data(arm, settings, sources);
+    IdentifiedValves valves;
+    TrainingData data = load_data(arm, settings, sources, valves);
     const TrainingData old_data = load_old_data(arm, settings, sources);
     data.replay = old_data.training;
     say(flags, "training {} on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
         settings.ensemble > 1 ? fmt::format("{} networks", settings.ensemble) : "a network",
         data.training.size(), data.validation.size(), settings.preset, settings.epoch_count(),
         settings.seed);
+    keep_known_valves(flags, arm, start, valves);
     TrainingResult result =
         start ? fine_tune(arm, data, settings, *start) : train(arm, data, settings);
     if (result.status == TrainingStatus::diverged) {
@@ -125,6 +129,7 @@ class TrainVerb final : public Verb {
       return kExitNoSolution;
     }
     result.model.training["data"] = sources;
+    result.model.set_valves(valves);
     if (!from_.empty()) {
       result.model.training["from"] = content_hash(read_file(from_));
     }
@@ -216,8 +221,13 @@ class TrainVerb final : public Verb {
   }
 
   TrainingData load_data(const ArmDescription& arm, const TrainingSettings& settings,
-                         std::string& sources) const {
+                         std::string& sources, IdentifiedValves& valves) const {
     std::vector<Episode> episodes = read_episodes(arm, data_, sources);
+    std::vector<std::string> names;
+    for (const std::string& path : data_) {
+      names.push_back(fs::path(path).filename().string());
+    }
+    valves = identify_valves(episodes, arm, fmt::format("{}", fmt::join(names, ", ")));
     if (validation_.empty()) {
       return hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
     }
@@ -229,6 +239,20 @@ class TrainVerb final : public Verb {
   void remove_checkpoint() const {
     std::error_code ignored;  // a checkpoint that stays behind harms nobody
     fs::remove(checkpoint_path(), ignored);
+  }
+
+  /// What the new data tell of the valves; where they don't, a model to go on from keeps its own.
+  static void keep_known_valves(const CommonFlags& flags, const ArmDescription& arm,
+                                const std::optional<CompensationModel>& start,
+                                IdentifiedValves& valves) {
+    if (valves.parameters.is_ideal() && start && start->valves) {
+      say(flags, "{}; the model's own are kept", valves_to_text(valves, arm.command.unit));
+      valves = start->identified_valves();
+    }
+    say(flags, "{}", valves_to_text(valves, arm.command.unit));
+    for (const std::string& warning : valves.findings.warnings) {
+      say(flags, "warning: {}", warning);
+    }
   }
 
   fs::path checkpoint_path() const { return out_ + ".checkpoint"; }
@@ -260,6 +284,7 @@ class TrainVerb final : public Verb {
     json["loss"] = last.loss;
     json["validation_position_error_cm"] = result.best_validation_position_error_cm;
     json["members"] = result.model.member_count();
+    json["valves"] = valves_to_json(result.model.identified_valves());
     if (result.model.member_count() > 1) {
       json["member_validation_position_error_cm"] = result.member_validation_position_error_cm;
     }

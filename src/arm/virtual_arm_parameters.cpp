@@ -16,13 +16,17 @@ namespace {
 
 using Parameters = VirtualArmParameters;
 
+constexpr double kUnlimited = std::numeric_limits<double>::max();
+
 /// Name, member and smallest value of every parameter that is a plain number: one table serves
 /// reading and writing.
 struct Field {
   const char* key;
   double Parameters::*member;
   double low;
-  double high = std::numeric_limits<double>::max();
+  double high = kUnlimited;
+  /// Came later: not written while 0, so that arms without it keep their text and its hash.
+  bool optional = false;
 };
 
 constexpr double kAboveZero = 1e-12;
@@ -62,6 +66,11 @@ constexpr std::array kFields = {
     Field{"controller_proportional_gain", &Parameters::controller_proportional_gain, kAboveZero},
     Field{"controller_derivative_gain_s", &Parameters::controller_derivative_gain_s, 0.0},
     Field{"pressure_dead_band_kpa", &Parameters::pressure_dead_band_kpa, 0.0},
+    Field{"inflate_rate_limit_kpa_per_s", &Parameters::inflate_rate_limit_kpa_per_s, kAboveZero,
+          kUnlimited, true},
+    Field{"vent_rate_limit_kpa_per_s", &Parameters::vent_rate_limit_kpa_per_s, kAboveZero,
+          kUnlimited, true},
+    Field{"valve_dead_time_s", &Parameters::valve_dead_time_s, 0.0, 5.0, true},
     Field{"time_step_s", &Parameters::time_step_s, 1e-5, 0.01},
 };
 
@@ -124,6 +133,9 @@ std::string virtual_arm_parameters_to_yaml(const VirtualArmParameters& parameter
   const std::string margin(static_cast<std::size_t>(indent), ' ');
   std::string text;
   for (const Field& field : kFields) {
+    if (field.optional && parameters.*(field.member) == 0.0) {
+      continue;
+    }
     text += fmt::format("{}{}: {}\n", margin, field.key, parameters.*(field.member));
   }
   for (const QuarticField& field : kQuarticFields) {

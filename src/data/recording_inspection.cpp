@@ -8,6 +8,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/valve_file.hpp"
+#include "limber/data/valve_identification.hpp"
 #include "suspicions.hpp"
 
 namespace limber {
@@ -180,6 +182,7 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
     EpisodeInspector(recording, i, inspection.limits_kpa, suspicions).run();
   }
   inspection.suspicions = suspicions.take();
+  inspection.valves = identify_valves(recording, inspection.limits_kpa);
   return inspection;
 }
 
@@ -210,6 +213,7 @@ nlohmann::ordered_json inspection_to_json(const Recording& recording,
   json["transitions"] = {{"possible", static_cast<std::int64_t>(inspection.transitions.possible)},
                          {"attempted", inspection.transitions.attempted},
                          {"covered", inspection.transitions.covered}};
+  json["valves"] = valves_to_json(inspection.valves);
   json["suspicions"] = nlohmann::ordered_json::array();
   for (const Suspicion& suspicion : inspection.suspicions) {
     json["suspicions"].push_back({{"what", suspicion.what},
@@ -243,6 +247,10 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
   text += fmt::format("  {} of {:.0f} transitions covered (both ends reached), {} commanded{}\n",
                       transitions.covered, transitions.possible, transitions.attempted,
                       inspection.limits_known ? "" : "; limits guessed from the set points");
+  text += "  " + valves_to_text(inspection.valves, recording.command.unit) + "\n";
+  for (const std::string& warning : inspection.valves.findings.warnings) {
+    text += "    warning: " + warning + "\n";
+  }
   if (inspection.suspicions.empty()) {
     text += "  nothing suspicious";
     return text;

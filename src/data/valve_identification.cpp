@@ -17,7 +17,7 @@ namespace {
 constexpr double kChangedWithinS = 0.5;
 constexpr double kChange = 1e-3;          // of the limit, from one frame to the next
 constexpr int kFewestChanges = 20;        // frames with one
-constexpr double kCopy = 1e-4;            // of the limit
+constexpr double kCopy = 1e-4;            // of the largest pressure
 constexpr double kSuspiciousMean = 0.02;  // of the limit
 
 bool changes_at(const Episode& episode, int segment, int frame, double limit) {
@@ -44,19 +44,6 @@ int change_count(const Recording& recording, int segment, double limit) {
     }
   }
   return count;
-}
-
-/// Set points that an import made of the measured pressures, for want of a log of them.
-bool setpoints_are_copies(const Recording& recording, const std::vector<double>& limits) {
-  return std::ranges::all_of(recording.episodes, [&](const Episode& episode) {
-    for (int i = 0; i < recording.segment_count; ++i) {
-      if ((episode.setpoint_kpa.col(i) - episode.pressure_kpa.col(i)).cwiseAbs().maxCoeff() >
-          kCopy * limits[std::size_t(i)]) {
-        return false;
-      }
-    }
-    return true;
-  });
 }
 
 /// Fitted ranges as runs of one segment, about a minute each, evenly picked from what there is.
@@ -175,7 +162,7 @@ class Identification {
 
   std::string why_impossible() {
     const std::string& what = recording_.command.name;
-    if (setpoints_are_copies(recording_, limits_)) {
+    if (setpoints_are_measured(recording_.episodes)) {
       return fmt::format(
           "the set points are the measured numbers ({}): an import without a log of set points "
           "writes them so, or the recording holds no lag",
@@ -282,6 +269,17 @@ class Identification {
 };
 
 }  // namespace
+
+bool setpoints_are_measured(const std::vector<Episode>& episodes) {
+  float largest = 0.0F;
+  float distance = 0.0F;
+  for (const Episode& episode : episodes) {
+    largest = std::max(largest, episode.pressure_kpa.cwiseAbs().maxCoeff());
+    distance =
+        std::max(distance, (episode.setpoint_kpa - episode.pressure_kpa).cwiseAbs().maxCoeff());
+  }
+  return double(distance) <= kCopy * double(largest);
+}
 
 ValveSplit split_for_valves(const std::vector<Episode>& episodes) {
   constexpr int kHeldBack = 5;  // one in so many

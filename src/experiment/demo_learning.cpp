@@ -7,11 +7,13 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/version.hpp"
+#include "limber/data/valve_identification.hpp"
 #include "limber/experiment/bench_chart.hpp"
 #include "limber/hardware/bench_test.hpp"
 #include "limber/hardware/collection.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/hardware/virtual_arm_factory.hpp"
+#include "limber/training/valve_plot.hpp"
 
 namespace limber {
 
@@ -105,6 +107,8 @@ void train_stage(DemoResults& results) {
   if (results.training.status == TrainingStatus::diverged) {
     throw SystemFault("training diverged: " + results.training.message);
   }
+  results.training.model.set_valves(
+      identify_valves(results.training_recording.episodes, results.arm(), "train.h5"));
   results.training.model.training["data"] =
       "train.h5 " + content_hash(read_file(results.file("train.h5")));
   results.output->write_with({"model.safetensors"}, [&] {
@@ -115,6 +119,9 @@ void train_stage(DemoResults& results) {
     write_learning_curve_csv(results.file("learning_curve.csv"), results.training.curve);
   });
   results.output->write("learning_curve.svg", learning_curve_svg(results.training.curve));
+  results.valve_plot_svg = valve_plot_svg(results.training.model.identified_valves().parameters,
+                                           results.training_recording);
+  results.output->write("plots/valves.svg", results.valve_plot_svg);
   results.no_load.emplace(results.arm());
   results.network.emplace(results.arm(), results.training.model);
 }

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "demo_stages.hpp"
+#include "limber/arm/valve_file.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/version.hpp"
@@ -123,6 +124,14 @@ void learning(ReportPage& page, const DemoResults& results) {
           "again. "
           "Friction holds it elsewhere. The paper shows the same in its Fig. 1.")
       .figure({results.inflate_deflate_svg, "After inflating the right side fully and venting it"})
+      .heading("Between set points and pressures")
+      .paragraph(
+          "Pressures follow their set points late, at a limited rate, and through zero one side "
+          "empties before the other inflates. This model of the valves was identified from the "
+          "recording (docs/valves.md): " +
+          valves_to_text(results.training.model.identified_valves(), results.arm().command.unit) +
+          ".")
+      .figure({results.valve_plot_svg, "A recorded motion that the valves were not fitted to"})
       .heading("Learning")
       .figure({learning_curve_svg(results.training.curve),
                "Training loss, and tip error over validation rollouts"})
@@ -292,6 +301,7 @@ nlohmann::ordered_json demo_summary(const DemoResults& results) {
   json["seed"] = results.settings->seed;
   json["quick"] = results.settings->quick;
   json["training"] = training_to_json(results);
+  json["valves"] = valves_to_json(results.training.model.identified_valves());
   json["evaluation"] = evaluation_to_json(results.evaluation);
   json["bench"] = to_json(results.speed);
   json["comparison"] = comparison_to_json(results.trials);

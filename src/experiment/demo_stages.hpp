@@ -40,6 +40,7 @@ struct DemoResults {
   std::optional<ForwardModel> no_load;
   std::optional<ForwardModel> network;
   std::string model_hash;
+  std::string valve_plot_svg;
 
   Evaluation evaluation;
   EvaluationPlots evaluation_plots;

@@ -54,6 +54,7 @@ class VirtualArm::Simulation {
         noise_(options.seed, options.stream),
         setpoint_kpa_(arm.segments.size()) {
     check_options(options);
+    dead_steps_ = std::llround(arm.virtual_arm.valve_dead_time_s / time_step_s_);
     const auto latency_steps = static_cast<int>(std::lround(options.latency_s / time_step_s_));
     frames_late_ = latency_steps / steps_per_frame_;
     steps_late_ = latency_steps % steps_per_frame_;
@@ -64,11 +65,11 @@ class VirtualArm::Simulation {
   }
 
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
-    setpoint_kpa_ = checked(setpoint_kpa);
+    std::vector<double> commanded = checked(setpoint_kpa);
     if (!fault_.empty()) {
       throw SystemFault(fault_);
     }
-    vented_ = false;
+    pending_.push_back({step_ + dead_steps_, std::move(commanded)});
     // The frame to deliver `frames_late_` frames from now is taken `steps_late_` before its end.
     for (int step = 1; step <= steps_per_frame_; ++step) {
       advance();
@@ -84,6 +85,7 @@ class VirtualArm::Simulation {
 
   void vent() noexcept {
     std::fill(setpoint_kpa_.begin(), setpoint_kpa_.end(), 0.0);
+    pending_.clear();
     vented_ = true;
   }
 
@@ -92,6 +94,7 @@ class VirtualArm::Simulation {
     physics_.save(state);
     state.step = step_;
     state.setpoint_kpa = setpoint_kpa_;
+    state.pending_setpoints = pending_;
     state.vented = vented_;
     state.noise_position = noise_.position();
     state.delayed = delayed_;
@@ -113,6 +116,7 @@ class VirtualArm::Simulation {
     physics_.restore(state);
     step_ = state.step;
     setpoint_kpa_ = state.setpoint_kpa;
+    pending_ = state.pending_setpoints;
     vented_ = state.vented;
     noise_.seek(state.noise_position);
     delayed_ = state.delayed;
@@ -156,7 +160,16 @@ class VirtualArm::Simulation {
     return result;
   }
 
+  void take_arrived_setpoints() {
+    while (!pending_.empty() && pending_.front().step <= step_) {
+      setpoint_kpa_ = std::move(pending_.front().setpoint_kpa);
+      pending_.pop_front();
+      vented_ = false;
+    }
+  }
+
   void advance() {
+    take_arrived_setpoints();
     const std::string complaint = physics_.step(setpoint_kpa_, vented_);
     ++step_;
     if (!complaint.empty()) {
@@ -216,12 +229,14 @@ class VirtualArm::Simulation {
   RandomStream noise_;
   int frames_late_ = 0;
   int steps_late_ = 0;
+  std::int64_t dead_steps_ = 0;
   StepObserver observer_;
   BackboneD seen_;  // what the observer is shown
   std::string fault_;
 
   std::int64_t step_ = 0;
-  std::vector<double> setpoint_kpa_;
+  std::vector<double> setpoint_kpa_;  // what the pressure controller goes by
+  std::deque<PendingSetpoint> pending_;
   bool vented_ = false;
   std::deque<ArmState> delayed_;
   ArmState delivered_;

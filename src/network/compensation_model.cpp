@@ -134,6 +134,18 @@ CompensationModel CompensationModel::member(int index) const {
   return one;
 }
 
+IdentifiedValves CompensationModel::identified_valves() const {
+  return {valves.value_or(ValveParameters{}), valve_findings};
+}
+
+void CompensationModel::set_valves(const IdentifiedValves& identified) {
+  valves.reset();
+  if (!identified.parameters.is_ideal()) {
+    valves = identified.parameters;
+  }
+  valve_findings = identified.findings;
+}
+
 const char* to_string(OutputForm form) {
   return form == OutputForm::compensation ? "compensation" : "gated_change";
 }

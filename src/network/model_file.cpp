@@ -153,12 +153,7 @@ void read_valves_into(CompensationModel& model, const Safetensors& content,
   if (found == content.metadata.end()) {
     return;
   }
-  IdentifiedValves valves =
-      read_valves(YamlReader::from_text(found->second, where + ": metadata valves"));
-  model.valve_findings = std::move(valves.findings);
-  if (!valves.parameters.is_ideal()) {
-    model.valves = std::move(valves.parameters);
-  }
+  model.set_valves(read_valves(YamlReader::from_text(found->second, where + ": metadata valves")));
 }
 
 }  // namespace
@@ -186,8 +181,7 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
     content.metadata[kTrainingPrefix + key] = value;
   }
   if (model.valves || !model.valve_findings.reason.empty()) {
-    content.metadata[kValvesKey] =
-        valves_to_json({model.valves.value_or(ValveParameters{}), model.valve_findings}).dump();
+    content.metadata[kValvesKey] = valves_to_json(model.identified_valves()).dump();
   }
   write_file_atomically(path, safetensors_bytes(content));
 }

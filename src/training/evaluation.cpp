@@ -9,6 +9,8 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
+#include "limber/data/valve_identification.hpp"
+#include "limber/data/valve_simulation.hpp"
 #include "limber/training/rollout.hpp"
 
 namespace limber {
@@ -178,6 +180,24 @@ std::int64_t counted_frames(const std::vector<Episode>& episodes) {
 
 }  // namespace
 
+namespace {
+
+std::optional<TipErrors> errors_from_setpoints(const ForwardModel& network,
+                                               std::vector<Episode> episodes, int jobs) {
+  const std::optional<ValveParameters>& valves = network.compensation().valves;
+  if (!valves || setpoints_are_measured(episodes)) {
+    return std::nullopt;
+  }
+  for (Episode& episode : episodes) {
+    const int frames = episode.frame_count();
+    const double rate_hz = (frames - 1) / (episode.time_s[frames - 1] - episode.time_s[0]);
+    episode.pressure_kpa = simulate_valves(*valves, rate_hz, episode);
+  }
+  return summarise(rollout_errors(network, episodes, Restart::at_the_start_only, jobs));
+}
+
+}  // namespace
+
 Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     const std::vector<Episode>& all_episodes, int jobs) {
   std::vector<Episode> episodes;
@@ -216,6 +236,7 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
     errors.window_32 = errors_of(*network, Restart::every_32_frames);
     errors.per_motion = errors_of(*network, Restart::every_motion);
     errors.open_loop = errors_of(*network, Restart::at_the_start_only);
+    errors.open_loop_from_setpoints = errors_from_setpoints(*network, episodes, jobs);
     result.long_rollout = roll_out_long(*network, episodes);
     result.position_reduction_percent = reduction_percent(result.no_load_open_loop.position_cm.mean,
                                                           errors.open_loop.position_cm.mean);
@@ -237,6 +258,9 @@ nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation) {
     network["window_32"] = tip_errors_to_json(evaluation.network->window_32);
     network["per_motion"] = tip_errors_to_json(evaluation.network->per_motion);
     network["open_loop"] = tip_errors_to_json(evaluation.network->open_loop);
+    const std::optional<TipErrors>& planned = evaluation.network->open_loop_from_setpoints;
+    network["open_loop_from_setpoints"] =
+        planned ? tip_errors_to_json(*planned) : nlohmann::ordered_json();
     const LongRollout& rollout = evaluation.long_rollout;
     json["long_rollout"] = {{"frames", rollout.frames},
                             {"largest_distance_m", rollout.largest_distance_m},
@@ -264,6 +288,9 @@ std::string evaluation_to_text(const Evaluation& evaluation) {
   text += row("no load, open loop", evaluation.no_load_open_loop);
   if (evaluation.network) {
     text += row("network, open loop", evaluation.network->open_loop);
+    if (evaluation.network->open_loop_from_setpoints) {
+      text += row("network, open loop, set points", *evaluation.network->open_loop_from_setpoints);
+    }
     text += row("network, per motion", evaluation.network->per_motion);
     text += row("network, 32-frame windows", evaluation.network->window_32);
     text += row("network, one step", evaluation.network->one_step);

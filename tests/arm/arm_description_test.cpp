@@ -46,6 +46,23 @@ std::string with(const std::string& piece, const std::string& replacement) {
   return text.replace(place, piece.size(), replacement);
 }
 
+TEST(ArmDescription, ParametersThatCameLaterAreWrittenWhereTheyAreUsedAlone) {
+  ArmDescription arm = arm_of(2);
+  const std::string plain = arm_to_yaml(arm);
+  for (const char* key :
+       {"valve_dead_time_s", "inflate_rate_limit_kpa_per_s", "vent_rate_limit_kpa_per_s"}) {
+    EXPECT_EQ(plain.find(key), std::string::npos) << key;
+  }
+  arm.virtual_arm.valve_dead_time_s = 0.13;
+  arm.virtual_arm.inflate_rate_limit_kpa_per_s = 60.0;
+  arm.virtual_arm.vent_rate_limit_kpa_per_s = 140.0;
+  const ArmDescription back = read_arm(YamlReader::from_text(arm_to_yaml(arm), "arm"));
+  EXPECT_EQ(back.virtual_arm.valve_dead_time_s, 0.13);
+  EXPECT_EQ(back.virtual_arm.inflate_rate_limit_kpa_per_s, 60.0);
+  EXPECT_EQ(back.virtual_arm.vent_rate_limit_kpa_per_s, 140.0);
+  EXPECT_EQ(back.hash(), arm_of(2).hash()) << "an arm's hash leaves physics out";
+}
+
 TEST(ArmDescription, ReadsEveryKey) {
   const ArmDescription arm = read(kGood);
   EXPECT_EQ(arm.name, "small");

@@ -44,6 +44,27 @@ TEST(Pneumatics, VentsMoreSlowlyThanItInflates) {
   EXPECT_NEAR(time_to_reach(0.0, -10.0, 0.5), time_to_reach(0.0, 10.0, 0.5), kStepS);
 }
 
+TEST(Pneumatics, EachDirectionKeepsItsOwnLimit) {
+  VirtualArmParameters parameters;
+  parameters.inflate_rate_limit_kpa_per_s = 60.0;
+  parameters.vent_rate_limit_kpa_per_s = 140.0;
+  const Pneumatics pneumatics(parameters, kStepS);
+  SegmentAir air{-90.0, 0.0};
+  double fastest_vent = 0.0;
+  double fastest_inflate = 0.0;
+  for (int i = 0; i < 5000; ++i) {
+    const double before = air.pressure_kpa;
+    pneumatics.step(90.0, false, air);
+    double& fastest = air.pressure_kpa < -1.0 ? fastest_vent : fastest_inflate;
+    if (std::abs(air.pressure_kpa) > 20.0) {  // around zero the valve's lag mixes the two
+      fastest = std::max(fastest, (air.pressure_kpa - before) / kStepS);
+    }
+  }
+  constexpr double kRounding = 1e-6;
+  EXPECT_NEAR(fastest_vent, 140.0, kRounding);
+  EXPECT_NEAR(fastest_inflate, 60.0, 0.1);
+}
+
 TEST(Pneumatics, HoldsStillWithinTheDeadBandUnlessItVents) {
   const double inside = 0.9 * kParameters.pressure_dead_band_kpa;
   SegmentAir air{inside, 0.0};

@@ -88,8 +88,9 @@ TEST(VirtualArm, BendsTowardTheInflatedSideAndUnwrapsItsAngles) {
 }
 
 TEST(VirtualArm, RepeatsTheSameMotionToTheBitFromASavedState) {
-  const ArmDescription arm = sample_arm(3);
+  ArmDescription arm = sample_arm(3);
   for (const double latency_s : {0.0, 0.07}) {
+    arm.virtual_arm.valve_dead_time_s = latency_s > 0.0 ? 0.13 : 0.0;
     VirtualArm first(arm, noisy(latency_s));
     VirtualArm second(arm, noisy(latency_s));
     RandomStream random(3, 0);
@@ -111,6 +112,44 @@ TEST(VirtualArm, RepeatsTheSameMotionToTheBitFromASavedState) {
       EXPECT_EQ(again->true_backbone(), truth);
     }
   }
+}
+
+TEST(VirtualArm, SetpointsArriveAfterTheDeadTime) {
+  ArmDescription arm = sample_arm(2);
+  VirtualArm prompt(arm);
+  arm.virtual_arm.valve_dead_time_s = 0.15;  // three frames
+  VirtualArm late(arm);
+  arm.virtual_arm.valve_dead_time_s = 0.13;
+  VirtualArm within_a_frame(arm);
+  RandomStream random(5, 0);
+  std::vector<Eigen::VectorXd> expected;
+  for (int frame = 0; frame < 30; ++frame) {
+    const Pressures setpoint = random_pressures(random, 2);
+    prompt.command(setpoint);
+    late.command(setpoint);
+    within_a_frame.command(setpoint);
+    expected.push_back(prompt.true_pressure_kpa());
+    if (frame >= 3) {
+      EXPECT_EQ(late.true_pressure_kpa(), expected[std::size_t(frame) - 3]);
+    } else {
+      EXPECT_TRUE(late.true_pressure_kpa().isZero(0.0));
+    }
+    EXPECT_EQ(within_a_frame.true_pressure_kpa().isZero(0.0), frame < 2);
+  }
+}
+
+TEST(VirtualArm, ASafetyVentDoesNotWaitForTheDeadTime) {
+  ArmDescription arm = sample_arm(1);
+  arm.virtual_arm.valve_dead_time_s = 0.5;
+  VirtualArm late(arm);
+  late.settle(pressures({50.0F}), 3.0);
+  late.command(pressures({90.0F}));
+  late.vent();
+  const double before = late.true_pressure_kpa()[0];
+  late.restore(late.save());
+  EXPECT_TRUE(late.save().pending_setpoints.empty());
+  late.command(pressures({0.0F}));
+  EXPECT_LT(late.true_pressure_kpa()[0], before);
 }
 
 TEST(VirtualArm, RefusesAnotherArmsState) {

@@ -68,7 +68,10 @@ class Chain(InFolder):
         )
         statistics = {"mean", "std", "p95", "worst_motion"}
         errors = {"position_error_cm", "orientation_error_rad"}
-        kinds = {"one_step", "one_step_moving", "window_32", "per_motion", "open_loop"}
+        kinds = {
+            "one_step", "one_step_moving", "window_32", "per_motion", "open_loop",
+            "open_loop_from_setpoints",
+        }
         self.assertEqual(set(found["network"]), kinds)
         self.assertEqual(set(found["no_load"]), {"open_loop"})
         self.assertEqual(set(found["baselines"]), {"hold", "constant_velocity"})

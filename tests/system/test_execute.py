@@ -44,6 +44,9 @@ class Execute(InFolder):
         self.assertTrue(0.0 < found["distance_to_goal_cm"] < 40.0)
         recording = self.run_json("inspect", "run.h5")
         self.assertIn("two_segment", json.dumps(recording))
+        # What ran is evaluated on like any other recording.
+        evaluated = self.run_json("evaluate", *ARM, "--data", "run.h5")
+        self.assertEqual(evaluated["frames"], recording["frames"] - 1)
 
     def test_repeats_exactly(self):
         self.assertEqual(self.execute(), self.execute())

@@ -58,7 +58,10 @@ struct VirtualArmParameters {
   double friction_torsion_arm = 0.3;  ///< × w
 
   // Valves and their PD controller.
-  double pressure_rate_limit_kpa_per_s = 100.0;
+  double pressure_rate_limit_kpa_per_s = 100.0;  ///< of a direction that has none of its own
+  double inflate_rate_limit_kpa_per_s = 0.0;     ///< 0: the one above
+  double vent_rate_limit_kpa_per_s = 0.0;        ///< 0: the one above
+  double valve_dead_time_s = 0.0;                ///< set points reach the controller so much later
   double inflate_time_constant_s = 0.1;
   double vent_time_constant_s = 0.12;
   double valve_lag_s = 0.01;

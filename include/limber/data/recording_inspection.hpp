@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/valve_findings.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
@@ -42,6 +43,7 @@ struct RecordingInspection {
   bool limits_known = false;             ///< from an arm file, not guessed from the set points
   TransitionCoverage transitions;
   std::vector<Suspicion> suspicions;
+  IdentifiedValves valves;  ///< between its set points and its pressures
 };
 
 /// @param arm  whose limits count; null: the largest set point of each segment stands for its

@@ -15,6 +15,10 @@ struct FrameRange {
   int count = 0;
 };
 
+/// Whether the set points are no more than the measured pressures, as an import writes them that
+/// found none in the log.
+bool setpoints_are_measured(const std::vector<Episode>& episodes);
+
 /// What valves are fitted to, and what they are then judged by: every fifth episode where there
 /// are five or more, else the last fifth of each.
 struct ValveSplit {

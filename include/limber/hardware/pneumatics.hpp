@@ -23,7 +23,9 @@ class Pneumatics {
   Pneumatics(const VirtualArmParameters& parameters, double time_step_s)
       : parameters_(parameters),
         time_step_s_(time_step_s),
-        valve_response_(1.0 - std::exp(-time_step_s / parameters.valve_lag_s)) {}
+        valve_response_(1.0 - std::exp(-time_step_s / parameters.valve_lag_s)),
+        inflate_limit_kpa_per_s_(own_or_common(parameters.inflate_rate_limit_kpa_per_s)),
+        vent_limit_kpa_per_s_(own_or_common(parameters.vent_rate_limit_kpa_per_s)) {}
 
   /// One simulator step toward `setpoint_kpa` (signed); errors within the dead band close the
   /// valves, unless `exact` (a safety vent).
@@ -37,7 +39,7 @@ class Pneumatics {
     const bool vents = demand * air.pressure_kpa < 0.0;
     const double time_constant =
         vents ? parameters_.vent_time_constant_s : parameters_.inflate_time_constant_s;
-    const double limit = parameters_.pressure_rate_limit_kpa_per_s;
+    const double limit = vents ? vent_limit_kpa_per_s_ : inflate_limit_kpa_per_s_;
     const double flow = std::clamp(demand / time_constant, -limit, limit);
     // Exact for a demand that is constant over the step, and second order in the pressure.
     const double before = air.flow_kpa_per_s;
@@ -46,9 +48,15 @@ class Pneumatics {
   }
 
  private:
+  double own_or_common(double limit) const {
+    return limit > 0.0 ? limit : parameters_.pressure_rate_limit_kpa_per_s;
+  }
+
   VirtualArmParameters parameters_;
   double time_step_s_;
   double valve_response_;
+  double inflate_limit_kpa_per_s_;
+  double vent_limit_kpa_per_s_;
 };
 
 }  // namespace limber

@@ -24,6 +24,12 @@ struct VirtualArmOptions {
   std::uint64_t stream = 0;  ///< unit of work (episode, trial), so that each has its own faults
 };
 
+/// A set point that has not reached the pressure controller yet.
+struct PendingSetpoint {
+  std::int64_t step = 0;  ///< the first simulator step that it acts in
+  std::vector<double> setpoint_kpa;
+};
+
 /// Everything of a virtual arm that changes with time, exact to the bit: restoring it repeats the
 /// same motion on any VirtualArm of the same arm and options. Copy it freely; its members are the
 /// simulator's business.
@@ -34,8 +40,9 @@ struct VirtualArmState {
   std::vector<double> warm_start;      ///< qacc_warmstart
   std::vector<double> pressure_kpa;    ///< true, signed, one a segment
   std::vector<double> flow_kpa_per_s;  ///< what the valves let through
-  std::vector<double> setpoint_kpa;
-  bool vented = false;                 ///< `vent` was the last command
+  std::vector<double> setpoint_kpa;    ///< what the pressure controller goes by
+  std::deque<PendingSetpoint> pending_setpoints;  ///< commanded, but not there yet (dead time)
+  bool vented = false;                            ///< `vent` was the last command
   std::vector<double> braid_anchor_m;  ///< spring-sliders of the braids, left and right of each gap
   std::vector<double> creep_m;         ///< relaxed part of each side's stretch, left and right
   std::vector<double> table_anchor_m;  ///< spring-sliders of the plates, x and y of each
@@ -71,7 +78,8 @@ class VirtualArm final : public ArmDriver {
   /// @throws SystemFault where the simulation blows up, naming time and pressures.
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override;
 
-  /// Opens every vent valve: all set points zero, no dead band, until the next `command`.
+  /// Opens every vent valve: all set points zero, no dead band, until the next `command` arrives.
+  /// At once: a dead time is the controller's, not the safety valve's.
   void vent() noexcept override;
 
   /// Commands the same set points for at least `seconds`; returns the state at the end.

@@ -74,6 +74,9 @@ struct CompensationModel {
   /// Member `index` as a model of its own, without the training record. @pre index < member_count()
   CompensationModel member(int index) const;
 
+  IdentifiedValves identified_valves() const;
+  void set_valves(const IdentifiedValves& identified);
+
   /// "102-100-100-100-48".
   std::string shape() const;
 };

@@ -29,6 +29,10 @@ struct RolloutErrors {
   TipErrors window_32;
   TipErrors per_motion;
   TipErrors open_loop;
+  /// Open loop too, and fed with the pressures that the model's valves make of the recording's set
+  /// points: what a plan's prediction is worth. None where the model has no valves, or the
+  /// recording no set points of its own.
+  std::optional<TipErrors> open_loop_from_setpoints;
 };
 
 /// Errors of the models and of two trivial predictors on one recording (INTERFACE: evaluate
