@@ -80,8 +80,8 @@ void what_was_done(ReportPage& page, const DemoResults& results) {
                       training.wall_time_s, training.best_epoch),
           "Evaluate: both models on the test, from one step ahead to the whole episode "
           "uncorrected.",
-          fmt::format("Plan and execute: {} environments, {} plans of each model, {:.0f} s each, "
-                      "{:.0f} mm of clearance asked for; every plan run open loop on the arm.",
+          fmt::format("Plan and execute: {} environments, {} plans of each model, {:.3g} s each, "
+                      "{:.3g} mm of clearance asked for; every plan run open loop on the arm.",
                       results.environments.size(), results.recipe.plans_per_environment,
                       results.recipe.planning_time_limit_s, 1e3 * results.recipe.margin_m),
       });
