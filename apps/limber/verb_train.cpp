@@ -10,6 +10,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/data/recording_inspection.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "limber/training/trainer.hpp"
@@ -104,8 +105,8 @@ class TrainVerb final : public Verb {
     const TrainingSettings settings = make_settings(flags, start.has_value());
     std::string sources;
     IdentifiedValves valves;
-    TrainingData data = load_data(arm, settings, sources, valves);
-    const TrainingData old_data = load_old_data(arm, settings, sources);
+    TrainingData data = load_data(flags, arm, settings, sources, valves);
+    const TrainingData old_data = load_old_data(flags, arm, settings, sources);
     data.replay = old_data.training;
     say(flags, "training {} on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
         settings.ensemble > 1 ? fmt::format("{} networks", settings.ensemble) : "a network",
@@ -135,7 +136,7 @@ class TrainVerb final : public Verb {
     }
     write(result);
     std::optional<FineTuningReport> changes;
-    if (start) {
+    if (start && result.status != TrainingStatus::interrupted) {
       changes = compare_models(arm, *start, result.model, data.validation, old_data.validation,
                                flags.jobs);
     }
@@ -197,13 +198,22 @@ class TrainVerb final : public Verb {
     return settings;
   }
 
-  static std::vector<Episode> read_episodes(const ArmDescription& arm,
+  static Recording read_usable(const CommonFlags& flags, const ArmDescription& arm,
+                               const std::string& path) {
+    Recording recording = read_recording(path);
+    require_recording_of(recording, arm, path);
+    if (const std::string warning = base_warning(recording); !warning.empty()) {
+      say(flags, "warning: {}: {}", path, warning);
+    }
+    return recording;
+  }
+
+  static std::vector<Episode> read_episodes(const CommonFlags& flags, const ArmDescription& arm,
                                             const std::vector<std::string>& paths,
                                             std::string& sources) {
     std::vector<Episode> episodes;
     for (const std::string& path : paths) {
-      Recording recording = read_recording(path);
-      require_recording_of(recording, arm, path);
+      Recording recording = read_usable(flags, arm, path);
       sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ",
                              fs::path(path).filename().string(), content_hash(read_file(path)));
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
@@ -212,17 +222,18 @@ class TrainVerb final : public Verb {
   }
 
   /// What is replayed, and what the old errors are measured on.
-  TrainingData load_old_data(const ArmDescription& arm, const TrainingSettings& settings,
-                             std::string& sources) const {
-    std::vector<Episode> episodes = read_episodes(arm, old_data_, sources);
+  TrainingData load_old_data(const CommonFlags& flags, const ArmDescription& arm,
+                             const TrainingSettings& settings, std::string& sources) const {
+    std::vector<Episode> episodes = read_episodes(flags, arm, old_data_, sources);
     return episodes.empty()
                ? TrainingData()
                : hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
   }
 
-  TrainingData load_data(const ArmDescription& arm, const TrainingSettings& settings,
-                         std::string& sources, IdentifiedValves& valves) const {
-    std::vector<Episode> episodes = read_episodes(arm, data_, sources);
+  TrainingData load_data(const CommonFlags& flags, const ArmDescription& arm,
+                         const TrainingSettings& settings, std::string& sources,
+                         IdentifiedValves& valves) const {
+    std::vector<Episode> episodes = read_episodes(flags, arm, data_, sources);
     std::vector<std::string> names;
     for (const std::string& path : data_) {
       names.push_back(fs::path(path).filename().string());
@@ -231,8 +242,7 @@ class TrainVerb final : public Verb {
     if (validation_.empty()) {
       return hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
     }
-    Recording recording = read_recording(validation_);
-    require_recording_of(recording, arm, validation_);
+    Recording recording = read_usable(flags, arm, validation_);
     return {std::move(episodes), std::move(recording.episodes)};
   }
 

@@ -7,6 +7,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "limber/arm/no_load_model.hpp"
+#include "limber/common/interrupt.hpp"
 
 namespace limber {
 
@@ -254,6 +255,7 @@ ClockMatch match_clocks(const BackboneTrack& motion, const CommandTrack& command
   const Eigen::Index around = best - (typical.values.rows() - 1);
   // A lag and an offset look alike to slow motions: no more lag than the data ask for.
   for (int step = 0; step * kLagStep_s <= kLongestLag_s; ++step) {
+    throw_if_interrupted();
     const double lag_s = step * kLagStep_s;
     const Peak peak = peak_near(around, seen, whole(lagging(told, lag_s)), has_sign);
     if (step == 0 || peak.value > match.correlation + kClearlyBetter) {

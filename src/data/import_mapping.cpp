@@ -21,7 +21,7 @@ double factor_to(const YamlReader& node, const std::string& to) {
   if (!factor) {
     node.refuse(fmt::format(
         "{} found; expected a unit that limber can turn into {}: lengths in m, cm, mm, in; angles "
-        "in rad, deg; times in s, ms, us, min; pressures in kPa, Pa, hPa, mbar, bar, MPa, psi",
+        "in rad, deg; times in s, ms, us, ns, min; pressures in kPa, Pa, hPa, mbar, bar, MPa, psi",
         node.found(), to));
   }
   return *factor;

@@ -12,6 +12,7 @@
 #include "limber/data/clock_match.hpp"
 #include "limber/data/log_resampling.hpp"
 #include "limber/data/motive_csv.hpp"
+#include "log_clock.hpp"
 #include "log_runs.hpp"
 #include "motive_points.hpp"
 
@@ -22,28 +23,18 @@ namespace {
 constexpr double kLeastCorrelation = 0.3;  // below, the logs do not belong together
 constexpr double kAmbiguous = 0.9;         // a runner-up this good could as well be the answer
 constexpr double kWeakSegment = 0.2;
-constexpr double kSlowerThanArm = 0.95;  // of the arm's rate
-constexpr double kFastestLog_hz = 20000.0;
 
 namespace fs = std::filesystem;
 
-void check_rate(const std::string& log, const PointTracks& points, const TimeColumn& time,
-                const ArmDescription& arm, RunReport& report) {
-  report.rate_hz = median_rate_hz(points.time_s);
-  report.duration_s = points.time_s.back() - points.time_s.front();
-  if (report.rate_hz < kSlowerThanArm * arm.frame_rate_hz) {
-    throw InputError(fmt::format(
-        "{}: {:.4g} rows a second; arm '{}' works at {} frames a second, and what lies between "
-        "rows "
-        "is not invented. Is the time in the unit '{}' that the mapping says? If so, set "
-        "frame_rate_hz of the arm file to at most {:.4g}",
-        log, report.rate_hz, arm.name, arm.frame_rate_hz, time.unit, report.rate_hz));
-  }
-  if (report.rate_hz > kFastestLog_hz) {
-    throw InputError(
-        fmt::format("{}: {:.4g} rows a second can't be motion capture: is the time in "
-                    "another unit than '{}'?",
-                    log, report.rate_hz, time.unit));
+/// The clocks of both logs, before anything is measured or allocated by them.
+void check_clocks(const std::string& log, const std::string& command_log,
+                  const ImportMapping& mapping, const ArmDescription& arm, LogRun& run) {
+  check_clock(log, run.time, run.points.time_s, arm);
+  run.report.rate_hz = median_rate_hz(run.points.time_s);
+  run.report.duration_s = run.points.time_s.back() - run.points.time_s.front();
+  if (!run.one_clock) {
+    check_clock(command_log, mapping.commands.time, run.commands.time_s, arm);
+    check_span(command_log, mapping.commands.time, run.commands.time_s, log, run.points.time_s);
   }
 }
 
@@ -111,7 +102,7 @@ std::vector<Episode> import_run(const fs::path& log, const std::string& command_
   // On one clock the same rows would be noted twice.
   RunReport same_rows;
   put_in_order(commands_from, run.commands, run.one_clock ? same_rows : run.report);
-  check_rate(name, run.points, options.mapping.time, arm, run.report);
+  check_clocks(name, commands_from, options.mapping, arm, run);
   check_commands(commands_from, options.mapping, arm, run.commands, run.report);
   const BackboneTrack motion =
       build_backbone(name, std::move(run.points), options.mapping, arm, run.report);
@@ -135,6 +126,10 @@ template <class ReadRuns>
 ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions& options,
                          const ArmDescription& arm, const char* kind, const ReadRuns& read_runs) {
   require_log_pairs(logs, options);
+  if (options.time_offset_s && !std::isfinite(*options.time_offset_s)) {
+    throw InputError(
+        fmt::format("time offset {}; expected seconds, a finite number", *options.time_offset_s));
+  }
   ImportResult result{make_recording(arm, "", 0), {}};
   std::vector<std::string> names;
   for (std::size_t i = 0; i < logs.size(); ++i) {
@@ -195,6 +190,7 @@ ImportResult import_motive(const std::vector<fs::path>& logs, const ImportOption
     const MotiveTake take = read_motive_csv(log, run.report);
     run.report.name = log.filename().string();
     run.report.rows = static_cast<std::int64_t>(take.time_s.size());
+    run.time = {"Time (Seconds)", 1.0, "s"};
     run.points = motive_points(log.string(), take, options.mapping, arm, run.report);
     run.one_clock = false;
     run.commands = read_command_log(options.command_logs[i], options.mapping, arm, run.report);

@@ -17,7 +17,9 @@ constexpr double kMissingRow = 1.5;        // a longer step, in median steps, ha
 constexpr double kRounding_s = 1e-6;       // of times written with six digits
 constexpr double kMovingSetpoint = 0.001;  // of the limit, between frames
 constexpr double kMovingCommand = 0.01;    // the same where only noisy measurements are there
-constexpr int kStillFrames = 4;            // before a motion begins, where only measurements are
+// Numbers of frames are whole in double: 45 million years at 20 Hz.
+constexpr double kLargestFrameNumber = 1e15;
+constexpr int kStillFrames = 4;  // before a motion begins, where only measurements are
 
 /// The rows around a moment.
 struct Bracket {
@@ -77,7 +79,7 @@ struct Piece {
   std::vector<Eigen::RowVectorXd> measured;
   std::vector<Eigen::RowVectorXd> setpoint;
   std::vector<Eigen::RowVectorXd> backbone;
-  std::vector<int> motion;
+  std::vector<double> motion;
   std::vector<std::uint8_t> tracked;
 };
 
@@ -122,9 +124,13 @@ class Resampler {
     const double period_s = arm_.frame_period_s();
     const double from = std::max(motion_.time_s.front(), commands_.time_s.front());
     const double to = std::min(motion_.time_s.back(), commands_.time_s.back());
-    const auto first = static_cast<std::int64_t>(std::ceil((from - kRounding_s) / period_s));
-    const auto last = static_cast<std::int64_t>(std::floor((to + kRounding_s) / period_s));
-    for (std::int64_t k = first; k <= last; ++k) {
+    const double begin = std::ceil((from - kRounding_s) / period_s);
+    const double end = std::floor((to + kRounding_s) / period_s);
+    if (!(begin <= end && -begin <= kLargestFrameNumber && end <= kLargestFrameNumber)) {
+      return {};
+    }
+    const auto last = static_cast<std::int64_t>(end);
+    for (auto k = static_cast<std::int64_t>(begin); k <= last; ++k) {
       add_frame(double(k) * period_s);
     }
     finish_piece();
@@ -153,7 +159,9 @@ class Resampler {
       piece_.setpoint.emplace_back(commands_.setpoint.row(told.before));
     }
     if (!commands_.motion.empty()) {
-      piece_.motion.push_back(static_cast<int>(commands_.motion[std::size_t(told.before)]));
+      const double motion = commands_.motion[std::size_t(told.before)];
+      const bool empty = !std::isfinite(motion) && !piece_.motion.empty();
+      piece_.motion.push_back(empty ? piece_.motion.back() : motion);
     }
     piece_.backbone.push_back(row_at(motion_.poses, seen));
     const bool filled =
@@ -199,7 +207,7 @@ class Resampler {
       // Numbers begin at 0 and never fall: a log's own may restart or begin anywhere.
       int number = 0;
       for (std::size_t t = 0; t < piece.motion.size(); ++t) {
-        number += int(t > 0 && piece.motion[t] != piece.motion[t - 1]);
+        number += int(t > 0 && std::abs(piece.motion[t] - piece.motion[t - 1]) > 0.0);
         episode.motion_index.push_back(number);
       }
     } else {
@@ -240,13 +248,14 @@ std::vector<Episode> resample(const std::string& log, const BackboneTrack& motio
                               double longest_gap_s, RunReport& report) {
   std::vector<Episode> episodes = Resampler(motion, commands, arm, longest_gap_s, report).run();
   if (episodes.empty()) {
-    throw InputError(fmt::format(
-        "{}: nothing is left: motion is logged from {:.3f} s to {:.3f} s, commands from {:.3f} s "
-        "to "
-        "{:.3f} s on the same clock, and no second of both is without a gap longer than {} s. Are "
-        "the clocks and the time's unit right? A longer recording is needed otherwise",
-        log, motion.time_s.front(), motion.time_s.back(), commands.time_s.front(),
-        commands.time_s.back(), longest_gap_s));
+    throw InputError(
+        fmt::format("{}: nothing is left: motion is logged from {:.12g} s to {:.12g} s, commands "
+                    "from {:.12g} s "
+                    "to {:.12g} s on the same clock, and no second of both is without a gap longer "
+                    "than {} s. Are "
+                    "the clocks and the time's unit right? A longer recording is needed otherwise",
+                    log, motion.time_s.front(), motion.time_s.back(), commands.time_s.front(),
+                    commands.time_s.back(), longest_gap_s));
   }
   if (commands.setpoint.size() == 0) {
     report.note("no set points logged: the measured commands stand for them");

@@ -271,6 +271,7 @@ std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const Impor
     LogRun run;
     run.report.name = path.filename().string() + (group.label.empty() ? "" : ", " + group.label);
     run.report.rows = static_cast<std::int64_t>(group.rows.size());
+    run.time = mapping.time;
     run.points = points_of(table, group, mapping);
     run.points.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
     run.one_clock = with_commands;

@@ -14,6 +14,7 @@ namespace limber {
 struct LogRun {
   RunReport report;
   PointTracks points;
+  TimeColumn time;  ///< of the points
   CommandTrack commands;
   bool one_clock = true;  ///< false: the commands come on a clock of their own
 };

@@ -17,12 +17,12 @@ struct Unit {
 };
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr Unit kUnits[] = {{"m", 'l', 1.0},     {"cm", 'l', 1e-2},       {"mm", 'l', 1e-3},
-                           {"in", 'l', 0.0254}, {"rad", 'a', 1.0},       {"deg", 'a', kPi / 180.0},
-                           {"s", 't', 1.0},     {"ms", 't', 1e-3},       {"us", 't', 1e-6},
-                           {"min", 't', 60.0},  {"kPa", 'p', 1.0},       {"Pa", 'p', 1e-3},
-                           {"mbar", 'p', 0.1},  {"hPa", 'p', 0.1},       {"bar", 'p', 100.0},
-                           {"MPa", 'p', 1e3},   {"psi", 'p', kKpaPerPsi}};
+constexpr Unit kUnits[] = {{"m", 'l', 1.0},     {"cm", 'l', 1e-2},  {"mm", 'l', 1e-3},
+                           {"in", 'l', 0.0254}, {"rad", 'a', 1.0},  {"deg", 'a', kPi / 180.0},
+                           {"s", 't', 1.0},     {"ms", 't', 1e-3},  {"us", 't', 1e-6},
+                           {"ns", 't', 1e-9},   {"min", 't', 60.0}, {"kPa", 'p', 1.0},
+                           {"Pa", 'p', 1e-3},   {"mbar", 'p', 0.1}, {"hPa", 'p', 0.1},
+                           {"bar", 'p', 100.0}, {"MPa", 'p', 1e3},  {"psi", 'p', kKpaPerPsi}};
 constexpr double kLogRatioTolerance = 0.34;  // a factor of 1.4 either way
 
 const Unit* find(const std::string& name) {

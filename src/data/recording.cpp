@@ -9,6 +9,7 @@
 #include "limber/common/utf8.hpp"
 #include "limber/data/episode_path.hpp"
 #include "recording_header.hpp"
+#include "recorded_backbones.hpp"
 
 namespace limber {
 
@@ -254,6 +255,7 @@ void require_recording_of(const Recording& recording, const ArmDescription& arm,
         "compare with. Record it again with the tracker in view",
         file, recording.frame_count()));
   }
+  require_backbones_of(recording, arm, file);
 }
 
 }  // namespace limber

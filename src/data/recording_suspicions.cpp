@@ -6,6 +6,7 @@
 
 #include "limber/data/log_tracks.hpp"
 #include "log_runs.hpp"
+#include "recorded_backbones.hpp"
 #include "suspicions.hpp"
 
 namespace limber {
@@ -16,8 +17,6 @@ constexpr double kConstant = 0.02;      // of the limit (of 1 without an arm), o
 constexpr int kShortEpisode = 33;       // frames: a training window and the frame before it
 constexpr double kManyUntracked = 0.2;  // of an episode's frames
 constexpr double kRateTolerance = 0.02;
-constexpr double kBasePosition_m = 0.01;
-constexpr double kBaseHeading_rad = 0.1;
 constexpr double kLongestGap = 1.2;   // between plates, over the length at rest
 constexpr double kShortestGap = 0.5;  // an arc of 3.8 rad within one gap
 constexpr double kSamePlace_m = 1e-6;
@@ -79,10 +78,11 @@ void look_at_episode(const Recording& recording, std::size_t index, Suspicions& 
           fmt::format("{:.4g} Hz by their times, {} Hz by the file", rate_hz, recording.rate_hz));
     }
   }
-  const auto base = episode.backbone.row(0).head<3>();
-  if (std::hypot(base[0], base[1]) > kBasePosition_m || std::abs(base[2]) > kBaseHeading_rad) {
-    suspicions.add("a base that is not the origin of the arm's frame", index, 0,
-                   fmt::format("({:.3f}, {:.3f}) m, {:.3f} rad", base[0], base[1], base[2]));
+  if (const std::string offset = base_offset(episode); !offset.empty()) {
+    suspicions.add(
+        "a base that is not the origin of the arm's frame: import it with 'alignment: base' in the "
+        "mapping",
+        index, 0, offset);
   }
 }
 

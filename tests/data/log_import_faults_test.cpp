@@ -54,8 +54,10 @@ TEST_F(LogImportFaults, FindsWrongAndMixedUnits) {
                  {"'pressure_1_kpa' (segment 0) reaches", "the limit of arm 'sample3' is 100 kPa",
                   "is it in mbar?"});
   pressure_scale_ = 1.0;
-  expect_refusal(log(), replaced(mapping(), "{column: time_s}", "{column: time_s, unit: us}"),
-                 {"can't be motion capture: is the time in another unit than 'us'?"});
+  expect_refusal(
+      log(), replaced(mapping(), "{column: time_s}", "{column: time_s, unit: us}"),
+      {"run.csv: column 'time_s', read in us, gives 1e+08 rows a second; expected 19 to 2e+04",
+       "Are its times in s?"});
 }
 
 TEST_F(LogImportFaults, FindsPointsInAnotherOrder) {
@@ -68,7 +70,9 @@ TEST_F(LogImportFaults, FindsPointsInAnotherOrder) {
 
 TEST_F(LogImportFaults, FindsALogSlowerThanTheArm) {
   rate_hz_ = 10.0;
-  expect_refusal(log(), mapping(), {"10 rows a second", "set frame_rate_hz of the arm file"});
+  expect_refusal(log(), mapping(),
+                 {"10 rows a second; expected 19 to", "Is it the column of times?",
+                  "set frame_rate_hz of the arm file to at most 10"});
 }
 
 TEST_F(LogImportFaults, FindsTurnedSigns) {

@@ -1,7 +1,10 @@
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
 #include "limber/data/recording.hpp"
+#include "limber/data/recording_inspection.hpp"
 #include "support/test_recording.hpp"
 
 namespace limber {
@@ -10,6 +13,29 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
+
+/// Two segments, five plates 0.1 m apart.
+ArmDescription small_arm(const char* name) {
+  ArmDescription arm;
+  arm.name = name;
+  arm.frame_rate_hz = 20.0;
+  arm.segments.assign(2, Segment{0.2, 0.05, 2, 100.0, {1e-3, 0, 0, 0}});
+  return arm;
+}
+
+/// A recording of it whose plates lie along a line that turns about the base.
+Recording turning_recording(int frames) {
+  Recording recording = test_recording(1, frames, 2, 5);
+  FrameMatrix& backbone = recording.episodes[0].backbone;
+  for (int t = 0; t < frames; ++t) {
+    const float angle = 0.5F * std::sin(0.2F * static_cast<float>(t));
+    for (int plate = 0; plate < 5; ++plate) {
+      const float x = 0.1F * static_cast<float>(plate);
+      backbone.row(t).segment<3>(3 * plate) << x * std::cos(angle), x * std::sin(angle), angle;
+    }
+  }
+  return recording;
+}
 
 TEST(RequireRecordingOf, NamesWhatDiffersFromTheArm) {
   ArmDescription arm;
@@ -41,11 +67,8 @@ TEST(RequireRecordingOf, NamesWhatDiffersFromTheArm) {
 }
 
 TEST(RequireRecordingOf, TakesTheSameArmRenamedOrEditedAndRefusesAnother) {
-  ArmDescription arm;
-  arm.name = "mine";
-  arm.frame_rate_hz = 20.0;
-  arm.segments.assign(2, Segment{0.2, 0.05, 2, 100.0, {1e-3, 0, 0, 0}});
-  Recording recording = test_recording(1, 40, 2, 5);
+  const ArmDescription arm = small_arm("mine");
+  Recording recording = turning_recording(40);
   recording.arm_name = "mine";
   EXPECT_NO_THROW(require_recording_of(recording, arm, "a.h5")) << "edited since";
   recording.arm_name = "other";
@@ -58,14 +81,11 @@ TEST(RequireRecordingOf, TakesTheSameArmRenamedOrEditedAndRefusesAnother) {
 }
 
 TEST(RequireRecordingOf, RefusesWhatLiesFarBeyondTheLimits) {
-  ArmDescription arm;
-  arm.name = "test arm";
-  arm.frame_rate_hz = 20.0;
-  arm.segments.assign(2, Segment{0.2, 0.05, 2, 100.0, {1e-3, 0, 0, 0}});
+  const ArmDescription arm = small_arm("test arm");
   const auto refusal = [&](const Recording& recording) {
     return [&] { require_recording_of(recording, arm, "a.h5"); };
   };
-  Recording recording = test_recording(1, 4000, 2, 5);
+  Recording recording = turning_recording(4000);
   recording.episodes[0].pressure_kpa(7, 1) = 130.0F;
   EXPECT_NO_THROW(refusal(recording)()) << "a single spike";
   recording.episodes[0].pressure_kpa(7, 1) = 310.0F;
@@ -74,20 +94,89 @@ TEST(RequireRecordingOf, RefusesWhatLiesFarBeyondTheLimits) {
                                                       "is at 310 kPa in frame 7"),
                                             HasSubstr("the limit of arm 'test arm' is 100 kPa"),
                                             HasSubstr("import it again"))));
-  recording = test_recording(1, 4000, 2, 5);
+  recording = turning_recording(4000);
   recording.episodes[0].setpoint_kpa *= 6.894757F;
   EXPECT_THAT(refusal(recording), ThrowsMessage<InputError>(HasSubstr("set points: segment 0")));
 }
 
 TEST(RequireRecordingOf, RefusesWhatWasNeverTracked) {
-  ArmDescription arm;
-  arm.name = "test arm";
-  arm.frame_rate_hz = 20.0;
-  arm.segments.assign(2, Segment{0.2, 0.05, 2, 100.0, {1e-3, 0, 0, 0}});
-  Recording recording = test_recording(1, 40, 2, 5);
+  const ArmDescription arm = small_arm("test arm");
+  Recording recording = turning_recording(40);
   recording.episodes[0].tracked.assign(40, 0);
   EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
               ThrowsMessage<InputError>(HasSubstr("tracked in none of its 40 frames")));
+}
+
+TEST(RequireRecordingOf, RefusesPlatesThatAreNotAsFarApartAsTheArms) {
+  const ArmDescription arm = small_arm("test arm");
+  const auto refusal = [&](const Recording& recording) {
+    return [&] { require_recording_of(recording, arm, "a.h5"); };
+  };
+  Recording stretched = turning_recording(200);
+  stretched.episodes[0].backbone *= 1.3F;
+  EXPECT_NO_THROW(refusal(stretched)()) << "an arm that stretches";
+  Recording single = turning_recording(200);
+  single.episodes[0].backbone.middleRows(3, 60).setConstant(7.0F);
+  EXPECT_NO_THROW(refusal(single)()) << "less than half of the frames";
+  Recording millimetres = turning_recording(200);
+  millimetres.episodes.push_back(millimetres.episodes[0]);
+  millimetres.episodes[1].backbone *= 1000.0F;
+  EXPECT_THAT(refusal(millimetres),
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("a.h5: episodes/000001: plates 0 and 1 are 100 m apart"),
+                        HasSubstr("arm 'test arm' has 0.1 m there, and 0.05 to 0.15 m are allowed"),
+                        HasSubstr("It should be in m: is it in mm?"))));
+  Recording swapped = turning_recording(200);
+  FrameMatrix& backbone = swapped.episodes[0].backbone;
+  const FrameMatrix second = backbone.middleCols(6, 3);
+  backbone.middleCols(6, 3) = backbone.middleCols(9, 3);
+  backbone.middleCols(9, 3) = second;
+  EXPECT_THAT(refusal(swapped),
+              ThrowsMessage<InputError>(AllOf(HasSubstr("plates 1 and 2 are 0.2 m apart"),
+                                              HasSubstr("Are the plates in order"))));
+  // What was not seen says nothing.
+  single.episodes[0].backbone.setConstant(7.0F);
+  single.episodes[0].tracked.assign(200, 0);
+  single.episodes.push_back(turning_recording(200).episodes[0]);
+  EXPECT_NO_THROW(refusal(single)());
+}
+
+TEST(RequireRecordingOf, RefusesAnArmThatStandsStillUnderChangingPressures) {
+  const ArmDescription arm = small_arm("test arm");
+  Recording recording = turning_recording(200);
+  recording.episodes.push_back(recording.episodes[0]);
+  Episode& still = recording.episodes[1];
+  for (int t = 1; t < 200; ++t) {
+    still.backbone.row(t) = still.backbone.row(0);
+    still.backbone(t, 12) += 1e-4F * static_cast<float>(t % 5);  // a tracker's noise
+  }
+  EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("a.h5: episodes/000001: the arm's end stands still (its place "
+                                  "spreads by 0.14 mm; expected at least 0.8 mm)"),
+                        HasSubstr("the pressure of segment 0 changes by 180 kPa"))));
+  still.pressure_kpa.setConstant(30.0F);
+  EXPECT_NO_THROW(require_recording_of(recording, arm, "a.h5")) << "an arm at rest";
+}
+
+// Networks of plate-relative poses never see where the base lies.
+TEST(BaseWarning, SaysWhereTheBaseLiesOnAverage) {
+  Recording recording = turning_recording(200);
+  Episode& episode = recording.episodes[0];
+  episode.backbone.leftCols(3).setZero();
+  EXPECT_EQ(base_warning(recording), "");
+  for (int t = 0; t < 200; ++t) {  // noise about zero, and a full turn, are none
+    episode.backbone(t, 0) = t % 2 == 0 ? 0.004F : -0.004F;
+    episode.backbone(t, 2) = static_cast<float>(t % 2 == 0 ? 2.0 * M_PI : 0.0);
+  }
+  EXPECT_EQ(base_warning(recording), "");
+  episode.backbone.col(2).setConstant(0.05F);
+  EXPECT_THAT(base_warning(recording),
+              AllOf(HasSubstr("(0.000, 0.000) m, 0.050 rad (episodes/000000"),
+                    HasSubstr("'alignment: base'")));
+  episode.backbone.col(2).setZero();
+  episode.backbone.col(1).setConstant(-0.003F);
+  EXPECT_THAT(base_warning(recording), HasSubstr("-0.003) m, 0.000 rad"));
 }
 
 }  // namespace

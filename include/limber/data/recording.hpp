@@ -80,7 +80,8 @@ void require_sizes_of(const Recording& recording, const ArmDescription& arm,
 
 /// What learning and comparing ask for. @throws InputError as `require_sizes_of`; where both name
 /// and hash are another arm's (one alone may differ: a recording outlives small edits of the arm
-/// file); where commands lie far beyond the arm's limits; where nothing was ever tracked.
+/// file); where commands lie far beyond the arm's limits; where nothing was ever tracked; where the
+/// plates' distances are not the arm's or its end stands still while commands change.
 void require_recording_of(const Recording& recording, const ArmDescription& arm,
                           const std::string& file);
 

@@ -52,6 +52,10 @@ struct RecordingInspection {
 RecordingInspection inspect(const Recording& recording, const ArmDescription* arm,
                             const std::string& file);
 
+/// A sentence where the base plate of an episode does not lie at the origin of frame B, on average
+/// farther than 2 mm or turned by more than 0.01 rad; empty where every one does.
+std::string base_warning(const Recording& recording);
+
 TransitionCoverage transition_coverage(const Recording& recording,
                                        const std::vector<double>& limits_kpa);
 

@@ -1,0 +1,161 @@
+#include "recorded_backbones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/data/episode_path.hpp"
+#include "limber/data/log_tracks.hpp"
+#include "limber/data/log_units.hpp"
+#include "limber/data/recording_inspection.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kBasePosition_m = 0.002;  // trackers are better than that
+constexpr double kBaseHeading_rad = 0.01;  // 7 mm at the end of a 0.7 m arm
+// Median distance of two plates over their gap at rest. A gap that stretches by half or bends by
+// 3.8 rad is no arm that we know; another unit or another arm is off by more.
+constexpr double kLongestGap = 1.5;
+constexpr double kShortestGap = 0.5;
+// Standard deviation of the end's place over the arm's length, 1.4 mm at 0.7 m: more than a
+// tracker's noise and less than any motion, where a command changes by half of its limit.
+constexpr double kStill = 0.002;
+constexpr double kMovingCommand = 0.5;
+
+void require_gaps(const Episode& episode, const ArmDescription& arm, const std::string& place) {
+  const std::vector<double> rest_m = rest_positions_m(arm);
+  for (int plate = 0; plate + 1 < arm.point_count(); ++plate) {
+    const auto p = static_cast<std::size_t>(plate);
+    const double expected_m = rest_m[p + 1] - rest_m[p];
+    const double found_m = median_gap_m(episode, plate);
+    if (found_m > kLongestGap * expected_m || found_m < kShortestGap * expected_m) {
+      const std::string unit = unit_suspicion(found_m / expected_m, "m");
+      throw InputError(fmt::format(
+          "{}: plates {} and {} are {:.4g} m apart (median over the frames); arm '{}' has {:.4g} m "
+          "there, and {:.4g} to {:.4g} m are allowed. {} Import its logs again, or give the arm "
+          "file that it was recorded with (--arm)",
+          place, plate, plate + 1, found_m, arm.name, expected_m, kShortestGap * expected_m,
+          kLongestGap * expected_m,
+          unit.empty() ? "Are the plates in order, and is it this arm?"
+                       : "It should be in m: " + unit));
+    }
+  }
+}
+
+double spread_of_end_m(const Episode& episode) {
+  const Eigen::Index tip = episode.backbone.cols() - 3;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  double squares = 0.0;
+  double count = 0.0;
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    if (episode.was_tracked(t)) {
+      // Welford's update: differences of large sums would lose the spread of an arm far away.
+      const Eigen::Vector2d place = episode.backbone.row(t).segment<2>(tip).cast<double>();
+      const Eigen::Vector2d before = place - mean;
+      count += 1.0;
+      mean += before / count;
+      squares += before.dot(place - mean);
+    }
+  }
+  return count > 0.0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN();
+}
+
+void require_motion(const Episode& episode, const ArmDescription& arm, const std::string& place) {
+  const double spread_m = spread_of_end_m(episode);
+  if (!(spread_m < kStill * arm.length_m())) {
+    return;
+  }
+  for (Eigen::Index i = 0; i < episode.pressure_kpa.cols(); ++i) {
+    const double range = double(episode.pressure_kpa.col(i).maxCoeff()) -
+                         double(episode.pressure_kpa.col(i).minCoeff());
+    const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    if (range > kMovingCommand * limit) {
+      throw InputError(fmt::format(
+          "{}: the arm's end stands still (its place spreads by {:.2g} mm; expected at least "
+          "{:.2g} "
+          "mm) while the {} of segment {} changes by {:.4g} {}. Was the tracker running, and do "
+          "both logs belong together? Record it again, or leave the episode out",
+          place, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, i, range,
+          arm.command.unit));
+    }
+  }
+}
+
+}  // namespace
+
+Pose mean_base(const Episode& episode) {
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  double cosine = 0.0;
+  double sine = 0.0;
+  int count = 0;
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    if (episode.was_tracked(t)) {
+      const auto base = episode.backbone.row(t).head<3>().cast<double>();
+      place += base.head<2>().transpose();
+      cosine += std::cos(base[2]);
+      sine += std::sin(base[2]);
+      ++count;
+    }
+  }
+  if (count == 0) {
+    return {};
+  }
+  place /= count;
+  return {place.x(), place.y(), std::atan2(sine, cosine)};
+}
+
+std::string base_offset(const Episode& episode) {
+  const Pose base = mean_base(episode);
+  if (std::hypot(base.x_m, base.y_m) <= kBasePosition_m &&
+      std::abs(base.theta_rad) <= kBaseHeading_rad) {
+    return {};
+  }
+  return fmt::format("({:.3f}, {:.3f}) m, {:.3f} rad", base.x_m, base.y_m, base.theta_rad);
+}
+
+double median_gap_m(const Episode& episode, int plate) {
+  std::vector<double> distances;
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    if (episode.was_tracked(t)) {
+      const auto row = episode.backbone.row(t);
+      distances.push_back(
+          (row.segment<2>(3 * plate + 3) - row.segment<2>(3 * plate)).cast<double>().norm());
+    }
+  }
+  if (distances.empty()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+void require_backbones_of(const Recording& recording, const ArmDescription& arm,
+                          const std::string& file) {
+  for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
+    const std::string place = fmt::format("{}: {}", file, episode_path(e));
+    require_gaps(recording.episodes[e], arm, place);
+    require_motion(recording.episodes[e], arm, place);
+  }
+}
+
+std::string base_warning(const Recording& recording) {
+  for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
+    if (const std::string offset = base_offset(recording.episodes[e]); !offset.empty()) {
+      return fmt::format(
+          "the base plate does not lie at the origin of the arm's frame but at {} ({}, on average; "
+          "2 mm and 0.01 rad are allowed). A network of plate-relative poses can't know that, and "
+          "errs by as much. Import the logs again with 'alignment: base' in the mapping",
+          offset, episode_path(e));
+    }
+  }
+  return {};
+}
+
+}  // namespace limber
