@@ -47,7 +47,7 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
     say(flags, "{}: asked for; growing it anew", path);
   } else if (std::filesystem::exists(path, error)) {
     Forest stored = read_forest(path);
-    if (stored.key == key) {
+    if (is_grown_for(stored, arm, key)) {
       try {
         require_forest_of(stored, arm, model.valves().parameters(), start);
       } catch (const InputError& error) {

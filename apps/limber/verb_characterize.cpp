@@ -33,6 +33,7 @@ nlohmann::ordered_json to_json(const StrainFit& fit, const std::vector<BenchPoin
   json["rms_residual"] = fit.rms_residual;
   json["max_residual"] = fit.max_residual;
   json["refitted"] = fit.refitted;
+  json["kept"] = fit.kept;
   json["warnings"] = fit.warnings;
   json["points"] = nlohmann::ordered_json::array();
   for (const BenchPoint& point : points) {
@@ -44,11 +45,11 @@ nlohmann::ordered_json to_json(const StrainFit& fit, const std::vector<BenchPoin
 std::string to_text(int segment, const StrainFit& fit) {
   const StrainPolynomial& c = fit.polynomial;
   return fmt::format(
-      "segment {}: {} points, full strain {:.4f}, residual {:.2f} % rms, {:.2f} % at most{}\n"
+      "segment {}: {} points, full strain {:.4f}, residual {:.2f} % rms, {:.2f} % at most{}{}\n"
       "  e = {:g} p {:+g} p^2 {:+g} p^3 {:+g} p^4   (p in kPa)\n",
       segment, fit.points, fit.full_strain, 100.0 * fit.rms_residual, 100.0 * fit.max_residual,
-      fit.refitted ? "; the plain fit fell somewhere, its slope is held at 0 or above" : "", c[0],
-      c[1], c[2], c[3]);
+      fit.refitted ? "; the plain fit fell somewhere, its slope is held at 0 or above" : "",
+      fit.kept ? "; the arm file says the same, its numbers stay" : "", c[0], c[1], c[2], c[3]);
 }
 
 class CharacterizeVerb final : public Verb {

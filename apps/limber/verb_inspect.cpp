@@ -146,9 +146,8 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
 
 Finding inspect_model(const std::string& file, const std::optional<ArmDescription>& arm) {
   const CompensationModel model = read_model(file);
-  if (arm && model.arm_hash != arm->hash()) {
-    throw InputError(fmt::format("{}: trained for arm '{}' ({}); --arm is '{}' ({})", file,
-                                 model.arm_name, model.arm_hash, arm->name, arm->hash()));
+  if (arm) {
+    require_model_of(model, *arm, file);
   }
   const char* layout = model.layout == BackboneLayout::gap_poses ? "gap_poses" : "base_poses";
   Finding finding;
@@ -181,9 +180,11 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
 
 Finding inspect_forest(const std::string& file, const std::optional<ArmDescription>& arm) {
   const Forest forest = read_forest(file);
-  if (arm && forest.key.arm_hash != arm->hash()) {
-    throw InputError(fmt::format("{}: grown for arm {}; --arm is '{}' ({})", file,
-                                 forest.key.arm_hash, arm->name, arm->hash()));
+  const std::string why =
+      arm ? why_another_arm({"", forest.key.arm_hash, forest.arm_description}, *arm, file) : "";
+  if (!why.empty()) {
+    throw InputError(fmt::format("{}: grown for arm {}; --arm is '{}' ({}): {}", file,
+                                 forest.key.arm_hash, arm->name, arm->hash(), why));
   }
   const std::string model =
       forest.key.model_hash.empty() ? "the no-load model" : "model " + forest.key.model_hash;

@@ -74,9 +74,8 @@ class SegmentReader {
       segment.pressure_limit_kpa =
           node.has("limit") ? node.at("limit").positive(limit_meaning()) : *general_limit_;
     }
-    if (kind_ == NoLoadKind::strain_polynomial && polynomials_ == PolynomialsOf::model) {
-      segment.strain_polynomial =
-          read_strain_polynomial(node.at("strain_polynomial"), segment.pressure_limit_kpa);
+    if (kind_ == NoLoadKind::strain_polynomial) {
+      segment.strain_polynomial = read_polynomial(node, segment.pressure_limit_kpa);
     }
     if (kind_ == NoLoadKind::curvature) {
       read_curvature(node, segment);
@@ -98,6 +97,17 @@ class SegmentReader {
       if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) {
         node.at(key).refuse(fmt::format("unknown key; allowed here: {}", fmt::join(allowed, ", ")));
       }
+    }
+  }
+
+  StrainPolynomial read_polynomial(const YamlReader& node, double pressure_limit_kpa) const {
+    try {
+      return read_strain_polynomial(node.at("strain_polynomial"), pressure_limit_kpa);
+    } catch (const InputError&) {
+      if (polynomials_ == PolynomialsOf::model) {
+        throw;
+      }
+      return {};
     }
   }
 
@@ -292,6 +302,13 @@ ArmDescription load_arm(const std::filesystem::path& path, PolynomialsOf polynom
 }
 
 std::string arm_to_yaml(const ArmDescription& arm) {
+  const std::string text = arm_keys_to_yaml(arm);
+  return arm.command.is_pressure_kpa()
+             ? text + "virtual_arm:\n" + virtual_arm_parameters_to_yaml(arm.virtual_arm, 2)
+             : text;
+}
+
+std::string arm_keys_to_yaml(const ArmDescription& arm) {
   const bool pressures = arm.command.is_pressure_kpa();
   std::string text = fmt::format("schema: {}\nname: {}\n", kSchema, quoted(arm.name));
   if (!pressures) {
@@ -311,8 +328,7 @@ std::string arm_to_yaml(const ArmDescription& arm) {
     text +=
         "  - " + (is_plain(arm) ? segment_to_yaml(segment) : segment_to_yaml(segment, arm)) + "\n";
   }
-  return pressures ? text + "virtual_arm:\n" + virtual_arm_parameters_to_yaml(arm.virtual_arm, 2)
-                   : text;
+  return text;
 }
 
 std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm) {

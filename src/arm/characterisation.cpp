@@ -200,6 +200,21 @@ void require_characterisable(const ArmDescription& arm) {
   }
 }
 
+namespace {
+
+/// The same bench test fitted on another machine differs in the last digit. Where the fit says what
+/// the arm file says already, the file's numbers stay, so that the arm keeps its hash.
+void keep_what_agrees(const StrainPolynomial& of_file, StrainFit& fit) {
+  fit.kept = why_unusable(of_file, fit.pressure_limit_kpa).empty() &&
+             largest_strain_difference(of_file, fit.polynomial, fit.pressure_limit_kpa).strain <=
+                 kSameStrain;
+  if (fit.kept) {
+    fit.polynomial = of_file;
+  }
+}
+
+}  // namespace
+
 CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench) {
   require_characterisable(arm);
   if (int(bench.size()) != arm.segment_count()) {
@@ -214,6 +229,7 @@ CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench)
     } catch (const InputError& error) {
       throw InputError(fmt::format("segment {}: {}", i, error.what()));
     }
+    keep_what_agrees(arm.segments[i].strain_polynomial, result.fits.back());
     result.arm.segments[i].strain_polynomial = result.fits.back().polynomial;
   }
   return result;

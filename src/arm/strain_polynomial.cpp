@@ -12,6 +12,9 @@ namespace {
 // range; a thousandth of what any bench resolves.
 constexpr double kRoundingOfSlope = 1e-9;
 
+// A quartic between grid points this close rises above both by less than a thousandth.
+constexpr int kDifferenceGrid = 200;
+
 }  // namespace
 
 LeastSlope least_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa) {
@@ -34,6 +37,19 @@ LeastSlope least_strain_slope(const StrainPolynomial& c, double pressure_limit_k
     consider(2.0 * c[1] / q);
   }
   return least;
+}
+
+StrainDifference largest_strain_difference(const StrainPolynomial& a, const StrainPolynomial& b,
+                                           double pressure_limit_kpa) {
+  StrainDifference largest;
+  for (int k = 1; k <= kDifferenceGrid; ++k) {
+    const double p = pressure_limit_kpa * k / kDifferenceGrid;
+    const double apart = std::abs(strain_at(a, p) - strain_at(b, p));
+    if (!(apart <= largest.strain)) {  // no number counts as any difference
+      largest = {p, apart};
+    }
+  }
+  return largest;
 }
 
 std::string why_unusable(const StrainPolynomial& c, double pressure_limit_kpa) {

@@ -136,8 +136,10 @@ double Recording::duration_s() const {
 
 Recording make_recording(const ArmDescription& arm, const std::string& source, std::uint64_t seed) {
   Recording recording;
-  recording.arm_name = arm.name;
-  recording.arm_hash = arm.hash();
+  const ArmIdentity identity = identity_of(arm);
+  recording.arm_name = identity.name;
+  recording.arm_hash = identity.hash;
+  recording.arm_description = identity.description;
   recording.command = arm.command;
   recording.segment_count = arm.segment_count();
   recording.point_count = arm.point_count();
@@ -236,12 +238,13 @@ void require_commands_within(const FrameMatrix& commands, const ArmDescription& 
 void require_recording_of(const Recording& recording, const ArmDescription& arm,
                           const std::string& file) {
   require_sizes_of(recording, arm, file);
-  if (recording.arm_name != arm.name && recording.arm_hash != arm.hash()) {
-    throw InputError(
-        fmt::format("{}: recorded with arm '{}' (hash {}); this is arm '{}' (hash {}). Give the "
-                    "arm file that it "
-                    "was recorded with (--arm); if both are the same arm, give them the same name",
-                    file, recording.arm_name, recording.arm_hash, arm.name, arm.hash()));
+  const std::string why =
+      recording.arm_name == arm.name ? "" : why_another_arm(recording.arm(), arm, file);
+  if (!why.empty()) {
+    throw InputError(fmt::format(
+        "{}: recorded with arm '{}' (hash {}); this is arm '{}' (hash {}): {}. Give the arm file "
+        "that it was recorded with (--arm); if both are the same arm, give them the same name",
+        file, recording.arm_name, recording.arm_hash, arm.name, arm.hash(), why));
   }
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
     const std::string place = episode_path(e);

@@ -36,6 +36,9 @@ class Reader {
     require_schema();
     recording.arm_name = text("arm_name");
     recording.arm_hash = text("arm_hash");
+    if (file_.attrExists("arm_description")) {
+      recording.arm_description = text("arm_description");
+    }
     if (file_.attrExists("command_unit")) {
       recording.command = {text("command_name"), text("command_unit")};
     }

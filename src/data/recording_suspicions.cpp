@@ -23,13 +23,13 @@ constexpr double kSamePlace_m = 1e-6;
 
 void look_at_arm(const Recording& recording, const ArmDescription& arm, Suspicions& suspicions) {
   const bool other_name = recording.arm_name != arm.name;
-  const bool other_hash = recording.arm_hash != arm.hash();
-  if (other_hash) {
+  const std::string why = why_another_arm(recording.arm(), arm, "the recording");
+  if (!why.empty()) {
     suspicions.add(other_name ? "recorded with another arm: train and evaluate refuse it"
                               : "recorded with this arm before its file was changed",
                    0, 0,
-                   fmt::format("'{}' ({}), not '{}' ({})", recording.arm_name, recording.arm_hash,
-                               arm.name, arm.hash()));
+                   fmt::format("'{}' ({}), not '{}' ({}): {}", recording.arm_name,
+                               recording.arm_hash, arm.name, arm.hash(), why));
   }
 }
 

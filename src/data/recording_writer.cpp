@@ -81,6 +81,9 @@ std::string file_image(const Recording& recording) {
   write_text(file, "schema", kRecordingSchema);
   write_text(file, "arm_name", recording.arm_name);
   write_text(file, "arm_hash", recording.arm_hash);
+  if (!recording.arm_description.empty()) {
+    write_text(file, "arm_description", recording.arm_description);
+  }
   if (!recording.command.is_pressure_kpa()) {
     write_text(file, "command_name", recording.command.name);
     write_text(file, "command_unit", recording.command.unit);

@@ -126,6 +126,7 @@ CompensationModel CompensationModel::member(int index) const {
   one.output = output;
   one.arm_name = arm_name;
   one.arm_hash = arm_hash;
+  one.arm_description = arm_description;
   one.segment_count = segment_count;
   one.point_count = point_count;
   one.preset = preset;
@@ -144,6 +145,15 @@ void CompensationModel::set_valves(const IdentifiedValves& identified) {
     valves = identified.parameters;
   }
   valve_findings = identified.findings;
+}
+
+void CompensationModel::set_arm(const ArmDescription& arm) {
+  const ArmIdentity identity = identity_of(arm);
+  arm_name = identity.name;
+  arm_hash = identity.hash;
+  arm_description = identity.description;
+  segment_count = arm.segment_count();
+  point_count = arm.point_count();
 }
 
 const char* to_string(OutputForm form) {
@@ -188,11 +198,12 @@ void validate(const CompensationModel& model, const std::string& where) {
 
 void require_model_of(const CompensationModel& model, const ArmDescription& arm,
                       const std::string& where) {
-  if (model.arm_hash != arm.hash()) {
+  const std::string why = why_another_arm(model.arm(), arm, where);
+  if (!why.empty()) {
     throw InputError(fmt::format(
-        "{}: trained for arm '{}' (hash {}); this is arm '{}' (hash {}). Use the arm file that the "
-        "model was trained with, or train a model for this one",
-        where, model.arm_name, model.arm_hash, arm.name, arm.hash()));
+        "{}: trained for arm '{}' (hash {}); this is arm '{}' (hash {}): {}. Use the arm file that "
+        "the model was trained with (--arm), or train a model for this one",
+        where, model.arm_name, model.arm_hash, arm.name, arm.hash(), why));
   }
   if (model.segment_count != arm.segment_count() || model.point_count != arm.point_count()) {
     throw InputError(fmt::format("{}: made for {} segments and {} points; arm '{}' has {} and {}",

@@ -177,6 +177,9 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
                       {"segment_count", std::to_string(model.segment_count)},
                       {"point_count", std::to_string(model.point_count)},
                       {"preset", model.preset}};
+  if (!model.arm_description.empty()) {
+    content.metadata["arm_description"] = model.arm_description;
+  }
   for (const auto& [key, value] : model.training) {
     content.metadata[kTrainingPrefix + key] = value;
   }
@@ -196,6 +199,10 @@ CompensationModel read_model(const std::filesystem::path& path) {
   CompensationModel model;
   model.arm_name = text_at(content, "arm_name", where);
   model.arm_hash = text_at(content, "arm_hash", where);
+  const auto description = content.metadata.find("arm_description");
+  if (description != content.metadata.end()) {
+    model.arm_description = description->second;
+  }
   model.layout = layout_at(content, where);
   model.form = output_form_at(content, where);
   model.segment_count = count_at(content, "segment_count", where);

@@ -41,10 +41,7 @@ CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layo
   CompensationModel model;
   model.layout = layout;
   model.form = form;
-  model.arm_name = arm.name;
-  model.arm_hash = arm.hash();
-  model.segment_count = arm.segment_count();
-  model.point_count = arm.point_count();
+  model.set_arm(arm);
   model.preset = "untrained";
 
   RandomStream random(seed, 0);

@@ -128,6 +128,11 @@ class Grower {
   std::vector<PathOutcome> outcomes_;
 };
 
+/// A forest keeps no name.
+ArmIdentity arm_of(const Forest& forest) {
+  return {"", forest.key.arm_hash, forest.arm_description};
+}
+
 std::string bytes_of(const float* values, Eigen::Index count) {
   return {reinterpret_cast<const char*>(values), static_cast<std::size_t>(count) * sizeof(float)};
 }
@@ -146,15 +151,24 @@ void Forest::complete() {
   tips = TipGrid(held_tips, costs_kpa);
 }
 
+bool is_grown_for(const Forest& forest, const ArmDescription& arm, const ForestKey& key) {
+  ForestKey same_arm = key;
+  same_arm.arm_hash = forest.key.arm_hash;
+  return forest.key == same_arm && why_another_arm(arm_of(forest), arm, "the forest").empty();
+}
+
 void require_forest_of(const Forest& forest, const ArmDescription& arm,
                        const ValveParameters& valves, const ArmStart& start) {
+  const std::string why = why_another_arm(arm_of(forest), arm, "the forest");
+  if (!why.empty()) {
+    throw InputError(fmt::format(
+        "the forest was grown for another arm than '{}': {}. Grow it again", arm.name, why));
+  }
   const ForestKey key = forest_key(arm, forest.key.model_hash, valves, start);
-  if (!(forest.key == key)) {
-    const char* other = forest.key.arm_hash != key.arm_hash         ? "another arm"
-                        : forest.key.valves_hash != key.valves_hash ? "other valves"
-                                                                    : "another start";
-    throw InputError(fmt::format("the forest was grown for {} than '{}' has here: grow it again",
-                                 other, arm.name));
+  if (!is_grown_for(forest, arm, key)) {
+    throw InputError(fmt::format(
+        "the forest was grown for {} than '{}' has here: grow it again",
+        forest.key.valves_hash != key.valves_hash ? "other valves" : "another start", arm.name));
   }
   const Pressures limits_kpa = pressure_limits_kpa(arm);
   const auto refuse = [](const std::string& what) {
@@ -198,7 +212,9 @@ std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& 
       return std::nullopt;
     }
   }
-  return grower.forest(key);
+  Forest forest = grower.forest(key);
+  forest.arm_description = arm_keys_to_yaml(arm);
+  return forest;
 }
 
 }  // namespace limber

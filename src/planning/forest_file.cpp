@@ -45,6 +45,10 @@ class ForestReader {
     return found->second;
   }
 
+  std::string text_or_none(const std::string& name) const {
+    return content_.metadata.count(name) > 0 ? content_.metadata.at(name) : std::string();
+  }
+
   /// N×columns numbers, N as in the first tensor asked for.
   const Tensor& tensor(const std::string& name, std::size_t rank) {
     const Tensor& tensor = named(content_.tensors, name, rank);
@@ -114,6 +118,9 @@ void write_forest(const std::filesystem::path& path, const Forest& forest) {
                       {"model_hash", forest.key.model_hash},
                       {"valves_hash", forest.key.valves_hash},
                       {"start_hash", forest.key.start_hash}};
+  if (!forest.arm_description.empty()) {
+    content.metadata["arm_description"] = forest.arm_description;
+  }
   // Our reader has no whole numbers of 32 bits: a float tells all of these apart.
   content.tensors["parents"] = {{forest.parents.size()},
                                 {forest.parents.begin(), forest.parents.end()}};
@@ -128,6 +135,7 @@ Forest read_forest(const std::filesystem::path& path) {
   Forest forest;
   forest.key = {reader.text("arm_hash"), reader.text("model_hash"), reader.text("valves_hash"),
                 reader.text("start_hash")};
+  forest.arm_description = reader.text_or_none("arm_description");
   forest.parents = parents_of(reader);
   const Tensor& setpoints = reader.tensor("setpoints_kpa", 2);
   const auto segments = static_cast<Eigen::Index>(setpoints.shape[1]);

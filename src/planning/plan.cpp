@@ -30,10 +30,12 @@ double path_cost_kpa(const std::vector<PlanFrame>& frames) {
 }
 
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file) {
-  if (plan.arm_hash != arm.hash()) {
+  const std::string why = why_another_arm(plan.arm(), arm, file);
+  if (!why.empty()) {
     throw InputError(fmt::format(
-        "{}: arm_hash: made for arm '{}' ({}); this is arm '{}' ({}): plan again for this arm",
-        file, plan.arm_name, plan.arm_hash, arm.name, arm.hash()));
+        "{}: arm_hash: made for arm '{}' ({}); this is arm '{}' ({}): {}. Plan again for this arm, "
+        "or give the plan's own (--arm)",
+        file, plan.arm_name, plan.arm_hash, arm.name, arm.hash(), why));
   }
   if (plan.frame_rate_hz != arm.frame_rate_hz) {
     throw InputError(fmt::format("{}: frame_rate_hz: {} found; arm '{}' takes {} frames a second",

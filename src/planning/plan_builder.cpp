@@ -32,8 +32,10 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
                 const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
                 std::uint64_t seed) {
   Plan plan;
-  plan.arm_name = problem.arm.name;
-  plan.arm_hash = problem.arm.hash();
+  const ArmIdentity arm = identity_of(problem.arm);
+  plan.arm_name = arm.name;
+  plan.arm_hash = arm.hash;
+  plan.arm_description = arm.description;
   plan.model = problem.model.has_network() ? "network" : "no_load";
   plan.valves_hash = problem.model.valves().parameters().hash();
   plan.environment_name = problem.environment.name;

@@ -163,6 +163,9 @@ Plan read_fields(const JsonReader& root, bool has_valves) {
   plan.program_version = root.at("program_version").text();
   plan.arm_name = root.at("arm").at("name").text();
   plan.arm_hash = root.at("arm").at("hash").text();
+  if (root.at("arm").has("description")) {
+    plan.arm_description = root.at("arm").at("description").text();
+  }
   plan.model = root.at("model").at("kind").text();
   plan.model_hash = root.at("model").at("hash").text();
   if (plan.model != "no_load" && plan.model != "network") {
@@ -206,6 +209,9 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   root["schema"] = kSchema;
   root["program_version"] = plan.program_version.empty() ? version() : plan.program_version;
   root["arm"] = {{"name", plan.arm_name}, {"hash", plan.arm_hash}};
+  if (!plan.arm_description.empty()) {
+    root["arm"]["description"] = plan.arm_description;
+  }
   root["model"] = {{"kind", plan.model}, {"hash", plan.model_hash}};
   root["valves"] = {{"hash", plan.valves_hash}};
   root["environment"] = {{"name", plan.environment_name}, {"hash", plan.environment_hash}};

@@ -221,10 +221,7 @@ CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
   }
   model.input = tables_.input;
   model.output = tables_.output;
-  model.arm_name = arm_.name;
-  model.arm_hash = arm_.hash();
-  model.segment_count = arm_.segment_count();
-  model.point_count = arm_.point_count();
+  model.set_arm(arm_);
   model.preset = settings_.preset;
   return model;
 }

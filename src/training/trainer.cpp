@@ -83,11 +83,7 @@ TrainingResult train(const ArmDescription& arm, const TrainingData& data,
 
 TrainingResult fine_tune(const ArmDescription& arm, const TrainingData& data,
                          const TrainingSettings& settings, const CompensationModel& start) {
-  if (start.arm_hash != arm.hash()) {
-    throw InputError(
-        fmt::format("the model to start from was trained for arm '{}' (hash {}); this is '{}' ({})",
-                    start.arm_name, start.arm_hash, arm.name, arm.hash()));
-  }
+  require_model_of(start, arm, "the model to start from");
   return TrainingRun(arm, data, settings, &start).run();
 }
 

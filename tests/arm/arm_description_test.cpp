@@ -250,6 +250,20 @@ TEST(ArmDescription, AnyNameSurvivesTheRoundTrip) {
   }
 }
 
+TEST(ArmDescription, ForCharacterisationPolynomialsAreReadWhereTheyCanBeUsed) {
+  const auto polynomial = [](const std::string& text) {
+    return read_arm(YamlReader::from_text(text, "a.yaml"), PolynomialsOf::characterisation)
+        .segments[0]
+        .strain_polynomial;
+  };
+  EXPECT_EQ(polynomial(kGood), (StrainPolynomial{1e-3, 1e-5, 0.0, 0.0}));
+  const std::string key = "strain_polynomial: [1.0e-3, 1.0e-5, 0, 0]";
+  for (const char* outdated :
+       {"strain_polynomial: []", "strain_polynomial: [-1, 0, 0, 0]", "strain_polynomial:"}) {
+    EXPECT_EQ(polynomial(with(key, outdated)), StrainPolynomial{}) << outdated;
+  }
+}
+
 TEST(ArmDescription, HashDependsOnTheShapeAloneAndOnAllOfIt) {
   const ArmDescription arm = arm_of(2);
   ArmDescription other = arm;

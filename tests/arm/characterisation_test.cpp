@@ -206,6 +206,25 @@ TEST(Characterise, FitsEverySegmentAndNamesTheOneThatFails) {
               ThrowsMessage<InputError>(HasSubstr("bench data of 1 segments")));
 }
 
+// A bench test repeated on another machine differs in the last digit; the arm is the same.
+TEST(Characterise, KeepsTheNumbersOfTheArmFileWhereTheyAgree) {
+  constexpr double kElsewhere = 2e-7;  // of strain, as two machines were apart
+  const auto line = [](double p) { return 0.002 * p; };
+  ArmDescription arm = arm_of(1);
+  const StrainPolynomial of_file = {0.002 + kElsewhere / kLimit, 0.0, 0.0, 0.0};
+  arm.segments[0].strain_polynomial = of_file;
+  const CharacterisedArm same = characterise(arm, {bench(line)});
+  EXPECT_TRUE(same.fits[0].kept);
+  EXPECT_EQ(same.fits[0].polynomial, of_file);
+  EXPECT_EQ(same.arm.hash(), arm.hash());
+  arm.segments[0].strain_polynomial[0] += 10.0 * kSameStrain / kLimit;
+  const CharacterisedArm other = characterise(arm, {bench(line)});
+  EXPECT_FALSE(other.fits[0].kept);
+  EXPECT_NEAR(other.arm.segments[0].strain_polynomial[0], 0.002, 1e-8);
+  arm.segments[0].strain_polynomial = {};
+  EXPECT_FALSE(characterise(arm, {bench(line)}).fits[0].kept);
+}
+
 // The least slope, against a dense search.
 TEST(LeastStrainSlope, IsTheSmallestOnADenseGrid) {
   RandomStream random(44, 0);

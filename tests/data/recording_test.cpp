@@ -27,6 +27,7 @@ TEST_F(RecordingFile, ReturnsEveryNumberAndAttributeAsWritten) {
   const Recording read = read_recording(path_);
   EXPECT_EQ(read.arm_name, written.arm_name);
   EXPECT_EQ(read.arm_hash, written.arm_hash);
+  EXPECT_EQ(read.arm_description, written.arm_description);
   EXPECT_EQ(read.segment_count, written.segment_count);
   EXPECT_EQ(read.point_count, written.point_count);
   EXPECT_EQ(read.rate_hz, written.rate_hz);

@@ -74,7 +74,18 @@ TEST(RequireRecordingOf, TakesTheSameArmRenamedOrEditedAndRefusesAnother) {
   recording.arm_name = "other";
   recording.arm_hash = arm.hash();
   EXPECT_NO_THROW(require_recording_of(recording, arm, "a.h5")) << "renamed since";
+  ArmDescription elsewhere = arm;
+  elsewhere.segments[0].strain_polynomial[0] += 1e-9;
+  recording.arm_hash = elsewhere.hash();
+  recording.arm_description = arm_keys_to_yaml(elsewhere);
+  EXPECT_NO_THROW(require_recording_of(recording, arm, "a.h5")) << "renamed, fitted elsewhere";
+  elsewhere.segments[1].length_m = 0.3;
   recording.arm_hash = "0";
+  recording.arm_description = arm_keys_to_yaml(elsewhere);
+  EXPECT_THAT(
+      [&] { require_recording_of(recording, arm, "a.h5"); },
+      ThrowsMessage<InputError>(HasSubstr("segments[1].length_m: 0.3 there, 0.2 here")));
+  recording.arm_description.clear();
   EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("recorded with arm 'other' (hash 0)"),
                                               HasSubstr("Give the arm file"))));

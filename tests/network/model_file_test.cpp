@@ -32,6 +32,7 @@ TEST(ModelFile, ComesBackAfterARoundTrip) {
     EXPECT_EQ(back.layout, model.layout);
     EXPECT_EQ(back.arm_name, model.arm_name);
     EXPECT_EQ(back.arm_hash, model.arm_hash);
+    EXPECT_EQ(back.arm_description, arm_keys_to_yaml(sample_arm(3)));
     EXPECT_EQ(back.segment_count, 3);
     EXPECT_EQ(back.point_count, 16);
     EXPECT_EQ(back.preset, model.preset);
@@ -45,6 +46,25 @@ TEST(ModelFile, ComesBackAfterARoundTrip) {
     EXPECT_TRUE(back.output.offset == model.output.offset &&
                 back.output.scale == model.output.scale);
   }
+}
+
+TEST(ModelFile, FilesOfBeforeTheDescriptionAreReadAndBelongToTheArmOfTheirHash) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "model.safetensors";
+  ArmDescription arm = sample_arm(3);
+  CompensationModel model = untrained_model(arm, BackboneLayout::gap_poses, {7}, 1);
+  write_model(path, model);
+  const double c1 = arm.segments[0].strain_polynomial[0];
+  arm.segments[0].strain_polynomial[0] += 1e-9;  // another machine's fit
+  EXPECT_NO_THROW(require_model_of(read_model(path), arm, "m"));
+  model.arm_description.clear();
+  write_model(path, model);
+  const CompensationModel old = read_model(path);
+  EXPECT_EQ(old.arm_description, "");
+  EXPECT_THAT([&] { require_model_of(old, arm, "m"); },
+              ThrowsMessage<InputError>(HasSubstr("what differs is not known")));
+  arm.segments[0].strain_polynomial[0] = c1;
+  EXPECT_NO_THROW(require_model_of(old, arm, "m"));
 }
 
 TEST(ModelFile, EnsemblesKeepAllTheirMembersInOrder) {

@@ -330,6 +330,21 @@ TEST(Certificate, CollisionsAndMissedGoalsAreNamedWithPlateObstacleAndAmount) {
   }
 }
 
+// Another machine's fit of the same bench test: the same arm, and the plan still holds on it.
+TEST(Certificate, HoldsForTheSameArmFittedElsewhere) {
+  const Solved& s = solved();
+  ArmDescription arm = s.arm;
+  for (Segment& segment : arm.segments) {
+    segment.strain_polynomial[0] += 0.99 * kSameStrain / segment.pressure_limit_kpa;
+  }
+  ASSERT_NE(arm.hash(), s.arm.hash());
+  CompensationModel model = s.model.compensation();
+  model.set_arm(s.arm);
+  const Certificate certificate = certify(s.plan, arm, &model, s.environment);
+  EXPECT_GT(certificate.largest_deviation_m, 1e-6) << "another arm in its last digits";
+  EXPECT_TRUE(certificate.certified());
+}
+
 TEST(Certificate, OtherArmsEnvironmentsAndModelsAreBadInput) {
   const Solved& s = solved();
   ArmDescription arm = s.arm;

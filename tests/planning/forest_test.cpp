@@ -96,6 +96,7 @@ TEST(Forest, SurvivesItsFile) {
   write_forest(folder.path() / "a.forest", forest);
   const Forest back = read_forest(folder.path() / "a.forest");
   EXPECT_EQ(back.key, forest.key);
+  EXPECT_EQ(back.arm_description, arm_keys_to_yaml(s.arm));
   EXPECT_EQ(back.parents, forest.parents);
   EXPECT_EQ(back.setpoints_kpa, forest.setpoints_kpa);
   EXPECT_EQ(back.held_tips, forest.held_tips);
@@ -238,6 +239,17 @@ TEST(Forest, AMotionThatEndsNearTheGoalIsTakenThereByAStep) {
   EXPECT_GT(bare.first_solution->queries, kMotion);
 }
 
+TEST(Forest, OfAnotherMachinesFitOfTheSameArmIsItsOwn) {
+  Setting s;
+  const Forest forest = s.grow();
+  s.arm.segments[0].strain_polynomial[0] += 1e-9;  // 1e-7 of strain
+  const ForestKey key = forest_key(s.arm, "model", s.start);
+  ASSERT_NE(key.arm_hash, forest.key.arm_hash);
+  EXPECT_TRUE(is_grown_for(forest, s.arm, key));
+  EXPECT_NO_THROW(require_forest_of(forest, s.arm, s.start));
+  EXPECT_FALSE(is_grown_for(forest, s.arm, forest_key(s.arm, "another model", s.start)));
+}
+
 TEST(Forest, OfAnotherArmOrStartIsRefused) {
   Setting s;
   Forest forest = s.grow();
@@ -259,7 +271,12 @@ TEST(Forest, OfAnotherArmOrStartIsRefused) {
   forest = s.grow();
   forest.shapes.conservativeResize(42, Eigen::NoChange);
   refusal("42 numbers a shape; arm 'three_segment' needs 45");
-  forest.key.arm_hash = "another";
+  ArmDescription longer = s.arm;
+  longer.segments[1].length_m = 0.3;
+  forest.key.arm_hash = longer.hash();
+  forest.arm_description = arm_keys_to_yaml(longer);
+  refusal("another arm than 'three_segment': segments[1].length_m: 0.3 there, 0.235 here");
+  forest.arm_description.clear();
   refusal("grown for another arm");
   EXPECT_THAT([&] { (void)make_planner("paper", 1, &forest); },
               ThrowsMessage<InputError>(HasSubstr("planner 'paper' uses no forest")));

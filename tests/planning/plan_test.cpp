@@ -187,6 +187,35 @@ TEST(PlanFile, RefusesWhatIsNoJson) {
               ThrowsMessage<InputError>(HasSubstr("none.json")));
 }
 
+TEST(Plan, OfAnotherMachinesFitOfTheSameArmIsItsOwn) {
+  const TemporaryFolder folder;
+  const ArmDescription arm = three_segment_arm();
+  Plan plan = small_plan(arm);
+  plan.arm_description = arm_keys_to_yaml(arm);
+  write_plan(folder.path() / "p.json", plan);
+  const Plan back = read_plan(folder.path() / "p.json");
+  EXPECT_EQ(back.arm_description, plan.arm_description);
+  ArmDescription elsewhere = arm;
+  elsewhere.segments[1].strain_polynomial[0] += 1e-9;  // 1e-7 of strain
+  ASSERT_NE(elsewhere.hash(), arm.hash());
+  EXPECT_NO_THROW(require_plan_of(back, elsewhere, "p.json"));
+  elsewhere.segments[1].width_m = 0.031;
+  EXPECT_THAT(
+      [&] { require_plan_of(back, elsewhere, "p.json"); },
+      ThrowsMessage<InputError>(HasSubstr("segments[1].width_m: 0.03 there, 0.031 here")));
+}
+
+TEST(Plan, OfBeforeTheDescriptionIsOfTheArmWithItsHash) {
+  const ArmDescription arm = three_segment_arm();
+  const Plan plan = small_plan(arm);
+  ASSERT_EQ(plan.arm_description, "");
+  EXPECT_NO_THROW(require_plan_of(plan, arm, "p.json"));
+  ArmDescription elsewhere = arm;
+  elsewhere.segments[1].strain_polynomial[0] += 1e-9;
+  EXPECT_THAT([&] { require_plan_of(plan, elsewhere, "p.json"); },
+              ThrowsMessage<InputError>(HasSubstr("what differs is not known")));
+}
+
 TEST(Plan, IsRefusedForAnotherArmAndBeyondItsLimits) {
   const ArmDescription arm = three_segment_arm();
   ArmDescription other = arm;

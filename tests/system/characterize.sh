@@ -11,6 +11,11 @@ grep -qF "# [C] braid friction" arm.yaml || fail "comments of the arm file are l
 expect 0 "arm written to again.yaml" --arm arm.yaml --out again.yaml
 cmp arm.yaml again.yaml || fail "characterising twice gives two arms"
 
+# The arm file says the same already: its numbers stay. One without any is filled.
+expect 0 '"kept": true' --arm two_segment --json
+sed 's/strain_polynomial: \[.*\]/strain_polynomial: []/' arm.yaml >unfitted.yaml
+expect 0 '"kept": false' --arm unfitted.yaml --json
+
 # A user's data: a straight line of 0.2 % contraction a kPa.
 { echo "pressure_kpa,strain"; for p in 0 10 20 40 60 80 100; do
     echo "$p,$(awk "BEGIN {print -0.002 * $p}")"; done; } >line.csv

@@ -30,6 +30,14 @@ def temporary_files(folder):
     return sorted(pathlib.Path(folder).rglob(".*.tmp"))
 
 
+def cpu_levels():
+    """Every CPU level that this machine runs, as LIMBER_CPU takes them."""
+    wanted = ("baseline", "avx2", "avx512")
+    return [
+        level for level in wanted if limber("doctor", environment={"LIMBER_CPU": level}).returncode == 0
+    ]
+
+
 def verbs():
     """Every verb that the program has."""
     subcommands = limber("--help").stdout.split("Subcommands:")[1]

@@ -78,7 +78,8 @@ struct ArmDescription {
 void require_pressure_driven(const ArmDescription& arm, const std::string& what);
 
 /// Whether an arm file must hold strain polynomials that a model can use. Only characterisation,
-/// which is about to fit them, does without: there the key may be missing, empty or outdated.
+/// which is about to fit them, does without: there the key may be missing, empty or outdated, and
+/// the polynomial is then zero.
 enum class PolynomialsOf { model, characterisation };
 
 /// Reads and validates an arm file. @throws InputError naming file, line, field, what was found and
@@ -89,6 +90,9 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials = Poly
 
 /// The arm as YAML, readable by `load_arm`; floating-point values survive the round trip exactly.
 std::string arm_to_yaml(const ArmDescription& arm);
+
+/// The same without the virtual arm: the keys that `hash` stands for, and the name.
+std::string arm_keys_to_yaml(const ArmDescription& arm);
 
 /// `yaml`, the text of the arm's file, with the arm's strain polynomials in place of the old ones:
 /// everything else, comments too, stays as it is. Where the text has a form that cannot be edited

@@ -33,6 +33,7 @@ struct StrainFit {
   double max_residual = 0.0;
   int points = 0;                     ///< used; see `warnings` for points left out
   bool refitted = false;              ///< the plain fit fell somewhere: slope held ≥ 0 instead
+  bool kept = false;                  ///< `characterise` only: the arm file said the same already
   std::vector<std::string> warnings;  ///< sentences for the user
 };
 
@@ -56,7 +57,8 @@ struct CharacterisedArm {
 /// another no-load model. To be asked before the bench test.
 void require_characterisable(const ArmDescription& arm);
 
-/// Fits every segment. @throws InputError as above, with the segment's number before the message.
+/// Fits every segment. Where the arm's own polynomial agrees with the fit within kSameStrain, it
+/// stays: characterising the same arm again, or elsewhere, does not make it another. @throws InputError as above, with the segment's number before the message.
 CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench);
 
 /// Bench data from a CSV file: a header line naming the columns `pressure_kpa` and `strain`, and

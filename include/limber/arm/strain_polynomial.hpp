@@ -30,6 +30,21 @@ struct LeastSlope {
 /// Exact: the ends and the two places where the slope's own derivative vanishes.
 LeastSlope least_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa);
 
+/// Strains this close over the whole pressure range are those of the same segment: ten times what
+/// two machines' rounding makes of one bench test, and too little for a certificate to tell (5e-6
+/// in every segment of a long, thin arm moves its tip by 0.05 mm).
+inline constexpr double kSameStrain = 5e-6;
+
+/// Where two polynomials are farthest apart, and how far.
+struct StrainDifference {
+  double pressure_kpa = 0.0;
+  double strain = 0.0;  ///< ≥ 0
+};
+
+/// Over [0, p_max], to a thousandth of itself.
+StrainDifference largest_strain_difference(const StrainPolynomial& a, const StrainPolynomial& b,
+                                           double pressure_limit_kpa);
+
 /// Why no model can use the polynomial up to its pressure limit: it falls somewhere, or its full
 /// strain is not between 0 and 1. Empty where it is fine.
 std::string why_unusable(const StrainPolynomial& c, double pressure_limit_kpa);

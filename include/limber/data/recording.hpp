@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/arm_identity.hpp"
 
 namespace limber {
 
@@ -41,6 +42,7 @@ struct Episode {
 struct Recording {
   std::string arm_name;
   std::string arm_hash;
+  std::string arm_description;  ///< arm_keys_to_yaml(); empty in files of before it was kept
   Command command;  ///< what the numbers named pressure and set point are
   int segment_count = 0;
   int point_count = 0;
@@ -51,6 +53,8 @@ struct Recording {
   std::string program_version;  ///< of the program that wrote it; `write_recording` fills it in
   std::vector<Episode> episodes;
 
+  /// Whose arm this is (arm/arm_identity.hpp).
+  ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
   std::int64_t frame_count() const;
   std::int64_t untracked_count() const;
   /// Sum over episodes of frames / rate.
@@ -78,10 +82,11 @@ Recording read_recording(const std::filesystem::path& path);
 void require_sizes_of(const Recording& recording, const ArmDescription& arm,
                       const std::string& file);
 
-/// What learning and comparing ask for. @throws InputError as `require_sizes_of`; where both name
-/// and hash are another arm's (one alone may differ: a recording outlives small edits of the arm
-/// file); where commands lie far beyond the arm's limits; where nothing was ever tracked; where the
-/// plates' distances are not the arm's or its end stands still while commands change.
+/// What learning and comparing ask for. @throws InputError as `require_sizes_of`; where it is
+/// another arm by its name and by its keys (why_another_arm; one alone may differ: a recording
+/// outlives small edits of the arm file); where commands lie far beyond the arm's limits; where
+/// nothing was ever tracked; where the plates' distances are not the arm's or its end stands still
+/// while commands change.
 void require_recording_of(const Recording& recording, const ArmDescription& arm,
                           const std::string& file);
 

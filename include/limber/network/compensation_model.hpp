@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/arm_identity.hpp"
 #include "limber/arm/valve_findings.hpp"
 
 namespace limber {
@@ -59,7 +60,8 @@ struct CompensationModel {
   Normalisation input;
   Normalisation output;
   std::string arm_name;
-  std::string arm_hash;  ///< ArmDescription::hash()
+  std::string arm_hash;         ///< ArmDescription::hash()
+  std::string arm_description;  ///< arm_keys_to_yaml(); empty in files of before it was kept
   int segment_count = 0;
   int point_count = 0;
   std::string preset;  ///< "paper" or "best"
@@ -76,6 +78,9 @@ struct CompensationModel {
 
   IdentifiedValves identified_valves() const;
   void set_valves(const IdentifiedValves& identified);
+  /// Whose arm this is (arm/arm_identity.hpp).
+  ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
+  void set_arm(const ArmDescription& arm);
 
   /// "102-100-100-100-48".
   std::string shape() const;
@@ -86,7 +91,7 @@ struct CompensationModel {
 void validate(const CompensationModel& model, const std::string& where);
 
 /// @throws InputError, its message beginning with `where`, unless the model was trained for `arm`
-/// (equal hashes; both names and hashes in the message).
+/// (why_another_arm; both names and hashes in the message, and the keys that differ).
 void require_model_of(const CompensationModel& model, const ArmDescription& arm,
                       const std::string& where);
 

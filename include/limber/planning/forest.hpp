@@ -36,6 +36,7 @@ ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
 /// after its parent. Constant after construction; share it freely.
 struct Forest {
   ForestKey key;
+  std::string arm_description;        ///< arm_keys_to_yaml(); empty in files of before it was kept
   std::vector<std::int32_t> parents;  ///< size N, −1 for the start
   Eigen::MatrixXf setpoints_kpa;      ///< n×N; motions between a node and its parent are straight
   Eigen::Matrix3Xf held_tips;         ///< (x_m, y_m, theta_rad) after the hold at a node
@@ -52,6 +53,9 @@ struct Forest {
 
   static constexpr int kMostNodes = 1 << 24;  ///< what a file's floats still tell apart
 };
+
+/// Whether the forest was grown for the arm (why_another_arm) and everything else of `key`.
+bool is_grown_for(const Forest& forest, const ArmDescription& arm, const ForestKey& key);
 
 /// @throws InputError where the forest was grown for another arm, other valves or another start, or
 /// does not fit them. Of the model only the caller knows whose it is.

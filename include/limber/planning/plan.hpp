@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/arm_identity.hpp"
 #include "limber/arm/backbone.hpp"
 
 namespace limber {
@@ -35,10 +36,11 @@ struct CertifiedFigures {
 /// the final set point while the arm settles, after which the goal is judged.
 struct Plan {
   std::string arm_name;
-  std::string arm_hash;     ///< ArmDescription::hash()
-  std::string model;        ///< "no_load" or "network"
-  std::string model_hash;   ///< content hash of the model file; empty for "no_load"
-  std::string valves_hash;  ///< ValveParameters::hash(); empty: planned without valves
+  std::string arm_hash;         ///< ArmDescription::hash()
+  std::string arm_description;  ///< arm_keys_to_yaml(); empty in files of before it was kept
+  std::string model;            ///< "no_load" or "network"
+  std::string model_hash;       ///< content hash of the model file; empty for "no_load"
+  std::string valves_hash;      ///< ValveParameters::hash(); empty: planned without valves
   /// Read from schema limber/plan/1, which knew none.
   bool is_older_than_valves = false;
   std::string environment_name;
@@ -59,6 +61,8 @@ struct Plan {
   std::string program_version;
   std::optional<CertifiedFigures> certified;  ///< none: not certified yet
 
+  /// Whose arm this is (arm/arm_identity.hpp).
+  ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
   int frame_count() const { return static_cast<int>(frames.size()); }
   /// Time of the last frame, hold included.
   double duration_s() const;
@@ -81,8 +85,8 @@ Plan read_plan(const std::filesystem::path& path);
 /// @throws InputError naming file and field.
 Plan read_plan_unjudged(const std::filesystem::path& path);
 
-/// @throws InputError where the plan was made for another arm (hashes in the message), or breaks
-/// the arm's pressure limits or rate.
+/// @throws InputError where the plan was made for another arm (hashes and keys in the message), or
+/// breaks the arm's pressure limits or rate.
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file);
 
 /// Set points for a valve controller, and the pressures predicted for the end of their frame:

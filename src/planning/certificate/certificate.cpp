@@ -307,9 +307,11 @@ Certificate certify(const Plan& plan, const ArmDescription& arm, const Compensat
                                    made_for, given));
     }
   };
-  require("arm", fmt::format("'{}', hash {}", plan.arm_name, plan.arm_hash),
-          fmt::format("'{}', hash {}", plan.arm_hash == arm.hash() ? plan.arm_name : arm.name,
-                      arm.hash()));
+  if (const std::string why = why_another_arm(plan.arm(), arm, "the plan"); !why.empty()) {
+    throw InputError(fmt::format(
+        "the plan was made for another arm ('{}', hash {}; this one is '{}', hash {}): {}",
+        plan.arm_name, plan.arm_hash, arm.name, arm.hash(), why));
+  }
   const auto valves_named = [](const std::string& hash) {
     return hash.empty() ? std::string("none") : "hash " + hash;
   };

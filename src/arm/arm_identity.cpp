@@ -1,0 +1,122 @@
+#include "limber/arm/arm_identity.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "limber/common/yaml_reader.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::size_t kMostNamed = 4;  // differences in a message
+
+/// Compares two arms key by key.
+class Comparison {
+ public:
+  Comparison(const ArmDescription& there, const ArmDescription& here)
+      : there_(there), here_(here) {}
+
+  std::vector<std::string> run() {
+    const bool pressures = here_.command.is_pressure_kpa();
+    word("command.name", there_.command.name, here_.command.name);
+    word("command.unit", there_.command.unit, here_.command.unit);
+    word("no_load", to_string(there_.no_load), to_string(here_.no_load));
+    number("frame_rate_hz", there_.frame_rate_hz, here_.frame_rate_hz);
+    number(pressures ? "pressure_rate_limit_kpa_per_s" : "command.rate_limit_per_s",
+           there_.pressure_rate_limit_kpa_per_s, here_.pressure_rate_limit_kpa_per_s);
+    number("actuator_radius_m", there_.actuator_radius_m, here_.actuator_radius_m);
+    if (there_.segment_count() != here_.segment_count()) {
+      add("segments", there_.segment_count(), here_.segment_count());
+      return found_;
+    }
+    for (std::size_t i = 0; i < here_.segments.size(); ++i) {
+      segment(fmt::format("segments[{}].", i), there_.segments[i], here_.segments[i]);
+    }
+    return found_;
+  }
+
+ private:
+  template <class Value>
+  void add(const std::string& key, const Value& there, const Value& here) {
+    found_.push_back(fmt::format("{}: {} there, {} here", key, there, here));
+  }
+
+  void word(const char* key, const std::string& there, const std::string& here) {
+    if (there != here) {
+      add(key, "'" + there + "'", "'" + here + "'");
+    }
+  }
+
+  void number(const std::string& key, double there, double here) {
+    if (!(std::abs(there - here) <= kSameNumber * std::max(std::abs(there), std::abs(here)))) {
+      add(key, there, here);
+    }
+  }
+
+  void segment(const std::string& place, const Segment& there, const Segment& here) {
+    number(place + "length_m", there.length_m, here.length_m);
+    number(place + "width_m", there.width_m, here.width_m);
+    if (there.gaps != here.gaps) {
+      add(place + "gaps", there.gaps, here.gaps);
+    }
+    number(place + (here_.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit"),
+           there.pressure_limit_kpa, here.pressure_limit_kpa);
+    if (there_.no_load == here_.no_load && here_.no_load == NoLoadKind::curvature) {
+      number(place + "curvature_per_unit", there.curvature_per_unit, here.curvature_per_unit);
+    }
+    if (there_.no_load == here_.no_load && here_.no_load == NoLoadKind::strain_polynomial) {
+      strain(place + "strain_polynomial", there, here);
+    }
+  }
+
+  void strain(const std::string& key, const Segment& there, const Segment& here) {
+    const StrainDifference largest = largest_strain_difference(
+        there.strain_polynomial, here.strain_polynomial, here.pressure_limit_kpa);
+    if (!(largest.strain <= kSameStrain)) {
+      found_.push_back(fmt::format("{}: a strain of {:.6f} there, {:.6f} here at {:.4g} {}", key,
+                                   strain_at(there.strain_polynomial, largest.pressure_kpa),
+                                   strain_at(here.strain_polynomial, largest.pressure_kpa),
+                                   largest.pressure_kpa, here_.command.unit));
+    }
+  }
+
+  const ArmDescription& there_;
+  const ArmDescription& here_;
+  std::vector<std::string> found_;
+};
+
+}  // namespace
+
+ArmIdentity identity_of(const ArmDescription& arm) {
+  return {arm.name, arm.hash(), arm_keys_to_yaml(arm)};
+}
+
+std::vector<std::string> arm_differences(const ArmDescription& there, const ArmDescription& here) {
+  return Comparison(there, here).run();
+}
+
+std::string why_another_arm(const ArmIdentity& made_for, const ArmDescription& arm,
+                            const std::string& file) {
+  if (made_for.hash == arm.hash()) {
+    return {};
+  }
+  if (made_for.description.empty()) {
+    return "what differs is not known, as an earlier limber wrote the file and kept only a hash; "
+           "the arm file of a demo is arm.yaml in its folder";
+  }
+  const ArmDescription there =
+      read_arm(YamlReader::from_text(made_for.description, file + ": arm_description"));
+  std::vector<std::string> differences = arm_differences(there, arm);
+  if (differences.size() > kMostNamed) {
+    const std::string more = fmt::format("and {} more", differences.size() - kMostNamed);
+    differences.resize(kMostNamed);
+    differences.push_back(more);
+  }
+  return fmt::format("{}", fmt::join(differences, "; "));
+}
+
+}  // namespace limber
