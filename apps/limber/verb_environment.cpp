@@ -44,6 +44,7 @@ class EnvironmentVerb final : public Verb {
                    "Network model that says what is in reach; the no-load model where not given");
     valves_.add_valves_to(app);
     app.add_option("--margin-m", margin_m_, "Clearance that a check asks for")
+        ->check(CLI::Range(0.0, kLargestMarginM))
         ->capture_default_str();
     app.add_option("--svg", svg_, "Draw the environment that is checked here");
   }

@@ -7,6 +7,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/experiment/planning_experiment.hpp"
+#include "limber/planning/problem_check.hpp"
 #include "model_flags.hpp"
 #include "verbs.hpp"
 
@@ -59,6 +60,7 @@ class ExperimentVerb final : public Verb {
     app.add_option("--cost-threshold-kpa", settings_.limits.cost_threshold_kpa,
                    "Stop at a plan this cheap; a large number stops at the first");
     app.add_option("--margin-m", settings_.margin_m, "Clearance asked of every plan")
+        ->check(CLI::Range(0.0, kLargestMarginM))
         ->capture_default_str();
     valves_.add_valves_to(app);
     forest_.add_to(app);

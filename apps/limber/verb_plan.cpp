@@ -8,6 +8,7 @@
 #include "limber/planning/plan_picture.hpp"
 #include "limber/planning/plan_report.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/planning/problem_check.hpp"
 #include "model_flags.hpp"
 #include "verbs.hpp"
 
@@ -107,6 +108,7 @@ class PlanVerb final : public Verb {
     app.add_option("--margin-m", margin_m_,
                    "Clearance kept from every obstacle. A model errs by centimetres; with no "
                    "margin its errors become collisions")
+        ->check(CLI::Range(0.0, kLargestMarginM))
         ->capture_default_str();
     forest_.add_to(app);
     app.add_option("--out", out_, "Write the plan here (JSON); not written without a solution");

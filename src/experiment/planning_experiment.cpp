@@ -21,6 +21,7 @@
 #include "limber/experiment/output_folder.hpp"
 #include "limber/experiment/planner_arena.hpp"
 #include "limber/experiment/planning_table.hpp"
+#include "limber/planning/problem_check.hpp"
 #include "limber/experiment/report_page.hpp"
 #include "trial_file.hpp"
 
@@ -300,6 +301,7 @@ void require_usable(const ExperimentSettings& settings) {
   if (settings.trials < 1 || settings.trials > 100'000) {
     throw InputError(fmt::format("--trials {}: expected 1 to 100000", settings.trials));
   }
+  require_margin(settings.margin_m);
   if (settings.planners.empty()) {
     throw InputError("no planner given");
   }

@@ -34,6 +34,7 @@ class CertifiedPlanner final : public Planner {
 
   PlanResult plan(const PlanningProblem& asked, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
+    require_margin(asked.margin_m);  // before it is raised to what a certificate asks for
     const PlanningProblem problem{
         asked.arm, valves_ == Valves::left_out ? asked.model.without_valves() : asked.model,
         asked.environment, asked.margin_m};

@@ -5,6 +5,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/planning/environment.hpp"
+#include "limber/planning/start_shape.hpp"
 
 namespace limber {
 
@@ -16,8 +17,6 @@ constexpr double kMostAngleRad = 1000.0;
 constexpr double kOrientationToleranceRad = 0.3;  // where the file gives theta alone
 constexpr std::size_t kMostObstacles = 10000;
 constexpr std::size_t kMostPolygonPoints = 1000;
-constexpr double kReachAllowance =
-    1.2;  // a tracked arm may read a little longer than its file says
 
 double coordinate(const YamlReader& node) {
   return node.number("a coordinate in metres", -kFarthestM, kFarthestM);
@@ -218,13 +217,8 @@ void require_start_fits(const YamlReader& root, const ArmStart& start, const Arm
     backbone.refuse(fmt::format("{} poses found; expected {}, one a plate of arm '{}'",
                                 start.backbone.rows(), arm.point_count(), arm.name));
   }
-  for (int i = 0; i < arm.point_count(); ++i) {
-    const double reach = std::hypot(start.backbone(i, 0), start.backbone(i, 1));
-    if (reach > kReachAllowance * arm.length_m()) {
-      backbone.elements()[static_cast<std::size_t>(i)].refuse(fmt::format(
-          "plate {} is {:.4g} m from the base; the arm is {:.4g} m long (poses are in metres)",
-          i + 1, reach, arm.length_m()));
-    }
+  if (const std::optional<StartFault> fault = find_start_fault(start.backbone, arm)) {
+    backbone.elements()[static_cast<std::size_t>(fault->row)].refuse(fault->message);
   }
 }
 

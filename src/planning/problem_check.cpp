@@ -7,8 +7,10 @@
 #include <fmt/format.h>
 
 #include "limber/arm/inverse_kinematics.hpp"
+#include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/common/units.hpp"
+#include "limber/planning/start_shape.hpp"
 
 namespace limber {
 
@@ -62,6 +64,13 @@ void check_goal_reach(const PlanningProblem& problem, ProblemCheck& result) {
 
 void check_start(const PlanningProblem& problem, const CollisionChecker& checker,
                  ProblemCheck& result) {
+  const std::optional<ArmStart>& given = problem.environment.start;
+  const auto fault = given ? find_start_fault(given->backbone, problem.arm) : std::nullopt;
+  if (fault) {
+    result.refusal = PlanStatus::invalid_start;
+    result.reason = fmt::format("start.backbone[{}]: {}", fault->row, fault->message);
+    return;
+  }
   const Clearance clearance =
       checker.clearance(start_state(problem.environment, problem.arm).backbone);
   if (clearance.value_m <= 0.0) {
@@ -112,6 +121,13 @@ std::string reached_only_in_collision(const PlanningProblem& problem,
       found.pressures_kpa.size(), -best.value_m * kCmPerM,
       obstacle_name(problem.environment, best.obstacle), gap_name(problem.arm, best.gap),
       margin_note(problem));
+}
+
+void require_margin(double margin_m) {
+  if (!(margin_m >= 0.0 && margin_m <= kLargestMarginM)) {
+    throw InputError(fmt::format("margin_m = {}; expected a distance in metres, 0 to {}", margin_m,
+                                 kLargestMarginM));
+  }
 }
 
 ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker& checker) {

@@ -170,6 +170,9 @@ TEST(Environment, RefusesAStartThatDoesNotFitTheArm) {
   EXPECT_THAT(refusal(q, b.topRows(12)), AllOf(HasSubstr("e.yaml:9: start.backbone"),
                                                HasSubstr("12 poses found; expected 16")));
   EXPECT_THAT(refusal(q, b * 100.0F), HasSubstr("poses are in metres"));
+  EXPECT_THAT(refusal(q, Backbone::Zero(16, 3)),
+              AllOf(HasSubstr("e.yaml:9: start.backbone[1]"),
+                    HasSubstr("plate 1 is 0 m from plate 0; expected 0.0235 to 0.0705 m")));
 }
 
 TEST(Environment, RefusesABrokenNumberInAnyPlaceOfAStartingPose) {

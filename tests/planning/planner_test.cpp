@@ -324,6 +324,28 @@ TEST(Planner, NamesWhatIsWrongWithAProblemBeforePlanning) {
   EXPECT_THAT(result.warnings[0], HasSubstr("the no-load model reaches no closer to the goal"));
 }
 
+// Clamped in silence, it came into the plan's file, which nothing reads.
+TEST(Planner, RefusesAMarginThatIsNone) {
+  Setting s(false);
+  PlannerLimits limits;
+  limits.iterations = 10;
+  for (const double margin_m : {-1.0, -1e-9, 2e3, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THAT(
+        [&] {
+          (void)make_planner("default")->plan({s.arm, s.model, s.environment, margin_m}, limits, 1);
+        },
+        ThrowsMessage<InputError>(AllOf(HasSubstr("margin_m = "), HasSubstr("0 to 1000"))));
+  }
+}
+
+TEST(Planner, AStartThatIsNoArmIsInvalid) {
+  Setting s(false);
+  s.environment.start = ArmStart{Pressures::Zero(3), Backbone::Zero(16, 3)};
+  const PlanResult result = s.plan("default", 10);
+  EXPECT_EQ(result.status, PlanStatus::invalid_start);
+  EXPECT_THAT(result.reason, HasSubstr("start.backbone[1]: plate 1 is 0 m from plate 0"));
+}
+
 TEST(Planner, MarginKeepsTheArmAway) {
   Setting s(false);
   PlannerLimits limits;

@@ -65,7 +65,8 @@ struct Environment {
 Environment load_environment(const std::filesystem::path& path);
 Environment read_environment(const YamlReader& root);
 
-/// The same, and refuses a start that does not fit the arm: sizes, pressure limits, reach.
+/// The same, and refuses a start that does not fit the arm: sizes, pressure limits, and a backbone
+/// that is no shape of the arm (planning/start_shape.hpp).
 Environment load_environment(const std::filesystem::path& path, const ArmDescription& arm);
 Environment read_environment(const YamlReader& root, const ArmDescription& arm);
 

@@ -17,6 +17,12 @@ struct ProblemCheck {
   std::vector<std::string> warnings;
 };
 
+inline constexpr double kLargestMarginM = 1000.0;  // as coordinates of environments
+
+/// @throws InputError unless 0 ≤ margin_m ≤ kLargestMarginM: a negative one would be a plan through
+/// obstacles.
+void require_margin(double margin_m);
+
 /// The refusal alone, if there is one: what a planner asks first.
 ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker& checker);
 

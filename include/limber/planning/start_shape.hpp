@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/backbone.hpp"
+
+namespace limber {
+
+/// Why a backbone is no shape that the arm can start with.
+struct StartFault {
+  int row = 0;          ///< of the backbone, 0 the base
+  std::string message;  ///< what was found, and what is allowed
+};
+
+/// A start is measured, so a little is allowed; what no tracked arm shows is not: a first plate
+/// that is not the base, gaps far shorter or longer than at rest, headings that jump, or plates
+/// that lie where their headings do not lead. Numbers that are not finite are never allowed.
+std::optional<StartFault> find_start_fault(const Backbone& backbone, const ArmDescription& arm);
+
+}  // namespace limber
