@@ -42,6 +42,9 @@ class ExportVerb final : public Verb {
         "Folder for a recording as OptiTrack Motive would have logged it, pressures apart");
     app.add_option("--onnx", onnx_, "File for a model's network with its normalisation");
     app.add_option("--mjcf", mjcf_, "File for an arm's chain as MuJoCo's XML");
+    app.add_option("--arm", arm_,
+                   "With a plan: arm that its set points are held against, limits and steps; "
+                   "needed for a plan without a certificate");
     const char* group = "With --motive";
     app.add_option("--rate-hz", settings_.rate_hz, "Rows a second; the recording's by default")
         ->group(group);
@@ -101,10 +104,12 @@ class ExportVerb final : public Verb {
     switch (kind_of(read_file(file_))) {
       case FileKind::recording:
         require_only(csv_, motive_, "a recording", "--csv or --motive");
+        require_no_arm("a recording");
         export_recording();
         break;
       case FileKind::model:
         require_only(csv_, onnx_, "a model", "--csv or --onnx");
+        require_no_arm("a model");
         export_model();
         break;
       case FileKind::plan:
@@ -116,7 +121,14 @@ class ExportVerb final : public Verb {
             fmt::format("{}: a forest; any reader of safetensors opens it as it is", file_));
       default:
         require_only(mjcf_, mjcf_, "an arm", "--mjcf");
+        require_no_arm("an arm");
         export_arm();
+    }
+  }
+
+  void require_no_arm(const char* kind) const {
+    if (!arm_.empty()) {
+      throw InputError(fmt::format("{}: {}; --arm belongs to a plan", file_, kind));
     }
   }
 
@@ -154,11 +166,24 @@ class ExportVerb final : public Verb {
 
   void export_plan() {
     const Plan plan = read_plan(file_);
+    require_safe_to_command(plan);
     const fs::path setpoints = fs::path(csv_) / "setpoints.csv";
     const fs::path shapes = fs::path(csv_) / "backbones.csv";
     write_setpoints_csv(setpoints, plan);
     write_backbones_csv(shapes, plan);
     add({setpoints, shapes});
+  }
+
+  /// Set points go to valves, which take whatever they are told.
+  void require_safe_to_command(const Plan& plan) const {
+    if (!arm_.empty()) {
+      require_plan_of(plan, load_arm(find_arm_file(arm_)), file_);
+    } else if (!plan.certified) {
+      throw InputError(fmt::format(
+          "{}: certificate: missing, so nothing says that its set points keep to the limits of arm "
+          "'{}'. Give --arm ARM.yaml, and they are held against it, or plan again",
+          file_, plan.arm_name));
+    }
   }
 
   void export_arm() {
@@ -173,6 +198,7 @@ class ExportVerb final : public Verb {
   }
 
   std::string file_;
+  std::string arm_;
   std::string csv_;
   std::string motive_;
   std::string onnx_;
