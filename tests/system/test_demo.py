@@ -1,13 +1,22 @@
-"""`limber demo --quick`: the whole chain, its files, its report, and whose folder it may replace."""
+"""`limber demo --quick`: the whole chain, its files, its report, whose folder it may replace, and the
+documents' commands that go on from it."""
 
 import json
 import re
+import shlex
 import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree
 
-from program import ROOT, InFolder
+from program import ROOT, InFolder, cpu_levels, limber
+
+# What makes a documented command take seconds instead of minutes; the rest runs as printed.
+SHORTER = {
+    "bench": {"--queries": 1000},
+    "experiment": {"--trials": 1, "--time-limit-s": 0.2},
+    "plan": {"--max-queries": 100_000, "--cost-threshold-kpa": 1e6},
+}
 
 FILES = ("train.h5", "test.h5", "model.safetensors", "report.html", "summary.json")
 
@@ -21,6 +30,8 @@ class Demo(InFolder):
         self.check_summary(json.loads((out / "summary.json").read_text(encoding="utf-8")))
         self.check_report((out / "report.html").read_text(encoding="utf-8"))
         self.check_results_table()
+        self.check_arm()
+        self.check_documented_commands()
         self.check_folder_rules()
 
     def check_summary(self, summary):
@@ -47,6 +58,36 @@ class Demo(InFolder):
             cwd=self.folder, capture_output=True, encoding="utf-8", check=True,
         )
         self.assertIn("| reduction by the network", table.stdout)
+
+    def check_arm(self):
+        """What the bench test fitted is the arm that was asked for, on this machine too."""
+        own = self.run_json("inspect", ROOT / "arms" / "three_segment.yaml")
+        self.assertEqual(self.run_json("inspect", "out/arm.yaml")["hash"], own["hash"])
+
+    def documented_commands(self):
+        """Commands of README.md and docs/ that take the demo's results, as lists of words."""
+        for document in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+            text = document.read_text(encoding="utf-8").replace("\\\n", " ")
+            for command in re.findall(r"(?:^ *|`)(limber [^`\n]*\bout/[^`\n]*)", text, flags=re.M):
+                words = shlex.split(command, comments=True)
+                yield document.name, words[1:]
+
+    def check_documented_commands(self):
+        commands = list(self.documented_commands())
+        self.assertLessEqual(
+            {"bench", "evaluate", "experiment", "plan", "verify"},
+            {words[0] for _, words in commands},
+        )
+        for level in cpu_levels():
+            for document, words in commands:
+                for flag, value in SHORTER.get(words[0], {}).items():
+                    if flag in words:
+                        del words[words.index(flag) : words.index(flag) + 2]
+                    words += [flag, str(value)]
+                with self.subTest(level=level, document=document, command=" ".join(words)):
+                    result = limber(*words, "--force", folder=self.folder,
+                                    environment={"LIMBER_CPU": level})
+                    self.assertEqual(result.returncode, 0, result.stderr)
 
     def check_folder_rules(self):
         """A folder with somebody's files is refused; nothing in it changes."""
