@@ -11,7 +11,7 @@ FileKind kind_of(const std::string& content) {
     return FileKind::recording;
   }
   constexpr std::size_t kSafetensorsHeader = 8;  // its length, then JSON
-  constexpr std::size_t kHeaderLooked = 2048;    // a forest's has four tensors
+  constexpr std::size_t kHeaderLooked = 65536;   // a forest's: four tensors, and its arm's keys
   if (content.size() > kSafetensorsHeader && content[kSafetensorsHeader] == '{' &&
       content[kSafetensorsHeader - 1] == '\0') {
     const std::string_view header = std::string_view(content).substr(0, kHeaderLooked);

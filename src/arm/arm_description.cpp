@@ -184,6 +184,10 @@ void read_command_and_rate(const YamlReader& root, ArmDescription& arm) {
       node.at("rate_limit_per_s").positive(fmt::format("a rate in {}/s", arm.command.unit));
 }
 
+std::string schema_line() {
+  return fmt::format("schema: {}\n", kSchema);
+}
+
 /// A text as one line of YAML that reads back the same, whatever it holds.
 std::string quoted(const std::string& text) {
   YAML::Emitter emitter;
@@ -302,15 +306,19 @@ ArmDescription load_arm(const std::filesystem::path& path, PolynomialsOf polynom
 }
 
 std::string arm_to_yaml(const ArmDescription& arm) {
-  const std::string text = arm_keys_to_yaml(arm);
+  const std::string text = schema_line() + arm_keys_to_yaml(arm);
   return arm.command.is_pressure_kpa()
              ? text + "virtual_arm:\n" + virtual_arm_parameters_to_yaml(arm.virtual_arm, 2)
              : text;
 }
 
+ArmDescription read_arm_keys(const std::string& keys, const std::string& name) {
+  return read_arm(YamlReader::from_text(schema_line() + keys, name));
+}
+
 std::string arm_keys_to_yaml(const ArmDescription& arm) {
   const bool pressures = arm.command.is_pressure_kpa();
-  std::string text = fmt::format("schema: {}\nname: {}\n", kSchema, quoted(arm.name));
+  std::string text = fmt::format("name: {}\n", quoted(arm.name));
   if (!pressures) {
     text += fmt::format("command: {{name: {}, unit: {}, limit: {}, rate_limit_per_s: {}}}\n",
                         quoted(arm.command.name), quoted(arm.command.unit),

@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "limber/common/yaml_reader.hpp"
-
 namespace limber {
 
 namespace {
@@ -108,8 +106,7 @@ std::string why_another_arm(const ArmIdentity& made_for, const ArmDescription& a
     return "what differs is not known, as an earlier limber wrote the file and kept only a hash; "
            "the arm file of a demo is arm.yaml in its folder";
   }
-  const ArmDescription there =
-      read_arm(YamlReader::from_text(made_for.description, file + ": arm_description"));
+  const ArmDescription there = read_arm_keys(made_for.description, file + ": arm_description");
   std::vector<std::string> differences = arm_differences(there, arm);
   if (differences.size() > kMostNamed) {
     const std::string more = fmt::format("and {} more", differences.size() - kMostNamed);

@@ -21,8 +21,8 @@
 #include "limber/experiment/output_folder.hpp"
 #include "limber/experiment/planner_arena.hpp"
 #include "limber/experiment/planning_table.hpp"
-#include "limber/planning/problem_check.hpp"
 #include "limber/experiment/report_page.hpp"
+#include "limber/planning/problem_check.hpp"
 #include "trial_file.hpp"
 
 namespace limber {

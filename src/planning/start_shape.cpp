@@ -17,7 +17,7 @@ constexpr double kBaseOffset_m = 0.01;   // of a tracked base plate; more is ano
 constexpr double kBaseHeading_rad = 0.1;
 constexpr double kShortestGap = 0.5;  // plate to plate, over the gap's length at rest: both sides
 constexpr double kLongestGap = 1.5;   // contracted and well bent; stretched by a pull
-constexpr double kMostOfFullBend = 2.0;  // a loaded segment does not bend evenly
+constexpr double kMostOfFullBend = 2.0;                     // a loaded segment does not bend evenly
 constexpr double kUnevenTurn_rad = 0.5 * std::numbers::pi;  // of any arm's gap, pushed by hand
 constexpr double kMostTurn_rad = std::numbers::pi;  // beyond half a turn no arc joins two plates
 // An arc's chord lies between its ends' headings; plates tilt by a few tenths.

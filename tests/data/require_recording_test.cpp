@@ -82,9 +82,8 @@ TEST(RequireRecordingOf, TakesTheSameArmRenamedOrEditedAndRefusesAnother) {
   elsewhere.segments[1].length_m = 0.3;
   recording.arm_hash = "0";
   recording.arm_description = arm_keys_to_yaml(elsewhere);
-  EXPECT_THAT(
-      [&] { require_recording_of(recording, arm, "a.h5"); },
-      ThrowsMessage<InputError>(HasSubstr("segments[1].length_m: 0.3 there, 0.2 here")));
+  EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
+              ThrowsMessage<InputError>(HasSubstr("segments[1].length_m: 0.3 there, 0.2 here")));
   recording.arm_description.clear();
   EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("recorded with arm 'other' (hash 0)"),

@@ -200,9 +200,8 @@ TEST(Plan, OfAnotherMachinesFitOfTheSameArmIsItsOwn) {
   ASSERT_NE(elsewhere.hash(), arm.hash());
   EXPECT_NO_THROW(require_plan_of(back, elsewhere, "p.json"));
   elsewhere.segments[1].width_m = 0.031;
-  EXPECT_THAT(
-      [&] { require_plan_of(back, elsewhere, "p.json"); },
-      ThrowsMessage<InputError>(HasSubstr("segments[1].width_m: 0.03 there, 0.031 here")));
+  EXPECT_THAT([&] { require_plan_of(back, elsewhere, "p.json"); },
+              ThrowsMessage<InputError>(HasSubstr("segments[1].width_m: 0.03 there, 0.031 here")));
 }
 
 TEST(Plan, OfBeforeTheDescriptionIsOfTheArmWithItsHash) {

@@ -48,7 +48,7 @@ class SameArm(InFolder):
         """A recording, a model, a plan and a forest of limber's own arm."""
         self.run_limber("collect", "--arm", ARM, "--schedule", "random", "--count", 6, "--episodes",
                         2, "--out", "r.h5")
-        self.run_limber("train", "--arm", ARM, "--data", "r.h5", "--epochs", 2, "--out",
+        self.run_limber("train", "--arm", ARM, "--data", "r.h5", "--epochs", 3, "--out",
                         "m.safetensors")
         self.run_limber("plan", "--arm", ARM, "--no-load", "--environment", self.environment,
                         *BUDGET, "--out", "p.json")

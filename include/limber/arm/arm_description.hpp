@@ -91,8 +91,12 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials = Poly
 /// The arm as YAML, readable by `load_arm`; floating-point values survive the round trip exactly.
 std::string arm_to_yaml(const ArmDescription& arm);
 
-/// The same without the virtual arm: the keys that `hash` stands for, and the name.
+/// The same without schema and virtual arm: the keys that `hash` stands for, and the name. Other
+/// files hold it as a text.
 std::string arm_keys_to_yaml(const ArmDescription& arm);
+
+/// The way back. @param name  stands for the file in messages. @throws InputError as `read_arm`.
+ArmDescription read_arm_keys(const std::string& keys, const std::string& name);
 
 /// `yaml`, the text of the arm's file, with the arm's strain polynomials in place of the old ones:
 /// everything else, comments too, stays as it is. Where the text has a form that cannot be edited

@@ -58,7 +58,8 @@ struct CharacterisedArm {
 void require_characterisable(const ArmDescription& arm);
 
 /// Fits every segment. Where the arm's own polynomial agrees with the fit within kSameStrain, it
-/// stays: characterising the same arm again, or elsewhere, does not make it another. @throws InputError as above, with the segment's number before the message.
+/// stays: characterising the same arm again, or elsewhere, does not make it another. @throws
+/// InputError as above, with the segment's number before the message.
 CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench);
 
 /// Bench data from a CSV file: a header line naming the columns `pressure_kpa` and `strain`, and

@@ -43,7 +43,7 @@ struct Recording {
   std::string arm_name;
   std::string arm_hash;
   std::string arm_description;  ///< arm_keys_to_yaml(); empty in files of before it was kept
-  Command command;  ///< what the numbers named pressure and set point are
+  Command command;              ///< what the numbers named pressure and set point are
   int segment_count = 0;
   int point_count = 0;
   double rate_hz = 0.0;
