@@ -144,6 +144,67 @@ class Plan(InFolder):
         self.assertIn(found["status"], ("limit", "no_solution"))
         self.assertFalse((self.folder / "p.json").exists())
 
+    def test_a_margin_below_zero_is_refused_at_the_flag(self):
+        path = self.plan_file(PILLAR)
+        self.write("m.safetensors", "")
+        for verb in (
+            ("plan", *ARM, *BUDGET, "--environment", path, "--out", "p.json"),
+            ("experiment", "--model", "m.safetensors", "--out", "table"),
+            ("environment", "check", path),
+        ):
+            for margin in ("-1", "-1e-6", "nan"):
+                with self.subTest(verb=verb[0], margin=margin):
+                    error = self.run_limber(*verb, "--margin-m", margin, code=2).stderr
+                    self.assertRegex(error, r"margin.m")
+        self.assertEqual({p.name for p in self.folder.iterdir()}, {"e.yaml", "m.safetensors"})
+
+    def test_a_start_that_is_no_arm_is_bad_input(self):
+        rows = [[0.0, 0.0, 0.0]] * 11
+        start = {"pressures_kpa": [0.0, 0.0], "backbone": rows}
+        path = self.plan_file(changed(start=start))
+        for verb in (
+            ("plan", *ARM, *BUDGET, "--environment", path, "--out", "p.json"),
+            ("environment", "check", path, "--arm", "two_segment"),
+            ("inspect", path, "--arm", "two_segment"),
+            ("experiment", "--arm", "two_segment", "--model", "none.safetensors",
+             "--environments", ".", "--out", "table"),
+        ):
+            with self.subTest(verb=verb[0]):
+                error = self.run_limber(*verb, code=2).stderr
+                self.assertIn("start.backbone[1]: plate 1 is 0 m from plate 0; expected 0.0235",
+                              error)
+
+    def test_set_points_are_exported_only_within_somebodys_limits(self):
+        self.plan(PILLAR, "--out", "p.json")
+        self.run_limber("export", "p.json", "--csv", "sealed")
+        plan = json.loads((self.folder / "p.json").read_text(encoding="utf-8"))
+        del plan["certificate"]
+        self.write("open.json", json.dumps(plan))
+        error = self.run_limber("export", "open.json", "--csv", "open", code=2).stderr
+        self.assertIn("certificate: missing", error)
+        self.assertIn("--arm", error)
+        self.run_limber("export", "open.json", "--csv", "open", "--arm", "two_segment")
+        self.assertEqual(
+            (self.folder / "open" / "setpoints.csv").read_bytes(),
+            (self.folder / "sealed" / "setpoints.csv").read_bytes(),
+        )
+        frame = plan["frames"][-1]["setpoint_kpa"]
+        for point in (plan["waypoints_kpa"][-1], *(f["setpoint_kpa"] for f in plan["frames"])):
+            if point == frame:
+                point[0] = 150.0  # of 100 kPa
+        plan["cost_kpa"] = sum(
+            abs(b - a)
+            for one, two in zip(plan["frames"], plan["frames"][1:])
+            for a, b in zip(one["setpoint_kpa"], two["setpoint_kpa"])
+        )
+        self.write("strong.json", json.dumps(plan))
+        self.run_limber("export", "strong.json", "--csv", "strong", code=2)
+        error = self.run_limber(
+            "export", "strong.json", "--csv", "strong", "--arm", "two_segment", code=2
+        ).stderr
+        self.assertIn("setpoint_kpa[0]: 150 kPa found; expected at most ± 100 kPa", error)
+        self.assertFalse((self.folder / "strong").exists())
+
     def test_what_cannot_be_planned_is_said_before_planning(self):
         cases = {
             "invalid_start": changed(

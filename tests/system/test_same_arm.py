@@ -84,8 +84,6 @@ class SameArm(InFolder):
         self.make_chain()
         for name, command in self.commands(self.wider).items():
             with self.subTest(name):
-                if name == "evaluate":  # the recording may be used: the arm's name is the same
-                    command = command[:3] + command[5:] + ("--data", "r.h5")
                 error = self.run_limber(*command, code=2).stderr
                 self.assertIn("segments[1].width_m: 0.03 there, 0.032 here", error)
 
@@ -98,8 +96,7 @@ class SameArm(InFolder):
         self.write("p.json", json.dumps(plan))
         for name, command in self.commands(ARM).items():
             with self.subTest(name):
-                self.run_limber(*command) if "inspect" not in name else self.run_limber(
-                    *command[:-1], self.own)
+                self.run_limber(*command)
         for name in ("inspect model", "inspect plan", "inspect forest", "bench", "verify"):
             with self.subTest(name):
                 error = self.run_limber(*self.commands(self.elsewhere)[name], code=2).stderr
