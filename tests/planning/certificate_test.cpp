@@ -340,7 +340,7 @@ TEST(Certificate, HoldsForTheSameArmFittedElsewhere) {
   ASSERT_NE(arm.hash(), s.arm.hash());
   CompensationModel model = s.model.compensation();
   model.set_arm(s.arm);
-  const Certificate certificate = certify(s.plan, arm, &model, s.environment);
+  const Certificate certificate = certify(s.plan, arm, &model, {}, s.environment);
   EXPECT_GT(certificate.largest_deviation_m, 1e-6) << "another arm in its last digits";
   EXPECT_TRUE(certificate.certified());
 }

@@ -243,11 +243,11 @@ TEST(Forest, OfAnotherMachinesFitOfTheSameArmIsItsOwn) {
   Setting s;
   const Forest forest = s.grow();
   s.arm.segments[0].strain_polynomial[0] += 1e-9;  // 1e-7 of strain
-  const ForestKey key = forest_key(s.arm, "model", s.start);
+  const ForestKey key = forest_key(s.arm, "model", {}, s.start);
   ASSERT_NE(key.arm_hash, forest.key.arm_hash);
   EXPECT_TRUE(is_grown_for(forest, s.arm, key));
-  EXPECT_NO_THROW(require_forest_of(forest, s.arm, s.start));
-  EXPECT_FALSE(is_grown_for(forest, s.arm, forest_key(s.arm, "another model", s.start)));
+  EXPECT_NO_THROW(require_forest_of(forest, s.arm, {}, s.start));
+  EXPECT_FALSE(is_grown_for(forest, s.arm, forest_key(s.arm, "another model", {}, s.start)));
 }
 
 TEST(Forest, OfAnotherArmOrStartIsRefused) {
