@@ -12,7 +12,6 @@ inline Recording test_recording(int episodes = 2, int frames = 5, int segments =
   Recording recording;
   recording.arm_name = "test arm";
   recording.arm_hash = "0123456789abcdef";
-  recording.arm_description = "name: any\ntext: kept as it is\n";
   recording.segment_count = segments;
   recording.point_count = points;
   recording.rate_hz = 20.0;
