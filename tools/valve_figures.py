@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Other valves end to end: recorded, identified, learnt, planned and executed (docs/valves.md, Measured).
+"""Other valves end to end: recorded, identified, learnt, planned and executed (docs/valves.md, Figures).
 
     tools/valve_figures.py --limber build/release/bin/limber --out out/valves
     tools/valve_figures.py --out out/valves --rows slow late
