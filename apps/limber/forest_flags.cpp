@@ -50,8 +50,8 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
     if (is_grown_for(stored, arm, key)) {
       try {
         require_forest_of(stored, arm, model.valves().parameters(), start);
-      } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", path, error.what()));
+      } catch (const InputError& refusal) {
+        throw InputError(fmt::format("{}: {}", path, refusal.what()));
       }
       return stored;
     }

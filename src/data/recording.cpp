@@ -8,8 +8,8 @@
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/data/episode_path.hpp"
-#include "recording_header.hpp"
 #include "recorded_backbones.hpp"
+#include "recording_header.hpp"
 
 namespace limber {
 

@@ -120,7 +120,7 @@ void train_stage(DemoResults& results) {
   });
   results.output->write("learning_curve.svg", learning_curve_svg(results.training.curve));
   results.valve_plot_svg = valve_plot_svg(results.training.model.identified_valves().parameters,
-                                           results.training_recording);
+                                          results.training_recording);
   results.output->write("plots/valves.svg", results.valve_plot_svg);
   results.no_load.emplace(results.arm());
   results.network.emplace(results.arm(), results.training.model);

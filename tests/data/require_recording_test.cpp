@@ -19,6 +19,7 @@ ArmDescription small_arm(const char* name) {
   ArmDescription arm;
   arm.name = name;
   arm.frame_rate_hz = 20.0;
+  arm.pressure_rate_limit_kpa_per_s = 100.0;
   arm.segments.assign(2, Segment{0.2, 0.05, 2, 100.0, {1e-3, 0, 0, 0}});
   return arm;
 }
