@@ -77,9 +77,6 @@ void require_outside_of_results(const CLI::App& command, const fs::path& folder)
 }  // namespace
 
 void require_distinct_files(const CLI::App& command) {
-  if (std::ranges::find(kFillers, command.get_name()) != kFillers.end()) {
-    require_outside_of_results(command, folder_for_results(*command.get_option("--out")));
-  }
   std::vector<NamedPath> inputs;
   std::vector<NamedPath> outputs;
   for (const CLI::Option* option : command.get_options()) {
@@ -100,6 +97,9 @@ void require_distinct_files(const CLI::App& command) {
         inputs.push_back({option->get_name(), value});
       }
     }
+  }
+  if (std::ranges::find(kFillers, command.get_name()) != kFillers.end()) {
+    require_outside_of_results(command, folder_for_results(*command.get_option("--out")));
   }
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const auto refuse = [&](const NamedPath& other, const char* what) {

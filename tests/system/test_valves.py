@@ -16,7 +16,7 @@ class Valves(InFolder):
 
     def train(self, name, *arguments):
         return self.run_json(
-            "train", *ARM, "--data", "train.h5", "--epochs", 2, "--hidden", 8, "--out", name,
+            "train", *ARM, "--data", "train.h5", "--epochs", 3, "--hidden", 8, "--out", name,
             *arguments,
         )
 
@@ -33,7 +33,7 @@ class Valves(InFolder):
         self.assertLess(error["max_kpa"], 3.0)
         inspected = self.run_json("inspect", "train.h5", *ARM)["valves"]
         self.assertEqual(inspected["segments"], collected["segments"])
-        result = self.run_limber("train", *ARM, "--data", "train.h5", "--epochs", 1, "--hidden", 8)
+        result = self.run_limber("train", *ARM, "--data", "train.h5", "--epochs", 3, "--hidden", 8)
         self.assertIn("valves: inflate 0.0", result.stderr)
         model = self.run_json("inspect", "model.safetensors")["valves"]
         self.assertEqual(model["segments"], collected["segments"])
