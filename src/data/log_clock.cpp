@@ -16,6 +16,7 @@ namespace {
 constexpr double kSlowerThanArm = 0.95;  // of the arm's rate
 constexpr double kFastestLog_hz = 20000.0;
 constexpr double kPlausibleLog_hz = 2000.0;  // of a guess: no logger that we know is faster
+constexpr double kSlowArm_hz = 1.0;          // an arm file may say as little
 // Of a log's length: loggers pause, but one that is silent nine tenths of its time has no clock.
 constexpr double kLargestSilence = 0.9;
 constexpr double kSilenceAllowed_s = 60.0;  // however short the log
@@ -36,17 +37,23 @@ std::string unit_guess(const TimeColumn& time, double rate_hz, double lowest_hz)
   return guess;
 }
 
-/// Where a log's column and its unit stand, and what to do about them.
-std::string unit_advice(const TimeColumn& time, double rate_hz, double lowest_hz) {
+/// What to do about a rate that is no log's.
+std::string advice(const TimeColumn& time, double rate_hz, double lowest_hz) {
   if (time.unit == "frame") {
     return "Is it the column of frame numbers, and is 'rate_hz' right?";
   }
   const std::string guess = unit_guess(time, rate_hz, lowest_hz);
-  return guess.empty() ? "Is it the column of times?"
-                       : fmt::format(
-                             "Are its times in {0}? Then say so in the mapping: '{{column: "
-                             "{1}, unit: {0}}}'",
-                             guess, time.column);
+  if (!guess.empty()) {
+    return fmt::format(
+        "Are its times in {0}? Then say so in the mapping: '{{column: {1}, unit: {0}}}'", guess,
+        time.column);
+  }
+  return rate_hz < kSlowArm_hz || rate_hz > kFastestLog_hz
+             ? std::string("Is it the column of times?")
+             : fmt::format(
+                   "Is it the column of times? If the log is that slow, set frame_rate_hz of the "
+                   "arm file to at most {:.4g}",
+                   rate_hz);
 }
 
 std::string found(const std::string& log, const TimeColumn& time, double rate_hz) {
@@ -84,16 +91,14 @@ void check_clock(const std::string& log, const TimeColumn& time, const std::vect
   const double lowest_hz = kSlowerThanArm * arm.frame_rate_hz;
   if (!(rate_hz >= lowest_hz)) {
     throw InputError(fmt::format(
-        "{}; expected {:.4g} to {:.4g}: arm '{}' works at {} frames a second, and what lies "
-        "between "
-        "rows is not invented. {}. If the log is that slow, set frame_rate_hz of the arm file to "
-        "at most {:.4g}",
+        "{}; expected {:.4g} to {}: arm '{}' works at {} frames a second, and what lies between "
+        "rows is not invented. {}",
         found(log, time, rate_hz), lowest_hz, kFastestLog_hz, arm.name, arm.frame_rate_hz,
-        unit_advice(time, rate_hz, lowest_hz), rate_hz));
+        advice(time, rate_hz, lowest_hz)));
   }
   if (rate_hz > kFastestLog_hz) {
-    throw InputError(fmt::format("{}; expected {:.4g} to {:.4g}. {}", found(log, time, rate_hz),
-                                 lowest_hz, kFastestLog_hz, unit_advice(time, rate_hz, lowest_hz)));
+    throw InputError(fmt::format("{}; expected {:.4g} to {}. {}", found(log, time, rate_hz),
+                                 lowest_hz, kFastestLog_hz, advice(time, rate_hz, lowest_hz)));
   }
   check_silence(log, time, time_s, rate_hz);
 }

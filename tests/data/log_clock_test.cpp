@@ -78,7 +78,7 @@ TEST_F(LogClock, RefusesTimesInAnotherUnitWithAGuess) {
         expect_refused(
             pressures(in_unit(per_second, epoch_s)), offset_s,
             {fmt::format("p.csv: column 'time_s', read in s, gives {} rows a second", rate),
-             "expected 19 to 2e+04", fmt::format("Are its times in {}?", unit),
+             "expected 19 to 20000", fmt::format("Are its times in {}?", unit),
              fmt::format("{{column: time_s, unit: {}}}", unit)});
       }
     }
