@@ -6,10 +6,15 @@
 namespace limber {
 
 int PressureTree::add(const MotionState& state, int parent, double cost_kpa) {
+  return add(state, model_.settled_tip(state.valves, state.backbone), parent, cost_kpa);
+}
+
+int PressureTree::add(const MotionState& state, const Pose& settled_tip, int parent,
+                      double cost_kpa) {
   assert(state.valves.size() == model_.valves().state_size() &&
          state.backbone.rows() == model_.point_count());
   const int i = size();
-  nodes_.push_back({-1, -1, -1, cost_kpa, model_.settled_tip(state.valves, state.backbone)});
+  nodes_.push_back({-1, -1, -1, cost_kpa, settled_tip});
   valves_.insert(valves_.end(), state.valves.begin(), state.valves.end());
   backbones_.insert(backbones_.end(), state.backbone.data(),
                     state.backbone.data() + state.backbone.size());

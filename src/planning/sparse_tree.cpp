@@ -41,12 +41,13 @@ SparseTree::SparseTree(const ArmDescription& arm, const MotionModel& model, cons
 
 std::optional<int> SparseTree::add(const MotionState& state, int parent, double cost_kpa,
                                    bool always) {
-  const auto [place, is_new] = cheapest_.try_emplace(cell_of(state), tree_.size());
+  const Pose tip = model_.settled_tip(state.valves, state.backbone);
+  const auto [place, is_new] = cheapest_.try_emplace(cell_of(state, tip), tree_.size());
   const bool is_cheaper = !is_new && cost_kpa < tree_.cost_kpa(place->second);
   if (!is_new && !is_cheaper && !always) {
     return std::nullopt;
   }
-  const int node = tree_.add(state, parent, cost_kpa);
+  const int node = tree_.add(state, tip, parent, cost_kpa);
   index_.add(scaled(state.setpoint_kpa()));
   stands_for_.push_back(node);
   if (is_cheaper) {
@@ -109,7 +110,7 @@ Pressures SparseTree::limited(const Pressures& pressures_kpa) const {
   return pressures_kpa.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
 }
 
-std::uint64_t SparseTree::cell_of(const MotionState& state) const {
+std::uint64_t SparseTree::cell_of(const MotionState& state, const Pose& settled_tip) const {
   const auto quantised = [](double value, double cell) {
     return static_cast<std::int64_t>(std::floor(value / cell));
   };
@@ -121,10 +122,9 @@ std::uint64_t SparseTree::cell_of(const MotionState& state) const {
         mixed(hash, quantised(double(state.valves[i]) / double(limit_kpa_[i % limit_kpa_.size()]),
                               cells_.pressure));
   }
-  const Pose tip = model_.settled_tip(state.valves, state.backbone);
-  hash = mixed(hash, quantised(tip.x_m, cells_.position_m));
-  hash = mixed(hash, quantised(tip.y_m, cells_.position_m));
-  return mixed(hash, quantised(tip.theta_rad, cells_.orientation_rad));
+  hash = mixed(hash, quantised(settled_tip.x_m, cells_.position_m));
+  hash = mixed(hash, quantised(settled_tip.y_m, cells_.position_m));
+  return mixed(hash, quantised(settled_tip.theta_rad, cells_.orientation_rad));
 }
 
 double SparseTree::bytes() const {

@@ -53,7 +53,7 @@ class SparseTree {
   const Pressures& limits_kpa() const { return limit_kpa_; }
 
  private:
-  std::uint64_t cell_of(const MotionState& state) const;
+  std::uint64_t cell_of(const MotionState& state, const Pose& settled_tip) const;
 
   MotionModel model_;
   StateCells cells_;

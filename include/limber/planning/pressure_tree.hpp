@@ -19,6 +19,8 @@ class PressureTree {
   /// @param parent  −1 for the root, which comes first
   /// @param cost_kpa  of the motion from the root
   int add(const MotionState& state, int parent, double cost_kpa);
+  /// The same where the caller knows the state's settled tip already.
+  int add(const MotionState& state, const Pose& settled_tip, int parent, double cost_kpa);
 
   int size() const { return static_cast<int>(nodes_.size()); }
   int parent(int i) const { return node(i).parent; }
