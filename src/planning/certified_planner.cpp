@@ -1,10 +1,13 @@
 #include "limber/planning/certified_planner.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "certifying_judge.hpp"
+#include "limber/common/units.hpp"
+#include "limber/planning/default_planner.hpp"
 #include "limber/planning/problem_check.hpp"
 
 namespace limber {
@@ -16,13 +19,54 @@ namespace {
 constexpr double kReserveM = Certificate::kDeviationM;
 constexpr double kReserveRad = Certificate::kHeadingDeviationRad;
 constexpr double kMostOfTolerance = 0.1;
+/// Of a tolerance that is smaller than the model's error: what is left to aim at.
+constexpr double kCentre = 0.2;
+/// Of the limits, for the search with the clearance that was asked for, where it finds nothing; the
+/// rest is for smaller ones. But never more time than that.
+constexpr double kPatience = 0.9;
+constexpr double kMostForSmallerS = 1.0;
+constexpr double kSmallerClearances[] = {0.75, 0.5, 0.25, 0.0};  // of the one asked for
 
-Environment with_reserve(Environment environment) {
+double with_room(double tolerance, double margin, double reserve) {
+  const double inside = std::max(tolerance - margin, kCentre * tolerance);
+  return inside - std::min(reserve, kMostOfTolerance * inside);
+}
+
+Environment with_room(Environment environment, const PoseError& margin) {
   PoseGoal& goal = environment.goal;
-  goal.position_tolerance_m -= std::min(kReserveM, kMostOfTolerance * goal.position_tolerance_m);
-  goal.orientation_tolerance_rad -=
-      std::min(kReserveRad, kMostOfTolerance * goal.orientation_tolerance_rad);
+  goal.position_tolerance_m = with_room(goal.position_tolerance_m, margin.position_m, kReserveM);
+  goal.orientation_tolerance_rad =
+      with_room(goal.orientation_tolerance_rad, margin.orientation_rad, kReserveRad);
   return environment;
+}
+
+double clearance_with_reserve_m(double margin_m) {
+  return std::max(margin_m, Certificate::kLeastClearanceM) + kReserveM;
+}
+
+/// Where the goal has no room for the error: what is aimed at instead.
+std::vector<std::string> warnings_of_aim(const PlanningProblem& problem) {
+  const PoseGoal& goal = problem.environment.goal;
+  std::vector<std::string> warnings;
+  if ((1.0 - kCentre) * goal.position_tolerance_m < problem.goal_margin.position_m) {
+    warnings.push_back(fmt::format(
+        "the goal's tolerance of {:.2f} cm is hardly larger than the model's error, {:.2f} cm: the "
+        "plan aims at its centre, and the arm may end outside",
+        goal.position_tolerance_m * kCmPerM, problem.goal_margin.position_m * kCmPerM));
+  }
+  if (goal.theta_rad &&
+      (1.0 - kCentre) * goal.orientation_tolerance_rad < problem.goal_margin.orientation_rad) {
+    warnings.push_back(fmt::format(
+        "the goal's tolerance of {:.3f} rad is hardly larger than the model's error, {:.3f} rad: "
+        "the plan aims at its middle, and the arm may end outside",
+        goal.orientation_tolerance_rad, problem.goal_margin.orientation_rad));
+  }
+  return warnings;
+}
+
+bool is_refusal(PlanStatus status) {
+  return status == PlanStatus::invalid_start || status == PlanStatus::goal_unreachable ||
+         status == PlanStatus::goal_in_collision;
 }
 
 class CertifiedPlanner final : public Planner {
@@ -35,28 +79,58 @@ class CertifiedPlanner final : public Planner {
   PlanResult plan(const PlanningProblem& asked, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
     require_margin(asked.margin_m);  // before it is raised to what a certificate asks for
-    const PlanningProblem problem{
-        asked.arm, valves_ == Valves::left_out ? asked.model.without_valves() : asked.model,
-        asked.environment, asked.margin_m};
-    const Environment environment = with_reserve(problem.environment);
-    const double margin_m = std::max(problem.margin_m, Certificate::kLeastClearanceM) + kReserveM;
-    PlanResult result =
-        planner_->plan({problem.arm, problem.model, environment, margin_m}, limits, seed, callback);
-    for (std::optional<Plan>* plan : {&result.plan, &result.best_partial}) {
-      if (*plan) {
-        (*plan)->environment_hash = environment_hash(problem.environment);
-        (*plan)->margin_m = problem.margin_m;
+    require_goal_margin(asked.goal_margin);
+    const Clock::time_point start = Clock::now();
+    PlanningProblem problem = asked;
+    if (valves_ == Valves::left_out) {
+      problem.model = asked.model.without_valves();
+    }
+    const bool may_keep_less = problem.margin_m > 0.0;
+    PlannerLimits patient = limits;
+    if (may_keep_less) {
+      patient.patience =
+          limits.time_s ? std::max(kPatience, 1.0 - kMostForSmallerS / *limits.time_s) : kPatience;
+    }
+    PlanResult result = search(*planner_, problem, patient, seed, callback);
+    const std::vector<std::string> aim = warnings_of_aim(problem);
+    result.warnings.insert(result.warnings.begin(), aim.begin(), aim.end());
+    if (!result.plan) {
+      explain(problem, seed, result);
+      if (may_keep_less && result.status != PlanStatus::not_certified) {
+        try_smaller_clearances(problem, left_of(limits, result, start), seed, callback, result);
       }
     }
-    if (result.plan) {
-      judge(problem, result);
-    } else {
-      explain(problem, seed, result);
-    }
+    result.statistics.time_s = seconds_since(start);
     return result;
   }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  static double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  /// `problem`, planned in with a little room and judged as it was asked.
+  static PlanResult search(Planner& planner, const PlanningProblem& problem,
+                           const PlannerLimits& limits, std::uint64_t seed,
+                           const PlannerCallback& callback) {
+    const Environment environment = with_room(problem.environment, problem.goal_margin);
+    CertifyingJudge judge(problem);
+    const PlanningProblem searched{problem.arm,
+                                   problem.model,
+                                   environment,
+                                   clearance_with_reserve_m(problem.margin_m),
+                                   {},
+                                   &judge};
+    PlanResult result = planner.plan(searched, limits, seed, callback);
+    if (result.best_partial) {
+      judge.name_problem(*result.best_partial);
+    }
+    judge.report(result);
+    return result;
+  }
+
   /// A refusal's amounts are those of the problem as it was asked, wherever it is refused as such;
   /// a search that found nothing says so where it may have had nothing to find.
   static void explain(const PlanningProblem& problem, std::uint64_t seed, PlanResult& result) {
@@ -66,42 +140,87 @@ class CertifiedPlanner final : public Planner {
       result.reason += note.empty() ? "" : "; " + note;
       return;
     }
-    if (result.status != PlanStatus::invalid_start &&
-        result.status != PlanStatus::goal_unreachable &&
-        result.status != PlanStatus::goal_in_collision) {
+    if (!is_refusal(result.status)) {
       return;
     }
     const ProblemCheck check = check_problem(problem, checker, seed);
     if (check.refusal) {
       result.status = *check.refusal;
       result.reason = check.reason;
+    } else if (problem.goal_margin.position_m > 0.0) {
+      result.reason += fmt::format(
+          "; {:.2f} cm of the tolerance are kept for the model's error: --goal-margin-m 0 keeps "
+          "none",
+          problem.goal_margin.position_m * kCmPerM);
     }
   }
 
-  static void judge(const PlanningProblem& problem, PlanResult& result) {
-    const auto start = std::chrono::steady_clock::now();
-    const CompensationModel* network =
-        problem.model.has_network() ? &problem.model.compensation() : nullptr;
-    result.certificate = certify(*result.plan, problem.arm, network,
-                                 problem.model.valves().parameters(), problem.environment);
-    const Certificate& certificate = *result.certificate;
-    if (certificate.certified()) {
-      result.plan->certified =
-          CertifiedFigures{certificate.clearance_m, certificate.largest_deviation_m};
-    } else {
-      const CertificateFailure& first = certificate.failures.front();
-      result.status = PlanStatus::not_certified;
-      result.reason = fmt::format(
-          "the plan that planner '{}' returned is refused by its certificate: {}: frame {}: {}; if "
-          "it is not the model's fault it is the planner's: please report it with arm, model, "
-          "environment and seed {}",
-          result.plan->planner, first.check, first.frame, first.message, result.plan->seed);
-      result.best_partial = std::move(result.plan);
-      result.plan.reset();
-      result.events.clear();
+  static PlannerLimits left_of(const PlannerLimits& limits, const PlanResult& result,
+                               Clock::time_point start) {
+    PlannerLimits left = limits;
+    if (limits.time_s) {
+      left.time_s = *limits.time_s - seconds_since(start);
     }
-    result.statistics.time_s +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (limits.iterations) {
+      left.iterations = *limits.iterations - std::min(*limits.iterations, result.statistics.iterations);
+    }
+    if (limits.queries) {
+      left.queries = *limits.queries - std::min(*limits.queries, result.statistics.queries);
+    }
+    left.cost_threshold_kpa = std::numeric_limits<double>::max();  // the first will do
+    return left;
+  }
+
+  static bool is_spent(const PlannerLimits& limits) {
+    constexpr double kLeastS = 0.01;
+    return (limits.time_s && *limits.time_s < kLeastS) || limits.iterations == 0 ||
+           limits.queries == 0;
+  }
+
+  /// Names in `result` the largest clearance with which there is a plan.
+  static void try_smaller_clearances(const PlanningProblem& asked, const PlannerLimits& left,
+                                     std::uint64_t seed, const PlannerCallback& callback,
+                                     PlanResult& result) {
+    const Clock::time_point start = Clock::now();
+    const std::unique_ptr<Planner> planner = make_default_planner();
+    double tries = std::size(kSmallerClearances);
+    PlanningProblem problem = asked;
+    PlannerLimits spent_so_far = left;
+    PlanResult tried;
+    for (const double share : kSmallerClearances) {
+      spent_so_far = left_of(spent_so_far, tried, start);
+      if (left.time_s) {
+        spent_so_far.time_s = *left.time_s - seconds_since(start);
+      }
+      if (is_spent(spent_so_far)) {
+        return;
+      }
+      problem.margin_m = share * asked.margin_m;
+      tried = search(*planner, problem, part_of(spent_so_far, tries--), seed, callback);
+      if (tried.plan) {
+        result.largest_clearance_m = tried.plan->certified->clearance_m;
+        result.reason += fmt::format(
+            "; with less clearance than the {:.2f} cm asked for there is a plan, which keeps {:.2f} "
+            "cm: --margin-m {:.4g}",
+            asked.margin_m * kCmPerM, *result.largest_clearance_m * kCmPerM, problem.margin_m);
+        return;
+      }
+    }
+  }
+
+  /// An equal part of what is left for each of so many tries.
+  static PlannerLimits part_of(PlannerLimits limits, double tries) {
+    const auto part = [&](std::optional<std::uint64_t>& count) {
+      if (count) {
+        count = std::max<std::uint64_t>(1, std::uint64_t(double(*count) / tries));
+      }
+    };
+    if (limits.time_s) {
+      limits.time_s = *limits.time_s / tries;
+    }
+    part(limits.iterations);
+    part(limits.queries);
+    return limits;
   }
 
   std::unique_ptr<Planner> planner_;

@@ -7,6 +7,7 @@
 #include "forest_search.hpp"
 #include "path_simulator.hpp"
 #include "plan_improver.hpp"
+#include "plan_ladder.hpp"
 #include "plan_result.hpp"
 #include "planner_budget.hpp"
 
@@ -24,7 +25,7 @@ constexpr std::uint64_t kChoiceStream = std::uint64_t{1} << 60;
 class Run {
  public:
   Run(const PlanningProblem& problem, const PlannerLimits& limits, const PlannerCallback& callback,
-      const DefaultPlannerSettings& settings, std::uint64_t seed)
+      const DefaultPlannerSettings& settings, const char* planner, std::uint64_t seed)
       : problem_(problem),
         budget_(limits, callback),
         checker_(problem.arm, problem.environment.obstacles, problem.margin_m),
@@ -32,14 +33,16 @@ class Run {
         paths_(problem, checker_, {settings.hold_position_m, settings.hold_orientation_rad},
                settings.jobs),
         search_(problem, paths_, settings, seed),
+        ladder_(problem, single_, budget_, planner, seed),
         choice_(seed, kChoiceStream),
+        planner_(planner),
         seed_(seed) {
     for (int i = 0; i < settings.improved_plans; ++i) {
       improvers_.emplace_back(problem, seed, static_cast<std::uint64_t>(i));
     }
   }
 
-  PlanResult run(const char* planner, const Forest* forest) {
+  PlanResult run(const Forest* forest) {
     if (is_refused(problem_, checker_, result_)) {
       return std::move(result_);
     }
@@ -53,7 +56,7 @@ class Run {
            !budget_.spent(progress(), search_.bytes())) {
       take_turn();
     }
-    finish(planner);
+    finish();
     return std::move(result_);
   }
 
@@ -62,9 +65,8 @@ class Run {
     return [this] { return budget_.out_of_time(); };
   }
 
-  std::optional<double> best_cost_kpa() const {
-    return best_kpa_.empty() ? std::nullopt : std::optional(waypoint_cost_kpa(best_kpa_));
-  }
+  std::optional<double> best_cost_kpa() const { return ladder_.best_cost_kpa(); }
+  bool has_plan() const { return best_cost_kpa().has_value(); }
 
   PlannerProgress progress() const {
     return {budget_.elapsed_s(), search_.proposals(),
@@ -74,7 +76,7 @@ class Run {
   /// Whether no plan can be cheaper, or nobody has anything to try: a limit of queries alone would
   /// never be reached.
   bool nothing_left() const {
-    return (!best_kpa_.empty() && *best_cost_kpa() <= 0.0) || idle_turns_ > kMostIdleTurns;
+    return (has_plan() && *best_cost_kpa() <= 0.0) || idle_turns_ > kMostIdleTurns;
   }
 
   /// An arm that need not move has the cheapest plan of all.
@@ -83,17 +85,15 @@ class Run {
     batch_.assign(1, {start, {start.setpoint_kpa()}});
     paths_.run(batch_, outcomes_, give_up());
     if (outcomes_.front().in_goal) {
-      note_plan({start.setpoint_kpa()});
+      (void)note_plan({start.setpoint_kpa()});
     }
   }
 
-  void note_plan(const std::vector<Pressures>& waypoints_kpa) {
-    best_kpa_ = waypoints_kpa;
-    if (!result_.first_solution) {
-      result_.first_solution =
-          FirstSolution{budget_.elapsed_s(), waypoint_cost_kpa(best_kpa_), paths_.queries()};
-    }
+  /// Whether it may be built upon.
+  bool note_plan(const std::vector<Pressures>& waypoints_kpa) {
+    const bool stands = ladder_.offer(waypoints_kpa, paths_.queries());
     budget_.note(progress());
+    return stands;
   }
 
   /// The forest and the search in turns, as long as there is something in it; then whoever is
@@ -105,13 +105,13 @@ class Run {
         forest_.reset();
       }
       note_solutions(before);
-      if (!best_kpa_.empty() || budget_.out_of_time()) {
+      if (has_plan() || budget_.out_of_time()) {
         return;
       }
     }
     const bool search_is_behind =
         double(search_queries_) <= kSearchShare * double(paths_.queries() - before_plan_);
-    if (best_kpa_.empty() || search_is_behind || !improve()) {
+    if (!has_plan() || search_is_behind || !improve()) {
       search();
     }
     idle_turns_ = paths_.queries() == before ? idle_turns_ + 1 : 0;
@@ -126,20 +126,18 @@ class Run {
   /// What the search has found since the model had been asked `before` queries.
   void note_solutions(std::uint64_t before) {
     const auto& solutions = search_.solutions();
-    int cheapest = -1;
-    std::optional<double> cost_kpa = best_cost_kpa();
-    for (; seen_ < solutions.size(); ++seen_) {
-      const BatchSearch::Solution& found = solutions[seen_];
-      if (!cost_kpa || found.cost_kpa < *cost_kpa) {
-        cheapest = found.node;
-        cost_kpa = found.cost_kpa;
+    std::vector<BatchSearch::Solution> found(solutions.begin() + std::ptrdiff_t(seen_),
+                                             solutions.end());
+    seen_ = solutions.size();
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.cost_kpa < b.cost_kpa; });
+    for (const BatchSearch::Solution& one : found) {
+      const bool is_cheapest = !has_plan() || one.cost_kpa < *best_cost_kpa();
+      if (!is_cheapest || note_plan(search_.waypoints_to(one.node))) {
+        waiting_.push_back(one.node);
       }
-      waiting_.push_back(found.node);
     }
-    if (cheapest >= 0) {
-      note_plan(search_.waypoints_to(cheapest));
-    }
-    if (best_kpa_.empty()) {
+    if (!has_plan()) {
       before_plan_ = paths_.queries();
     } else {
       search_queries_ += paths_.queries() - before;
@@ -167,8 +165,9 @@ class Run {
     for (std::size_t i = 0; i < improvers_.size(); ++i) {
       if (improvers_[i].has_plan()) {
         improvers_[i].settle(outcomes_.data() + first[i]);
-        if (improvers_[i].cost_kpa() < *best_cost_kpa()) {
-          note_plan(improvers_[i].waypoints_kpa());
+        if (improvers_[i].cost_kpa() < *best_cost_kpa() &&
+            !note_plan(improvers_[i].waypoints_kpa())) {
+          improvers_[i].drop();
         }
       }
     }
@@ -191,15 +190,16 @@ class Run {
     waiting_.pop_back();
   }
 
-  void finish(const char* planner) {
+  void finish() {
     result_.statistics.iterations = search_.proposals();
     result_.statistics.nodes = static_cast<std::uint64_t>(search_.tree().size());
     result_.statistics.goal_nodes = search_.solutions().size();
+    PlannerProgress end = progress();
     finish_search(problem_, single_, budget_,
-                  best_kpa_.empty() ? search_.waypoints_to(search_.nearest_node()) : best_kpa_,
-                  !best_kpa_.empty(), planner, seed_, result_);
+                  {ladder_, paths_.queries(), search_.waypoints_to(search_.nearest_node())},
+                  planner_, seed_, result_);
     result_.statistics.queries = paths_.queries() + single_.queries();
-    close_search(budget_, search_.tree(), progress(), result_);
+    close_search(budget_, search_.tree(), end, result_);
   }
 
   const PlanningProblem& problem_;
@@ -210,11 +210,12 @@ class Run {
   BatchSearch search_;
   std::optional<ForestSearch> forest_;  // until there is nothing more in it
   std::vector<PlanImprover> improvers_;
+  PlanLadder ladder_;
   RandomStream choice_;
+  const char* planner_;
   std::uint64_t seed_;
   std::size_t seen_ = 0;      // of the search's solutions
   std::vector<int> waiting_;  // nodes in the goal that no improver has had
-  std::vector<Pressures> best_kpa_;
   int idle_turns_ = 0;
   std::uint64_t before_plan_ = 0;     // queries
   std::uint64_t search_queries_ = 0;  // since then
@@ -234,7 +235,7 @@ class DefaultPlanner final : public Planner {
 
   PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
-    return Run(problem, limits, callback, settings_, seed).run(name(), settings_.forest);
+    return Run(problem, limits, callback, settings_, name(), seed).run(settings_.forest);
   }
 
  private:

@@ -26,6 +26,9 @@ class PlanImprover {
   /// @param states         at the waypoints
   void adopt(std::vector<Pressures> waypoints_kpa, std::vector<MotionState> states);
 
+  /// Gives its plan up.
+  void drop() { waypoints_kpa_.clear(); }
+
   bool has_plan() const { return !waypoints_kpa_.empty(); }
   const std::vector<Pressures>& waypoints_kpa() const { return waypoints_kpa_; }
   double cost_kpa() const { return cost_kpa_; }

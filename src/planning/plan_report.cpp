@@ -52,6 +52,9 @@ Json plan_result_to_json(const PlanResult& result, const PoseGoal& goal, const s
                               {"cost_kpa", result.first_solution->cost_kpa},
                               {"queries", result.first_solution->queries}};
   }
+  const FirstSolution* first = result.first_solution ? &*result.first_solution : nullptr;
+  json["first_candidate_s"] = first ? Json(first->candidate_s) : nullptr;
+  json["first_certificate_s"] = first ? Json(first->certificate_s) : nullptr;
   json["time_s"] = result.statistics.time_s;
   json["iterations"] = result.statistics.iterations;
   json["queries"] = result.statistics.queries;
@@ -63,6 +66,8 @@ Json plan_result_to_json(const PlanResult& result, const PoseGoal& goal, const s
       plan && goal.theta_rad ? Json(plan->goal_orientation_rad) : nullptr;
   json["clearance_cm"] = plan ? finite(plan->clearance_m * kCmPerM) : nullptr;
   json["frames"] = plan ? Json(plan->frame_count()) : nullptr;
+  json["largest_clearance_cm"] =
+      result.largest_clearance_m ? finite(*result.largest_clearance_m * kCmPerM) : nullptr;
   json["certificate"] = nullptr;
   if (result.certificate) {
     json["certificate"] = {
@@ -99,7 +104,7 @@ std::string plan_result_to_text(const PlanResult& result, const Command& command
              "plan: {} frames, {:.1f} s, cost {:.1f} {}{}; ends {:.2f} cm from the "
              "goal, "
              "clearance {:.2f} cm, both as the {} model predicts\n"
-             "first solution after {:.3f} s ({:.1f} {}); {} nodes, {} rewires of {} tried, {} "
+             "first certified plan after {:.4f} s ({:.1f} {}); {} nodes, {} rewires of {} tried, {} "
              "model "
              "queries in {:.2f} s ({:.0f} a second); {}",
              plan.frame_count(), plan.duration_s(), plan.cost_kpa, command.unit, psi,

@@ -1,7 +1,6 @@
 #include "plan_result.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 #include <fmt/format.h>
 
@@ -12,6 +11,8 @@
 namespace limber {
 
 namespace {
+
+constexpr double kRoundingKpa = 1e-3;  // between two sums of the same plan's steps
 
 std::string reason_of_solution(const PlannerBudget& budget) {
   return budget.limit() || budget.stopped_by_callback()
@@ -46,20 +47,18 @@ bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker,
 }
 
 void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
-                   const PlannerBudget& budget, const std::vector<Pressures>& waypoints_kpa,
-                   bool solved, const char* planner, std::uint64_t seed, PlanResult& result) {
-  result.warnings = find_warnings(problem, seed);
+                   const PlannerBudget& budget, const SearchEnd& end, const char* planner,
+                   std::uint64_t seed, PlanResult& result) {
   result.limit = budget.limit();
-  result.status = solved ? PlanStatus::solved : PlanStatus::limit;
-  Plan plan = build_plan(problem, simulator, waypoints_kpa, planner, seed);
-  assert(!solved || is_solution(problem, simulator.checker(), plan));
-  if (solved) {
-    result.reason = reason_of_solution(budget);
-    result.plan = std::move(plan);
-  } else {
+  result.status = PlanStatus::limit;
+  if (!end.ladder.settle(result, end.queries)) {
+    Plan plan = build_plan(problem, simulator, end.nearest_kpa, planner, seed);
     result.reason = reason_of_failure(budget, problem.environment.goal, plan, result);
     result.best_partial = std::move(plan);
+  } else if (result.plan) {
+    result.reason = reason_of_solution(budget);
   }
+  result.warnings = find_warnings(problem, seed);
 }
 
 namespace {
@@ -81,12 +80,18 @@ void close_search(const PlannerBudget& budget, const PressureTree& tree, Planner
                   PlanResult& result) {
   result.tree = tree_edges(tree);
   result.statistics.time_s = budget.elapsed_s();
-  result.events = budget.events();
-  if (result.plan) {
-    end.time_s = result.statistics.time_s;
-    end.queries = result.statistics.queries;
-    result.events.push_back(end);
+  if (!result.plan) {
+    return;
   }
+  result.events = budget.events();
+  // Those that were cheaper, and did not hold.
+  std::erase_if(result.events, [&](const PlannerProgress& event) {
+    return *event.best_cost_kpa < result.plan->cost_kpa - kRoundingKpa;
+  });
+  end.time_s = result.statistics.time_s;
+  end.queries = result.statistics.queries;
+  end.best_cost_kpa = result.plan->cost_kpa;
+  result.events.push_back(end);
 }
 
 }  // namespace limber

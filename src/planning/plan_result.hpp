@@ -5,6 +5,7 @@
 #include "limber/planning/motion_simulator.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/planning/pressure_tree.hpp"
+#include "plan_ladder.hpp"
 #include "planner_budget.hpp"
 
 namespace limber {
@@ -13,13 +14,20 @@ namespace limber {
 [[nodiscard]] bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker,
                               PlanResult& result);
 
-/// Finishes a search: the plan along `waypoints_kpa`, simulated anew from the start, as the
-/// solution or as the best partial one, with the reason why the search ended and the problem's
-/// warnings: nobody waits for them before a first plan.
+/// How a search went that ends.
+struct SearchEnd {
+  PlanLadder& ladder;
+  std::uint64_t queries;                ///< of the model, until now
+  std::vector<Pressures> nearest_kpa;   ///< waypoints of the motion that came nearest to the goal
+};
+
+/// Finishes a search: the plan that holds, or else the motion that came nearest, simulated anew
+/// from the start, with the reason why the search ended and the problem's warnings: nobody waits
+/// for them before a first plan.
 /// @param result  its statistics of iterations and nodes are filled in
 void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
-                   const PlannerBudget& budget, const std::vector<Pressures>& waypoints_kpa,
-                   bool solved, const char* planner, std::uint64_t seed, PlanResult& result);
+                   const PlannerBudget& budget, const SearchEnd& end, const char* planner,
+                   std::uint64_t seed, PlanResult& result);
 
 /// What is said of a search last: its tree for pictures (the oldest edges), its time and its log.
 /// @param end     how the search stands, of which time and queries are the result's

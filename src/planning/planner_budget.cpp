@@ -1,5 +1,6 @@
 #include "planner_budget.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,7 +12,9 @@ namespace limber {
 namespace {
 
 constexpr double kCallPeriodS = 0.1;
-constexpr double kReserveS = 0.005;  // for the last simulation of the best plan
+constexpr double kReserveS = 0.005;  // for what comes after the search
+constexpr double kMostReserve = 0.5;  // of the time limit
+constexpr double kGraceS = 0.02;      // beyond the time limit, to end what has begun
 constexpr double kBytesPerMb = 1e6;
 constexpr double kNotable = 0.995;  // of the cost noted before
 
@@ -25,7 +28,7 @@ void require_positive(const std::optional<Number>& limit, const char* name) {
 }  // namespace
 
 PlannerBudget::PlannerBudget(const PlannerLimits& limits, const PlannerCallback& callback)
-    : limits_(limits), callback_(callback), start_(Clock::now()) {
+    : limits_(limits), callback_(callback), start_(Clock::now()), reserve_s_(kReserveS) {
   if (!limits.time_s && !limits.iterations && !limits.queries) {
     throw InputError("a planner needs a limit of time, iterations or queries; none is set");
   }
@@ -41,10 +44,21 @@ double PlannerBudget::elapsed_s() const {
 }
 
 bool PlannerBudget::out_of_time() const {
-  return stopped_ || (limits_.time_s && elapsed_s() >= *limits_.time_s - kReserveS);
+  return stopped_ || (limits_.time_s && elapsed_s() >= share() * *limits_.time_s - reserve_s_);
+}
+
+bool PlannerBudget::is_overdue() const {
+  return limits_.time_s && elapsed_s() >= *limits_.time_s + kGraceS;
+}
+
+void PlannerBudget::keep_for_the_end(double seconds) {
+  if (limits_.time_s) {
+    reserve_s_ = std::min(std::max(reserve_s_, kReserveS + seconds), kMostReserve * *limits_.time_s);
+  }
 }
 
 void PlannerBudget::note(const PlannerProgress& progress) {
+  has_plan_ = progress.best_cost_kpa.has_value();
   if (progress.best_cost_kpa &&
       (events_.empty() || *progress.best_cost_kpa < kNotable * *events_.back().best_cost_kpa)) {
     events_.push_back(progress);
@@ -56,9 +70,9 @@ bool PlannerBudget::spent(const PlannerProgress& progress, double bytes) {
   if (limit_ || stopped_) {
     return true;
   }
-  if (limits_.iterations && progress.iterations >= *limits_.iterations) {
+  if (limits_.iterations && double(progress.iterations) >= share() * double(*limits_.iterations)) {
     limit_ = PlanLimit::iterations;
-  } else if (limits_.queries && progress.queries >= *limits_.queries) {
+  } else if (limits_.queries && double(progress.queries) >= share() * double(*limits_.queries)) {
     limit_ = PlanLimit::queries;
   } else if (limits_.memory_mb && bytes >= *limits_.memory_mb * kBytesPerMb) {
     limit_ = PlanLimit::memory;

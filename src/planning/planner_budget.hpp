@@ -19,6 +19,12 @@ class PlannerBudget {
   /// True where the time is up or the callback has asked to stop; looked at inside long steps.
   bool out_of_time() const;
 
+  /// True where the time limit has passed by more than an ending may take.
+  bool is_overdue() const;
+
+  /// The last plan's certificate takes about so long: the search ends that much earlier.
+  void keep_for_the_end(double seconds);
+
   /// Looks at every limit; true from the moment one is spent.
   /// @param bytes  that the tree takes
   bool spent(const PlannerProgress& progress, double bytes);
@@ -41,10 +47,15 @@ class PlannerBudget {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// Of the limits, that the search may have as it stands.
+  double share() const { return has_plan_ ? 1.0 : limits_.patience; }
+
   PlannerLimits limits_;
   PlannerCallback callback_;
   Clock::time_point start_;
   double next_call_s_ = 0.0;
+  double reserve_s_;
+  bool has_plan_ = false;
   std::optional<PlanLimit> limit_;
   bool stopped_ = false;
   std::vector<PlannerProgress> events_;

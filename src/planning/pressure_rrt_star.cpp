@@ -25,25 +25,28 @@ void require_valid(const PressureRrtStarSettings& s) {
 class Run {
  public:
   Run(const PlanningProblem& problem, const PlannerLimits& limits, const PlannerCallback& callback,
-      ParentRule rule, const PressureRrtStarSettings& settings, std::uint64_t seed)
+      ParentRule rule, const PressureRrtStarSettings& settings, const char* planner,
+      std::uint64_t seed)
       : problem_(problem),
         budget_(limits, callback),
         checker_(problem.arm, problem.environment.obstacles, problem.margin_m),
         simulator_(problem.arm, problem.model, checker_),
         search_(problem, simulator_, rule, settings, seed),
+        ladder_(problem, simulator_, budget_, planner, seed),
+        planner_(planner),
         seed_(seed) {}
 
-  PlanResult run(const char* planner) {
+  PlanResult run() {
     if (is_refused(problem_, checker_, result_)) {
       return std::move(result_);
     }
-    note_first_solution();
-    while (!budget_.good_enough(search_.best_cost_kpa()) &&
+    note_plan();
+    while (!budget_.good_enough(ladder_.best_cost_kpa()) &&
            !budget_.spent(progress(), search_.bytes())) {
       search_.iterate(budget_);
-      note_first_solution();
+      note_plan();
     }
-    finish(planner);
+    finish();
     return std::move(result_);
   }
 
@@ -52,24 +55,27 @@ class Run {
     PlannerStatistics statistics;
     search_.fill(statistics);
     return {budget_.elapsed_s(), statistics.iterations, statistics.nodes, simulator_.queries(),
-            search_.best_cost_kpa()};
+            ladder_.best_cost_kpa()};
   }
 
-  void note_first_solution() {
-    if (!result_.first_solution && search_.best_cost_kpa()) {
-      result_.first_solution =
-          FirstSolution{budget_.elapsed_s(), *search_.best_cost_kpa(), simulator_.queries()};
+  /// Where the search has a cheaper one. One that is refused stays the search's own best: the
+  /// paper's rule knows no judge.
+  void note_plan() {
+    const std::optional<double> cost_kpa = search_.best_cost_kpa();
+    if (cost_kpa && (!offered_kpa_ || *cost_kpa < *offered_kpa_)) {
+      offered_kpa_ = cost_kpa;
+      (void)ladder_.offer(search_.best_waypoints_kpa(), simulator_.queries());
     }
   }
 
-  void finish(const char* planner) {
+  void finish() {
     search_.fill(result_.statistics);
-    const bool solved = search_.best_cost_kpa().has_value();
+    const PlannerProgress end = progress();
     finish_search(problem_, simulator_, budget_,
-                  solved ? search_.best_waypoints_kpa() : search_.nearest_waypoints_kpa(), solved,
-                  planner, seed_, result_);
+                  {ladder_, simulator_.queries(), search_.nearest_waypoints_kpa()}, planner_, seed_,
+                  result_);
     result_.statistics.queries = simulator_.queries();
-    close_search(budget_, search_.tree(), progress(), result_);
+    close_search(budget_, search_.tree(), end, result_);
   }
 
   const PlanningProblem& problem_;
@@ -77,6 +83,9 @@ class Run {
   CollisionChecker checker_;
   MotionSimulator simulator_;
   RrtStarSearch search_;
+  PlanLadder ladder_;
+  std::optional<double> offered_kpa_;
+  const char* planner_;
   std::uint64_t seed_;
   PlanResult result_;
 };
@@ -92,7 +101,7 @@ class PressureRrtStar final : public Planner {
 
   PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
-    return Run(problem, limits, callback, rule_, settings_, seed).run(name());
+    return Run(problem, limits, callback, rule_, settings_, name(), seed).run();
   }
 
  private:

@@ -130,6 +130,15 @@ void require_margin(double margin_m) {
   }
 }
 
+void require_goal_margin(const PoseError& margin) {
+  for (const double one : {margin.position_m, margin.orientation_rad}) {
+    if (!(one >= 0.0 && one <= kLargestMarginM)) {
+      throw InputError(fmt::format("goal margin of {}; expected a number, 0 to {}", one,
+                                   kLargestMarginM));
+    }
+  }
+}
+
 ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker& checker) {
   ProblemCheck result;
   check_start(problem, checker, result);

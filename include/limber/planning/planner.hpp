@@ -15,6 +15,7 @@
 #include "limber/planning/environment.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/planning/plan.hpp"
+#include "limber/planning/plan_judge.hpp"
 
 namespace limber {
 
@@ -24,6 +25,10 @@ struct PlanningProblem {
   MotionModel model;  ///< of a forward model alone: ideal valves
   const Environment& environment;
   double margin_m = 0.0;  ///< clearance kept from every obstacle, ≥ 0
+  /// How far inside the goal's tolerances plans end, ≥ 0: room for the model's error.
+  PoseError goal_margin = {};
+  /// Asked of every plan before it counts as one; borrowed. None: all count.
+  PlanJudge* judge = nullptr;
 };
 
 /// The state that the environment starts with; the arm has long stood there.
@@ -36,6 +41,8 @@ struct PlannerLimits {
   std::optional<std::uint64_t> queries;      ///< of the forward model
   std::optional<double> memory_mb;           ///< of the tree
   std::optional<double> cost_threshold_kpa;  ///< stop at a plan this cheap
+  /// Share of time, iterations and queries after which a search without a plan ends; in (0, 1].
+  double patience = 1.0;
 };
 
 enum class PlanStatus {
@@ -45,7 +52,7 @@ enum class PlanStatus {
   invalid_start,      ///< the arm starts in an obstacle
   goal_unreachable,   ///< beyond the arm's length
   goal_in_collision,  ///< no tip in the goal's region is free
-  not_certified,      ///< a defect: a plan was found that its certificate refuses
+  not_certified,      ///< plans were found, and their certificates refuse every one of them
 };
 
 enum class PlanLimit { time, iterations, queries, memory };
@@ -65,11 +72,13 @@ struct PlannerProgress {
 /// Called about ten times a second, on the planner's own thread. False asks the planner to stop.
 using PlannerCallback = std::function<bool(const PlannerProgress&)>;
 
-/// Something that was true at the moment the first plan was found.
+/// The first plan that held before its judge.
 struct FirstSolution {
-  double time_s = 0.0;
+  double time_s = 0.0;  ///< when the judge had said so
   double cost_kpa = 0.0;
-  std::uint64_t queries = 0;  ///< of the forward model, until then
+  std::uint64_t queries = 0;   ///< of the forward model, until it was found
+  double candidate_s = 0.0;    ///< when it was found
+  double certificate_s = 0.0;  ///< that it then took to build and to judge it
 };
 
 struct PlannerStatistics {
@@ -98,6 +107,8 @@ struct PlanResult {
   /// in the goal: never to be executed as a solution.
   std::optional<Plan> best_partial;
   std::optional<Certificate> certificate;  ///< of the plan that was found
+  /// Where nothing keeps the clearance asked for: what a plan keeps that was found with less.
+  std::optional<double> largest_clearance_m;
   std::optional<FirstSolution> first_solution;
   /// How the search went: the first plan, each that costs over half a per cent less than the one
   /// noted before, and the end. Empty without a plan.

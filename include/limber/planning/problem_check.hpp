@@ -23,6 +23,9 @@ inline constexpr double kLargestMarginM = 1000.0;  // as coordinates of environm
 /// obstacles.
 void require_margin(double margin_m);
 
+/// @throws InputError unless both are finite and ≥ 0.
+void require_goal_margin(const PoseError& margin);
+
 /// The refusal alone, if there is one: what a planner asks first.
 ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker& checker);
 

@@ -116,6 +116,14 @@ class ArmSpace final : public ob::RealVectorStateSpace {
         world_.settings.tip_weight / world_.problem.arm.length_m();
     return std::sqrt(squares + way * way);
   }
+  ob::State* allocState() const override {
+    ++world_.states;
+    return RealVectorStateSpace::allocState();
+  }
+  void freeState(ob::State* state) const override {
+    --world_.states;
+    RealVectorStateSpace::freeState(state);
+  }
   ob::StateSamplerPtr allocDefaultStateSampler() const override {
     return std::make_shared<ArmSampler>(this, world_);
   }
@@ -224,8 +232,9 @@ class ArmGoal final : public ob::GoalSampleableRegion {
     *distance = excess(tip);
     const bool satisfied = is_within(goal, pose_error(goal, tip));
     if (satisfied && !world_.first_solution) {
-      world_.first_solution = FirstSolution{world_.elapsed_s(), values(state)[world_.cost_index()],
-                                            world_.simulator.queries()};
+      const double now_s = world_.elapsed_s();
+      world_.first_solution = FirstSolution{now_s, values(state)[world_.cost_index()],
+                                            world_.simulator.queries(), now_s, 0.0};
     }
     return satisfied;
   }

@@ -32,7 +32,8 @@ struct ArmWorld {
   RandomStream random;
   std::vector<Pressures> goal_configurations = {};
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  std::optional<FirstSolution> first_solution = std::nullopt;
+  std::optional<FirstSolution> first_solution = std::nullopt;  ///< not judged yet
+  std::uint64_t states = 0;                                     ///< that OMPL holds now
 
   int segments() const { return problem.arm.segment_count(); }
   int valves() const { return problem.model.valves().state_size(); }

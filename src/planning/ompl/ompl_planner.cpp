@@ -18,10 +18,9 @@
 #include "arm_space.hpp"
 #include "limber/arm/inverse_kinematics.hpp"
 #include "limber/common/error.hpp"
-#include "limber/common/units.hpp"
-#include "limber/planning/plan_builder.hpp"
 #include "limber/planning/problem_check.hpp"
 #include "mended_sst.hpp"
+#include "planning/plan_ladder.hpp"
 #include "planning/plan_result.hpp"
 #include "planning/planner_name.hpp"
 
@@ -34,6 +33,7 @@ namespace oc = ompl::control;
 
 constexpr std::uint64_t kStream = 0x6f6d706c;  // apart from other planners' draws
 constexpr int kGoalConfigurations = 50;
+constexpr double kSecondsToFreeAState = 1e-6;  // with all that hangs on it
 
 using Parameters = std::map<std::string, std::string>;
 
@@ -72,7 +72,7 @@ class Run {
       : problem_(problem),
         limits_(limits),
         seed_(seed),
-        callback_(callback),
+        budget_(limits, callback),
         checker_(problem.arm, problem.environment.obstacles, problem.margin_m),
         simulator_(problem.arm, problem.model, checker_),
         world_{problem, checker_, simulator_, settings, RandomStream(seed, kStream)} {}
@@ -83,7 +83,7 @@ class Run {
     }
     find_goal_configurations();
     const oc::SpaceInformationPtr si = make_space_information(world_);
-    const ob::PlannerPtr planner = kPlanners.at(name)(si);
+    ob::PlannerPtr planner = kPlanners.at(name)(si);
     if (!planner->params().setParams(parameters, false)) {
       refuse_parameters(*planner, parameters);
     }
@@ -92,6 +92,7 @@ class Run {
     planner->setup();
     planner->solve(ob::PlannerTerminationCondition([this] { return spent(); }));
     note_statistics(*planner);
+    planner.reset();  // takes its time, which is the plan's
     finish(name, *definition);
     return std::move(result_);
   }
@@ -137,18 +138,12 @@ class Run {
   }
 
   bool spent() {
-    if (limits_.time_s && world_.elapsed_s() >= *limits_.time_s) {
-      result_.limit = PlanLimit::time;
-    } else if (limits_.queries && simulator_.queries() >= *limits_.queries) {
-      result_.limit = PlanLimit::queries;
-    } else if (callback_ && world_.elapsed_s() >= next_call_s_) {
-      next_call_s_ = world_.elapsed_s() + 0.1;
-      stopped_ =
-          !callback_({world_.elapsed_s(), 0, 0, simulator_.queries(),
-                      world_.first_solution ? std::optional<double>(world_.first_solution->cost_kpa)
-                                            : std::nullopt});
-    }
-    return stopped_ || result_.limit.has_value();
+    budget_.keep_for_the_end(kSecondsToFreeAState * double(world_.states));
+    return budget_.spent({budget_.elapsed_s(), 0, world_.states, simulator_.queries(),
+                          world_.first_solution
+                              ? std::optional<double>(world_.first_solution->cost_kpa)
+                              : std::nullopt},
+                         0.0);
   }
 
   void note_statistics(const ob::Planner& planner) {
@@ -159,9 +154,8 @@ class Run {
                                              counts.active, counts.inactive, counts.witnesses));
       return;
     }
-    ob::PlannerData data(planner.getSpaceInformation());
-    planner.getPlannerData(data);
-    result_.statistics.nodes = data.numVertices();
+    // About: a few are no nodes. OMPL's own data of a large tree take longer than may be spent.
+    result_.statistics.nodes = world_.states;
   }
 
   /// Set points of every frame of OMPL's path, by the rule that it was propagated by.
@@ -180,47 +174,45 @@ class Run {
   }
 
   void finish(const std::string& name, const ob::ProblemDefinition& definition) {
-    const std::vector<std::string> warnings = find_warnings(problem_, seed_);
-    result_.warnings.insert(result_.warnings.begin(), warnings.begin(), warnings.end());
+    const std::vector<std::string> counts = std::move(result_.warnings);
+    PlanLadder ladder(problem_, simulator_, budget_, name, seed_);
     const ob::PathPtr path = definition.getSolutionPath();
-    const bool solved = world_.first_solution && path && !definition.hasApproximateSolution();
-    if (path) {
-      Plan plan = build_plan(problem_, simulator_, waypoints(static_cast<oc::PathControl&>(*path)),
-                             name, seed_);
-      result_.reason =
-          solved ? (result_.limit ? "a limit was reached" : "OMPL's planner stopped at a solution")
-                 : fmt::format(
-                       "a limit was reached, {} nodes, seed {}; the nearest motion ends "
-                       "{:.1f} cm from the goal",
-                       result_.statistics.nodes, seed_, plan.goal_distance_m * kCmPerM);
-      (solved ? result_.plan : result_.best_partial) = std::move(plan);
-    } else {
-      result_.reason =
-          fmt::format("a limit was reached, {} nodes, seed {}", result_.statistics.nodes, seed_);
+    const std::vector<Pressures> kpa =
+        path ? waypoints(static_cast<oc::PathControl&>(*path))
+             : std::vector<Pressures>{start_of(problem_).setpoint_kpa()};
+    if (world_.first_solution && path && !definition.hasApproximateSolution()) {
+      (void)ladder.offer(kpa, simulator_.queries());
     }
-    result_.status = solved ? PlanStatus::solved : PlanStatus::limit;
-    if (solved) {
-      result_.first_solution = world_.first_solution;
-    }
+    finish_search(problem_, simulator_, budget_, {ladder, simulator_.queries(), kpa}, name.c_str(),
+                  seed_, result_);
+    result_.warnings.insert(result_.warnings.end(), counts.begin(), counts.end());
     result_.statistics.queries = simulator_.queries();
-    result_.statistics.time_s = world_.elapsed_s();
-    if (solved) {
-      const FirstSolution& first = *world_.first_solution;
-      result_.events = {{first.time_s, 0, 0, first.queries, first.cost_kpa},
-                        {result_.statistics.time_s, 0, result_.statistics.nodes,
-                         result_.statistics.queries, result_.plan->cost_kpa}};
+    result_.statistics.time_s = budget_.elapsed_s();
+    if (result_.plan) {
+      note_first_solution();
     }
+  }
+
+  /// The plan that is returned alone is judged: the first was found as OMPL's planner said so, and
+  /// its certificate is taken to have lasted as long.
+  void note_first_solution() {
+    const double certificate_s = result_.first_solution->certificate_s;
+    result_.first_solution = world_.first_solution;
+    result_.first_solution->certificate_s = certificate_s;
+    result_.first_solution->time_s += certificate_s;
+    const FirstSolution& first = *result_.first_solution;
+    result_.events = {{first.time_s, 0, 0, first.queries, first.cost_kpa},
+                      {result_.statistics.time_s, 0, result_.statistics.nodes,
+                       result_.statistics.queries, result_.plan->cost_kpa}};
   }
 
   const PlanningProblem& problem_;
   PlannerLimits limits_;
   std::uint64_t seed_;
-  const PlannerCallback& callback_;
+  PlannerBudget budget_;
   CollisionChecker checker_;
   MotionSimulator simulator_;
   ArmWorld world_;
-  double next_call_s_ = 0.0;
-  bool stopped_ = false;
   PlanResult result_;
 };
 

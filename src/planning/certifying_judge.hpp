@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limber/planning/certificate.hpp"
+#include "limber/planning/plan_judge.hpp"
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+/// Lets stand what its certificate (planning/certificate.hpp) certifies for the problem as it was
+/// asked. Borrows the problem.
+class CertifyingJudge final : public PlanJudge {
+ public:
+  explicit CertifyingJudge(const PlanningProblem& asked);
+
+  Verdict judge(Plan& plan, const std::function<bool()>& give_up) override;
+
+  /// Writes into the plan what it was asked for: planners see a problem with a little less room.
+  void name_problem(Plan& plan) const;
+
+  /// Adds to a planner's result the certificate of its plan, or why there is none.
+  void report(PlanResult& result) const;
+
+ private:
+  const PlanningProblem& asked_;
+  std::string environment_hash_;
+  std::optional<Certificate> held_;     // of the last plan that holds: the cheapest
+  std::optional<Certificate> refused_;  // of the cheapest that was refused
+  double refused_kpa_ = 0.0;
+};
+
+}  // namespace limber

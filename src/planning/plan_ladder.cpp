@@ -1,0 +1,119 @@
+#include "plan_ladder.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "limber/planning/plan_builder.hpp"
+#include "plan_improver.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kNotable = 0.95;      // of the cost judged last: worth a certificate while searching
+constexpr double kWorthWaiting = 0.998;  // of the cost before: worth a place of its own
+
+}  // namespace
+
+PlanLadder::PlanLadder(const PlanningProblem& problem, MotionSimulator& simulator,
+                       PlannerBudget& budget, std::string planner, std::uint64_t seed)
+    : problem_(problem),
+      simulator_(simulator),
+      budget_(budget),
+      planner_(std::move(planner)),
+      seed_(seed) {}
+
+const std::vector<Pressures>& PlanLadder::best_kpa() const {
+  static const std::vector<Pressures> none;
+  return !waiting_.empty() ? waiting_.back().waypoints_kpa
+         : standing_       ? standing_->waypoints_kpa
+                           : none;
+}
+
+std::optional<double> PlanLadder::best_cost_kpa() const {
+  if (!waiting_.empty()) {
+    return waiting_.back().cost_kpa;
+  }
+  return standing_ ? std::optional(standing_->cost_kpa) : std::nullopt;
+}
+
+bool PlanLadder::offer(const std::vector<Pressures>& waypoints_kpa, std::uint64_t queries) {
+  const Found found{budget_.elapsed_s(), queries};
+  Rung rung{waypoints_kpa, waypoint_cost_kpa(waypoints_kpa)};
+  if (!is_notable(rung.cost_kpa)) {
+    // A little cheaper than the one before it: takes its place, so that they stay a few.
+    if (waiting_.size() > 1 && rung.cost_kpa > kWorthWaiting * waiting_.end()[-2].cost_kpa) {
+      waiting_.pop_back();
+    }
+    waiting_.push_back(std::move(rung));
+    return true;
+  }
+  const PlanJudge::Verdict verdict = judge(rung, found);
+  if (verdict == PlanJudge::Verdict::unfinished) {
+    waiting_.push_back(std::move(rung));
+  }
+  return verdict != PlanJudge::Verdict::refused;
+}
+
+/// Whether it is judged as it comes. What is cheap enough for the search to end must hold.
+bool PlanLadder::is_notable(double cost_kpa) const {
+  return !standing_ || cost_kpa < kNotable * standing_->cost_kpa || budget_.good_enough(cost_kpa);
+}
+
+PlanJudge::Verdict PlanLadder::judge(const Rung& rung, const Found& found) {
+  const double begin_s = budget_.elapsed_s();
+  Plan plan = build_plan(problem_, simulator_, rung.waypoints_kpa, planner_, seed_);
+  assert(is_solution(problem_, simulator_.checker(), plan));
+  const PlanJudge::Verdict verdict =
+      problem_.judge == nullptr
+          ? PlanJudge::Verdict::holds
+          : problem_.judge->judge(plan, [this] { return budget_.is_overdue(); });
+  const double end_s = budget_.elapsed_s();
+  budget_.keep_for_the_end(end_s - begin_s);
+  switch (verdict) {
+    case PlanJudge::Verdict::holds:
+      if (!first_) {
+        first_ = {end_s, rung.cost_kpa, found.queries, found.time_s, end_s - begin_s};
+      }
+      standing_ = rung;
+      plan_ = std::move(plan);
+      waiting_.clear();
+      break;
+    case PlanJudge::Verdict::refused:
+      if (!refused_ || plan.cost_kpa < refused_->cost_kpa) {
+        refused_ = std::move(plan);
+      }
+      break;
+    case PlanJudge::Verdict::unfinished:
+      unfinished_ = true;
+      break;
+  }
+  return verdict;
+}
+
+bool PlanLadder::settle(PlanResult& result, std::uint64_t queries) {
+  unfinished_ = false;
+  std::vector<Rung> waiting = std::move(waiting_);
+  waiting_.clear();
+  while (!waiting.empty() && !unfinished_) {
+    const Rung rung = std::move(waiting.back());
+    waiting.pop_back();
+    if (judge(rung, {budget_.elapsed_s(), queries}) == PlanJudge::Verdict::holds) {
+      break;
+    }
+  }
+  result.first_solution = first_;
+  result.plan = std::move(plan_);
+  if (result.plan) {
+    result.status = PlanStatus::solved;
+  } else if (unfinished_) {
+    result.status = PlanStatus::limit;
+    result.reason = "a plan was found, but its certificate was not finished in time";
+  } else if (refused_) {
+    result.status = PlanStatus::not_certified;
+    result.best_partial = std::move(refused_);
+  }
+  return result.plan || unfinished_ || result.best_partial;
+}
+
+}  // namespace limber

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/planning/motion_simulator.hpp"
+#include "limber/planning/planner.hpp"
+#include "planner_budget.hpp"
+
+namespace limber {
+
+/// The plans that a search has found, each cheaper than those before it, and which of them hold
+/// before the problem's judge. The first, and each that is notably cheaper than the last that was
+/// judged, is judged as it comes; the others wait until the search has ended, and are then judged
+/// from the cheapest up until one holds. So a plan that is refused takes none of the others along.
+/// Without a judge every plan holds. What is given is borrowed.
+class PlanLadder {
+ public:
+  PlanLadder(const PlanningProblem& problem, MotionSimulator& simulator, PlannerBudget& budget,
+             std::string planner, std::uint64_t seed);
+
+  /// A plan that is cheaper than all that stand. @param waypoints_kpa  start first
+  /// @return whether it may be built upon: false where it was judged and refused
+  bool offer(const std::vector<Pressures>& waypoints_kpa, std::uint64_t queries);
+
+  /// The cheapest that was offered and not refused; empty: none.
+  const std::vector<Pressures>& best_kpa() const;
+  std::optional<double> best_cost_kpa() const;
+
+  /// Ends it: `result` gets its status, the plan that holds and the first that did; where none did,
+  /// the cheapest that was refused (`best_partial`), or that time ran out.
+  /// @return whether there was a plan at all, of whatever standing
+  bool settle(PlanResult& result, std::uint64_t queries);
+
+ private:
+  struct Rung {
+    std::vector<Pressures> waypoints_kpa;
+    double cost_kpa;
+  };
+
+  struct Found {
+    double time_s;
+    std::uint64_t queries;
+  };
+
+  /// Builds and judges; a plan that holds becomes the one that stands.
+  PlanJudge::Verdict judge(const Rung& rung, const Found& found);
+  bool is_notable(double cost_kpa) const;
+
+  const PlanningProblem& problem_;
+  MotionSimulator& simulator_;
+  PlannerBudget& budget_;
+  std::string planner_;
+  std::uint64_t seed_;
+
+  std::optional<Rung> standing_;  // the cheapest that holds
+  std::optional<Plan> plan_;      // built from it
+  std::vector<Rung> waiting_;  // cheaper than that one, cheapest last
+  std::optional<Plan> refused_;
+  bool unfinished_ = false;
+  std::optional<FirstSolution> first_;
+};
+
+}  // namespace limber
