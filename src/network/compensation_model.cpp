@@ -132,6 +132,10 @@ CompensationModel CompensationModel::member(int index) const {
   one.preset = preset;
   one.valves = valves;
   one.valve_findings = valve_findings;
+  if (index == 0) {
+    one.prediction_error = prediction_error;
+  }
+  one.learnt = learnt;
   return one;
 }
 
@@ -193,6 +197,12 @@ void validate(const CompensationModel& model, const std::string& where) {
     if (!fault.empty()) {
       refuse(where, "metadata valves: " + fault);
     }
+  }
+  if (model.prediction_error) {
+    validate(*model.prediction_error, where + ": metadata");
+  }
+  if (model.learnt) {
+    validate(*model.learnt, model.segment_count, model.point_count, where);
   }
 }
 

@@ -18,6 +18,8 @@ namespace {
 constexpr const char* kSchema = "limber/model/1";
 constexpr const char* kTrainingPrefix = "training.";
 constexpr const char* kValvesKey = "valves";
+constexpr const char* kErrorKey = "prediction_error";
+constexpr const char* kLearntPrefix = "learnt.";
 using RowMajorMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
@@ -74,6 +76,11 @@ class TensorReader {
       layers.push_back({matrix(name + ".weight"), vector(name + ".bias")});
     } while (has(fmt::format("{}{}.weight", prefix, layers.size())));
     return layers;
+  }
+
+  bool has_any(const std::string& prefix) const {
+    const auto next = content_.tensors.lower_bound(prefix);
+    return next != content_.tensors.end() && next->first.rfind(prefix, 0) == 0;
   }
 
   void require_all_taken() const {
@@ -156,6 +163,48 @@ void read_valves_into(CompensationModel& model, const Safetensors& content,
   model.set_valves(read_valves(YamlReader::from_text(found->second, where + ": metadata valves")));
 }
 
+// Models of before it was measured, and of recordings too short for it, have none.
+void read_prediction_error_into(CompensationModel& model, const Safetensors& content,
+                                const std::string& where) {
+  const auto found = content.metadata.find(kErrorKey);
+  if (found != content.metadata.end()) {
+    model.prediction_error = read_prediction_error(
+        YamlReader::from_text(found->second, where + ": metadata prediction_error"));
+  }
+}
+
+void add_learnt_region(Safetensors& content, const LearntRegion& region) {
+  const auto add = [&](const char* name, const Eigen::VectorXf& vector) {
+    content.tensors[std::string(kLearntPrefix) + name] = vector_tensor(vector);
+  };
+  add("pressures.low", region.low_kpa);
+  add("pressures.high", region.high_kpa);
+  add("rates.fall", region.steepest_fall_kpa_per_s);
+  add("rates.rise", region.steepest_rise_kpa_per_s);
+  add("joint.offset", region.joint_offset);
+  add("joint.scale", region.joint_scale);
+  add("axes.low", region.axis_low);
+  add("axes.high", region.axis_high);
+  content.tensors[std::string(kLearntPrefix) + "axes.directions"] = matrix_tensor(region.axes);
+}
+
+LearntRegion read_learnt_region(TensorReader& tensors) {
+  const auto vector = [&](const char* name) {
+    return tensors.vector(std::string(kLearntPrefix) + name);
+  };
+  LearntRegion region;
+  region.low_kpa = vector("pressures.low");
+  region.high_kpa = vector("pressures.high");
+  region.steepest_fall_kpa_per_s = vector("rates.fall");
+  region.steepest_rise_kpa_per_s = vector("rates.rise");
+  region.joint_offset = vector("joint.offset");
+  region.joint_scale = vector("joint.scale");
+  region.axis_low = vector("axes.low");
+  region.axis_high = vector("axes.high");
+  region.axes = tensors.matrix(std::string(kLearntPrefix) + "axes.directions");
+  return region;
+}
+
 }  // namespace
 
 void write_model(const std::filesystem::path& path, const CompensationModel& model) {
@@ -186,6 +235,12 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
   if (model.valves || !model.valve_findings.reason.empty()) {
     content.metadata[kValvesKey] = valves_to_json(model.identified_valves()).dump();
   }
+  if (model.prediction_error) {
+    content.metadata[kErrorKey] = prediction_error_to_metadata(*model.prediction_error);
+  }
+  if (model.learnt) {
+    add_learnt_region(content, *model.learnt);
+  }
   write_file_atomically(path, safetensors_bytes(content));
 }
 
@@ -214,6 +269,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
     }
   }
   read_valves_into(model, content, where);
+  read_prediction_error_into(model, content, where);
   TensorReader tensors(content, where);
   model.layers = tensors.layers("layers.");
   while (tensors.has(member_prefix(model.more_members.size() + 1) + "0.weight")) {
@@ -223,6 +279,9 @@ CompensationModel read_model(const std::filesystem::path& path) {
                  tensors.vector("normalisation.input.scale")};
   model.output = {tensors.vector("normalisation.output.offset"),
                   tensors.vector("normalisation.output.scale")};
+  if (tensors.has_any(kLearntPrefix)) {
+    model.learnt = read_learnt_region(tensors);
+  }
   tensors.require_all_taken();
   validate(model, where);
   return model;

@@ -11,6 +11,8 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/arm_identity.hpp"
 #include "limber/arm/valve_findings.hpp"
+#include "limber/network/learnt_region.hpp"
+#include "limber/network/prediction_error.hpp"
 
 namespace limber {
 
@@ -71,6 +73,10 @@ struct CompensationModel {
   /// they did not tell, for the reason that the findings give.
   std::optional<ValveParameters> valves;
   ValveFindings valve_findings;
+  /// Of `layers` on motions that neither trained nor chose it; none where none were left for it.
+  std::optional<PredictionError> prediction_error;
+  /// What the training recordings held; none in files of before it was kept.
+  std::optional<LearntRegion> learnt;
 
   int member_count() const { return 1 + static_cast<int>(more_members.size()); }
   /// Member `index` as a model of its own, without the training record. @pre index < member_count()

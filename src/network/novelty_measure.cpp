@@ -1,0 +1,92 @@
+#include <cmath>
+
+#include "common/vector_sincos.hpp"
+#include "limber/network/learnt_region.hpp"
+#include "network/pressure_border.hpp"
+
+namespace limber {
+
+namespace {
+
+int padded(int count, int lanes) {
+  return (count + lanes - 1) / lanes * lanes;
+}
+
+// Each plate's pose about the plate before it, three numbers a gap. Four headings at a time:
+// `headings`, `sines` and `cosines` hold whole vectors.
+void write_gap_poses(const float* backbone, int gaps, int padded_gaps, float* headings,
+                     float* poses) {
+  float* sines = headings + padded_gaps;
+  float* cosines = sines + padded_gaps;
+  for (int j = 0; j < gaps; ++j) {
+    headings[j] = backbone[3 * j + 2];
+  }
+  for (int j = 0; j < padded_gaps; j += kLanes) {
+    Vector sine;
+    Vector cosine;
+    sincos(load(headings + j), sine, cosine);
+    store(sines + j, sine);
+    store(cosines + j, cosine);
+  }
+  for (int j = 0; j < gaps; ++j) {
+    const float* at = backbone + 3 * j;
+    const float dx = at[3] - at[0];
+    const float dy = at[4] - at[1];
+    poses[3 * j] = cosines[j] * dx + sines[j] * dy;
+    poses[3 * j + 1] = cosines[j] * dy - sines[j] * dx;
+    poses[3 * j + 2] = at[5] - at[2];
+  }
+}
+
+}  // namespace
+
+// |W z + b| in half ranges: row i of W is a pressure's 1 / half, or an axis about its middle.
+NoveltyMeasure::NoveltyMeasure(const LearntRegion& region, CpuLevel level)
+    : kernels_(&gemm_kernels(level)),
+      segment_count_(region.segment_count()),
+      point_count_(region.point_count()),
+      joint_size_(static_cast<int>(region.joint_offset.size())),
+      padded_rows_(padded(segment_count_ + static_cast<int>(region.axes.rows()), kernels_->lanes)),
+      padded_gaps_(padded(point_count_ - 1, kLanes)) {
+  const int n = segment_count_;
+  const int axis_count = static_cast<int>(region.axes.rows());
+  Eigen::MatrixXd weight = Eigen::MatrixXd::Zero(padded_rows_, joint_size_);
+  Eigen::VectorXd bias = Eigen::VectorXd::Zero(padded_rows_);
+  const auto [middle, half] = pressure_border(region);
+  for (int i = 0; i < n; ++i) {
+    weight(i, i) = 1.0 / half[i];
+    bias[i] = -middle[i] / half[i];
+  }
+  const auto [axis_middle, axis_half] = middle_and_half(region.axis_low, region.axis_high);
+  weight.middleRows(n, axis_count) = axis_half.cwiseInverse().asDiagonal() *
+                                     region.axes.cast<double>() *
+                                     region.joint_scale.cast<double>().asDiagonal();
+  bias.segment(n, axis_count) =
+      -weight.middleRows(n, axis_count) * region.joint_offset.cast<double>() -
+      axis_middle.cwiseQuotient(axis_half);
+  weight_.resize(static_cast<std::size_t>(weight.size()));
+  bias_.resize(static_cast<std::size_t>(bias.size()));
+  Eigen::Map<Eigen::MatrixXf>(weight_.data(), padded_rows_, joint_size_) = weight.cast<float>();
+  Eigen::Map<Eigen::VectorXf>(bias_.data(), padded_rows_) = bias.cast<float>();
+}
+
+NoveltyMeasure::Workspace NoveltyMeasure::make_workspace() const {
+  const int size = padded_rows_ + padded(joint_size_, kLanes) + 3 * padded_gaps_;
+  return {AlignedFloats(static_cast<std::size_t>(size), 0.0F)};
+}
+
+float NoveltyMeasure::novelty(const float* pressures_kpa, const float* backbone,
+                              Workspace& workspace) const {
+  float* distances = workspace.numbers.data();
+  float* joint = distances + padded_rows_;
+  float* headings = joint + padded(joint_size_, kLanes);
+  for (int i = 0; i < segment_count_; ++i) {
+    joint[i] = pressures_kpa[i];
+  }
+  write_gap_poses(backbone, point_count_ - 1, padded_gaps_, headings, joint + segment_count_);
+  kernels_->query_layer(padded_rows_, joint_size_, weight_.data(), joint, bias_.data(), false,
+                        distances);
+  return Eigen::Map<const Eigen::VectorXf>(distances, padded_rows_).cwiseAbs().maxCoeff();
+}
+
+}  // namespace limber

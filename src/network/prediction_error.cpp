@@ -1,0 +1,91 @@
+#include "limber/network/prediction_error.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/error.hpp"
+#include "limber/common/units.hpp"
+#include "limber/common/yaml_reader.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kMostRuns = 1'000'000'000;
+
+}  // namespace
+
+double conformal_quantile(std::vector<double> values, double share) {
+  assert(!values.empty());
+  // Exact shares such as 20·0.95 must not be rounded up by their last bit.
+  constexpr double kRounding = 1e-9;
+  const auto count = static_cast<double>(values.size());
+  const double rank = std::min(std::ceil((count + 1.0) * share - kRounding), count);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank) - 1;
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+void validate(const PredictionError& error, const std::string& where) {
+  const auto refuse = [&](const char* name, double value, const char* expected) {
+    throw InputError(
+        fmt::format("{}: prediction_error.{} is {}; expected {}", where, name, value, expected));
+  };
+  if (error.runs < 1) {
+    refuse("runs", error.runs, "at least 1");
+  }
+  if (!std::isfinite(error.run_s) || error.run_s <= 0.0) {
+    refuse("run_s", error.run_s, "a time in seconds, > 0");
+  }
+  for (const auto& [name, value] : {std::pair{"largest_position_m", error.largest_position_m},
+                                    std::pair{"end_position_m", error.end_position_m},
+                                    std::pair{"end_orientation_rad", error.end_orientation_rad}}) {
+    if (!std::isfinite(value) || value < 0.0) {
+      refuse(name, value, "a finite number, ≥ 0");
+    }
+  }
+}
+
+std::string prediction_error_to_metadata(const PredictionError& error) {
+  return nlohmann::ordered_json({{"runs", error.runs},
+                                 {"run_s", error.run_s},
+                                 {"largest_position_m", error.largest_position_m},
+                                 {"end_position_m", error.end_position_m},
+                                 {"end_orientation_rad", error.end_orientation_rad}})
+      .dump();
+}
+
+PredictionError read_prediction_error(const YamlReader& root) {
+  root.refuse_unknown_keys(
+      {"runs", "run_s", "largest_position_m", "end_position_m", "end_orientation_rad"});
+  PredictionError error;
+  error.runs = root.at("runs").integer("a number of runs", 1, kMostRuns);
+  error.run_s = root.at("run_s").positive("a time in seconds");
+  error.largest_position_m = root.at("largest_position_m").number("a distance in metres", 0.0);
+  error.end_position_m = root.at("end_position_m").number("a distance in metres", 0.0);
+  error.end_orientation_rad = root.at("end_orientation_rad").number("an angle in radians", 0.0);
+  return error;
+}
+
+nlohmann::ordered_json prediction_error_to_json(const PredictionError& error) {
+  return {{"runs", error.runs},
+          {"run_s", error.run_s},
+          {"largest_cm_p95", kCmPerM * error.largest_position_m},
+          {"end_cm_p95", kCmPerM * error.end_position_m},
+          {"end_rad_p95", error.end_orientation_rad}};
+}
+
+std::string prediction_error_to_text(const PredictionError& error) {
+  return fmt::format(
+      "error on {} unseen runs of {:.3g} s, {:.0f} %: {:.2f} cm anywhere on the arm, {:.2f} cm and "
+      "{:.3f} rad at the tip's end",
+      error.runs, error.run_s, 100.0 * PredictionError::kShare, kCmPerM * error.largest_position_m,
+      kCmPerM * error.end_position_m, error.end_orientation_rad);
+}
+
+}  // namespace limber
