@@ -7,8 +7,8 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/experiment/planning_experiment.hpp"
-#include "limber/planning/problem_check.hpp"
 #include "model_flags.hpp"
+#include "room_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -59,9 +59,7 @@ class ExperimentVerb final : public Verb {
     app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan");
     app.add_option("--cost-threshold-kpa", settings_.limits.cost_threshold_kpa,
                    "Stop at a plan this cheap; a large number stops at the first");
-    app.add_option("--margin-m", settings_.margin_m, "Clearance asked of every plan")
-        ->check(CLI::Range(0.0, kLargestMarginM))
-        ->capture_default_str();
+    room_.add_to(app);
     valves_.add_valves_to(app);
     forest_.add_to(app);
     app.add_option("--out", settings_.folder, "Folder for tables, figures, trials and plans")
@@ -87,6 +85,8 @@ class ExperimentVerb final : public Verb {
     const MotionModel model = valves_.motion_model(settings_.arm, network);
     valves_.warn_without_valves(model, flags);
     settings_.valves = model.valves().parameters();
+    settings_.room = room_.asked();
+    (void)room_.room(network, flags);
     if (forest_.is_asked_for()) {
       require_usable(settings_);
       settings_.forest = forest(model, flags);
@@ -135,6 +135,7 @@ class ExperimentVerb final : public Verb {
   std::string environments_;
   bool network_only_ = false;
   ModelFlags valves_;
+  RoomFlags room_;
   ForestFlags forest_;
   ExperimentSettings settings_;
 };

@@ -8,8 +8,9 @@
 #include "limber/planning/plan_picture.hpp"
 #include "limber/planning/plan_report.hpp"
 #include "limber/planning/planner.hpp"
-#include "limber/planning/problem_check.hpp"
+#include "limber/planning/recorded_region.hpp"
 #include "model_flags.hpp"
+#include "room_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -105,11 +106,9 @@ class PlanVerb final : public Verb {
     app.add_option("--max-memory-mb", limits_.memory_mb, "Stop when the tree takes so much");
     app.add_option("--cost-threshold-kpa", limits_.cost_threshold_kpa,
                    "Stop at a plan this cheap; a large number stops at the first");
-    app.add_option("--margin-m", margin_m_,
-                   "Clearance kept from every obstacle. A model errs by centimetres; with no "
-                   "margin its errors become collisions")
-        ->check(CLI::Range(0.0, kLargestMarginM))
-        ->capture_default_str();
+    room_.add_to(app);
+    app.add_flag("--stay-recorded", stay_recorded_,
+                 "Only set points, rates and shapes like those in the model's recordings");
     forest_.add_to(app);
     app.add_option("--out", out_, "Write the plan here (JSON); not written without a solution");
     app.add_option("--csv", csv_, "Write its set points here, for a valve controller");
@@ -133,7 +132,15 @@ class PlanVerb final : public Verb {
         refuse_to_overwrite(path, flags.force);
       }
     }
-    PlanResult result = search({arm, model, environment, margin_m_}, flags);
+    const std::optional<RecordedRegion> region = region_to_stay_in(forward, arm);
+    const ErrorRoom room = room_.room(forward, flags);
+    PlanResult result = search({arm, model, environment, room.margin_m, room.goal_margin,
+                                region ? &*region : nullptr},
+                               flags);
+    warn_beyond_recordings(forward, arm, result);
+    for (const std::string& warning : result.warnings) {
+      say(flags, "warning: {}", warning);
+    }
     if (result.plan && model_.names_model()) {
       result.plan->model_hash = content_hash(read_file(model_.model_file()));
     }
@@ -184,10 +191,34 @@ class PlanVerb final : public Verb {
                               return !interrupt_requested();
                             });
     progress.finish();
-    for (const std::string& warning : result.warnings) {
-      say(flags, "warning: {}", warning);
-    }
     return result;
+  }
+
+  std::optional<RecordedRegion> region_to_stay_in(const ForwardModel& forward,
+                                                  const ArmDescription& arm) const {
+    if (!stay_recorded_) {
+      return std::nullopt;
+    }
+    if (!forward.has_network() || !forward.compensation().learnt) {
+      throw InputError(
+          "--stay-recorded: the model does not say what its recordings held; limber train stores "
+          "it");
+    }
+    return std::optional<RecordedRegion>(std::in_place, *forward.compensation().learnt,
+                                         arm.frame_rate_hz);
+  }
+
+  /// Where a plan asks of the model what it has never seen.
+  static void warn_beyond_recordings(const ForwardModel& forward, const ArmDescription& arm,
+                                     PlanResult& result) {
+    if (!result.plan || !forward.has_network() || !forward.compensation().learnt) {
+      return;
+    }
+    const std::vector<std::string> ways =
+        ways_beyond(*forward.compensation().learnt, *result.plan, arm.command.unit);
+    for (const std::string& way : ways) {
+      result.warnings.push_back(way + "; --stay-recorded plans without");
+    }
   }
 
   void write(const PlanResult& result, const ArmDescription& arm,
@@ -217,7 +248,8 @@ class PlanVerb final : public Verb {
   std::string planner_ = "default";
   PlannerLimits limits_;
   ForestFlags forest_;
-  double margin_m_ = 0.0;
+  RoomFlags room_;
+  bool stay_recorded_ = false;
   std::string out_;
   std::string csv_;
   std::string svg_;

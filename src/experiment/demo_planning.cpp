@@ -90,7 +90,6 @@ void plan_stage(DemoResults& results) {
   }
   PlanTrialSettings settings;
   settings.limits.time_s = results.recipe.planning_time_limit_s;
-  settings.margin_m = results.recipe.margin_m;
   settings.model_hash = results.model_hash;
   const std::vector<TrialTask> tasks = all_tasks(results);
   results.trials.resize(tasks.size());

@@ -64,6 +64,7 @@ void opening(ReportPage& page, const DemoResults& results) {
 
 void what_was_done(ReportPage& page, const DemoResults& results) {
   const TrainingResult& training = results.training;
+  const ErrorRoom room = error_room(*results.network);
   page.heading("What was done")
       .list({
           fmt::format("Characterise: each of the {} segments alone and free of friction, one side "
@@ -80,10 +81,14 @@ void what_was_done(ReportPage& page, const DemoResults& results) {
                       training.wall_time_s, training.best_epoch),
           "Evaluate: both models on the test, from one step ahead to the whole episode "
           "uncorrected.",
-          fmt::format("Plan and execute: {} environments, {} plans of each model, {:.3g} s each, "
-                      "{:.3g} mm of clearance asked for; every plan run open loop on the arm.",
+          fmt::format("Plan and execute: {} environments, {} plans of each model, {:.3g} s each; "
+                      "every plan run open loop on the arm. Plans of the network keep {:.1f} mm "
+                      "from obstacles and end {:.1f} mm inside the goal's rim, as much as the "
+                      "network erred by in 95 % of the runs it had not seen; of the no-load model "
+                      "no error is known, and its plans keep nothing.",
                       results.environments.size(), results.recipe.plans_per_environment,
-                      results.recipe.planning_time_limit_s, 1e3 * results.recipe.margin_m),
+                      results.recipe.planning_time_limit_s, 10.0 * kCmPerM * room.margin_m,
+                      10.0 * kCmPerM * room.goal_margin.position_m),
       });
 }
 

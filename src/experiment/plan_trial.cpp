@@ -18,7 +18,8 @@ PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
   trial.planner = settings.planner;
   trial.seed = seed;
   trial.asks_heading = item.environment.goal.theta_rad.has_value();
-  const PlanningProblem problem{arm, model, item.environment, settings.margin_m};
+  const ErrorRoom room = error_room(model.forward(), settings.room);
+  const PlanningProblem problem{arm, model, item.environment, room.margin_m, room.goal_margin};
   trial.planning = make_planner(settings.planner, settings.planner_jobs, settings.forest)
                        ->plan(problem, settings.limits, seed,
                               [](const PlannerProgress&) { return !interrupt_requested(); });

@@ -53,7 +53,9 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   json["virtual_arm"] = content_hash(arm_to_yaml(settings.arm));
   json["model"] = model_hash;
   json["valves"] = settings.valves.hash();
-  json["margin_m"] = settings.margin_m;
+  json["margin_m"] = optional_json(settings.room.margin_m);  // null: the model's own
+  json["goal_margin_m"] = optional_json(settings.room.goal_margin_m);
+  json["goal_margin_rad"] = optional_json(settings.room.goal_margin_rad);
   json["seed"] = settings.seed;
   json["time_limit_s"] = optional_json(settings.limits.time_s);
   json["max_iterations"] = optional_json(settings.limits.iterations);
@@ -199,7 +201,7 @@ class Experiment {
     }
     PlanTrialSettings trial;
     trial.limits = settings_.limits;
-    trial.margin_m = settings_.margin_m;
+    trial.room = settings_.room;
     trial.planner_jobs = settings_.planner_jobs;
     trial.model_hash = model_bytes_hash_;
     Progress progress("experiment", "trials", open.size(), settings_.progress);
@@ -301,7 +303,9 @@ void require_usable(const ExperimentSettings& settings) {
   if (settings.trials < 1 || settings.trials > 100'000) {
     throw InputError(fmt::format("--trials {}: expected 1 to 100000", settings.trials));
   }
-  require_margin(settings.margin_m);
+  require_margin(settings.room.margin_m.value_or(0.0));
+  require_goal_margin(
+      {settings.room.goal_margin_m.value_or(0.0), settings.room.goal_margin_rad.value_or(0.0)});
   if (settings.planners.empty()) {
     throw InputError("no planner given");
   }

@@ -127,7 +127,9 @@ PlanTrial read_fields(const JsonReader& json, const TrialKey& key, const ArmDesc
   if (!first.is_null()) {
     planning.first_solution =
         FirstSolution{first.at("time_s").number(0.0), first.at("cost_kpa").number(0.0),
-                      first.at("queries").count(kAny)};
+                      first.at("queries").count(kAny),
+                      json.at("first_candidate_s").number(0.0),
+                      json.at("first_certificate_s").number(0.0)};
   }
   for (const JsonReader& event : json.at("events").elements("a list of events")) {
     planning.events.push_back(read_event(event));

@@ -27,6 +27,7 @@ BatchSearch::BatchSearch(const PlanningProblem& problem, PathSimulator& simulato
       tree_(problem.arm, problem.model,
             {settings.cell_pressure, settings.cell_position_m, settings.cell_orientation_rad},
             start_of(problem)) {
+  tree_.keep_within(setpoints_of(problem));
   note_error(0);
 }
 

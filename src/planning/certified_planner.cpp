@@ -122,6 +122,7 @@ class CertifiedPlanner final : public Planner {
                                    environment,
                                    clearance_with_reserve_m(problem.margin_m),
                                    {},
+                                   problem.stay_within,
                                    &judge};
     PlanResult result = planner.plan(searched, limits, seed, callback);
     if (result.best_partial) {

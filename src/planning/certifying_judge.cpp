@@ -19,7 +19,7 @@ PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()
   Certificate certificate = certify(plan, asked_.arm, network,
                                     asked_.model.valves().parameters(), asked_.environment);
   (void)give_up;
-  if (certificate.certified()) {
+  if (certificate.certified() && stays_within(plan)) {
     plan.certified = CertifiedFigures{certificate.clearance_m, certificate.largest_deviation_m};
     held_ = std::move(certificate);
     return Verdict::holds;
@@ -31,11 +31,24 @@ PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()
   return Verdict::refused;
 }
 
+bool CertifyingJudge::stays_within(const Plan& plan) const {
+  return asked_.stay_within == nullptr ||
+         ways_beyond(asked_.stay_within->learnt(), plan, asked_.arm.command.unit).empty();
+}
+
 void CertifyingJudge::report(PlanResult& result) const {
   if (result.status == PlanStatus::solved) {
     result.certificate = held_;
   } else if (result.status == PlanStatus::not_certified) {
     result.certificate = refused_;
+    if (refused_->certified()) {
+      result.reason = fmt::format(
+          "every plan that planner '{}' found leaves what the model's recordings held: {}",
+          result.best_partial->planner,
+          ways_beyond(asked_.stay_within->learnt(), *result.best_partial, asked_.arm.command.unit)
+              .front());
+      return;
+    }
     const CertificateFailure& first = refused_->failures.front();
     result.reason = fmt::format(
         "every plan that planner '{}' found is refused by its certificate, the cheapest for this: "

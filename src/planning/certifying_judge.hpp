@@ -10,7 +10,7 @@
 namespace limber {
 
 /// Lets stand what its certificate (planning/certificate.hpp) certifies for the problem as it was
-/// asked. Borrows the problem.
+/// asked, and what stays within the recordings where that is asked for. Borrows the problem.
 class CertifyingJudge final : public PlanJudge {
  public:
   explicit CertifyingJudge(const PlanningProblem& asked);
@@ -24,6 +24,8 @@ class CertifyingJudge final : public PlanJudge {
   void report(PlanResult& result) const;
 
  private:
+  bool stays_within(const Plan& plan) const;
+
   const PlanningProblem& asked_;
   std::string environment_hash_;
   std::optional<Certificate> held_;     // of the last plan that holds: the cheapest

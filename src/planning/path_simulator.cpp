@@ -42,7 +42,11 @@ class PathSimulator::Queue {
 class PathSimulator::Worker {
  public:
   Worker(const PlanningProblem& problem, const CollisionChecker& checker, HoldRange range)
-      : problem_(problem), checker_(checker), range_(range), rollouts_(problem.model) {}
+      : problem_(problem), checker_(checker), range_(range), rollouts_(problem.model) {
+    if (problem.stay_within != nullptr) {
+      novelty_ = problem.stay_within->make_workspace();
+    }
+  }
 
   /// @param width  paths side by side, at most
   void run(Queue& queue, std::size_t width, const std::function<bool()>& give_up) {
@@ -52,6 +56,7 @@ class PathSimulator::Worker {
       if (rollouts_.size() == 0 || give_up()) {
         return;
       }
+      note_pressures();
       rollouts_.step();
       for (int column = rollouts_.size() - 1; column >= 0; --column) {
         const int i = rollouts_.label(column);
@@ -82,7 +87,7 @@ class PathSimulator::Worker {
   // A frame later: on, or out.
   void judge(int column, const Path& path, PathOutcome& outcome) {
     ++outcome.queries;
-    if (!checker_.is_motion_free(rollouts_.before(column), rollouts_.now(column))) {
+    if (!is_allowed(column)) {
       rollouts_.remove(column);  // a path that is free up to its hold stays so
       return;
     }
@@ -112,6 +117,27 @@ class PathSimulator::Worker {
     }
   }
 
+  bool is_allowed(int column) {
+    const auto now = rollouts_.now(column);
+    return checker_.is_motion_free(rollouts_.before(column), now) &&
+           (problem_.stay_within == nullptr ||
+            problem_.stay_within->holds(before_kpa_.col(column),
+                                        rollouts_.valves(column).head(before_kpa_.rows()), now,
+                                        novelty_));
+  }
+
+  /// Of every motion, before its next frame: what rates are taken from.
+  void note_pressures() {
+    if (problem_.stay_within == nullptr) {
+      return;
+    }
+    const Eigen::Index n = problem_.arm.segment_count();
+    before_kpa_.resize(n, rollouts_.size());
+    for (int column = 0; column < rollouts_.size(); ++column) {
+      before_kpa_.col(column) = rollouts_.valves(column).head(n);
+    }
+  }
+
   bool is_near_goal(const MotionState& state) const {
     const PoseGoal& goal = problem_.environment.goal;
     const PoseError error =
@@ -124,6 +150,8 @@ class PathSimulator::Worker {
   const CollisionChecker& checker_;
   HoldRange range_;
   RolloutBatch rollouts_;
+  RecordedRegion::Workspace novelty_;
+  Eigen::MatrixXf before_kpa_;  // n × motions, a frame ago
 };
 
 struct PathSimulator::Threads {

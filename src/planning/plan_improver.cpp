@@ -52,7 +52,8 @@ PlanImprover::PlanImprover(const PlanningProblem& problem, std::uint64_t seed, s
     : problem_(problem),
       seed_(seed),
       stream_(kFirstStream * (1 + stream)),
-      limit_kpa_(pressure_limits_kpa(problem.arm)) {}
+      limit_kpa_(pressure_limits_kpa(problem.arm)),
+      box_(setpoints_of(problem)) {}
 
 void PlanImprover::adopt(std::vector<Pressures> waypoints_kpa, std::vector<MotionState> states) {
   before_kpa_.clear();
@@ -65,7 +66,7 @@ void PlanImprover::adopt(std::vector<Pressures> waypoints_kpa, std::vector<Motio
 }
 
 Pressures PlanImprover::limited(const Pressures& pressures_kpa) const {
-  return pressures_kpa.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
+  return box_.limited(pressures_kpa);
 }
 
 /// Removes one to a few waypoints in a row; start and end stay.

@@ -75,6 +75,7 @@ class PlanImprover {
   std::uint64_t seed_;
   std::uint64_t stream_;
   Pressures limit_kpa_;
+  PressureBox box_;
   std::vector<Pressures> waypoints_kpa_;
   std::vector<MotionState> states_;  // at the waypoints
   double cost_kpa_ = 0.0;

@@ -17,6 +17,11 @@ MotionState start_of(const PlanningProblem& problem) {
   return problem.model.settled_state(start.pressures_kpa, start.backbone);
 }
 
+PressureBox setpoints_of(const PlanningProblem& problem) {
+  return problem.stay_within == nullptr ? pressure_box(problem.arm)
+                                        : problem.stay_within->setpoints_of(problem.arm);
+}
+
 const char* to_string(PlanStatus status) {
   switch (status) {
     case PlanStatus::solved:

@@ -34,6 +34,7 @@ SparseTree::SparseTree(const ArmDescription& arm, const MotionModel& model, cons
     : model_(model),
       cells_(cells),
       limit_kpa_(pressure_limits_kpa(arm)),
+      box_(pressure_box(arm)),
       tree_(model),
       index_(arm.segment_count()) {
   add(root, -1, 0.0);
@@ -86,11 +87,7 @@ int SparseTree::parent_near(const Pressures& target_kpa, double random_share,
 }
 
 Pressures SparseTree::random_configuration(RandomStream& random) const {
-  Pressures kpa(limit_kpa_.size());
-  for (Eigen::Index i = 0; i < kpa.size(); ++i) {
-    kpa[i] = static_cast<float>(random.uniform(-1.0, 1.0)) * limit_kpa_[i];
-  }
-  return kpa;
+  return box_.sample(random);
 }
 
 Pressures SparseTree::stepped(int node, const Pressures& target_kpa, double step) const {
@@ -107,7 +104,7 @@ Eigen::VectorXf SparseTree::scaled(const PressuresRef& pressures_kpa) const {
 }
 
 Pressures SparseTree::limited(const Pressures& pressures_kpa) const {
-  return pressures_kpa.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
+  return box_.limited(pressures_kpa);
 }
 
 std::uint64_t SparseTree::cell_of(const MotionState& state, const Pose& settled_tip) const {

@@ -8,6 +8,7 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/planning/environment.hpp"
 #include "limber/planning/motion_simulator.hpp"
+#include "limber/planning/pressure_box.hpp"
 #include "limber/planning/pressure_index.hpp"
 #include "limber/planning/pressure_tree.hpp"
 
@@ -44,6 +45,9 @@ class SparseTree {
   /// @param random_share  of the calls that ask only some nodes, in [0, 1]
   int parent_near(const Pressures& target_kpa, double random_share, RandomStream& random) const;
 
+  /// Configurations are drawn there, and limited to it, from now on; first between the arm's limits.
+  void keep_within(const PressureBox& box) { box_ = box; }
+
   Pressures random_configuration(RandomStream& random) const;
   /// `target_kpa`, or what lies at most `step` from the node on the way to it.
   Pressures stepped(int node, const Pressures& target_kpa, double step) const;
@@ -58,6 +62,7 @@ class SparseTree {
   MotionModel model_;
   StateCells cells_;
   Pressures limit_kpa_;
+  PressureBox box_;
   PressureTree tree_;
   PressureIndex index_;
   std::vector<int> stands_for_;  // a node that a cheaper one like it has replaced names that one

@@ -145,7 +145,7 @@ FindingsSettings search_settings() {
   FindingsSettings settings;
   settings.trials = 4;
   settings.planning.limits.iterations = kIterations;
-  settings.planning.margin_m = kMarginM;
+  settings.planning.room.margin_m = kMarginM;
   return settings;
 }
 

@@ -24,8 +24,6 @@ struct DemoRecipe {
   /// Short: the longer a plan is improved, the more it makes of the model's error. On the demo's
   /// arm, 0.2, 1 and 5 s of planning end 3.1, 4.1 and 5.4 cm off on average when executed.
   double planning_time_limit_s = 0.5;
-  /// Clearance asked of every plan, of both models alike: the model's error eats it up.
-  double margin_m = 0.005;
 };
 
 /// Everything, in under six minutes on two cores.

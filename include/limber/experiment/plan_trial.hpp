@@ -10,6 +10,7 @@
 #include "limber/forward/motion_model.hpp"
 #include "limber/hardware/executor.hpp"
 #include "limber/planning/environment.hpp"
+#include "limber/planning/error_room.hpp"
 #include "limber/planning/planner.hpp"
 
 namespace limber {
@@ -37,7 +38,7 @@ struct PlanTrialSettings {
   std::string planner = "default";
   int planner_jobs = 1;  ///< threads of the planner; trials themselves run side by side
   PlannerLimits limits;
-  double margin_m = 0.0;
+  AskedRoom room;  ///< where nothing is asked for, what the model says of its error
   const Forest* forest = nullptr;  ///< for the default planner; borrowed
   std::string model_hash;          ///< goes into the plan of a network; docs/formats.md
 };

@@ -11,6 +11,7 @@
 
 #include "limber/common/progress.hpp"
 #include "limber/experiment/plan_trial.hpp"
+#include "limber/planning/error_room.hpp"
 
 namespace limber {
 
@@ -28,7 +29,7 @@ struct ExperimentSettings {
   /// the network. None: everything is searched.
   std::optional<Forest> forest;
   PlannerLimits limits;
-  double margin_m = 0.0;
+  AskedRoom room;  ///< where nothing is asked for, what each model says of its error
   std::uint64_t seed = 1;
   int planner_jobs = 1;  ///< threads of each planner
   int jobs = 0;          ///< trials at once, 0: one a core

@@ -16,6 +16,7 @@
 #include "limber/planning/forest.hpp"
 #include "limber/planning/plan.hpp"
 #include "limber/planning/plan_judge.hpp"
+#include "limber/planning/recorded_region.hpp"
 
 namespace limber {
 
@@ -27,12 +28,16 @@ struct PlanningProblem {
   double margin_m = 0.0;  ///< clearance kept from every obstacle, ≥ 0
   /// How far inside the goal's tolerances plans end, ≥ 0: room for the model's error.
   PoseError goal_margin = {};
+  /// Plans stay in there; borrowed. None: anywhere within the arm's limits.
+  const RecordedRegion* stay_within = nullptr;
   /// Asked of every plan before it counts as one; borrowed. None: all count.
   PlanJudge* judge = nullptr;
 };
 
 /// The state that the environment starts with; the arm has long stood there.
 MotionState start_of(const PlanningProblem& problem);
+/// Set points that a plan may use.
+PressureBox setpoints_of(const PlanningProblem& problem);
 
 /// When to stop; whichever comes first. At least one of time, iterations and queries is set.
 struct PlannerLimits {
