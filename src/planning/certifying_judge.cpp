@@ -1,8 +1,23 @@
 #include "certifying_judge.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace limber {
+
+namespace {
+
+bool is_same_motion(const Plan& a, const Plan& b) {
+  return a.waypoints_kpa == b.waypoints_kpa &&
+         std::equal(a.frames.begin(), a.frames.end(), b.frames.begin(), b.frames.end(),
+                    [](const PlanFrame& x, const PlanFrame& y) {
+                      return x.setpoint_kpa == y.setpoint_kpa && x.pressure_kpa == y.pressure_kpa &&
+                             x.backbone == y.backbone;
+                    });
+}
+
+}  // namespace
 
 CertifyingJudge::CertifyingJudge(const PlanningProblem& asked)
     : asked_(asked), environment_hash_(environment_hash(asked.environment)) {}
@@ -22,6 +37,7 @@ PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()
   if (certificate.certified() && stays_within(plan)) {
     plan.certified = CertifiedFigures{certificate.clearance_m, certificate.largest_deviation_m};
     held_ = std::move(certificate);
+    held_plan_ = plan;
     return Verdict::holds;
   }
   if (!refused_ || plan.cost_kpa < refused_kpa_) {
@@ -36,7 +52,15 @@ bool CertifyingJudge::stays_within(const Plan& plan) const {
          ways_beyond(asked_.stay_within->learnt(), plan, asked_.arm.command.unit).empty();
 }
 
-void CertifyingJudge::report(PlanResult& result) const {
+void CertifyingJudge::report(PlanResult& result) {
+  const bool was_judged = !result.plan || (held_ && is_same_motion(*result.plan, held_plan_));
+  if (!was_judged && judge(*result.plan, [] { return false; }) != Verdict::holds) {
+    result.status = PlanStatus::not_certified;
+    result.best_partial = std::move(result.plan);
+    result.plan.reset();
+    result.first_solution.reset();
+    result.events.clear();
+  }
   if (result.status == PlanStatus::solved) {
     result.certificate = held_;
   } else if (result.status == PlanStatus::not_certified) {

@@ -20,8 +20,9 @@ class CertifyingJudge final : public PlanJudge {
   /// Writes into the plan what it was asked for: planners see a problem with a little less room.
   void name_problem(Plan& plan) const;
 
-  /// Adds to a planner's result the certificate of its plan, or why there is none.
-  void report(PlanResult& result) const;
+  /// Adds to a planner's result the certificate of its plan, or why there is none. A plan that
+  /// nobody asked about, or that was changed since, is judged now.
+  void report(PlanResult& result);
 
  private:
   bool stays_within(const Plan& plan) const;
@@ -29,6 +30,7 @@ class CertifyingJudge final : public PlanJudge {
   const PlanningProblem& asked_;
   std::string environment_hash_;
   std::optional<Certificate> held_;     // of the last plan that holds: the cheapest
+  Plan held_plan_;
   std::optional<Certificate> refused_;  // of the cheapest that was refused
   double refused_kpa_ = 0.0;
 };

@@ -408,7 +408,8 @@ TEST(CertifiedPlanner, APlanThatIsRefusedIsADefectAndNoSolution) {
   EXPECT_FALSE(result.plan);
   EXPECT_TRUE(result.best_partial);
   EXPECT_THAT(result.reason,
-              HasSubstr("planner 'paper' returned is refused by its certificate: model"));
+              HasSubstr("planner 'paper' found is refused by its certificate, the cheapest for "
+                        "this: model"));
 }
 
 // The certificate is worth as much as it is independent: of the planner's module its sources see

@@ -1,0 +1,98 @@
+#include "limber/planning/error_room.hpp"
+
+#include <gmock/gmock.h>
+
+#include "planning/planner_setting.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+ForwardModel network_with(const std::optional<PredictionError>& error) {
+  const ArmDescription arm = three_segment_arm();
+  CompensationModel model = play_network(arm, kPlayM);
+  model.prediction_error = error;
+  return {arm, model};
+}
+
+TEST(ErrorRoom, IsWhatTheModelErredBy) {
+  const ErrorRoom room = error_room(network_with(PredictionError{40, 10.0, 0.012, 0.007, 0.05}));
+  EXPECT_EQ(room.margin_m, 0.012);
+  EXPECT_EQ(room.goal_margin.position_m, 0.007);
+  EXPECT_EQ(room.goal_margin.orientation_rad, 0.05);
+  EXPECT_THAT(room.note, IsEmpty());
+}
+
+TEST(ErrorRoom, OfAModelThatDoesNotSayIsFiveMillimetres) {
+  const ErrorRoom room = error_room(network_with(std::nullopt));
+  EXPECT_EQ(room.margin_m, 0.005);
+  EXPECT_EQ(room.goal_margin.position_m, 0.005);
+  EXPECT_THAT(room.note, HasSubstr("0.5 cm of clearance are kept"));
+}
+
+TEST(ErrorRoom, OfTheNoLoadModelIsNone) {
+  const ErrorRoom room = error_room(ForwardModel(three_segment_arm()));
+  EXPECT_EQ(room.margin_m, 0.0);
+  EXPECT_EQ(room.goal_margin.position_m, 0.0);
+  EXPECT_THAT(room.note, HasSubstr("may collide"));
+}
+
+TEST(ErrorRoom, GivesWayToWhatIsAskedFor) {
+  AskedRoom asked;
+  asked.margin_m = 0.03;
+  asked.goal_margin_rad = 0.0;
+  const ErrorRoom room =
+      error_room(network_with(PredictionError{40, 10.0, 0.012, 0.007, 0.05}), asked);
+  EXPECT_EQ(room.margin_m, 0.03);
+  EXPECT_EQ(room.goal_margin.position_m, 0.007);
+  EXPECT_EQ(room.goal_margin.orientation_rad, 0.0);
+  EXPECT_THAT(error_room(network_with(std::nullopt), asked).note, IsEmpty());
+}
+
+PlanResult plan_inside(Setting& s, double goal_margin_m, std::uint64_t iterations = 1500) {
+  PlannerLimits limits;
+  limits.iterations = iterations;
+  return make_planner("default")->plan(
+      {s.arm, s.model, s.environment, 0.0, {goal_margin_m, 0.0}}, limits, 3);
+}
+
+TEST(GoalMargin, PlansEndThatFarInsideTheRim) {
+  Setting s(false);
+  EXPECT_GT(plan_inside(s, 0.0).plan->goal_distance_m, 0.0185) << "the cheapest is on the rim";
+  for (const double margin_m : {0.005, 0.012}) {
+    const PlanResult result = plan_inside(s, margin_m);
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+    EXPECT_LE(result.plan->goal_distance_m, 0.02 - margin_m);
+    EXPECT_THAT(result.warnings, IsEmpty());
+    expect_lawful(s, *result.plan);
+  }
+}
+
+TEST(GoalMargin, WhereTheGoalIsSmallerItsCentreIsAimedAt) {
+  Setting s(false);
+  const PlanResult result = plan_inside(s, 0.05, 4000);
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_LE(result.plan->goal_distance_m, 0.2 * 0.02);
+  ASSERT_EQ(result.warnings.size(), 1U);
+  EXPECT_THAT(result.warnings[0], HasSubstr("2.00 cm is hardly larger than the model's error, 5.00"));
+}
+
+TEST(Clearance, WhereNothingKeepsItTheLargestThatGaveAPlanIsNamed) {
+  Setting s(false);
+  constexpr double kTooMuchM = 0.08;
+  PlannerLimits limits;
+  limits.iterations = 4000;
+  const PlanResult result =
+      make_planner("default")->plan({s.arm, s.model, s.environment, kTooMuchM}, limits, 3);
+  ASSERT_FALSE(result.plan);
+  ASSERT_TRUE(result.largest_clearance_m) << result.reason;
+  EXPECT_LT(*result.largest_clearance_m, kTooMuchM);
+  EXPECT_GT(*result.largest_clearance_m, 0.0);
+  EXPECT_THAT(result.reason, HasSubstr("with less clearance than the 8.00 cm asked for"));
+  EXPECT_LE(result.statistics.iterations, 4000U);
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,191 @@
+#include "src/planning/plan_ladder.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/planning/certified_planner.hpp"
+#include "limber/planning/default_planner.hpp"
+#include "planning/planner_setting.hpp"
+#include "src/planning/plan_result.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Refuses what is cheaper than it likes, and remembers what it was asked.
+class Dear final : public PlanJudge {
+ public:
+  explicit Dear(double least_kpa) : least_kpa_(least_kpa) {}
+
+  Verdict judge(Plan& plan, const std::function<bool()>&) override {
+    asked_kpa.push_back(plan.cost_kpa);
+    return plan.cost_kpa >= least_kpa_ ? Verdict::holds : Verdict::refused;
+  }
+
+  std::vector<double> asked_kpa;
+
+ private:
+  double least_kpa_;
+};
+
+class Slow final : public PlanJudge {
+ public:
+  Verdict judge(Plan&, const std::function<bool()>&) override { return Verdict::unfinished; }
+};
+
+/// Plans along a straight line in pressure, `extra_kpa` dearer than the way there needs.
+std::vector<Pressures> detour(const Pressures& to, float extra_kpa) {
+  const Pressures start = Pressures::Zero(to.size());
+  Pressures beyond = to;
+  beyond[0] += 0.5F * extra_kpa * (to[0] < 0.0F ? -1.0F : 1.0F);
+  return {start, beyond, to};
+}
+
+struct Ladder {
+  Setting setting{false};
+  PlanningProblem problem{setting.arm, setting.model, setting.environment};
+  CollisionChecker checker{setting.arm, {}};
+  MotionSimulator simulator{setting.arm, setting.model, checker};
+  PlannerLimits limits = [] {
+    PlannerLimits some;
+    some.iterations = 10;
+    return some;
+  }();
+  PlannerCallback nobody;
+  PlannerBudget budget{limits, nobody};
+  Pressures goal_kpa = Pressures::Constant(3, 20.0F);
+
+  PlanLadder with(PlanJudge* judge) {
+    setting.environment.obstacles.clear();
+    const PlanResult found = setting.plan("default", 400);
+    goal_kpa = found.plan->waypoints_kpa.back();
+    problem.judge = judge;
+    return {problem, simulator, budget, "test", 1};
+  }
+  double cost_kpa(float extra_kpa) const { return goal_kpa.lpNorm<1>() + extra_kpa; }
+};
+
+TEST(PlanLadder, ARefusedPlanTakesThoseBeforeItAlong) {
+  Ladder s;
+  Dear probe(0.0);
+  PlanLadder ladder = s.with(&probe);
+  Dear judge(s.cost_kpa(19.9F));
+  s.problem.judge = &judge;
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 22.0F), 5));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 21.0F), 6));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 20.0F), 7));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 19.0F), 8));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 18.0F), 9));
+  EXPECT_EQ(judge.asked_kpa.size(), 1U) << "a per cent or so is not worth a certificate yet";
+  PlanResult result;
+  EXPECT_TRUE(ladder.settle(result, 10));
+  ASSERT_EQ(result.status, PlanStatus::solved);
+  EXPECT_NEAR(result.plan->cost_kpa, s.cost_kpa(20.0F), 1e-2) << "the cheapest that holds";
+  EXPECT_EQ(judge.asked_kpa.size(), 4U) << "from the cheapest up";
+  EXPECT_EQ(result.first_solution->queries, 5U);
+}
+
+TEST(PlanLadder, WhatIsNotablyCheaperIsJudgedAtOnceAndNotBuiltUponWhereItIsRefused) {
+  Ladder s;
+  Dear probe(0.0);
+  PlanLadder ladder = s.with(&probe);
+  Dear judge(s.cost_kpa(50.0F));
+  s.problem.judge = &judge;
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 100.0F), 1));
+  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 5.0F), 2));
+  EXPECT_EQ(judge.asked_kpa.size(), 2U);
+  EXPECT_NEAR(*ladder.best_cost_kpa(), s.cost_kpa(100.0F), 1e-2);
+}
+
+TEST(PlanLadder, WithEveryPlanRefusedTheCheapestIsKeptAsNoSolution) {
+  Ladder s;
+  Dear probe(0.0);
+  PlanLadder ladder = s.with(&probe);
+  Dear judge(1e9);
+  s.problem.judge = &judge;
+  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 9.0F), 1));
+  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 8.0F), 1));
+  EXPECT_FALSE(ladder.best_cost_kpa());
+  PlanResult result;
+  EXPECT_TRUE(ladder.settle(result, 1));
+  EXPECT_EQ(result.status, PlanStatus::not_certified);
+  EXPECT_FALSE(result.plan);
+  EXPECT_FALSE(result.first_solution);
+  EXPECT_NEAR(result.best_partial->cost_kpa, s.cost_kpa(8.0F), 1e-2);
+}
+
+TEST(PlanLadder, APlanWhoseJudgeRanOutOfTimeIsNoSolution) {
+  Ladder s;
+  Dear probe(0.0);
+  PlanLadder ladder = s.with(&probe);
+  Slow judge;
+  s.problem.judge = &judge;
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 9.0F), 1));
+  PlanResult result;
+  EXPECT_TRUE(ladder.settle(result, 1));
+  EXPECT_EQ(result.status, PlanStatus::limit);
+  EXPECT_THAT(result.reason, HasSubstr("certificate was not finished"));
+  EXPECT_FALSE(result.plan);
+}
+
+/// Its cheapest plan goes straight through whatever stands in the way.
+class Reckless final : public Planner {
+ public:
+  Reckless(std::vector<Pressures> sound, std::vector<Pressures> reckless)
+      : sound_(std::move(sound)), reckless_(std::move(reckless)) {}
+  const char* name() const override { return "reckless"; }
+  PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
+                  const PlannerCallback& callback) override {
+    const CollisionChecker blind(problem.arm, {});
+    MotionSimulator simulator(problem.arm, problem.model, blind);
+    PlannerBudget budget(limits, callback);
+    PlanLadder ladder(problem, simulator, budget, name(), seed);
+    (void)ladder.offer(sound_, 1);
+    (void)ladder.offer(reckless_, 2);
+    PlanResult result;
+    finish_search(problem, simulator, budget, {ladder, 2, sound_}, name(), seed, result);
+    return result;
+  }
+
+ private:
+  std::vector<Pressures> sound_, reckless_;
+};
+
+TEST(CertifiedPlanner, ReturnsTheBestPlanThatItsCertificateLetsStand) {
+  Setting s(false);
+  const PlanResult sound = s.plan("default", 1500);
+  ASSERT_TRUE(sound.plan);
+  const std::vector<Pressures>& way = sound.plan->waypoints_kpa;
+  const std::vector<Pressures> straight{way.front(), way.back()};
+  ASSERT_LT(motion_cost_kpa(way.front(), way.back()), 0.95 * sound.plan->cost_kpa)
+      << "no way round: nothing would be refused";
+  const PlanResult result = make_certified_planner(std::make_unique<Reckless>(way, straight))
+                                ->plan({s.arm, s.model, s.environment}, [] {
+                                  PlannerLimits limits;
+                                  limits.iterations = 1;
+                                  return limits;
+                                }(), 1, {});
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  EXPECT_EQ(result.plan->waypoints_kpa.size(), way.size());
+  EXPECT_TRUE(result.certificate->certified());
+  EXPECT_GT(result.first_solution->certificate_s, 0.0);
+  expect_lawful(s, *result.plan);
+}
+
+TEST(DefaultPlanner, SearchesOnFromWhatItsJudgeLetsStand) {
+  Setting s(false);
+  PlannerLimits limits;
+  limits.iterations = 1500;
+  const double least_kpa = make_default_planner()
+                               ->plan({s.arm, s.model, s.environment}, limits, 3)
+                               .plan->cost_kpa;
+  Dear judge(1.05 * least_kpa);
+  const PlanningProblem judged{s.arm, s.model, s.environment, 0.0, {}, nullptr, &judge};
+  const PlanResult result = make_default_planner()->plan(judged, limits, 3);
+  ASSERT_EQ(result.status, PlanStatus::solved);
+  EXPECT_GE(result.plan->cost_kpa, 1.05 * least_kpa);
+  EXPECT_LE(result.plan->cost_kpa, 1.3 * least_kpa);
+}
+
+}  // namespace
+}  // namespace limber
