@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "episode_slice.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
@@ -16,19 +17,44 @@ namespace limber {
 
 namespace {
 
-/// Frames [first, first + count) as an episode of their own.
-Episode slice(const Episode& episode, int first, int count) {
-  Episode part;
-  part.time_s = episode.time_s.segment(first, count);
-  part.pressure_kpa = episode.pressure_kpa.middleRows(first, count);
-  part.setpoint_kpa = episode.setpoint_kpa.middleRows(first, count);
-  part.backbone = episode.backbone.middleRows(first, count);
-  part.motion_index.assign(episode.motion_index.begin() + first,
-                           episode.motion_index.begin() + first + count);
-  if (!episode.tracked.empty()) {
-    part.tracked.assign(episode.tracked.begin() + first, episode.tracked.begin() + first + count);
+// Streams of the seed that choose which episodes are held back, and for what.
+constexpr std::uint64_t kValidationStream = 0;
+constexpr std::uint64_t kUnseenStream = 0x756e7365656e;
+constexpr int kFewestUnseenFrames = 20;  // of an episode's end: less says nothing of a prediction
+
+std::int64_t frame_count(const std::vector<Episode>& episodes) {
+  std::int64_t frames = 0;
+  for (const Episode& episode : episodes) {
+    frames += episode.frame_count();
   }
-  return part;
+  return frames;
+}
+
+/// Moves whole episodes from `from` to `to`, in an order drawn by (seed, stream), until `frames`
+/// would be exceeded: one at least goes, and one at least stays. @pre two episodes or more
+void hold_back(std::vector<Episode>& from, std::vector<Episode>& to, double frames,
+               std::uint64_t seed, std::uint64_t stream) {
+  std::vector<std::size_t> order(from.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  RandomStream random(seed, stream);
+  for (std::size_t i = order.size(); i > 1; --i) {
+    std::swap(order[i - 1], order[random.index(static_cast<std::uint32_t>(i))]);
+  }
+  std::int64_t held = 0;
+  std::vector<bool> is_held(from.size(), false);
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+    const int count = from[order[i]].frame_count();
+    if (held > 0 && static_cast<double>(held + count) > frames) {
+      break;
+    }
+    is_held[order[i]] = true;
+    held += count;
+  }
+  std::vector<Episode> kept;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    (is_held[i] ? to : kept).push_back(std::move(from[i]));
+  }
+  from = std::move(kept);
 }
 
 }  // namespace
@@ -49,31 +75,30 @@ TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction
     data.validation.push_back(slice(whole, whole.frame_count() - held, held));
     return data;
   }
-  std::int64_t frames = 0;
-  for (const Episode& episode : episodes) {
-    frames += episode.frame_count();
-  }
-  // Whole episodes in a seeded order until the fraction is held back, one at least staying.
-  std::vector<std::size_t> order(episodes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  RandomStream random(seed, 0);
-  for (std::size_t i = order.size(); i > 1; --i) {
-    std::swap(order[i - 1], order[random.index(static_cast<std::uint32_t>(i))]);
-  }
-  std::int64_t held = 0;
-  std::vector<bool> is_held(episodes.size(), false);
-  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-    const int count = episodes[order[i]].frame_count();
-    if (held > 0 && static_cast<double>(held + count) > fraction * static_cast<double>(frames)) {
-      break;
-    }
-    is_held[order[i]] = true;
-    held += count;
-  }
-  for (std::size_t i = 0; i < episodes.size(); ++i) {
-    (is_held[i] ? data.validation : data.training).push_back(std::move(episodes[i]));
-  }
+  const double frames = fraction * static_cast<double>(frame_count(episodes));
+  data.training = std::move(episodes);
+  hold_back(data.training, data.validation, frames, seed, kValidationStream);
   return data;
+}
+
+void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
+  const double frames =
+      fraction * static_cast<double>(frame_count(data.training) + frame_count(data.validation));
+  const int wanted = static_cast<int>(std::lround(frames));
+  const auto longest = std::ranges::max_element(data.training, {}, &Episode::frame_count);
+  if (longest == data.training.end()) {
+    return;
+  }
+  // Of few long episodes whole ones would take too much from learning.
+  if (longest->frame_count() > 2 * wanted) {
+    if (wanted >= kFewestUnseenFrames) {
+      const int kept = longest->frame_count() - wanted;
+      data.unseen.push_back(slice(*longest, kept, wanted));
+      *longest = slice(*longest, 0, kept);
+    }
+  } else if (data.training.size() > 1) {
+    hold_back(data.training, data.unseen, frames, seed, kUnseenStream);
+  }
 }
 
 TrainingResult train(const ArmDescription& arm, const TrainingData& data,

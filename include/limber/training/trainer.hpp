@@ -18,6 +18,8 @@ struct TrainingData {
   /// What a model to be fine-tuned was trained on before: a share of every epoch's windows
   /// (TrainingSettings::replay_share) comes from here, so that it is not forgotten.
   std::vector<Episode> replay = {};
+  /// What the finished model's error is measured on: `train` never looks at it.
+  std::vector<Episode> unseen = {};
 };
 
 /// Holds back whole episodes for validation, chosen by `seed`: about `fraction` of the frames, at
@@ -25,6 +27,13 @@ struct TrainingData {
 /// @throws InputError where nothing would be left to learn from.
 TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction,
                                   std::uint64_t seed);
+
+/// Then holds back for `data.unseen` about `fraction` of the frames of training and validation:
+/// whole training episodes, chosen by `seed`, of which one stays; or the end of the longest one,
+/// where that is more than twice as long. Nothing where that is too short. What validates stays as
+/// it is. To be called after `hold_back_validation`, or before validation episodes come from
+/// elsewhere.
+void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed);
 
 /// One row of the learning curve.
 struct LearningCurvePoint {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "limber/data/recording.hpp"
+#include "limber/network/learnt_region.hpp"
+#include "limber/training/trainer.hpp"
+
+namespace limber {
+
+/// What `episodes` hold: ranges of pressures and their rates, and of the joint vector along its
+/// principal axes, each widened by kAxisWidening (docs/training.md). Frames in which the arm was
+/// not seen don't count. @throws InputError where it was seen in none.
+LearntRegion learnt_region_of(const std::vector<Episode>& episodes);
+
+/// The union of `region` and of what `episodes` hold: every range is widened to hold both, along
+/// the axes of `region`, which stay. The same region where it held everything already.
+LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episodes);
+
+/// What a model has learnt that was trained on `data`: its training and its replayed episodes, and
+/// what the model held already that it went on from.
+/// @param start  of the model that was fine-tuned; null: none
+LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* start = nullptr);
+
+/// Share of its half range by which an axis' border lies outside of the frames: what the next
+/// recording of the same kind adds to the extremes.
+inline constexpr double kAxisWidening = 0.1;
+
+}  // namespace limber

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "limber/data/recording.hpp"
+
+namespace limber {
+
+/// Frames [first, first + count) as an episode of their own.
+inline Episode slice(const Episode& episode, int first, int count) {
+  Episode part;
+  part.time_s = episode.time_s.segment(first, count);
+  part.pressure_kpa = episode.pressure_kpa.middleRows(first, count);
+  part.setpoint_kpa = episode.setpoint_kpa.middleRows(first, count);
+  part.backbone = episode.backbone.middleRows(first, count);
+  part.motion_index.assign(episode.motion_index.begin() + first,
+                           episode.motion_index.begin() + first + count);
+  if (!episode.tracked.empty()) {
+    part.tracked.assign(episode.tracked.begin() + first, episode.tracked.begin() + first + count);
+  }
+  return part;
+}
+
+}  // namespace limber

@@ -1,0 +1,155 @@
+#include "limber/training/learnt_region_fit.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+#include "limber/common/error.hpp"
+#include "limber/network/backbone_layout.hpp"
+
+namespace limber {
+
+namespace {
+
+// A number that spreads by less is taken to spread by this, or noise in what hardly moves would
+// decide. Of positions and headings as in the loss (docs/training.md).
+constexpr double kLeastPositionSpread_m = 1e-4;
+constexpr double kLeastHeadingSpread_rad = 2e-3;
+constexpr double kLeastPressureShare = 0.01;  // of the pressure that spreads most
+
+// An axis with less variance than this, of numbers whose variance is 1, says nothing but rounding.
+constexpr double kNegligibleVariance = 1e-5;
+constexpr double kLeastHalfRange = 1e-3;  // of an axis along which nothing varies
+
+/// Joint vectors of the frames in which the arm was seen, one a column.
+Eigen::MatrixXd joint_vectors(const Episode& episode) {
+  std::vector<int> seen;
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    if (episode.was_tracked(t)) {
+      seen.push_back(t);
+    }
+  }
+  const Eigen::MatrixXd poses = episode.backbone(seen, Eigen::all).cast<double>().transpose();
+  const Eigen::MatrixXd gaps = gap_poses_of(poses);
+  Eigen::MatrixXd joint(episode.pressure_kpa.cols() + gaps.rows(), gaps.cols());
+  joint << episode.pressure_kpa(seen, Eigen::all).cast<double>().transpose(), gaps;
+  return joint;
+}
+
+/// All frames' joint vectors. @throws InputError where there is none.
+Eigen::MatrixXd joint_vectors(const std::vector<Episode>& episodes) {
+  std::vector<Eigen::MatrixXd> parts;
+  Eigen::Index frames = 0;
+  for (const Episode& episode : episodes) {
+    parts.push_back(joint_vectors(episode));
+    frames += parts.back().cols();
+  }
+  if (frames == 0) {
+    throw InputError("the arm was seen in no frame of the recordings to learn from");
+  }
+  Eigen::MatrixXd all(parts.front().rows(), frames);
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd& part : parts) {
+    all.middleCols(at, part.cols()) = part;
+    at += part.cols();
+  }
+  return all;
+}
+
+/// Ranges of measured pressures, set points and rates of one episode, added to those of `region`.
+void widen_pressures(LearntRegion& region, const Episode& episode) {
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    if (!episode.was_tracked(t)) {
+      continue;
+    }
+    for (const FrameMatrix* kpa : {&episode.pressure_kpa, &episode.setpoint_kpa}) {
+      region.low_kpa = region.low_kpa.cwiseMin(kpa->row(t).transpose());
+      region.high_kpa = region.high_kpa.cwiseMax(kpa->row(t).transpose());
+    }
+    if (t > 0 && episode.was_tracked(t - 1)) {
+      const auto period_s = static_cast<float>(episode.time_s[t] - episode.time_s[t - 1]);
+      const Pressures rate =
+          (episode.pressure_kpa.row(t) - episode.pressure_kpa.row(t - 1)).transpose() / period_s;
+      region.steepest_rise_kpa_per_s = region.steepest_rise_kpa_per_s.cwiseMax(rate);
+      region.steepest_fall_kpa_per_s = region.steepest_fall_kpa_per_s.cwiseMax(-rate);
+    }
+  }
+}
+
+/// Without any frame: the first makes it.
+void forget_ranges(LearntRegion& region, Eigen::Index segments) {
+  constexpr float kNone = std::numeric_limits<float>::max();
+  region.low_kpa = Pressures::Constant(segments, kNone);
+  region.high_kpa = Pressures::Constant(segments, -kNone);
+  region.steepest_fall_kpa_per_s = region.steepest_rise_kpa_per_s = Pressures::Zero(segments);
+  region.axis_low = Eigen::VectorXf::Constant(region.axes.rows(), kNone);
+  region.axis_high = Eigen::VectorXf::Constant(region.axes.rows(), -kNone);
+}
+
+void widen_axes(LearntRegion& region, const Eigen::MatrixXd& joint) {
+  const Eigen::MatrixXd along =
+      region.axes.cast<double>() * (region.joint_scale.cast<double>().asDiagonal() *
+                                    (joint.colwise() - region.joint_offset.cast<double>()));
+  const Eigen::VectorXd low = along.rowwise().minCoeff();
+  const Eigen::VectorXd high = along.rowwise().maxCoeff();
+  const Eigen::VectorXd margin = (kAxisWidening * 0.5 * (high - low)).cwiseMax(kLeastHalfRange);
+  region.axis_low = region.axis_low.cwiseMin((low - margin).cast<float>());
+  region.axis_high = region.axis_high.cwiseMax((high + margin).cast<float>());
+}
+
+/// Deviation of each number, no less than what it is taken to spread by at least.
+Eigen::VectorXd spread_of(const Eigen::MatrixXd& centred, Eigen::Index segments) {
+  Eigen::VectorXd spread = centred.rowwise().norm() / std::sqrt(double(centred.cols()));
+  const double widest = spread.head(segments).maxCoeff();
+  const double least = widest > 0.0 ? kLeastPressureShare * widest : 1.0;
+  spread.head(segments) = spread.head(segments).cwiseMax(least);
+  for (Eigen::Index i = segments; i < spread.size(); ++i) {
+    const bool heading = (i - segments) % 3 == 2;
+    spread[i] = std::max(spread[i], heading ? kLeastHeadingSpread_rad : kLeastPositionSpread_m);
+  }
+  return spread;
+}
+
+}  // namespace
+
+LearntRegion learnt_region_of(const std::vector<Episode>& episodes) {
+  const Eigen::MatrixXd joint = joint_vectors(episodes);
+  const Eigen::Index segments = episodes.front().pressure_kpa.cols();
+  const Eigen::VectorXd mean = joint.rowwise().mean();
+  Eigen::MatrixXd standard = joint.colwise() - mean;
+  const Eigen::VectorXd spread = spread_of(standard, segments);
+  standard = spread.cwiseInverse().asDiagonal() * standard;
+  const Eigen::MatrixXd covariance =
+      standard * standard.transpose() / static_cast<double>(standard.cols());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+  // Ascending variances: the axes that count are the last ones.
+  const Eigen::VectorXd& variance = solver.eigenvalues();
+  const auto kept = std::max<Eigen::Index>((variance.array() > kNegligibleVariance).count(), 1);
+  LearntRegion region;
+  region.joint_offset = mean.cast<float>();
+  region.joint_scale = spread.cwiseInverse().cast<float>();
+  region.axes = solver.eigenvectors().rightCols(kept).rowwise().reverse().transpose().cast<float>();
+  forget_ranges(region, segments);
+  for (const Episode& episode : episodes) {
+    widen_pressures(region, episode);
+  }
+  widen_axes(region, joint);
+  return region;
+}
+
+LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episodes) {
+  for (const Episode& episode : episodes) {
+    widen_pressures(region, episode);
+  }
+  widen_axes(region, joint_vectors(episodes));
+  return region;
+}
+
+LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* start) {
+  LearntRegion region =
+      start != nullptr ? widened_by(*start, data.training) : learnt_region_of(data.training);
+  return data.replay.empty() ? region : widened_by(std::move(region), data.replay);
+}
+
+}  // namespace limber
