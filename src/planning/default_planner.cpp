@@ -10,6 +10,7 @@
 #include "plan_ladder.hpp"
 #include "plan_result.hpp"
 #include "planner_budget.hpp"
+#include "second_opinions.hpp"
 
 namespace limber {
 
@@ -30,6 +31,7 @@ class Run {
         budget_(limits, callback),
         checker_(problem.arm, problem.environment.obstacles, problem.margin_m),
         single_(problem.arm, problem.model, checker_),
+        opinions_(problem, checker_),
         paths_(problem, checker_, {settings.hold_position_m, settings.hold_orientation_rad},
                settings.jobs),
         search_(problem, paths_, settings, seed),
@@ -38,7 +40,7 @@ class Run {
         planner_(planner),
         seed_(seed) {
     for (int i = 0; i < settings.improved_plans; ++i) {
-      improvers_.emplace_back(problem, seed, static_cast<std::uint64_t>(i));
+      improvers_.emplace_back(problem, opinions_, seed, static_cast<std::uint64_t>(i));
     }
   }
 
@@ -132,6 +134,9 @@ class Run {
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a.cost_kpa < b.cost_kpa; });
     for (const BatchSearch::Solution& one : found) {
+      if (!opinions_.agree(search_.waypoints_to(one.node))) {
+        continue;
+      }
       const bool is_cheapest = !has_plan() || one.cost_kpa < *best_cost_kpa();
       if (!is_cheapest || note_plan(search_.waypoints_to(one.node))) {
         waiting_.push_back(one.node);
@@ -198,7 +203,7 @@ class Run {
     finish_search(problem_, single_, budget_,
                   {ladder_, paths_.queries(), search_.waypoints_to(search_.nearest_node())},
                   planner_, seed_, result_);
-    result_.statistics.queries = paths_.queries() + single_.queries();
+    result_.statistics.queries = paths_.queries() + single_.queries() + opinions_.queries();
     close_search(budget_, search_.tree(), end, result_);
   }
 
@@ -206,6 +211,7 @@ class Run {
   PlannerBudget budget_;
   CollisionChecker checker_;
   MotionSimulator single_;
+  SecondOpinions opinions_;
   PathSimulator paths_;
   BatchSearch search_;
   std::optional<ForestSearch> forest_;  // until there is nothing more in it

@@ -48,8 +48,10 @@ double waypoint_cost_kpa(const std::vector<Pressures>& waypoints_kpa) {
   return cost;
 }
 
-PlanImprover::PlanImprover(const PlanningProblem& problem, std::uint64_t seed, std::uint64_t stream)
+PlanImprover::PlanImprover(const PlanningProblem& problem, SecondOpinions& opinions,
+                           std::uint64_t seed, std::uint64_t stream)
     : problem_(problem),
+      opinions_(opinions),
       seed_(seed),
       stream_(kFirstStream * (1 + stream)),
       limit_kpa_(pressure_limits_kpa(problem.arm)),
@@ -227,15 +229,18 @@ void PlanImprover::repair(const Miss& miss) {
 void PlanImprover::settle(const PathOutcome* outcomes) {
   note_misses(outcomes);
   before_kpa_.clear();
-  std::size_t best = candidates_.size();
+  std::vector<std::pair<double, std::size_t>> by_cost;
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    if (outcomes[k].in_goal &&
-        (best == candidates_.size() || candidates_[k].cost_kpa < candidates_[best].cost_kpa)) {
-      best = k;
+    if (outcomes[k].in_goal) {
+      by_cost.emplace_back(candidates_[k].cost_kpa, k);
     }
   }
-  if (best < candidates_.size()) {
-    accept(best, outcomes[best]);
+  std::sort(by_cost.begin(), by_cost.end());
+  for (const auto& [cost_kpa, k] : by_cost) {
+    if (opinions_.agree(candidates_[k].waypoints_kpa)) {
+      accept(k, outcomes[k]);
+      return;
+    }
   }
 }
 

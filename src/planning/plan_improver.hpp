@@ -4,6 +4,7 @@
 
 #include "limber/common/random_stream.hpp"
 #include "path_simulator.hpp"
+#include "second_opinions.hpp"
 
 namespace limber {
 
@@ -19,7 +20,8 @@ double waypoint_cost_kpa(const std::vector<Pressures>& waypoints_kpa);
 class PlanImprover {
  public:
   /// @param stream  tells several improvers of one seed apart
-  PlanImprover(const PlanningProblem& problem, std::uint64_t seed, std::uint64_t stream);
+  PlanImprover(const PlanningProblem& problem, SecondOpinions& opinions, std::uint64_t seed,
+               std::uint64_t stream);
 
   /// Takes over a plan that is a solution.
   /// @param waypoints_kpa  start first
@@ -37,7 +39,7 @@ class PlanImprover {
 
   /// Appends the paths of a few random changes. @pre has_plan
   void propose(std::vector<Path>& paths);
-  /// Accepts the cheapest of those changes that holds. @param outcomes  of the paths proposed
+  /// Accepts the cheapest of those changes that holds, by all opinions. @param outcomes  of the paths proposed
   void settle(const PathOutcome* outcomes);
 
  private:
@@ -72,6 +74,7 @@ class PlanImprover {
   void note_misses(const PathOutcome* outcomes);
 
   const PlanningProblem& problem_;
+  SecondOpinions& opinions_;
   std::uint64_t seed_;
   std::uint64_t stream_;
   Pressures limit_kpa_;

@@ -1,0 +1,44 @@
+#include "second_opinions.hpp"
+
+#include <algorithm>
+
+namespace limber {
+
+SecondOpinions::Other::Other(const PlanningProblem& problem, int member,
+                             const CollisionChecker& checker)
+    : forward(problem.arm, problem.model.compensation().member(member)),
+      simulator(problem.arm, MotionModel(forward, problem.model.valves()), checker) {}
+
+SecondOpinions::SecondOpinions(const PlanningProblem& problem, const CollisionChecker& checker)
+    : problem_(problem), start_(start_of(problem)) {
+  const int members = problem.model.has_network() ? problem.model.compensation().member_count() : 1;
+  for (int member = 1; member < members; ++member) {
+    others_.push_back(std::make_unique<Other>(problem, member, checker));
+  }
+}
+
+bool SecondOpinions::agree(const std::vector<Pressures>& waypoints_kpa) {
+  const PoseGoal& goal = problem_.environment.goal;
+  return std::all_of(others_.begin(), others_.end(), [&](const std::unique_ptr<Other>& other) {
+    MotionState state = start_;
+    for (std::size_t i = 1; i < waypoints_kpa.size(); ++i) {
+      const MotionState from = state;
+      if (!other->simulator.move(from, waypoints_kpa[i], state)) {
+        return false;
+      }
+    }
+    const MotionState end = state;
+    return other->simulator.hold(end, state) &&
+           is_within(goal, pose_error(goal, tip_pose(state.backbone)));
+  });
+}
+
+std::uint64_t SecondOpinions::queries() const {
+  std::uint64_t sum = 0;
+  for (const std::unique_ptr<Other>& other : others_) {
+    sum += other->simulator.queries();
+  }
+  return sum;
+}
+
+}  // namespace limber
