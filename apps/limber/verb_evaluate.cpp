@@ -4,6 +4,7 @@
 #include "limber/training/ensemble_evaluation.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/evaluation_plots.hpp"
+#include "limber/training/unseen_error.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -64,6 +65,15 @@ class EvaluateVerb final : public Verb {
       json["ensemble"] = ensemble_evaluation_to_json(errors);
       text += "network: the member that validated best, as used for planning\n" +
               ensemble_evaluation_to_text(errors);
+    }
+    if (network) {
+      const std::optional<PredictionError> error =
+          measure_prediction_error(arm, network->compensation(), recording.episodes, flags.jobs);
+      json["prediction_error"] = nullptr;
+      if (error) {
+        json["prediction_error"] = prediction_error_to_json(*error);
+        text += prediction_error_to_text(*error) + "\n";
+      }
     }
     print_result(flags, json, text);
     return kExitDone;

@@ -144,6 +144,25 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
       schema.found()));
 }
 
+/// How far the model errs, and what its recordings held.
+void add_what_is_known(const CompensationModel& model, Finding& finding) {
+  if (model.prediction_error) {
+    finding.json["prediction_error"] = prediction_error_to_json(*model.prediction_error);
+    finding.text += "\n  " + prediction_error_to_text(*model.prediction_error);
+  } else {
+    finding.text += "\n  error on unseen motions: not measured";
+  }
+  if (model.learnt) {
+    finding.json["learnt"] = learnt_region_to_json(*model.learnt);
+    finding.text += "\n  learnt from";
+    for (const std::string& line : learnt_region_lines(*model.learnt)) {
+      finding.text += "\n    " + line;
+    }
+  } else {
+    finding.text += "\n  what it learnt from is not stored";
+  }
+}
+
 Finding inspect_model(const std::string& file, const std::optional<ArmDescription>& arm) {
   const CompensationModel model = read_model(file);
   if (arm) {
@@ -161,7 +180,9 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
                   {"segments", model.segment_count},
                   {"points", model.point_count},
                   {"training", model.training},
-                  {"valves", nullptr}};
+                  {"valves", nullptr},
+                  {"prediction_error", nullptr},
+                  {"learnt", nullptr}};
   finding.text = fmt::format("model of arm '{}' ({}), preset {}\n  {}, {}", model.arm_name,
                              model.arm_hash, model.preset, model.shape(), layout);
   if (model.member_count() > 1) {
@@ -175,6 +196,7 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
     finding.json["valves"] = valves_to_json(valves);
   }
   finding.text += "\n  " + valves_to_text(valves);
+  add_what_is_known(model, finding);
   return finding;
 }
 

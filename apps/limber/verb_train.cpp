@@ -13,7 +13,9 @@
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/training/fine_tuning.hpp"
+#include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/trainer.hpp"
+#include "limber/training/unseen_error.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -37,6 +39,9 @@ class TrainVerb final : public Verb {
     app.add_option("--data", data_, "Recording to learn from; repeat for more")->required();
     app.add_option("--validation", validation_,
                    "Recording that chooses the best epoch; else whole episodes are held back");
+    app.add_option("--unseen", unseen_,
+                   "Recording that neither trains nor chooses: the model's error is measured on "
+                   "it; else whole episodes are held back");
     app.add_option("--preset", preset_, "paper: as published; best: the default")
         ->check(CLI::IsMember({"paper", "best"}))
         ->capture_default_str();
@@ -131,6 +136,10 @@ class TrainVerb final : public Verb {
     }
     result.model.training["data"] = sources;
     result.model.set_valves(valves);
+    result.model.learnt =
+        learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
+    result.model.prediction_error =
+        measure_prediction_error(arm, result.model, data.unseen, flags.jobs);
     if (!from_.empty()) {
       result.model.training["from"] = content_hash(read_file(from_));
     }
@@ -143,7 +152,7 @@ class TrainVerb final : public Verb {
     if (result.status == TrainingStatus::finished) {
       remove_checkpoint();
     }
-    report(flags, result, changes);
+    report(flags, result, changes, !data.unseen.empty());
     if (result.status == TrainingStatus::interrupted) {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
@@ -239,11 +248,21 @@ class TrainVerb final : public Verb {
       names.push_back(fs::path(path).filename().string());
     }
     valves = identify_valves(episodes, arm, fmt::format("{}", fmt::join(names, ", ")));
+    TrainingData data;
     if (validation_.empty()) {
-      return hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
+      data = hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
+    } else {
+      data.training = std::move(episodes);
     }
-    Recording recording = read_usable(flags, arm, validation_);
-    return {std::move(episodes), std::move(recording.episodes)};
+    if (unseen_.empty()) {
+      hold_back_unseen(data, kUnseenShare, settings.seed);
+    } else {
+      data.unseen = read_usable(flags, arm, unseen_).episodes;
+    }
+    if (!validation_.empty()) {
+      data.validation = read_usable(flags, arm, validation_).episodes;
+    }
+    return data;
   }
 
   void remove_checkpoint() const {
@@ -277,7 +296,7 @@ class TrainVerb final : public Verb {
   }
 
   void report(const CommonFlags& flags, const TrainingResult& result,
-              const std::optional<FineTuningReport>& changes) const {
+              const std::optional<FineTuningReport>& changes, bool has_unseen) const {
     const char* status = result.status == TrainingStatus::finished      ? "finished"
                          : result.status == TrainingStatus::interrupted ? "interrupted"
                                                                         : "diverged";
@@ -298,6 +317,13 @@ class TrainVerb final : public Verb {
     if (result.model.member_count() > 1) {
       json["member_validation_position_error_cm"] = result.member_validation_position_error_cm;
     }
+    json["prediction_error"] = nullptr;
+    if (result.model.prediction_error) {
+      json["prediction_error"] = prediction_error_to_json(*result.model.prediction_error);
+    }
+    if (result.model.learnt) {
+      json["learnt"] = learnt_region_to_json(*result.model.learnt);
+    }
     if (changes) {
       json["fine_tuning"] = to_json(*changes);
     }
@@ -311,19 +337,33 @@ class TrainVerb final : public Verb {
                           result.model.member_count() > 1 ? ", mean of the networks" : "");
     print_result(
         flags, json,
-        fmt::format("{}: {}{} ({}), {} epochs in {:.1f} s, {}; {}{}", out_,
+        fmt::format("{}: {}{} ({}), {} epochs in {:.1f} s, {}; {}\n{}{}", out_,
                     result.model.member_count() > 1
                         ? fmt::format("{} networks ", result.model.member_count())
                         : "",
                     result.model.shape(), result.model.preset, last.epoch, result.wall_time_s,
-                    status, chosen, changes ? "\n" + to_text(*changes) : ""));
+                    status, chosen, error_line(result.model, has_unseen),
+                    changes ? "\n" + to_text(*changes) : ""));
+  }
+
+  /// How far the model errs on motions that it has not seen, or why that is not known.
+  static std::string error_line(const CompensationModel& model, bool has_unseen) {
+    if (model.prediction_error) {
+      return prediction_error_to_text(*model.prediction_error);
+    }
+    return has_unseen ? "the model's error could not be measured: its predictions run off, or the "
+                        "arm was seen too little"
+                      : "no motions were left to measure the model's error on; give --unseen "
+                        "RECORDING";
   }
 
   static constexpr double kValidationShare = 0.1;
+  static constexpr double kUnseenShare = 0.1;
 
   std::string arm_ = "three_segment";
   std::vector<std::string> data_;
   std::string validation_;
+  std::string unseen_;
   std::string preset_ = "best";
   std::string from_;
   std::vector<std::string> old_data_;

@@ -28,12 +28,22 @@ constexpr Stage kStages[] = {
 };
 
 // Written whatever the arm; found in the way before the work begins.
-constexpr const char* kFiles[] = {
-    "arm.yaml",           "characterisation.svg", "train_part.h5",
-    "train.h5",           "validation.h5",        "test.h5",
-    "model.safetensors",  "learning_curve.csv",   "bench.json",
-    "learning_curve.svg", "evaluation.json",      "plots/inflate_deflate.svg",
-    "report.html",        "plots/bench.svg",      "summary.json"};
+constexpr const char* kFiles[] = {"arm.yaml",
+                                  "characterisation.svg",
+                                  "train_part.h5",
+                                  "train.h5",
+                                  "validation.h5",
+                                  "unseen.h5",
+                                  "test.h5",
+                                  "model.safetensors",
+                                  "learning_curve.csv",
+                                  "bench.json",
+                                  "learning_curve.svg",
+                                  "evaluation.json",
+                                  "plots/inflate_deflate.svg",
+                                  "report.html",
+                                  "plots/bench.svg",
+                                  "summary.json"};
 
 }  // namespace
 

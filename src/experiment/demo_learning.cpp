@@ -13,6 +13,8 @@
 #include "limber/hardware/collection.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/hardware/virtual_arm_factory.hpp"
+#include "limber/training/learnt_region_fit.hpp"
+#include "limber/training/unseen_error.hpp"
 #include "limber/training/valve_plot.hpp"
 
 namespace limber {
@@ -24,6 +26,7 @@ enum SeedOf : std::uint64_t {
   kTestSeed = 0,
   kValidationSeed = 1,
   kTrainingSeed = 2,
+  kUnseenSeed = 3,
   kScheduleSeed = 16
 };
 
@@ -92,6 +95,9 @@ void collect_stage(DemoResults& results) {
   results.validation = record(results, results.recipe.validation_schedule,
                               derived_seed(seed, kValidationSeed), "validation.h5")
                            .episodes;
+  results.unseen =
+      record(results, results.recipe.unseen_schedule, derived_seed(seed, kUnseenSeed), "unseen.h5")
+          .episodes;
   results.test_recording =
       record(results, results.recipe.test_schedule, derived_seed(seed, kTestSeed), "test.h5");
 }
@@ -109,6 +115,9 @@ void train_stage(DemoResults& results) {
   }
   results.training.model.set_valves(
       identify_valves(results.training_recording.episodes, results.arm(), "train.h5"));
+  results.training.model.learnt = learnt_region_of(data);
+  results.training.model.prediction_error = measure_prediction_error(
+      results.arm(), results.training.model, results.unseen, settings.jobs);
   results.training.model.training["data"] =
       "train.h5 " + content_hash(read_file(results.file("train.h5")));
   results.output->write_with({"model.safetensors"}, [&] {

@@ -54,6 +54,7 @@ DemoRecipe full_recipe(const ArmDescription& arm) {
   recipe.training_schedules = {transitions(arm, 729), random(2000, Approach::step),
                                plan_like(1500)};
   recipe.validation_schedule = one_episode(60);
+  recipe.unseen_schedule = plan_like(100);
   recipe.test_schedule = one_episode(100);
   recipe.training = best_preset();
   recipe.environments = {"02_two_pillars", "03_gap_in_a_wall", "08_overshoot_in_clutter"};
@@ -64,6 +65,7 @@ DemoRecipe quick_recipe(const ArmDescription& arm) {
   DemoRecipe recipe = full_recipe(arm);
   recipe.training_schedules = {transitions(arm, 729), random(300, Approach::step), plan_like(300)};
   recipe.validation_schedule = one_episode(30);
+  recipe.unseen_schedule = plan_like(50);
   set_epoch_count(recipe.training, 200);
   recipe.bench_queries = 100'000;
   recipe.plans_per_environment = 1;

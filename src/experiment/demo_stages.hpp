@@ -34,6 +34,7 @@ struct DemoResults {
 
   Recording training_recording;
   std::vector<Episode> validation;
+  std::vector<Episode> unseen;
   Recording test_recording;
 
   TrainingResult training;

@@ -109,15 +109,15 @@ nlohmann::ordered_json learnt_region_to_json(const LearntRegion& region) {
   return {{"segments", segments}, {"axes", region.axes.rows()}};
 }
 
-std::string learnt_region_to_text(const LearntRegion& region, const std::string& unit) {
-  std::string text;
+std::vector<std::string> learnt_region_lines(const LearntRegion& region, const std::string& unit) {
+  std::vector<std::string> lines;
   for (int i = 0; i < region.segment_count(); ++i) {
-    text += fmt::format(
-        "{}segment {}: {} {:.3g} … {:.3g} {}, rates {:.3g} … {:.3g} {}/s", i == 0 ? "" : "\n", i,
-        unit == "kPa" ? "pressures" : "commands", region.low_kpa[i], region.high_kpa[i], unit,
-        -region.steepest_fall_kpa_per_s[i], region.steepest_rise_kpa_per_s[i], unit);
+    lines.push_back(fmt::format("segment {}: {} {:.3g} … {:.3g} {}, rates {:.3g} … {:.3g} {}/s", i,
+                                unit == "kPa" ? "pressures" : "commands", region.low_kpa[i],
+                                region.high_kpa[i], unit, -region.steepest_fall_kpa_per_s[i],
+                                region.steepest_rise_kpa_per_s[i], unit));
   }
-  return text;
+  return lines;
 }
 
 }  // namespace limber

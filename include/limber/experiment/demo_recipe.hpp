@@ -15,6 +15,9 @@ struct DemoRecipe {
   /// Recorded one after another and joined; schedule k is drawn by its own seed.
   std::vector<ScheduleSettings> training_schedules;
   ScheduleSettings validation_schedule;
+  /// Motions as a plan makes them, which neither train nor choose: the model's error is measured on
+  /// them.
+  ScheduleSettings unseen_schedule;
   ScheduleSettings test_schedule;  ///< one unbroken episode, never trained on
   TrainingSettings training;
   std::int64_t bench_queries = 1000000;
