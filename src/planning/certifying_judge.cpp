@@ -19,21 +19,27 @@ bool is_same_motion(const Plan& a, const Plan& b) {
 
 }  // namespace
 
-CertifyingJudge::CertifyingJudge(const PlanningProblem& asked)
-    : asked_(asked), environment_hash_(environment_hash(asked.environment)) {}
+/// Made when the first plan comes: most searches that find none need it for nothing.
+const Certifier& CertifyingJudge::certifier() {
+  if (!certifier_) {
+    certifier_.emplace(asked_.arm,
+                       asked_.model.has_network() ? &asked_.model.compensation() : nullptr,
+                       asked_.model.valves().parameters(), asked_.environment);
+  }
+  return *certifier_;
+}
 
-void CertifyingJudge::name_problem(Plan& plan) const {
-  plan.environment_hash = environment_hash_;
+void CertifyingJudge::name_problem(Plan& plan) {
+  plan.environment_hash = certifier().environment_hash();
   plan.margin_m = asked_.margin_m;
 }
 
 PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()>& give_up) {
   name_problem(plan);
-  const CompensationModel* network =
-      asked_.model.has_network() ? &asked_.model.compensation() : nullptr;
-  Certificate certificate = certify(plan, asked_.arm, network,
-                                    asked_.model.valves().parameters(), asked_.environment);
-  (void)give_up;
+  Certificate certificate = certifier().certify(plan, give_up);
+  if (certificate.unfinished) {
+    return Verdict::unfinished;
+  }
   if (certificate.certified() && stays_within(plan)) {
     plan.certified = CertifiedFigures{certificate.clearance_m, certificate.largest_deviation_m};
     held_ = std::move(certificate);

@@ -13,22 +13,23 @@ namespace limber {
 /// asked, and what stays within the recordings where that is asked for. Borrows the problem.
 class CertifyingJudge final : public PlanJudge {
  public:
-  explicit CertifyingJudge(const PlanningProblem& asked);
+  explicit CertifyingJudge(const PlanningProblem& asked) : asked_(asked) {}
 
   Verdict judge(Plan& plan, const std::function<bool()>& give_up) override;
 
   /// Writes into the plan what it was asked for: planners see a problem with a little less room.
-  void name_problem(Plan& plan) const;
+  void name_problem(Plan& plan);
 
   /// Adds to a planner's result the certificate of its plan, or why there is none. A plan that
   /// nobody asked about, or that was changed since, is judged now.
   void report(PlanResult& result);
 
  private:
+  const Certifier& certifier();
   bool stays_within(const Plan& plan) const;
 
   const PlanningProblem& asked_;
-  std::string environment_hash_;
+  std::optional<Certifier> certifier_;
   std::optional<Certificate> held_;     // of the last plan that holds: the cheapest
   Plan held_plan_;
   std::optional<Certificate> refused_;  // of the cheapest that was refused

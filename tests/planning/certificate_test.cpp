@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/cpu_level.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/network/untrained_model.hpp"
@@ -25,7 +27,9 @@
 #include "limber/planning/pressure_rrt_star.hpp"
 #include "planning/dense_oracle.hpp"
 #include "planning/play_model.hpp"
+#include "src/planning/certificate/covered_obstacle.hpp"
 #include "src/planning/certificate/exact_arm.hpp"
+#include "src/planning/certificate/exact_network.hpp"
 #include "src/planning/certificate/swept_clearance.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -34,8 +38,11 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::Contains;
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Pointwise;
 using ::testing::ThrowsMessage;
 
 constexpr double kFloatModelM = 2e-6;  // float32 forward model over a 0.7 m arm, one step
@@ -121,6 +128,53 @@ TEST(ExactArm, AgreesWithTheForwardModelInEveryLayoutAndForm) {
   }
 }
 
+// Row by row and number by number, as docs/model.md has it.
+TEST(ExactNetwork, AgreesWithPlainLoopsAndToTheBitOnEveryCpu) {
+  constexpr double kRounding = 1e-13;
+  const ArmDescription arm = three_segment_arm();
+  RandomStream random(6, 0);
+  for (const int width : {1, 7, 33, 100}) {
+    const CompensationModel model = untrained_model(arm, BackboneLayout::gap_poses, {width, width},
+                                                    9, OutputForm::gated_change);
+    ExactNetwork::Workspace workspace;
+    for (std::vector<double>& input : workspace.input) {
+      for (Eigen::Index k = 0; k < model.input.scale.size(); ++k) {
+        input.push_back(random.uniform(-1.0, 1.0));
+      }
+    }
+    ExactNetwork(model, CpuLevel::baseline).run(workspace);
+    const auto output = workspace.output;
+    for (const CpuLevel level : available_cpu_levels()) {
+      ExactNetwork(model, level).run(workspace);
+      EXPECT_EQ(workspace.output, output) << to_string(level);
+    }
+    for (std::size_t c = 0; c < 2; ++c) {
+      std::vector<double> values;
+      for (Eigen::Index k = 0; k < model.input.scale.size(); ++k) {
+        values.push_back(
+            (workspace.input[c][static_cast<std::size_t>(k)] - double(model.input.offset[k])) *
+            double(model.input.scale[k]));
+      }
+      for (const Layer& layer : model.layers) {
+        std::vector<double> next;
+        for (Eigen::Index row = 0; row < layer.weight.rows(); ++row) {
+          double sum = double(layer.bias[row]);
+          for (Eigen::Index k = 0; k < layer.weight.cols(); ++k) {
+            sum += double(layer.weight(row, k)) * values[static_cast<std::size_t>(k)];
+          }
+          next.push_back(&layer == &model.layers.back() ? sum : std::max(sum, 0.0));
+        }
+        values = next;
+      }
+      for (Eigen::Index k = 0; k < model.output.scale.size(); ++k) {
+        double& value = values[static_cast<std::size_t>(k)];
+        value = value / double(model.output.scale[k]) + double(model.output.offset[k]);
+      }
+      EXPECT_THAT(output[c], Pointwise(DoubleNear(kRounding), values)) << width;
+    }
+  }
+}
+
 TEST(SweptClearance, AgreesWithDenseSamplingInSpaceAndTime) {
   constexpr double kToleranceM = 1e-4;
   constexpr int kSamplesPerGap = 13;
@@ -185,6 +239,92 @@ TEST(SweptClearance, DistanceToAnOutlineIsThatOverAllItsEdges) {
     }
     EXPECT_GT(inside, 10);
     EXPECT_LT(inside, 200);
+  }
+}
+
+/// Simple, not convex, and as ragged as its corners are many.
+Polygon ragged_polygon(int corners, RandomStream& random) {
+  Polygon polygon;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * (i + random.uniform(0.0, 0.9)) / corners;
+    const double radius = 0.1 + 0.04 * std::sin(3.0 * angle) + random.uniform(0.0, 0.03);
+    polygon.points_m.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return polygon;
+}
+
+/// All edges, one by one: distance to the outline, negative where a ray meets it an odd number of
+/// times.
+double brute_force_distance(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  bool inside = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector2d& a = corners[i];
+    const Eigen::Vector2d ab = corners[(i + 1) % corners.size()] - a;
+    const double along = std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (p - a - along * ab).norm());
+    const double height = p.y() - a.y();
+    if ((height < 0.0) != (height < ab.y()) && p.x() < a.x() + ab.x() * height / ab.y()) {
+      inside = !inside;
+    }
+  }
+  return inside ? -nearest : nearest;
+}
+
+TEST(PolygonOutline, AThousandRandomCornersAreReadAsByBruteForce) {
+  constexpr double kRoundingM = 1e-12;
+  RandomStream random(4, 0);
+  int inside = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    Polygon polygon = ragged_polygon(1000, random);
+    if (trial % 2 == 0) {
+      std::reverse(polygon.points_m.begin(), polygon.points_m.end());
+    }
+    const PolygonOutline outline(polygon);
+    EXPECT_FALSE(outline.is_convex());
+    for (int i = 0; i < 200; ++i) {
+      const Eigen::Vector2d p(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
+      const double expected = brute_force_distance(polygon.points_m, p);
+      EXPECT_NEAR(outline.distance_m({p.x(), p.y()}), expected, kRoundingM) << trial << ' ' << i;
+      inside += expected < 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 500);
+  EXPECT_LT(inside, 3500);
+}
+
+// The bound that convex obstacles are skipped by: from any point to any other, inside or outside.
+TEST(CoveredObstacle, AConvexOneLiesBehindAStraightLine) {
+  constexpr double kRoundingM = 1e-12;
+  RandomStream random(5, 0);
+  Polygon round;
+  for (int i = 0; i < 50; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / 50;
+    round.points_m.emplace_back(0.1 * std::cos(angle), 0.07 * std::sin(angle));
+  }
+  Polygon reversed = round;
+  std::reverse(reversed.points_m.begin(), reversed.points_m.end());
+  EXPECT_TRUE(PolygonOutline(round).is_convex());
+  EXPECT_TRUE(PolygonOutline(reversed).is_convex());
+  // A pentagram turns to one side only, but twice.
+  Polygon pentagram;
+  for (int i = 0; i < 5; ++i) {
+    const double angle = 4.0 * std::numbers::pi * i / 5;
+    pentagram.points_m.emplace_back(0.1 * std::cos(angle), 0.1 * std::sin(angle));
+  }
+  EXPECT_FALSE(PolygonOutline(pentagram).is_convex());
+  for (const Obstacle& obstacle :
+       {Obstacle(Circle{0.01, 0.02, 0.08}), Obstacle(Rectangle{0.02, -0.01, 0.15, 0.06, 0.7}),
+        Obstacle(round), Obstacle(reversed)}) {
+    const CoveredObstacle covered(obstacle);
+    for (int i = 0; i < 2000; ++i) {
+      const std::complex<double> p(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
+      const std::complex<double> q(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2));
+      const Reading reading = covered.read(p);
+      ASSERT_NEAR(std::abs(reading.away), 1.0, kRoundingM);
+      const double bound = reading.distance_m + ((q - p) * std::conj(reading.away)).real();
+      EXPECT_GE(covered.read(q).distance_m, bound - kRoundingM) << obstacle_kind(obstacle);
+    }
   }
 }
 
@@ -330,6 +470,42 @@ TEST(Certificate, CollisionsAndMissedGoalsAreNamedWithPlateObstacleAndAmount) {
   }
 }
 
+TEST(Certifier, SaysTheSameOfEveryPlanAsOneMadeForItAlone) {
+  const Solved& s = solved();
+  const ValveParameters ideal;
+  const Certifier certifier(s.arm, &s.model.compensation(), ideal, s.environment);
+  EXPECT_EQ(certifier.environment_hash(), environment_hash(s.environment));
+  Plan other = s.plan;
+  other.frames[7].backbone(9, 0) += 2e-4F;
+  for (const Plan& plan : {s.plan, other, s.plan}) {
+    const Certificate again = certifier.certify(plan);
+    const Certificate alone = s.certificate(plan);
+    EXPECT_EQ(certificate_to_json(again, s.environment), certificate_to_json(alone, s.environment));
+    EXPECT_FALSE(again.unfinished);
+  }
+}
+
+// Whenever it gives up, it says so, and is never certified.
+TEST(Certifier, GivesUpWhenAskedTo) {
+  const Solved& s = solved();
+  ASSERT_FALSE(s.plan.frames.empty());
+  const ValveParameters ideal;
+  const Certifier certifier(s.arm, &s.model.compensation(), ideal, s.environment);
+  int asked = 0;
+  ASSERT_TRUE(certifier.certify(s.plan, [&] { return ++asked < 0; }).certified());
+  ASSERT_GT(asked, 2 * s.plan.frame_count()) << "simulation and collision both ask";
+  for (int when = 1; when <= asked; ++when) {
+    int left = when;
+    const Certificate certificate = certifier.certify(s.plan, [&] { return --left <= 0; });
+    EXPECT_TRUE(certificate.unfinished);
+    EXPECT_FALSE(certificate.certified());
+    ASSERT_THAT(failed_checks(certificate), ElementsAre("unfinished")) << when;
+    EXPECT_THAT(certificate.failures.front().message,
+                HasSubstr("not finished in the time that was left"));
+    EXPECT_EQ(left, 0) << "asked again after it gave up";
+  }
+}
+
 // Another machine's fit of the same bench test: the same arm, and the plan still holds on it.
 TEST(Certificate, HoldsForTheSameArmFittedElsewhere) {
   const Solved& s = solved();
@@ -417,11 +593,12 @@ TEST(CertifiedPlanner, APlanThatIsRefusedIsADefectAndNoSolution) {
 TEST(Certificate, ItsSourcesIncludeNothingThatThePlannerComputesWith) {
   const std::regex include("#include \"(limber/[^\"]+)\"");
   const std::vector<std::string> allowed{
-      "limber/arm/arm_description.hpp",        "limber/arm/backbone.hpp",
-      "limber/arm/valve_parameters.hpp",       "limber/common/error.hpp",
-      "limber/common/interrupt.hpp",           "limber/common/units.hpp",
-      "limber/network/compensation_model.hpp", "limber/planning/certificate.hpp",
-      "limber/planning/environment.hpp",       "limber/planning/plan.hpp"};
+      "limber/arm/arm_description.hpp",  "limber/arm/backbone.hpp",
+      "limber/arm/valve_parameters.hpp", "limber/common/cpu_level.hpp",
+      "limber/common/error.hpp",         "limber/common/interrupt.hpp",
+      "limber/common/units.hpp",         "limber/network/compensation_model.hpp",
+      "limber/planning/certificate.hpp", "limber/planning/environment.hpp",
+      "limber/planning/plan.hpp"};
   int seen = 0;
   for (const auto& entry : std::filesystem::directory_iterator(
            std::filesystem::path(LIMBER_SOURCE_DIR) / "src/planning/certificate")) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,7 @@ namespace limber {
 /// One thing that is wrong with a plan.
 struct CertificateFailure {
   std::string check;  ///< "limits", "rate", "start", "waypoints", "cost", "hold", "valves",
-                      ///< "model", "collision", "goal", "claims", "seal" or "sizes"
+                      ///< "model", "collision", "goal", "claims", "seal", "sizes" or "unfinished"
   int frame = -1;     ///< the first one that fails; −1 where no frame is to blame
   std::string message;
 };
@@ -46,6 +48,9 @@ struct Certificate {
       std::numeric_limits<double>::quiet_NaN();  ///< of the own simulation's last tip
   double goal_orientation_rad = 0.0;             ///< 0 where the goal asks for none
   int frames = 0;
+  /// Given up before all was looked at; then "unfinished" is the last of the failures. What was
+  /// found until then stands, and what was not looked at has no figure.
+  bool unfinished = false;
 
   bool certified() const { return failures.empty(); }
 
@@ -57,17 +62,47 @@ struct Certificate {
   static constexpr double kClearanceToleranceM = 2e-5;
 };
 
-/// Certifies a plan with nothing of the planner's: own valves and an own forward model in double
-/// precision, run open loop from the environment's start through the stored set points; an own
-/// swept distance (branch and bound over time and arc length); limits, rate, frame rule, cost, hold
-/// and goal checked from their definitions. Collision and goal are judged on the own simulation.
+/// Certifies plans for one problem with nothing of the planner's: own valves and an own forward
+/// model in double precision, run open loop from the environment's start through the stored set
+/// points; an own swept distance (branch and bound over time and arc length); limits, rate, frame
+/// rule, cost, hold and goal checked from their definitions. Collision and goal are judged on the
+/// own simulation.
 ///
-/// @param network  the plan's model; null: the no-load model alone
-/// @param valves   what lies between set points and pressures, by the judge's knowledge: never
-///                 taken from the plan; ideal ones for a plan without valves
-/// @throws InputError where the plan was made for another arm, other valves or another environment
-/// (hashes in the message), or `network` is of another arm. Everything else is a failure in the
-/// result.
+/// Threads: constant after construction; share it freely.
+class Certifier {
+ public:
+  /// Borrows all it gets. Hashes, weights and obstacles are prepared here, so they must not change.
+  /// @param network  the plans' model; null: the no-load model alone
+  /// @param valves   what lies between set points and pressures, by the judge's knowledge: never
+  ///                 taken from a plan; ideal ones for plans without valves
+  Certifier(const ArmDescription& arm, const CompensationModel* network,
+            const ValveParameters& valves, const Environment& environment);
+  Certifier(Certifier&&) noexcept;
+  Certifier& operator=(Certifier&&) noexcept;
+  ~Certifier();
+
+  /// @param give_up  asked often enough for the certificate to end within 5 ms of its turning true
+  ///                 in any environment; the result is then `unfinished`. Empty: never
+  /// @throws InputError where the plan was made for another arm, other valves or another
+  /// environment (hashes in the message), or the network is of another arm. Everything else is a
+  /// failure in the result.
+  /// @throws Interrupted where a signal comes while it looks for collisions.
+  Certificate certify(const Plan& plan, const std::function<bool()>& give_up = {}) const;
+
+  /// Of the environment: what plans have to state. Not free to work out where obstacles have many
+  /// corners.
+  const std::string& environment_hash() const;
+
+ private:
+  struct Problem;
+  class Certification;
+
+  void require_plan_of_problem(const Plan& plan) const;
+
+  std::unique_ptr<const Problem> problem_;
+};
+
+/// One plan, by a Certifier of its own. @throws InputError as Certifier::certify.
 Certificate certify(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
                     const ValveParameters& valves, const Environment& environment);
 

@@ -1,5 +1,6 @@
 #include "limber/planning/certificate.hpp"
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include "exact_arm.hpp"
 #include "exact_valves.hpp"
 #include "frame_checks.hpp"
+#include "give_up.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 #include "swept_clearance.hpp"
@@ -23,6 +25,7 @@ constexpr double kReportedClearanceM = 1.2e-3;  // a planner's own figure may be
 
 ExactArm::Shape shape_of(const Backbone& backbone) {
   ExactArm::Shape shape;
+  shape.reserve(static_cast<std::size_t>(backbone.rows()));
   for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
     shape.push_back({double(backbone(i, 0)), double(backbone(i, 1)), double(backbone(i, 2))});
   }
@@ -70,35 +73,59 @@ Deviation deviation(const ExactArm::Shape& own, const ExactArm::Shape& stored) {
   return largest;
 }
 
+}  // namespace
+
+/// What every plan for one problem is held against.
+struct Certifier::Problem {
+  const ArmDescription& arm;
+  const CompensationModel* network;
+  const ValveParameters& valves;
+  const Environment& environment;
+  std::string arm_hash, valves_hash, environment_hash;
+  std::string network_refusal;  // why the network is not the arm's; empty: it is
+  ExactArm model;
+  SweptClearance clearance;
+};
+
 /// One certification: what the checks share.
-class Certification {
+class Certifier::Certification {
  public:
-  Certification(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
-                const ValveParameters& valves, const Environment& environment)
-      : plan_(plan), arm_(arm), valves_(valves), environment_(environment), model_(arm, network) {}
+  Certification(const Plan& plan, const Problem& problem, const std::function<bool()>& give_up)
+      : plan_(plan),
+        problem_(problem),
+        arm_(problem.arm),
+        valves_(problem.valves),
+        environment_(problem.environment),
+        ask_(give_up),
+        give_up_(give_up) {}
 
   Certificate run() {
+    check();
+    if (give_up_.is_given_up()) {
+      result_.unfinished = true;
+      fail("unfinished", -1, "the certificate was not finished in the time that was left");
+    }
+    return result_;
+  }
+
+ private:
+  void check() {
     result_.frames = plan_.frame_count();
     check_frames(plan_, arm_, result_);
     if (plan_.certified && !plan_.certified->seal_is_intact) {
       fail("seal", -1, "the file was changed since the plan was certified");
     }
     if (has_failed("sizes")) {
-      return result_;  // nothing to simulate
+      return;  // nothing to simulate
     }
     check_start();
     simulate_valves();
     check_settling();
-    simulate();
-    check_deviation();
-    if (check_shapes()) {
-      check_collision();
+    if (simulate() && check_shapes() && check_collision()) {
       check_goal();
     }
-    return result_;
   }
 
- private:
   void fail(const char* check, int frame, std::string message) {
     result_.failures.push_back({check, frame, std::move(message)});
   }
@@ -114,7 +141,7 @@ class Certification {
 
   void check_start() {
     std::vector<double> pressures(arm_.segments.size(), 0.0);
-    ExactArm::Shape shape = model_.no_load(pressures);
+    ExactArm::Shape shape = problem_.model.no_load(pressures);
     if (environment_.start) {
       const ArmStart& start = *environment_.start;
       pressures.assign(start.pressures_kpa.begin(), start.pressures_kpa.end());
@@ -170,40 +197,44 @@ class Certification {
     }
   }
 
-  void simulate() {
+  /// Open loop from the start, and each step from the stored backbone before it beside that.
+  /// @return false where it gave up
+  bool simulate() {
+    ExactNetwork::Workspace workspace;
+    simulated_.reserve(plan_.frames.size());
+    ExactArm::Shape stored = shape_of(plan_.frames.front().backbone);
+    compare(0, stored);
     for (std::size_t k = 1; k < plan_.frames.size(); ++k) {
-      simulated_.push_back(
-          model_.next(pressures_kpa_[k - 1], pressures_kpa_[k], simulated_.back()));
+      if (give_up_.now()) {
+        return false;
+      }
+      std::array<ExactArm::Shape, 2> next = problem_.model.next_two(
+          pressures_kpa_[k - 1], pressures_kpa_[k], {&simulated_.back(), &stored}, workspace);
+      stored = shape_of(plan_.frames[k].backbone);
+      simulated_.push_back(std::move(next[0]));
+      const Deviation of_step = deviation(next[1], stored);
+      if (!(of_step.apart_m <= result_.largest_step_deviation_m)) {
+        result_.largest_step_deviation_m = of_step.apart_m;
+      }
+      compare(k, stored);
     }
+    return true;
   }
 
-  void check_deviation() {
-    ExactArm::Shape before = simulated_.front();
-    for (std::size_t k = 0; k < simulated_.size(); ++k) {
-      const ExactArm::Shape stored = shape_of(plan_.frames[k].backbone);
-      const Deviation of_path = deviation(simulated_[k], stored);
-      const bool agreed =
-          result_.largest_deviation_m <= Certificate::kDeviationM &&
-          result_.largest_heading_deviation_rad <= Certificate::kHeadingDeviationRad;
-      if (!(of_path.apart_m <= result_.largest_deviation_m)) {
-        result_.largest_deviation_m = of_path.apart_m;
-        result_.deviation_frame = static_cast<int>(k);
-      }
-      if (!(of_path.turned_rad <= result_.largest_heading_deviation_rad)) {
-        result_.largest_heading_deviation_rad = of_path.turned_rad;
-      }
-      if (k > 0) {
-        const Deviation of_step =
-            deviation(model_.next(pressures_kpa_[k - 1], pressures_kpa_[k], before), stored);
-        if (!(of_step.apart_m <= result_.largest_step_deviation_m)) {
-          result_.largest_step_deviation_m = of_step.apart_m;
-        }
-      }
-      if (agreed && !(of_path.apart_m <= Certificate::kDeviationM &&
-                      of_path.turned_rad <= Certificate::kHeadingDeviationRad)) {
-        fail_model(static_cast<int>(k), of_path);
-      }
-      before = stored;
+  void compare(std::size_t k, const ExactArm::Shape& stored) {
+    const Deviation of_path = deviation(simulated_[k], stored);
+    const bool agreed = result_.largest_deviation_m <= Certificate::kDeviationM &&
+                        result_.largest_heading_deviation_rad <= Certificate::kHeadingDeviationRad;
+    if (!(of_path.apart_m <= result_.largest_deviation_m)) {
+      result_.largest_deviation_m = of_path.apart_m;
+      result_.deviation_frame = static_cast<int>(k);
+    }
+    if (!(of_path.turned_rad <= result_.largest_heading_deviation_rad)) {
+      result_.largest_heading_deviation_rad = of_path.turned_rad;
+    }
+    if (agreed && !(of_path.apart_m <= Certificate::kDeviationM &&
+                    of_path.turned_rad <= Certificate::kHeadingDeviationRad)) {
+      fail_model(static_cast<int>(k), of_path);
     }
   }
 
@@ -229,10 +260,16 @@ class Certification {
     return true;
   }
 
-  void check_collision() {
-    const SweptClearance::Result swept =
-        SweptClearance(arm_, environment_.obstacles, Certificate::kClearanceToleranceM)
-            .over(simulated_);
+  /// @return false where it gave up
+  bool check_collision() {
+    if (give_up_.now()) {
+      return false;
+    }
+    const SweptClearance::Result swept = problem_.clearance.over(simulated_, ask_);
+    if (!swept.is_finished) {
+      give_up_.give_up();
+      return false;
+    }
     result_.clearance_m = swept.value_m;
     result_.clearance_frame = swept.frame;
     result_.clearance_gap = swept.gap;
@@ -252,6 +289,7 @@ class Certification {
       fail("claims", -1,
            fmt::format("clearance_m = {:.6g}; found {:.6g}", plan_.clearance_m, swept.value_m));
     }
+    return true;
   }
 
   void check_goal() {
@@ -287,46 +325,95 @@ class Certification {
   }
 
   const Plan& plan_;
+  const Problem& problem_;
   const ArmDescription& arm_;
   const ValveParameters& valves_;
   const Environment& environment_;
-  ExactArm model_;
+  const std::function<bool()>& ask_;
+  GiveUp give_up_;
   ExactValves::Configurations pressures_kpa_;
   std::vector<ExactArm::Shape> simulated_;
   Certificate result_;
 };
 
+namespace {
+
+std::string why_not_of_arm(const CompensationModel* network, const ArmDescription& arm) {
+  try {
+    if (network != nullptr) {
+      require_model_of(*network, arm, "the plan's model");
+    }
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void require_same(const char* what, const std::string& made_for, const std::string& given) {
+  if (made_for != given) {
+    throw InputError(fmt::format("the plan was made for another {} ({}; this one is {})", what,
+                                 made_for, given));
+  }
+}
+
+std::string valves_named(const std::string& hash) {
+  return hash.empty() ? std::string("none") : "hash " + hash;
+}
+
 }  // namespace
+
+Certifier::Certifier(const ArmDescription& arm, const CompensationModel* network,
+                     const ValveParameters& valves, const Environment& environment)
+    : problem_(new Problem{arm,
+                           network,
+                           valves,
+                           environment,
+                           arm.hash(),
+                           valves.hash(),
+                           limber::environment_hash(environment),
+                           why_not_of_arm(network, arm),
+                           {arm, network},
+                           {arm, environment.obstacles, Certificate::kClearanceToleranceM}}) {}
+
+Certifier::Certifier(Certifier&&) noexcept = default;
+Certifier& Certifier::operator=(Certifier&&) noexcept = default;
+Certifier::~Certifier() = default;
+
+const std::string& Certifier::environment_hash() const {
+  return problem_->environment_hash;
+}
+
+void Certifier::require_plan_of_problem(const Plan& plan) const {
+  const Problem& problem = *problem_;
+  if (plan.arm_hash != problem.arm_hash) {
+    if (const std::string why = why_another_arm(plan.arm(), problem.arm, "the plan");
+        !why.empty()) {
+      throw InputError(fmt::format(
+          "the plan was made for another arm ('{}', hash {}; this one is '{}', hash {}): {}",
+          plan.arm_name, plan.arm_hash, problem.arm.name, problem.arm_hash, why));
+    }
+  }
+  require_same("valve model", valves_named(plan.valves_hash), valves_named(problem.valves_hash));
+  if (plan.environment_hash != problem.environment_hash) {
+    throw InputError(fmt::format(
+        "the plan was made for another environment ('{}', hash {}; this one is '{}', hash {})",
+        plan.environment_name, plan.environment_hash, problem.environment.name,
+        problem.environment_hash));
+  }
+  require_same("kind of model", plan.model, problem.network != nullptr ? "network" : "no_load");
+  if (!problem.network_refusal.empty()) {
+    throw InputError(problem.network_refusal);
+  }
+}
+
+Certificate Certifier::certify(const Plan& plan, const std::function<bool()>& give_up) const {
+  require_plan_of_problem(plan);
+  return Certification(plan, *problem_, give_up).run();
+}
 
 Certificate certify(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
                     const ValveParameters& valves, const Environment& environment) {
-  const auto require = [&](const char* what, const std::string& made_for,
-                           const std::string& given) {
-    if (made_for != given) {
-      throw InputError(fmt::format("the plan was made for another {} ({}; this one is {})", what,
-                                   made_for, given));
-    }
-  };
-  if (const std::string why = why_another_arm(plan.arm(), arm, "the plan"); !why.empty()) {
-    throw InputError(fmt::format(
-        "the plan was made for another arm ('{}', hash {}; this one is '{}', hash {}): {}",
-        plan.arm_name, plan.arm_hash, arm.name, arm.hash(), why));
-  }
-  const auto valves_named = [](const std::string& hash) {
-    return hash.empty() ? std::string("none") : "hash " + hash;
-  };
-  require("valve model", valves_named(plan.valves_hash), valves_named(valves.hash()));
-  const std::string environment_now = environment_hash(environment);
-  if (plan.environment_hash != environment_now) {
-    throw InputError(fmt::format(
-        "the plan was made for another environment ('{}', hash {}; this one is '{}', hash {})",
-        plan.environment_name, plan.environment_hash, environment.name, environment_now));
-  }
-  require("kind of model", plan.model, network != nullptr ? "network" : "no_load");
-  if (network != nullptr) {
-    require_model_of(*network, arm, "the plan's model");
-  }
-  return Certification(plan, arm, network, valves, environment).run();
+  return Certifier(arm, network, valves, environment).certify(plan);
 }
 
 }  // namespace limber

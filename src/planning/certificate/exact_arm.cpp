@@ -65,15 +65,6 @@ Pose gap_at(const ArmDescription& arm, std::size_t i, double command) {
   }
 }
 
-std::vector<double> normalised(const std::vector<double>& values, const Normalisation& by) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    result.push_back((values[i] - double(by.offset[k])) * double(by.scale[k]));
-  }
-  return result;
-}
-
 void append(std::vector<double>& list, const Pose& pose) {
   list.insert(list.end(), {pose.x_m, pose.y_m, pose.theta_rad});
 }
@@ -139,53 +130,54 @@ ExactArm::Shape ExactArm::no_load(const std::vector<double>& pressures_kpa) cons
   return shape;
 }
 
-std::vector<double> ExactArm::network_output(const std::vector<double>& input) const {
-  std::vector<double> values = normalised(input, network_->input);
-  for (std::size_t l = 0; l < network_->layers.size(); ++l) {
-    const Layer& layer = network_->layers[l];
-    // Column by column, as the weights lie in memory: a row's sum still grows in the order of k.
-    std::vector<double> next(layer.bias.begin(), layer.bias.end());
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      const float* column = layer.weight.col(static_cast<Eigen::Index>(k)).data();
-      for (std::size_t row = 0; row < next.size(); ++row) {
-        next[row] += double(column[row]) * values[k];
-      }
-    }
-    if (l + 1 < network_->layers.size()) {
-      for (double& value : next) {
-        value = value > 0.0 ? value : 0.0;
-      }
-    }
-    values = std::move(next);
+ExactArm::ExactArm(const ArmDescription& arm, const CompensationModel* network) : arm_(arm) {
+  if (network != nullptr) {
+    layout_ = network->layout;
+    form_ = network->form;
+    network_.emplace(*network);
   }
-  for (Eigen::Index k = 0; k < network_->output.scale.size(); ++k) {  // gates are behind them
-    double& value = values[static_cast<std::size_t>(k)];
-    value = value / double(network_->output.scale[k]) + double(network_->output.offset[k]);
+}
+
+std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& previous_kpa,
+                                                  const std::vector<double>& current_kpa,
+                                                  const std::array<const Shape*, 2>& previous,
+                                                  ExactNetwork::Workspace& workspace) const {
+  const Shape free = no_load(current_kpa);
+  if (!network_) {
+    return {free, free};
   }
-  return values;
+  const std::vector<double> unloaded = coordinates(free, layout_);
+  std::vector<double> unloaded_input = unloaded;
+  if (layout_ == BackboneLayout::gap_poses) {
+    unloaded_input.clear();
+    for (std::size_t i = 0; i < arm_.segments.size(); ++i) {  // one gap stands for a segment's
+      append(unloaded_input, gap_at(arm_, i, current_kpa[i]));
+    }
+  }
+  std::array<std::vector<double>, 2> before;
+  for (std::size_t c = 0; c < 2; ++c) {
+    before[c] = coordinates(*previous[c], layout_);
+    std::vector<double>& input = workspace.input[c];
+    input.clear();
+    const std::array<const std::vector<double>*, 4> parts{&previous_kpa, &current_kpa, &before[c],
+                                                          &unloaded_input};
+    for (const std::vector<double>* part : parts) {
+      input.insert(input.end(), part->begin(), part->end());
+    }
+  }
+  network_->run(workspace);
+  std::array<Shape, 2> result;
+  for (std::size_t c = 0; c < 2; ++c) {
+    result[c] = shape_of(combined(form_, before[c], unloaded, workspace.output[c]), layout_);
+  }
+  return result;
 }
 
 ExactArm::Shape ExactArm::next(const std::vector<double>& previous_kpa,
                                const std::vector<double>& current_kpa,
                                const Shape& previous) const {
-  const Shape free = no_load(current_kpa);
-  if (network_ == nullptr) {
-    return free;
-  }
-  const BackboneLayout layout = network_->layout;
-  const std::vector<double> before = coordinates(previous, layout);
-  const std::vector<double> unloaded = coordinates(free, layout);
-  std::vector<double> input = previous_kpa;
-  input.insert(input.end(), current_kpa.begin(), current_kpa.end());
-  input.insert(input.end(), before.begin(), before.end());
-  if (layout == BackboneLayout::base_poses) {
-    input.insert(input.end(), unloaded.begin(), unloaded.end());
-  } else {
-    for (std::size_t i = 0; i < arm_.segments.size(); ++i) {  // one gap stands for a segment's
-      append(input, gap_at(arm_, i, current_kpa[i]));
-    }
-  }
-  return shape_of(combined(network_->form, before, unloaded, network_output(input)), layout);
+  ExactNetwork::Workspace workspace;
+  return next_two(previous_kpa, current_kpa, {&previous, &previous}, workspace)[0];
 }
 
 }  // namespace limber

@@ -1,23 +1,25 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
+#include "exact_network.hpp"
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 #include "limber/network/compensation_model.hpp"
 
 namespace limber {
 
-/// The forward model once more, from docs/model.md and nothing else: plain loops in double, with
-/// its own no-load arcs, normalisation, layers and backbone layouts. Slow on purpose; the
-/// certificate holds the fast one to it. Threads: constant after construction.
+/// The forward model once more, from docs/model.md and nothing else: in double, with its own
+/// no-load arcs, normalisation, layers and backbone layouts; the certificate holds the fast one to
+/// it. Threads: constant after construction.
 class ExactArm {
  public:
   using Shape = std::vector<Pose>;  // one a plate, base first
 
-  /// @param network  null: the no-load model. Borrowed, like the arm.
-  ExactArm(const ArmDescription& arm, const CompensationModel* network)
-      : arm_(arm), network_(network) {}
+  /// @param network  null: the no-load model. Copied, while the arm is borrowed.
+  ExactArm(const ArmDescription& arm, const CompensationModel* network);
 
   /// B̃ by (3), (4), or by (17) or (18).
   Shape no_load(const std::vector<double>& pressures_kpa) const;
@@ -26,11 +28,17 @@ class ExactArm {
   Shape next(const std::vector<double>& previous_kpa, const std::vector<double>& current_kpa,
              const Shape& previous) const;
 
- private:
-  std::vector<double> network_output(const std::vector<double>& input) const;
+  /// The same for two shapes that the same pressures move, in little more time than for one.
+  std::array<Shape, 2> next_two(const std::vector<double>& previous_kpa,
+                                const std::vector<double>& current_kpa,
+                                const std::array<const Shape*, 2>& previous,
+                                ExactNetwork::Workspace& workspace) const;
 
+ private:
   const ArmDescription& arm_;
-  const CompensationModel* network_;
+  BackboneLayout layout_ = BackboneLayout::gap_poses;
+  OutputForm form_ = OutputForm::compensation;
+  std::optional<ExactNetwork> network_;
 };
 
 }  // namespace limber

@@ -21,43 +21,8 @@ double sinc(double x) {
   return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x;
 }
 
-double distance_to_edge(Complex p, Complex a, Complex b) {
-  const Complex along = (p - a) / (b - a);  // the edge is the unit interval of the real axis
-  return std::abs(p - (a + std::clamp(along.real(), 0.0, 1.0) * (b - a)));
-}
-
-double distance_of(const Circle& circle, Complex p) {
-  return std::abs(p - Complex(circle.x_m, circle.y_m)) - circle.radius_m;
-}
-
-double distance_of(const Rectangle& rectangle, Complex p) {
-  const Complex own =
-      (p - Complex(rectangle.x_m, rectangle.y_m)) * std::polar(1.0, -rectangle.angle_rad);
-  const double x = std::abs(own.real()) - rectangle.width_m / 2.0;
-  const double y = std::abs(own.imag()) - rectangle.height_m / 2.0;
-  return std::hypot(std::max(x, 0.0), std::max(y, 0.0)) + std::min(std::max(x, y), 0.0);
-}
-
-/// Of a point from an axis-aligned box, negative inside. No point of what the box covers is nearer,
-/// nor farther inside.
-double distance_to(const CoveringBox& box, Complex p) {
-  const double x = std::max(box.low.real() - p.real(), p.real() - box.high.real());
-  const double y = std::max(box.low.imag() - p.imag(), p.imag() - box.high.imag());
-  return std::hypot(std::max(x, 0.0), std::max(y, 0.0)) + std::min(std::max(x, y), 0.0);
-}
-
-void cover(CoveringBox& box, Complex p) {
-  box.low = {std::min(box.low.real(), p.real()), std::min(box.low.imag(), p.imag())};
-  box.high = {std::max(box.high.real(), p.real()), std::max(box.high.imag(), p.imag())};
-}
-
-/// One edge's part in the winding number about p.
-int winding_of(Complex a, Complex b, Complex p) {
-  const double side = (std::conj(b - a) * (p - a)).imag();  // > 0: p is left of the edge
-  if (a.imag() <= p.imag() && b.imag() > p.imag() && side > 0.0) {
-    return 1;
-  }
-  return a.imag() > p.imag() && b.imag() <= p.imag() && side < 0.0 ? -1 : 0;
+Complex place_of(const Pose& pose) {
+  return {pose.x_m, pose.y_m};
 }
 
 }  // namespace
@@ -66,38 +31,60 @@ int winding_of(Complex a, Complex b, Complex p) {
 class SweptClearance::MovingArc {
  public:
   MovingArc(const Pose& start_from, const Pose& end_from, const Pose& start_to, const Pose& end_to)
-      : start_(start_from.x_m, start_from.y_m),
-        start_way_(Complex(start_to.x_m, start_to.y_m) - start_),
-        chord_(Complex(end_from.x_m, end_from.y_m) - start_),
-        chord_way_(Complex(end_to.x_m, end_to.y_m) - (start_ + start_way_) - chord_),
+      : start_(place_of(start_from)),
+        start_way_(place_of(start_to) - start_),
+        chord_(place_of(end_from) - start_),
+        chord_way_(place_of(end_to) - place_of(start_to) - chord_),
         turn_(end_from.theta_rad - start_from.theta_rad),
         turn_way_(end_to.theta_rad - start_to.theta_rad - turn_) {
     // With φ the turn, a point is s + c·w(u, φ), w = ∫₀ᵘ e^{iφ(σ−½)} dσ / D, D = sinc(φ/2) ≥ 2/π.
-    // |w| ≤ 1 up to half a turn, |∂w/∂u| = 1/D, and |∂w/∂φ| ≤ (¼ + |D'|)/D ≤ (¼ + 2/π²)·π/2.
+    // |w| ≤ 1 up to half a turn, |∂w/∂u| = 1/D, |∂w/∂φ| ≤ (¼ + |D'|)/D ≤ (¼ + 2/π²)·π/2, and
+    // |∂²w/∂u∂φ| ≤ ½/D + |D'|/D² ≤ π/4 + 2/π²·π²/4.
     constexpr double kPlacePerTurn = 0.72;
+    constexpr double kTangentPerTurn = 1.29;
     const double longest = std::max(std::abs(chord_), std::abs(chord_ + chord_way_));
     const double most_turn = std::max(std::abs(turn_), std::abs(turn_ + turn_way_));
     const double end_speed = std::abs(start_way_ + chord_way_);
     speed_m_ = std::min(std::abs(start_way_), end_speed) + std::abs(chord_way_) +
                kPlacePerTurn * longest * std::abs(turn_way_);
     length_m_ = longest / sinc(most_turn / 2.0);
+    tangent_per_place_m_ = length_m_ * most_turn;
+    tangent_per_time_m_ = std::numbers::pi / 2.0 * std::abs(chord_way_) +
+                          kTangentPerTurn * longest * std::abs(turn_way_);
   }
 
-  Complex at(double time, double place) const {
+  /// A point, and how it moves with its place.
+  struct Point {
+    Complex at_m;
+    Complex tangent_m;
+  };
+  Point at(double time, double place) const {
     const double turn = turn_ + time * turn_way_;
-    const Complex w = place * sinc(turn * place / 2.0) / sinc(turn / 2.0) *
-                      std::polar(1.0, turn * (place - 1.0) / 2.0);
-    return start_ + time * start_way_ + (chord_ + time * chord_way_) * w;
+    const Complex chord = (chord_ + time * chord_way_) / sinc(turn / 2.0);
+    const Complex w =
+        place * sinc(turn * place / 2.0) * std::polar(1.0, turn * (place - 1.0) / 2.0);
+    return {start_ + time * start_way_ + chord * w, chord * std::polar(1.0, turn * (place - 0.5))};
   }
 
   double speed_m() const { return speed_m_; }    ///< bound on a point's way over all time
   double length_m() const { return length_m_; }  ///< bound on the arc's length at any time
+
+  /// Bound on how far a point gets in direction −`away` when its place changes by `half_place` and
+  /// time by `half_time`, its way over time not counted.
+  double approach_m(const Point& middle, Complex away, double half_time, double half_place) const {
+    const double slope =
+        std::abs(middle.tangent_m.real() * away.real() + middle.tangent_m.imag() * away.imag());
+    return half_place *
+           (slope + tangent_per_time_m_ * half_time + 0.5 * tangent_per_place_m_ * half_place);
+  }
 
  private:
   Complex start_, start_way_, chord_, chord_way_;
   double turn_, turn_way_;
   double speed_m_ = 0.0;
   double length_m_ = 0.0;
+  double tangent_per_place_m_ = 0.0;
+  double tangent_per_time_m_ = 0.0;
 };
 
 namespace {
@@ -122,137 +109,202 @@ std::array<Cell, 2> halves(const Cell& cell, bool by_time) {
   return {low, high};
 }
 
+/// Covers the middle line of a gap over its motion: its plates' four places, and the bulge of an
+/// arc beside its chord, (c/2)·tan(φ/4), which is at most (c/2)·φ/π up to half a turn.
+CoveringBox box_about(const Pose& start_from, const Pose& end_from, const Pose& start_to,
+                      const Pose& end_to) {
+  CoveringBox box;
+  for (const Pose* pose : {&start_from, &end_from, &start_to, &end_to}) {
+    box.cover(place_of(*pose));
+  }
+  // Between frames neither chord nor turn is larger than at both ends.
+  const double most_chord =
+      std::max(std::abs(end_from.x_m - start_from.x_m) + std::abs(end_from.y_m - start_from.y_m),
+               std::abs(end_to.x_m - start_to.x_m) + std::abs(end_to.y_m - start_to.y_m));
+  const double most_turn = std::max(std::abs(end_from.theta_rad - start_from.theta_rad),
+                                    std::abs(end_to.theta_rad - start_to.theta_rad));
+  const double most_bulge = most_chord / 2.0 * most_turn / std::numbers::pi;
+  box.low -= Complex(most_bulge, most_bulge);
+  box.high += Complex(most_bulge, most_bulge);
+  return box;
+}
+
 }  // namespace
 
-PolygonOutline::PolygonOutline(const Polygon& polygon) {
-  for (const Eigen::Vector2d& p : polygon.points_m) {
-    corners_.emplace_back(p.x(), p.y());
-  }
-  corners_.push_back(corners_.front());
-  for (std::size_t first = 0; first + 1 < corners_.size(); first += kEdgesPerBox) {
-    CoveringBox box;
-    for (std::size_t i = first; i <= std::min(first + kEdgesPerBox, corners_.size() - 1); ++i) {
-      cover(box, corners_[i]);
-    }
-    boxes_.push_back(box);
-  }
-}
+/// One search: the best value so far, and what it needs on its way.
+class SweptClearance::Search {
+ public:
+  Search(const SweptClearance& clearance, const std::vector<ExactArm::Shape>& shapes,
+         const std::function<bool()>& give_up)
+      : clearance_(clearance), shapes_(shapes), give_up_(give_up) {}
 
-double PolygonOutline::distance_m(Complex p) const {
-  double nearest = kInfinity;
-  int winding = 0;
-  for (std::size_t k = 0; k < boxes_.size(); ++k) {
-    const CoveringBox& box = boxes_[k];
-    const bool is_near = distance_to(box, p) < nearest;
-    // Edges count where the ray from p along x meets them.
-    const bool is_met =
-        box.low.imag() <= p.imag() && p.imag() <= box.high.imag() && p.real() <= box.high.real();
-    if (!is_near && !is_met) {
-      continue;
+  Result run() {
+    find_bound();
+    // A little above the bound, so that what attains it is found again, and has a name.
+    best_.value_m += 2.0 * clearance_.tolerance_m_;
+    for (std::size_t k = 0; k < shapes_.size() && begin_frame(); ++k) {
+      look_at_frame(k);
     }
-    const std::size_t end = std::min((k + 1) * kEdgesPerBox, corners_.size() - 1);
-    for (std::size_t i = k * kEdgesPerBox; i < end; ++i) {
-      nearest = std::min(nearest, distance_to_edge(p, corners_[i], corners_[i + 1]));
-      winding += winding_of(corners_[i], corners_[i + 1], p);
-    }
+    best_.value_m -= clearance_.tolerance_m_;
+    best_.is_finished = !give_up_.is_given_up();
+    return best_;
   }
-  return winding != 0 ? -nearest : nearest;
-}
 
-double SweptClearance::CoveredObstacle::distance_m(Complex p) const {
-  if (const auto* circle = std::get_if<Circle>(&shape)) {
-    return distance_of(*circle, p);
-  }
-  if (const auto* rectangle = std::get_if<Rectangle>(&shape)) {
-    return distance_of(*rectangle, p);
-  }
-  return std::get<PolygonOutline>(shape).distance_m(p);
-}
-
-SweptClearance::SweptClearance(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
-                               double tolerance_m)
-    : tolerance_m_(tolerance_m) {
-  for (const Segment& segment : arm.segments) {
-    for (int g = 0; g < segment.gaps; ++g) {
-      radius_m_.push_back(segment.width_m / 2.0 + arm.actuator_radius_m);
-    }
-  }
-  for (const Obstacle& obstacle : obstacles) {
-    obstacles_.push_back(covered(obstacle));
-  }
-}
-
-SweptClearance::CoveredObstacle SweptClearance::covered(const Obstacle& obstacle) {
-  CoveringBox box;
-  if (const auto* circle = std::get_if<Circle>(&obstacle)) {
-    const Complex centre(circle->x_m, circle->y_m);
-    const Complex corner(circle->radius_m, circle->radius_m);
-    cover(box, centre - corner);
-    cover(box, centre + corner);
-    return {box, *circle};
-  }
-  if (const auto* rectangle = std::get_if<Rectangle>(&obstacle)) {
-    const Complex turn = std::polar(1.0, rectangle->angle_rad);
-    for (const double x : {-0.5, 0.5}) {
-      for (const double y : {-0.5, 0.5}) {
-        cover(box, Complex(rectangle->x_m, rectangle->y_m) +
-                       turn * Complex(x * rectangle->width_m, y * rectangle->height_m));
-      }
-    }
-    return {box, *rectangle};
-  }
-  const Polygon& polygon = std::get<Polygon>(obstacle);
-  for (const Eigen::Vector2d& p : polygon.points_m) {
-    cover(box, {p.x(), p.y()});
-  }
-  return {box, PolygonOutline(polygon)};
-}
-
-SweptClearance::Result SweptClearance::over(const std::vector<ExactArm::Shape>& shapes) const {
-  Result best{kInfinity};
-  // A signal from before has been heeded by the caller, who asks for this all the same.
-  const bool was_interrupted = interrupt_requested();
-  for (std::size_t k = 0; k < shapes.size(); ++k) {
-    if (!was_interrupted) {
+ private:
+  /// @return whether to go on
+  bool begin_frame() {
+    if (!was_interrupted_) {
       throw_if_interrupted();
     }
-    const ExactArm::Shape& from = shapes[k == 0 ? 0 : k - 1];
-    const ExactArm::Shape& to = shapes[k];
+    return !give_up_.now();
+  }
+
+  /// A value that the arm attains: of a plate, which needs no arc, then of the gaps beside the
+  /// plate that is nearest.
+  void find_bound() {
+    Result nearest{kInfinity};
+    for (std::size_t k = 0; k < shapes_.size() && begin_frame(); ++k) {
+      const ExactArm::Shape& shape = shapes_[k];
+      CoveringBox box;
+      for (const Pose& plate : shape) {
+        box.cover(place_of(plate));
+      }
+      find_near(box, nearest.value_m);
+      for (std::size_t i = 0; i < shape.size(); ++i) {
+        for (const std::size_t o : near_) {
+          if (give_up_.seldom()) {
+            return;
+          }
+          lower_by_plate(k, i, o, nearest);
+        }
+      }
+    }
+    best_.value_m = nearest.value_m;
+    if (nearest.obstacle < 0) {
+      return;
+    }
+    const auto k = static_cast<std::size_t>(nearest.frame);
+    const auto plate = static_cast<std::size_t>(nearest.gap);
+    for (std::size_t gap = plate == 0 ? 0 : plate - 1;
+         gap <= plate && gap < clearance_.radius_m_.size(); ++gap) {
+      look_at_gap(k, gap, static_cast<std::size_t>(nearest.obstacle));
+    }
+    best_ = {best_.value_m};
+  }
+
+  /// @param nearest  `gap` is the plate
+  void lower_by_plate(std::size_t k, std::size_t plate, std::size_t o, Result& nearest) const {
+    const std::vector<double>& radius = clearance_.radius_m_;
+    const double thickest =
+        std::max(radius[plate == 0 ? 0 : plate - 1], radius[std::min(plate, radius.size() - 1)]);
+    const CoveredObstacle& obstacle = clearance_.obstacles_[o];
+    const Complex p = place_of(shapes_[k][plate]);
+    if (obstacle.box.distance_m(p) - thickest >= nearest.value_m) {
+      return;
+    }
+    const double value = obstacle.read(p).distance_m - thickest;
+    if (value < nearest.value_m) {
+      nearest = {value, static_cast<int>(k), static_cast<int>(plate), static_cast<int>(o)};
+    }
+  }
+
+  /// Lists the obstacles whose boxes may be nearer than `value_m` to what the box covers.
+  void find_near(const CoveringBox& box, double value_m) {
+    near_.clear();
+    const double reach = std::max(0.0, value_m + clearance_.largest_radius_m_);
+    for (std::size_t o = 0; o < clearance_.obstacles_.size(); ++o) {
+      if (clearance_.obstacles_[o].box.squared_distance(box) <= reach * reach) {
+        near_.push_back(o);
+      }
+    }
+  }
+
+  void look_at_frame(std::size_t k) {
+    const ExactArm::Shape& from = shapes_[k == 0 ? 0 : k - 1];
+    const ExactArm::Shape& to = shapes_[k];
+    gap_boxes_.clear();
+    CoveringBox all;
     for (std::size_t gap = 0; gap + 1 < to.size(); ++gap) {
-      const MovingArc arc(from[gap], from[gap + 1], to[gap], to[gap + 1]);
-      for (std::size_t o = 0; o < obstacles_.size(); ++o) {
-        const double value = lowest(arc, o, best.value_m + radius_m_[gap]) - radius_m_[gap];
-        if (value < best.value_m) {
-          best = {value, static_cast<int>(k), static_cast<int>(gap), static_cast<int>(o)};
+      gap_boxes_.push_back(box_about(from[gap], from[gap + 1], to[gap], to[gap + 1]));
+      all.cover(gap_boxes_.back());
+    }
+    find_near(all, best_.value_m);
+    for (std::size_t gap = 0; gap < gap_boxes_.size(); ++gap) {
+      for (const std::size_t o : near_) {
+        const double reach = std::max(0.0, best_.value_m + clearance_.radius_m_[gap]);
+        if (clearance_.obstacles_[o].box.squared_distance(gap_boxes_[gap]) <= reach * reach) {
+          look_at_gap(k, gap, o);
+        }
+        if (give_up_.seldom()) {
+          return;
         }
       }
     }
   }
-  best.value_m -= tolerance_m_;
-  return best;
-}
 
-double SweptClearance::lowest(const MovingArc& arc, std::size_t obstacle, double best) const {
-  const CoveredObstacle& covered = obstacles_[obstacle];
-  std::vector<Cell> open{{0.5, 0.5, 0.5, 0.5}};
-  while (!open.empty()) {
-    const Cell cell = open.back();
-    open.pop_back();
-    const double time_way = cell.half_time * arc.speed_m();
-    const double place_way = cell.half_place * arc.length_m();
-    const double slack = time_way + place_way - tolerance_m_;
-    const Complex p = arc.at(cell.time, cell.place);
-    if (distance_to(covered.box, p) >= best + slack) {
-      continue;
-    }
-    const double distance = covered.distance_m(p);
-    best = std::min(best, distance);
-    if (distance < best + slack) {
-      const auto parts = halves(cell, time_way > place_way);
-      open.insert(open.end(), parts.begin(), parts.end());
+  void look_at_gap(std::size_t k, std::size_t gap, std::size_t o) {
+    const ExactArm::Shape& from = shapes_[k == 0 ? 0 : k - 1];
+    const ExactArm::Shape& to = shapes_[k];
+    const MovingArc arc(from[gap], from[gap + 1], to[gap], to[gap + 1]);
+    const double radius = clearance_.radius_m_[gap];
+    const double known = best_.value_m + radius;
+    const double value = lowest(arc, clearance_.obstacles_[o], known);
+    if (value < known) {  // compared before the radius is taken off again: rounding finds nothing
+      best_ = {value - radius, static_cast<int>(k), static_cast<int>(gap), static_cast<int>(o)};
     }
   }
-  return best;
+
+  /// Smallest distance of the arc's middle line from an obstacle, or `best` where that is less.
+  double lowest(const MovingArc& arc, const CoveredObstacle& obstacle, double best) {
+    open_ = {{0.5, 0.5, 0.5, 0.5}};
+    while (!open_.empty() && !give_up_.seldom()) {
+      const Cell cell = open_.back();
+      open_.pop_back();
+      const double time_way = cell.half_time * arc.speed_m();
+      double place_way = cell.half_place * arc.length_m();
+      const MovingArc::Point middle = arc.at(cell.time, cell.place);
+      const double enough = best - clearance_.tolerance_m_;
+      if (obstacle.box.distance_m(middle.at_m) >= enough + time_way + place_way) {
+        continue;
+      }
+      const Reading reading = obstacle.read(middle.at_m);
+      best = std::min(best, reading.distance_m);
+      if (reading.away != Complex(0.0)) {
+        place_way = std::min(place_way,
+                             arc.approach_m(middle, reading.away, cell.half_time, cell.half_place));
+      }
+      if (reading.distance_m < best - clearance_.tolerance_m_ + time_way + place_way) {
+        const auto parts = halves(cell, time_way > place_way);
+        open_.insert(open_.end(), parts.begin(), parts.end());
+      }
+    }
+    return best;
+  }
+
+  const SweptClearance& clearance_;
+  const std::vector<ExactArm::Shape>& shapes_;
+  GiveUp give_up_;
+  // A signal from before has been heeded by the caller, who asks for this all the same.
+  const bool was_interrupted_ = interrupt_requested();
+  Result best_{kInfinity};
+  std::vector<std::size_t> near_;
+  std::vector<CoveringBox> gap_boxes_;
+  std::vector<Cell> open_;
+};
+
+SweptClearance::SweptClearance(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
+                               double tolerance_m)
+    : tolerance_m_(tolerance_m), obstacles_(obstacles.begin(), obstacles.end()) {
+  for (const Segment& segment : arm.segments) {
+    radius_m_.insert(radius_m_.end(), static_cast<std::size_t>(segment.gaps),
+                     segment.width_m / 2.0 + arm.actuator_radius_m);
+    largest_radius_m_ = std::max(largest_radius_m_, radius_m_.back());
+  }
+}
+
+SweptClearance::Result SweptClearance::over(const std::vector<ExactArm::Shape>& shapes,
+                                            const std::function<bool()>& give_up) const {
+  return Search(*this, shapes, give_up).run();
 }
 
 }  // namespace limber

@@ -1,43 +1,27 @@
 #pragma once
 
-#include <complex>
-#include <limits>
-#include <variant>
+#include <functional>
 #include <vector>
 
+#include "covered_obstacle.hpp"
 #include "exact_arm.hpp"
+#include "give_up.hpp"
 #include "limber/planning/environment.hpp"
 
 namespace limber {
 
-/// Axis-aligned; covers nothing at first.
-struct CoveringBox {
-  std::complex<double> low{std::numeric_limits<double>::infinity(),
-                           std::numeric_limits<double>::infinity()};
-  std::complex<double> high{-std::numeric_limits<double>::infinity(),
-                            -std::numeric_limits<double>::infinity()};
-};
-
-/// A polygon's edges, some under each box, so that most of them are not looked at.
-class PolygonOutline {
- public:
-  explicit PolygonOutline(const Polygon& polygon);
-  /// Of a point, negative inside. Exact.
-  double distance_m(std::complex<double> p) const;
-
- private:
-  static constexpr std::size_t kEdgesPerBox = 16;
-  std::vector<std::complex<double>> corners_;  // the first again at the end
-  std::vector<CoveringBox> boxes_;
-};
-
-/// Smallest distance between a moving arm and obstacles, by a Lipschitz bound alone.
+/// Smallest distance between a moving arm and obstacles, by bounds on how fast distances change.
 ///
 /// The gap between two plates is the arc through both that turns by the difference of their
 /// headings; between frames plates move straight and turn evenly. Distance to an obstacle changes
 /// by no more than a point's way, over time as along the arc. So the value at the middle of a cell
 /// of (time, place on the arc), less half of both ways, bounds the cell from below; cells that may
-/// hold less than the best value found so far are halved.
+/// hold less than the best value found so far are halved. A convex obstacle lies behind a straight
+/// line, so of the way along the arc only the part toward that line counts.
+///
+/// Gaps and obstacles whose boxes are farther apart than the best value are not looked at; so the
+/// search starts from a good one: that of the plate that comes nearest, and of the gaps beside it.
+/// Threads: constant after construction.
 class SweptClearance {
  public:
   SweptClearance(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
@@ -48,29 +32,22 @@ class SweptClearance {
     int frame = -1;  ///< the frame that the motion there leads to
     int gap = -1;
     int obstacle = -1;
+    bool is_finished = true;  ///< false: given up, and nothing else here has a meaning
   };
   /// Over the motion from each shape to the next; a single shape stands still. @pre no gap turns by
   /// more than half a turn, and every number is finite.
+  /// @param give_up  asked every few dozen microseconds whether to stop
   /// @throws Interrupted where a signal comes meanwhile.
-  Result over(const std::vector<ExactArm::Shape>& shapes) const;
+  Result over(const std::vector<ExactArm::Shape>& shapes,
+              const std::function<bool()>& give_up = {}) const;
 
  private:
   class MovingArc;
-
-  /// Smallest distance of the arc's middle line from an obstacle, or `best` where that is less.
-  double lowest(const MovingArc& arc, std::size_t obstacle, double best) const;
-
-  struct CoveredObstacle {
-    CoveringBox box;
-    std::variant<Circle, Rectangle, PolygonOutline> shape;
-
-    /// From its outline, negative inside.
-    double distance_m(std::complex<double> p) const;
-  };
-  static CoveredObstacle covered(const Obstacle& obstacle);
+  class Search;
 
   double tolerance_m_;
   std::vector<double> radius_m_;  // one a gap
+  double largest_radius_m_ = 0.0;
   std::vector<CoveredObstacle> obstacles_;
 };
 
