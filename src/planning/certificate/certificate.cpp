@@ -60,7 +60,9 @@ struct Deviation {
 Deviation deviation(const ExactArm::Shape& own, const ExactArm::Shape& stored) {
   Deviation largest;
   for (std::size_t i = 0; i < stored.size(); ++i) {
-    const double apart = std::hypot(own[i].x_m - stored[i].x_m, own[i].y_m - stored[i].y_m);
+    const double x = own[i].x_m - stored[i].x_m;
+    const double y = own[i].y_m - stored[i].y_m;
+    const double apart = std::sqrt(x * x + y * y);
     const double turned = std::abs(own[i].theta_rad - stored[i].theta_rad);
     if (!(apart <= largest.apart_m)) {
       largest.apart_m = apart;

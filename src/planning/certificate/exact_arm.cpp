@@ -76,6 +76,7 @@ Pose pose_at(const std::vector<double>& list, std::size_t index) {
 /// A shape as the network sees it: every plate about the base, or about the plate before it.
 std::vector<double> coordinates(const ExactArm::Shape& shape, BackboneLayout layout) {
   std::vector<double> list;
+  list.reserve(3 * shape.size());
   if (layout == BackboneLayout::base_poses) {
     for (const Pose& pose : shape) {
       append(list, pose);
@@ -90,6 +91,7 @@ std::vector<double> coordinates(const ExactArm::Shape& shape, BackboneLayout lay
 
 ExactArm::Shape shape_of(const std::vector<double>& list, BackboneLayout layout) {
   ExactArm::Shape shape;
+  shape.reserve(list.size() / 3 + 1);
   if (layout == BackboneLayout::gap_poses) {
     shape.push_back(Pose{});
   }
@@ -106,6 +108,7 @@ std::vector<double> combined(OutputForm form, const std::vector<double>& previou
                              const std::vector<double>& unloaded,
                              const std::vector<double>& output) {
   std::vector<double> result;
+  result.reserve(unloaded.size());
   for (std::size_t i = 0; i < unloaded.size(); ++i) {
     if (form == OutputForm::compensation) {
       result.push_back(unloaded[i] + output[i]);
@@ -142,16 +145,22 @@ std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& pre
                                                   const std::vector<double>& current_kpa,
                                                   const std::array<const Shape*, 2>& previous,
                                                   ExactNetwork::Workspace& workspace) const {
-  const Shape free = no_load(current_kpa);
   if (!network_) {
+    const Shape free = no_load(current_kpa);
     return {free, free};
   }
-  const std::vector<double> unloaded = coordinates(free, layout_);
-  std::vector<double> unloaded_input = unloaded;
-  if (layout_ == BackboneLayout::gap_poses) {
-    unloaded_input.clear();
-    for (std::size_t i = 0; i < arm_.segments.size(); ++i) {  // one gap stands for a segment's
-      append(unloaded_input, gap_at(arm_, i, current_kpa[i]));
+  std::vector<double> unloaded;
+  std::vector<double> unloaded_input;
+  if (layout_ == BackboneLayout::base_poses) {
+    unloaded = coordinates(no_load(current_kpa), layout_);
+    unloaded_input = unloaded;
+  } else {
+    for (std::size_t i = 0; i < arm_.segments.size(); ++i) {
+      const Pose gap = gap_at(arm_, i, current_kpa[i]);
+      for (int g = 0; g < arm_.segments[i].gaps; ++g) {
+        append(unloaded, gap);
+      }
+      append(unloaded_input, gap);  // one gap stands for a segment's
     }
   }
   std::array<std::vector<double>, 2> before;

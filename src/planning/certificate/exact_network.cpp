@@ -89,7 +89,7 @@ void ExactNetwork::run(Workspace& workspace) const {
     std::size_t count = 0;
     for (std::size_t k = 0; k < layer.columns; ++k) {
       workspace.nonzero[count] = k;
-      count += x[0][k] != 0.0 || x[1][k] != 0.0 ? 1 : 0;
+      count += std::size_t{x[0][k] != 0.0} | std::size_t{x[1][k] != 0.0};
     }
     const bool is_last = &layer == &layers_.back();
     kernel_({layer.weight.data(), layer.bias.data(), layer.bias.size(), layer.columns, !is_last},

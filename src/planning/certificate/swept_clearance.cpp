@@ -17,8 +17,9 @@ using Complex = std::complex<double>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double sinc(double x) {
-  return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x;
+/// sin(x)/x where the sine is known.
+double sinc_of(double x, double sine) {
+  return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : sine / x;
 }
 
 Complex place_of(const Pose& pose) {
@@ -47,7 +48,7 @@ class SweptClearance::MovingArc {
     const double end_speed = std::abs(start_way_ + chord_way_);
     speed_m_ = std::min(std::abs(start_way_), end_speed) + std::abs(chord_way_) +
                kPlacePerTurn * longest * std::abs(turn_way_);
-    length_m_ = longest / sinc(most_turn / 2.0);
+    length_m_ = longest / sinc_of(most_turn / 2.0, std::sin(most_turn / 2.0));
     tangent_per_place_m_ = length_m_ * most_turn;
     tangent_per_time_m_ = std::numbers::pi / 2.0 * std::abs(chord_way_) +
                           kTangentPerTurn * longest * std::abs(turn_way_);
@@ -58,12 +59,29 @@ class SweptClearance::MovingArc {
     Complex at_m;
     Complex tangent_m;
   };
-  Point at(double time, double place) const {
-    const double turn = turn_ + time * turn_way_;
-    const Complex chord = (chord_ + time * chord_way_) / sinc(turn / 2.0);
-    const Complex w =
-        place * sinc(turn * place / 2.0) * std::polar(1.0, turn * (place - 1.0) / 2.0);
-    return {start_ + time * start_way_ + chord * w, chord * std::polar(1.0, turn * (place - 0.5))};
+  /// The arc as it is at one time.
+  class Still {
+   public:
+    Still(Complex start, Complex chord, double turn)
+        : start_(start), half_turn_(turn / 2.0), back_(std::polar(1.0, -half_turn_)) {
+      scaled_chord_ = chord / sinc_of(half_turn_, -back_.imag());
+    }
+
+    /// With a = φu/2: w·D = u·sinc(a)·e^{i(a − φ/2)}, and ∂w/∂u·D = e^{i(2a − φ/2)}.
+    Point at(double place) const {
+      const double a = half_turn_ * place;
+      const Complex turned = std::polar(1.0, a);
+      const Complex along = scaled_chord_ * turned * back_;
+      return {start_ + place * sinc_of(a, turned.imag()) * along, along * turned};
+    }
+
+   private:
+    Complex start_, scaled_chord_;
+    double half_turn_;
+    Complex back_;
+  };
+  Still still(double time) const {
+    return {start_ + time * start_way_, chord_ + time * chord_way_, turn_ + time * turn_way_};
   }
 
   double speed_m() const { return speed_m_; }    ///< bound on a point's way over all time
@@ -256,13 +274,19 @@ class SweptClearance::Search {
 
   /// Smallest distance of the arc's middle line from an obstacle, or `best` where that is less.
   double lowest(const MovingArc& arc, const CoveredObstacle& obstacle, double best) {
-    open_ = {{0.5, 0.5, 0.5, 0.5}};
+    open_.assign(1, {0.5, 0.5, 0.5, 0.5});
+    double time = open_.back().time;
+    MovingArc::Still still = arc.still(time);
     while (!open_.empty() && !give_up_.seldom()) {
       const Cell cell = open_.back();
       open_.pop_back();
       const double time_way = cell.half_time * arc.speed_m();
       double place_way = cell.half_place * arc.length_m();
-      const MovingArc::Point middle = arc.at(cell.time, cell.place);
+      if (cell.time != time) {  // cells of one time mostly follow one another
+        time = cell.time;
+        still = arc.still(time);
+      }
+      const MovingArc::Point middle = still.at(cell.place);
       const double enough = best - clearance_.tolerance_m_;
       if (obstacle.box.distance_m(middle.at_m) >= enough + time_way + place_way) {
         continue;
