@@ -210,8 +210,9 @@ void lower_by_motion(const std::vector<ObstacleShape>& shapes, const GapMotion& 
 template <class Scalar>
 Clearance backbone_clearance(const std::vector<ObstacleShape>& shapes,
                              const std::vector<double>& radius,
-                             const Eigen::Ref<const BackboneOf<Scalar>>& backbone) {
-  Clearance best{kInfinity, -1, -1};
+                             const Eigen::Ref<const BackboneOf<Scalar>>& backbone,
+                             double below_m = kInfinity) {
+  Clearance best{below_m, -1, -1};
   for (std::size_t gap = 0; gap < radius.size(); ++gap) {
     const int g = static_cast<int>(gap);
     lower_by_arc(shapes, gap_arc<Scalar>(backbone, g), radius[gap], g, best);
@@ -296,12 +297,14 @@ bool CollisionChecker::is_motion_free(const Eigen::Ref<const Backbone>& from,
 }
 
 Clearance CollisionChecker::motion_clearance(const Eigen::Ref<const Backbone>& from,
-                                             const Eigen::Ref<const Backbone>& to) const {
-  const Clearance at_start = clearance(from);
-  const Clearance at_end = clearance(to);
+                                             const Eigen::Ref<const Backbone>& to,
+                                             double below_m) const {
+  const Clearance at_start = backbone_clearance<float>(obstacles_, radius_m_, from, below_m);
+  const Clearance at_end =
+      backbone_clearance<float>(obstacles_, radius_m_, to, at_start.value_m);
   // The ends bound the search from above; both are bounds from below, hence the tolerance.
-  Clearance best = at_start.value_m <= at_end.value_m ? at_start : at_end;
-  best.value_m += kToleranceM;
+  Clearance best = at_end.obstacle >= 0 ? at_end : at_start;
+  best.value_m = std::min(best.value_m + kToleranceM, below_m);
   for (std::size_t gap = 0; gap < radius_m_.size(); ++gap) {
     const int g = static_cast<int>(gap);
     const GapMotion motion{gap_arc<float>(from, g), gap_arc<float>(to, g)};

@@ -19,9 +19,9 @@ PoseError final_error(const PlanningProblem& problem, const Plan& plan) {
 double plan_clearance_m(const CollisionChecker& checker, double margin_m, const Plan& plan) {
   double smallest = checker.clearance(plan.frames.front().backbone).value_m;
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    smallest = std::min(
-        smallest,
-        checker.motion_clearance(plan.frames[k - 1].backbone, plan.frames[k].backbone).value_m);
+    smallest = checker
+                   .motion_clearance(plan.frames[k - 1].backbone, plan.frames[k].backbone, smallest)
+                   .value_m;
   }
   return smallest + margin_m;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -54,9 +55,11 @@ class CollisionChecker {
   bool is_motion_free(const Eigen::Ref<const Backbone>& from,
                       const Eigen::Ref<const Backbone>& to) const;
 
-  /// Smallest clearance along that motion.
+  /// Smallest clearance along that motion, or `below_m` where it is not less than that: the less
+  /// is asked, the sooner there is an answer.
   Clearance motion_clearance(const Eigen::Ref<const Backbone>& from,
-                             const Eigen::Ref<const Backbone>& to) const;
+                             const Eigen::Ref<const Backbone>& to,
+                             double below_m = std::numeric_limits<double>::infinity()) const;
 
   int obstacle_count() const { return static_cast<int>(obstacles_.size()); }
   int gap_count() const { return static_cast<int>(radius_m_.size()); }
