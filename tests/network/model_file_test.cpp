@@ -10,6 +10,7 @@
 #include "limber/network/compensation_model.hpp"
 #include "limber/network/untrained_model.hpp"
 #include "network/safetensors.hpp"
+#include "network/sample_region.hpp"
 #include "support/sample_arm.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -158,6 +159,80 @@ TEST(ModelFile, KeepsTheReasonWhyThereAreNoValves) {
   EXPECT_EQ(read_model(path).valve_findings.reason, "the set points never change");
 }
 
+TEST(ModelFile, KeepsTheErrorAndWhatWasLearnt) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "model.safetensors";
+  CompensationModel model = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {5}, 1);
+  write_model(path, model);
+  EXPECT_FALSE(read_model(path).prediction_error);
+  EXPECT_FALSE(read_model(path).learnt);
+  model.prediction_error = PredictionError{27, 10.0, 0.1 / 7.0, 0.01, 1.0 / 3.0};
+  const LearntRegion region = sample_region(2, model.point_count, 5);
+  model.learnt = region;
+  write_model(path, model);
+  const CompensationModel back = read_model(path);
+  EXPECT_EQ(back.prediction_error, model.prediction_error);
+  ASSERT_TRUE(back.learnt);
+  EXPECT_TRUE(back.learnt->low_kpa == region.low_kpa && back.learnt->high_kpa == region.high_kpa);
+  EXPECT_TRUE(back.learnt->steepest_fall_kpa_per_s == region.steepest_fall_kpa_per_s &&
+              back.learnt->steepest_rise_kpa_per_s == region.steepest_rise_kpa_per_s);
+  EXPECT_TRUE(back.learnt->joint_offset == region.joint_offset &&
+              back.learnt->joint_scale == region.joint_scale);
+  EXPECT_TRUE(back.learnt->axes == region.axes);
+  EXPECT_TRUE(back.learnt->axis_low == region.axis_low &&
+              back.learnt->axis_high == region.axis_high);
+}
+
+TEST(ModelFile, OnlyTheLeadingMemberHasTheError) {
+  CompensationModel model = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {5}, 1);
+  model.more_members = {model.layers};
+  model.prediction_error = PredictionError{1, 10.0, 0.1, 0.1, 0.1};
+  EXPECT_TRUE(model.member(0).prediction_error);
+  EXPECT_FALSE(model.member(1).prediction_error);
+}
+
+TEST(ModelFile, DamageToWhatWasLearntIsNamed) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "model.safetensors";
+  CompensationModel model = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {5}, 1);
+  model.learnt = sample_region(2, model.point_count, 5);
+  write_model(path, model);
+  const Safetensors whole = parse_safetensors(read_file(path), path);
+  const auto message = [&](auto inflict, const char* expected) {
+    Safetensors damaged = whole;
+    inflict(damaged.tensors);
+    write_file_atomically(path, safetensors_bytes(damaged));
+    EXPECT_THAT([&] { (void)read_model(path); },
+                ThrowsMessage<InputError>(AllOf(StartsWith(path + ": "), HasSubstr(expected))));
+  };
+  using Tensors = std::map<std::string, Tensor>;
+  message([](Tensors& t) { t.erase("learnt.rates.fall"); }, "no tensor learnt.rates.fall");
+  message([](Tensors& t) { t.erase("learnt.axes.directions"); },
+          "no tensor learnt.axes.directions");
+  message(
+      [](Tensors& t) {
+        t["learnt.pressures.low"] = {{3}, {0, 0, 0}};
+      },
+      "tensor learnt.pressures.low has 3 numbers; expected 2");
+  message([](Tensors& t) { t["learnt.pressures.low"].values[1] = 2000.0F; },
+          "tensor learnt.pressures.low[1] is 2000, above its high");
+  message([](Tensors& t) { t["learnt.rates.rise"].values[0] = -1.0F; },
+          "tensor learnt.rates.rise[0] is -1; expected ≥ 0");
+  message([](Tensors& t) { t["learnt.joint.scale"].values[3] = 0.0F; },
+          "tensor learnt.joint.scale[3] is 0");
+  message([](Tensors& t) { t["learnt.axes.high"].values[2] = -9.0F; },
+          "tensor learnt.axes.low[2] is");
+  message([](Tensors& t) { t["learnt.joint.offset"].values[0] = std::nanf(""); },
+          "tensor learnt.joint.offset[0] is nan; expected a finite number");
+  message([](Tensors& t) { t["learnt.axes.directions"].values[7] = std::nanf(""); },
+          "tensor learnt.axes.directions holds a number that is not finite");
+  message(
+      [](Tensors& t) {
+        t["learnt.axes.directions"].shape = {1, 115};
+      },
+      "tensor learnt.axes.directions is 1 × 115; expected up to");
+}
+
 TEST(ModelFile, RefusesAChangeThatIsShifted) {
   CompensationModel model =
       untrained_model(sample_arm(3), BackboneLayout::gap_poses, {7}, 1, OutputForm::gated_change);
@@ -231,6 +306,12 @@ INSTANTIATE_TEST_SUITE_P(
                         R"({"schema":"limber/valves/1","has_sides":true,"segments":[
                             {"inflate_time_constant_s":-1}]})",
                         "metadata valves:2: segments[0].inflate_time_constant_s: -1 found"),
+        metadata_damage("error_without_runs", "prediction_error",
+                        R"({"runs":0,"run_s":10,"largest_position_m":0.1,"end_position_m":0.1,
+                            "end_orientation_rad":0.1})",
+                        "metadata prediction_error:1: runs: 0 found"),
+        metadata_damage("error_of_another_kind", "prediction_error", R"({"runs":3,"mood":2})",
+                        "metadata prediction_error:1: mood"),
         Damage{"no_schema", [](Safetensors& s) { s.metadata.erase("schema"); },
                "no metadata key schema"},
         Damage{"no_hash", [](Safetensors& s) { s.metadata.erase("arm_hash"); },

@@ -272,6 +272,41 @@ TEST(HoldBackValidation, CutsASingleEpisode) {
       ThrowsMessage<InputError>(HasSubstr("3 frames are too few to hold some of them back")));
 }
 
+TEST(HoldBackUnseen, LeavesTheChoiceOfValidationAsItIs) {
+  const ArmDescription arm = three_segment_arm();
+  std::vector<Episode> episodes;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    episodes.push_back(toy_episode(arm, 2 + static_cast<int>(seed) % 3, 20, seed));
+  }
+  const TrainingData before = hold_back_validation(episodes, 0.1, 3);
+  TrainingData data = before;
+  hold_back_unseen(data, 0.1, 3);
+  ASSERT_EQ(data.validation.size(), before.validation.size());
+  for (std::size_t i = 0; i < data.validation.size(); ++i) {
+    EXPECT_TRUE(data.validation[i].backbone == before.validation[i].backbone);
+  }
+  EXPECT_GT(data.unseen.size(), 0U);
+  EXPECT_EQ(data.training.size() + data.unseen.size(), before.training.size());
+}
+
+TEST(HoldBackUnseen, OfASingleEpisodeTheLastPartButOne) {
+  const Episode whole = toy_episode(three_segment_arm(), 20, 20, 1);  // 401 frames
+  TrainingData data = hold_back_validation({whole}, 0.1, 1);
+  hold_back_unseen(data, 0.1, 1);
+  ASSERT_EQ(data.unseen.size(), 1U);
+  EXPECT_EQ(data.training[0].frame_count(), 321);
+  EXPECT_EQ(data.unseen[0].frame_count(), 40);
+  EXPECT_EQ(data.validation[0].frame_count(), 40);
+  EXPECT_TRUE(data.unseen[0].backbone == whole.backbone.middleRows(321, 40));
+}
+
+TEST(HoldBackUnseen, TakesNothingOfWhatIsTooShort) {
+  TrainingData data = hold_back_validation({toy_episode(three_segment_arm(), 5, 20, 1)}, 0.1, 1);
+  hold_back_unseen(data, 0.1, 1);
+  EXPECT_TRUE(data.unseen.empty());
+  EXPECT_EQ(data.training.size(), 1U);
+}
+
 TEST(LearningCurve, LeavesCellsEmptyWhereNothingWasMeasured) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "curve.csv";

@@ -1,0 +1,147 @@
+#include "limber/training/learnt_region_fit.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "limber/common/error.hpp"
+#include "training/toy_arm.hpp"
+
+namespace limber {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+std::vector<Episode> toy_episodes(const ArmDescription& arm, int count, std::uint64_t seed) {
+  std::vector<Episode> episodes;
+  for (int k = 0; k < count; ++k) {
+    episodes.push_back(toy_episode(arm, 40, 30, seed + static_cast<std::uint64_t>(k)));
+  }
+  return episodes;
+}
+
+/// The arm with its pressures limited to half of what it can do.
+ArmDescription timid(ArmDescription arm) {
+  for (Segment& segment : arm.segments) {
+    segment.pressure_limit_kpa *= 0.5;
+  }
+  return arm;
+}
+
+bool is_flagged(const LearntRegion& region, const Episode& episode, int t, float bend_rad = 0.0F) {
+  Backbone backbone(region.point_count(), 3);
+  backbone.reshaped<Eigen::RowMajor>() = episode.backbone.row(t).transpose();
+  for (Eigen::Index j = 1; j < backbone.rows(); ++j) {
+    backbone(j, 2) += bend_rad * static_cast<float>(j);
+  }
+  return !region.contains(episode.pressure_kpa.row(t).transpose(), backbone);
+}
+
+TEST(LearntRegionFit, RangesAreThoseOfPressuresAndSetPoints) {
+  const ArmDescription arm = three_segment_arm();
+  const std::vector<Episode> episodes = toy_episodes(arm, 2, 1);
+  const LearntRegion region = learnt_region_of(episodes);
+  for (int i = 0; i < 3; ++i) {
+    float low = 1e9F, high = -1e9F, fall = 0.0F, rise = 0.0F;
+    for (const Episode& episode : episodes) {
+      for (int t = 0; t < episode.frame_count(); ++t) {
+        for (const float kpa : {episode.pressure_kpa(t, i), episode.setpoint_kpa(t, i)}) {
+          low = std::min(low, kpa);
+          high = std::max(high, kpa);
+        }
+        if (t > 0) {
+          const float rate = 20.0F * (episode.pressure_kpa(t, i) - episode.pressure_kpa(t - 1, i));
+          rise = std::max(rise, rate);
+          fall = std::max(fall, -rate);
+        }
+      }
+    }
+    constexpr float kRateRounding = 1e-2F;  // [kPa/s]
+    EXPECT_EQ(region.low_kpa[i], low);
+    EXPECT_EQ(region.high_kpa[i], high);
+    EXPECT_NEAR(region.steepest_fall_kpa_per_s[i], fall, kRateRounding);
+    EXPECT_NEAR(region.steepest_rise_kpa_per_s[i], rise, kRateRounding);
+  }
+}
+
+TEST(LearntRegionFit, AxesAreOrthonormal) {
+  constexpr float kRounding = 1e-5F;
+  const LearntRegion region = learnt_region_of(toy_episodes(three_segment_arm(), 2, 1));
+  const Eigen::MatrixXf product = region.axes * region.axes.transpose();
+  EXPECT_TRUE(product.isIdentity(kRounding));
+  EXPECT_NO_THROW(validate(region, 3, 16, "m"));
+}
+
+TEST(LearntRegionFit, HoldsWhatItLearntFromAndLittleElse) {
+  const ArmDescription arm = three_segment_arm();
+  const std::vector<Episode> training = toy_episodes(timid(arm), 4, 1);
+  const LearntRegion region = learnt_region_of(training);
+  int more = 0, more_flagged = 0;
+  for (const Episode& episode : toy_episodes(timid(arm), 2, 50)) {
+    for (int t = 0; t < episode.frame_count(); ++t) {
+      ++more;
+      more_flagged += is_flagged(region, episode, t) ? 1 : 0;
+    }
+  }
+  EXPECT_LE(more_flagged, 0.05 * more);
+  int beyond = 0, beyond_flagged = 0;
+  for (const Episode& episode : toy_episodes(arm, 2, 70)) {
+    for (int t = 0; t < episode.frame_count(); ++t) {
+      const Pressures kpa = episode.pressure_kpa.row(t);
+      if ((kpa.array() < region.low_kpa.array()).any() ||
+          (kpa.array() > region.high_kpa.array()).any()) {
+        ++beyond;
+        beyond_flagged += is_flagged(region, episode, t) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GE(beyond_flagged, 0.9 * beyond);
+  EXPECT_GT(beyond, 1000);
+  for (int t = 0; t < training[0].frame_count(); t += 7) {
+    EXPECT_FALSE(is_flagged(region, training[0], t));
+  }
+}
+
+// Pressures within the recorded range, but every gap bent as no pressure bends it.
+TEST(LearntRegionFit, FlagsABackboneThatPressuresDoNotExplain) {
+  const ArmDescription arm = three_segment_arm();
+  const LearntRegion region = learnt_region_of(toy_episodes(arm, 4, 1));
+  const Episode episode = toy_episode(arm, 40, 30, 90);
+  int flagged = 0;
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    flagged += is_flagged(region, episode, t, 0.15F) ? 1 : 0;
+  }
+  EXPECT_GE(flagged, 0.9 * episode.frame_count());
+}
+
+TEST(LearntRegionFit, WideningByWhatIsHeldChangesNothing) {
+  const std::vector<Episode> episodes = toy_episodes(three_segment_arm(), 2, 1);
+  const LearntRegion region = learnt_region_of(episodes);
+  const LearntRegion same = widened_by(region, episodes);
+  EXPECT_TRUE(same.axis_low == region.axis_low && same.axis_high == region.axis_high);
+  EXPECT_TRUE(same.low_kpa == region.low_kpa && same.high_kpa == region.high_kpa);
+}
+
+TEST(LearntRegionFit, FineTuningHoldsOldAndNew) {
+  const ArmDescription arm = three_segment_arm();
+  const std::vector<Episode> old_data = toy_episodes(timid(arm), 2, 1);
+  const std::vector<Episode> new_data = toy_episodes(arm, 1, 60);
+  const LearntRegion start = learnt_region_of(old_data);
+  const LearntRegion tuned = learnt_region_of(TrainingData{new_data, {}}, &start);
+  EXPECT_TRUE(tuned.axes == start.axes);
+  for (const Episode& episode : {old_data[0], new_data[0]}) {
+    for (int t = 0; t < episode.frame_count(); t += 5) {
+      EXPECT_FALSE(is_flagged(tuned, episode, t));
+    }
+  }
+}
+
+TEST(LearntRegionFit, RefusesRecordingsInWhichTheArmWasNeverSeen) {
+  Episode episode = toy_episode(three_segment_arm(), 2, 10, 1);
+  episode.tracked.assign(21, 0);
+  EXPECT_THAT([&] { (void)learnt_region_of({episode}); },
+              ThrowsMessage<InputError>(HasSubstr("the arm was seen in no frame")));
+}
+
+}  // namespace
+}  // namespace limber
