@@ -196,7 +196,7 @@ class Execution {
       false;  // in some frame; a virtual arm knows its shape even where none was delivered
   int motion_ = 0;
   double start_time_s_ = 0.0;
-  PathError prediction_;
+  ExecutedError prediction_;
   double prediction_sum_m_ = 0.0;
   int prediction_count_ = 0;
 };

@@ -1,6 +1,8 @@
 #include "limber/training/learnt_region_fit.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include <Eigen/Eigenvalues>
@@ -21,6 +23,10 @@ constexpr double kLeastPressureShare = 0.01;  // of the pressure that spreads mo
 // An axis with less variance than this, of numbers whose variance is 1, says nothing but rounding.
 constexpr double kNegligibleVariance = 1e-5;
 constexpr double kLeastHalfRange = 1e-3;  // of an axis along which nothing varies
+
+constexpr int kBlockFrames = 200;        // 10 s: two blocks have little to do with each other
+constexpr double kAllowedBeyond = 0.03;  // share of frames; what is asked for is 0.05
+constexpr double kMostWidening = 1.0;
 
 /// Joint vectors of the frames in which the arm was seen, one a column.
 Eigen::MatrixXd joint_vectors(const Episode& episode) {
@@ -87,15 +93,48 @@ void forget_ranges(LearntRegion& region, Eigen::Index segments) {
   region.axis_high = Eigen::VectorXf::Constant(region.axes.rows(), -kNone);
 }
 
-void widen_axes(LearntRegion& region, const Eigen::MatrixXd& joint) {
-  const Eigen::MatrixXd along =
-      region.axes.cast<double>() * (region.joint_scale.cast<double>().asDiagonal() *
-                                    (joint.colwise() - region.joint_offset.cast<double>()));
+/// The frames along the axes of `region`, one a column.
+Eigen::MatrixXd along_axes(const LearntRegion& region, const Eigen::MatrixXd& joint) {
+  return region.axes.cast<double>() * (region.joint_scale.cast<double>().asDiagonal() *
+                                       (joint.colwise() - region.joint_offset.cast<double>()));
+}
+
+/// Widens the axes' ranges to those of the frames and `widening` half ranges more on each side.
+void widen_axes(LearntRegion& region, const Eigen::MatrixXd& along, double widening) {
   const Eigen::VectorXd low = along.rowwise().minCoeff();
   const Eigen::VectorXd high = along.rowwise().maxCoeff();
-  const Eigen::VectorXd margin = (kAxisWidening * 0.5 * (high - low)).cwiseMax(kLeastHalfRange);
+  const Eigen::VectorXd margin = (widening * 0.5 * (high - low)).cwiseMax(kLeastHalfRange);
   region.axis_low = region.axis_low.cwiseMin((low - margin).cast<float>());
   region.axis_high = region.axis_high.cwiseMax((high + margin).cast<float>());
+}
+
+/// By how many half ranges the frames of one half of the recordings, alternating blocks of them,
+/// lie beyond those of the other half, in all but kAllowedBeyond of them: what the next recording
+/// of the same kind will add to the extremes. Little data need much widening, much data little.
+double needed_widening(const Eigen::MatrixXd& along) {
+  std::array<std::vector<Eigen::Index>, 2> halves;
+  for (Eigen::Index t = 0; t < along.cols(); ++t) {
+    halves[static_cast<std::size_t>(t / kBlockFrames % 2)].push_back(t);
+  }
+  std::vector<double> beyond;
+  for (const std::size_t half : {0U, 1U}) {
+    if (halves[1 - half].empty()) {
+      return kAxisWidening;
+    }
+    const Eigen::MatrixXd known = along(Eigen::all, halves[1 - half]);
+    const Eigen::VectorXd low = known.rowwise().minCoeff();
+    const Eigen::VectorXd high = known.rowwise().maxCoeff();
+    const Eigen::VectorXd middle = 0.5 * (low + high);
+    const Eigen::VectorXd half_range = (0.5 * (high - low)).cwiseMax(kLeastHalfRange);
+    for (const Eigen::Index t : halves[half]) {
+      beyond.push_back((along.col(t) - middle).cwiseQuotient(half_range).cwiseAbs().maxCoeff() -
+                       1.0);
+    }
+  }
+  const auto rank =
+      static_cast<std::ptrdiff_t>((1.0 - kAllowedBeyond) * static_cast<double>(beyond.size() - 1));
+  std::nth_element(beyond.begin(), beyond.begin() + rank, beyond.end());
+  return std::clamp(beyond[static_cast<std::size_t>(rank)], kAxisWidening, kMostWidening);
 }
 
 /// Deviation of each number, no less than what it is taken to spread by at least.
@@ -134,7 +173,8 @@ LearntRegion learnt_region_of(const std::vector<Episode>& episodes) {
   for (const Episode& episode : episodes) {
     widen_pressures(region, episode);
   }
-  widen_axes(region, joint);
+  const Eigen::MatrixXd along = along_axes(region, joint);
+  widen_axes(region, along, needed_widening(along));
   return region;
 }
 
@@ -142,7 +182,7 @@ LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episode
   for (const Episode& episode : episodes) {
     widen_pressures(region, episode);
   }
-  widen_axes(region, joint_vectors(episodes));
+  widen_axes(region, along_axes(region, joint_vectors(episodes)), kAxisWidening);
   return region;
 }
 

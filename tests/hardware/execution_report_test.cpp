@@ -26,7 +26,7 @@ ExecutionResult collided_run() {
   result.closest = Contact{1.5, {-0.012, 5, 1}};
   result.final_backbone = Backbone::Constant(3, 3, 0.25F);
   result.goal_error = {0.064, 0.21};
-  result.prediction = PathError{0.02, 0.05, 0.04};
+  result.prediction = ExecutedError{0.02, 0.05, 0.04};
   return result;
 }
 

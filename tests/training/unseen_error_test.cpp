@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "limber/data/valve_simulation.hpp"
+#include "limber/forward/forward_model.hpp"
 #include "limber/network/untrained_model.hpp"
 #include "training/toy_arm.hpp"
 

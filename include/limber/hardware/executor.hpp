@@ -31,7 +31,7 @@ struct ExecutionSettings {
 };
 
 /// Distance between predicted and executed tip over the plan's frames.
-struct PathError {
+struct ExecutedError {
   double mean_m = 0.0;
   double before_hold_m = 0.0;  ///< mean over the frames before the plan's hold: while it moves
   double largest_m = 0.0;
@@ -53,7 +53,7 @@ struct ExecutionResult {
   std::optional<Backbone> final_backbone;  ///< after the hold, or at the fault; none if untracked
   PoseError goal_error;                    ///< of it; meaningless without `final_backbone`
   bool goal_reached = false;
-  std::optional<PathError> prediction;  ///< none where nothing was tracked
+  std::optional<ExecutedError> prediction;  ///< none where nothing was tracked
 
   /// What was commanded and measured, time 0 being the start; no frames where nothing was tracked.
   /// A motion is one edge of the plan, the hold belongs to the last.

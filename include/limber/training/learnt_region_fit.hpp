@@ -9,7 +9,8 @@
 namespace limber {
 
 /// What `episodes` hold: ranges of pressures and their rates, and of the joint vector along its
-/// principal axes, each widened by kAxisWidening (docs/training.md). Frames in which the arm was
+/// principal axes, each widened by kAxisWidening or, where one half of the episodes lies farther
+/// beyond the other half, by as much (docs/training.md). Frames in which the arm was
 /// not seen don't count. @throws InputError where it was seen in none.
 LearntRegion learnt_region_of(const std::vector<Episode>& episodes);
 
@@ -22,8 +23,7 @@ LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episode
 /// @param start  of the model that was fine-tuned; null: none
 LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* start = nullptr);
 
-/// Share of its half range by which an axis' border lies outside of the frames: what the next
-/// recording of the same kind adds to the extremes.
+/// Share of its half range by which an axis' border lies outside of the frames at least.
 inline constexpr double kAxisWidening = 0.1;
 
 }  // namespace limber
