@@ -25,8 +25,13 @@ class EvaluateVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
-    app.add_option("--model", model_, "Network model; without it, the no-load model alone");
+    CLI::Option* model =
+        app.add_option("--model", model_, "Network model; without it, the no-load model alone");
     app.add_option("--data", data_, "Recording that was not trained on")->required();
+    app.add_option("--out", out_,
+                   "Write the model here, the error on this recording stored in it: what plans "
+                   "then keep clear of obstacles")
+        ->needs(model);
     app.add_option("--plots", plots_, "Folder for error_over_time.svg and other pictures");
   }
 
@@ -35,6 +40,9 @@ class EvaluateVerb final : public Verb {
       for (const auto& path : evaluation_plot_paths(plots_)) {
         refuse_to_overwrite(path, flags.force);
       }
+    }
+    if (!out_.empty()) {
+      refuse_to_overwrite(out_, flags.force);
     }
     const ArmDescription arm = load_arm(find_arm_file(arm_));
     const ForwardModel no_load(arm);
@@ -46,7 +54,12 @@ class EvaluateVerb final : public Verb {
     const Recording recording = read_recording(data_);
     require_recording_of(recording, arm, data_);
     if (network && was_trained_on(network->compensation(), data_hash)) {
-      say(flags, "warning: the model was trained on {}; its errors there say nothing", data_);
+      const std::string fault =
+          fmt::format("the model was trained on {}; its errors there say nothing", data_);
+      if (!out_.empty()) {
+        throw InputError(fmt::format("--out: {}", fault));
+      }
+      say(flags, "warning: {}", fault);
     }
     const ForwardModel* compared = network ? &*network : nullptr;
     const Evaluation evaluation = compare(no_load, compared, recording, flags.jobs);
@@ -74,12 +87,25 @@ class EvaluateVerb final : public Verb {
         json["prediction_error"] = prediction_error_to_json(*error);
         text += prediction_error_to_text(*error) + "\n";
       }
+      store(network->compensation(), error);
     }
     print_result(flags, json, text);
     return kExitDone;
   }
 
  private:
+  void store(CompensationModel model, const std::optional<PredictionError>& error) const {
+    if (out_.empty()) {
+      return;
+    }
+    if (!error) {
+      throw InputError(
+          fmt::format("--out: in {} nothing moves that the error could be measured on", data_));
+    }
+    model.prediction_error = error;
+    write_model(out_, model);
+  }
+
   /// The record of a model's training names each data file with its hash.
   static bool was_trained_on(const CompensationModel& model, const std::string& data_hash) {
     const auto found = model.training.find("data");
@@ -100,6 +126,7 @@ class EvaluateVerb final : public Verb {
   std::string arm_ = "three_segment";
   std::string model_;
   std::string data_;
+  std::string out_;
   std::string plots_;
 };
 

@@ -135,7 +135,7 @@ class PlanVerb final : public Verb {
     const std::optional<RecordedRegion> region = region_to_stay_in(forward, arm);
     const ErrorRoom room = room_.room(forward, flags);
     PlanResult result = search({arm, model, environment, room.margin_m, room.goal_margin,
-                                region ? &*region : nullptr},
+                                std::nullopt, region ? &*region : nullptr},
                                flags);
     warn_beyond_recordings(forward, arm, result);
     for (const std::string& warning : result.warnings) {

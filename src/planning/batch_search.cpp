@@ -139,7 +139,7 @@ void BatchSearch::add(const Proposal& edge, double cost_kpa, const PathOutcome& 
   }
   note_error(*node);
   if (outcome.in_goal) {
-    note_solution(*node);
+    note_solution(*node, *outcome.held_tip);
   }
 }
 

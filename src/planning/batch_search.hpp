@@ -18,6 +18,7 @@ class BatchSearch {
   struct Solution {
     int node;
     double cost_kpa;
+    Pose held_tip;  ///< after the hold
   };
 
   BatchSearch(const PlanningProblem& problem, PathSimulator& simulator,
@@ -31,7 +32,9 @@ class BatchSearch {
   /// @return its node
   int graft(int parent, const MotionState& state);
   /// Someone else has found that a node is in the goal after the hold.
-  void note_solution(int node) { solutions_.push_back({node, tree().cost_kpa(node)}); }
+  void note_solution(int node, const Pose& held_tip) {
+    solutions_.push_back({node, tree().cost_kpa(node), held_tip});
+  }
 
   Pressures limited(const Pressures& pressures_kpa) const { return tree_.limited(pressures_kpa); }
 

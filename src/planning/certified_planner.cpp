@@ -19,8 +19,10 @@ namespace {
 constexpr double kReserveM = Certificate::kDeviationM;
 constexpr double kReserveRad = Certificate::kHeadingDeviationRad;
 constexpr double kMostOfTolerance = 0.1;
-/// Of a tolerance that is smaller than the model's error: what is left to aim at.
-constexpr double kCentre = 0.2;
+/// Of a tolerance: what plans may use of it where the model's error is larger than the rest.
+constexpr double kLeastShare = 0.5;
+/// Of a tolerance: what is aimed at where there is an error to keep room for. That costs little.
+constexpr double kAimedShare = 0.25;
 /// Of the limits, for the search with the clearance that was asked for, where it finds nothing; the
 /// rest is for smaller ones. But never more time than that.
 constexpr double kPatience = 0.9;
@@ -28,7 +30,7 @@ constexpr double kMostForSmallerS = 1.0;
 constexpr double kSmallerClearances[] = {0.75, 0.5, 0.25, 0.0};  // of the one asked for
 
 double with_room(double tolerance, double margin, double reserve) {
-  const double inside = std::max(tolerance - margin, kCentre * tolerance);
+  const double inside = std::max(tolerance - margin, kLeastShare * tolerance);
   return inside - std::min(reserve, kMostOfTolerance * inside);
 }
 
@@ -40,6 +42,16 @@ Environment with_room(Environment environment, const PoseError& margin) {
   return environment;
 }
 
+/// What is preferred within that.
+std::optional<PoseError> aim_of(const PlanningProblem& problem) {
+  if (problem.goal_margin.position_m <= 0.0 && problem.goal_margin.orientation_rad <= 0.0) {
+    return std::nullopt;
+  }
+  const PoseGoal& goal = problem.environment.goal;
+  return PoseError{kAimedShare * goal.position_tolerance_m,
+                   kAimedShare * goal.orientation_tolerance_rad};
+}
+
 double clearance_with_reserve_m(double margin_m) {
   return std::max(margin_m, Certificate::kLeastClearanceM) + kReserveM;
 }
@@ -48,16 +60,17 @@ double clearance_with_reserve_m(double margin_m) {
 std::vector<std::string> warnings_of_aim(const PlanningProblem& problem) {
   const PoseGoal& goal = problem.environment.goal;
   std::vector<std::string> warnings;
-  if ((1.0 - kCentre) * goal.position_tolerance_m < problem.goal_margin.position_m) {
-    warnings.push_back(fmt::format(
-        "the goal's tolerance of {:.2f} cm is hardly larger than the model's error, {:.2f} cm: the "
-        "plan aims at its centre, and the arm may end outside",
-        goal.position_tolerance_m * kCmPerM, problem.goal_margin.position_m * kCmPerM));
+  if ((1.0 - kLeastShare) * goal.position_tolerance_m < problem.goal_margin.position_m) {
+    warnings.push_back(
+        fmt::format("the goal's tolerance of {:.2f} cm leaves little room for the model's error, "
+                    "{:.2f} cm: the "
+                    "plan aims at its centre, and the arm may end outside",
+                    goal.position_tolerance_m * kCmPerM, problem.goal_margin.position_m * kCmPerM));
   }
   if (goal.theta_rad &&
-      (1.0 - kCentre) * goal.orientation_tolerance_rad < problem.goal_margin.orientation_rad) {
+      (1.0 - kLeastShare) * goal.orientation_tolerance_rad < problem.goal_margin.orientation_rad) {
     warnings.push_back(fmt::format(
-        "the goal's tolerance of {:.3f} rad is hardly larger than the model's error, {:.3f} rad: "
+        "the goal's tolerance of {:.3f} rad leaves little room for the model's error, {:.3f} rad: "
         "the plan aims at its middle, and the arm may end outside",
         goal.orientation_tolerance_rad, problem.goal_margin.orientation_rad));
   }
@@ -122,6 +135,7 @@ class CertifiedPlanner final : public Planner {
                                    environment,
                                    clearance_with_reserve_m(problem.margin_m),
                                    {},
+                                   aim_of(problem),
                                    problem.stay_within,
                                    &judge};
     PlanResult result = planner.plan(searched, limits, seed, callback);
@@ -163,7 +177,8 @@ class CertifiedPlanner final : public Planner {
       left.time_s = *limits.time_s - seconds_since(start);
     }
     if (limits.iterations) {
-      left.iterations = *limits.iterations - std::min(*limits.iterations, result.statistics.iterations);
+      left.iterations =
+          *limits.iterations - std::min(*limits.iterations, result.statistics.iterations);
     }
     if (limits.queries) {
       left.queries = *limits.queries - std::min(*limits.queries, result.statistics.queries);
@@ -201,7 +216,8 @@ class CertifiedPlanner final : public Planner {
       if (tried.plan) {
         result.largest_clearance_m = tried.plan->certified->clearance_m;
         result.reason += fmt::format(
-            "; with less clearance than the {:.2f} cm asked for there is a plan, which keeps {:.2f} "
+            "; with less clearance than the {:.2f} cm asked for there is a plan, which keeps "
+            "{:.2f} "
             "cm: --margin-m {:.4g}",
             asked.margin_m * kCmPerM, *result.largest_clearance_m * kCmPerM, problem.margin_m);
         return;

@@ -28,9 +28,11 @@ class Run {
   Run(const PlanningProblem& problem, const PlannerLimits& limits, const PlannerCallback& callback,
       const DefaultPlannerSettings& settings, const char* planner, std::uint64_t seed)
       : problem_(problem),
+        settings_(settings),
         budget_(limits, callback),
         checker_(problem.arm, problem.environment.obstacles, problem.margin_m),
         single_(problem.arm, problem.model, checker_),
+        aim_(problem),
         opinions_(problem, checker_),
         paths_(problem, checker_, {settings.hold_position_m, settings.hold_orientation_rad},
                settings.jobs),
@@ -78,7 +80,13 @@ class Run {
   /// Whether no plan can be cheaper, or nobody has anything to try: a limit of queries alone would
   /// never be reached.
   bool nothing_left() const {
-    return (has_plan() && *best_cost_kpa() <= 0.0) || idle_turns_ > kMostIdleTurns;
+    return (has_plan() && *best_cost_kpa() <= 0.0) || idle_turns_ > kMostIdleTurns ||
+           improvement_queries() >= settings_.improvement_queries;
+  }
+
+  /// Since there is a plan.
+  double improvement_queries() const {
+    return has_plan() ? double(paths_.queries() - before_plan_) : 0.0;
   }
 
   /// An arm that need not move has the cheapest plan of all.
@@ -87,13 +95,13 @@ class Run {
     batch_.assign(1, {start, {start.setpoint_kpa()}});
     paths_.run(batch_, outcomes_, give_up());
     if (outcomes_.front().in_goal) {
-      (void)note_plan({start.setpoint_kpa()});
+      (void)note_plan({start.setpoint_kpa()}, 0.0);
     }
   }
 
   /// Whether it may be built upon.
-  bool note_plan(const std::vector<Pressures>& waypoints_kpa) {
-    const bool stands = ladder_.offer(waypoints_kpa, paths_.queries());
+  bool note_plan(const std::vector<Pressures>& waypoints_kpa, double merit_kpa) {
+    const bool stands = ladder_.offer(waypoints_kpa, merit_kpa, paths_.queries());
     budget_.note(progress());
     return stands;
   }
@@ -125,21 +133,25 @@ class Run {
     note_solutions(before);
   }
 
+  double merit_kpa(const BatchSearch::Solution& one) const {
+    return aim_.merit_kpa(one.cost_kpa, one.held_tip);
+  }
+
   /// What the search has found since the model had been asked `before` queries.
   void note_solutions(std::uint64_t before) {
     const auto& solutions = search_.solutions();
     std::vector<BatchSearch::Solution> found(solutions.begin() + std::ptrdiff_t(seen_),
                                              solutions.end());
     seen_ = solutions.size();
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.cost_kpa < b.cost_kpa; });
+    std::ranges::stable_sort(found, {}, [this](const auto& one) { return merit_kpa(one); });
     for (const BatchSearch::Solution& one : found) {
-      if (!opinions_.agree(search_.waypoints_to(one.node))) {
+      const std::vector<Pressures> waypoints_kpa = search_.waypoints_to(one.node);
+      if (!opinions_.agree(waypoints_kpa)) {
         continue;
       }
-      const bool is_cheapest = !has_plan() || one.cost_kpa < *best_cost_kpa();
-      if (!is_cheapest || note_plan(search_.waypoints_to(one.node))) {
-        waiting_.push_back(one.node);
+      const bool is_best = !has_plan() || merit_kpa(one) < *ladder_.best_merit_kpa();
+      if (!is_best || note_plan(waypoints_kpa, merit_kpa(one))) {
+        waiting_.push_back(one);
       }
     }
     if (!has_plan()) {
@@ -155,7 +167,7 @@ class Run {
     std::vector<std::size_t> first;
     for (PlanImprover& improver : improvers_) {
       first.push_back(batch_.size());
-      const bool is_best = improver.has_plan() && improver.cost_kpa() <= *best_cost_kpa();
+      const bool is_best = improver.has_plan() && improver.merit_kpa() <= *ladder_.best_merit_kpa();
       if (!improver.has_plan() || (improver.fruitless_rounds() > kPatience && !is_best)) {
         call_plan(improver);
       }
@@ -170,8 +182,8 @@ class Run {
     for (std::size_t i = 0; i < improvers_.size(); ++i) {
       if (improvers_[i].has_plan()) {
         improvers_[i].settle(outcomes_.data() + first[i]);
-        if (improvers_[i].cost_kpa() < *best_cost_kpa() &&
-            !note_plan(improvers_[i].waypoints_kpa())) {
+        if (improvers_[i].merit_kpa() < *ladder_.best_merit_kpa() &&
+            !note_plan(improvers_[i].waypoints_kpa(), improvers_[i].merit_kpa())) {
           improvers_[i].drop();
         }
       }
@@ -186,11 +198,12 @@ class Run {
     }
     const std::size_t place = choice_.index(static_cast<std::uint32_t>(waiting_.size()));
     std::vector<MotionState> states;
-    const std::vector<int> nodes = search_.tree().nodes_to(waiting_[place]);
+    const BatchSearch::Solution solution = waiting_[place];
+    const std::vector<int> nodes = search_.tree().nodes_to(solution.node);
     for (const int node : nodes) {
       states.push_back(search_.tree().state(node));
     }
-    improver.adopt(search_.waypoints_to(waiting_[place]), std::move(states));
+    improver.adopt(search_.waypoints_to(solution.node), std::move(states), solution.held_tip);
     waiting_[place] = waiting_.back();
     waiting_.pop_back();
   }
@@ -208,9 +221,11 @@ class Run {
   }
 
   const PlanningProblem& problem_;
+  const DefaultPlannerSettings& settings_;
   PlannerBudget budget_;
   CollisionChecker checker_;
   MotionSimulator single_;
+  GoalAim aim_;
   SecondOpinions opinions_;
   PathSimulator paths_;
   BatchSearch search_;
@@ -220,8 +235,8 @@ class Run {
   RandomStream choice_;
   const char* planner_;
   std::uint64_t seed_;
-  std::size_t seen_ = 0;      // of the search's solutions
-  std::vector<int> waiting_;  // nodes in the goal that no improver has had
+  std::size_t seen_ = 0;                        // of the search's solutions
+  std::vector<BatchSearch::Solution> waiting_;  // that no improver has had
   int idle_turns_ = 0;
   std::uint64_t before_plan_ = 0;     // queries
   std::uint64_t search_queries_ = 0;  // since then

@@ -23,7 +23,7 @@ ErrorRoom default_room(const ForwardModel& model) {
                         "and as much to the goal's rim; limber train measures it",
                         kUnknownErrorM * kCmPerM)};
   }
-  return {error->largest_position_m, {error->end_position_m, error->end_orientation_rad}, ""};
+  return {error->off_path_m, {error->end_position_m, error->end_orientation_rad}, ""};
 }
 
 }  // namespace

@@ -166,7 +166,7 @@ void ForestSearch::settle(const Candidate& tried, const PathOutcome& outcome) {
     place = search_.graft(place, outcome.at.back());
   }
   if (outcome.in_goal) {
-    search_.note_solution(place);
+    search_.note_solution(place, *outcome.held_tip);
   }
 }
 

@@ -24,6 +24,26 @@ double goal_error(const PoseGoal& goal, const Pose& tip) {
          (goal.theta_rad ? error.orientation_rad / goal.orientation_tolerance_rad : 0.0);
 }
 
+GoalAim::GoalAim(const PlanningProblem& problem)
+    : goal_(problem.environment.goal), inner_(problem.environment.goal) {
+  if (problem.aim) {
+    inner_.position_tolerance_m = std::min(goal_.position_tolerance_m, problem.aim->position_m);
+    inner_.orientation_tolerance_rad =
+        std::min(goal_.orientation_tolerance_rad, problem.aim->orientation_rad);
+  }
+}
+
+double GoalAim::beyond(const Pose& held_tip) const {
+  const PoseError error = pose_error(goal_, held_tip);
+  const double turn =
+      goal_.theta_rad ? std::max(0.0, error.orientation_rad - inner_.orientation_tolerance_rad) /
+                            goal_.orientation_tolerance_rad
+                      : 0.0;
+  return std::max(0.0, error.position_m - inner_.position_tolerance_m) /
+             goal_.position_tolerance_m +
+         turn;
+}
+
 const Pressures& GoalSampler::sample(RandomStream& random) {
   if (static_cast<int>(drawn_kpa_.size()) >= count_) {
     return drawn_kpa_[random.index(static_cast<std::uint32_t>(drawn_kpa_.size()))];

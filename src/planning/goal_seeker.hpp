@@ -5,11 +5,32 @@
 #include "limber/arm/inverse_kinematics.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/planning/planner.hpp"
 
 namespace limber {
 
 /// Distance to the goal in tolerances, to compare states with.
 double goal_error(const PoseGoal& goal, const Pose& tip);
+
+/// Where a plan ends, beside where it should: arriving well comes before costing little.
+class GoalAim {
+ public:
+  explicit GoalAim(const PlanningProblem& problem);
+
+  /// The goal with the aim's tolerances.
+  const PoseGoal& inner() const { return inner_; }
+  /// How far a tip in the goal is beyond the aim, in the goal's tolerances; 0 within it.
+  double beyond(const Pose& held_tip) const;
+  /// What plans are compared by: their cost, and far more for ending beyond the aim.
+  double merit_kpa(double cost_kpa, const Pose& held_tip) const {
+    return cost_kpa + kKpaPerTolerance * beyond(held_tip);
+  }
+
+ private:
+  static constexpr double kKpaPerTolerance = 2000.0;  // several times what plans cost
+  PoseGoal goal_;
+  PoseGoal inner_;
+};
 
 /// Configurations whose no-load tip lies in the goal's region, drawn one by one (the paper's goal
 /// biasing); where the no-load model does not reach it, the nearest configurations found.

@@ -52,18 +52,23 @@ PlanImprover::PlanImprover(const PlanningProblem& problem, SecondOpinions& opini
                            std::uint64_t seed, std::uint64_t stream)
     : problem_(problem),
       opinions_(opinions),
+      aim_(problem),
       seed_(seed),
       stream_(kFirstStream * (1 + stream)),
       limit_kpa_(pressure_limits_kpa(problem.arm)),
       box_(setpoints_of(problem)) {}
 
-void PlanImprover::adopt(std::vector<Pressures> waypoints_kpa, std::vector<MotionState> states) {
+void PlanImprover::adopt(std::vector<Pressures> waypoints_kpa, std::vector<MotionState> states,
+                         const Pose& held_tip) {
   before_kpa_.clear();
   misses_.clear();
   waypoints_kpa_ = std::move(waypoints_kpa);
   states_ = std::move(states);
-  cost_kpa_ = waypoint_cost_kpa(waypoints_kpa_);
-  milestone_kpa_ = cost_kpa_;
+  merit_kpa_ = aim_.merit_kpa(waypoint_cost_kpa(waypoints_kpa_), held_tip);
+  if (aim_.beyond(held_tip) > 0.0) {
+    misses_.push_back({waypoints_kpa_, held_tip});
+  }
+  milestone_kpa_ = merit_kpa_;
   fruitless_rounds_ = 0;
 }
 
@@ -200,7 +205,7 @@ void PlanImprover::go_on(std::vector<Path>& paths) {
 
 void PlanImprover::add_candidate(std::vector<Path>& paths) {
   const double cost = waypoint_cost_kpa(candidate_kpa_);
-  if (cost >= cost_kpa_ - kImprovementKpa) {
+  if (cost >= merit_kpa_ - kImprovementKpa) {
     return;
   }
   std::size_t same = 1;
@@ -215,12 +220,12 @@ void PlanImprover::add_candidate(std::vector<Path>& paths) {
   candidates_.push_back({candidate_kpa_, same, cost});
 }
 
-/// By the no-load model's Newton step from where it ended, to the rim of the goal: cheap plans end
+/// By the no-load model's Newton step from where it ended, to the rim of the aim: cheap plans end
 /// there, so that most changes that save something end just beyond.
 void PlanImprover::repair(const Miss& miss) {
   candidate_kpa_ = miss.waypoints_kpa;
   const Pressures end = candidate_kpa_.back();
-  const PoseGoal target = nearest_inside(problem_.environment.goal, miss.held_tip);
+  const PoseGoal target = nearest_inside(aim_.inner(), miss.held_tip);
   shift_in_proportion(step_toward_goal(problem_.model.no_load(), target, problem_.arm.length_m(),
                                        end, miss.held_tip) -
                       end);
@@ -229,14 +234,18 @@ void PlanImprover::repair(const Miss& miss) {
 void PlanImprover::settle(const PathOutcome* outcomes) {
   note_misses(outcomes);
   before_kpa_.clear();
-  std::vector<std::pair<double, std::size_t>> by_cost;
+  std::vector<std::pair<double, std::size_t>> by_merit;
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    if (outcomes[k].in_goal) {
-      by_cost.emplace_back(candidates_[k].cost_kpa, k);
+    if (!outcomes[k].in_goal) {
+      continue;
+    }
+    const double merit_kpa = aim_.merit_kpa(candidates_[k].cost_kpa, *outcomes[k].held_tip);
+    if (merit_kpa < merit_kpa_ - kImprovementKpa) {
+      by_merit.emplace_back(merit_kpa, k);
     }
   }
-  std::sort(by_cost.begin(), by_cost.end());
-  for (const auto& [cost_kpa, k] : by_cost) {
+  std::sort(by_merit.begin(), by_merit.end());
+  for (const auto& [merit_kpa, k] : by_merit) {
     if (opinions_.agree(candidates_[k].waypoints_kpa)) {
       accept(k, outcomes[k]);
       return;
@@ -248,7 +257,8 @@ void PlanImprover::settle(const PathOutcome* outcomes) {
 void PlanImprover::note_misses(const PathOutcome* outcomes) {
   std::vector<std::pair<double, std::size_t>> by_cost;
   for (std::size_t k = 0; k < candidates_.size(); ++k) {
-    if (outcomes[k].held_tip && !outcomes[k].in_goal) {
+    if (outcomes[k].held_tip &&
+        (!outcomes[k].in_goal || aim_.beyond(*outcomes[k].held_tip) > 0.0)) {
       by_cost.emplace_back(candidates_[k].cost_kpa, k);
     }
   }
@@ -265,9 +275,9 @@ void PlanImprover::accept(std::size_t candidate, const PathOutcome& outcome) {
   states_.resize(taken.same);
   states_.insert(states_.end(), outcome.at.begin(), outcome.at.end());
   before_kpa_ = std::exchange(waypoints_kpa_, std::move(taken.waypoints_kpa));
-  cost_kpa_ = taken.cost_kpa;
-  if (cost_kpa_ < (1.0 - kNotable) * milestone_kpa_) {
-    milestone_kpa_ = cost_kpa_;
+  merit_kpa_ = aim_.merit_kpa(taken.cost_kpa, *outcome.held_tip);
+  if (merit_kpa_ < (1.0 - kNotable) * milestone_kpa_) {
+    milestone_kpa_ = merit_kpa_;
     fruitless_rounds_ = 0;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "goal_seeker.hpp"
 #include "limber/common/random_stream.hpp"
 #include "path_simulator.hpp"
 #include "second_opinions.hpp"
@@ -12,11 +13,11 @@ namespace limber {
 double waypoint_cost_kpa(const std::vector<Pressures>& waypoints_kpa);
 
 /// Makes a plan cheaper: leaves out, straightens, splits and shifts waypoints at random, some ways
-/// at once; what is cheaper and ends beside the goal is shifted back into it. A change counts only
-/// after everything behind it has been simulated anew, found free, and ends in the goal after the
-/// hold: elsewhere friction would make the plan another one. Several improvers share a batch of the
-/// simulator: each proposes its paths, then all settle. Everything given is borrowed. What it does
-/// depends on the seed, the stream and the number of rounds alone.
+/// at once; what is cheaper and ends beside the goal, or beyond its aim, is shifted back into it. A
+/// change counts only after everything behind it has been simulated anew, found free, and ends in
+/// the goal after the hold: elsewhere friction would make the plan another one. Several improvers
+/// share a batch of the simulator: each proposes its paths, then all settle. Everything given is
+/// borrowed. What it does depends on the seed, the stream and the number of rounds alone.
 class PlanImprover {
  public:
   /// @param stream  tells several improvers of one seed apart
@@ -26,20 +27,24 @@ class PlanImprover {
   /// Takes over a plan that is a solution.
   /// @param waypoints_kpa  start first
   /// @param states         at the waypoints
-  void adopt(std::vector<Pressures> waypoints_kpa, std::vector<MotionState> states);
+  /// @param held_tip       where it ends
+  void adopt(std::vector<Pressures> waypoints_kpa, std::vector<MotionState> states,
+             const Pose& held_tip);
 
   /// Gives its plan up.
   void drop() { waypoints_kpa_.clear(); }
 
   bool has_plan() const { return !waypoints_kpa_.empty(); }
   const std::vector<Pressures>& waypoints_kpa() const { return waypoints_kpa_; }
-  double cost_kpa() const { return cost_kpa_; }
-  /// Rounds since the cost last fell by more than a thousandth.
+  /// GoalAim::merit_kpa of it.
+  double merit_kpa() const { return merit_kpa_; }
+  /// Rounds since the merit last fell by more than a thousandth.
   int fruitless_rounds() const { return fruitless_rounds_; }
 
   /// Appends the paths of a few random changes. @pre has_plan
   void propose(std::vector<Path>& paths);
-  /// Accepts the cheapest of those changes that holds, by all opinions. @param outcomes  of the paths proposed
+  /// Accepts the cheapest of those changes that holds, by all opinions. @param outcomes  of the
+  /// paths proposed
   void settle(const PathOutcome* outcomes);
 
  private:
@@ -48,7 +53,7 @@ class PlanImprover {
     std::size_t same;  // waypoints, from the start, that are as before
     double cost_kpa;
   };
-  /// A change that is free, and ends beside the goal.
+  /// A change that is free, and ends beside the goal or beyond the aim.
   struct Miss {
     std::vector<Pressures> waypoints_kpa;
     Pose held_tip;
@@ -75,14 +80,15 @@ class PlanImprover {
 
   const PlanningProblem& problem_;
   SecondOpinions& opinions_;
+  GoalAim aim_;
   std::uint64_t seed_;
   std::uint64_t stream_;
   Pressures limit_kpa_;
   PressureBox box_;
   std::vector<Pressures> waypoints_kpa_;
   std::vector<MotionState> states_;  // at the waypoints
-  double cost_kpa_ = 0.0;
-  double milestone_kpa_ = 0.0;  // cost when it last fell by enough
+  double merit_kpa_ = 0.0;
+  double milestone_kpa_ = 0.0;  // merit when it last fell by enough
   int fruitless_rounds_ = 0;
 
   std::uint64_t changes_ = 0;

@@ -10,7 +10,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kNotable = 0.95;      // of the cost judged last: worth a certificate while searching
+constexpr double kNotable = 0.95;  // of the cost judged last: worth a certificate while searching
 constexpr double kWorthWaiting = 0.998;  // of the cost before: worth a place of its own
 
 }  // namespace
@@ -23,26 +23,25 @@ PlanLadder::PlanLadder(const PlanningProblem& problem, MotionSimulator& simulato
       planner_(std::move(planner)),
       seed_(seed) {}
 
-const std::vector<Pressures>& PlanLadder::best_kpa() const {
-  static const std::vector<Pressures> none;
-  return !waiting_.empty() ? waiting_.back().waypoints_kpa
-         : standing_       ? standing_->waypoints_kpa
-                           : none;
+const PlanLadder::Rung* PlanLadder::best() const {
+  return !waiting_.empty() ? &waiting_.back() : standing_ ? &*standing_ : nullptr;
 }
 
 std::optional<double> PlanLadder::best_cost_kpa() const {
-  if (!waiting_.empty()) {
-    return waiting_.back().cost_kpa;
-  }
-  return standing_ ? std::optional(standing_->cost_kpa) : std::nullopt;
+  return best() ? std::optional(best()->cost_kpa) : std::nullopt;
 }
 
-bool PlanLadder::offer(const std::vector<Pressures>& waypoints_kpa, std::uint64_t queries) {
+std::optional<double> PlanLadder::best_merit_kpa() const {
+  return best() ? std::optional(best()->merit_kpa) : std::nullopt;
+}
+
+bool PlanLadder::offer(const std::vector<Pressures>& waypoints_kpa, double merit_kpa,
+                       std::uint64_t queries) {
   const Found found{budget_.elapsed_s(), queries};
-  Rung rung{waypoints_kpa, waypoint_cost_kpa(waypoints_kpa)};
-  if (!is_notable(rung.cost_kpa)) {
-    // A little cheaper than the one before it: takes its place, so that they stay a few.
-    if (waiting_.size() > 1 && rung.cost_kpa > kWorthWaiting * waiting_.end()[-2].cost_kpa) {
+  Rung rung{waypoints_kpa, waypoint_cost_kpa(waypoints_kpa), merit_kpa};
+  if (!is_notable(rung)) {
+    // A little better than the one before it: takes its place, so that they stay a few.
+    if (waiting_.size() > 1 && rung.merit_kpa > kWorthWaiting * waiting_.end()[-2].merit_kpa) {
       waiting_.pop_back();
     }
     waiting_.push_back(std::move(rung));
@@ -56,8 +55,9 @@ bool PlanLadder::offer(const std::vector<Pressures>& waypoints_kpa, std::uint64_
 }
 
 /// Whether it is judged as it comes. What is cheap enough for the search to end must hold.
-bool PlanLadder::is_notable(double cost_kpa) const {
-  return !standing_ || cost_kpa < kNotable * standing_->cost_kpa || budget_.good_enough(cost_kpa);
+bool PlanLadder::is_notable(const Rung& rung) const {
+  return !standing_ || rung.merit_kpa < kNotable * standing_->merit_kpa ||
+         budget_.good_enough(rung.cost_kpa);
 }
 
 PlanJudge::Verdict PlanLadder::judge(const Rung& rung, const Found& found) {

@@ -10,23 +10,25 @@
 
 namespace limber {
 
-/// The plans that a search has found, each cheaper than those before it, and which of them hold
-/// before the problem's judge. The first, and each that is notably cheaper than the last that was
-/// judged, is judged as it comes; the others wait until the search has ended, and are then judged
-/// from the cheapest up until one holds. So a plan that is refused takes none of the others along.
-/// Without a judge every plan holds. What is given is borrowed.
+/// The plans that a search has found, each better than those before it (cheaper, or ending nearer
+/// to what is aimed at), and which of them hold before the problem's judge. The first, and each
+/// that is notably better than the last that held, is judged as it comes; the others wait until the
+/// search has ended, and are then judged from the best down until one holds. So a plan that is
+/// refused takes none of the others along. Without a judge every plan holds. What is given is
+/// borrowed.
 class PlanLadder {
  public:
   PlanLadder(const PlanningProblem& problem, MotionSimulator& simulator, PlannerBudget& budget,
              std::string planner, std::uint64_t seed);
 
-  /// A plan that is cheaper than all that stand. @param waypoints_kpa  start first
+  /// A plan that is better than all that stand. @param waypoints_kpa  start first
+  /// @param merit_kpa  the less, the better; its cost, where nothing else counts
   /// @return whether it may be built upon: false where it was judged and refused
-  bool offer(const std::vector<Pressures>& waypoints_kpa, std::uint64_t queries);
+  bool offer(const std::vector<Pressures>& waypoints_kpa, double merit_kpa, std::uint64_t queries);
 
-  /// The cheapest that was offered and not refused; empty: none.
-  const std::vector<Pressures>& best_kpa() const;
+  /// Of the best that was offered and not refused; none: there is none.
   std::optional<double> best_cost_kpa() const;
+  std::optional<double> best_merit_kpa() const;
 
   /// Ends it: `result` gets its status, the plan that holds and the first that did; where none did,
   /// the cheapest that was refused (`best_partial`), or that time ran out.
@@ -37,6 +39,7 @@ class PlanLadder {
   struct Rung {
     std::vector<Pressures> waypoints_kpa;
     double cost_kpa;
+    double merit_kpa;
   };
 
   struct Found {
@@ -46,7 +49,8 @@ class PlanLadder {
 
   /// Builds and judges; a plan that holds becomes the one that stands.
   PlanJudge::Verdict judge(const Rung& rung, const Found& found);
-  bool is_notable(double cost_kpa) const;
+  bool is_notable(const Rung& rung) const;
+  const Rung* best() const;
 
   const PlanningProblem& problem_;
   MotionSimulator& simulator_;
@@ -54,9 +58,9 @@ class PlanLadder {
   std::string planner_;
   std::uint64_t seed_;
 
-  std::optional<Rung> standing_;  // the cheapest that holds
+  std::optional<Rung> standing_;  // the best that holds
   std::optional<Plan> plan_;      // built from it
-  std::vector<Rung> waiting_;  // cheaper than that one, cheapest last
+  std::vector<Rung> waiting_;     // better than that one, the best last
   std::optional<Plan> refused_;
   bool unfinished_ = false;
   std::optional<FirstSolution> first_;

@@ -64,7 +64,7 @@ class Run {
     const std::optional<double> cost_kpa = search_.best_cost_kpa();
     if (cost_kpa && (!offered_kpa_ || *cost_kpa < *offered_kpa_)) {
       offered_kpa_ = cost_kpa;
-      (void)ladder_.offer(search_.best_waypoints_kpa(), simulator_.queries());
+      (void)ladder_.offer(search_.best_waypoints_kpa(), *cost_kpa, simulator_.queries());
     }
   }
 

@@ -166,7 +166,7 @@ TEST(ModelFile, KeepsTheErrorAndWhatWasLearnt) {
   write_model(path, model);
   EXPECT_FALSE(read_model(path).prediction_error);
   EXPECT_FALSE(read_model(path).learnt);
-  model.prediction_error = PredictionError{27, 10.0, 0.1 / 7.0, 0.01, 1.0 / 3.0};
+  model.prediction_error = PredictionError{27, 10.0, 0.1 / 7.0, 0.1 / 11.0, 0.01, 1.0 / 3.0};
   const LearntRegion region = sample_region(2, model.point_count, 5);
   model.learnt = region;
   write_model(path, model);
@@ -186,7 +186,7 @@ TEST(ModelFile, KeepsTheErrorAndWhatWasLearnt) {
 TEST(ModelFile, OnlyTheLeadingMemberHasTheError) {
   CompensationModel model = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {5}, 1);
   model.more_members = {model.layers};
-  model.prediction_error = PredictionError{1, 10.0, 0.1, 0.1, 0.1};
+  model.prediction_error = PredictionError{1, 10.0, 0.1, 0.1, 0.1, 0.1};
   EXPECT_TRUE(model.member(0).prediction_error);
   EXPECT_FALSE(model.member(1).prediction_error);
 }
@@ -306,10 +306,11 @@ INSTANTIATE_TEST_SUITE_P(
                         R"({"schema":"limber/valves/1","has_sides":true,"segments":[
                             {"inflate_time_constant_s":-1}]})",
                         "metadata valves:2: segments[0].inflate_time_constant_s: -1 found"),
-        metadata_damage("error_without_runs", "prediction_error",
-                        R"({"runs":0,"run_s":10,"largest_position_m":0.1,"end_position_m":0.1,
+        metadata_damage(
+            "error_without_runs", "prediction_error",
+            R"({"runs":0,"run_s":10,"largest_position_m":0.1,"off_path_m":0.1,"end_position_m":0.1,
                             "end_orientation_rad":0.1})",
-                        "metadata prediction_error:1: runs: 0 found"),
+            "metadata prediction_error:1: runs: 0 found"),
         metadata_damage("error_of_another_kind", "prediction_error", R"({"runs":3,"mood":2})",
                         "metadata prediction_error:1: mood"),
         Damage{"no_schema", [](Safetensors& s) { s.metadata.erase("schema"); },

@@ -59,21 +59,22 @@ TEST(PredictionErrorText, SurvivesTheRoundTripExactly) {
 }
 
 TEST(PredictionErrorText, IsOneLineInCentimetres) {
-  EXPECT_EQ(prediction_error_to_text({27, 10.0, 0.0132, 0.0081, 0.0456}),
-            "error on 27 unseen runs of 10 s, 95 %: 1.32 cm anywhere on the arm, 0.81 cm and 0.046 "
-            "rad at the tip's end");
+  EXPECT_EQ(prediction_error_to_text({27, 10.0, 0.0132, 0.0099, 0.0081, 0.0456}),
+            "error on 27 unseen runs of 10 s, 95 %: 1.32 cm anywhere on the arm, 0.99 cm off "
+            "the predicted path, 0.81 cm and 0.046 rad at the tip's end");
 }
 
 TEST(PredictionError, NamesTheNumberThatIsOutOfRange) {
   const auto message = [](PredictionError error, const char* expected) {
     EXPECT_THAT([&] { validate(error, "m"); }, ThrowsMessage<InputError>(HasSubstr(expected)));
   };
-  EXPECT_NO_THROW(validate({1, 0.05, 0.0, 0.0, 0.0}, "m"));
-  message({0, 10.0, 0.0, 0.0, 0.0}, "m: prediction_error.runs is 0");
-  message({1, 0.0, 0.0, 0.0, 0.0}, "prediction_error.run_s is 0");
-  message({1, 10.0, -1.0, 0.0, 0.0}, "prediction_error.largest_position_m is -1");
-  message({1, 10.0, 0.0, std::nan(""), 0.0}, "prediction_error.end_position_m is nan");
-  message({1, 10.0, 0.0, 0.0, std::numeric_limits<double>::infinity()},
+  EXPECT_NO_THROW(validate({1, 0.05, 0.0, 0.0, 0.0, 0.0}, "m"));
+  message({0, 10.0, 0.0, 0.0, 0.0, 0.0}, "m: prediction_error.runs is 0");
+  message({1, 0.0, 0.0, 0.0, 0.0, 0.0}, "prediction_error.run_s is 0");
+  message({1, 10.0, -1.0, 0.0, 0.0, 0.0}, "prediction_error.largest_position_m is -1");
+  message({1, 10.0, 0.0, -1.0, 0.0, 0.0}, "prediction_error.off_path_m is -1");
+  message({1, 10.0, 0.0, 0.0, std::nan(""), 0.0}, "prediction_error.end_position_m is nan");
+  message({1, 10.0, 0.0, 0.0, 0.0, std::numeric_limits<double>::infinity()},
           "prediction_error.end_orientation_rad is inf");
 }
 

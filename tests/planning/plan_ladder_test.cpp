@@ -5,6 +5,7 @@
 #include "limber/planning/certified_planner.hpp"
 #include "limber/planning/default_planner.hpp"
 #include "planning/planner_setting.hpp"
+#include "src/planning/plan_improver.hpp"
 #include "src/planning/plan_result.hpp"
 
 namespace limber {
@@ -71,17 +72,17 @@ TEST(PlanLadder, ARefusedPlanTakesThoseBeforeItAlong) {
   PlanLadder ladder = s.with(&probe);
   Dear judge(s.cost_kpa(19.9F));
   s.problem.judge = &judge;
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 22.0F), 5));
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 21.0F), 6));
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 20.0F), 7));
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 19.0F), 8));
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 18.0F), 9));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 22.0F), s.cost_kpa(22.0F), 5));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 21.0F), s.cost_kpa(21.0F), 6));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 20.0F), s.cost_kpa(20.0F), 7));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 19.0F), s.cost_kpa(19.0F), 8));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 18.0F), s.cost_kpa(18.0F), 9));
   EXPECT_EQ(judge.asked_kpa.size(), 1U) << "a per cent or so is not worth a certificate yet";
   PlanResult result;
   EXPECT_TRUE(ladder.settle(result, 10));
   ASSERT_EQ(result.status, PlanStatus::solved);
   EXPECT_NEAR(result.plan->cost_kpa, s.cost_kpa(20.0F), 1e-2) << "the cheapest that holds";
-  EXPECT_EQ(judge.asked_kpa.size(), 4U) << "from the cheapest up";
+  EXPECT_EQ(judge.asked_kpa.size(), 4U) << "from the best down";
   EXPECT_EQ(result.first_solution->queries, 5U);
 }
 
@@ -91,8 +92,8 @@ TEST(PlanLadder, WhatIsNotablyCheaperIsJudgedAtOnceAndNotBuiltUponWhereItIsRefus
   PlanLadder ladder = s.with(&probe);
   Dear judge(s.cost_kpa(50.0F));
   s.problem.judge = &judge;
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 100.0F), 1));
-  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 5.0F), 2));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 100.0F), s.cost_kpa(100.0F), 1));
+  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 5.0F), s.cost_kpa(5.0F), 2));
   EXPECT_EQ(judge.asked_kpa.size(), 2U);
   EXPECT_NEAR(*ladder.best_cost_kpa(), s.cost_kpa(100.0F), 1e-2);
 }
@@ -103,8 +104,8 @@ TEST(PlanLadder, WithEveryPlanRefusedTheCheapestIsKeptAsNoSolution) {
   PlanLadder ladder = s.with(&probe);
   Dear judge(1e9);
   s.problem.judge = &judge;
-  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 9.0F), 1));
-  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 8.0F), 1));
+  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 9.0F), s.cost_kpa(9.0F), 1));
+  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 8.0F), s.cost_kpa(8.0F), 1));
   EXPECT_FALSE(ladder.best_cost_kpa());
   PlanResult result;
   EXPECT_TRUE(ladder.settle(result, 1));
@@ -120,7 +121,7 @@ TEST(PlanLadder, APlanWhoseJudgeRanOutOfTimeIsNoSolution) {
   PlanLadder ladder = s.with(&probe);
   Slow judge;
   s.problem.judge = &judge;
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 9.0F), 1));
+  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 9.0F), s.cost_kpa(9.0F), 1));
   PlanResult result;
   EXPECT_TRUE(ladder.settle(result, 1));
   EXPECT_EQ(result.status, PlanStatus::limit);
@@ -140,8 +141,8 @@ class Reckless final : public Planner {
     MotionSimulator simulator(problem.arm, problem.model, blind);
     PlannerBudget budget(limits, callback);
     PlanLadder ladder(problem, simulator, budget, name(), seed);
-    (void)ladder.offer(sound_, 1);
-    (void)ladder.offer(reckless_, 2);
+    (void)ladder.offer(sound_, waypoint_cost_kpa(sound_), 1);
+    (void)ladder.offer(reckless_, waypoint_cost_kpa(reckless_), 2);
     PlanResult result;
     finish_search(problem, simulator, budget, {ladder, 2, sound_}, name(), seed, result);
     return result;
@@ -160,11 +161,13 @@ TEST(CertifiedPlanner, ReturnsTheBestPlanThatItsCertificateLetsStand) {
   ASSERT_LT(motion_cost_kpa(way.front(), way.back()), 0.95 * sound.plan->cost_kpa)
       << "no way round: nothing would be refused";
   const PlanResult result = make_certified_planner(std::make_unique<Reckless>(way, straight))
-                                ->plan({s.arm, s.model, s.environment}, [] {
-                                  PlannerLimits limits;
-                                  limits.iterations = 1;
-                                  return limits;
-                                }(), 1, {});
+                                ->plan({s.arm, s.model, s.environment},
+                                       [] {
+                                         PlannerLimits limits;
+                                         limits.iterations = 1;
+                                         return limits;
+                                       }(),
+                                       1, {});
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
   EXPECT_EQ(result.plan->waypoints_kpa.size(), way.size());
   EXPECT_TRUE(result.certificate->certified());
@@ -176,11 +179,11 @@ TEST(DefaultPlanner, SearchesOnFromWhatItsJudgeLetsStand) {
   Setting s(false);
   PlannerLimits limits;
   limits.iterations = 1500;
-  const double least_kpa = make_default_planner()
-                               ->plan({s.arm, s.model, s.environment}, limits, 3)
-                               .plan->cost_kpa;
+  const double least_kpa =
+      make_default_planner()->plan({s.arm, s.model, s.environment}, limits, 3).plan->cost_kpa;
   Dear judge(1.05 * least_kpa);
-  const PlanningProblem judged{s.arm, s.model, s.environment, 0.0, {}, nullptr, &judge};
+  const PlanningProblem judged{s.arm, s.model,      s.environment, 0.0,
+                               {},    std::nullopt, nullptr,       &judge};
   const PlanResult result = make_default_planner()->plan(judged, limits, 3);
   ASSERT_EQ(result.status, PlanStatus::solved);
   EXPECT_GE(result.plan->cost_kpa, 1.05 * least_kpa);

@@ -74,7 +74,7 @@ TEST(RecordedRegion, PlansAskedToStayInsideDo) {
   ASSERT_FALSE(ways_beyond(region, *free.plan, "kPa").empty());
   for (const char* planner : {"default", "paper"}) {
     const PlanResult result = make_planner(planner)->plan(
-        {s.arm, s.model, s.environment, 0.0, {}, &inside}, limits, 3);
+        {s.arm, s.model, s.environment, 0.0, {}, std::nullopt, &inside}, limits, 3);
     if (result.plan) {
       EXPECT_THAT(ways_beyond(region, *result.plan, "kPa"), IsEmpty()) << planner;
     } else {

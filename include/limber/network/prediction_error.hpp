@@ -14,9 +14,12 @@ class YamlReader;
 /// from what was measured (docs/training.md).
 struct PredictionError {
   int runs = 0;        ///< that it was measured over, ≥ 1
-  double run_s = 0.0;  ///< length of each, > 0
+  double run_s = 0.0;  ///< their mean length, > 0
   /// Of each run the largest distance of any plate in any frame: not exceeded by kShare of them.
   double largest_position_m = 0.0;
+  /// Of each run the farthest that the arm came off the predicted motion, whenever it was predicted
+  /// to be there: how much clearance the motion would have needed. At most the above.
+  double off_path_m = 0.0;
   double end_position_m = 0.0;       ///< the same of the tip's distance at the run's end
   double end_orientation_rad = 0.0;  ///< the same of the tip's heading at the run's end
   static constexpr double kShare = 0.95;

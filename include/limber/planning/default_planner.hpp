@@ -22,8 +22,11 @@ struct DefaultPlannerSettings {
   double cell_pressure = 0.05;
   double cell_position_m = 0.01;
   double cell_orientation_rad = 0.1;
-  double dearest = 2.0;           ///< nodes dearer than this × the best plan are not tried, ≥ 1
-  int improved_plans = 3;         ///< how many are improved side by side; 0: none
+  double dearest = 2.0;    ///< nodes dearer than this × the best plan are not tried, ≥ 1
+  int improved_plans = 3;  ///< how many are improved side by side; 0: none
+  /// Queries of the model after the first plan, then the search ends: from there on plans get
+  /// cheaper by the model's errors, and executions worse (docs/planning.md).
+  double improvement_queries = 200'000;
   double hold_position_m = 0.05;  ///< paths that end this near the goal are held and judged
   double hold_orientation_rad = 0.5;
   int jobs = 0;  ///< threads, 0 for one a core; the plan does not depend on it

@@ -28,6 +28,9 @@ struct PlanningProblem {
   double margin_m = 0.0;  ///< clearance kept from every obstacle, ≥ 0
   /// How far inside the goal's tolerances plans end, ≥ 0: room for the model's error.
   PoseError goal_margin = {};
+  /// Of the goal's pose: plans that end nearer than that are alike, and preferred to cheaper ones
+  /// that end farther away. None: all that end in the goal are alike.
+  std::optional<PoseError> aim = std::nullopt;
   /// Plans stay in there; borrowed. None: anywhere within the arm's limits.
   const RecordedRegion* stay_within = nullptr;
   /// Asked of every plan before it counts as one; borrowed. None: all count.

@@ -139,11 +139,11 @@ class Run {
 
   bool spent() {
     budget_.keep_for_the_end(kSecondsToFreeAState * double(world_.states));
-    return budget_.spent({budget_.elapsed_s(), 0, world_.states, simulator_.queries(),
-                          world_.first_solution
-                              ? std::optional<double>(world_.first_solution->cost_kpa)
-                              : std::nullopt},
-                         0.0);
+    return budget_.spent(
+        {budget_.elapsed_s(), 0, world_.states, simulator_.queries(),
+         world_.first_solution ? std::optional<double>(world_.first_solution->cost_kpa)
+                               : std::nullopt},
+        0.0);
   }
 
   void note_statistics(const ob::Planner& planner) {
@@ -181,7 +181,7 @@ class Run {
         path ? waypoints(static_cast<oc::PathControl&>(*path))
              : std::vector<Pressures>{start_of(problem_).setpoint_kpa()};
     if (world_.first_solution && path && !definition.hasApproximateSolution()) {
-      (void)ladder.offer(kpa, simulator_.queries());
+      (void)ladder.offer(kpa, 0.0, simulator_.queries());
     }
     finish_search(problem_, simulator_, budget_, {ladder, simulator_.queries(), kpa}, name.c_str(),
                   seed_, result_);
