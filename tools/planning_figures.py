@@ -37,11 +37,19 @@ ROWS = {
     "with_forest": ("default", 2, 10, ["--forest", "FOREST"]),
     "threads": ("default", 2, 10, ["--forest", "FOREST", *BOTH_CORES]),
     "empty": ("default", 2, 10, ["--environments", EMPTY]),
-    "executed": ("default", 20, 1, [BOTH_MODELS, "--margin-m", "0.005"]),
-    "no_valves": ("default", 20, 1, ["--margin-m", "0.005", "--no-valves"]),
+    "executed": ("default", 20, 1, [BOTH_MODELS]),
+    "no_valves": ("default", 20, 1, ["--no-valves"]),
     "paper_valves": ("paper,valves=1", 5, 60, []),
+    # Arrivals over planning time, with the room that the model asks for.
+    "arrive_first": ("default", 20, 10, FIRST),
+    "arrive_0.1s": ("default", 20, 0.1, []),
+    "arrive_1s": ("default", 20, 1, []),
+    "arrive_10s": ("default", 20, 10, []),
+    "arrive_random_first": ("default", 1, 10, [*FIRST, "--environments", RANDOM]),
+    "arrive_random_0.1s": ("default", 1, 0.1, ["--environments", RANDOM]),
+    "arrive_random_1s": ("default", 1, 1, ["--environments", RANDOM]),
+    "arrive_random_10s": ("default", 1, 10, ["--environments", RANDOM]),
     "random": ("default", 1, 60, [*FIRST, *BOTH_CORES, "--environments", RANDOM]),
-    "random_1s": ("default", 1, 1, ["--environments", RANDOM]),
     "random_paper": ("paper", 1, 60, [*FIRST, "--environments", RANDOM]),
 }
 # Settings of OMPL's planners that are tried, one trial an environment, before the best of each is
@@ -218,8 +226,18 @@ def predicted(name, trials):
 def arrivals(name, trials):
     runs = [t["execution"] for t in trials if t["model"] == "network" and t["execution"]]
     arrived = sum(r["goal_reached"] and not r["collided"] for r in runs)
+    ends = [r["distance_to_goal_cm"] for r in runs]
+    error = statistics.stdev(ends) / len(ends) ** 0.5 if len(ends) > 1 else 0.0
+    distance = f"{statistics.mean(ends):.2f} ± {error:.2f}, {quantile(ends, 0.95):.2f} cm" if ends else "–"
+    solved = [t for t in trials if t["status"] == "solved"]
+    parts = ["–"] if not solved else [
+        f"{1e3 * statistics.median(times):.1f}" for times in (
+            [first_s(t) for t in solved], [t["first_candidate_s"] for t in solved],
+            [t["first_certificate_s"] for t in solved])]
+    cost = f"{statistics.mean(t['cost_kpa'] for t in solved):.0f} kPa" if solved else "–"
     return (f"| {name} | {len(trials)} | {len(runs)} | {arrived} "
-            f"| {sum(r['collided'] for r in runs)} |")
+            f"| {sum(r['collided'] for r in runs)} | {distance} | {' = '.join(parts[:1])} ms "
+            f"({' + '.join(parts[1:])}) | {cost} |")
 
 
 def seed_of_commit():
@@ -256,12 +274,18 @@ def main():
             print(line(name, found), flush=True)
     if not options.rows or set(options.rows) & set(OMPL):
         runner.compare_ompl(options.rows)
+    arriving = [name for name in rows if name.startswith("arrive_")]
+    if arriving:
+        print("\n| | trials | solved | arrive | collide | distance: mean, 95 % | first certified plan "
+              "(candidate + certificate), medians | cost |\n|---|---|---|---|---|---|---|---|")
+        print("\n".join(arrivals(name, rows[name]) for name in arriving))
     moved = [name for name in ("executed", "no_valves") if name in rows]
     if moved:
         print(f"\nseed {options.seed}\n\n| tip, predicted against executed | runs | mean before the hold "
               "| largest, mean over runs | end, median |\n|---|---|---|---|---|")
         print("\n".join(predicted(name, rows[name]) for name in moved))
-        print("\n| | trials | executed | arrived, not collided | collided |\n|---|---|---|---|---|")
+        print("\n| | trials | executed | arrived, not collided | collided | distance | first plan "
+              "| cost |\n|---|---|---|---|---|---|---|---|")
         print("\n".join(arrivals(name, [t for t in rows[name] if t["model"] == "network"])
                         for name in moved))
     if "executed" in rows:

@@ -21,7 +21,7 @@ PILLAR = {
 
 KEYS = {
     "status", "reason", "limit", "best_partial", "planner", "model", "seed", "cost_kpa", "cost_psi",
-    "first_solution", "time_s", "queries", "nodes", "distance_to_goal_cm", "clearance_cm", "frames",
+    "first_solution", "first_candidate_s", "first_certificate_s", "largest_clearance_cm", "time_s", "queries", "nodes", "distance_to_goal_cm", "clearance_cm", "frames",
 }
 
 
@@ -56,6 +56,26 @@ class Plan(InFolder):
                 self.assertIn(status, found.stderr)
                 found = self.run_json("environment", "check", path, "--arm", "two_segment", code=2)
                 self.assertEqual(found["status"], status)
+
+    def test_where_nothing_keeps_the_clearance_the_largest_that_gave_a_plan_is_named(self):
+        found = self.plan(PILLAR, "--margin-m", "0.2", code=2)
+        self.assertEqual(found["status"], "invalid_start")
+        self.assertIn("with less clearance than the 20.00 cm asked for there is a plan", found["reason"])
+        self.assertGreater(found["largest_clearance_cm"], 0.0)
+        self.assertLess(found["largest_clearance_cm"], 20.0)
+
+    def test_the_no_load_model_keeps_no_clearance_and_says_so(self):
+        path = self.plan_file(PILLAR)
+        found = self.run_limber("plan", *ARM, *BUDGET, "--environment", path)
+        self.assertIn("warning: the no-load model's error is not known", found.stderr)
+        found = self.run_limber("plan", *ARM, *BUDGET, "--environment", path, "--margin-m", "0")
+        self.assertNotIn("error is not known", found.stderr)
+
+    def test_recordings_that_nobody_knows_cannot_be_kept_to(self):
+        path = self.plan_file(PILLAR)
+        found = self.run_limber("plan", *ARM, *BUDGET, "--environment", path, "--stay-recorded",
+                                code=2)
+        self.assertIn("--stay-recorded: the model does not say", found.stderr)
 
     def test_a_byte_order_mark_changes_nothing(self):
         self.plan(PILLAR, "--out", "p.json")
