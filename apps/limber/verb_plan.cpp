@@ -134,9 +134,10 @@ class PlanVerb final : public Verb {
     }
     const std::optional<RecordedRegion> region = region_to_stay_in(forward, arm);
     const ErrorRoom room = room_.room(forward, flags);
-    PlanResult result = search({arm, model, environment, room.margin_m, room.goal_margin,
-                                std::nullopt, region ? &*region : nullptr},
-                               flags);
+    PlanningProblem problem{arm, model, environment, room.margin_m, room.goal_margin};
+    problem.stay_within = region ? &*region : nullptr;
+    problem.margin_yields_to_start = room.margin_yields_to_start;
+    PlanResult result = search(problem, flags);
     warn_beyond_recordings(forward, arm, result);
     for (const std::string& warning : result.warnings) {
       say(flags, "warning: {}", warning);

@@ -7,7 +7,6 @@ namespace limber {
 namespace {
 
 constexpr int kMotionsPerEpisode = 50;
-constexpr int kEpochs = 280;  // more of them say little more than more motions do
 constexpr std::uint64_t kSeedStream =
     0x64656d6f;  // apart from the streams that use a seed as it is
 
@@ -52,13 +51,12 @@ ScheduleSettings one_episode(int motions) {
 
 DemoRecipe full_recipe(const ArmDescription& arm) {
   DemoRecipe recipe;
-  recipe.training_schedules = {transitions(arm, 729), random(4500, Approach::step),
+  recipe.training_schedules = {transitions(arm, 729), random(2000, Approach::step),
                                plan_like(1500)};
   recipe.validation_schedule = one_episode(60);
   recipe.unseen_schedule = one_episode(100);
   recipe.test_schedule = one_episode(100);
   recipe.training = best_preset();
-  set_epoch_count(recipe.training, kEpochs);
   // Those that leave room for the clearance that a network of this much learning needs.
   recipe.environments = {"01_pillar", "02_two_pillars", "06_overshoot"};
   return recipe;

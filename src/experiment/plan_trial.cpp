@@ -19,7 +19,8 @@ PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
   trial.seed = seed;
   trial.asks_heading = item.environment.goal.theta_rad.has_value();
   const ErrorRoom room = error_room(model.forward(), settings.room);
-  const PlanningProblem problem{arm, model, item.environment, room.margin_m, room.goal_margin};
+  PlanningProblem problem{arm, model, item.environment, room.margin_m, room.goal_margin};
+  problem.margin_yields_to_start = room.margin_yields_to_start;
   trial.planning = make_planner(settings.planner, settings.planner_jobs, settings.forest)
                        ->plan(problem, settings.limits, seed,
                               [](const PlannerProgress&) { return !interrupt_requested(); });

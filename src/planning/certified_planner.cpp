@@ -1,7 +1,10 @@
 #include "limber/planning/certified_planner.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -29,6 +32,8 @@ constexpr double kPatience = 0.9;
 constexpr double kMostForSmallerS = 1.0;
 constexpr double kSmallerClearances[] = {0.75, 0.5, 0.25, 0.0};  // of the one asked for
 
+constexpr double kYield = 0.95;  // of what an arm starts with: it has to get away from there
+
 double with_room(double tolerance, double margin, double reserve) {
   const double inside = std::max(tolerance - margin, kLeastShare * tolerance);
   return inside - std::min(reserve, kMostOfTolerance * inside);
@@ -50,6 +55,17 @@ std::optional<PoseError> aim_of(const PlanningProblem& problem) {
   const PoseGoal& goal = problem.environment.goal;
   return PoseError{kAimedShare * goal.position_tolerance_m,
                    kAimedShare * goal.orientation_tolerance_rad};
+}
+
+/// Whether plans that end where they are to end there also with the model's error.
+bool has_room(const PlanningProblem& problem) {
+  const PoseGoal& goal = problem.environment.goal;
+  const auto fits = [](double tolerance, double margin) {
+    return margin <= (1.0 - kAimedShare) * tolerance;
+  };
+  return fits(goal.position_tolerance_m, problem.goal_margin.position_m) &&
+         (!goal.theta_rad ||
+          fits(goal.orientation_tolerance_rad, problem.goal_margin.orientation_rad));
 }
 
 double clearance_with_reserve_m(double margin_m) {
@@ -98,6 +114,10 @@ class CertifiedPlanner final : public Planner {
     if (valves_ == Valves::left_out) {
       problem.model = asked.model.without_valves();
     }
+    std::vector<std::string> notes = warnings_of_aim(problem);
+    if (problem.margin_yields_to_start) {
+      yield_to_start(problem, notes);
+    }
     const bool may_keep_less = problem.margin_m > 0.0;
     PlannerLimits patient = limits;
     if (may_keep_less) {
@@ -105,12 +125,11 @@ class CertifiedPlanner final : public Planner {
           limits.time_s ? std::max(kPatience, 1.0 - kMostForSmallerS / *limits.time_s) : kPatience;
     }
     PlanResult result = search(*planner_, problem, patient, seed, callback);
-    const std::vector<std::string> aim = warnings_of_aim(problem);
-    result.warnings.insert(result.warnings.begin(), aim.begin(), aim.end());
+    result.warnings.insert(result.warnings.begin(), notes.begin(), notes.end());
     if (!result.plan) {
       explain(problem, seed, result);
       if (may_keep_less && result.status != PlanStatus::not_certified) {
-        try_smaller_clearances(problem, left_of(limits, result, start), seed, callback, result);
+        try_smaller_clearances(problem, limits, start, seed, callback, result);
       }
     }
     result.statistics.time_s = seconds_since(start);
@@ -122,6 +141,23 @@ class CertifiedPlanner final : public Planner {
 
   static double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  static void yield_to_start(PlanningProblem& problem, std::vector<std::string>& notes) {
+    const CollisionChecker checker(problem.arm, problem.environment.obstacles);
+    const Clearance at_start =
+        checker.clearance(start_state(problem.environment, problem.arm).backbone);
+    const double most_m = at_start.value_m - kReserveM - Certificate::kClearanceToleranceM;
+    if (at_start.obstacle < 0 || most_m <= 0.0 || problem.margin_m <= most_m) {
+      return;  // nothing is near, or it starts in an obstacle, which is refused
+    }
+    notes.push_back(fmt::format(
+        "the arm starts {:.2f} cm from {}: plans keep that, instead of the {:.2f} cm that the "
+        "model "
+        "erred by",
+        at_start.value_m * kCmPerM, obstacle_name(problem.environment, at_start.obstacle),
+        problem.margin_m * kCmPerM));
+    problem.margin_m = kYield * most_m;
   }
 
   /// `problem`, planned in with a little room and judged as it was asked.
@@ -137,7 +173,9 @@ class CertifiedPlanner final : public Planner {
                                    {},
                                    aim_of(problem),
                                    problem.stay_within,
-                                   &judge};
+                                   &judge,
+                                   false,
+                                   has_room(problem)};
     PlanResult result = planner.plan(searched, limits, seed, callback);
     if (result.best_partial) {
       judge.name_problem(*result.best_partial);
@@ -170,18 +208,17 @@ class CertifiedPlanner final : public Planner {
     }
   }
 
-  static PlannerLimits left_of(const PlannerLimits& limits, const PlanResult& result,
+  static PlannerLimits left_of(const PlannerLimits& limits, const PlannerStatistics& spent,
                                Clock::time_point start) {
     PlannerLimits left = limits;
     if (limits.time_s) {
       left.time_s = *limits.time_s - seconds_since(start);
     }
     if (limits.iterations) {
-      left.iterations =
-          *limits.iterations - std::min(*limits.iterations, result.statistics.iterations);
+      left.iterations = *limits.iterations - std::min(*limits.iterations, spent.iterations);
     }
     if (limits.queries) {
-      left.queries = *limits.queries - std::min(*limits.queries, result.statistics.queries);
+      left.queries = *limits.queries - std::min(*limits.queries, spent.queries);
     }
     left.cost_threshold_kpa = std::numeric_limits<double>::max();  // the first will do
     return left;
@@ -193,32 +230,30 @@ class CertifiedPlanner final : public Planner {
            limits.queries == 0;
   }
 
-  /// Names in `result` the largest clearance with which there is a plan.
-  static void try_smaller_clearances(const PlanningProblem& asked, const PlannerLimits& left,
-                                     std::uint64_t seed, const PlannerCallback& callback,
-                                     PlanResult& result) {
-    const Clock::time_point start = Clock::now();
+  /// Names in `result` the largest clearance with which there is a plan, found with what `limits`
+  /// leave of the time since `start`.
+  static void try_smaller_clearances(const PlanningProblem& asked, const PlannerLimits& limits,
+                                     Clock::time_point start, std::uint64_t seed,
+                                     const PlannerCallback& callback, PlanResult& result) {
     const std::unique_ptr<Planner> planner = make_default_planner();
-    double tries = std::size(kSmallerClearances);
     PlanningProblem problem = asked;
-    PlannerLimits spent_so_far = left;
-    PlanResult tried;
+    PlannerStatistics& spent = result.statistics;
+    std::size_t tries = std::size(kSmallerClearances);
     for (const double share : kSmallerClearances) {
-      spent_so_far = left_of(spent_so_far, tried, start);
-      if (left.time_s) {
-        spent_so_far.time_s = *left.time_s - seconds_since(start);
-      }
-      if (is_spent(spent_so_far)) {
+      const PlannerLimits left = left_of(limits, spent, start);
+      if (is_spent(left)) {
         return;
       }
       problem.margin_m = share * asked.margin_m;
-      tried = search(*planner, problem, part_of(spent_so_far, tries--), seed, callback);
+      const PlanResult tried =
+          search(*planner, problem, part_of(left, double(tries--)), seed, callback);
+      spent.iterations += tried.statistics.iterations;
+      spent.queries += tried.statistics.queries;
       if (tried.plan) {
         result.largest_clearance_m = tried.plan->certified->clearance_m;
         result.reason += fmt::format(
             "; with less clearance than the {:.2f} cm asked for there is a plan, which keeps "
-            "{:.2f} "
-            "cm: --margin-m {:.4g}",
+            "{:.2f} cm: --margin-m {:.4g}",
             asked.margin_m * kCmPerM, *result.largest_clearance_m * kCmPerM, problem.margin_m);
         return;
       }

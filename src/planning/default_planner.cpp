@@ -81,7 +81,9 @@ class Run {
   /// never be reached.
   bool nothing_left() const {
     return (has_plan() && *best_cost_kpa() <= 0.0) || idle_turns_ > kMostIdleTurns ||
-           improvement_queries() >= settings_.improvement_queries;
+           improvement_queries() >= (problem_.goal_has_room
+                                         ? settings_.improvement_queries
+                                         : settings_.improvement_queries_without_room);
   }
 
   /// Since there is a plan.

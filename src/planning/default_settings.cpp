@@ -37,6 +37,8 @@ const std::array kRanges{Range{"step_size", &Settings::step_size, 1e-3, 10.0},
                          Range{"dearest", &Settings::dearest, 1.0, 1e6},
                          Range{"improved_plans", &Settings::improved_plans, 0, 64},
                          Range{"improvement_queries", &Settings::improvement_queries, 0.0, 1e18},
+                         Range{"improvement_queries_without_room",
+                               &Settings::improvement_queries_without_room, 0.0, 1e18},
                          Range{"hold_position_m", &Settings::hold_position_m, 0.0, 10.0},
                          Range{"hold_orientation_rad", &Settings::hold_orientation_rad, 0.0, 10.0}};
 

@@ -29,7 +29,7 @@ struct DemoRecipe {
   double planning_time_limit_s = 0.5;
 };
 
-/// Everything, in about ten minutes on two cores.
+/// Everything, in under six minutes on two cores.
 DemoRecipe full_recipe(const ArmDescription& arm);
 /// The same chain on little data, in under a minute; its figures are worse, and the report says so.
 DemoRecipe quick_recipe(const ArmDescription& arm);

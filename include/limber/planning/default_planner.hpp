@@ -27,6 +27,7 @@ struct DefaultPlannerSettings {
   /// Queries of the model after the first plan, then the search ends: from there on plans get
   /// cheaper by the model's errors, and executions worse (docs/planning.md).
   double improvement_queries = 200'000;
+  double improvement_queries_without_room = 10'000;  ///< where the goal leaves none for the error
   double hold_position_m = 0.05;  ///< paths that end this near the goal are held and judged
   double hold_orientation_rad = 0.5;
   int jobs = 0;  ///< threads, 0 for one a core; the plan does not depend on it

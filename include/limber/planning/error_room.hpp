@@ -13,6 +13,8 @@ namespace limber {
 struct ErrorRoom {
   double margin_m = 0.0;
   PoseError goal_margin;
+  /// PlanningProblem::margin_yields_to_start: nobody has asked for this very amount.
+  bool margin_yields_to_start = true;
   /// Where the amounts are no measured ones, why, and what to do about it.
   std::string note;
 };

@@ -35,6 +35,12 @@ struct PlanningProblem {
   const RecordedRegion* stay_within = nullptr;
   /// Asked of every plan before it counts as one; borrowed. None: all count.
   PlanJudge* judge = nullptr;
+  /// Whether an arm that starts nearer to an obstacle than the margin keeps what it starts with: it
+  /// is known to be where it starts.
+  bool margin_yields_to_start = false;
+  /// Whether the goal leaves room for the model's error; where not, little is gained by improving
+  /// plans for long.
+  bool goal_has_room = true;
 };
 
 /// The state that the environment starts with; the arm has long stood there.
