@@ -127,7 +127,9 @@ class CertifiedPlanner final : public Planner {
     PlanResult result = search(*planner_, problem, patient, seed, callback);
     result.warnings.insert(result.warnings.begin(), notes.begin(), notes.end());
     if (!result.plan) {
-      explain(problem, seed, result);
+      explain(
+          problem, seed, [&] { return limits.time_s && seconds_since(start) > *limits.time_s; },
+          result);
       if (may_keep_less && result.status != PlanStatus::not_certified) {
         try_smaller_clearances(problem, limits, start, seed, callback, result);
       }
@@ -186,10 +188,11 @@ class CertifiedPlanner final : public Planner {
 
   /// A refusal's amounts are those of the problem as it was asked, wherever it is refused as such;
   /// a search that found nothing says so where it may have had nothing to find.
-  static void explain(const PlanningProblem& problem, std::uint64_t seed, PlanResult& result) {
+  static void explain(const PlanningProblem& problem, std::uint64_t seed,
+                      const std::function<bool()>& is_late, PlanResult& result) {
     const CollisionChecker checker(problem.arm, problem.environment.obstacles, problem.margin_m);
     if (result.status == PlanStatus::limit || result.status == PlanStatus::no_solution) {
-      const std::string note = reached_only_in_collision(problem, checker, seed);
+      const std::string note = reached_only_in_collision(problem, checker, seed, is_late);
       result.reason += note.empty() ? "" : "; " + note;
       return;
     }

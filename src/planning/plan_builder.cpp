@@ -60,14 +60,4 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
   return plan;
 }
 
-bool is_solution(const PlanningProblem& problem, const CollisionChecker& checker,
-                 const Plan& plan) {
-  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    if (!checker.is_motion_free(plan.frames[k - 1].backbone, plan.frames[k].backbone)) {
-      return false;
-    }
-  }
-  return is_within(problem.environment.goal, final_error(problem, plan));
-}
-
 }  // namespace limber

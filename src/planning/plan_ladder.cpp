@@ -1,7 +1,6 @@
 #include "plan_ladder.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 #include "limber/planning/plan_builder.hpp"
 #include "plan_improver.hpp"
@@ -63,7 +62,6 @@ bool PlanLadder::is_notable(const Rung& rung) const {
 PlanJudge::Verdict PlanLadder::judge(const Rung& rung, const Found& found) {
   const double begin_s = budget_.elapsed_s();
   Plan plan = build_plan(problem_, simulator_, rung.waypoints_kpa, planner_, seed_);
-  assert(is_solution(problem_, simulator_.checker(), plan));
   const PlanJudge::Verdict verdict =
       problem_.judge == nullptr
           ? PlanJudge::Verdict::holds

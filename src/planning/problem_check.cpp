@@ -95,7 +95,11 @@ std::string gap_name(const ArmDescription& arm, int gap) {
 }
 
 std::string reached_only_in_collision(const PlanningProblem& problem,
-                                      const CollisionChecker& checker, std::uint64_t seed) {
+                                      const CollisionChecker& checker, std::uint64_t seed,
+                                      const std::function<bool()>& give_up) {
+  if (give_up && give_up()) {
+    return "";
+  }
   RandomStream random(seed, kCheckStream);
   InverseKinematicsSettings settings;
   settings.starts = 200;
@@ -109,10 +113,10 @@ std::string reached_only_in_collision(const PlanningProblem& problem,
   BackboneD shape(problem.arm.point_count(), 3);
   for (const Eigen::VectorXd& kpa : found.pressures_kpa) {
     problem.model.no_load().backbone(kpa, shape);
-    const Clearance clearance = checker.clearance(shape);
-    if (clearance.value_m > 0.0) {
+    if ((give_up && give_up()) || checker.is_free(shape)) {
       return "";
     }
+    const Clearance clearance = checker.clearance(shape);
     best = clearance.value_m > best.value_m ? clearance : best;
   }
   return fmt::format(

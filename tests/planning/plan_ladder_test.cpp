@@ -137,8 +137,8 @@ class Reckless final : public Planner {
   const char* name() const override { return "reckless"; }
   PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
-    const CollisionChecker blind(problem.arm, {});
-    MotionSimulator simulator(problem.arm, problem.model, blind);
+    const CollisionChecker checker(problem.arm, problem.environment.obstacles, problem.margin_m);
+    MotionSimulator simulator(problem.arm, problem.model, checker);
     PlannerBudget budget(limits, callback);
     PlanLadder ladder(problem, simulator, budget, name(), seed);
     (void)ladder.offer(sound_, waypoint_cost_kpa(sound_), 1);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,8 +41,10 @@ ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecke
 /// A sentence that names obstacle, plates and amount of the configuration that is least deep; empty
 /// where some configuration at the goal is free, or none was found at all (then there is a
 /// warning). The arm itself may differ, so it explains and never refuses.
+/// @param give_up  asked now and then; once it says so the answer is empty. Empty: never
 std::string reached_only_in_collision(const PlanningProblem& problem,
-                                      const CollisionChecker& checker, std::uint64_t seed);
+                                      const CollisionChecker& checker, std::uint64_t seed,
+                                      const std::function<bool()>& give_up = {});
 
 /// "obstacle 2 (circle)", counted from 1.
 std::string obstacle_name(const Environment& environment, int obstacle);
