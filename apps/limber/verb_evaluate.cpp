@@ -80,29 +80,29 @@ class EvaluateVerb final : public Verb {
               ensemble_evaluation_to_text(errors);
     }
     if (network) {
-      const std::optional<PredictionError> error =
-          measure_prediction_error(arm, network->compensation(), recording.episodes, flags.jobs);
+      CompensationModel model = network->compensation();
+      note_unseen(arm, model, recording.episodes, flags.jobs);
+      const std::optional<PredictionError>& error = model.prediction_error;
       json["prediction_error"] = nullptr;
       if (error) {
         json["prediction_error"] = prediction_error_to_json(*error);
         text += prediction_error_to_text(*error) + "\n";
       }
-      store(network->compensation(), error);
+      store(model);
     }
     print_result(flags, json, text);
     return kExitDone;
   }
 
  private:
-  void store(CompensationModel model, const std::optional<PredictionError>& error) const {
+  void store(const CompensationModel& model) const {
     if (out_.empty()) {
       return;
     }
-    if (!error) {
+    if (!model.prediction_error) {
       throw InputError(
           fmt::format("--out: in {} nothing moves that the error could be measured on", data_));
     }
-    model.prediction_error = error;
     write_model(out_, model);
   }
 

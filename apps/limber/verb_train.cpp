@@ -138,8 +138,7 @@ class TrainVerb final : public Verb {
     result.model.set_valves(valves);
     result.model.learnt =
         learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
-    result.model.prediction_error =
-        measure_prediction_error(arm, result.model, data.unseen, flags.jobs);
+    note_unseen(arm, result.model, data.unseen, flags.jobs);
     if (!from_.empty()) {
       result.model.training["from"] = content_hash(read_file(from_));
     }

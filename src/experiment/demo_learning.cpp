@@ -116,8 +116,7 @@ void train_stage(DemoResults& results) {
   results.training.model.set_valves(
       identify_valves(results.training_recording.episodes, results.arm(), "train.h5"));
   results.training.model.learnt = learnt_region_of(data);
-  results.training.model.prediction_error = measure_prediction_error(
-      results.arm(), results.training.model, results.unseen, settings.jobs);
+  note_unseen(results.arm(), results.training.model, results.unseen, settings.jobs);
   results.training.model.training["data"] =
       "train.h5 " + content_hash(read_file(results.file("train.h5")));
   results.output->write_with({"model.safetensors"}, [&] {

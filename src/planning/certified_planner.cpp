@@ -22,8 +22,8 @@ namespace {
 constexpr double kReserveM = Certificate::kDeviationM;
 constexpr double kReserveRad = Certificate::kHeadingDeviationRad;
 constexpr double kMostOfTolerance = 0.1;
-/// Of a tolerance: what plans may use of it where the model's error is larger than the rest.
-constexpr double kLeastShare = 0.5;
+/// Of a tolerance: what plans may use of it where the model's error leaves no room in it.
+constexpr double kShareWithoutRoom = 0.8;
 /// Of a tolerance: what is aimed at where there is an error to keep room for. That costs little.
 constexpr double kAimedShare = 0.25;
 /// Of the limits, for the search with the clearance that was asked for, where it finds nothing; the
@@ -34,8 +34,13 @@ constexpr double kSmallerClearances[] = {0.75, 0.5, 0.25, 0.0};  // of the one a
 
 constexpr double kYield = 0.95;  // of what an arm starts with: it has to get away from there
 
+bool fits(double tolerance, double margin) {
+  return margin <= (1.0 - kAimedShare) * tolerance;
+}
+
 double with_room(double tolerance, double margin, double reserve) {
-  const double inside = std::max(tolerance - margin, kLeastShare * tolerance);
+  const double inside =
+      fits(tolerance, margin) ? tolerance - margin : kShareWithoutRoom * tolerance;
   return inside - std::min(reserve, kMostOfTolerance * inside);
 }
 
@@ -60,9 +65,6 @@ std::optional<PoseError> aim_of(const PlanningProblem& problem) {
 /// Whether plans that end where they are to end there also with the model's error.
 bool has_room(const PlanningProblem& problem) {
   const PoseGoal& goal = problem.environment.goal;
-  const auto fits = [](double tolerance, double margin) {
-    return margin <= (1.0 - kAimedShare) * tolerance;
-  };
   return fits(goal.position_tolerance_m, problem.goal_margin.position_m) &&
          (!goal.theta_rad ||
           fits(goal.orientation_tolerance_rad, problem.goal_margin.orientation_rad));
@@ -76,7 +78,7 @@ double clearance_with_reserve_m(double margin_m) {
 std::vector<std::string> warnings_of_aim(const PlanningProblem& problem) {
   const PoseGoal& goal = problem.environment.goal;
   std::vector<std::string> warnings;
-  if ((1.0 - kLeastShare) * goal.position_tolerance_m < problem.goal_margin.position_m) {
+  if (!fits(goal.position_tolerance_m, problem.goal_margin.position_m)) {
     warnings.push_back(
         fmt::format("the goal's tolerance of {:.2f} cm leaves little room for the model's error, "
                     "{:.2f} cm: the "
@@ -84,7 +86,7 @@ std::vector<std::string> warnings_of_aim(const PlanningProblem& problem) {
                     goal.position_tolerance_m * kCmPerM, problem.goal_margin.position_m * kCmPerM));
   }
   if (goal.theta_rad &&
-      (1.0 - kLeastShare) * goal.orientation_tolerance_rad < problem.goal_margin.orientation_rad) {
+      !fits(goal.orientation_tolerance_rad, problem.goal_margin.orientation_rad)) {
     warnings.push_back(fmt::format(
         "the goal's tolerance of {:.3f} rad leaves little room for the model's error, {:.3f} rad: "
         "the plan aims at its middle, and the arm may end outside",

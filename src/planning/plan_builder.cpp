@@ -19,9 +19,9 @@ PoseError final_error(const PlanningProblem& problem, const Plan& plan) {
 double plan_clearance_m(const CollisionChecker& checker, double margin_m, const Plan& plan) {
   double smallest = checker.clearance(plan.frames.front().backbone).value_m;
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    smallest = checker
-                   .motion_clearance(plan.frames[k - 1].backbone, plan.frames[k].backbone, smallest)
-                   .value_m;
+    smallest =
+        checker.motion_clearance(plan.frames[k - 1].backbone, plan.frames[k].backbone, smallest)
+            .value_m;
   }
   return smallest + margin_m;
 }
@@ -58,6 +58,16 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
   plan.goal_distance_m = error.position_m;
   plan.goal_orientation_rad = error.orientation_rad;
   return plan;
+}
+
+bool is_solution(const PlanningProblem& problem, const CollisionChecker& checker,
+                 const Plan& plan) {
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    if (!checker.is_motion_free(plan.frames[k - 1].backbone, plan.frames[k].backbone)) {
+      return false;
+    }
+  }
+  return is_within(problem.environment.goal, final_error(problem, plan));
 }
 
 }  // namespace limber

@@ -6,6 +6,7 @@
 #include "episode_slice.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
+#include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/rollout.hpp"
 
 namespace limber {
@@ -163,28 +164,42 @@ std::optional<RunError> error_of(const FrameMatrix& predicted, const Episode& ru
 
 }  // namespace
 
-std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,
-                                                        const CompensationModel& model,
-                                                        const std::vector<Episode>& unseen,
-                                                        int jobs) {
-  const std::vector<Episode> runs = runs_of(arm, model, unseen);
-  std::vector<RolloutPiece> pieces;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    pieces.push_back({static_cast<int>(i), 0, runs[i].frame_count() - 1});
+namespace {
+
+/// Runs, and what the model predicts of them.
+struct PredictedRuns {
+  std::vector<Episode> runs;
+  std::vector<FrameMatrix> predicted;
+
+  bool are_finite() const {
+    return std::ranges::all_of(predicted, [](const FrameMatrix& one) { return one.allFinite(); });
   }
-  const std::vector<FrameMatrix> predicted = roll_out(ForwardModel(arm, model), runs, pieces, jobs);
+};
+
+PredictedRuns predict_runs(const ArmDescription& arm, const CompensationModel& model,
+                           const std::vector<Episode>& unseen, int jobs) {
+  PredictedRuns result{runs_of(arm, model, unseen), {}};
+  std::vector<RolloutPiece> pieces;
+  for (const Episode& run : result.runs) {
+    pieces.push_back({static_cast<int>(pieces.size()), 0, run.frame_count() - 1});
+  }
+  result.predicted = roll_out(ForwardModel(arm, model), result.runs, pieces, jobs);
+  for (std::size_t i = 0; i < result.runs.size(); ++i) {
+    result.predicted[i].row(0) = result.runs[i].backbone.row(0);  // where it starts is known
+  }
+  return result;
+}
+
+std::optional<PredictionError> error_of(const ArmDescription& arm, const PredictedRuns& all) {
   std::vector<double> largest_m, off_m, end_m, end_rad;
   double frames = 0.0;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (!predicted[i].bottomRows(pieces[i].frames).allFinite()) {
-      return std::nullopt;
-    }
-    if (const std::optional<RunError> error = error_of(predicted[i], runs[i])) {
+  for (std::size_t i = 0; i < all.runs.size(); ++i) {
+    if (const std::optional<RunError> error = error_of(all.predicted[i], all.runs[i])) {
       largest_m.push_back(error->largest_position_m);
       off_m.push_back(error->off_path_m);
       end_m.push_back(error->end_position_m);
       end_rad.push_back(error->end_orientation_rad);
-      frames += pieces[i].frames;
+      frames += all.runs[i].frame_count() - 1;
     }
   }
   if (largest_m.empty()) {
@@ -198,6 +213,30 @@ std::optional<PredictionError> measure_prediction_error(const ArmDescription& ar
   result.end_position_m = conformal_quantile(end_m);
   result.end_orientation_rad = conformal_quantile(end_rad);
   return result;
+}
+
+}  // namespace
+
+std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,
+                                                        const CompensationModel& model,
+                                                        const std::vector<Episode>& unseen,
+                                                        int jobs) {
+  const PredictedRuns all = predict_runs(arm, model, unseen, jobs);
+  return all.are_finite() ? error_of(arm, all) : std::nullopt;
+}
+
+void note_unseen(const ArmDescription& arm, CompensationModel& model,
+                 const std::vector<Episode>& unseen, int jobs) {
+  PredictedRuns all = predict_runs(arm, model, unseen, jobs);
+  model.prediction_error = all.are_finite() ? error_of(arm, all) : std::nullopt;
+  if (!model.prediction_error || !model.learnt) {
+    return;
+  }
+  for (std::size_t i = 0; i < all.runs.size(); ++i) {
+    all.runs[i].backbone = all.predicted[i];
+    all.runs[i].tracked.clear();
+  }
+  model.learnt = widened_by(std::move(*model.learnt), all.runs);
 }
 
 }  // namespace limber

@@ -15,4 +15,7 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
                 const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
                 std::uint64_t seed);
 
+/// Whether a built plan keeps every constraint and ends in the goal.
+bool is_solution(const PlanningProblem& problem, const CollisionChecker& checker, const Plan& plan);
+
 }  // namespace limber

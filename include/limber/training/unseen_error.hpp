@@ -29,4 +29,11 @@ std::optional<PredictionError> measure_prediction_error(const ArmDescription& ar
                                                         const std::vector<Episode>& unseen,
                                                         int jobs = 0);
 
+/// Measures the error of a finished model and stores it (none where it can't be measured), and
+/// widens what the model counts as learnt, where it says so, by its own predictions along the same
+/// runs: networks draw shapes that are a little off those of an arm, and whoever asks about
+/// predicted shapes should not be told of that.
+void note_unseen(const ArmDescription& arm, CompensationModel& model,
+                 const std::vector<Episode>& unseen, int jobs = 0);
+
 }  // namespace limber
