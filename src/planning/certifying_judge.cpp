@@ -19,24 +19,15 @@ bool is_same_motion(const Plan& a, const Plan& b) {
 
 }  // namespace
 
-/// Made when the first plan comes: most searches that find none need it for nothing.
-const Certifier& CertifyingJudge::certifier() {
-  if (!certifier_) {
-    certifier_.emplace(asked_.arm,
-                       asked_.model.has_network() ? &asked_.model.compensation() : nullptr,
-                       asked_.model.valves().parameters(), asked_.environment);
-  }
-  return *certifier_;
-}
-
 void CertifyingJudge::name_problem(Plan& plan) {
-  plan.environment_hash = certifier().environment_hash();
-  plan.margin_m = asked_.margin_m;
+  plan.environment_hash = asked_.environment_hash();
+  plan.margin_m = problem_.margin_m;
 }
 
 PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()>& give_up) {
+  const Certifier& certifier = asked_.certifier();
   name_problem(plan);
-  Certificate certificate = certifier().certify(plan, give_up);
+  Certificate certificate = certifier.certify(plan, give_up);
   if (certificate.unfinished) {
     return Verdict::unfinished;
   }
@@ -54,8 +45,8 @@ PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()
 }
 
 bool CertifyingJudge::stays_within(const Plan& plan) const {
-  return asked_.stay_within == nullptr ||
-         ways_beyond(asked_.stay_within->learnt(), plan, asked_.arm.command.unit).empty();
+  return problem_.stay_within == nullptr ||
+         ways_beyond(problem_.stay_within->learnt(), plan, problem_.arm.command.unit).empty();
 }
 
 void CertifyingJudge::report(PlanResult& result) {
@@ -75,7 +66,8 @@ void CertifyingJudge::report(PlanResult& result) {
       result.reason = fmt::format(
           "every plan that planner '{}' found leaves what the model's recordings held: {}",
           result.best_partial->planner,
-          ways_beyond(asked_.stay_within->learnt(), *result.best_partial, asked_.arm.command.unit)
+          ways_beyond(problem_.stay_within->learnt(), *result.best_partial,
+                      problem_.arm.command.unit)
               .front());
       return;
     }

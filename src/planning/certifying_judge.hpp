@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "asked_problem.hpp"
 #include "limber/planning/certificate.hpp"
 #include "limber/planning/plan_judge.hpp"
 #include "limber/planning/planner.hpp"
@@ -10,10 +11,13 @@
 namespace limber {
 
 /// Lets stand what its certificate (planning/certificate.hpp) certifies for the problem as it was
-/// asked, and what stays within the recordings where that is asked for. Borrows the problem.
+/// asked, and what stays within the recordings where that is asked for. Borrows both.
 class CertifyingJudge final : public PlanJudge {
  public:
-  explicit CertifyingJudge(const PlanningProblem& asked) : asked_(asked) {}
+  /// @param problem  what is searched for now
+  /// @param asked    its arm, model and environment, shared by searches that keep different margins
+  CertifyingJudge(const PlanningProblem& problem, AskedProblem& asked)
+      : problem_(problem), asked_(asked) {}
 
   Verdict judge(Plan& plan, const std::function<bool()>& give_up) override;
 
@@ -25,12 +29,11 @@ class CertifyingJudge final : public PlanJudge {
   void report(PlanResult& result);
 
  private:
-  const Certifier& certifier();
   bool stays_within(const Plan& plan) const;
 
-  const PlanningProblem& asked_;
-  std::optional<Certifier> certifier_;
-  std::optional<Certificate> held_;     // of the last plan that holds: the cheapest
+  const PlanningProblem& problem_;
+  AskedProblem& asked_;
+  std::optional<Certificate> held_;  // of the last plan that holds: the cheapest
   Plan held_plan_;
   std::optional<Certificate> refused_;  // of the cheapest that was refused
   double refused_kpa_ = 0.0;

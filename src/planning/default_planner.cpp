@@ -147,12 +147,7 @@ class Run {
     seen_ = solutions.size();
     std::ranges::stable_sort(found, {}, [this](const auto& one) { return merit_kpa(one); });
     for (const BatchSearch::Solution& one : found) {
-      const std::vector<Pressures> waypoints_kpa = search_.waypoints_to(one.node);
-      if (!opinions_.agree(waypoints_kpa)) {
-        continue;
-      }
-      const bool is_best = !has_plan() || merit_kpa(one) < *ladder_.best_merit_kpa();
-      if (!is_best || note_plan(waypoints_kpa, merit_kpa(one))) {
+      if (may_be_built_upon(one)) {
         waiting_.push_back(one);
       }
     }
@@ -161,6 +156,16 @@ class Run {
     } else {
       search_queries_ += paths_.queries() - before;
     }
+  }
+
+  /// Notes it as a plan where it is the best so far.
+  bool may_be_built_upon(const BatchSearch::Solution& one) {
+    const bool is_best = !has_plan() || merit_kpa(one) < *ladder_.best_merit_kpa();
+    if (!is_best && opinions_.empty()) {
+      return true;
+    }
+    const std::vector<Pressures> waypoints_kpa = search_.waypoints_to(one.node);
+    return opinions_.agree(waypoints_kpa) && (!is_best || note_plan(waypoints_kpa, merit_kpa(one)));
   }
 
   /// A batch of changes of all plans in work. False where there is none.

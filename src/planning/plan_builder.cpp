@@ -39,7 +39,9 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
   plan.model = problem.model.has_network() ? "network" : "no_load";
   plan.valves_hash = problem.model.valves().parameters().hash();
   plan.environment_name = problem.environment.name;
-  plan.environment_hash = environment_hash(problem.environment);
+  if (problem.judge == nullptr) {
+    plan.environment_hash = environment_hash(problem.environment);
+  }
   plan.planner = planner;
   plan.seed = seed;
   plan.margin_m = problem.margin_m;

@@ -22,13 +22,11 @@ bool SecondOpinions::agree(const std::vector<Pressures>& waypoints_kpa) {
   return std::all_of(others_.begin(), others_.end(), [&](const std::unique_ptr<Other>& other) {
     MotionState state = start_;
     for (std::size_t i = 1; i < waypoints_kpa.size(); ++i) {
-      const MotionState from = state;
-      if (!other->simulator.move(from, waypoints_kpa[i], state)) {
+      if (!other->simulator.move(state, waypoints_kpa[i], state)) {
         return false;
       }
     }
-    const MotionState end = state;
-    return other->simulator.hold(end, state) &&
+    return other->simulator.hold(state, state) &&
            is_within(goal, pose_error(goal, tip_pose(state.backbone)));
   });
 }

@@ -186,6 +186,26 @@ LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episode
   return region;
 }
 
+LearntRegion with_shapes_of(LearntRegion region, const std::vector<Episode>& episodes) {
+  for (const Episode& episode : episodes) {
+    const Eigen::MatrixXd joint = joint_vectors(episode);
+    const auto kpa = joint.topRows(region.low_kpa.size()).cast<float>().array();
+    const Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> inside =
+        kpa >= region.low_kpa.replicate(1, joint.cols()).array() &&
+        kpa <= region.high_kpa.replicate(1, joint.cols()).array();
+    std::vector<Eigen::Index> held;
+    for (Eigen::Index t = 0; t < joint.cols(); ++t) {
+      if (inside.col(t).all()) {
+        held.push_back(t);
+      }
+    }
+    if (!held.empty()) {
+      widen_axes(region, along_axes(region, joint(Eigen::all, held)), kAxisWidening);
+    }
+  }
+  return region;
+}
+
 LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* start) {
   LearntRegion region =
       start != nullptr ? widened_by(*start, data.training) : learnt_region_of(data.training);

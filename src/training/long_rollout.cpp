@@ -18,14 +18,6 @@ int there_and_back(int step, int count) {
   return at < count ? at : period - at;
 }
 
-int first_tracked(const Episode& episode) {
-  int frame = 0;
-  while (frame < episode.frame_count() && !episode.was_tracked(frame)) {
-    ++frame;
-  }
-  return frame;
-}
-
 double arm_length_m(const ForwardModel& model) {
   double length = 0.0;
   for (int i = 0; i < model.segment_count(); ++i) {
@@ -38,11 +30,11 @@ double arm_length_m(const ForwardModel& model) {
 
 LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>& episodes,
                           int frames) {
-  const auto frames_from_seen = [](const Episode& one) {
-    return one.frame_count() - first_tracked(one);
+  const auto frames_from_tracked = [](const Episode& one) {
+    return one.frame_count() - one.next_tracked(0, one.frame_count());
   };
-  const Episode& episode = *std::ranges::max_element(episodes, {}, frames_from_seen);
-  const int count = frames_from_seen(episode);
+  const Episode& episode = *std::ranges::max_element(episodes, {}, frames_from_tracked);
+  const int count = frames_from_tracked(episode);
   const int begin = episode.frame_count() - count;
   LongRollout result;
   if (count < 2) {

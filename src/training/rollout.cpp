@@ -16,14 +16,6 @@ namespace {
 
 constexpr std::size_t kPiecesPerBatch = 64;
 
-/// The first frame in which the arm was seen, `frame` or later, before `end`; else `end`.
-int next_seen(const Episode& episode, int frame, int end) {
-  while (frame < end && !episode.was_tracked(frame)) {
-    ++frame;
-  }
-  return frame;
-}
-
 /// Rolls out pieces of a batch; they are sorted, longest first, so that those still running are the
 /// first columns.
 void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episodes,
@@ -76,11 +68,11 @@ std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes,
   for (int index = 0; index < static_cast<int>(episodes.size()); ++index) {
     const Episode& episode = episodes[static_cast<std::size_t>(index)];
     const int last = episode.frame_count() - 1;
-    int first = next_seen(episode, 0, last);
+    int first = episode.next_tracked(0, last);
     while (first < last) {
       const int count = std::min(frames, last - first);
       pieces.push_back({index, first, count});
-      first = next_seen(episode, first + count, last);
+      first = episode.next_tracked(first + count, last);
     }
   }
   return pieces;
@@ -95,7 +87,7 @@ std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes
     for (int t = 2; t <= static_cast<int>(motion.size()); ++t) {
       const auto at = static_cast<std::size_t>(t);
       if (at == motion.size() || motion[at] != motion[at - 1]) {
-        const int start = next_seen(episode, first, t - 1);
+        const int start = episode.next_tracked(first, t - 1);
         if (start < t - 1) {
           pieces.push_back({index, start, t - 1 - start});
         }

@@ -56,30 +56,31 @@ struct Ladder {
   PlannerBudget budget{limits, nobody};
   Pressures goal_kpa = Pressures::Constant(3, 20.0F);
 
-  PlanLadder with(PlanJudge* judge) {
+  PlanLadder ladder{problem, simulator, budget, "test", 1};
+
+  /// In the open, with a goal that a planner has reached.
+  Ladder() {
     setting.environment.obstacles.clear();
-    const PlanResult found = setting.plan("default", 400);
-    goal_kpa = found.plan->waypoints_kpa.back();
-    problem.judge = judge;
-    return {problem, simulator, budget, "test", 1};
+    goal_kpa = setting.plan("default", 400).plan->waypoints_kpa.back();
+  }
+  bool offer(float extra_kpa, std::uint64_t queries) {
+    return ladder.offer(detour(goal_kpa, extra_kpa), cost_kpa(extra_kpa), queries);
   }
   double cost_kpa(float extra_kpa) const { return goal_kpa.lpNorm<1>() + extra_kpa; }
 };
 
 TEST(PlanLadder, ARefusedPlanTakesThoseBeforeItAlong) {
   Ladder s;
-  Dear probe(0.0);
-  PlanLadder ladder = s.with(&probe);
   Dear judge(s.cost_kpa(19.9F));
   s.problem.judge = &judge;
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 22.0F), s.cost_kpa(22.0F), 5));
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 21.0F), s.cost_kpa(21.0F), 6));
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 20.0F), s.cost_kpa(20.0F), 7));
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 19.0F), s.cost_kpa(19.0F), 8));
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 18.0F), s.cost_kpa(18.0F), 9));
+  EXPECT_TRUE(s.offer(22.0F, 5));
+  EXPECT_TRUE(s.offer(21.0F, 6));
+  EXPECT_TRUE(s.offer(20.0F, 7));
+  EXPECT_TRUE(s.offer(19.0F, 8));
+  EXPECT_TRUE(s.offer(18.0F, 9));
   EXPECT_EQ(judge.asked_kpa.size(), 1U) << "a per cent or so is not worth a certificate yet";
   PlanResult result;
-  EXPECT_TRUE(ladder.settle(result, 10));
+  EXPECT_TRUE(s.ladder.settle(result, 10));
   ASSERT_EQ(result.status, PlanStatus::solved);
   EXPECT_NEAR(result.plan->cost_kpa, s.cost_kpa(20.0F), 1e-2) << "the cheapest that holds";
   EXPECT_EQ(judge.asked_kpa.size(), 4U) << "from the best down";
@@ -88,27 +89,23 @@ TEST(PlanLadder, ARefusedPlanTakesThoseBeforeItAlong) {
 
 TEST(PlanLadder, WhatIsNotablyCheaperIsJudgedAtOnceAndNotBuiltUponWhereItIsRefused) {
   Ladder s;
-  Dear probe(0.0);
-  PlanLadder ladder = s.with(&probe);
   Dear judge(s.cost_kpa(50.0F));
   s.problem.judge = &judge;
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 100.0F), s.cost_kpa(100.0F), 1));
-  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 5.0F), s.cost_kpa(5.0F), 2));
+  EXPECT_TRUE(s.offer(100.0F, 1));
+  EXPECT_FALSE(s.offer(5.0F, 2));
   EXPECT_EQ(judge.asked_kpa.size(), 2U);
-  EXPECT_NEAR(*ladder.best_cost_kpa(), s.cost_kpa(100.0F), 1e-2);
+  EXPECT_NEAR(*s.ladder.best_cost_kpa(), s.cost_kpa(100.0F), 1e-2);
 }
 
 TEST(PlanLadder, WithEveryPlanRefusedTheCheapestIsKeptAsNoSolution) {
   Ladder s;
-  Dear probe(0.0);
-  PlanLadder ladder = s.with(&probe);
   Dear judge(1e9);
   s.problem.judge = &judge;
-  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 9.0F), s.cost_kpa(9.0F), 1));
-  EXPECT_FALSE(ladder.offer(detour(s.goal_kpa, 8.0F), s.cost_kpa(8.0F), 1));
-  EXPECT_FALSE(ladder.best_cost_kpa());
+  EXPECT_FALSE(s.offer(9.0F, 1));
+  EXPECT_FALSE(s.offer(8.0F, 1));
+  EXPECT_FALSE(s.ladder.best_cost_kpa());
   PlanResult result;
-  EXPECT_TRUE(ladder.settle(result, 1));
+  EXPECT_TRUE(s.ladder.settle(result, 1));
   EXPECT_EQ(result.status, PlanStatus::not_certified);
   EXPECT_FALSE(result.plan);
   EXPECT_FALSE(result.first_solution);
@@ -117,13 +114,11 @@ TEST(PlanLadder, WithEveryPlanRefusedTheCheapestIsKeptAsNoSolution) {
 
 TEST(PlanLadder, APlanWhoseJudgeRanOutOfTimeIsNoSolution) {
   Ladder s;
-  Dear probe(0.0);
-  PlanLadder ladder = s.with(&probe);
   Slow judge;
   s.problem.judge = &judge;
-  EXPECT_TRUE(ladder.offer(detour(s.goal_kpa, 9.0F), s.cost_kpa(9.0F), 1));
+  EXPECT_TRUE(s.offer(9.0F, 1));
   PlanResult result;
-  EXPECT_TRUE(ladder.settle(result, 1));
+  EXPECT_TRUE(s.ladder.settle(result, 1));
   EXPECT_EQ(result.status, PlanStatus::limit);
   EXPECT_THAT(result.reason, HasSubstr("certificate was not finished"));
   EXPECT_FALSE(result.plan);

@@ -123,6 +123,29 @@ TEST(LearntRegionFit, WideningByWhatIsHeldChangesNothing) {
   EXPECT_TRUE(same.low_kpa == region.low_kpa && same.high_kpa == region.high_kpa);
 }
 
+// A model that is evaluated on a wider recording has not learnt what lies beyond its own.
+TEST(LearntRegionFit, ShapesOfOthersWidenNoPressures) {
+  const ArmDescription arm = three_segment_arm();
+  const LearntRegion region = learnt_region_of(toy_episodes(timid(arm), 2, 1));
+  const std::vector<Episode> wide = toy_episodes(arm, 2, 60);
+  const LearntRegion with_shapes = with_shapes_of(region, wide);
+  EXPECT_TRUE(with_shapes.low_kpa == region.low_kpa && with_shapes.high_kpa == region.high_kpa);
+  EXPECT_TRUE(with_shapes.steepest_rise_kpa_per_s == region.steepest_rise_kpa_per_s);
+  int inside = 0;
+  int outside = 0;
+  for (int t = 0; t < wide[0].frame_count(); ++t) {
+    const Pressures kpa = wide[0].pressure_kpa.row(t);
+    const bool held = (kpa.array() >= region.low_kpa.array()).all() &&
+                      (kpa.array() <= region.high_kpa.array()).all();
+    if (held) {
+      EXPECT_FALSE(is_flagged(with_shapes, wide[0], t)) << t;
+    }
+    (held ? inside : outside) += 1;
+  }
+  EXPECT_GT(inside, 20);
+  EXPECT_GT(outside, 100);
+}
+
 TEST(LearntRegionFit, FineTuningHoldsOldAndNew) {
   const ArmDescription arm = three_segment_arm();
   const std::vector<Episode> old_data = toy_episodes(timid(arm), 2, 1);

@@ -36,6 +36,13 @@ struct Episode {
   bool was_tracked(int t) const {
     return tracked.empty() || tracked[static_cast<std::size_t>(t)] != 0;
   }
+  /// The first tracked frame from `t` on and before `end`; else `end`. @pre end ≤ frame_count()
+  int next_tracked(int t, int end) const {
+    while (t < end && !was_tracked(t)) {
+      ++t;
+    }
+    return t;
+  }
 };
 
 /// Recorded motion of an arm (docs/formats.md, schema limber/recording/1).

@@ -18,6 +18,10 @@ LearntRegion learnt_region_of(const std::vector<Episode>& episodes);
 /// the axes of `region`, which stay. The same region where it held everything already.
 LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episodes);
 
+/// `region`, its axes' ranges widened by the shapes in `episodes`, in those frames whose pressures
+/// it holds. Its pressures and rates stay: who predicts a frame has learnt nothing from it.
+LearntRegion with_shapes_of(LearntRegion region, const std::vector<Episode>& episodes);
+
 /// What a model has learnt that was trained on `data`: its training and its replayed episodes, and
 /// what the model held already that it went on from.
 /// @param start  of the model that was fine-tuned; null: none

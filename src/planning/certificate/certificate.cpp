@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -13,66 +12,18 @@
 #include "give_up.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
+#include "shape_comparison.hpp"
 #include "swept_clearance.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr double kMostTurnRad = std::numbers::pi;  // of one gap; beyond there is no such arc
 constexpr double kRoundingM = 1e-5;  // of one step of the forward model in float32, with room
 constexpr double kReportedClearanceM = 1.2e-3;  // a planner's own figure may be a little cautious
 
-ExactArm::Shape shape_of(const Backbone& backbone) {
-  ExactArm::Shape shape;
-  shape.reserve(static_cast<std::size_t>(backbone.rows()));
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    shape.push_back({double(backbone(i, 0)), double(backbone(i, 1)), double(backbone(i, 2))});
-  }
-  return shape;
-}
-
 std::vector<double> numbers(const Pressures& kpa) {
   return {kpa.begin(), kpa.end()};
-}
-
-/// Whether collision has a meaning: finite poses, and no gap that turns by more than half a turn.
-bool is_drawable(const ExactArm::Shape& shape) {
-  for (std::size_t i = 0; i < shape.size(); ++i) {
-    const bool finite = std::isfinite(shape[i].x_m) && std::isfinite(shape[i].y_m) &&
-                        std::isfinite(shape[i].theta_rad);
-    if (!finite ||
-        (i > 0 && std::abs(shape[i].theta_rad - shape[i - 1].theta_rad) > kMostTurnRad)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// How far two shapes are apart, and the plate that is farthest off its place.
-struct Deviation {
-  double apart_m = 0.0;
-  double turned_rad = 0.0;
-  int plate = 0;
-};
-
-/// A coordinate that is no number counts as any distance: comparisons with it are false.
-Deviation deviation(const ExactArm::Shape& own, const ExactArm::Shape& stored) {
-  Deviation largest;
-  for (std::size_t i = 0; i < stored.size(); ++i) {
-    const double x = own[i].x_m - stored[i].x_m;
-    const double y = own[i].y_m - stored[i].y_m;
-    const double apart = std::sqrt(x * x + y * y);
-    const double turned = std::abs(own[i].theta_rad - stored[i].theta_rad);
-    if (!(apart <= largest.apart_m)) {
-      largest.apart_m = apart;
-      largest.plate = static_cast<int>(i);
-    }
-    if (!(turned <= largest.turned_rad)) {
-      largest.turned_rad = turned;
-    }
-  }
-  return largest;
 }
 
 }  // namespace

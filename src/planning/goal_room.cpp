@@ -1,0 +1,74 @@
+#include "goal_room.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kMostReserve = 0.1;  // of a tolerance
+/// Of a tolerance: what plans may use of it where the model's error leaves no room in it.
+constexpr double kShareWithoutRoom = 0.8;
+/// Of a tolerance: what is aimed at where there is an error to keep room for. That costs little.
+constexpr double kAimedShare = 0.25;
+
+bool fits(double tolerance, double margin) {
+  return margin <= (1.0 - kAimedShare) * tolerance;
+}
+
+double with_room(double tolerance, double margin, double reserve) {
+  const double inside =
+      fits(tolerance, margin) ? tolerance - margin : kShareWithoutRoom * tolerance;
+  return inside - std::min(reserve, kMostReserve * inside);
+}
+
+}  // namespace
+
+Environment with_room(Environment environment, const PoseError& margin) {
+  PoseGoal& goal = environment.goal;
+  goal.position_tolerance_m = with_room(goal.position_tolerance_m, margin.position_m, kReserveM);
+  goal.orientation_tolerance_rad =
+      with_room(goal.orientation_tolerance_rad, margin.orientation_rad, kReserveRad);
+  return environment;
+}
+
+std::optional<PoseError> aim_of(const PlanningProblem& problem) {
+  if (problem.goal_margin.position_m <= 0.0 && problem.goal_margin.orientation_rad <= 0.0) {
+    return std::nullopt;
+  }
+  const PoseGoal& goal = problem.environment.goal;
+  return PoseError{kAimedShare * goal.position_tolerance_m,
+                   kAimedShare * goal.orientation_tolerance_rad};
+}
+
+bool has_room(const PlanningProblem& problem) {
+  const PoseGoal& goal = problem.environment.goal;
+  return fits(goal.position_tolerance_m, problem.goal_margin.position_m) &&
+         (!goal.theta_rad ||
+          fits(goal.orientation_tolerance_rad, problem.goal_margin.orientation_rad));
+}
+
+std::vector<std::string> warnings_of_aim(const PlanningProblem& problem) {
+  const PoseGoal& goal = problem.environment.goal;
+  std::vector<std::string> warnings;
+  if (!fits(goal.position_tolerance_m, problem.goal_margin.position_m)) {
+    warnings.push_back(
+        fmt::format("the goal's tolerance of {:.2f} cm leaves little room for the model's error, "
+                    "{:.2f} cm: the plan aims at its centre, and the arm may end outside",
+                    goal.position_tolerance_m * kCmPerM, problem.goal_margin.position_m * kCmPerM));
+  }
+  if (goal.theta_rad &&
+      !fits(goal.orientation_tolerance_rad, problem.goal_margin.orientation_rad)) {
+    warnings.push_back(fmt::format(
+        "the goal's tolerance of {:.3f} rad leaves little room for the model's error, {:.3f} rad: "
+        "the plan aims at its middle, and the arm may end outside",
+        goal.orientation_tolerance_rad, problem.goal_margin.orientation_rad));
+  }
+  return warnings;
+}
+
+}  // namespace limber

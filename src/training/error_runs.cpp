@@ -1,0 +1,77 @@
+#include "error_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limber/training/unseen_error.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kStillM = 1e-3;             // of any plate from frame to frame
+constexpr int kStillFrames = 4;              // in a row
+constexpr std::size_t kFewestFromRest = 19;  // for a 95 % quantile
+
+/// Motions as they were recorded, holds included, cut where they are longer than `most_frames`.
+std::vector<RolloutPiece> cut_motions(const std::vector<Episode>& unseen, int most_frames) {
+  std::vector<RolloutPiece> pieces;
+  for (const RolloutPiece& motion : pieces_of_motions(unseen)) {
+    const Episode& episode = unseen[static_cast<std::size_t>(motion.episode)];
+    const int end = motion.first + motion.frames;
+    int first = motion.first;
+    while (first < end) {
+      const int frames = std::min(most_frames, end - first);
+      pieces.push_back({motion.episode, first, frames});
+      first = episode.next_tracked(first + frames, end);
+    }
+  }
+  return pieces;
+}
+
+/// Whether anything is commanded to move: standing still is easily predicted.
+bool moves(const Episode& episode, const RolloutPiece& piece) {
+  return (episode.setpoint_kpa.middleRows(piece.first + 1, piece.frames).rowwise() -
+          episode.setpoint_kpa.row(piece.first))
+             .cwiseAbs()
+             .maxCoeff() > 0.0F;
+}
+
+/// Whether the arm had come to rest in frame `frame`, as it has before a plan.
+bool stands_still(const Episode& episode, int frame) {
+  if (frame < kStillFrames) {
+    return false;
+  }
+  for (int k = frame - kStillFrames; k < frame; ++k) {
+    if (largest_distance_m(episode.backbone.row(k + 1), episode.backbone.row(k)) > kStillM) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+double largest_distance_m(const Eigen::RowVectorXf& a, const Eigen::RowVectorXf& b) {
+  const Eigen::MatrixX3d apart = (a - b).cast<double>().reshaped<Eigen::RowMajor>(a.size() / 3, 3);
+  return apart.leftCols<2>().rowwise().norm().maxCoeff();
+}
+
+std::vector<RolloutPiece> error_runs(const ArmDescription& arm,
+                                     const std::vector<Episode>& unseen) {
+  const int most_frames = static_cast<int>(std::lround(kLongestErrorRun_s * arm.frame_rate_hz));
+  std::vector<RolloutPiece> moving;
+  std::vector<RolloutPiece> from_rest;
+  for (const RolloutPiece& piece : cut_motions(unseen, most_frames)) {
+    const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
+    if (moves(episode, piece)) {
+      moving.push_back(piece);
+      if (stands_still(episode, piece.first)) {
+        from_rest.push_back(piece);
+      }
+    }
+  }
+  return from_rest.size() >= kFewestFromRest ? from_rest : moving;
+}
+
+}  // namespace limber

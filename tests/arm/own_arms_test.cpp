@@ -1,0 +1,36 @@
+#include <filesystem>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "limber/arm/arm_description.hpp"
+
+namespace limber {
+namespace {
+
+TEST(OwnArms, LoadAndAreWhatTheirNamesSay) {
+  const std::filesystem::path folder = std::filesystem::path(LIMBER_SOURCE_DIR) / "arms";
+  const std::pair<const char*, int> arms[] = {
+      {"two_segment", 2}, {"three_segment", 3}, {"five_segment", 5}, {"motor_driven", 2}};
+  for (const auto& [name, segments] : arms) {
+    const ArmDescription arm = load_arm(folder / (std::string(name) + ".yaml"));
+    EXPECT_EQ(arm.name, name);
+    EXPECT_EQ(arm.segment_count(), segments);
+  }
+  const ArmDescription paper = load_arm(folder / "three_segment.yaml");
+  // Defaults and files say the same; a fit of the virtual arm that changes one must change both.
+  EXPECT_EQ(virtual_arm_parameters_to_yaml(paper.virtual_arm, 2),
+            virtual_arm_parameters_to_yaml(VirtualArmParameters{}, 2));
+  EXPECT_EQ(paper.point_count(), 16);
+  EXPECT_NEAR(paper.length_m(), 0.705, 1e-12);
+}
+
+TEST(OwnArms, KeepTheirHashes) {
+  const std::filesystem::path folder = std::filesystem::path(LIMBER_SOURCE_DIR) / "arms";
+  EXPECT_EQ(load_arm(folder / "two_segment.yaml").hash(), "c8ef573571516db1a64188e9de6861e3");
+  EXPECT_EQ(load_arm(folder / "three_segment.yaml").hash(), "644c82f85342553733138332bd8726b7");
+  EXPECT_EQ(load_arm(folder / "five_segment.yaml").hash(), "f2be52a8b2ae90702423ec5945f50891");
+}
+
+}  // namespace
+}  // namespace limber
