@@ -24,15 +24,20 @@ if(LIMBER_SANITIZE)
 endif()
 
 # limber_add_library(<module> SOURCES … [DEPENDS …] [PRIVATE_DEPENDS …])
-# A static library limber_<module>, known to others as limber::<module>, its headers in include/limber/<module>.
+# A static library limber_<module>, known to others as limber::<module>, its headers
+# for users in src/<module>/include/limber/<module>, those for limber's other modules in internal/ (never
+# installed); the module itself sees all of src/<module>.
 function(limber_add_library module)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(limber_${module} STATIC ${ARG_SOURCES})
   add_library(limber::${module} ALIAS limber_${module})
   set_target_properties(limber_${module} PROPERTIES EXPORT_NAME ${module})
   target_compile_features(limber_${module} PUBLIC cxx_std_20)
-  target_include_directories(limber_${module} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_include_directories(limber_${module}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+           $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/internal>
+           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(limber_${module}
     PUBLIC ${ARG_DEPENDS}
     PRIVATE ${ARG_PRIVATE_DEPENDS} $<BUILD_INTERFACE:limber_private_settings>)
@@ -51,7 +56,8 @@ function(limber_add_test module)
   endif()
   add_executable(${module}_test ${ARG_SOURCES})
   target_compile_features(${module}_test PRIVATE cxx_std_20)
-  target_include_directories(${module}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  # Headers shared by tests; and, from the root, the private ones of the module that is tested.
+  target_include_directories(${module}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${module}_test PRIVATE
     LIMBER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LIMBER_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/tests/data"
     LIMBER_PYTHON="${LIMBER_PYTHON}")

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/number_text.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/utf8.hpp"
 
@@ -46,9 +47,8 @@ std::string check_whole(std::string& text) {
 std::string check_planner(const std::string& text) {
   for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
     const std::string value = text.substr(at + 1, text.find(',', at) - at - 1);
-    char* end = nullptr;
-    const double number = std::strtod(value.c_str(), &end);
-    if (!value.empty() && *end == '\0' && !std::isfinite(number)) {
+    const std::optional<double> number = number_in(value);
+    if (number && !std::isfinite(*number)) {
       return fmt::format("setting '{}' found; expected a finite number", shortened(value));
     }
   }

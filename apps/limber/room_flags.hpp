@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "limber/planning/error_room.hpp"
+#include "limber/forward/error_room.hpp"
 #include "verb.hpp"
 
 namespace limber {

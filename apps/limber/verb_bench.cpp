@@ -1,9 +1,11 @@
 #include <optional>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/bench/speed_benchmark.hpp"
 #include "limber/common/atomic_file.hpp"
-#include "limber/experiment/speed_benchmark.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/report/speed_report.hpp"
+#include "limber/report/training_report.hpp"
 #include "limber/training/training_benchmark.hpp"
 #include "verbs.hpp"
 

@@ -4,13 +4,14 @@
 #include <fmt/ranges.h>
 
 #include "limber/arm/characterisation.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/valve_identification.hpp"
-#include "limber/experiment/bench_chart.hpp"
 #include "limber/hardware/bench_test.hpp"
-#include "limber/training/valve_plot.hpp"
+#include "limber/report/bench_chart.hpp"
+#include "limber/report/valve_plot.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -45,9 +46,10 @@ nlohmann::ordered_json to_json(const StrainFit& fit, const std::vector<BenchPoin
 std::string to_text(int segment, const StrainFit& fit) {
   const StrainPolynomial& c = fit.polynomial;
   return fmt::format(
-      "segment {}: {} points, full strain {:.4f}, residual {:.2f} % rms, {:.2f} % at most{}{}\n"
+      "{}: {} points, full strain {:.4f}, residual {:.2f} % rms, {:.2f} % at most{}{}\n"
       "  e = {:g} p {:+g} p^2 {:+g} p^3 {:+g} p^4   (p in kPa)\n",
-      segment, fit.points, fit.full_strain, 100.0 * fit.rms_residual, 100.0 * fit.max_residual,
+      segment_name(segment), fit.points, fit.full_strain, 100.0 * fit.rms_residual,
+      100.0 * fit.max_residual,
       fit.refitted ? "; the plain fit fell somewhere, its slope is held at 0 or above" : "",
       fit.kept ? "; the arm file says the same, its numbers stay" : "", c[0], c[1], c[2], c[3]);
 }
@@ -155,14 +157,14 @@ class CharacterizeVerb final : public Verb {
 
   /// Segments fitted to the same data share their warnings.
   static void warn(const CommonFlags& flags, const CharacterisedArm& result) {
-    std::map<std::string, std::vector<std::size_t>> segments_of;
+    std::map<std::string, std::vector<std::string>> segments_of;
     for (std::size_t i = 0; i < result.fits.size(); ++i) {
       for (const std::string& warning : result.fits[i].warnings) {
-        segments_of[warning].push_back(i);
+        segments_of[warning].push_back(segment_name(Eigen::Index(i)));
       }
     }
     for (const auto& [warning, segments] : segments_of) {
-      say(flags, "warning: segment {}: {}", fmt::join(segments, ", "), warning);
+      say(flags, "warning: {}: {}", fmt::join(segments, ", "), warning);
     }
   }
 

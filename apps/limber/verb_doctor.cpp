@@ -6,11 +6,11 @@
 #include <oneapi/tbb/version.h>
 #include <Eigen/Core>
 
+#include "limber/bench/speed_peers.hpp"
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/version.hpp"
 #include "limber/data/hdf5_version.hpp"
-#include "limber/experiment/speed_peers.hpp"
 #include "limber/hardware/mujoco_version.hpp"
 #include "limber/network/onnx_export.hpp"
 #include "limber/planning/ompl_planner.hpp"

@@ -1,9 +1,10 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/report/evaluation_plots.hpp"
+#include "limber/report/training_report.hpp"
 #include "limber/training/ensemble_evaluation.hpp"
 #include "limber/training/evaluation.hpp"
-#include "limber/training/evaluation_plots.hpp"
 #include "limber/training/unseen_error.hpp"
 #include "verbs.hpp"
 

@@ -1,9 +1,9 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/hardware/execution_picture.hpp"
-#include "limber/hardware/execution_report.hpp"
 #include "limber/hardware/virtual_arm.hpp"
-#include "limber/planning/plan_picture.hpp"
+#include "limber/report/execution_picture.hpp"
+#include "limber/report/execution_report.hpp"
+#include "limber/report/plan_picture.hpp"
 #include "verbs.hpp"
 
 namespace limber {

@@ -8,7 +8,7 @@
 #include "limber/data/recording_export.hpp"
 #include "limber/hardware/mjcf.hpp"
 #include "limber/network/onnx_export.hpp"
-#include "limber/planning/plan.hpp"
+#include "limber/world/plan.hpp"
 #include "verbs.hpp"
 
 namespace limber {

@@ -2,7 +2,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/data/log_import.hpp"
+#include "limber/logs/log_import.hpp"
 #include "verbs.hpp"
 
 namespace limber {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "file_kind.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -11,9 +12,9 @@
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/network/compensation_model.hpp"
-#include "limber/planning/environment.hpp"
 #include "limber/planning/forest.hpp"
-#include "limber/planning/plan.hpp"
+#include "limber/world/environment.hpp"
+#include "limber/world/plan.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -57,9 +58,9 @@ Finding inspect_arm(const YamlReader& root) {
     const double turn_rad = std::abs(full.curvature_per_m) * full.length_m;
     finding.json["full_bend_rad"].push_back(turn_rad);
     finding.text +=
-        fmt::format("\n  segment {}: {} m long, {} m wide, {} gaps, ± {} {} bends it by {:.2f} rad",
-                    i, segment.length_m, segment.width_m, segment.gaps, segment.pressure_limit_kpa,
-                    arm.command.unit, turn_rad);
+        fmt::format("\n  {}: {} m long, {} m wide, {} gaps, ± {} {} bends it by {:.2f} rad",
+                    segment_name(i), segment.length_m, segment.width_m, segment.gaps,
+                    segment.pressure_limit_kpa, arm.command.unit, turn_rad);
   }
   return finding;
 }

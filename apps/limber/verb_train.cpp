@@ -12,6 +12,7 @@
 #include "limber/common/error.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/valve_identification.hpp"
+#include "limber/report/training_report.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/trainer.hpp"

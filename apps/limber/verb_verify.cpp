@@ -1,10 +1,11 @@
 #include <optional>
 
+#include "limber/certificate/certificate.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/compensation_model.hpp"
-#include "limber/planning/certificate.hpp"
+#include "limber/report/certificate_report.hpp"
 #include "model_flags.hpp"
 #include "verbs.hpp"
 

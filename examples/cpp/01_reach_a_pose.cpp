@@ -6,10 +6,10 @@
 #include <iostream>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/arm/inverse_kinematics.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/world/inverse_kinematics.hpp"
 
 int main(int argc, char** argv) {
   const limber::ArmDescription arm =

@@ -367,4 +367,14 @@ std::string with_strain_polynomials(const std::string& yaml, const ArmDescriptio
   return arm_to_yaml(arm);
 }
 
+std::vector<double> rest_positions_m(const ArmDescription& arm) {
+  std::vector<double> positions = {0.0};
+  for (const Segment& segment : arm.segments) {
+    for (int gap = 0; gap < segment.gaps; ++gap) {
+      positions.push_back(positions.back() + segment.length_m / segment.gaps);
+    }
+  }
+  return positions;
+}
+
 }  // namespace limber

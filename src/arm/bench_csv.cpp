@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/arm/characterisation.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/csv_reader.hpp"
 
 namespace limber {
@@ -101,9 +102,8 @@ class BenchCsv {
     const CsvCell& segment_cell = cells[*segment_];
     const double segment = csv_.number(segment_cell, "a segment's number, 0 at the base");
     if (segment != std::floor(segment) || segment < 0.0 || segment >= segments_) {
-      csv_.refuse(
-          segment_cell.column,
-          fmt::format("segment {}; expected a whole number from 0 to {}", segment, segments_ - 1));
+      csv_.refuse(segment_cell.column, fmt::format("{}; expected a whole number from 0 to {}",
+                                                   segment_name(segment), segments_ - 1));
     }
     data[std::size_t(segment)].push_back({pressure, strain});
   }
@@ -114,8 +114,8 @@ class BenchCsv {
     }
     for (std::size_t i = 0; i < data.size(); ++i) {
       if (data[i].empty()) {
-        csv_.refuse(1, segment_ ? fmt::format("no row for segment {}; the arm has segments 0 to {}",
-                                              i, segments_ - 1)
+        csv_.refuse(1, segment_ ? fmt::format("no row for {}; the arm has segments 0 to {}",
+                                              segment_name(i), segments_ - 1)
                                 : std::string("no rows below the header"));
       }
     }

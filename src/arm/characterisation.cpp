@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/common/interrupt.hpp"
 #include "monotone_fit.hpp"
 
@@ -29,7 +31,7 @@ constexpr double kLeastHeldSlope = 1e-7;  // of the mean slope
 
 /// 7 significant digits: sums in another order, on another machine, give the same file.
 double rounded(double value) {
-  return std::strtod(fmt::format("{:.6e}", value).c_str(), nullptr);
+  return *number_in(fmt::format("{:.6e}", value));
 }
 
 StrainPolynomial per_kpa(const Eigen::Vector4d& fit, double limit_kpa) {
@@ -227,7 +229,7 @@ CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench)
     try {
       result.fits.push_back(fit_strain_polynomial(bench[i], arm.segments[i].pressure_limit_kpa));
     } catch (const InputError& error) {
-      throw InputError(fmt::format("segment {}: {}", i, error.what()));
+      throw InputError(fmt::format("{}: {}", segment_name(i), error.what()));
     }
     keep_what_agrees(arm.segments[i].strain_polynomial, result.fits.back());
     result.arm.segments[i].strain_polynomial = result.fits.back().polynomial;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/yaml_reader.hpp"
 
@@ -171,7 +172,7 @@ std::string valves_to_text(const IdentifiedValves& valves, const std::string& un
   });
   std::string text = "valves: ";
   for (std::size_t i = 0; i < (alike ? 1 : parameters.segments.size()); ++i) {
-    text += (i > 0 ? "; " : "") + (alike ? std::string() : fmt::format("segment {}: ", i)) +
+    text += (i > 0 ? "; " : "") + (alike ? std::string() : fmt::format("{}: ", segment_name(i))) +
             segment_to_text(parameters.segments[i], parameters.has_sides, unit);
   }
   const ValveErrors& errors = valves.findings.held_back;

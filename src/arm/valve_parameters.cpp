@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/content_hash.hpp"
 
 namespace limber {
@@ -81,7 +82,7 @@ std::string why_unusable(const ValveParameters& parameters, int segment_count) {
   for (std::size_t i = 0; i < parameters.segments.size(); ++i) {
     const std::string fault = fault_of(parameters.segments[i]);
     if (!fault.empty()) {
-      return fmt::format("segment {}: {}", i, fault);
+      return fmt::format("{}: {}", segment_name(i), fault);
     }
   }
   return {};

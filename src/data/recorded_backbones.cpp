@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "episode_path.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
-#include "limber/data/episode_path.hpp"
-#include "limber/data/log_tracks.hpp"
 #include "limber/data/log_units.hpp"
 #include "limber/data/recording_inspection.hpp"
 
@@ -37,10 +37,10 @@ void require_gaps(const Episode& episode, const ArmDescription& arm, const std::
     if (found_m > kLongestGap * expected_m || found_m < kShortestGap * expected_m) {
       const std::string unit = unit_suspicion(found_m / expected_m, "m");
       throw InputError(fmt::format(
-          "{}: plates {} and {} are {:.4g} m apart (median over the frames); arm '{}' has {:.4g} m "
+          "{}: {} are {:.4g} m apart (median over the frames); arm '{}' has {:.4g} m "
           "there, and {:.4g} to {:.4g} m are allowed. {} Import its logs again, or give the arm "
           "file that it was recorded with (--arm)",
-          place, plate, plate + 1, found_m, arm.name, expected_m, kShortestGap * expected_m,
+          place, plates_of_gap(plate), found_m, arm.name, expected_m, kShortestGap * expected_m,
           kLongestGap * expected_m,
           unit.empty() ? "Are the plates in order, and is it this arm?"
                        : "It should be in m: " + unit));
@@ -79,10 +79,10 @@ void require_motion(const Episode& episode, const ArmDescription& arm, const std
       throw InputError(fmt::format(
           "{}: the arm's end stands still (its place spreads by {:.2g} mm; expected at least "
           "{:.2g} "
-          "mm) while the {} of segment {} changes by {:.4g} {}. Was the tracker running, and do "
+          "mm) while the {} of {} changes by {:.4g} {}. Was the tracker running, and do "
           "both logs belong together? Record it again, or leave the episode out",
-          place, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, i, range,
-          arm.command.unit));
+          place, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, segment_name(i),
+          range, arm.command.unit));
     }
   }
 }

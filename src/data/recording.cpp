@@ -5,9 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "episode_path.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
-#include "limber/data/episode_path.hpp"
 #include "recorded_backbones.hpp"
 #include "recording_header.hpp"
 
@@ -224,11 +225,11 @@ void require_commands_within(const FrameMatrix& commands, const ArmDescription& 
     if (double(beyond) > kMostFarBeyond * double(commands.rows()) ||
         largest > kNeverBelieved * limit) {
       throw InputError(fmt::format(
-          "{}: {}: segment {} is at {:.4g} {} in frame {}; the limit of arm '{}' is {} {}. If the "
+          "{}: {}: {} is at {:.4g} {} in frame {}; the limit of arm '{}' is {} {}. If the "
           "arm can take that, raise the limit in its arm file; if not, the unit or the column was "
           "wrong when the recording was made: import it again",
-          file, place, i, double(commands(worst, i)), arm.command.unit, worst, arm.name, limit,
-          arm.command.unit));
+          file, place, segment_name(i), double(commands(worst, i)), arm.command.unit, worst,
+          arm.name, limit, arm.command.unit));
     }
   }
 }

@@ -20,8 +20,8 @@ constexpr double kPlateHeight_m = 0.05;   // above the floor of the motion captu
 constexpr double kMarkerToSide_m = 0.02;  // from the plate's middle
 
 std::string column_name(const Recording& recording, const char* what, int segment) {
-  return recording.command.is_pressure_kpa() ? fmt::format("{}_{}_kpa", what, segment + 1)
-                                             : fmt::format("{}_{}", what, segment + 1);
+  return recording.command.is_pressure_kpa() ? fmt::format("{}_{}_kpa", what, segment)
+                                             : fmt::format("{}_{}", what, segment);
 }
 
 const char* measured_word(const Recording& recording) {

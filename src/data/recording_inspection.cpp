@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/names.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "suspicions.hpp"
@@ -62,14 +63,14 @@ class EpisodeInspector {
       const double setpoint_kpa = episode_.setpoint_kpa(t, column);
       if (std::abs(setpoint_kpa) > kSetpointOvershoot * limits_kpa_[s]) {
         suspicions_.add("a set point beyond the segment's limit", index_, t,
-                        fmt::format("segment {}: {:.1f} {}, limit {:.1f}", s, setpoint_kpa,
+                        fmt::format("{}: {:.1f} {}, limit {:.1f}", segment_name(s), setpoint_kpa,
                                     recording_.command.unit, limits_kpa_[s]));
       }
       if (std::abs(pressure_kpa) > kOvershoot * limits_kpa_[s]) {
         suspicions_.add(
             "a measured " + recording_.command.name + " more than 10 % beyond the segment's limit",
             index_, t,
-            fmt::format("segment {}: {:.1f} {}, limit {:.1f}", s, pressure_kpa,
+            fmt::format("{}: {:.1f} {}, limit {:.1f}", segment_name(s), pressure_kpa,
                         recording_.command.unit, limits_kpa_[s]));
       }
     }
@@ -84,11 +85,11 @@ class EpisodeInspector {
       const double turn_rad = std::abs(now[2] - before[2]);
       if (way_m > kFastestPlate_m_per_s * step_s) {
         suspicions_.add("a plate that jumps", index_, t,
-                        fmt::format("plate {}: {:.3f} m in {:.3f} s", i, way_m, step_s));
+                        fmt::format("{}: {:.3f} m in {:.3f} s", plate_name(i), way_m, step_s));
       }
       if (turn_rad > std::numbers::pi) {
         suspicions_.add("a heading that jumps by more than half a turn (wrapped?)", index_, t,
-                        fmt::format("plate {}: {:.2f} rad in {:.3f} s", i, turn_rad, step_s));
+                        fmt::format("{}: {:.2f} rad in {:.3f} s", plate_name(i), turn_rad, step_s));
       }
       if (i == 0) {
         const auto first = episode_.backbone.row(0).head<2>();
@@ -116,8 +117,8 @@ class EpisodeInspector {
         suspicions_.add(
             "a backbone that stands still to the bit while " + recording_.command.name + "s change",
             index_, t,
-            fmt::format("{} frames, the {} of segment {} changes by {:.1f} {}", equal_frames_,
-                        recording_.command.name, s, own, recording_.command.unit));
+            fmt::format("{} frames, the {} of {} changes by {:.1f} {}", equal_frames_,
+                        recording_.command.name, segment_name(s), own, recording_.command.unit));
         return;
       }
     }
@@ -239,8 +240,8 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
   for (std::size_t s = 0; s < inspection.pressures.size(); ++s) {
     const PressureRange& range = inspection.pressures[s];
     text +=
-        fmt::format("  segment {}: measured {:.1f} … {:.1f} {unit}, set {:.1f} … {:.1f} {unit}\n",
-                    s, range.lowest_kpa, range.highest_kpa, range.lowest_setpoint_kpa,
+        fmt::format("  {}: measured {:.1f} … {:.1f} {unit}, set {:.1f} … {:.1f} {unit}\n",
+                    segment_name(s), range.lowest_kpa, range.highest_kpa, range.lowest_setpoint_kpa,
                     range.highest_setpoint_kpa, fmt::arg("unit", recording.command.unit));
   }
   const TransitionCoverage& transitions = inspection.transitions;

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "episode_path.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
-#include "limber/data/episode_path.hpp"
 #include "recording_hdf5.hpp"
 #include "recording_header.hpp"
 

@@ -4,10 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "limber/data/log_tracks.hpp"
-#include "log_runs.hpp"
 #include "recorded_backbones.hpp"
 #include "suspicions.hpp"
+
+#include "limber/arm/names.hpp"
+#include "limber/data/median_rate.hpp"
 
 namespace limber {
 
@@ -48,7 +49,7 @@ void look_at_constant_commands(const Recording& recording, const ArmDescription*
       suspicions.add("a segment whose " + recording.command.name +
                          " never changes: nothing can be learnt of it",
                      0, 0,
-                     fmt::format("segment {}: {:.4g} … {:.4g} {}", i, double(lowest),
+                     fmt::format("{}: {:.4g} … {:.4g} {}", segment_name(i), double(lowest),
                                  double(highest), recording.command.unit));
     }
   }
@@ -108,13 +109,12 @@ void look_at_distances(const Recording& recording, const ArmDescription* arm,
     const auto p = static_cast<std::size_t>(plate);
     if (distance_m < kSamePlace_m) {
       suspicions.add("two plates at the same place", 0, 0,
-                     fmt::format("plates {} and {}", plate, plate + 1));
+                     plates_of_gap(plate));
     } else if (arm != nullptr && (distance_m > kLongestGap * (rest[p + 1] - rest[p]) ||
                                   distance_m < kShortestGap * (rest[p + 1] - rest[p]))) {
       suspicions.add("plates whose distance is not the arm file's (another unit, order or arm?)", 0,
                      0,
-                     fmt::format("plates {} and {}: {:.4g} m, {:.4g} m by the arm file", plate,
-                                 plate + 1, distance_m, rest[p + 1] - rest[p]));
+                     fmt::format("{}: {:.4g} m, {:.4g} m by the arm file", plates_of_gap(plate), distance_m, rest[p + 1] - rest[p]));
     }
   }
 }

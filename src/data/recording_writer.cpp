@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "episode_path.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/version.hpp"
-#include "limber/data/episode_path.hpp"
 #include "recording_hdf5.hpp"
 
 namespace limber {

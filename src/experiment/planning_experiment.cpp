@@ -9,20 +9,22 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/job_arena.hpp"
+#include "demo/demo_recipe.hpp"
+#include "kernels/job_arena.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
-#include "limber/experiment/demo_recipe.hpp"
-#include "limber/experiment/final_shapes_picture.hpp"
 #include "limber/experiment/output_folder.hpp"
-#include "limber/experiment/planner_arena.hpp"
-#include "limber/experiment/planning_table.hpp"
-#include "limber/experiment/report_page.hpp"
+#include "limber/planning/forest.hpp"
+#include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
+#include "limber/report/final_shapes_picture.hpp"
+#include "limber/report/planner_arena.hpp"
+#include "limber/report/planning_table.hpp"
+#include "limber/report/report_page.hpp"
 #include "trial_file.hpp"
 
 namespace limber {

@@ -12,7 +12,8 @@
 #include "limber/common/json_reader.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/utf8.hpp"
-#include "limber/hardware/execution_report.hpp"
+#include "limber/report/execution_report.hpp"
+#include "limber/report/trial_report.hpp"
 
 namespace limber {
 
@@ -127,8 +128,7 @@ PlanTrial read_fields(const JsonReader& json, const TrialKey& key, const ArmDesc
   if (!first.is_null()) {
     planning.first_solution =
         FirstSolution{first.at("time_s").number(0.0), first.at("cost_kpa").number(0.0),
-                      first.at("queries").count(kAny),
-                      json.at("first_candidate_s").number(0.0),
+                      first.at("queries").count(kAny), json.at("first_candidate_s").number(0.0),
                       json.at("first_certificate_s").number(0.0)};
   }
   for (const JsonReader& event : json.at("events").elements("a list of events")) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "limber/experiment/output_folder.hpp"
-#include "limber/experiment/plan_trial.hpp"
+#include "limber/trial/plan_trial.hpp"
 
 namespace limber {
 

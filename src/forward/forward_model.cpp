@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "forward/forward_pipeline.hpp"
+#include "forward_pipeline.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {

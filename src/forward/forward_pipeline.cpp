@@ -1,4 +1,4 @@
-#include "forward/forward_pipeline.hpp"
+#include "forward_pipeline.hpp"
 
 #include <algorithm>
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "forward/row_kernels.hpp"
 #include "limber/common/aligned_floats.hpp"
 #include "limber/network/backbone_layout.hpp"
 #include "limber/network/packed_network.hpp"
+#include "row_kernels.hpp"
 
 namespace limber {
 

@@ -5,7 +5,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
-#include "common/job_arena.hpp"
+#include "kernels/job_arena.hpp"
 
 namespace limber {
 

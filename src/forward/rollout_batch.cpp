@@ -11,16 +11,6 @@ constexpr Eigen::Index kFirstCapacity = 64;
 
 }  // namespace
 
-void motion_setpoint(const Eigen::Ref<const Pressures>& from_kpa,
-                     const Eigen::Ref<const Pressures>& to_kpa, int k, int count,
-                     Eigen::Ref<Pressures> setpoint_kpa) {
-  if (k == count) {
-    setpoint_kpa = to_kpa;
-  } else {
-    setpoint_kpa = from_kpa + (to_kpa - from_kpa) * (static_cast<float>(k) / float(count));
-  }
-}
-
 RolloutBatch::RolloutBatch(const MotionModel& model)
     : model_(model), setpoint_kpa_(model.segment_count()) {
   for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &before_kpa_, &now_kpa_}) {

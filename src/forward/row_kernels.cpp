@@ -1,4 +1,4 @@
-#include "forward/row_kernels.hpp"
+#include "row_kernels.hpp"
 
 #include <cassert>
 

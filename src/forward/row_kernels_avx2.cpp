@@ -1,5 +1,5 @@
 // RowKernels of CpuLevel::avx2; CMakeLists.txt gives this file its instruction set.
-#include "forward/row_kernels_impl.hpp"
+#include "row_kernels_impl.hpp"
 
 namespace limber {
 

@@ -6,10 +6,10 @@
 
 #include <cstddef>
 
-#include "common/vector_float.hpp"
-#include "common/vector_logistic.hpp"
-#include "common/vector_sincos.hpp"
-#include "forward/row_kernels.hpp"
+#include "kernels/vector_float.hpp"
+#include "kernels/vector_logistic.hpp"
+#include "kernels/vector_sincos.hpp"
+#include "row_kernels.hpp"
 
 namespace limber {
 namespace {

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "actuator_law.hpp"
 #include "limber/arm/arm_description.hpp"
-#include "limber/hardware/actuator_law.hpp"
 #include "limber/hardware/mjcf.hpp"
-#include "limber/hardware/pneumatics.hpp"
-#include "limber/hardware/spring_slider.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "mujoco_chain.hpp"
 #include "plane_kinematics.hpp"
+#include "pneumatics.hpp"
+#include "spring_slider.hpp"
 
 namespace limber {
 

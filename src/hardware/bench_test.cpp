@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/hardware/virtual_arm.hpp"
@@ -22,7 +23,7 @@ constexpr int kFewestSteps = 4;
 ArmDescription bench_arm(const ArmDescription& arm, int segment) {
   ArmDescription bench = arm;
   bench.segments = {arm.segments[static_cast<std::size_t>(segment)]};
-  bench.name = fmt::format("{}, segment {} on the bench", arm.name, segment);
+  bench.name = fmt::format("{}, {} on the bench", arm.name, segment_name(segment));
   bench.virtual_arm.strength_spread = 0.0;
   bench.virtual_arm.hysteresis_fraction = 0.0;
   bench.virtual_arm.hysteresis_floor_n = 0.0;
@@ -59,8 +60,8 @@ BenchPoint settled_point(VirtualArm& arm, double pressure_kpa) {
 
 std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int steps) {
   if (segment < 0 || segment >= arm.segment_count()) {
-    throw InputError(fmt::format("bench test: segment {}; arm '{}' has segments 0 to {}", segment,
-                                 arm.name, arm.segment_count() - 1));
+    throw InputError(fmt::format("bench test: {}; arm '{}' has segments 0 to {}",
+                                 segment_name(segment), arm.name, arm.segment_count() - 1));
   }
   if (steps < kFewestSteps) {
     throw InputError(

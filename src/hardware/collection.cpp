@@ -9,13 +9,15 @@
 #include <tbb/parallel_for.h>
 
 #include "collection_parts.hpp"
-#include "common/job_arena.hpp"
+#include "episode_recorder.hpp"
+#include "kernels/job_arena.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/data/reach.hpp"
-#include "limber/hardware/episode_recorder.hpp"
-#include "limber/hardware/vent_guard.hpp"
+#include "limber/world/straight_motion.hpp"
+#include "vent_guard.hpp"
 
 namespace limber {
 
@@ -107,9 +109,9 @@ class EpisodeRun {
       }
     }
     throw SystemFault(fmt::format(
-        "motion {}: segment {} is at {:.1f} kPa after {} s at set point {:.1f} kPa; expected to be "
+        "motion {}: {} is at {:.1f} kPa after {} s at set point {:.1f} kPa; expected to be "
         "within {:.1f} kPa. Check supply pressure and leaks",
-        motion_index_, worst, driver_.state().pressure_kpa[worst], waited_s,
+        motion_index_, segment_name(worst), driver_.state().pressure_kpa[worst], waited_s,
         motion.setpoint_kpa[worst], tolerance_kpa(worst)));
   }
 

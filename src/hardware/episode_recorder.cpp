@@ -1,4 +1,4 @@
-#include "limber/hardware/episode_recorder.hpp"
+#include "episode_recorder.hpp"
 
 #include <algorithm>
 #include <cassert>

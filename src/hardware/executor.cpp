@@ -6,12 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "episode_recorder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/hardware/episode_recorder.hpp"
 #include "limber/hardware/schedule.hpp"
-#include "limber/hardware/vent_guard.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "limber/world/straight_motion.hpp"
+#include "vent_guard.hpp"
 
 namespace limber {
 

@@ -8,7 +8,6 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/planning/motion_simulator.hpp"
 
 namespace limber {
 
@@ -190,17 +189,6 @@ Pressures corner_configuration(const ArmDescription& arm, int index) {
     const int digit = index % kStates;
     result[s] = digit == 0 ? 0.0F : (digit == 1 ? limit_kpa : -limit_kpa);
     index /= kStates;
-  }
-  return result;
-}
-
-std::vector<Pressures> straight_frames(const ArmDescription& arm, const Pressures& from,
-                                       const Pressures& to) {
-  const int count = motion_frame_count(from, to, arm.pressure_step_limit_kpa());
-  std::vector<Pressures> result;
-  for (int k = 1; k <= count; ++k) {
-    result.emplace_back(from.size());
-    motion_setpoint(from, to, k, count, result.back());
   }
   return result;
 }

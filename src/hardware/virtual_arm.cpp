@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "arm_physics.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 
@@ -152,8 +153,8 @@ class VirtualArm::Simulation {
       const double limit = arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
       const float value = setpoint_kpa[s];
       if (!(std::abs(value) <= limit + kRoundingKpa)) {
-        throw InputError(fmt::format("set point of segment {} is {} kPa; expected {} to {} kPa", s,
-                                     value, -limit, limit));
+        throw InputError(fmt::format("set point of {} is {} kPa; expected {} to {} kPa",
+                                     segment_name(s), value, -limit, limit));
       }
       result.push_back(std::clamp<double>(value, -limit, limit));
     }

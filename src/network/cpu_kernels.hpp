@@ -3,7 +3,7 @@
 // The kernels of GemmKernels for the instruction set that the including file is compiled for; see
 // vector_float.hpp for why nothing here may leave the unnamed namespace.
 
-#include "gemm_tiles.hpp"
+#include "kernels/gemm_tiles.hpp"
 #include "limber/network/gemm_kernels.hpp"
 #include "query_layer.hpp"
 

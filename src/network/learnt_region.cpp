@@ -7,9 +7,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/backbone_layout.hpp"
-#include "network/pressure_border.hpp"
+#include "pressure_border.hpp"
 
 namespace limber {
 
@@ -112,10 +113,10 @@ nlohmann::ordered_json learnt_region_to_json(const LearntRegion& region) {
 std::vector<std::string> learnt_region_lines(const LearntRegion& region, const std::string& unit) {
   std::vector<std::string> lines;
   for (int i = 0; i < region.segment_count(); ++i) {
-    lines.push_back(fmt::format("segment {}: {} {:.3g} … {:.3g} {}, rates {:.3g} … {:.3g} {}/s", i,
-                                unit == "kPa" ? "pressures" : "commands", region.low_kpa[i],
-                                region.high_kpa[i], unit, -region.steepest_fall_kpa_per_s[i],
-                                region.steepest_rise_kpa_per_s[i], unit));
+    lines.push_back(fmt::format(
+        "{}: {} {:.3g} … {:.3g} {}, rates {:.3g} … {:.3g} {}/s", segment_name(i),
+        unit == "kPa" ? "pressures" : "commands", region.low_kpa[i], region.high_kpa[i], unit,
+        -region.steepest_fall_kpa_per_s[i], region.steepest_rise_kpa_per_s[i], unit));
   }
   return lines;
 }

@@ -6,10 +6,11 @@
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
+#include "limber/common/safetensors.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/network/compensation_model.hpp"
-#include "network/safetensors.hpp"
 
 namespace limber {
 
@@ -124,7 +125,7 @@ int count_at(const Safetensors& content, const std::string& key, const std::stri
       !std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; })) {
     refuse(where, fmt::format("metadata {} = '{}'; expected a whole number", key, shortened(text)));
   }
-  return std::stoi(text);
+  return *number_in<int>(text);
 }
 
 BackboneLayout layout_at(const Safetensors& content, const std::string& where) {

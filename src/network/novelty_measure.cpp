@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "common/vector_sincos.hpp"
+#include "kernels/vector_sincos.hpp"
 #include "limber/network/learnt_region.hpp"
-#include "network/pressure_border.hpp"
+#include "pressure_border.hpp"
 
 namespace limber {
 

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "common/vector_float.hpp"
+#include "kernels/vector_float.hpp"
 
 namespace limber {
 namespace {

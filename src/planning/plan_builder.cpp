@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "limber/arm/inverse_kinematics.hpp"
 #include "limber/common/version.hpp"
+#include "limber/world/pose_goal.hpp"
 
 namespace limber {
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "limber/planning/plan_builder.hpp"
-#include "plan_improver.hpp"
+#include "plan_judge.hpp"
+#include "search/plan_improver.hpp"
 
 namespace limber {
 
@@ -37,7 +38,7 @@ std::optional<double> PlanLadder::best_merit_kpa() const {
 bool PlanLadder::offer(const std::vector<Pressures>& waypoints_kpa, double merit_kpa,
                        std::uint64_t queries) {
   const Found found{budget_.elapsed_s(), queries};
-  Rung rung{waypoints_kpa, waypoint_cost_kpa(waypoints_kpa), merit_kpa};
+  Rung rung{waypoints_kpa, path_cost_kpa(waypoints_kpa), merit_kpa};
   if (!is_notable(rung)) {
     // A little better than the one before it: takes its place, so that they stay a few.
     if (waiting_.size() > 1 && rung.merit_kpa > kWorthWaiting * waiting_.end()[-2].merit_kpa) {

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "limber/planning/motion_simulator.hpp"
+#include "limber/forward/motion_simulator.hpp"
 #include "limber/planning/planner.hpp"
+#include "plan_judge.hpp"
 #include "planner_budget.hpp"
 
 namespace limber {

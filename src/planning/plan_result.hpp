@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "limber/planning/motion_simulator.hpp"
+#include "limber/forward/motion_simulator.hpp"
 #include "limber/planning/planner.hpp"
-#include "limber/planning/pressure_tree.hpp"
 #include "plan_ladder.hpp"
 #include "planner_budget.hpp"
+#include "pressure_tree.hpp"
 
 namespace limber {
 
@@ -17,8 +17,8 @@ namespace limber {
 /// How a search went that ends.
 struct SearchEnd {
   PlanLadder& ladder;
-  std::uint64_t queries;                ///< of the model, until now
-  std::vector<Pressures> nearest_kpa;   ///< waypoints of the motion that came nearest to the goal
+  std::uint64_t queries;               ///< of the model, until now
+  std::vector<Pressures> nearest_kpa;  ///< waypoints of the motion that came nearest to the goal
 };
 
 /// Finishes a search: the plan that holds, or else the motion that came nearest, simulated anew

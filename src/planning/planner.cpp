@@ -1,15 +1,5 @@
 #include "limber/planning/planner.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "default_settings.hpp"
-#include "limber/common/error.hpp"
-#include "limber/planning/certified_planner.hpp"
-#include "limber/planning/default_planner.hpp"
-#include "limber/planning/ompl_planner.hpp"
-#include "limber/planning/pressure_rrt_star.hpp"
-
 namespace limber {
 
 MotionState start_of(const PlanningProblem& problem) {
@@ -54,52 +44,6 @@ const char* to_string(PlanLimit limit) {
       return "memory";
   }
   return "";
-}
-
-namespace {
-
-/// As published, pressures are the set points; "paper,valves=1" predicts with the valves.
-std::unique_ptr<Planner> make_paper_planner(PlannerName parsed, const std::string& name) {
-  const Valves valves = parsed.take("valves", 0, 1, 0) != 0 ? Valves::as_given : Valves::left_out;
-  if (!parsed.settings.empty()) {
-    throw InputError(
-        fmt::format("planner setting {}: unknown; '{}' has the setting valves (0 or 1)",
-                    parsed.settings.begin()->first, parsed.name));
-  }
-  const ParentRule rule = parsed.name == "paper" ? ParentRule::lazy : ParentRule::steer_all;
-  return make_certified_planner(make_pressure_rrt_star(rule, {}, name), valves);
-}
-
-}  // namespace
-
-std::vector<std::string> planner_names() {
-  return {"default", "paper", "paper-steer-all"};
-}
-
-std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const Forest* forest) {
-  if (PlannerName parsed = PlannerName::parse(name); parsed.name == "default") {
-    DefaultPlannerSettings settings = default_settings_of(std::move(parsed));
-    settings.jobs = jobs;
-    settings.forest = forest;
-    return make_certified_planner(make_default_planner(settings, name));
-  }
-  if (forest != nullptr) {
-    throw InputError(fmt::format("planner '{}' uses no forest; 'default' does", name));
-  }
-  if (PlannerName parsed = PlannerName::parse(name);
-      parsed.name == "paper" || parsed.name == "paper-steer-all") {
-    return make_paper_planner(std::move(parsed), name);
-  }
-  if (name.rfind("ompl:", 0) == 0) {
-    return make_certified_planner(make_ompl_planner(name));
-  }
-  throw InputError(
-      fmt::format("planner '{}'; expected one of {}, or ompl:NAME (planning/ompl_planner.hpp)",
-                  name, fmt::join(planner_names(), ", ")));
-}
-
-bool is_default_planner(const std::string& name) {
-  return PlannerName::parse(name).name == "default";
 }
 
 }  // namespace limber

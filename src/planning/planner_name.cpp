@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
 
 namespace limber {
 
@@ -33,13 +34,12 @@ double PlannerName::take(const std::string& key, double low, double high, double
     return fallback;
   }
   const std::string& value = setting.mapped();
-  char* end = nullptr;
-  const double number = std::strtod(value.c_str(), &end);
-  if (value.empty() || *end != '\0' || !(number >= low && number <= high)) {
+  const std::optional<double> number = number_in(value);
+  if (!number || !(*number >= low && *number <= high)) {
     throw InputError(fmt::format("planner setting {} = '{}'; expected a number from {} to {}", key,
                                  value, low, high));
   }
-  return number;
+  return *number;
 }
 
 }  // namespace limber

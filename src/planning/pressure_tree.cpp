@@ -1,4 +1,4 @@
-#include "limber/planning/pressure_tree.hpp"
+#include "pressure_tree.hpp"
 
 #include <algorithm>
 #include <cassert>

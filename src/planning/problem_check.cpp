@@ -6,11 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "limber/arm/inverse_kinematics.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/common/units.hpp"
-#include "limber/planning/start_shape.hpp"
+#include "limber/world/inverse_kinematics.hpp"
+#include "limber/world/start_shape.hpp"
 
 namespace limber {
 
@@ -84,16 +85,6 @@ void check_start(const PlanningProblem& problem, const CollisionChecker& checker
 
 }  // namespace
 
-std::string obstacle_name(const Environment& environment, int obstacle) {
-  return fmt::format("obstacle {} ({})", obstacle + 1,
-                     obstacle_kind(environment.obstacles[static_cast<std::size_t>(obstacle)]));
-}
-
-std::string gap_name(const ArmDescription& arm, int gap) {
-  return fmt::format("between plates {} and {} (segment {})", gap + 1, gap + 2,
-                     arm.segment_of_gap(gap) + 1);
-}
-
 std::string reached_only_in_collision(const PlanningProblem& problem,
                                       const CollisionChecker& checker, std::uint64_t seed,
                                       const std::function<bool()>& give_up) {
@@ -137,8 +128,8 @@ void require_margin(double margin_m) {
 void require_goal_margin(const PoseError& margin) {
   for (const double one : {margin.position_m, margin.orientation_rad}) {
     if (!(one >= 0.0 && one <= kLargestMarginM)) {
-      throw InputError(fmt::format("goal margin of {}; expected a number, 0 to {}", one,
-                                   kLargestMarginM));
+      throw InputError(
+          fmt::format("goal margin of {}; expected a number, 0 to {}", one, kLargestMarginM));
     }
   }
 }

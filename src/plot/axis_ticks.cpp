@@ -1,4 +1,4 @@
-#include "limber/plot/axis_ticks.hpp"
+#include "axis_ticks.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "limber/plot/axis_ticks.hpp"
+#include "axis_ticks.hpp"
 #include "limber/plot/chart.hpp"
 
 namespace limber {

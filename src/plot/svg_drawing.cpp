@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "axis_ticks.hpp"
 #include "limber/common/error.hpp"
-#include "limber/plot/axis_ticks.hpp"
 #include "limber/plot/svg_text.hpp"
 #include "svg_elements.hpp"
 

@@ -1,4 +1,4 @@
-#include "limber/training/batch_gradient.hpp"
+#include "batch_gradient.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -7,9 +7,9 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "common/job_arena.hpp"
+#include "kernels/job_arena.hpp"
 #include "limber/common/random_stream.hpp"
-#include "training/training_kernels.hpp"
+#include "training_kernels.hpp"
 
 namespace limber {
 

@@ -9,8 +9,8 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/safetensors.hpp"
 #include "limber/common/utf8.hpp"
-#include "network/safetensors.hpp"
 
 namespace limber {
 

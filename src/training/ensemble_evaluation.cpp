@@ -5,17 +5,12 @@
 #include <limits>
 #include <numeric>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include "limber/common/units.hpp"
-#include "limber/training/rollout.hpp"
+#include "rollout.hpp"
 
 namespace limber {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kCovered = 0.95;
 
@@ -91,27 +86,6 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
   return {summarise(series), spread_statistics(spread_cm, error_cm)};
 }
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
-
-Json to_json(const EnsembleErrors& errors) {
-  Json json = tip_errors_to_json(errors.mean);
-  json["spread"] = {{"mean_cm", number(errors.spread.mean_cm)},
-                    {"rank_correlation", number(errors.spread.rank_correlation)},
-                    {"covered_by_two", number(errors.spread.covered_by_two)},
-                    {"factor_for_95", number(errors.spread.factor_for_95)}};
-  return json;
-}
-
-std::string row(const char* name, const EnsembleErrors& errors) {
-  const ErrorStatistics& p = errors.mean.position_cm;
-  const SpreadStatistics& s = errors.spread;
-  return fmt::format("{:<32} {:7.2f} {:7.2f} {:7.2f}   {:7.2f} {:11.2f} {:8.0f} % {:8.1f}\n", name,
-                     p.mean, p.std, p.p95, s.mean_cm, s.rank_correlation, 100.0 * s.covered_by_two,
-                     s.factor_for_95);
-}
-
 }  // namespace
 
 EnsembleEvaluation evaluate_ensemble(const EnsembleForward& ensemble,
@@ -139,28 +113,6 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
   }
   return square_a > 0.0 && square_b > 0.0 ? product / std::sqrt(square_a * square_b)
                                           : std::numeric_limits<double>::quiet_NaN();
-}
-
-Json ensemble_evaluation_to_json(const EnsembleEvaluation& evaluation) {
-  return {{"members", evaluation.members},
-          {"one_step", to_json(evaluation.one_step)},
-          {"window_32", to_json(evaluation.window_32)},
-          {"per_motion", to_json(evaluation.per_motion)},
-          {"open_loop", to_json(evaluation.open_loop)}};
-}
-
-std::string ensemble_evaluation_to_text(const EnsembleEvaluation& evaluation) {
-  std::string text = fmt::format(
-      "{:<32} {:>23}   {:>7} {:>11} {:>10} {:>8}\n{:<32} {:>7} {:>7} {:>7}   {:>7} {:>11} {:>10} "
-      "{:>8}\n",
-      fmt::format("mean of {} networks", evaluation.members), "tip position [cm]", "spread",
-      "correlation", "error <= 2", "95 % <=", "", "mean", "std", "p95", "[cm]", "with error",
-      "spreads", "spreads");
-  text += row("open loop", evaluation.open_loop);
-  text += row("per motion", evaluation.per_motion);
-  text += row("32-frame windows", evaluation.window_32);
-  text += row("one step", evaluation.one_step);
-  return text;
 }
 
 }  // namespace limber

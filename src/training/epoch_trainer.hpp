@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "limber/training/batch_gradient.hpp"
-#include "limber/training/optimiser.hpp"
+#include "batch_gradient.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/training_tables.hpp"
+#include "optimiser.hpp"
 
 namespace limber {
 

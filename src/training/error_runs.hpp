@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/training/rollout.hpp"
+#include "rollout.hpp"
 
 namespace limber {
 

@@ -5,13 +5,12 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
-#include "limber/training/rollout.hpp"
+#include "rollout.hpp"
 
 namespace limber {
 
@@ -116,30 +115,6 @@ double reduction_percent(double before, double after) {
   return before > 0.0 ? 100.0 * (1.0 - after / before) : 0.0;
 }
 
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-}
-
-nlohmann::ordered_json to_json(const ErrorStatistics& value) {
-  return {{"mean", number(value.mean)},
-          {"std", number(value.std)},
-          {"p95", number(value.p95)},
-          {"worst_motion", number(value.worst_motion)}};
-}
-
-std::string cells(const ErrorStatistics& value, int digits) {
-  std::string text;
-  for (const double one : {value.mean, value.std, value.p95, value.worst_motion}) {
-    text += std::isfinite(one) ? fmt::format(" {:6.{}f}", one, digits) : fmt::format(" {:>6}", "-");
-  }
-  return text;
-}
-
-std::string row(const char* name, const TipErrors& errors) {
-  return fmt::format("{:<32}{}  {}\n", name, cells(errors.position_cm, 2),
-                     cells(errors.orientation_rad, 3));
-}
-
 }  // namespace
 
 std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
@@ -153,11 +128,6 @@ std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Ep
 
 FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart, int jobs) {
   return std::move(predict(model, std::vector<Episode>{episode}, restart, jobs).front());
-}
-
-nlohmann::ordered_json tip_errors_to_json(const TipErrors& value) {
-  return {{"position_error_cm", to_json(value.position_cm)},
-          {"orientation_error_rad", to_json(value.orientation_rad)}};
 }
 
 namespace {
@@ -177,10 +147,6 @@ std::int64_t counted_frames(const std::vector<Episode>& episodes) {
   }
   return frames;
 }
-
-}  // namespace
-
-namespace {
 
 std::optional<TipErrors> errors_from_setpoints(const ForwardModel& network,
                                                std::vector<Episode> episodes, int jobs) {
@@ -245,74 +211,6 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
     result.network = errors;
   }
   return result;
-}
-
-nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation) {
-  nlohmann::ordered_json json;
-  json["frames"] = evaluation.frames;
-  json["no_load"]["open_loop"] = tip_errors_to_json(evaluation.no_load_open_loop);
-  if (evaluation.network) {
-    nlohmann::ordered_json& network = json["network"];
-    network["one_step"] = tip_errors_to_json(evaluation.network->one_step);
-    network["one_step_moving"] = tip_errors_to_json(evaluation.network->one_step_moving);
-    network["window_32"] = tip_errors_to_json(evaluation.network->window_32);
-    network["per_motion"] = tip_errors_to_json(evaluation.network->per_motion);
-    network["open_loop"] = tip_errors_to_json(evaluation.network->open_loop);
-    const std::optional<TipErrors>& planned = evaluation.network->open_loop_from_setpoints;
-    network["open_loop_from_setpoints"] =
-        planned ? tip_errors_to_json(*planned) : nlohmann::ordered_json();
-    const LongRollout& rollout = evaluation.long_rollout;
-    json["long_rollout"] = {{"frames", rollout.frames},
-                            {"largest_distance_m", rollout.largest_distance_m},
-                            {"largest_heading_rad", rollout.largest_heading_rad},
-                            {"bounded", rollout.bounded}};
-  }
-  nlohmann::ordered_json& baselines = json["baselines"];
-  baselines["hold"] = {{"one_step", tip_errors_to_json(evaluation.hold_one_step)},
-                       {"one_step_moving", tip_errors_to_json(evaluation.hold_one_step_moving)}};
-  baselines["constant_velocity"] = {
-      {"one_step", tip_errors_to_json(evaluation.constant_velocity_one_step)},
-      {"one_step_moving", tip_errors_to_json(evaluation.constant_velocity_one_step_moving)}};
-  if (evaluation.network) {
-    json["reduction_percent"] = {{"position", number(evaluation.position_reduction_percent)},
-                                 {"orientation", number(evaluation.orientation_reduction_percent)}};
-  }
-  return json;
-}
-
-std::string evaluation_to_text(const Evaluation& evaluation) {
-  const std::string columns = fmt::format("{:>6} {:>6} {:>6} {:>6}", "mean", "std", "p95", "worst");
-  std::string text = fmt::format("{:<32} {:>27}   {:>27}\n{:<32} {}   {}\n",
-                                 fmt::format("{} frames", evaluation.frames), "tip position [cm]",
-                                 "tip orientation [rad]", "", columns, columns);
-  text += row("no load, open loop", evaluation.no_load_open_loop);
-  if (evaluation.network) {
-    text += row("network, open loop", evaluation.network->open_loop);
-    if (evaluation.network->open_loop_from_setpoints) {
-      text += row("network, open loop, set points", *evaluation.network->open_loop_from_setpoints);
-    }
-    text += row("network, per motion", evaluation.network->per_motion);
-    text += row("network, 32-frame windows", evaluation.network->window_32);
-    text += row("network, one step", evaluation.network->one_step);
-    text += row("network, one step, moving", evaluation.network->one_step_moving);
-  }
-  text += row("hold the pose, one step", evaluation.hold_one_step);
-  text += row("hold the pose, one step, moving", evaluation.hold_one_step_moving);
-  text += row("constant velocity, one step", evaluation.constant_velocity_one_step);
-  text += row("the same, moving", evaluation.constant_velocity_one_step_moving);
-  text +=
-      "worst: the mean over the worst motion; moving: over frames in which the tip moves; -: there "
-      "are none\n";
-  if (evaluation.network) {
-    text += fmt::format("open loop, the network's errors are smaller by {:.1f} % and {:.1f} %\n",
-                        evaluation.position_reduction_percent,
-                        evaluation.orientation_reduction_percent);
-    const LongRollout& rollout = evaluation.long_rollout;
-    text += fmt::format("{} frames without correction: {}, no plate farther than {:.2f} m\n",
-                        rollout.frames, rollout.bounded ? "bounded" : "NOT BOUNDED",
-                        rollout.largest_distance_m);
-  }
-  return text;
 }
 
 }  // namespace limber

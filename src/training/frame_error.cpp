@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "training/training_kernels.hpp"
+#include "training_kernels.hpp"
 
 namespace limber {
 

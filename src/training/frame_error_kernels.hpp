@@ -4,7 +4,7 @@
 // instruction set that the including file is compiled for (see common/vector_float.hpp), one lane a
 // window.
 
-#include "common/vector_sincos.hpp"
+#include "kernels/vector_sincos.hpp"
 
 namespace limber {
 namespace {

@@ -1,9 +1,9 @@
-#include "limber/training/optimiser.hpp"
+#include "optimiser.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "training/training_kernels.hpp"
+#include "training_kernels.hpp"
 
 namespace limber {
 

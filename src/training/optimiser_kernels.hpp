@@ -3,7 +3,7 @@
 // OptimiserKernels for the instruction set that the including file is compiled for (see
 // common/vector_float.hpp).
 
-#include "training/frame_error_kernels.hpp"
+#include "frame_error_kernels.hpp"
 
 namespace limber {
 namespace {

@@ -1,5 +1,5 @@
 // WindowKernels<double>: plain loops.
-#include "training/training_kernels.hpp"
+#include "training_kernels.hpp"
 
 #include <algorithm>
 #include <cmath>

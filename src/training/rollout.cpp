@@ -1,4 +1,4 @@
-#include "limber/training/rollout.hpp"
+#include "rollout.hpp"
 
 #include <algorithm>
 #include <cmath>

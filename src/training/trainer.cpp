@@ -10,7 +10,6 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/plot/chart.hpp"
 #include "training_run.hpp"
 
 namespace limber {
@@ -124,31 +123,6 @@ void write_learning_curve_csv(const std::filesystem::path& path,
                         point.elapsed_s);
   }
   write_file_atomically(path, text);
-}
-
-std::string learning_curve_svg(const std::vector<LearningCurvePoint>& curve) {
-  std::vector<double> epoch;
-  std::vector<double> loss;
-  std::vector<double> validated_epoch;
-  std::vector<double> error_cm;
-  Chart losses("Training loss");
-  for (const LearningCurvePoint& point : curve) {
-    if (!epoch.empty() && point.window_frames != curve[epoch.size() - 1].window_frames) {
-      losses.vertical_line(fmt::format("windows of {}", point.window_frames), point.epoch);
-    }
-    epoch.push_back(point.epoch);
-    loss.push_back(point.loss);
-    if (!std::isnan(point.validation_position_error_cm)) {
-      validated_epoch.push_back(point.epoch);
-      error_cm.push_back(point.validation_position_error_cm);
-    }
-  }
-  losses.x_axis("epoch").y_axis("mean frame error [normalised]").logarithmic_y();
-  losses.line("loss", epoch, loss);
-  Chart validation("Validation: open-loop tip error");
-  validation.x_axis("epoch").y_axis("position error [cm]").logarithmic_y().without_legend();
-  validation.line("validation", validated_epoch, error_cm);
-  return ChartGrid(2).add(losses).add(validation).svg();
 }
 
 }  // namespace limber

@@ -9,13 +9,12 @@
 #include <tbb/task_arena.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "epoch_trainer.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/safetensors.hpp"
 #include "limber/network/gemm_kernels.hpp"
-#include "network/safetensors.hpp"
 
 namespace limber {
 
@@ -182,42 +181,6 @@ void write_training_tables(const std::filesystem::path& path, const ArmDescripti
                       {"learning_rate", fmt::format("{}", settings.learning_rate)},
                       {"gradient_norm_limit", fmt::format("{}", settings.gradient_norm_limit)}};
   write_file_atomically(path, safetensors_bytes(content));
-}
-
-nlohmann::ordered_json to_json(const TrainingSpeed& speed) {
-  nlohmann::ordered_json json = {{"preset", speed.preset},   {"shape", speed.shape},
-                                 {"layout", speed.layout},   {"networks", speed.networks},
-                                 {"threads", speed.threads}, {"frames", speed.frames}};
-  json["stages"] = nlohmann::ordered_json::array();
-  for (const StageSpeed& stage : speed.stages) {
-    json["stages"].push_back({{"window_frames", stage.window_frames},
-                              {"windows_per_batch", stage.windows_per_batch},
-                              {"windows", stage.windows},
-                              {"epoch_s", stage.epoch_s},
-                              {"gmac_per_s", stage.multiply_adds / stage.epoch_s / 1e9},
-                              {"fma_peak_gmac_per_s", stage.peak_gmac_per_s},
-                              {"fma_peak_difference", stage.peak_difference},
-                              {"fraction_of_fma_peak", stage.fraction_of_fma_peak},
-                              {"first_epoch_loss", stage.first_epoch_loss}});
-  }
-  return json;
-}
-
-std::string to_text(const TrainingSpeed& speed) {
-  std::string text = fmt::format(
-      "preset {}, {} ({}), {} frames, {} threads{}\n", speed.preset, speed.shape, speed.layout,
-      speed.frames, speed.threads,
-      speed.networks > 1 ? fmt::format(", {} networks", speed.networks) : std::string());
-  for (const StageSpeed& stage : speed.stages) {
-    text += fmt::format(
-        "  windows of {:>2} frames, batches of {:>4}: {:7.1f} ms an epoch, {:6.1f} GMAC/s, {:.1f} "
-        "% "
-        "of the FMA peak of {:.1f} ({:.0f} % apart)\n",
-        stage.window_frames, stage.windows_per_batch, 1e3 * stage.epoch_s,
-        stage.multiply_adds / stage.epoch_s / 1e9, 100.0 * stage.fraction_of_fma_peak,
-        stage.peak_gmac_per_s, 100.0 * stage.peak_difference);
-  }
-  return text;
 }
 
 }  // namespace limber

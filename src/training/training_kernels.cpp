@@ -1,4 +1,4 @@
-#include "training/training_kernels.hpp"
+#include "training_kernels.hpp"
 
 #include <cassert>
 

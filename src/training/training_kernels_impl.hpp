@@ -3,12 +3,12 @@
 // WindowKernels and OptimiserKernels for the instruction set that the including file is compiled
 // for (see common/vector_float.hpp).
 
-#include "common/vector_logistic.hpp"
-#include "network/gemm_tiles.hpp"
-#include "training/frame_error_kernels.hpp"
-#include "training/optimiser_kernels.hpp"
-#include "training/training_kernels.hpp"
-#include "training/window_products.hpp"
+#include "frame_error_kernels.hpp"
+#include "kernels/gemm_tiles.hpp"
+#include "kernels/vector_logistic.hpp"
+#include "optimiser_kernels.hpp"
+#include "training_kernels.hpp"
+#include "window_products.hpp"
 
 namespace limber {
 namespace {

@@ -13,7 +13,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
-#include "limber/training/rollout.hpp"
+#include "rollout.hpp"
 
 namespace limber {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "training/training_kernels.hpp"
+#include "training_kernels.hpp"
 
 namespace limber {
 

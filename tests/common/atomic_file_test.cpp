@@ -9,8 +9,8 @@
 
 #include <gmock/gmock.h>
 
-#include "common/temporary_file.hpp"
 #include "limber/common/error.hpp"
+#include "src/common/temporary_file.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/data/log_import.hpp"
+#include "limber/logs/log_import.hpp"
 #include "support/exit_interrupted.hpp"
 #include "support/log_truth.hpp"
 #include "support/sample_arm.hpp"

@@ -1,4 +1,4 @@
-#include "experiment/trial_file.hpp"
+#include "src/experiment/trial_file.hpp"
 
 #include <functional>
 

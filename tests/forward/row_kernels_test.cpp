@@ -1,4 +1,4 @@
-#include "forward/row_kernels.hpp"
+#include "src/forward/row_kernels.hpp"
 
 #include <cmath>
 #include <cstdlib>

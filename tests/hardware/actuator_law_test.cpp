@@ -1,4 +1,4 @@
-#include "limber/hardware/actuator_law.hpp"
+#include "src/hardware/actuator_law.hpp"
 
 #include <gtest/gtest.h>
 

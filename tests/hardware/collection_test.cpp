@@ -8,7 +8,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/hardware/episode_recorder.hpp"
+#include "src/hardware/episode_recorder.hpp"
 
 namespace limber {
 namespace {

@@ -8,9 +8,10 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/hardware/execution_picture.hpp"
 #include "limber/hardware/schedule.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "limber/report/execution_picture.hpp"
+#include "limber/world/straight_motion.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "hardware/plane_kinematics.hpp"
+#include "src/hardware/plane_kinematics.hpp"
 
 #include <array>
 #include <cstring>

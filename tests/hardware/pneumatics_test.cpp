@@ -1,4 +1,4 @@
-#include "limber/hardware/pneumatics.hpp"
+#include "src/hardware/pneumatics.hpp"
 
 #include <algorithm>
 

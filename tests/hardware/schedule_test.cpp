@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
+#include "limber/world/straight_motion.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "limber/hardware/spring_slider.hpp"
+#include "src/hardware/spring_slider.hpp"
 
 #include <cmath>
 

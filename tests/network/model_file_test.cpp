@@ -7,9 +7,9 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/safetensors.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/network/untrained_model.hpp"
-#include "network/safetensors.hpp"
 #include "network/sample_region.hpp"
 #include "support/sample_arm.hpp"
 #include "support/temporary_folder.hpp"

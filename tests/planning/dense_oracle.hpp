@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "limber/arm/backbone.hpp"
-#include "limber/planning/environment.hpp"
+#include "limber/world/environment.hpp"
 
 namespace limber::oracle {
 

@@ -1,4 +1,5 @@
-#include "limber/planning/error_room.hpp"
+#include "limber/forward/error_room.hpp"
+#include "limber/planning/planner_factory.hpp"
 
 #include <gmock/gmock.h>
 

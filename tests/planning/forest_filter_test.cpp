@@ -1,8 +1,8 @@
-#include "src/planning/forest_filter.hpp"
+#include "src/planning/forest/forest_filter.hpp"
 
 #include <gtest/gtest.h>
 
-#include "limber/planning/motion_simulator.hpp"
+#include "limber/forward/motion_simulator.hpp"
 #include "planning/play_model.hpp"
 #include "support/sample_arm.hpp"
 

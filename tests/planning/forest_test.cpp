@@ -4,8 +4,9 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/planning/motion_simulator.hpp"
+#include "limber/forward/motion_simulator.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/planning/planner_factory.hpp"
 #include "planning/play_model.hpp"
 #include "support/sample_arm.hpp"
 #include "support/temporary_folder.hpp"

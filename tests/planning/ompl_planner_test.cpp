@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
+#include "limber/planning/planner_factory.hpp"
 #include "planning/play_model.hpp"
 
 namespace limber {

@@ -1,4 +1,4 @@
-#include "src/planning/path_simulator.hpp"
+#include "src/planning/search/path_simulator.hpp"
 
 #include <gtest/gtest.h>
 

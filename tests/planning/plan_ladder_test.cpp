@@ -2,11 +2,11 @@
 
 #include <gmock/gmock.h>
 
-#include "limber/planning/certified_planner.hpp"
-#include "limber/planning/default_planner.hpp"
 #include "planning/planner_setting.hpp"
-#include "src/planning/plan_improver.hpp"
+#include "src/planning/certified/certified_planner.hpp"
 #include "src/planning/plan_result.hpp"
+#include "src/planning/search/default_planner.hpp"
+#include "src/planning/search/plan_improver.hpp"
 
 namespace limber {
 namespace {
@@ -136,8 +136,8 @@ class Reckless final : public Planner {
     MotionSimulator simulator(problem.arm, problem.model, checker);
     PlannerBudget budget(limits, callback);
     PlanLadder ladder(problem, simulator, budget, name(), seed);
-    (void)ladder.offer(sound_, waypoint_cost_kpa(sound_), 1);
-    (void)ladder.offer(reckless_, waypoint_cost_kpa(reckless_), 2);
+    (void)ladder.offer(sound_, path_cost_kpa(sound_), 1);
+    (void)ladder.offer(reckless_, path_cost_kpa(reckless_), 2);
     PlanResult result;
     finish_search(problem, simulator, budget, {ladder, 2, sound_}, name(), seed, result);
     return result;

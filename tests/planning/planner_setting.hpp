@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "limber/planning/planner.hpp"
+#include "limber/planning/planner_factory.hpp"
 #include "planning/dense_oracle.hpp"
 #include "planning/play_model.hpp"
 

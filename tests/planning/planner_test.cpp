@@ -3,10 +3,11 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
-#include "limber/planning/collision.hpp"
-#include "limber/planning/motion_simulator.hpp"
-#include "limber/planning/pressure_rrt_star.hpp"
+#include "limber/forward/motion_simulator.hpp"
+#include "limber/planning/planner_factory.hpp"
+#include "limber/world/collision.hpp"
 #include "planning/planner_setting.hpp"
+#include "src/planning/paper/pressure_rrt_star.hpp"
 #include "support/sample_arm.hpp"
 
 namespace limber {
@@ -294,8 +295,8 @@ TEST(Planner, NamesWhatIsWrongWithAProblemBeforePlanning) {
   s.environment.obstacles.push_back(Circle{0.3, 0.04, 0.05});
   PlanResult result = s.plan("paper", 10);
   EXPECT_EQ(result.status, PlanStatus::invalid_start);
-  EXPECT_THAT(result.reason, AllOf(HasSubstr("cm deep in obstacle 4 (circle)"),
-                                   HasSubstr("between plates 7 and 8 (segment 2)")));
+  EXPECT_THAT(result.reason, AllOf(HasSubstr("cm deep in obstacle 3 (circle)"),
+                                   HasSubstr("between plates 6 and 7 (segment 1)")));
   EXPECT_EQ(result.statistics.queries, 0U);
 
   s.environment = pillars();
@@ -310,7 +311,7 @@ TEST(Planner, NamesWhatIsWrongWithAProblemBeforePlanning) {
   s.environment.goal.y_m = 0.22;
   result = s.plan("paper", 10);
   EXPECT_EQ(result.status, PlanStatus::goal_in_collision);
-  EXPECT_THAT(result.reason, AllOf(HasSubstr("2.50 cm inside obstacle 1 (circle)"),
+  EXPECT_THAT(result.reason, AllOf(HasSubstr("2.50 cm inside obstacle 0 (circle)"),
                                    HasSubstr("1.96 cm are missing")));
 
   // Within the arm's length, but no arc of it bends there: only a warning.

@@ -1,10 +1,10 @@
-#include "limber/planning/pressure_rrt_star.hpp"
+#include "src/planning/paper/pressure_rrt_star.hpp"
 
 #include <gtest/gtest.h>
 
-#include "limber/planning/collision.hpp"
+#include "limber/world/collision.hpp"
 #include "planning/planner_setting.hpp"
-#include "src/planning/rrt_star_search.hpp"
+#include "src/planning/paper/rrt_star_search.hpp"
 
 namespace limber {
 namespace {

@@ -8,7 +8,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/planning/environment.hpp"
+#include "limber/world/environment.hpp"
 
 namespace limber {
 

@@ -1,4 +1,4 @@
-#include "limber/planning/recorded_region.hpp"
+#include "limber/forward/recorded_region.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

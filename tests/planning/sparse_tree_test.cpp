@@ -1,4 +1,4 @@
-#include "src/planning/sparse_tree.hpp"
+#include "src/planning/search/sparse_tree.hpp"
 
 #include <map>
 

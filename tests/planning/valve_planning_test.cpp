@@ -1,10 +1,12 @@
 // Planning through valves: every planner's plans say what pressures their set points become.
 #include <gmock/gmock.h>
 
+#include "limber/certificate/certificate.hpp"
 #include "limber/common/error.hpp"
-#include "limber/planning/certificate.hpp"
-#include "limber/planning/motion_simulator.hpp"
+#include "limber/forward/motion_simulator.hpp"
+#include "limber/planning/forest.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/planning/planner_factory.hpp"
 #include "planning/planner_setting.hpp"
 
 namespace limber {

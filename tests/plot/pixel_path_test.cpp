@@ -1,4 +1,4 @@
-#include "pixel_path.hpp"
+#include "src/plot/pixel_path.hpp"
 
 #include <algorithm>
 #include <cmath>

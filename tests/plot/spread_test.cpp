@@ -1,4 +1,4 @@
-#include "spread.hpp"
+#include "src/plot/spread.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
-"""Checks the project's Markdown: every relative link leads to a file, and every document in docs/
-is listed in docs/README.md. With a program given, every verb of it is named in the README."""
+"""Checks the project's Markdown: every relative link leads to a file, every document in docs/ is
+listed in docs/README.md, and every public header in docs/library.md, which says who it is for. With a program given, every verb of it is named in the README."""
 
 import pathlib
 import re
@@ -34,6 +34,18 @@ def unlisted_documents():
             yield f"docs/README.md does not list {path.name}"
 
 
+def unlisted_headers():
+    page = (ROOT / "docs" / "library.md").read_text(encoding="utf-8")
+    listed = set(re.findall(r"`(limber/[a-z]+/[a-z_0-9]+\.hpp)`", page))
+    headers = {str(path).split("/include/")[1]: path
+               for path in ROOT.glob("src/*/include/limber/*/*.hpp")}
+    for name in sorted(listed ^ set(headers)):
+        yield f"docs/library.md {'lists' if name in listed else 'does not list'} {name}"
+    for name, path in sorted(headers.items()):
+        if not path.read_text(encoding="utf-8").startswith("#pragma once\n// For "):
+            yield f"{name} does not say in its second line who it is for"
+
+
 def unnamed_verbs(program):
     help_text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True)
     verbs = re.findall(r"^  ([a-z]+) ", help_text.stdout.split("Subcommands:")[1], flags=re.M)
@@ -48,6 +60,7 @@ def unnamed_verbs(program):
 def main():
     problems = [problem for path in documents() for problem in broken_links(path)]
     problems += unlisted_documents()
+    problems += unlisted_headers()
     if len(sys.argv) > 1:
         problems += unnamed_verbs(sys.argv[1])
     print("\n".join(problems) or "documents are whole")

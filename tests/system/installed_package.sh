@@ -28,4 +28,23 @@ fi
 "$folder/build/02_draw_the_arm" arm.svg 40 -40 40
 python3 "$root/tests/python/describe_xml.py" arm.svg >described.txt
 grep -q 'text: three_segment' described.txt
+
+# Every header for users, alone and with nothing of the source tree.
+(cd "$prefix/include" && find limber -name '*.hpp') | sed 's|.*|#include "&"|' >all.cpp
+c++ -std=c++20 -fsyntax-only -I"$prefix/include" -I/usr/include/eigen3 all.cpp
+[ "$(wc -l <all.cpp)" -le 90 ] || { echo "$(wc -l <all.cpp) public headers; at most 90"; exit 1; }
+
+# From a recording to an executed plan, by the examples alone: a network of a few epochs will do.
+LIMBER_DATA_DIR=$prefix/share/limber "$prefix/bin/limber" collect --arm three_segment \
+  --schedule random --count 20 --episodes 2 --seed 4 --out train.h5 --quiet
+"$folder/build/06_train_from_a_recording" train.h5 model.safetensors 3 | grep -q 'unseen runs'
+"$folder/build/03_query_the_model" model.safetensors 60 | grep -q 'segment 0 at 60'
+environment=$prefix/share/limber/environments/01_pillar.yaml
+verdict=0
+"$folder/build/04_plan_and_verify" model.safetensors "$environment" plan.json >plan.txt || verdict=$?
+grep -q '^certified\|^no plan' plan.txt && [ "$verdict" -le 1 ]
+if [ -e plan.json ]; then
+  "$folder/build/05_execute" plan.json "$environment" | tee executed.txt || true
+  grep -q '^done: ' executed.txt
+fi
 echo "passed"

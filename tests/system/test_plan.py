@@ -143,7 +143,7 @@ class Plan(InFolder):
         self.assertAlmostEqual(cost, found["cost_kpa"], delta=1e-3 * cost)
         self.assertIn("<svg", (self.folder / "p.svg").read_text(encoding="utf-8"))
         rows = (self.folder / "p.csv").read_text(encoding="utf-8").splitlines()
-        self.assertEqual(rows[0], "time_s,setpoint_1_kpa,setpoint_2_kpa,pressure_1_kpa,pressure_2_kpa")
+        self.assertEqual(rows[0], "time_s,setpoint_0_kpa,setpoint_1_kpa,pressure_0_kpa,pressure_1_kpa")
 
     def test_the_same_seed_gives_the_same_plan(self):
         for name, jobs in (("one.json", 1), ("two.json", 2)):
@@ -249,7 +249,7 @@ class Plan(InFolder):
         found = self.plan(changed(obstacles=[*PILLAR["obstacles"], base]), code=2)
         self.assertEqual(found["status"], "invalid_start")
         self.assertRegex(
-            found["reason"], r"\d\.\d\d cm deep in obstacle 2 \(circle\), between plates 1 and 2"
+            found["reason"], r"\d\.\d\d cm deep in obstacle 1 \(circle\), between plates 0 and 1"
         )
 
     def test_a_goal_reached_only_in_collision_is_told_apart(self):
@@ -258,7 +258,7 @@ class Plan(InFolder):
         found = self.plan(changed(obstacles=[bar]), code=1)
         self.assertEqual(found["status"], "limit")
         self.assertIn("reaches the goal only in collision", found["reason"])
-        self.assertIn("obstacle 1 (rectangle), between plates", found["reason"])
+        self.assertIn("obstacle 0 (rectangle), between plates", found["reason"])
         self.assertIsNotNone(found["best_partial"])
 
     def test_nothing_and_hundreds_of_obstacles_are_no_problem(self):

@@ -2,9 +2,9 @@
 
 #include "limber/training/training_tables.hpp"
 #include "limber/training/window_gradient.hpp"
+#include "src/training/training_kernels.hpp"
 #include "support/allocation_count.hpp"
 #include "training/toy_arm.hpp"
-#include "training/training_kernels.hpp"
 
 namespace limber {
 namespace {

@@ -1,4 +1,4 @@
-#include "limber/training/batch_gradient.hpp"
+#include "src/training/batch_gradient.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "training/checkpoint.hpp"
+#include "src/training/checkpoint.hpp"
 
 #include <cmath>
 #include <functional>
@@ -10,7 +10,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "network/safetensors.hpp"
+#include "limber/common/safetensors.hpp"
 #include "support/temporary_folder.hpp"
 #include "training/toy_arm.hpp"
 

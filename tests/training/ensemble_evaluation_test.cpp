@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/network/untrained_model.hpp"
+#include "limber/report/training_report.hpp"
 #include "training/toy_arm.hpp"
 
 namespace limber {

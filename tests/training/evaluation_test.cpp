@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/error.hpp"
-#include "limber/training/rollout.hpp"
+#include "limber/report/training_report.hpp"
+#include "src/training/rollout.hpp"
 #include "support/exit_interrupted.hpp"
 #include "training/toy_arm.hpp"
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/report/training_report.hpp"
 #include "limber/training/trainer.hpp"
 #include "training/toy_arm.hpp"
 

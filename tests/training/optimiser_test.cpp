@@ -1,4 +1,4 @@
-#include "limber/training/optimiser.hpp"
+#include "src/training/optimiser.hpp"
 
 #include <gtest/gtest.h>
 

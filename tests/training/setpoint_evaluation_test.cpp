@@ -7,6 +7,7 @@
 
 #include "limber/data/valve_simulation.hpp"
 #include "limber/network/untrained_model.hpp"
+#include "limber/report/training_report.hpp"
 #include "limber/training/evaluation.hpp"
 #include "training/toy_arm.hpp"
 

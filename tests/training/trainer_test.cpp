@@ -9,7 +9,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/training/evaluation.hpp"
-#include "limber/training/rollout.hpp"
+#include "src/training/rollout.hpp"
 #include "support/temporary_folder.hpp"
 #include "training/toy_arm.hpp"
 

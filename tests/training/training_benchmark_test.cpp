@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/atomic_file.hpp"
-#include "network/safetensors.hpp"
+#include "limber/common/safetensors.hpp"
 #include "support/exit_interrupted.hpp"
 #include "support/temporary_folder.hpp"
 #include "training/toy_arm.hpp"

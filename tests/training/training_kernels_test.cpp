@@ -1,4 +1,4 @@
-#include "training/training_kernels.hpp"
+#include "src/training/training_kernels.hpp"
 
 #include <cmath>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
-#include "limber/planning/environment.hpp"
+#include "limber/world/environment.hpp"
 
 namespace limber {
 

@@ -14,9 +14,9 @@
 #include "brute_force.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/progress.hpp"
-#include "limber/planning/collision.hpp"
+#include "limber/world/collision.hpp"
 #include "random_pair.hpp"
-#include "src/planning/certificate/swept_clearance.hpp"
+#include "src/certificate/swept_clearance.hpp"
 
 namespace limber {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/planning/environment.hpp"
+#include "limber/world/environment.hpp"
 
 namespace limber {
 

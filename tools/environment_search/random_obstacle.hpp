@@ -2,7 +2,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/planning/environment.hpp"
+#include "limber/world/environment.hpp"
 #include "styled_environment.hpp"
 
 namespace limber {

@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "limber/common/random_stream.hpp"
-#include "limber/experiment/environment_findings.hpp"
-#include "limber/planning/collision.hpp"
-#include "limber/planning/motion_simulator.hpp"
+#include "limber/forward/motion_simulator.hpp"
 #include "limber/planning/plan_builder.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/trial/environment_findings.hpp"
+#include "limber/world/collision.hpp"
 #include "random_obstacle.hpp"
 
 namespace limber {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "limber/planning/environment.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/world/environment.hpp"
 
 namespace limber {
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "limber/common/random_stream.hpp"
-#include "limber/planning/motion_simulator.hpp"
+#include "limber/forward/motion_simulator.hpp"
 #include "limber/planning/planner.hpp"
 
 namespace limber {
@@ -33,7 +33,7 @@ struct ArmWorld {
   std::vector<Pressures> goal_configurations = {};
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   std::optional<FirstSolution> first_solution = std::nullopt;  ///< not judged yet
-  std::uint64_t states = 0;                                     ///< that OMPL holds now
+  std::uint64_t states = 0;                                    ///< that OMPL holds now
 
   int segments() const { return problem.arm.segment_count(); }
   int valves() const { return problem.model.valves().state_size(); }

@@ -16,13 +16,13 @@
 #include <fmt/ranges.h>
 
 #include "arm_space.hpp"
-#include "limber/arm/inverse_kinematics.hpp"
 #include "limber/common/error.hpp"
 #include "limber/planning/problem_check.hpp"
+#include "limber/world/inverse_kinematics.hpp"
 #include "mended_sst.hpp"
-#include "planning/plan_ladder.hpp"
-#include "planning/plan_result.hpp"
-#include "planning/planner_name.hpp"
+#include "plan_ladder.hpp"
+#include "plan_result.hpp"
+#include "planner_name.hpp"
 
 namespace limber {
 

@@ -1,0 +1,110 @@
+#pragma once
+// For everyone.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "limber/arm/strain_polynomial.hpp"
+#include "limber/arm/virtual_arm_parameters.hpp"
+
+namespace limber {
+
+class YamlReader;
+
+/// An arm of more segments is refused; sizes the stack storage of solvers.
+inline constexpr int kMostSegments = 64;
+
+/// What a segment is told, one signed number, and the unit it comes in. Of any other command than a
+/// pressure, names that end in `_kpa` hold numbers in that command's unit; messages and files name
+/// it.
+struct Command {
+  std::string name = "pressure";
+  std::string unit = "kPa";
+  bool is_pressure_kpa() const { return name == "pressure" && unit == "kPa"; }
+};
+
+/// What the no-load model takes a command for (docs/model.md, (3), (17) and (18)).
+enum class NoLoadKind {
+  strain_polynomial,  ///< the pressure of one side, which contracts by P(|p|)
+  curvature,          ///< proportional to the segment's curvature; its length stays
+  straight,           ///< nothing: the unloaded arm is straight, the network learns the rest
+};
+
+/// "strain_polynomial", "curvature" or "straight", as arm files have it.
+const char* to_string(NoLoadKind kind);
+
+/// One bending segment: two actuators on each side.
+struct Segment {
+  double length_m = 0.0;                 ///< l0, unpressurised, > 0
+  double width_m = 0.0;                  ///< t, between the two sides, > 0
+  int gaps = 0;                          ///< spaces between support plates, ≥ 1
+  double pressure_limit_kpa = 0.0;       ///< p_max of either side, > 0
+  StrainPolynomial strain_polynomial{};  ///< NoLoadKind::strain_polynomial only
+  /// κ in 1/m over the command, positive to the left, ≠ 0; NoLoadKind::curvature only.
+  double curvature_per_unit = 1.0;
+};
+
+/// A planar arm as its file describes it (docs/formats.md, schema limber/arm/1). Plain values;
+/// `validate`d by the reader.
+struct ArmDescription {
+  std::string name;
+  Command command;
+  NoLoadKind no_load = NoLoadKind::strain_polynomial;
+  std::vector<Segment> segments;  ///< base first
+  double frame_rate_hz = 20.0;    ///< of recordings, models and plans
+  double pressure_rate_limit_kpa_per_s =
+      0.0;                         ///< what the valves can follow; bounds a plan's frames
+  double actuator_radius_m = 0.0;  ///< collision radius of a gap is width/2 + this
+  VirtualArmParameters virtual_arm;
+
+  int segment_count() const { return static_cast<int>(segments.size()); }
+  /// Backbone points m: every plate, base included.
+  int point_count() const;
+  double length_m() const;
+  double frame_period_s() const { return 1.0 / frame_rate_hz; }
+  /// Fewest frames that take at least so long.
+  int frames_in(double seconds) const;
+  /// Largest change of a set point within one frame.
+  double pressure_step_limit_kpa() const { return pressure_rate_limit_kpa_per_s / frame_rate_hz; }
+  /// Segment that gap g (between plates g and g + 1) belongs to.
+  int segment_of_gap(int gap) const;
+
+  /// Hash of everything that the no-load model and planning depend on, virtual-arm parameters and
+  /// name excluded.
+  std::string hash() const;
+};
+
+/// @throws InputError "WHAT needs an arm that is driven by pressures in kPa …" for any other.
+void require_pressure_driven(const ArmDescription& arm, const std::string& what);
+
+/// Whether an arm file must hold strain polynomials that a model can use. Only characterisation,
+/// which is about to fit them, does without: there the key may be missing, empty or outdated, and
+/// the polynomial is then zero.
+enum class PolynomialsOf { model, characterisation };
+
+/// Reads and validates an arm file. @throws InputError naming file, line, field, what was found and
+/// what is allowed.
+ArmDescription load_arm(const std::filesystem::path& path,
+                        PolynomialsOf polynomials = PolynomialsOf::model);
+ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials = PolynomialsOf::model);
+
+/// The arm as YAML, readable by `load_arm`; floating-point values survive the round trip exactly.
+std::string arm_to_yaml(const ArmDescription& arm);
+
+/// The same without schema and virtual arm: the keys that `hash` stands for, and the name. Other
+/// files hold it as a text.
+std::string arm_keys_to_yaml(const ArmDescription& arm);
+
+/// The way back. @param name  stands for the file in messages. @throws InputError as `read_arm`.
+ArmDescription read_arm_keys(const std::string& keys, const std::string& name);
+
+/// `yaml`, the text of the arm's file, with the arm's strain polynomials in place of the old ones:
+/// everything else, comments too, stays as it is. Where the text has a form that cannot be edited
+/// in place, or differs from `arm` in more, `arm_to_yaml`. @throws InputError if it is no arm file.
+std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm);
+
+/// Distance along the arm at rest from the base to each plate, m numbers.
+std::vector<double> rest_positions_m(const ArmDescription& arm);
+
+}  // namespace limber

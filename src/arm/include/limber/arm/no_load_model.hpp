@@ -1,0 +1,94 @@
+#pragma once
+// For those who ask a model where the arm goes.
+
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/backbone.hpp"
+
+namespace limber {
+
+/// Curvature and length of one segment; positive curvature bends left.
+struct SegmentShape {
+  double curvature_per_m = 0.0;
+  double length_m = 0.0;
+};
+
+/// A pressure that bends a segment to a wanted curvature.
+struct SegmentPressure {
+  double pressure_kpa = 0.0;  ///< within ± the segment's limit
+  bool reachable =
+      false;  ///< false where more than the limit would be needed; the pressure is then the limit
+};
+
+/// Shape of the unloaded, frictionless arm at given pressures: docs/model.md, (3), (4), (11) and
+/// (12).
+///
+/// Sizes:   n segments, m backbone points (plates, base included).
+/// Frame:   B, the arm's base: x along the straight arm, y left, θ counter-clockwise and unwrapped.
+/// Threads: constant after construction; share it freely.
+class NoLoadModel {
+ public:
+  /// @throws InputError if a strain polynomial is not monotone over the pressure range, or reaches
+  /// e ≥ 1.
+  explicit NoLoadModel(const ArmDescription& arm);
+
+  int segment_count() const { return static_cast<int>(segments_.size()); }
+  int point_count() const { return point_count_; }
+  NoLoadKind kind() const { return kind_; }
+  const Command& command() const { return command_; }
+
+  /// Backbone B̃ at `pressures_kpa` (size n), written to `backbone` (m×3). Above its limit a
+  /// pressure strains on along the end slope of the polynomial, so that a measured overshoot stays
+  /// continuous.
+  void backbone(const Eigen::Ref<const Eigen::VectorXf>& pressures_kpa,
+                Eigen::Ref<Backbone> backbone) const;
+  void backbone(const Eigen::Ref<const Eigen::VectorXd>& pressures_kpa,
+                Eigen::Ref<BackboneD> backbone) const;
+
+  /// (3), (4) of one segment, or (17) or (18). @pre 0 ≤ segment < n.
+  SegmentShape segment_shape(int segment, double pressure_kpa) const;
+  /// Contraction strain e = P(|p|) ≥ 0. @pre kind() is strain_polynomial.
+  double strain(int segment, double pressure_kpa) const;
+  /// Inverse of (3), (11): e = 2t|κ|/(2 + t|κ|), p = −sign(κ) P⁻¹(e); or of (17). Where nothing
+  /// bends the unloaded arm, (18), 0.
+  SegmentPressure pressure_for_curvature(int segment, double curvature_per_m) const;
+  /// Length that goes with a curvature, l = 2 l0/(2 + t|κ|), (3) in (4); l0 by (17) and (18).
+  double length_for_curvature(int segment, double curvature_per_m) const;
+  /// Largest |κ| the pressure limit allows.
+  double curvature_limit_per_m(int segment) const;
+
+  const Segment& segment(int i) const { return segments_[static_cast<std::size_t>(i)]; }
+
+ private:
+  template <class Scalar>
+  void chain(const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>& pressures_kpa,
+             Eigen::Ref<BackboneOf<Scalar>>& backbone) const;
+
+  std::vector<Segment> segments_;
+  NoLoadKind kind_;
+  Command command_;
+  int point_count_ = 0;
+};
+
+/// (12): displacement along an arc that starts along x and turns by `angle_rad` over `length`: (x,
+/// y) of its end. Series near zero; exact to rounding everywhere.
+template <class Scalar>
+Eigen::Matrix<Scalar, 2, 1> arc_end(Scalar length, Scalar angle_rad) {
+  using std::abs;
+  using std::cos;
+  using std::sin;
+  const Scalar square = angle_rad * angle_rad;
+  // Below 0.1 rad the series' next term is 1e-15 relative.
+  if (abs(angle_rad) < Scalar(0.1)) {
+    const Scalar sine =
+        Scalar(1) - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72)));
+    const Scalar versine =
+        angle_rad / 2 *
+        (1 - square / 12 * (1 - square / 30 * (1 - square / 56 * (1 - square / 90))));
+    return {length * sine, length * versine};
+  }
+  return {length * sin(angle_rad) / angle_rad, length * (1 - cos(angle_rad)) / angle_rad};
+}
+
+}  // namespace limber

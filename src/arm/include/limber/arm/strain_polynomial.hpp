@@ -1,0 +1,53 @@
+#pragma once
+// For those who ask a model where the arm goes.
+
+#include <array>
+#include <string>
+
+namespace limber {
+
+/// Contraction strain of an inflated side over its gauge pressure, e = c1 p + c2 p² + c3 p³ + c4 p⁴
+/// (docs/model.md (9)); p in kPa, e ≥ 0 the amount of contraction. c[0] is c1, in 1/kPa.
+using StrainPolynomial = std::array<double, 4>;
+
+/// P(p), (9).
+inline double strain_at(const StrainPolynomial& c, double pressure_kpa) {
+  const double p = pressure_kpa;
+  return p * (c[0] + p * (c[1] + p * (c[2] + p * c[3])));
+}
+
+/// dP/dp in 1/kPa.
+inline double strain_slope_at(const StrainPolynomial& c, double pressure_kpa) {
+  const double p = pressure_kpa;
+  return c[0] + p * (2.0 * c[1] + p * (3.0 * c[2] + p * 4.0 * c[3]));
+}
+
+/// Where on [0, p_max] the strain rises least, and how fast: negative where it falls.
+struct LeastSlope {
+  double pressure_kpa = 0.0;
+  double slope_per_kpa = 0.0;
+};
+
+/// Exact: the ends and the two places where the slope's own derivative vanishes.
+LeastSlope least_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa);
+
+/// Strains this close over the whole pressure range are those of the same segment: ten times what
+/// two machines' rounding makes of one bench test, and too little for a certificate to tell (5e-6
+/// in every segment of a long, thin arm moves its tip by 0.05 mm).
+inline constexpr double kSameStrain = 5e-6;
+
+/// Where two polynomials are farthest apart, and how far.
+struct StrainDifference {
+  double pressure_kpa = 0.0;
+  double strain = 0.0;  ///< ≥ 0
+};
+
+/// Over [0, p_max], to a thousandth of itself.
+StrainDifference largest_strain_difference(const StrainPolynomial& a, const StrainPolynomial& b,
+                                           double pressure_limit_kpa);
+
+/// Why no model can use the polynomial up to its pressure limit: it falls somewhere, or its full
+/// strain is not between 0 and 1. Empty where it is fine.
+std::string why_unusable(const StrainPolynomial& c, double pressure_limit_kpa);
+
+}  // namespace limber

@@ -1,0 +1,51 @@
+#pragma once
+// For everyone.
+
+#include <string>
+#include <vector>
+
+namespace limber {
+
+struct ArmDescription;
+
+/// How one segment's pressure moves in one direction.
+struct ValveDirection {
+  double time_constant_s = 0.0;       ///< ≥ 0; 0 follows at once
+  double rate_limit_kpa_per_s = 0.0;  ///< > 0; +∞ where nothing limits it
+  bool operator==(const ValveDirection&) const = default;
+};
+
+/// One segment's valves and their pressure controller (docs/valves.md).
+struct SegmentValves {
+  ValveDirection inflating;  ///< away from zero; rising where the command has no sides
+  ValveDirection venting;    ///< toward zero; falling where the command has no sides
+  double dead_time_s = 0.0;  ///< from a set point to the first effect, ≥ 0, not in whole frames
+  double dead_band_kpa =
+      0.0;  ///< ≥ 0; the valves stay closed within this distance of the set point
+  bool operator==(const SegmentValves&) const = default;
+};
+
+/// Parameters of the valve model V of p_t = V(p_{t−1}, set points) as plain values: schema
+/// limber/valves/1.
+struct ValveParameters {
+  /// A pressure has two sides, of which one vents before the other inflates; a curvature or an
+  /// angle has none.
+  bool has_sides = true;
+  std::vector<SegmentValves> segments;  ///< empty: ideal valves, pressures are the set points
+
+  bool is_ideal() const { return segments.empty(); }
+  /// Of everything that a prediction depends on; empty for ideal valves.
+  std::string hash() const;
+  bool operator==(const ValveParameters&) const = default;
+};
+
+/// Longest dead time that a model accepts.
+inline constexpr double kLongestDeadTimeS = 5.0;
+
+/// Empty where a valve model of `arm` can use the parameters, else what is wrong with them:
+/// "segment 1: dead_time_s = -1; expected …".
+std::string why_unusable(const ValveParameters& parameters, const ArmDescription& arm);
+/// The same without the arm: numbers out of range, or another number of segments.
+std::string why_unusable(const ValveParameters& parameters, int segment_count);
+
+}  // namespace limber

@@ -1,0 +1,79 @@
+#pragma once
+// For those who move an arm, real or virtual.
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace limber {
+
+class YamlReader;
+
+/// c1 x + c2 x² + c3 x³ + c4 x⁴; [0] is c1.
+using QuarticCoefficients = std::array<double, 4>;
+
+/// Physics of the virtual arm; docs/virtual-arm.md gives each parameter's source and meaning, and
+/// says which were fitted. Every one is a key of the arm file's `virtual_arm` mapping.
+struct VirtualArmParameters {
+  // Chain: per gap a slide along the arm and a hinge at its middle. w is the segment's width.
+  double slide_damping_n_s_per_m = 2.0;
+  double slide_armature_kg = 0.01;
+  double hinge_stiffness_n_m_per_rad = 0.02;
+  double hinge_damping_n_m_s_per_rad = 0.27;  ///< at the reference width; proportional to w
+  double hinge_armature_kg_m2 = 2e-5;
+  double reference_width_m = 0.05;         ///< the width that scaled parameters are given at
+  double plate_mass_kg = 0.012;            ///< at the reference width
+  double plate_mass_fixed_fraction = 0.4;  ///< of it that does not shrink with w
+  double plate_payload_kg = 0.012;         ///< added to every plate: fittings, hose, bladder
+  double side_elasticity_n = 50.0;         ///< tension per unit strain of a side
+
+  // McKibben actuator: tension [N] over strain e (contraction < 0) and pressure [kPa].
+  double actuators_per_side = 2.0;
+  QuarticCoefficients actuator_threshold_kpa = {-395.9792747, -1032.874471, 5991.799518,
+                                                34610.2847};  ///< p0(e), e < 0
+  double actuator_gain = 1.03856;                             ///< N per kPa
+  double actuator_strain_offset = 0.511455;
+  QuarticCoefficients actuator_extension_n = {62.596, 836.58, 89998.0, 0.0};      ///< e > 0
+  QuarticCoefficients actuator_compression_n = {21.928, 126.12, 320.59, 265.30};  ///< e < 0, p < p0
+
+  // No two actuators are alike.
+  double strength_spread = 0.07;  ///< largest relative deviation of a side's strength
+  std::uint64_t strength_seed = 1;
+  double hysteresis_fraction = 0.03;  ///< of the side's full tension at its pressure
+  double hysteresis_floor_n = 0.05;
+  double hysteresis_stiffness_n_per_m = 2e4;
+  double hysteresis_damping_n_s_per_m = 0.0;
+
+  // Silicone creep, a spring and dashpot in series beside each side; off while the fraction is 0.
+  double creep_fraction = 0.0;  ///< of side_elasticity_n
+  double creep_time_s = 20.0;
+  // An imperfect build; off while 0.
+  double plate_offset_rad = 0.0;       ///< largest unloaded angle of a gap, seeded by strength_seed
+  double base_misalignment_rad = 0.0;  ///< angle of the arm's base plate in frame B
+
+  // Table.
+  double gravity_m_per_s2 = 9.81;  ///< normal to the plane
+  double friction_coefficient = 0.25;
+  double friction_stiffness_n_per_m = 3000.0;
+  double friction_damping_n_s_per_m = 2.0;
+  double friction_torsion_arm = 0.3;  ///< × w
+
+  // Valves and their PD controller.
+  double pressure_rate_limit_kpa_per_s = 100.0;  ///< of a direction that has none of its own
+  double inflate_rate_limit_kpa_per_s = 0.0;     ///< 0: the one above
+  double vent_rate_limit_kpa_per_s = 0.0;        ///< 0: the one above
+  double valve_dead_time_s = 0.0;                ///< set points reach the controller so much later
+  double inflate_time_constant_s = 0.1;
+  double vent_time_constant_s = 0.12;
+  double valve_lag_s = 0.01;
+  double controller_proportional_gain = 1.0;
+  double controller_derivative_gain_s = 0.005;
+  double pressure_dead_band_kpa = 0.2;
+
+  double time_step_s = 0.001;
+};
+
+VirtualArmParameters read_virtual_arm_parameters(const YamlReader& node);
+std::string virtual_arm_parameters_to_yaml(const VirtualArmParameters& parameters, int indent);
+
+}  // namespace limber

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include <Eigen/Core>
+
+#include <fmt/format.h>
+
+#include "limber/arm/arm_description.hpp"
+
+// What messages call an arm's parts. All of them are counted from 0 at the base, as in YAML paths, in
+// JSON and in the columns of CSV files.
+namespace limber {
+
+inline std::string segment_name(Eigen::Index segment) {
+  return fmt::format("segment {}", segment);
+}
+
+inline std::string plate_name(Eigen::Index plate) {
+  return fmt::format("plate {}", plate);
+}
+
+/// "plates 3 and 4", on both sides of a gap.
+inline std::string plates_of_gap(Eigen::Index gap) {
+  return fmt::format("plates {} and {}", gap, gap + 1);
+}
+
+/// "between plates 3 and 4 (segment 0)".
+inline std::string gap_name(const ArmDescription& arm, int gap) {
+  return fmt::format("between {} ({})", plates_of_gap(gap), segment_name(arm.segment_of_gap(gap)));
+}
+
+}  // namespace limber

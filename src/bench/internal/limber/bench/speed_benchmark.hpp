@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/common/progress.hpp"
+#include "limber/network/compensation_model.hpp"
+
+namespace limber {
+
+/// How fast one way of asking is: `batch_size` queries at a time on `threads` threads.
+struct QueryRate {
+  int batch_size = 1;
+  int threads = 1;
+  double queries_per_s = 0.0;
+};
+
+/// A network's speed, whole queries: from (q_{t−1}, q_t, B_{t−1}) to B_t in user units.
+struct NetworkSpeed {
+  std::string shape;   ///< "102-100-100-100-48"
+  std::string layout;  ///< "base_poses", "gap_poses"
+  QueryRate single;
+  QueryRate single_half;            ///< with weights in half precision (WeightPrecision)
+  QueryRate batch;                  ///< the fastest of `batches` on one thread
+  std::vector<QueryRate> batches;   ///< on one thread, then large ones on all
+  double fraction_of_fma_peak = 0;  ///< hidden layers with bias and ReLU, padding not counted
+};
+
+/// The fastest of some rates on one thread. @pre there is one
+QueryRate fastest_batch(const std::vector<QueryRate>& rates);
+
+/// Another library on the same weights and inputs, one thread.
+struct PeerSpeed {
+  std::string name;
+  QueryRate single;
+  std::vector<QueryRate> batches;
+};
+
+struct SpeedReport {
+  std::string cpu;
+  std::string cpu_level;
+  int threads = 1;                   ///< that the largest batches were split over
+  int lanes = 1;                     ///< floats in a vector register
+  double clock_ghz = 0.0;            ///< from a chain of operations, one a cycle
+  double fma_peak_gmac_per_s = 0.0;  ///< one core, registers only: mean of before and after
+  double fma_peak_difference = 0.0;  ///< relative, of before and after; small on a quiet machine
+  std::int64_t queries = 0;          ///< asked in each measurement of one query at a time
+  QueryRate no_load_single;
+  QueryRate no_load_batch;
+  NetworkSpeed paper_shape;         ///< three hidden layers of 100 units, base poses
+  std::vector<NetworkSpeed> model;  ///< the model given, where its shape or layout is another
+  std::vector<PeerSpeed> peers;     ///< on the paper's shape; Eigen is the first
+};
+
+struct SpeedSettings {
+  std::int64_t queries = 1'000'000;  ///< of each measurement of single queries; batches as many
+  int jobs = 0;                      ///< threads for the largest batches, 0: one a core
+  std::uint64_t seed = 1;            ///< of inputs and of untrained weights
+  bool optional_peers = true;        ///< also those of bench/speed_peers.hpp
+  Progress::Mode progress = Progress::Mode::quiet;
+};
+
+/// Measures `arm`'s models. The paper's shape has the weights of `model` where that has this shape,
+/// untrained ones otherwise: speed does not depend on what was learnt.
+/// @param model  may be null.
+SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* model,
+                          const SpeedSettings& settings);
+
+/// What the paper's implementation answers, queries a second.
+inline constexpr double kPaperNoLoadQueriesPerS = 978.0;
+inline constexpr double kPaperNetworkQueriesPerS = 510.0;
+
+}  // namespace limber

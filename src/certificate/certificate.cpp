@@ -1,0 +1,371 @@
+#include "limber/certificate/certificate.hpp"
+
+#include <array>
+#include <cmath>
+#include <complex>
+
+#include <fmt/format.h>
+
+#include "exact_arm.hpp"
+#include "exact_valves.hpp"
+#include "frame_checks.hpp"
+#include "give_up.hpp"
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/units.hpp"
+#include "shape_comparison.hpp"
+#include "swept_clearance.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kRoundingM = 1e-5;  // of one step of the forward model in float32, with room
+constexpr double kReportedClearanceM = 1.2e-3;  // a planner's own figure may be a little cautious
+
+std::vector<double> numbers(const Pressures& kpa) {
+  return {kpa.begin(), kpa.end()};
+}
+
+}  // namespace
+
+/// What every plan for one problem is held against.
+struct Certifier::Problem {
+  const ArmDescription& arm;
+  const CompensationModel* network;
+  const ValveParameters& valves;
+  const Environment& environment;
+  std::string arm_hash, valves_hash, environment_hash;
+  std::string network_refusal;  // why the network is not the arm's; empty: it is
+  ExactArm model;
+  SweptClearance clearance;
+};
+
+/// One certification: what the checks share.
+class Certifier::Certification {
+ public:
+  Certification(const Plan& plan, const Problem& problem, const std::function<bool()>& give_up)
+      : plan_(plan),
+        problem_(problem),
+        arm_(problem.arm),
+        valves_(problem.valves),
+        environment_(problem.environment),
+        ask_(give_up),
+        give_up_(give_up) {}
+
+  Certificate run() {
+    check();
+    if (give_up_.is_given_up()) {
+      result_.unfinished = true;
+      fail("unfinished", -1, "the certificate was not finished in the time that was left");
+    }
+    return result_;
+  }
+
+ private:
+  void check() {
+    result_.frames = plan_.frame_count();
+    check_frames(plan_, arm_, result_);
+    if (plan_.certified && !plan_.certified->seal_is_intact) {
+      fail("seal", -1, "the file was changed since the plan was certified");
+    }
+    if (has_failed("sizes")) {
+      return;  // nothing to simulate
+    }
+    check_start();
+    simulate_valves();
+    check_settling();
+    if (simulate() && check_shapes() && check_collision()) {
+      check_goal();
+    }
+  }
+
+  void fail(const char* check, int frame, std::string message) {
+    result_.failures.push_back({check, frame, std::move(message)});
+  }
+
+  bool has_failed(const std::string& check) const {
+    for (const CertificateFailure& failure : result_.failures) {
+      if (failure.check == check) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void check_start() {
+    std::vector<double> pressures(arm_.segments.size(), 0.0);
+    ExactArm::Shape shape = problem_.model.no_load(pressures);
+    if (environment_.start) {
+      const ArmStart& start = *environment_.start;
+      pressures.assign(start.pressures_kpa.begin(), start.pressures_kpa.end());
+      shape = shape_of(start.backbone);
+    }
+    if (numbers(plan_.frames.front().setpoint_kpa) != pressures) {
+      fail("start", 0, "the first set points are not the environment's start");
+    }
+    simulated_ = {std::move(shape)};
+  }
+
+  void simulate_valves() {
+    ExactValves::Configurations setpoints_kpa;
+    for (const PlanFrame& frame : plan_.frames) {
+      setpoints_kpa.push_back(numbers(frame.setpoint_kpa));
+    }
+    pressures_kpa_ = ExactValves(arm_, valves_).pressures_along(setpoints_kpa);
+    for (std::size_t k = 0; k < pressures_kpa_.size(); ++k) {
+      for (std::size_t i = 0; i < pressures_kpa_[k].size(); ++i) {
+        const double stored = double(plan_.frames[k].pressure_kpa[static_cast<Eigen::Index>(i)]);
+        const double apart = std::abs(pressures_kpa_[k][i] - stored);
+        const bool agreed =
+            result_.largest_pressure_deviation_kpa <= Certificate::kPressureDeviationKpa;
+        if (!(apart <= result_.largest_pressure_deviation_kpa)) {
+          result_.largest_pressure_deviation_kpa = apart;
+        }
+        if (agreed && !(apart <= Certificate::kPressureDeviationKpa)) {
+          fail("valves", static_cast<int>(k),
+               fmt::format("{} is said to be at {:.6g} {unit}; its valves bring it to "
+                           "{:.6g} {unit}",
+                           segment_name(i), stored, pressures_kpa_[k][i],
+                           fmt::arg("unit", arm_.command.unit)));
+        }
+      }
+    }
+  }
+
+  /// The goal is judged once the pressures have arrived.
+  void check_settling() {
+    for (std::size_t i = 0; i < valves_.segments.size(); ++i) {
+      const double setpoint =
+          double(plan_.frames.back().setpoint_kpa[static_cast<Eigen::Index>(i)]);
+      const double apart = std::abs(pressures_kpa_.back()[i] - setpoint);
+      const double allowed =
+          std::max(valves_.segments[i].dead_band_kpa,
+                   Certificate::kSettledShare * arm_.segments[i].pressure_limit_kpa);
+      if (!(apart <= allowed + Certificate::kPressureDeviationKpa)) {
+        fail("hold", plan_.frame_count() - 1,
+             fmt::format("{} is still {:.3g} {unit} from its set point; {:.3g} {unit} are "
+                         "allowed at the end of the hold",
+                         segment_name(i), apart, allowed, fmt::arg("unit", arm_.command.unit)));
+        return;
+      }
+    }
+  }
+
+  /// Open loop from the start, and each step from the stored backbone before it beside that.
+  /// @return false where it gave up
+  bool simulate() {
+    ExactNetwork::Workspace workspace;
+    simulated_.reserve(plan_.frames.size());
+    ExactArm::Shape stored = shape_of(plan_.frames.front().backbone);
+    compare(0, stored);
+    for (std::size_t k = 1; k < plan_.frames.size(); ++k) {
+      if (give_up_.now()) {
+        return false;
+      }
+      std::array<ExactArm::Shape, 2> next = problem_.model.next_two(
+          pressures_kpa_[k - 1], pressures_kpa_[k], {&simulated_.back(), &stored}, workspace);
+      stored = shape_of(plan_.frames[k].backbone);
+      simulated_.push_back(std::move(next[0]));
+      const Deviation of_step = deviation(next[1], stored);
+      if (!(of_step.apart_m <= result_.largest_step_deviation_m)) {
+        result_.largest_step_deviation_m = of_step.apart_m;
+      }
+      compare(k, stored);
+    }
+    return true;
+  }
+
+  void compare(std::size_t k, const ExactArm::Shape& stored) {
+    const Deviation of_path = deviation(simulated_[k], stored);
+    const bool agreed = result_.largest_deviation_m <= Certificate::kDeviationM &&
+                        result_.largest_heading_deviation_rad <= Certificate::kHeadingDeviationRad;
+    if (!(of_path.apart_m <= result_.largest_deviation_m)) {
+      result_.largest_deviation_m = of_path.apart_m;
+      result_.deviation_frame = static_cast<int>(k);
+    }
+    if (!(of_path.turned_rad <= result_.largest_heading_deviation_rad)) {
+      result_.largest_heading_deviation_rad = of_path.turned_rad;
+    }
+    if (agreed && !(of_path.apart_m <= Certificate::kDeviationM &&
+                    of_path.turned_rad <= Certificate::kHeadingDeviationRad)) {
+      fail_model(static_cast<int>(k), of_path);
+    }
+  }
+
+  void fail_model(int frame, const Deviation& found) {
+    const bool is_rounding = result_.largest_step_deviation_m <= kRoundingM;
+    fail("model", frame,
+         fmt::format("{} is {:.4g} mm and {:.4g} rad from where the model puts it; allowed: "
+                     "{} mm and {} rad{}",
+                     plate_name(found.plate), found.apart_m * 1e3, found.turned_rad,
+                     Certificate::kDeviationM * 1e3, Certificate::kHeadingDeviationRad,
+                     is_rounding ? "; every single step agrees, so the model amplifies rounding "
+                                   "along this plan, and does not say where the arm goes"
+                                 : ""));
+  }
+
+  bool check_shapes() {
+    for (std::size_t k = 0; k < simulated_.size(); ++k) {
+      if (!is_drawable(simulated_[k])) {
+        fail("model", static_cast<int>(k), "the model predicts a shape that no arm has");
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// @return false where it gave up
+  bool check_collision() {
+    if (give_up_.now()) {
+      return false;
+    }
+    const SweptClearance::Result swept = problem_.clearance.over(simulated_, ask_);
+    if (!swept.is_finished) {
+      give_up_.give_up();
+      return false;
+    }
+    result_.clearance_m = swept.value_m;
+    result_.clearance_frame = swept.frame;
+    result_.clearance_gap = swept.gap;
+    result_.clearance_obstacle = swept.obstacle;
+    const double least = std::max(plan_.margin_m, Certificate::kLeastClearanceM);
+    if (!(swept.value_m >= least)) {
+      fail("collision", swept.frame,
+           fmt::format("the arm, {}, comes within {:.3f} mm of {}; {:.3f} mm are asked for",
+                       gap_name(arm_, swept.gap), swept.value_m * 1e3,
+                       obstacle_name(environment_, swept.obstacle), least * 1e3));
+    }
+    const bool both_infinite = std::isinf(plan_.clearance_m) && std::isinf(swept.value_m);
+    if (!both_infinite && !(std::abs(plan_.clearance_m - swept.value_m) <= kReportedClearanceM)) {
+      fail("claims", -1,
+           fmt::format("clearance_m = {:.6g}; found {:.6g}", plan_.clearance_m, swept.value_m));
+    }
+    return true;
+  }
+
+  void check_goal() {
+    const PoseGoal& goal = environment_.goal;
+    const Pose& tip = simulated_.back().back();
+    result_.goal_distance_m = std::hypot(tip.x_m - goal.x_m, tip.y_m - goal.y_m);
+    const int last = plan_.frame_count() - 1;
+    if (!(result_.goal_distance_m <= goal.position_tolerance_m)) {
+      fail("goal", last,
+           fmt::format("the tip ends {:.3f} cm from the goal; tolerance {:.3f} cm",
+                       result_.goal_distance_m * kCmPerM, goal.position_tolerance_m * kCmPerM));
+    }
+    if (goal.theta_rad) {
+      // As a rotation, so that a full turn makes no difference.
+      result_.goal_orientation_rad =
+          std::abs(std::arg(std::polar(1.0, tip.theta_rad - *goal.theta_rad)));
+      if (!(result_.goal_orientation_rad <= goal.orientation_tolerance_rad)) {
+        fail("goal", last,
+             fmt::format("the tip ends {:.4f} rad from the goal's heading; tolerance {:.4f} rad",
+                         result_.goal_orientation_rad, goal.orientation_tolerance_rad));
+      }
+    }
+    require_claim("goal_distance_m", plan_.goal_distance_m, result_.goal_distance_m,
+                  Certificate::kDeviationM);
+    require_claim("goal_orientation_rad", plan_.goal_orientation_rad, result_.goal_orientation_rad,
+                  Certificate::kHeadingDeviationRad);
+  }
+
+  void require_claim(const char* name, double claimed, double found, double tolerance) {
+    if (!(std::abs(claimed - found) <= tolerance)) {
+      fail("claims", -1, fmt::format("{} = {:.6g}; found {:.6g}", name, claimed, found));
+    }
+  }
+
+  const Plan& plan_;
+  const Problem& problem_;
+  const ArmDescription& arm_;
+  const ValveParameters& valves_;
+  const Environment& environment_;
+  const std::function<bool()>& ask_;
+  GiveUp give_up_;
+  ExactValves::Configurations pressures_kpa_;
+  std::vector<ExactArm::Shape> simulated_;
+  Certificate result_;
+};
+
+namespace {
+
+std::string why_not_of_arm(const CompensationModel* network, const ArmDescription& arm) {
+  try {
+    if (network != nullptr) {
+      require_model_of(*network, arm, "the plan's model");
+    }
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void require_same(const char* what, const std::string& made_for, const std::string& given) {
+  if (made_for != given) {
+    throw InputError(fmt::format("the plan was made for another {} ({}; this one is {})", what,
+                                 made_for, given));
+  }
+}
+
+std::string valves_named(const std::string& hash) {
+  return hash.empty() ? std::string("none") : "hash " + hash;
+}
+
+}  // namespace
+
+Certifier::Certifier(const ArmDescription& arm, const CompensationModel* network,
+                     const ValveParameters& valves, const Environment& environment)
+    : problem_(new Problem{arm,
+                           network,
+                           valves,
+                           environment,
+                           arm.hash(),
+                           valves.hash(),
+                           limber::environment_hash(environment),
+                           why_not_of_arm(network, arm),
+                           {arm, network},
+                           {arm, environment.obstacles, Certificate::kClearanceToleranceM}}) {}
+
+Certifier::Certifier(Certifier&&) noexcept = default;
+Certifier& Certifier::operator=(Certifier&&) noexcept = default;
+Certifier::~Certifier() = default;
+
+const std::string& Certifier::environment_hash() const {
+  return problem_->environment_hash;
+}
+
+void Certifier::require_plan_of_problem(const Plan& plan) const {
+  const Problem& problem = *problem_;
+  if (plan.arm_hash != problem.arm_hash) {
+    if (const std::string why = why_another_arm(plan.arm(), problem.arm, "the plan");
+        !why.empty()) {
+      throw InputError(fmt::format(
+          "the plan was made for another arm ('{}', hash {}; this one is '{}', hash {}): {}",
+          plan.arm_name, plan.arm_hash, problem.arm.name, problem.arm_hash, why));
+    }
+  }
+  require_same("valve model", valves_named(plan.valves_hash), valves_named(problem.valves_hash));
+  if (plan.environment_hash != problem.environment_hash) {
+    throw InputError(fmt::format(
+        "the plan was made for another environment ('{}', hash {}; this one is '{}', hash {})",
+        plan.environment_name, plan.environment_hash, problem.environment.name,
+        problem.environment_hash));
+  }
+  require_same("kind of model", plan.model, problem.network != nullptr ? "network" : "no_load");
+  if (!problem.network_refusal.empty()) {
+    throw InputError(problem.network_refusal);
+  }
+}
+
+Certificate Certifier::certify(const Plan& plan, const std::function<bool()>& give_up) const {
+  require_plan_of_problem(plan);
+  return Certification(plan, *problem_, give_up).run();
+}
+
+Certificate certify(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
+                    const ValveParameters& valves, const Environment& environment) {
+  return Certifier(arm, network, valves, environment).certify(plan);
+}
+
+}  // namespace limber

@@ -1,0 +1,108 @@
+#pragma once
+// For those who check plans.
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/valve_parameters.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/world/environment.hpp"
+#include "limber/world/plan.hpp"
+
+namespace limber {
+
+/// One thing that is wrong with a plan.
+struct CertificateFailure {
+  std::string check;  ///< "limits", "rate", "start", "waypoints", "cost", "hold", "valves",
+                      ///< "model", "collision", "goal", "claims", "seal", "sizes" or "unfinished"
+  int frame = -1;     ///< the first one that fails; −1 where no frame is to blame
+  std::string message;
+};
+
+/// What an independent second look at a plan found (docs/planning.md, Certificate).
+struct Certificate {
+  std::vector<CertificateFailure> failures;  ///< empty: certified
+  /// Smallest distance of the moving arm from an obstacle, from below and at most
+  /// kClearanceToleranceM below the true one; +∞ without obstacles.
+  double clearance_m = std::numeric_limits<double>::quiet_NaN();
+  int clearance_frame = -1;  ///< the frame that the motion there leads to, 0 the start; −1: none
+  int clearance_gap = -1;    ///< between plates gap and gap + 1, from 0 at the base
+  int clearance_obstacle = -1;       ///< index in the environment's list
+  double largest_deviation_m = 0.0;  ///< of a plate, own simulation against the stored backbone
+  int deviation_frame = -1;
+  double largest_heading_deviation_rad = 0.0;
+  /// The same as largest_deviation_m, but each frame simulated from the stored one before it. Where
+  /// this is rounding and the other is not, the plan is no mistake: the model amplifies rounding
+  /// along it, and nothing can be said of where the arm ends.
+  double largest_step_deviation_m = 0.0;
+  /// Of a predicted pressure, own simulation of the valves against the stored one.
+  double largest_pressure_deviation_kpa = 0.0;
+  double cost_kpa = 0.0;
+  double largest_step_kpa = 0.0;  ///< of a pressure in one frame
+  double goal_distance_m =
+      std::numeric_limits<double>::quiet_NaN();  ///< of the own simulation's last tip
+  double goal_orientation_rad = 0.0;             ///< 0 where the goal asks for none
+  int frames = 0;
+  /// Given up before all was looked at; then "unfinished" is the last of the failures. What was
+  /// found until then stands, and what was not looked at has no figure.
+  bool unfinished = false;
+
+  bool certified() const { return failures.empty(); }
+
+  static constexpr double kDeviationM = 1e-4;  ///< allowed at every plate of every frame
+  static constexpr double kHeadingDeviationRad = 1e-3;
+  static constexpr double kPressureDeviationKpa = 1e-3;  ///< of every pressure of every frame
+  static constexpr double kSettledShare = 0.01;  ///< of the limit: what the hold has to settle to
+  static constexpr double kLeastClearanceM = 1e-4;  ///< even where no margin was asked for
+  static constexpr double kClearanceToleranceM = 2e-5;
+};
+
+/// Certifies plans for one problem with nothing of the planner's: own valves and an own forward
+/// model in double precision, run open loop from the environment's start through the stored set
+/// points; an own swept distance (branch and bound over time and arc length); limits, rate, frame
+/// rule, cost, hold and goal checked from their definitions. Collision and goal are judged on the
+/// own simulation.
+///
+/// Threads: constant after construction; share it freely.
+class Certifier {
+ public:
+  /// Borrows all it gets. Hashes, weights and obstacles are prepared here, so they must not change.
+  /// @param network  the plans' model; null: the no-load model alone
+  /// @param valves   what lies between set points and pressures, by the judge's knowledge: never
+  ///                 taken from a plan; ideal ones for plans without valves
+  Certifier(const ArmDescription& arm, const CompensationModel* network,
+            const ValveParameters& valves, const Environment& environment);
+  Certifier(Certifier&&) noexcept;
+  Certifier& operator=(Certifier&&) noexcept;
+  ~Certifier();
+
+  /// @param give_up  asked often enough for the certificate to end within 5 ms of its turning true
+  ///                 in any environment; the result is then `unfinished`. Empty: never
+  /// @throws InputError where the plan was made for another arm, other valves or another
+  /// environment (hashes in the message), or the network is of another arm. Everything else is a
+  /// failure in the result.
+  /// @throws Interrupted where a signal comes while it looks for collisions.
+  Certificate certify(const Plan& plan, const std::function<bool()>& give_up = {}) const;
+
+  /// Of the environment: what plans have to state. Not free to work out where obstacles have many
+  /// corners.
+  const std::string& environment_hash() const;
+
+ private:
+  struct Problem;
+  class Certification;
+
+  void require_plan_of_problem(const Plan& plan) const;
+
+  std::unique_ptr<const Problem> problem_;
+};
+
+/// One plan, by a Certifier of its own. @throws InputError as Certifier::certify.
+Certificate certify(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
+                    const ValveParameters& valves, const Environment& environment);
+
+}  // namespace limber

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "covered_obstacle.hpp"
+#include "exact_arm.hpp"
+#include "give_up.hpp"
+#include "limber/world/environment.hpp"
+
+namespace limber {
+
+/// Smallest distance between a moving arm and obstacles, by bounds on how fast distances change.
+///
+/// The gap between two plates is the arc through both that turns by the difference of their
+/// headings; between frames plates move straight and turn evenly. Distance to an obstacle changes
+/// by no more than a point's way, over time as along the arc. So the value at the middle of a cell
+/// of (time, place on the arc), less half of both ways, bounds the cell from below; cells that may
+/// hold less than the best value found so far are halved. A convex obstacle lies behind a straight
+/// line, so of the way along the arc only the part toward that line counts.
+///
+/// Gaps and obstacles whose boxes are farther apart than the best value are not looked at; so the
+/// search starts from a good one: that of the plate that comes nearest, and of the gaps beside it.
+/// Threads: constant after construction.
+class SweptClearance {
+ public:
+  SweptClearance(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
+                 double tolerance_m);
+
+  struct Result {
+    double value_m;  ///< from below, at most the tolerance below the true one
+    int frame = -1;  ///< the frame that the motion there leads to
+    int gap = -1;
+    int obstacle = -1;
+    bool is_finished = true;  ///< false: given up, and nothing else here has a meaning
+  };
+  /// Over the motion from each shape to the next; a single shape stands still. @pre no gap turns by
+  /// more than half a turn, and every number is finite.
+  /// @param give_up  asked every few dozen microseconds whether to stop
+  /// @throws Interrupted where a signal comes meanwhile.
+  Result over(const std::vector<ExactArm::Shape>& shapes,
+              const std::function<bool()>& give_up = {}) const;
+
+ private:
+  class MovingArc;
+  class Search;
+
+  double tolerance_m_;
+  std::vector<double> radius_m_;  // one a gap
+  double largest_radius_m_ = 0.0;
+  std::vector<CoveredObstacle> obstacles_;
+};
+
+}  // namespace limber

@@ -1,0 +1,101 @@
+#pragma once
+// For those who read or write recordings.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/arm_identity.hpp"
+
+namespace limber {
+
+/// Frames × columns, a frame's numbers contiguous: the layout of the file and of the network's
+/// inputs.
+using FrameMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// One unbroken run of the arm at its frame rate: T frames, n segments, m backbone points.
+struct Episode {
+  Eigen::VectorXd time_s;    ///< T, strictly increasing
+  FrameMatrix pressure_kpa;  ///< T×n, measured, gauge, signed
+  FrameMatrix setpoint_kpa;  ///< T×n, what was commanded
+  FrameMatrix
+      backbone;  ///< T×3m, poses (x_m, y_m, theta_rad) of the points, base first, θ unwrapped
+  std::vector<int> motion_index;  ///< T, number of the commanded motion a frame belongs to, from 0
+
+  /// T, 1 where the backbone was seen, 0 where the frame was dropped and its backbone is filled in
+  /// between the neighbours that were; empty: all were seen. `read_recording` never leaves it
+  /// empty.
+  std::vector<std::uint8_t> tracked;
+
+  int frame_count() const { return static_cast<int>(time_s.size()); }
+  int untracked_count() const;
+  /// Whether the backbone of frame `t` was seen. @pre 0 ≤ t < frame_count()
+  bool was_tracked(int t) const {
+    return tracked.empty() || tracked[static_cast<std::size_t>(t)] != 0;
+  }
+  /// The first tracked frame from `t` on and before `end`; else `end`. @pre end ≤ frame_count()
+  int next_tracked(int t, int end) const {
+    while (t < end && !was_tracked(t)) {
+      ++t;
+    }
+    return t;
+  }
+};
+
+/// Recorded motion of an arm (docs/formats.md, schema limber/recording/1).
+struct Recording {
+  std::string arm_name;
+  std::string arm_hash;
+  std::string arm_description;  ///< arm_keys_to_yaml(); empty in files of before it was kept
+  Command command;              ///< what the numbers named pressure and set point are
+  int segment_count = 0;
+  int point_count = 0;
+  double rate_hz = 0.0;
+  std::uint64_t seed = 0;
+  std::string source;           ///< "virtual arm", "motive log.csv", …
+  std::string settings;         ///< how it was collected: schedule, holds, noise; may be empty
+  std::string program_version;  ///< of the program that wrote it; `write_recording` fills it in
+  std::vector<Episode> episodes;
+
+  /// Whose arm this is (arm/arm_identity.hpp).
+  ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
+  std::int64_t frame_count() const;
+  std::int64_t untracked_count() const;
+  /// Sum over episodes of frames / rate.
+  double duration_s() const;
+};
+
+/// An empty recording of `arm`: name, hash, sizes and rate filled in.
+Recording make_recording(const ArmDescription& arm, const std::string& source, std::uint64_t seed);
+
+/// Refuses a recording that has no episode or frame, whose sizes disagree, whose times do not
+/// increase or that holds a number that is not finite.
+/// @throws InputError naming `file`, the episode and the data set, what was found and is allowed.
+void validate(const Recording& recording, const std::string& file);
+
+/// Writes atomically, after `validate`. Threads: any; HDF5 itself is entered by one at a time.
+/// @throws InputError as `validate`; SystemFault where the disk refuses.
+void write_recording(const std::filesystem::path& path, const Recording& recording);
+
+/// Reads and validates. Threads: any; HDF5 itself is entered by one at a time.
+/// @throws InputError naming the file, the episode and the data set or attribute, what was found
+/// and what is allowed: also where the file is no HDF5, damaged or cut short.
+Recording read_recording(const std::filesystem::path& path);
+
+/// @throws InputError where the recording's segments, points, rate or command are not the arm's.
+void require_sizes_of(const Recording& recording, const ArmDescription& arm,
+                      const std::string& file);
+
+/// What learning and comparing ask for. @throws InputError as `require_sizes_of`; where it is
+/// another arm by its name and by its keys (why_another_arm; one alone may differ: a recording
+/// outlives small edits of the arm file); where commands lie far beyond the arm's limits; where
+/// nothing was ever tracked; where the plates' distances are not the arm's or its end stands still
+/// while commands change.
+void require_recording_of(const Recording& recording, const ArmDescription& arm,
+                          const std::string& file);
+
+}  // namespace limber

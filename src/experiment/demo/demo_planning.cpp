@@ -1,0 +1,148 @@
+// The demo's stages from the trained model to executed plans.
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include <fmt/format.h>
+
+#include "demo_stages.hpp"
+#include "limber/report/final_shapes_picture.hpp"
+#include "kernels/job_arena.hpp"
+#include "limber/common/data_folder.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/report/plan_picture.hpp"
+#include "limber/trial/proven_environment.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::uint64_t kEnvironmentSeed = 64;
+constexpr std::uint64_t kPlanSeed = 128;
+constexpr std::size_t kDrawnEdges = 3000;  // of the tree; more would weigh the page down
+constexpr const char* kPaperArm = "three_segment";
+
+/// limber's own environments are drawn up for the paper's arm; another arm gets random ones.
+std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
+  std::vector<EnvironmentCase> cases;
+  if (results.arm().name == kPaperArm) {
+    for (const std::string& id : results.recipe.environments) {
+      cases.push_back(
+          {id, load_environment(data_folder() / "environments" / (id + ".yaml"), results.arm())});
+    }
+    return cases;
+  }
+  for (int k = 1; k <= results.recipe.random_environments; ++k) {
+    std::optional<Environment> drawn = draw_proven_environment(
+        results.arm(), results.motion_model(*results.network),
+        derived_seed(results.settings->seed, kEnvironmentSeed), std::uint64_t(k));
+    if (!drawn) {
+      throw InputError(
+          fmt::format("arm '{}': no random environment was found in which it has to "
+                      "go round an obstacle",
+                      results.arm().name));
+    }
+    cases.push_back({fmt::format("random_{}", k), std::move(*drawn)});
+  }
+  return cases;
+}
+
+/// Every trial of every environment with both models, in the order of DemoResults::trials.
+struct TrialTask {
+  const EnvironmentCase* environment;
+  const ForwardModel* model;
+  int number;
+};
+
+std::vector<TrialTask> all_tasks(const DemoResults& results) {
+  std::vector<TrialTask> tasks;
+  for (const EnvironmentCase& environment : results.environments) {
+    for (const ForwardModel* model : {&*results.no_load, &*results.network}) {
+      for (int k = 0; k < results.recipe.plans_per_environment; ++k) {
+        tasks.push_back({&environment, model, k});
+      }
+    }
+  }
+  return tasks;
+}
+
+}  // namespace
+
+MotionModel DemoResults::motion_model(const ForwardModel& forward) const {
+  const std::optional<ValveParameters>& valves = network->compensation().valves;
+  return {forward, ValveModel(arm(), valves ? *valves : ValveParameters{})};
+}
+
+const Environment& DemoResults::environment(const std::string& id) const {
+  const auto found = std::find_if(environments.begin(), environments.end(),
+                                  [&](const EnvironmentCase& item) { return item.id == id; });
+  assert(found != environments.end());
+  return found->environment;
+}
+
+void plan_stage(DemoResults& results) {
+  results.environments = choose_environments(results);
+  for (const EnvironmentCase& item : results.environments) {
+    results.output->write("environments/" + item.id + ".yaml",
+                          environment_to_yaml(item.environment));
+  }
+  PlanTrialSettings settings;
+  settings.limits.time_s = results.recipe.planning_time_limit_s;
+  settings.model_hash = results.model_hash;
+  const std::vector<TrialTask> tasks = all_tasks(results);
+  results.trials.resize(tasks.size());
+  Progress progress("planning", "plans", tasks.size(), results.settings->progress);
+  JobArena arena(results.settings->jobs);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, tasks.size(), [&](std::size_t i) {
+      const TrialTask& task = tasks[i];
+      const std::uint64_t seed =
+          derived_seed(results.settings->seed, kPlanSeed + std::uint64_t(task.number));
+      if (!interrupt_requested()) {
+        results.trials[i] = plan_trial(results.arm(), results.motion_model(*task.model),
+                                       *task.environment, settings, seed);
+      }
+      progress.advance();
+    });
+  });
+  progress.finish();
+  throw_if_interrupted();
+  for (const PlanTrial& trial : results.trials) {
+    if (trial.planning.plan) {
+      const std::string name =
+          fmt::format("plans/{}_{}_{}.json", trial.environment, trial.model, trial.seed);
+      results.output->write_with({name},
+                                 [&] { write_plan(results.file(name), *trial.planning.plan); });
+    }
+  }
+}
+
+void execute_stage(DemoResults& results) {
+  JobArena arena(results.settings->jobs);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, results.trials.size(), [&](std::size_t i) {
+      PlanTrial& trial = results.trials[i];
+      execute_trial(results.arm(), results.environment(trial.environment), trial);
+    });
+  });
+  throw_if_interrupted();
+  for (const EnvironmentCase& item : results.environments) {
+    const auto add = [&](const std::string& kind, std::string svg, const std::string& caption) {
+      results.output->write(fmt::format("plots/{}_{}.svg", kind, item.id), svg);
+      results.plan_pictures.push_back({std::move(svg), item.environment.name + ": " + caption});
+    };
+    const PlanTrial* best = cheapest_plan(results.trials, item.id, "network");
+    if (best != nullptr) {
+      PlanResult drawn = best->planning;
+      drawn.tree.resize(std::min(drawn.tree.size(), kDrawnEdges));
+      add("planned", plan_picture(results.arm(), item.environment, drawn),
+          "the cheapest plan of the network model, its shapes from faint to full, and the tree");
+    }
+    add("executed", final_shapes_picture(results.arm(), item, results.trials),
+        "where the arm ended, executing plans of the no-load and the network model");
+  }
+}
+
+}  // namespace limber

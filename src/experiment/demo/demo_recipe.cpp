@@ -1,0 +1,81 @@
+#include "demo_recipe.hpp"
+
+#include "limber/common/random_stream.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kMotionsPerEpisode = 50;
+constexpr std::uint64_t kSeedStream =
+    0x64656d6f;  // apart from the streams that use a seed as it is
+
+ScheduleSettings transitions(const ArmDescription& arm, int most) {
+  ScheduleSettings schedule;
+  schedule.kind = ScheduleKind::transitions;
+  int configurations = 1;
+  for (int i = 0; i < arm.segment_count() && configurations <= most; ++i) {
+    configurations *= 3;
+  }
+  // Up to three segments every transition is recorded; above, there are too many.
+  schedule.count = arm.segment_count() <= 3 && configurations * configurations <= most ? 0 : most;
+  return schedule;
+}
+
+ScheduleSettings random(int motions, Approach approach) {
+  ScheduleSettings schedule;
+  schedule.kind = ScheduleKind::random;
+  schedule.approach = approach;
+  schedule.episodes = (motions + kMotionsPerEpisode - 1) / kMotionsPerEpisode;
+  schedule.count = motions / schedule.episodes;
+  return schedule;
+}
+
+/// Motions as a plan makes them: straight in pressure, cut short.
+ScheduleSettings plan_like(int motions) {
+  ScheduleSettings schedule = random(motions, Approach::straight);
+  schedule.hold_s = 1.5;
+  schedule.hold_min_s = 0.05;
+  return schedule;
+}
+
+ScheduleSettings one_episode(int motions) {
+  ScheduleSettings schedule;
+  schedule.kind = ScheduleKind::random;
+  schedule.count = motions;
+  schedule.episodes = 1;
+  return schedule;
+}
+
+}  // namespace
+
+DemoRecipe full_recipe(const ArmDescription& arm) {
+  DemoRecipe recipe;
+  recipe.training_schedules = {transitions(arm, 729), random(2000, Approach::step),
+                               plan_like(1500)};
+  recipe.validation_schedule = one_episode(60);
+  recipe.unseen_schedule = one_episode(100);
+  recipe.test_schedule = one_episode(100);
+  recipe.training = best_preset();
+  // Those that leave room for what a network of three hours errs by (docs/planning.md).
+  recipe.environments = {"01_pillar", "05_between_pillars", "06_overshoot"};
+  return recipe;
+}
+
+DemoRecipe quick_recipe(const ArmDescription& arm) {
+  DemoRecipe recipe = full_recipe(arm);
+  recipe.training_schedules = {transitions(arm, 729), random(300, Approach::step), plan_like(300)};
+  recipe.validation_schedule = one_episode(30);
+  recipe.unseen_schedule = one_episode(50);
+  set_epoch_count(recipe.training, 200);
+  recipe.bench_queries = 100'000;
+  recipe.plans_per_environment = 1;
+  return recipe;
+}
+
+std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index) {
+  RandomStream stream(seed, kSeedStream + index);
+  return std::uint64_t{stream.next_u32()};  // 32 bits: easy to read and to type again
+}
+
+}  // namespace limber

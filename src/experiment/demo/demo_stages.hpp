@@ -1,0 +1,76 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demo_recipe.hpp"
+#include "limber/arm/characterisation.hpp"
+#include "limber/bench/speed_benchmark.hpp"
+#include "limber/data/recording.hpp"
+#include "limber/experiment/demo.hpp"
+#include "limber/experiment/output_folder.hpp"
+#include "limber/forward/motion_model.hpp"
+#include "limber/report/evaluation_plots.hpp"
+#include "limber/report/report_page.hpp"
+#include "limber/training/evaluation.hpp"
+#include "limber/training/trainer.hpp"
+#include "limber/trial/plan_trial.hpp"
+#include "stage_clock.hpp"
+
+namespace limber {
+
+/// What the stages leave behind for each other and for the report. A stage reads what earlier ones
+/// have set.
+struct DemoResults {
+  const DemoSettings* settings = nullptr;
+  OutputFolder* output = nullptr;
+  DemoRecipe recipe;
+  StageClock clock;
+
+  BenchData bench_points;
+  CharacterisedArm characterised;
+
+  Recording training_recording;
+  std::vector<Episode> validation;
+  std::vector<Episode> unseen;
+  Recording test_recording;
+
+  TrainingResult training;
+  std::optional<ForwardModel> no_load;
+  std::optional<ForwardModel> network;
+  std::string model_hash;
+  std::string valve_plot_svg;
+
+  Evaluation evaluation;
+  EvaluationPlots evaluation_plots;
+  std::string inflate_deflate_svg;  ///< the paper's Fig. 1
+
+  SpeedReport speed;
+
+  std::vector<EnvironmentCase> environments;
+  std::vector<PlanTrial> trials;            ///< environment by environment, no load before network
+  std::vector<ReportFigure> plan_pictures;  ///< planned and executed, environment by environment
+
+  /// What motions are predicted with: the no-load model or the network behind the network's valves.
+  MotionModel motion_model(const ForwardModel& forward) const;
+  const Environment& environment(const std::string& id) const;
+  const ArmDescription& arm() const { return characterised.arm; }
+  std::filesystem::path file(const std::string& name) const { return output->path() / name; }
+};
+
+void characterise_stage(DemoResults& results);
+void collect_stage(DemoResults& results);
+void train_stage(DemoResults& results);
+void evaluate_stage(DemoResults& results);
+void bench_stage(DemoResults& results);
+/// Plans with both models in every environment, and executes every plan at once.
+void plan_stage(DemoResults& results);
+void execute_stage(DemoResults& results);
+
+/// The page and the summary of a finished run.
+std::string demo_report(const DemoResults& results);
+nlohmann::ordered_json demo_summary(const DemoResults& results);
+
+}  // namespace limber

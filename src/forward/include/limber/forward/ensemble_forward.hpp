@@ -1,0 +1,52 @@
+#pragma once
+// For those who ask a model where the arm goes.
+
+#include <vector>
+
+#include "limber/forward/forward_model.hpp"
+
+namespace limber {
+
+/// Mean and spread of an ensemble's predictions: networks trained together, each from weights of
+/// its own. Each member carries its own backbone, so members that have drifted apart stay apart:
+/// the spread grows along a rollout as the members' doubts do. Where a pure function of one
+/// backbone is wanted (planning, execution), ForwardModel on the same file is the member that
+/// validated best.
+///
+/// Sizes: N members, n segments, m backbone points; k queries, one a column.
+/// Threads: constant after construction; each thread brings its own Workspace.
+class EnsembleForward {
+ public:
+  /// @throws InputError as ForwardModel.
+  EnsembleForward(const ArmDescription& arm, const CompensationModel& model);
+
+  int member_count() const { return static_cast<int>(members_.size()); }
+  const ForwardModel& member(int index) const { return members_[static_cast<std::size_t>(index)]; }
+
+  /// One step of every member from its own backbones: pressures n×k, `backbones` N matrices 3m×k,
+  /// overwritten with the next ones. Unchecked, as ForwardModel::step_batch.
+  void step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
+                  const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
+                  std::vector<Eigen::MatrixXf>& backbones,
+                  ForwardModel::Workspace& workspace) const;
+
+  /// Of a rollout: 3m×(T + 1) each. The standard deviation is the members' own (divided by N): 0
+  /// for a single network, and 0 in the given first column.
+  struct Prediction {
+    Eigen::MatrixXf mean;
+    Eigen::MatrixXf standard_deviation;
+  };
+
+  /// Feeds every member's own output back along a motion: pressures n×(T + 1), `first` 3m numbers
+  /// in row order. @throws InputError where a size is wrong or a number not finite.
+  Prediction rollout(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
+                     const Eigen::Ref<const Eigen::VectorXf>& first) const;
+
+ private:
+  std::vector<ForwardModel> members_;
+};
+
+/// Mean and standard deviation, number by number, of N ≥ 1 matrices of one size.
+EnsembleForward::Prediction mean_and_deviation(const std::vector<Eigen::MatrixXf>& members);
+
+}  // namespace limber

@@ -1,0 +1,86 @@
+#pragma once
+// For those who ask a model where the arm goes.
+
+#include <memory>
+#include <optional>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/backbone.hpp"
+#include "limber/arm/no_load_model.hpp"
+#include "limber/common/aligned_floats.hpp"
+#include "limber/common/cpu_level.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/network/packed_network.hpp"
+
+namespace limber {
+
+class ForwardPipeline;
+
+/// The forward model B_t = F(q_{t−1}, q_t, B_{t−1}) (docs/model.md, (1) and (5)): the no-load
+/// model, or the no-load model compensated by a network. A pure function: the whole state is in its
+/// arguments.
+///
+/// Sizes:   n segments, m backbone points; batches of k queries, one a column, a backbone's 3m
+///          numbers in row order.
+/// Threads: constant after construction; it moves but is not copied; each thread brings its own
+/// Workspace.
+class ForwardModel {
+ public:
+  /// Scratch of one thread. Grows when it first meets a model; after that, batches of any size
+  /// allocate nothing. What it holds never reaches a result.
+  class Workspace {
+   private:
+    friend class ForwardModel;
+    AlignedFloats scratch_;
+  };
+
+  /// The no-load model alone.
+  explicit ForwardModel(const ArmDescription& arm, CpuLevel level = cpu_level());
+  /// @throws InputError where the network is not valid or was trained for another arm (both names
+  /// and hashes in the message).
+  ForwardModel(const ArmDescription& arm, CompensationModel compensation,
+               CpuLevel level = cpu_level(), WeightPrecision precision = WeightPrecision::single);
+  ForwardModel(ForwardModel&&) noexcept;
+  ForwardModel& operator=(ForwardModel&&) noexcept;
+  ~ForwardModel();
+
+  int segment_count() const { return no_load_.segment_count(); }
+  int point_count() const { return no_load_.point_count(); }
+  bool has_network() const { return compensation_.has_value(); }
+  const NoLoadModel& no_load() const { return no_load_; }
+  /// @pre has_network()
+  const CompensationModel& compensation() const { return *compensation_; }
+
+  /// One query, unchecked: sizes n, n, m×3, m×3 and finite numbers (asserted in the dev preset).
+  /// `next` may be `previous`.
+  void step(const Eigen::Ref<const Pressures>& previous_kpa,
+            const Eigen::Ref<const Pressures>& current_kpa,
+            const Eigen::Ref<const Backbone>& previous, Eigen::Ref<Backbone> next,
+            Workspace& workspace) const;
+
+  /// k queries: pressures n×k, backbones 3m×k; unchecked like `step`. Column j of `next` is to the
+  /// bit what `step` gives for column j of the inputs. `next` may be `previous`.
+  void step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
+                  const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
+                  const Eigen::Ref<const Eigen::MatrixXf>& previous,
+                  Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const;
+
+  /// One query, checked. @throws InputError where a size is wrong, a number not finite or a
+  /// pressure beyond its limit (by more than 5 %: a measured pressure overshoots).
+  Backbone checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
+                        const Backbone& previous) const;
+
+  /// Feeds its own output back along a motion: pressures n×(T + 1); column 0 of `backbones`,
+  /// 3m×(T + 1), is given, columns 1 … T are written.
+  void rollout(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
+               Eigen::Ref<Eigen::MatrixXf> backbones, Workspace& workspace) const;
+
+ private:
+  float* scratch_of(Workspace& workspace) const;
+
+  NoLoadModel no_load_;
+  std::optional<CompensationModel> compensation_;
+  std::unique_ptr<const ForwardPipeline> pipeline_;
+};
+
+}  // namespace limber

@@ -1,0 +1,77 @@
+#pragma once
+// For those who ask a model where the arm goes.
+
+#include <Eigen/Core>
+
+#include "limber/arm/backbone.hpp"
+#include "limber/arm/valve_model.hpp"
+#include "limber/forward/forward_model.hpp"
+
+namespace limber {
+
+/// Everything that decides an arm's future under set points: what the valves hold (set points,
+/// pressures, set points still under way; arm/valve_model.hpp) and the backbone.
+struct MotionState {
+  Eigen::Index segments = 0;  ///< n
+  Eigen::VectorXf valves;     ///< a valve state: pressures, last set points, those before
+  Backbone backbone;          ///< m×3
+
+  auto pressure_kpa() const { return valves.head(segments); }
+  auto setpoint_kpa() const { return valves.segment(segments, segments); }
+  bool operator==(const MotionState& other) const {
+    return valves == other.valves && backbone == other.backbone;
+  }
+};
+
+/// Set points to backbones, frame by frame: the valves V and behind them the forward model F
+/// (docs/valves.md), p_t = V(p_{t−1}, set points), B_t = F(p_{t−1}, p_t, B_{t−1}). The one
+/// function that every prediction of a motion goes through. A pure function of its state.
+///
+/// Borrows the forward model, holds the valves. Threads: constant after construction; each thread
+/// brings its own Workspace.
+class MotionModel {
+ public:
+  using Workspace = ForwardModel::Workspace;
+
+  /// Ideal valves: pressures are the set points. Implicit, as a forward model is what most motions
+  /// begin with.
+  MotionModel(const ForwardModel& forward);  // NOLINT(google-explicit-constructor)
+  MotionModel(ForwardModel&& forward) = delete;
+  /// @pre the valves are those of an arm with as many segments
+  MotionModel(const ForwardModel& forward, ValveModel valves);
+  MotionModel(ForwardModel&& forward, ValveModel valves) = delete;
+
+  const ForwardModel& forward() const { return *forward_; }
+  const ValveModel& valves() const { return valves_; }
+  /// The same forward model behind ideal valves.
+  MotionModel without_valves() const { return MotionModel(*forward_); }
+
+  int segment_count() const { return forward_->segment_count(); }
+  int point_count() const { return forward_->point_count(); }
+  bool has_network() const { return forward_->has_network(); }
+  const NoLoadModel& no_load() const { return forward_->no_load(); }
+  /// @pre has_network()
+  const CompensationModel& compensation() const { return forward_->compensation(); }
+
+  /// The state of an arm that has long stood at `kpa` with this backbone.
+  MotionState settled_state(const Eigen::Ref<const Pressures>& kpa,
+                            const Eigen::Ref<const Backbone>& backbone) const;
+
+  /// One frame at `setpoint_kpa`: `state` becomes what follows it. Unchecked, as
+  /// ForwardModel::step.
+  void step(const Eigen::Ref<const Pressures>& setpoint_kpa, MotionState& state,
+            Workspace& workspace) const;
+
+  /// Where the tip of a moving arm comes to rest at its last set points, about: each segment turns
+  /// about its middle, and grows, by what the no-load model says of the pressure still to come.
+  /// Exactly the tip where nothing is to come. No query. Of arms whose no-load model knows no
+  /// bending the tip as it is.
+  Pose settled_tip(const Eigen::Ref<const Eigen::VectorXf>& valves,
+                   const Eigen::Ref<const Backbone>& backbone) const;
+
+ private:
+  const ForwardModel* forward_;
+  ValveModel valves_;
+};
+
+}  // namespace limber

@@ -1,0 +1,79 @@
+#pragma once
+// For those who ask a model where the arm goes.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/forward/motion_model.hpp"
+#include "limber/world/straight_motion.hpp"
+
+namespace limber {
+
+/// Motions along straight lines of set points, each of its own length, simulated side by side
+/// through valves and forward model: one step moves all of them by a frame in one batch. A motion
+/// that has ended, or that nobody wants to go on with, is removed, and the last column takes its
+/// place, so that every batch is full of work.
+///
+/// A motion's states are to the bit those of MotionModel::step, whatever runs beside it.
+/// Threads: one batch, one thread. Borrows what the model borrows.
+/// Allocates where it grows beyond its largest
+/// size so far.
+class RolloutBatch {
+ public:
+  explicit RolloutBatch(const MotionModel& model);
+
+  /// Adds a motion from a state, that is from its last set points, to `to_kpa` in `frames` ≥ 1
+  /// frames (motion_setpoint). Numbers finite. `label` is the caller's.
+  void add(int label, const Eigen::Ref<const Eigen::VectorXf>& valves,
+           const Eigen::Ref<const Backbone>& backbone, const Eigen::Ref<const Pressures>& to_kpa,
+           int frames);
+  void add(int label, const MotionState& from, const Eigen::Ref<const Pressures>& to_kpa,
+           int frames) {
+    add(label, from.valves, from.backbone, to_kpa, frames);
+  }
+
+  /// Motions in progress; they are in columns 0 … size() − 1.
+  int size() const { return static_cast<int>(motions_.size()); }
+  /// One frame on. @pre no motion has ended.
+  void step();
+
+  int label(int column) const { return motion(column).label; }
+  /// Frames simulated so far.
+  int frame(int column) const { return motion(column).frame; }
+  bool has_ended(int column) const { return motion(column).frame == motion(column).frames; }
+  /// Backbones one frame ago and now. @pre frame ≥ 1 for `before`
+  Eigen::Map<const Backbone> before(int column) const;
+  Eigen::Map<const Backbone> now(int column) const;
+  /// Valve state now.
+  Eigen::Map<const Eigen::VectorXf> valves(int column) const;
+  MotionState state(int column) const;
+
+  /// Ends a motion; the last column is then this one.
+  void remove(int column);
+  void clear() { motions_.clear(); }
+
+ private:
+  struct Motion {
+    int label;
+    int frame;
+    int frames;
+  };
+
+  const Motion& motion(int column) const { return motions_[static_cast<std::size_t>(column)]; }
+  void grow();
+
+  MotionModel model_;
+  MotionModel::Workspace workspace_;
+  std::vector<Motion> motions_;
+  Pressures setpoint_kpa_;
+  Eigen::MatrixXf from_kpa_;  // n × capacity, set points, as the next one
+  Eigen::MatrixXf to_kpa_;
+  Eigen::MatrixXf before_kpa_;  // n × capacity, pressures, as the next one
+  Eigen::MatrixXf now_kpa_;
+  Eigen::MatrixXf valves_;  // valve states
+  Eigen::MatrixXf before_;  // 3m × capacity
+  Eigen::MatrixXf now_;
+};
+
+}  // namespace limber

@@ -1,0 +1,117 @@
+#include "limber/forward/recorded_region.hpp"
+#include "limber/arm/names.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace limber {
+
+namespace {
+
+constexpr float kRateSlack = 1.01F;  // rounding, and noise of what was measured
+
+/// Of a number over a whole plan.
+struct Range {
+  float low;
+  float high;
+  void cover(float value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+float slack_kpa(const LearntRegion& learnt, Eigen::Index i) {
+  return float(kPressureSlack) * 0.5F * (learnt.high_kpa[i] - learnt.low_kpa[i]);
+}
+
+void add_pressures(const LearntRegion& learnt, const Plan& plan, Eigen::Index i,
+                   const std::string& unit, std::vector<std::string>& found) {
+  Range range{plan.frames.front().setpoint_kpa[i], plan.frames.front().setpoint_kpa[i]};
+  for (const PlanFrame& frame : plan.frames) {
+    range.cover(frame.setpoint_kpa[i]);
+    range.cover(frame.pressure_kpa[i]);
+  }
+  const auto add = [&](const char* way, float value) {
+    found.push_back(fmt::format("{} {} {:.1f} {}; recorded {:.1f} … {:.1f}", segment_name(i), way,
+                                value, unit, learnt.low_kpa[i], learnt.high_kpa[i]));
+  };
+  if (range.low < learnt.low_kpa[i] - slack_kpa(learnt, i)) {
+    add("down to", range.low);
+  }
+  if (range.high > learnt.high_kpa[i] + slack_kpa(learnt, i)) {
+    add("up to", range.high);
+  }
+}
+
+void add_rates(const LearntRegion& learnt, const Plan& plan, Eigen::Index i,
+               const std::string& unit, std::vector<std::string>& found) {
+  Range rate{0.0F, 0.0F};  // of a second
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    rate.cover((plan.frames[k].pressure_kpa[i] - plan.frames[k - 1].pressure_kpa[i]) *
+               float(plan.frame_rate_hz));
+  }
+  const auto add = [&](const char* way, float value, float recorded) {
+    found.push_back(fmt::format("{} {} by {:.1f} {} a second; recorded up to {:.1f}",
+                                segment_name(i), way, value, unit, recorded));
+  };
+  if (-rate.low > kRateSlack * learnt.steepest_fall_kpa_per_s[i]) {
+    add("falls", -rate.low, learnt.steepest_fall_kpa_per_s[i]);
+  }
+  if (rate.high > kRateSlack * learnt.steepest_rise_kpa_per_s[i]) {
+    add("rises", rate.high, learnt.steepest_rise_kpa_per_s[i]);
+  }
+}
+
+void add_novelty(const LearntRegion& learnt, const Plan& plan, std::vector<std::string>& found) {
+  int beyond = 0;
+  double most = 0.0;
+  std::size_t worst = 0;
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    const double novelty = learnt.novelty(plan.frames[k].pressure_kpa, plan.frames[k].backbone);
+    beyond += novelty > 1.0 ? 1 : 0;
+    if (novelty > most) {
+      most = novelty;
+      worst = k;
+    }
+  }
+  if (beyond > 0) {
+    found.push_back(fmt::format(
+        "in {} of {} frames pressures and shape together are beyond what was recorded, most in "
+        "frame {}: novelty {:.2f}, where 1 is the border",
+        beyond, plan.frames.size() - 1, worst, most));
+  }
+}
+
+}  // namespace
+
+RecordedRegion::RecordedRegion(const LearntRegion& learnt, double frame_rate_hz)
+    : learnt_(learnt),
+      measure_(learnt),
+      fall_kpa_(kRateSlack * learnt.steepest_fall_kpa_per_s / float(frame_rate_hz)),
+      rise_kpa_(kRateSlack * learnt.steepest_rise_kpa_per_s / float(frame_rate_hz)) {}
+
+bool RecordedRegion::holds(const Eigen::Ref<const Pressures>& before_kpa,
+                           const Eigen::Ref<const Pressures>& now_kpa,
+                           const Eigen::Ref<const Backbone>& backbone, Workspace& workspace) const {
+  const auto change = (now_kpa - before_kpa).array();
+  return (change <= rise_kpa_.array()).all() && (-change <= fall_kpa_.array()).all() &&
+         measure_.novelty(now_kpa.data(), backbone.data(), workspace) <= 1.0F;
+}
+
+PressureBox RecordedRegion::setpoints_of(const ArmDescription& arm) const {
+  return pressure_box(arm).within({learnt_.low_kpa, learnt_.high_kpa});
+}
+
+std::vector<std::string> ways_beyond(const LearntRegion& learnt, const Plan& plan,
+                                     const std::string& unit) {
+  std::vector<std::string> found;
+  for (Eigen::Index i = 0; i < learnt.segment_count(); ++i) {
+    add_pressures(learnt, plan, i, unit, found);
+    add_rates(learnt, plan, i, unit, found);
+  }
+  add_novelty(learnt, plan, found);
+  return found;
+}
+
+}  // namespace limber

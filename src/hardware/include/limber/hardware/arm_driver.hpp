@@ -1,0 +1,43 @@
+#pragma once
+// For those who move an arm, real or virtual.
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "limber/arm/backbone.hpp"
+
+namespace limber {
+
+/// What is known of the arm at one frame.
+struct ArmState {
+  double time_s = 0.0;
+  Pressures pressure_kpa;            ///< measured, size n
+  std::optional<Backbone> backbone;  ///< m×3; none where nothing tracks it or the frame was dropped
+};
+
+/// An arm that takes set points frame by frame: the virtual one, or the user's behind an external
+/// program.
+///
+/// Laws: `state().time_s` grows by one frame period with each `command`; no driver passes on a set
+/// point beyond the arm's limits; after `vent` every set point is zero. Threads: one driver, one
+/// thread.
+class ArmDriver {
+ public:
+  virtual ~ArmDriver() = default;
+
+  /// The latest state; before the first command, the arm at its start.
+  virtual const ArmState& state() const = 0;
+
+  /// Commands set points (size n, kPa, signed), lets one frame period pass and returns the state
+  /// after it.
+  /// @throws InputError where a set point is not finite or beyond its segment's limit (the arm is
+  /// left as it was).
+  /// @throws SystemFault where the arm fails; it has been vented.
+  virtual const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) = 0;
+
+  /// Opens every vent valve; safe to call at any time, more than once.
+  virtual void vent() noexcept = 0;
+};
+
+}  // namespace limber

@@ -1,0 +1,30 @@
+#pragma once
+// For those who move an arm, real or virtual.
+
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+
+namespace limber {
+
+/// The rigid parts and passive joints of one gap and the plate at its end.
+struct ChainLink {
+  int segment = 0;
+  double length_m = 0.0;       ///< h, between the plates at rest
+  double width_m = 0.0;        ///< w
+  double mass_kg = 0.0;        ///< of the plate with its payload
+  double inertia_kg_m2 = 0.0;  ///< of the plate about z
+  double hinge_damping_n_m_s_per_rad = 0.0;
+  double rest_angle_rad = 0.0;  ///< hinge angle of the unloaded gap
+};
+
+/// One link per gap, base first, by the arm's `virtual_arm` parameters.
+std::vector<ChainLink> chain_links(const ArmDescription& arm);
+
+/// The chain as MuJoCo's XML: per gap a body with a slide along the arm and a hinge about z at the
+/// middle of the gap, in this order (docs/virtual-arm.md, (V1)). Actuators, friction and pneumatics
+/// are not MuJoCo's and are not in it.
+std::string chain_mjcf(const ArmDescription& arm, double time_step_s);
+
+}  // namespace limber

@@ -1,0 +1,66 @@
+#pragma once
+// For those who move an arm, real or virtual.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/backbone.hpp"
+
+namespace limber {
+
+enum class ScheduleKind {
+  transitions,  ///< between configurations whose segments are fully right, fully left or off
+  random        ///< between configurations drawn uniformly within ± each segment's limit
+};
+
+/// How set points go from one configuration to the next.
+enum class Approach {
+  step,     ///< they jump; each valve ramps its own segment at its own rate, as in the paper
+  straight  ///< all move together along the straight line in pressure space, the fastest at the
+            ///< arm's step limit per frame: what a plan's edges look like to the arm
+};
+
+struct ScheduleSettings {
+  ScheduleKind kind = ScheduleKind::transitions;
+  int count = 0;  ///< motions: of each episode (random, ≥ 1), or in all (transitions, 0: every one)
+  int episodes = 0;  ///< 0: 16 for transitions, 1 for random; fixed, so that results don't depend
+                     ///< on the number of threads
+  Approach approach = Approach::step;
+  double hold_s = 3.0;  ///< how long a motion's final set point is commanded, > 0
+  /// With it each hold is drawn uniformly from [hold_min_s, hold_s], and motions may be cut short
+  /// as a plan's are. Without, a motion also lasts until its measured pressures have arrived.
+  std::optional<double> hold_min_s;
+};
+
+struct Motion {
+  Pressures setpoint_kpa;      ///< size n, where it ends
+  double hold_s = 0.0;         ///< at least this long at that set point
+  bool until_reached = false;  ///< and until the measured pressures are there
+};
+
+/// One unbroken run. Before it, unrecorded, the arm is led from rest to `first_kpa`.
+struct EpisodeSchedule {
+  Pressures first_kpa;  ///< zero: from rest, nothing to lead to
+  std::vector<Motion> motions;
+};
+
+/// Transitions: all (3^n)² ordered ones, each exactly once, as an Eulerian walk of the complete
+/// directed graph with self-loops, its order drawn by `seed`, cut into episodes; with `count` the
+/// first ones of that walk (above 6 segments, where the walk would be huge, a random walk).
+/// Random: `count` motions in each of `episodes` episodes, from rest.
+/// @throws InputError where a number is out of its range, or where n > 3 and no count is given
+/// (with the time that all transitions would take).
+std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
+                                           const ScheduleSettings& settings, std::uint64_t seed);
+
+/// The settings in one line, "transitions, 16 episodes, step, hold 3 s": equal lines and seeds give
+/// equal schedules.
+std::string describe(const ScheduleSettings& settings);
+
+/// Configuration `index` in {0, …, 3^n − 1}: base-3 digits, 0 off, 1 fully right, 2 fully left.
+Pressures corner_configuration(const ArmDescription& arm, int index);
+
+}  // namespace limber

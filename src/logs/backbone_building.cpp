@@ -1,0 +1,373 @@
+#include "backbone_building.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base_alignment.hpp"
+#include "limber/arm/names.hpp"
+#include "limber/arm/no_load_model.hpp"
+#include "limber/common/error.hpp"
+#include "limber/data/log_units.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTurn = 2.0 * M_PI;
+constexpr double kLongestChord = 1.2;   // over the length at rest; noise and stretch leave less
+constexpr double kShortestChord = 0.2;  // an arc of 4.6 rad has this
+constexpr double kNotedLength = 0.03;
+constexpr double kShortestArc = 0.05;  // chord over length; beyond, the points are no neighbours
+
+// ---- missing points
+// ---------------------------------------------------------------------------
+
+/// Which rows are whole, as seen or after short gaps were bridged.
+struct RowState {
+  std::vector<bool> usable;
+  std::vector<bool> filled_in;
+};
+
+bool is_seen(const PointTracks& tracks, Eigen::Index t, Eigen::Index i) {
+  return std::isfinite(tracks.x_m(t, i)) && std::isfinite(tracks.y_m(t, i)) &&
+         (!tracks.has_headings() || std::isfinite(tracks.theta_rad(t, i)));
+}
+
+/// Rows t of (from, to) on the straight line between both.
+void bridge(Eigen::Index from, Eigen::Index to, Eigen::Index i, PointTracks& tracks) {
+  const auto time = [&](Eigen::Index t) { return tracks.time_s[std::size_t(t)]; };
+  for (Eigen::Index t = from + 1; t < to; ++t) {
+    const double part = (time(t) - time(from)) / (time(to) - time(from));
+    const auto between = [&](double a, double b) { return a + part * (b - a); };
+    tracks.x_m(t, i) = between(tracks.x_m(from, i), tracks.x_m(to, i));
+    tracks.y_m(t, i) = between(tracks.y_m(from, i), tracks.y_m(to, i));
+    if (tracks.has_headings()) {
+      const double a = tracks.theta_rad(from, i);
+      tracks.theta_rad(t, i) = a + part * std::remainder(tracks.theta_rad(to, i) - a, kTurn);
+    }
+  }
+}
+
+RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTracks& tracks,
+                         RunReport& report) {
+  const Eigen::Index rows = tracks.row_count();
+  RowState state{std::vector<bool>(std::size_t(rows), true),
+                 std::vector<bool>(std::size_t(rows), false)};
+  for (Eigen::Index i = 0; i < tracks.point_count(); ++i) {
+    Eigen::Index before = -1;
+    std::int64_t missing = 0;
+    for (Eigen::Index t = 0; t <= rows; ++t) {
+      if (t < rows && !is_seen(tracks, t, i)) {
+        ++missing;
+        continue;
+      }
+      const bool short_gap =
+          before >= 0 && t < rows &&
+          tracks.time_s[std::size_t(t)] - tracks.time_s[std::size_t(before)] <= longest_gap_s;
+      if (short_gap) {
+        bridge(before, t, i, tracks);
+      }
+      for (Eigen::Index gap = before + 1; gap < t; ++gap) {
+        (short_gap ? state.filled_in : state.usable)[std::size_t(gap)] = short_gap;
+      }
+      before = t;
+    }
+    const std::string& name = tracks.names[std::size_t(i)];
+    report.points.push_back(
+        {name, tracks.plates[std::size_t(i)], 1.0 - double(missing) / double(rows)});
+    if (missing == rows) {
+      throw InputError(
+          fmt::format("{}: point '{}' ({}) is never seen: all of its cells are empty. Leave "
+                      "it out of the "
+                      "mapping to have its plate put between its neighbours, or track it",
+                      log, name, plate_name(tracks.plates[std::size_t(i)])));
+    }
+  }
+  const auto filled = std::count(state.filled_in.begin(), state.filled_in.end(), true);
+  const auto lost = std::count(state.usable.begin(), state.usable.end(), false);
+  if (filled > 0) {
+    report.note(
+        fmt::format("rows in which a point was missing for at most {} s and was put between "
+                    "its neighbours in time (their frames count as not tracked)",
+                    longest_gap_s),
+        {}, filled);
+  }
+  if (lost > 0) {
+    report.note("rows left out in which a point was missing for longer", {}, lost);
+  }
+  if (lost == rows) {
+    throw InputError(fmt::format(
+        "{}: in none of the {} rows are all points seen, nor for less than {} s unseen. Leave "
+        "points that are often hidden out of the mapping",
+        log, rows, longest_gap_s));
+  }
+  return state;
+}
+
+// ---- distances
+// --------------------------------------------------------------------------------
+
+double median_distance_m(const PointTracks& tracks, const std::vector<bool>& usable,
+                         Eigen::Index i) {
+  std::vector<double> distances;
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    if (usable[std::size_t(t)]) {
+      distances.push_back(std::hypot(tracks.x_m(t, i + 1) - tracks.x_m(t, i),
+                                     tracks.y_m(t, i + 1) - tracks.y_m(t, i)));
+    }
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+/// Distances between neighbouring points, where no arc can be longer than the arm at rest.
+void require_distances(const std::string& log, const std::vector<bool>& usable,
+                       const ImportMapping& mapping, const ArmDescription& arm,
+                       const PointTracks& tracks, RunReport& report) {
+  const std::vector<double> rest = rest_positions_m(arm);
+  double measured_m = 0.0;
+  std::vector<std::string> wrong;
+  double first_ratio = 0.0;
+  for (Eigen::Index i = 0; i + 1 < tracks.point_count(); ++i) {
+    const int from = tracks.plates[std::size_t(i)];
+    const int to = tracks.plates[std::size_t(i + 1)];
+    const double rest_m = rest[std::size_t(to)] - rest[std::size_t(from)];
+    const double distance_m = median_distance_m(tracks, usable, i);
+    const double ratio = distance_m / rest_m;
+    measured_m += distance_m;
+    if (ratio > kLongestChord || ratio < kShortestChord) {
+      first_ratio = wrong.empty() ? ratio : first_ratio;
+      wrong.push_back(
+          fmt::format("'{}' and '{}' ({} and {}) are {:.4g} m apart; the arm "
+                      "file has {:.4g} m between them",
+                      tracks.names[std::size_t(i)], tracks.names[std::size_t(i + 1)], plate_name(from),
+                      plate_name(to), distance_m, rest_m));
+    }
+  }
+  if (!wrong.empty()) {
+    const std::string unit = unit_suspicion(first_ratio, mapping.length_unit);
+    const bool all = std::ssize(wrong) == tracks.point_count() - 1;
+    const std::string advice =
+        all && !unit.empty()
+            ? fmt::format("The mapping reads lengths in {}: {}", mapping.length_unit, unit)
+        : all
+            ? std::string("Is it this arm, and are the lengths in the unit that the mapping says?")
+            : std::string(
+                  "The other distances fit: are the points in order, base first, and all "
+                  "in one unit?");
+    throw InputError(
+        fmt::format("{}: {} of {} distances between neighbouring points do not fit arm "
+                    "'{}': {}. {}",
+                    log, wrong.size(), tracks.point_count() - 1, arm.name, wrong.front(), advice));
+  }
+  report.length_ratio = measured_m / arm.length_m();
+  if (report.length_ratio > 1.0 + kNotedLength) {
+    report.note("the points are farther apart than the arm file says",
+                fmt::format("{:.1f} % of its length along them", 100.0 * report.length_ratio));
+  }
+}
+
+// ---- headings
+// ---------------------------------------------------------------------------------
+
+/// Directions from each point to the next in one row, unwrapped along the arm from heading 0.
+void chord_directions(const PointTracks& tracks, Eigen::Index t, std::vector<double>& directions) {
+  directions.resize(std::size_t(tracks.point_count() - 1));
+  double before = 0.0;
+  for (Eigen::Index i = 0; i + 1 < tracks.point_count(); ++i) {
+    const double direction = std::atan2(tracks.y_m(t, i + 1) - tracks.y_m(t, i),
+                                        tracks.x_m(t, i + 1) - tracks.x_m(t, i));
+    before += std::remainder(direction - before, kTurn);
+    directions[std::size_t(i)] = before;
+  }
+}
+
+/// A measured heading, modulo a full turn, is the one nearest to where an arc from the point before
+/// would lead: twice the chord's direction less that point's heading.
+void unwrap_along_arm(PointTracks& tracks) {
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    double before = std::remainder(tracks.theta_rad(t, 0), kTurn);
+    tracks.theta_rad(t, 0) = before;
+    for (Eigen::Index i = 1; i < tracks.point_count(); ++i) {
+      const double direction = std::atan2(tracks.y_m(t, i) - tracks.y_m(t, i - 1),
+                                          tracks.x_m(t, i) - tracks.x_m(t, i - 1));
+      const double expected = before + 2.0 * std::remainder(direction - before, kTurn);
+      before = expected + std::remainder(tracks.theta_rad(t, i) - expected, kTurn);
+      tracks.theta_rad(t, i) = before;
+    }
+  }
+}
+
+/// Chords of one segment: where each is an arc, a chord has the heading of its arc's middle, and
+/// headings change evenly along the segment.
+class SegmentTangents {
+ public:
+  SegmentTangents(const PointTracks& tracks, const ArmDescription& arm)
+      : rest_m_(rest_positions_m(arm)), plates_(tracks.plates) {
+    for (std::size_t i = 0; i + 1 < plates_.size(); ++i) {
+      const int segment = arm.segment_of_gap(plates_[i]);
+      const bool within = segment == arm.segment_of_gap(plates_[i + 1] - 1);
+      if (i == 0 || !within || !open_ || segment != last_segment_) {
+        groups_.push_back({i, i + 1});
+      }
+      groups_.back().end = i + 1;
+      last_segment_ = segment;
+      open_ = within;
+    }
+  }
+
+  /// Headings of all points of a row, from the chords' directions.
+  void headings(const std::vector<double>& directions, std::vector<double>& theta) const {
+    theta.assign(plates_.size(), 0.0);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const Group& group = groups_[g];
+      for (std::size_t i = group.begin + 1; i < group.end; ++i) {
+        theta[i] = between(directions, i);
+      }
+      const bool is_last = g + 1 == groups_.size();
+      const double from_left = group.size() > 1
+                                   ? beyond(directions, group.end - 1, group.end - 2)
+                                   : 2.0 * directions[group.begin] - theta[group.begin];
+      const bool right_known = !is_last && groups_[g + 1].size() > 1;
+      theta[group.end] = right_known
+                             ? 0.5 * (from_left + beyond(directions, group.end, group.end + 1))
+                             : from_left;
+    }
+  }
+
+ private:
+  struct Group {
+    std::size_t begin;  // chords begin … end − 1, between points begin … end
+    std::size_t end;
+    std::size_t size() const { return end - begin; }
+  };
+
+  double length_m(std::size_t chord) const {
+    return rest_m_[std::size_t(plates_[chord + 1])] - rest_m_[std::size_t(plates_[chord])];
+  }
+
+  /// At point i, between chords i − 1 and i.
+  double between(const std::vector<double>& directions, std::size_t i) const {
+    const double a = length_m(i - 1);
+    const double b = length_m(i);
+    return directions[i - 1] + (directions[i] - directions[i - 1]) * a / (a + b);
+  }
+
+  /// At the far end of chord `end`, away from its neighbour `inner`.
+  double beyond(const std::vector<double>& directions, std::size_t end, std::size_t inner) const {
+    const double a = length_m(end);
+    const double b = length_m(inner);
+    return directions[end] + (directions[end] - directions[inner]) * a / (a + b);
+  }
+
+  std::vector<double> rest_m_;
+  std::vector<int> plates_;
+  std::vector<Group> groups_;
+  int last_segment_ = -1;
+  bool open_ = false;
+};
+
+// ---- plates between points
+// --------------------------------------------------------------------
+
+/// On the curve from pose a to pose b: the arc that turns as much as they differ, and across it the
+/// cubic that both headings' common deviation from that arc asks for.
+Pose between(const Pose& a, const Pose& b, double part) {
+  const double turn = b.theta_rad - a.theta_rad;
+  const double chord = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+  const double mean = 0.5 * (a.theta_rad + b.theta_rad);
+  const double deviation = std::remainder(mean - std::atan2(b.y_m - a.y_m, b.x_m - a.x_m), kTurn);
+  const double direction = mean - deviation;
+  // An arc's length over its chord, (turn/2)/sin(turn/2).
+  const double length = chord * chord / std::max(arc_end(chord, turn).norm(), kShortestArc * chord);
+  const Eigen::Vector2d along = arc_end(part * length, part * turn);
+  const double start = direction - 0.5 * turn;
+  const double across = chord * deviation * part * (part - 1.0) * (2.0 * part - 1.0);
+  return {a.x_m + std::cos(start) * along.x() - std::sin(start) * along.y() -
+              std::sin(direction) * across,
+          a.y_m + std::sin(start) * along.x() + std::cos(start) * along.y() +
+              std::cos(direction) * across,
+          direction + (part - 0.5) * turn + deviation * (6.0 * part * (part - 1.0) + 1.0)};
+}
+
+/// Poses of every plate, from those of the points.
+Eigen::MatrixXd poses_of_plates(const PointTracks& tracks, const RowState& state,
+                                const ArmDescription& arm) {
+  const std::vector<double> rest = rest_positions_m(arm);
+  Eigen::MatrixXd poses =
+      Eigen::MatrixXd::Constant(tracks.row_count(), 3 * arm.point_count(), kNan);
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    if (!state.usable[std::size_t(t)]) {
+      continue;
+    }
+    const auto pose_at = [&](Eigen::Index i) {
+      return Pose{tracks.x_m(t, i), tracks.y_m(t, i), tracks.theta_rad(t, i)};
+    };
+    const auto put = [&](int plate, const Pose& pose) {
+      poses.row(t).segment<3>(3 * plate) << pose.x_m, pose.y_m, pose.theta_rad;
+    };
+    put(tracks.plates.front(), pose_at(0));
+    for (Eigen::Index i = 0; i + 1 < tracks.point_count(); ++i) {
+      const int from = tracks.plates[std::size_t(i)];
+      const int to = tracks.plates[std::size_t(i + 1)];
+      for (int plate = from + 1; plate < to; ++plate) {
+        put(plate, between(pose_at(i), pose_at(i + 1),
+                           (rest[std::size_t(plate)] - rest[std::size_t(from)]) /
+                               (rest[std::size_t(to)] - rest[std::size_t(from)])));
+      }
+      put(to, pose_at(i + 1));
+    }
+  }
+  return poses;
+}
+
+}  // namespace
+
+Eigen::MatrixXd tangent_headings(const PointTracks& tracks, const ArmDescription& arm) {
+  const SegmentTangents tangents(tracks, arm);
+  Eigen::MatrixXd theta_rad(tracks.row_count(), tracks.point_count());
+  std::vector<double> directions;
+  std::vector<double> headings;
+  for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
+    chord_directions(tracks, t, directions);
+    tangents.headings(directions, headings);
+    theta_rad.row(t) = Eigen::Map<const Eigen::RowVectorXd>(headings.data(), tracks.point_count());
+  }
+  return theta_rad;
+}
+
+BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
+                             const ImportMapping& mapping, const ArmDescription& arm,
+                             RunReport& report) {
+  if (!mapping.headings_measured && tracks.has_headings()) {
+    report.note("logged headings left out: 'headings: tangent'");
+    tracks.theta_rad.resize(0, 0);
+  }
+  RowState state = fill_short_gaps(log, mapping.longest_gap_s, tracks, report);
+  // Before the base is looked for: a wrong unit or order would show there as something odder.
+  require_distances(log, state.usable, mapping, arm, tracks, report);
+  align_base(log, state.usable, mapping.alignment, arm, tracks, report);
+  if (tracks.has_headings()) {
+    unwrap_along_arm(tracks);
+  } else {
+    tracks.theta_rad = tangent_headings(tracks, arm);
+    report.note("positions only: headings are the tangent's");
+  }
+  if (tracks.point_count() < arm.point_count()) {
+    report.note("plates without a point of their own, put on the curve between their neighbours",
+                {}, arm.point_count() - tracks.point_count());
+  }
+  BackboneTrack track;
+  track.poses = poses_of_plates(tracks, state, arm);
+  track.time_s = std::move(tracks.time_s);
+  track.usable = std::move(state.usable);
+  track.filled_in = std::move(state.filled_in);
+  return track;
+}
+
+}  // namespace limber

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "limber/logs/import_mapping.hpp"
+#include "limber/logs/import_report.hpp"
+#include "log_tracks.hpp"
+
+namespace limber {
+
+/// Turns and moves the tracks into frame B, found by `alignment` from the usable rows. Adds the
+/// base where it was not a point (fixed, none), and puts it exactly at the origin where it stood
+/// still. Notes the pose found and the base's scatter.
+/// @throws InputError, its message beginning with `log`, where frame B can't be found.
+void align_base(const std::string& log, const std::vector<bool>& usable,
+                const BaseAlignment& alignment, const ArmDescription& arm, PointTracks& tracks,
+                RunReport& report);
+
+}  // namespace limber

@@ -1,0 +1,127 @@
+#include "command_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+#include "limber/data/log_units.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kFarBeyond = 1.2;     // of the limit; a measured pressure overshoots by less
+constexpr double kMostBeyond = 0.001;  // of the rows; spikes happen
+constexpr double kOvershoot = 1.05;
+constexpr double kConstant = 0.02;  // of the limit, range over the whole log
+constexpr double kHighPercentile = 0.99;
+
+/// Numbers of one segment's column.
+struct ColumnFacts {
+  std::vector<double> sizes;  // |value|, sorted
+  double lowest = 0.0;
+  double highest = 0.0;
+};
+
+ColumnFacts facts_of(const Eigen::MatrixXd& values, Eigen::Index column) {
+  ColumnFacts facts;
+  for (Eigen::Index t = 0; t < values.rows(); ++t) {
+    const double value = values(t, column);
+    if (std::isfinite(value)) {
+      facts.lowest = facts.sizes.empty() ? value : std::min(facts.lowest, value);
+      facts.highest = facts.sizes.empty() ? value : std::max(facts.highest, value);
+      facts.sizes.push_back(std::abs(value));
+    }
+  }
+  std::sort(facts.sizes.begin(), facts.sizes.end());
+  return facts;
+}
+
+std::string name_of(const CommandColumns& commands, Eigen::Index i) {
+  return commands.measured.empty() ? fmt::format("{}' and '{}", commands.right[std::size_t(i)],
+                                                 commands.left[std::size_t(i)])
+                                   : commands.measured[std::size_t(i)];
+}
+
+std::string unit_advice(double ratio, const ImportMapping& mapping) {
+  const std::string unit = unit_suspicion(ratio, mapping.commands.unit);
+  return unit.empty() ? "Is it the right column, and the right arm?"
+                      : fmt::format("The mapping reads it in {}: {}", mapping.commands.unit, unit);
+}
+
+std::int64_t bridge_gaps(double longest_gap_s, const std::vector<double>& time_s,
+                         Eigen::Ref<Eigen::VectorXd> values) {
+  std::int64_t bridged = 0;
+  Eigen::Index before = -1;
+  for (Eigen::Index t = 0; t < values.size(); ++t) {
+    if (!std::isfinite(values[t])) {
+      continue;
+    }
+    if (before >= 0 && t > before + 1 &&
+        time_s[std::size_t(t)] - time_s[std::size_t(before)] <= longest_gap_s) {
+      for (Eigen::Index gap = before + 1; gap < t; ++gap) {
+        const double part = (time_s[std::size_t(gap)] - time_s[std::size_t(before)]) /
+                            (time_s[std::size_t(t)] - time_s[std::size_t(before)]);
+        values[gap] = values[before] + part * (values[t] - values[before]);
+        ++bridged;
+      }
+    }
+    before = t;
+  }
+  return bridged;
+}
+
+}  // namespace
+
+void check_commands(const std::string& log, const ImportMapping& mapping, const ArmDescription& arm,
+                    CommandTrack& commands, RunReport& report) {
+  const std::string& unit = arm.command.unit;
+  int constant = 0;
+  double largest_ratio = 0.0;
+  for (Eigen::Index i = 0; i < commands.measured.cols(); ++i) {
+    const double limit = arm.segments[std::size_t(i)].pressure_limit_kpa;
+    const std::string name = name_of(mapping.commands, i);
+    const ColumnFacts facts = facts_of(commands.measured, i);
+    if (facts.sizes.empty()) {
+      throw InputError(
+          fmt::format("{}: column '{}' ({}) holds no number", log, name, segment_name(i)));
+    }
+    const auto high = facts.sizes[std::size_t(kHighPercentile * double(facts.sizes.size() - 1))];
+    const auto beyond = facts.sizes.end() - std::upper_bound(facts.sizes.begin(), facts.sizes.end(),
+                                                             kFarBeyond * limit);
+    if (double(beyond) > kMostBeyond * double(facts.sizes.size())) {
+      throw InputError(
+          fmt::format("{}: '{}' ({}) reaches {:.4g} {}; the limit of arm '{}' is {} {}. {}", log,
+                      name, segment_name(i), facts.sizes.back(), unit, arm.name, limit, unit,
+                      unit_advice(high / limit, mapping)));
+    }
+    if (facts.sizes.back() > kOvershoot * limit) {
+      report.note("a command more than 5 % beyond its limit",
+                  fmt::format("'{}': {:.4g} {}, limit {}", name, facts.sizes.back(), unit, limit));
+    }
+    largest_ratio = std::max(largest_ratio, facts.sizes.back() / limit);
+    if (facts.highest - facts.lowest < kConstant * limit) {
+      ++constant;
+      report.note("a command that never changes: nothing can be learnt of its segment",
+                  fmt::format("'{}' ({}) stays within {:.4g} … {:.4g} {}", name, segment_name(i),
+                              facts.lowest, facts.highest, unit));
+    }
+    const std::int64_t bridged =
+        bridge_gaps(mapping.longest_gap_s, commands.time_s, commands.measured.col(i));
+    if (bridged > 0) {
+      report.note("missing commands put between their neighbours in time",
+                  fmt::format("'{}'", name), bridged);
+    }
+  }
+  if (constant == commands.measured.cols()) {
+    throw InputError(fmt::format(
+        "{}: no {} ever changes by more than {:.0f} % of its limit: nothing can be learnt from it. "
+        "{}",
+        log, arm.command.name, 100.0 * kConstant, unit_advice(largest_ratio, mapping)));
+  }
+}
+
+}  // namespace limber

@@ -1,0 +1,89 @@
+#pragma once
+// For those who read or write recordings.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/backbone.hpp"
+
+namespace limber {
+
+/// A log's clock.
+struct TimeColumn {
+  std::string column = "time_s";
+  double seconds_per_unit = 1.0;
+  std::string unit = "s";  ///< as the mapping has it; "frame" with a rate
+};
+
+/// Where a log holds commands: either `measured`, signed, or one column a side.
+struct CommandColumns {
+  TimeColumn time;
+  std::vector<std::string> measured;  ///< n; a '-' before a name turns its sign
+  std::vector<std::string> right;     ///< n; the side that a positive pressure inflates
+  std::vector<std::string> left;      ///< n
+  std::vector<std::string> setpoint;  ///< n, or none
+  bool setpoint_optional = false;     ///< left out where the log has no such columns
+  std::string unit = "kPa";
+  double factor = 1.0;  ///< to the arm's unit
+};
+
+/// Where a log holds one point of the backbone. Generic CSV names columns; Motive a rigid body
+/// (position and heading), a marker (position), or a marker on each side (middle and heading).
+struct PointSource {
+  int plate = 0;
+  std::string x, y, theta;  ///< columns; a '-' before a name turns its sign; theta may be empty
+  std::string body;
+  std::string marker;
+  std::string right, left;
+};
+
+/// How frame B is found in the log's plane.
+struct BaseAlignment {
+  enum class Kind {
+    base,      ///< the base point's place; its heading, or the tangent of the first two gaps
+    straight,  ///< a time in which the arm lay straight gives direction and heading offsets
+    fixed,     ///< `pose`
+    none,      ///< the log is in frame B
+  };
+  Kind kind = Kind::base;
+  double straight_from_s = 0.0;  ///< on the motion log's clock
+  double straight_to_s = 0.0;
+  Pose pose;
+};
+
+/// How a log becomes a recording of an arm (docs/importing.md, schema limber/import/1).
+struct ImportMapping {
+  char separator = ',';
+  bool decimal_comma = false;
+  int skip_lines = 0;                ///< before the header
+  std::vector<std::string> columns;  ///< names, where the file has no header
+  TimeColumn time;
+  std::string recording;  ///< column whose change begins another episode; may be empty
+  std::string motion;     ///< column that numbers motions; may be empty
+  CommandColumns commands;
+  std::vector<PointSource> points;  ///< base first; empty: Motive's own order
+  double length_factor = 1.0;       ///< of generic CSV, to metres
+  std::string length_unit = "m";
+  double angle_factor = 1.0;      ///< to radians
+  std::string up = "y";           ///< Motive's axis out of the plane: x, y, z, -x, -y or -z
+  bool headings_measured = true;  ///< false: from the tangent, whatever the log has
+  BaseAlignment alignment;
+  double longest_gap_s = 0.25;  ///< bridged in time, and marked as not tracked
+};
+
+/// Reads a mapping for `arm`. @throws InputError naming file, line and field.
+ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDescription& arm);
+
+/// Where no mapping is given: time_s, and pressure_0_kpa … (command_0 … for another command), one a
+/// segment, with setpoint_0_kpa … where they are there.
+ImportMapping default_import_mapping(const ArmDescription& arm);
+
+/// Default columns as a log counts them: from 0, or from 1 where it has no column 0, as limber
+/// wrote them before. @param names  the log's columns
+CommandColumns as_counted_in(const std::vector<std::string>& names, CommandColumns commands,
+                             const ArmDescription& arm);
+
+}  // namespace limber

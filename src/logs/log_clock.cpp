@@ -1,0 +1,121 @@
+#include "log_clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/data/log_units.hpp"
+#include "limber/data/median_rate.hpp"
+#include "log_runs.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kSlowerThanArm = 0.95;  // of the arm's rate
+constexpr double kFastestLog_hz = 20000.0;
+constexpr double kPlausibleLog_hz = 2000.0;  // of a guess: no logger that we know is faster
+constexpr double kSlowArm_hz = 1.0;          // an arm file may say as little
+// Of a log's length: loggers pause, but one that is silent nine tenths of its time has no clock.
+constexpr double kLargestSilence = 0.9;
+constexpr double kSilenceAllowed_s = 60.0;  // however short the log
+constexpr double kLeastOfMotion = 0.1;      // of the motion log's length
+constexpr double kLongestLog_s = 86400.0;   // clocks are compared over the whole of it, at 100 Hz
+
+/// The unit in which the times would be those of a log of this arm; empty where there is none.
+std::string unit_guess(const TimeColumn& time, double rate_hz, double lowest_hz) {
+  std::string guess;
+  double guessed_hz = kPlausibleLog_hz;
+  for (const char* unit : {"min", "s", "ms", "us", "ns"}) {
+    const double other_hz = rate_hz * time.seconds_per_unit / *unit_factor(unit, "s");
+    if (unit != time.unit && other_hz >= lowest_hz && other_hz < guessed_hz) {
+      guess = unit;
+      guessed_hz = other_hz;
+    }
+  }
+  return guess;
+}
+
+/// What to do about a rate that is no log's.
+std::string advice(const TimeColumn& time, double rate_hz, double lowest_hz) {
+  if (time.unit == "frame") {
+    return "Is it the column of frame numbers, and is 'rate_hz' right?";
+  }
+  const std::string guess = unit_guess(time, rate_hz, lowest_hz);
+  if (!guess.empty()) {
+    return fmt::format(
+        "Are its times in {0}? Then say so in the mapping: '{{column: {1}, unit: {0}}}'", guess,
+        time.column);
+  }
+  return rate_hz < kSlowArm_hz || rate_hz > kFastestLog_hz
+             ? std::string("Is it the column of times?")
+             : fmt::format(
+                   "Is it the column of times? If the log is that slow, set frame_rate_hz of the "
+                   "arm file to at most {:.4g}",
+                   rate_hz);
+}
+
+std::string found(const std::string& log, const TimeColumn& time, double rate_hz) {
+  return fmt::format("{}: column '{}', read in {}, gives {:.4g} rows a second", log, time.column,
+                     time.unit, rate_hz);
+}
+
+/// The rate is that of most rows; single times may still be anything.
+void check_silence(const std::string& log, const TimeColumn& time,
+                   const std::vector<double>& time_s, double rate_hz) {
+  const double span_s = time_s.back() - time_s.front();
+  const double filled_s = double(time_s.size()) / rate_hz;
+  if (span_s <= kSilenceAllowed_s + filled_s / (1.0 - kLargestSilence)) {
+    return;
+  }
+  std::size_t longest = 1;
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    if (time_s[i] - time_s[i - 1] > time_s[longest] - time_s[longest - 1]) {
+      longest = i;
+    }
+  }
+  throw InputError(fmt::format(
+      "{}, so its {} rows are {:.4g} s long, but they reach over {:.4g} s: {:.12g} s is followed "
+      "by "
+      "{:.12g} s. Did the clock jump? Take out the rows that don't belong to this recording",
+      found(log, time, rate_hz), time_s.size(), filled_s, span_s, time_s[longest - 1],
+      time_s[longest]));
+}
+
+}  // namespace
+
+void check_clock(const std::string& log, const TimeColumn& time, const std::vector<double>& time_s,
+                 const ArmDescription& arm) {
+  const double rate_hz = median_rate_hz(time_s);
+  const double lowest_hz = kSlowerThanArm * arm.frame_rate_hz;
+  if (!(rate_hz >= lowest_hz)) {
+    throw InputError(fmt::format(
+        "{}; expected {:.4g} to {}: arm '{}' works at {} frames a second, and what lies between "
+        "rows is not invented. {}",
+        found(log, time, rate_hz), lowest_hz, kFastestLog_hz, arm.name, arm.frame_rate_hz,
+        advice(time, rate_hz, lowest_hz)));
+  }
+  if (rate_hz > kFastestLog_hz) {
+    throw InputError(fmt::format("{}; expected {:.4g} to {}. {}", found(log, time, rate_hz),
+                                 lowest_hz, kFastestLog_hz, advice(time, rate_hz, lowest_hz)));
+  }
+  check_silence(log, time, time_s, rate_hz);
+}
+
+void check_span(const std::string& log, const TimeColumn& time, const std::vector<double>& time_s,
+                const std::string& motion_log, const std::vector<double>& motion_time_s) {
+  const double span_s = time_s.back() - time_s.front();
+  const double motion_s = motion_time_s.back() - motion_time_s.front();
+  if (span_s >= kLeastOfMotion * motion_s && span_s <= kLongestLog_s) {
+    return;
+  }
+  throw InputError(fmt::format(
+      "{}, {:.4g} s in all; {} is {:.4g} s long: expected {:.4g} s to {:.4g} s. Is the unit of the "
+      "time right, and do the logs belong together?",
+      found(log, time, median_rate_hz(time_s)), span_s, motion_log, motion_s,
+      kLeastOfMotion * motion_s, kLongestLog_s));
+}
+
+}  // namespace limber

@@ -1,0 +1,272 @@
+#include "log_resampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/data/median_rate.hpp"
+#include "log_runs.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kShortestPiece_s = 1.0;
+constexpr double kMissingRow = 1.5;        // a longer step, in median steps, has lost a row
+constexpr double kRounding_s = 1e-6;       // of times written with six digits
+constexpr double kMovingSetpoint = 0.001;  // of the limit, between frames
+constexpr double kMovingCommand = 0.01;    // the same where only noisy measurements are there
+// Numbers of frames are whole in double: 45 million years at 20 Hz.
+constexpr double kLargestFrameNumber = 1e15;
+constexpr int kStillFrames = 4;  // before a motion begins, where only measurements are
+
+/// The rows around a moment.
+struct Bracket {
+  Eigen::Index before = -1;
+  Eigen::Index after = -1;
+  double part = 0.0;  // of the way from before to after
+  bool valid() const { return before >= 0; }
+};
+
+/// Finds brackets at rising times.
+class RowFinder {
+ public:
+  RowFinder(const std::vector<double>& time_s, double longest_gap_s)
+      : time_s_(time_s),
+        longest_gap_s_(longest_gap_s),
+        longest_step_s_(kMissingRow / median_rate_hz(time_s)) {}
+
+  /// Invalid outside of the track and within long gaps.
+  Bracket at(double time_s) {
+    if (time_s < time_s_.front() - kRounding_s || time_s > time_s_.back() + kRounding_s) {
+      return {};
+    }
+    while (next_ + 1 < time_s_.size() && time_s_[next_ + 1] <= time_s + kRounding_s) {
+      ++next_;
+    }
+    const auto row = static_cast<Eigen::Index>(next_);
+    if (std::abs(time_s_[next_] - time_s) <= kRounding_s || next_ + 1 == time_s_.size()) {
+      return {row, row, 0.0};
+    }
+    const double step_s = time_s_[next_ + 1] - time_s_[next_];
+    if (step_s > std::max(longest_gap_s_, longest_step_s_)) {
+      return {};
+    }
+    return {row, row + 1, (time_s - time_s_[next_]) / step_s};
+  }
+
+  bool has_lost_row(const Bracket& bracket) const {
+    return time_s_[std::size_t(bracket.after)] - time_s_[std::size_t(bracket.before)] >
+           longest_step_s_;
+  }
+
+ private:
+  const std::vector<double>& time_s_;
+  double longest_gap_s_;
+  double longest_step_s_;
+  std::size_t next_ = 0;
+};
+
+Eigen::RowVectorXd row_at(const Eigen::MatrixXd& values, const Bracket& bracket) {
+  return values.row(bracket.before) +
+         bracket.part * (values.row(bracket.after) - values.row(bracket.before));
+}
+
+/// Frames in a row, to become an episode.
+struct Piece {
+  std::vector<double> time_s;
+  std::vector<Eigen::RowVectorXd> measured;
+  std::vector<Eigen::RowVectorXd> setpoint;
+  std::vector<Eigen::RowVectorXd> backbone;
+  std::vector<double> motion;
+  std::vector<std::uint8_t> tracked;
+};
+
+FrameMatrix stacked(const std::vector<Eigen::RowVectorXd>& rows) {
+  FrameMatrix matrix(static_cast<Eigen::Index>(rows.size()), rows.front().size());
+  for (std::size_t t = 0; t < rows.size(); ++t) {
+    matrix.row(static_cast<Eigen::Index>(t)) = rows[t].cast<float>();
+  }
+  return matrix;
+}
+
+/// Numbers of motions: a motion begins where something moves that stood still.
+std::vector<int> number_motions(const FrameMatrix& values, const ArmDescription& arm,
+                                double least_change, int still_frames) {
+  std::vector<int> motions = {0};
+  int still = still_frames;
+  for (Eigen::Index t = 1; t < values.rows(); ++t) {
+    bool moves = false;
+    for (Eigen::Index i = 0; i < values.cols(); ++i) {
+      const double limit = arm.segments[std::size_t(i)].pressure_limit_kpa;
+      moves |= std::abs(values(t, i) - values(t - 1, i)) > least_change * limit;
+    }
+    const bool begins = moves && still >= still_frames && t > 1;
+    motions.push_back(motions.back() + int(begins));
+    still = moves ? 0 : still + 1;
+  }
+  return motions;
+}
+
+class Resampler {
+ public:
+  Resampler(const BackboneTrack& motion, const CommandTrack& commands, const ArmDescription& arm,
+            double longest_gap_s, RunReport& report)
+      : motion_(motion),
+        commands_(commands),
+        arm_(arm),
+        motion_rows_(motion.time_s, longest_gap_s),
+        command_rows_(commands.time_s, longest_gap_s),
+        report_(report) {}
+
+  std::vector<Episode> run() {
+    const double period_s = arm_.frame_period_s();
+    const double from = std::max(motion_.time_s.front(), commands_.time_s.front());
+    const double to = std::min(motion_.time_s.back(), commands_.time_s.back());
+    const double begin = std::ceil((from - kRounding_s) / period_s);
+    const double end = std::floor((to + kRounding_s) / period_s);
+    if (!(begin <= end && -begin <= kLargestFrameNumber && end <= kLargestFrameNumber)) {
+      return {};
+    }
+    const auto last = static_cast<std::int64_t>(end);
+    for (auto k = static_cast<std::int64_t>(begin); k <= last; ++k) {
+      add_frame(double(k) * period_s);
+    }
+    finish_piece();
+    return std::move(episodes_);
+  }
+
+ private:
+  void add_frame(double time_s) {
+    const Bracket seen = motion_rows_.at(time_s);
+    const Bracket told = command_rows_.at(time_s);
+    const bool usable = seen.valid() && told.valid() && motion_.usable[std::size_t(seen.before)] &&
+                        motion_.usable[std::size_t(seen.after)];
+    Eigen::RowVectorXd measured;
+    if (usable) {
+      measured = row_at(commands_.measured, told);
+    }
+    if (!usable || !measured.allFinite()) {
+      finish_piece();
+      ++lost_;
+      return;
+    }
+    piece_.time_s.push_back(time_s);
+    piece_.measured.push_back(measured);
+    if (commands_.setpoint.size() > 0) {
+      // A set point jumps: the one in force is that of the row before, never something between.
+      piece_.setpoint.emplace_back(commands_.setpoint.row(told.before));
+    }
+    if (!commands_.motion.empty()) {
+      const double motion = commands_.motion[std::size_t(told.before)];
+      const bool empty = !std::isfinite(motion) && !piece_.motion.empty();
+      piece_.motion.push_back(empty ? piece_.motion.back() : motion);
+    }
+    piece_.backbone.push_back(row_at(motion_.poses, seen));
+    const bool filled =
+        motion_.filled_in[std::size_t(seen.before)] || motion_.filled_in[std::size_t(seen.after)];
+    piece_.tracked.push_back(!filled && !motion_rows_.has_lost_row(seen) ? 1 : 0);
+  }
+
+  void finish_piece() {
+    Piece piece = std::move(piece_);
+    piece_ = {};
+    const double length_s = double(piece.time_s.size()) * arm_.frame_period_s();
+    if (piece.time_s.empty()) {
+      return;
+    }
+    if (length_s < kShortestPiece_s) {
+      report_.note(
+          "frames left out in pieces shorter than a second",
+          fmt::format("{} frames from {:.3f} s", piece.time_s.size(), piece.time_s.front()),
+          static_cast<std::int64_t>(piece.time_s.size()));
+      return;
+    }
+    if (lost_ > 0 && !episodes_.empty()) {
+      report_.note("gaps too long to bridge, each ending an episode",
+                   fmt::format("{} frames before {:.3f} s", lost_, piece.time_s.front()));
+    }
+    lost_ = 0;
+    episodes_.push_back(episode_of(piece));
+  }
+
+  Episode episode_of(const Piece& piece) const {
+    Episode episode;
+    episode.time_s = Eigen::Map<const Eigen::VectorXd>(
+        piece.time_s.data(), static_cast<Eigen::Index>(piece.time_s.size()));
+    episode.pressure_kpa = stacked(piece.measured);
+    const bool has_setpoints = !piece.setpoint.empty();
+    episode.setpoint_kpa = has_setpoints ? stacked(piece.setpoint) : episode.pressure_kpa;
+    if (!episode.setpoint_kpa.allFinite()) {
+      carry_setpoints(episode);
+    }
+    episode.backbone = stacked(piece.backbone);
+    episode.tracked = piece.tracked;
+    if (!piece.motion.empty()) {
+      // Numbers begin at 0 and never fall: a log's own may restart or begin anywhere.
+      int number = 0;
+      for (std::size_t t = 0; t < piece.motion.size(); ++t) {
+        number += int(t > 0 && std::abs(piece.motion[t] - piece.motion[t - 1]) > 0.0);
+        episode.motion_index.push_back(number);
+      }
+    } else {
+      episode.motion_index = number_motions(episode.setpoint_kpa, arm_,
+                                            has_setpoints ? kMovingSetpoint : kMovingCommand,
+                                            has_setpoints ? 1 : kStillFrames);
+    }
+    return episode;
+  }
+
+  /// An empty set point is the last one given; before the first, the measured command.
+  static void carry_setpoints(Episode& episode) {
+    for (Eigen::Index t = 0; t < episode.setpoint_kpa.rows(); ++t) {
+      for (Eigen::Index i = 0; i < episode.setpoint_kpa.cols(); ++i) {
+        float& value = episode.setpoint_kpa(t, i);
+        if (!std::isfinite(value)) {
+          value = t > 0 ? episode.setpoint_kpa(t - 1, i) : episode.pressure_kpa(t, i);
+        }
+      }
+    }
+  }
+
+  const BackboneTrack& motion_;
+  const CommandTrack& commands_;
+  const ArmDescription& arm_;
+  RowFinder motion_rows_;
+  RowFinder command_rows_;
+  RunReport& report_;
+  Piece piece_;
+  std::int64_t lost_ = 0;
+  std::vector<Episode> episodes_;
+};
+
+}  // namespace
+
+std::vector<Episode> resample(const std::string& log, const BackboneTrack& motion,
+                              const CommandTrack& commands, const ArmDescription& arm,
+                              double longest_gap_s, RunReport& report) {
+  std::vector<Episode> episodes = Resampler(motion, commands, arm, longest_gap_s, report).run();
+  if (episodes.empty()) {
+    throw InputError(
+        fmt::format("{}: nothing is left: motion is logged from {:.12g} s to {:.12g} s, commands "
+                    "from {:.12g} s "
+                    "to {:.12g} s on the same clock, and no second of both is without a gap longer "
+                    "than {} s. Are "
+                    "the clocks and the time's unit right? A longer recording is needed otherwise",
+                    log, motion.time_s.front(), motion.time_s.back(), commands.time_s.front(),
+                    commands.time_s.back(), longest_gap_s));
+  }
+  if (commands.setpoint.size() == 0) {
+    report.note("no set points logged: the measured commands stand for them");
+  }
+  for (const Episode& episode : episodes) {
+    ++report.episodes;
+    report.frames += episode.frame_count();
+    report.frames_not_tracked += episode.untracked_count();
+  }
+  return episodes;
+}
+
+}  // namespace limber

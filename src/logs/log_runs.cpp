@@ -1,0 +1,306 @@
+#include "log_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+#include "log_table.hpp"
+
+namespace limber {
+
+namespace {
+
+/// Which rows of a table belong to each recording, in the order of first appearance.
+struct RowGroup {
+  std::string label;
+  std::vector<std::size_t> rows;
+};
+
+std::vector<RowGroup> group_rows(const LogTable& table) {
+  std::vector<RowGroup> groups;
+  std::map<std::string, std::size_t> places;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const std::string label = table.labels.empty() ? std::string() : table.labels[row];
+    const auto [place, is_new] = places.emplace(label, groups.size());
+    if (is_new) {
+      groups.push_back({label, {}});
+    }
+    groups[place->second].rows.push_back(row);
+  }
+  return groups;
+}
+
+std::vector<double> picked(const std::vector<double>& column, const std::vector<std::size_t>& rows,
+                           double factor) {
+  std::vector<double> values;
+  for (const std::size_t row : rows) {
+    values.push_back(factor * column[row]);
+  }
+  return values;
+}
+
+void append(std::vector<std::string>& names, const std::vector<std::string>& more) {
+  names.insert(names.end(), more.begin(), more.end());
+}
+
+/// Names of the command columns in the order that `fill_commands` reads them.
+void want_commands(const CommandColumns& commands, WantedColumns& wanted) {
+  append(wanted.names, commands.measured);
+  append(wanted.names, commands.right);
+  append(wanted.names, commands.left);
+  append(commands.setpoint_optional ? wanted.optional : wanted.names, commands.setpoint);
+}
+
+/// A pressure on both sides at once has no signed number.
+void require_one_side(const LogTable& table, std::size_t row, double right, double left,
+                      double limit) {
+  constexpr double kBothSides = 0.1;  // of the limit; gauges at rest read a little
+  if (std::min(right, left) > kBothSides * limit) {
+    throw InputError(
+        fmt::format("{}: line {}: {} on the right and {} on the left of one segment; limber's arms "
+                    "pressurise one side at a time",
+                    table.file, table.lines[row], right, left));
+  }
+}
+
+CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGroup& group,
+                         const ImportMapping& mapping, const ArmDescription& arm) {
+  const CommandColumns& commands = mapping.commands;
+  const auto rows = static_cast<Eigen::Index>(group.rows.size());
+  const Eigen::Index n = arm.segment_count();
+  CommandTrack track;
+  track.measured.resize(rows, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::vector<double>& right = table.columns[first + std::size_t(i)];
+    for (Eigen::Index r = 0; r < rows; ++r) {
+      const std::size_t row = group.rows[std::size_t(r)];
+      double value = commands.factor * right[row];
+      if (commands.measured.empty()) {
+        const double left =
+            commands.factor * table.columns[first + std::size_t(n) + std::size_t(i)][row];
+        require_one_side(table, row, value, left, arm.segments[std::size_t(i)].pressure_limit_kpa);
+        value -= left;
+      }
+      track.measured(r, i) = value;
+    }
+  }
+  if (commands.setpoint.empty()) {
+    return track;
+  }
+  const std::size_t begin = first + std::size_t(commands.measured.empty() ? 2 * n : n);
+  track.setpoint.resize(rows, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index r = 0; r < rows; ++r) {
+      track.setpoint(r, i) =
+          commands.factor * table.columns[begin + std::size_t(i)][group.rows[std::size_t(r)]];
+    }
+  }
+  if (commands.setpoint_optional && track.setpoint.array().isNaN().all()) {
+    track.setpoint.resize(0, 0);
+  }
+  return track;
+}
+
+/// Rows as they stand from `next` of each: the order to keep, or why there is none.
+class RowOrder {
+ public:
+  RowOrder(std::string log, const std::vector<double>& time_s, RunReport& report)
+      : log_(std::move(log)), time_s_(time_s), report_(report) {}
+
+  std::vector<std::size_t> find() {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < time_s_.size(); ++i) {
+      if (std::isfinite(time_s_[i])) {
+        order.push_back(i);
+      } else {
+        report_.note("rows left out that have no time", fmt::format("{}: row {}", log_, i));
+      }
+    }
+    sort(order);
+    drop_repeated(order);
+    if (order.size() < 2) {
+      throw InputError(fmt::format(
+          "{}: {} rows with a time of their own; expected a recording of at least a second", log_,
+          order.size()));
+    }
+    return order;
+  }
+
+ private:
+  static constexpr double kMostOutOfOrder = 0.01;
+  static constexpr double kFarthestBack_s = 0.5;
+
+  void sort(std::vector<std::size_t>& order) {
+    std::size_t back = 0;
+    std::size_t first = 0;
+    double farthest_s = 0.0;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      const double step = time_s_[order[i]] - time_s_[order[i - 1]];
+      if (step < 0.0) {
+        first = back++ == 0 ? i : first;
+        farthest_s = std::max(farthest_s, -step);
+      }
+    }
+    if (back == 0) {
+      return;
+    }
+    const std::string place = fmt::format("row {} at {:.6g} s follows {:.6g} s", first,
+                                          time_s_[order[first]], time_s_[order[first - 1]]);
+    if (double(back) > kMostOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s) {
+      throw InputError(fmt::format(
+          "{}: time goes back {} times, by up to {:.3g} s; first, {}. Is the column named in "
+          "'time' "
+          "the time? Rows that were shuffled have to be sorted; a file that holds several "
+          "recordings needs a column that tells them apart, named in the mapping as 'recording'",
+          log_, back, farthest_s, place));
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return time_s_[a] < time_s_[b]; });
+    report_.note("rows out of order, sorted by time", fmt::format("{}: {}", log_, place),
+                 static_cast<std::int64_t>(back));
+  }
+
+  void drop_repeated(std::vector<std::size_t>& order) {
+    std::vector<std::size_t> kept;
+    for (const std::size_t row : order) {
+      if (!kept.empty() && time_s_[row] <= time_s_[kept.back()]) {
+        report_.note("rows left out that repeat a time",
+                     fmt::format("{}: row {} at {:.6g} s", log_, row, time_s_[row]));
+      } else {
+        kept.push_back(row);
+      }
+    }
+    order = std::move(kept);
+  }
+
+  std::string log_;
+  const std::vector<double>& time_s_;
+  RunReport& report_;
+};
+
+PointTracks points_of(const LogTable& table, const RowGroup& group, const ImportMapping& mapping) {
+  PointTracks tracks;
+  const auto k = static_cast<Eigen::Index>(mapping.points.size());
+  const auto rows = static_cast<Eigen::Index>(group.rows.size());
+  tracks.x_m.resize(rows, k);
+  tracks.y_m.resize(rows, k);
+  const bool headings = !mapping.points.front().theta.empty();
+  if (headings) {
+    tracks.theta_rad.resize(rows, k);
+  }
+  std::size_t column = 1;
+  const auto take = [&](Eigen::MatrixXd& matrix, Eigen::Index i, double factor) {
+    const std::vector<double> values = picked(table.columns[column++], group.rows, factor);
+    matrix.col(i) = Eigen::Map<const Eigen::VectorXd>(values.data(), rows);
+  };
+  for (Eigen::Index i = 0; i < k; ++i) {
+    const PointSource& point = mapping.points[std::size_t(i)];
+    tracks.names.push_back(point.x);
+    tracks.plates.push_back(point.plate);
+    take(tracks.x_m, i, mapping.length_factor);
+    take(tracks.y_m, i, mapping.length_factor);
+    if (headings) {
+      take(tracks.theta_rad, i, mapping.angle_factor);
+    }
+  }
+  return tracks;
+}
+
+void require_csv_points(const std::filesystem::path& path, const ImportMapping& mapping) {
+  if (mapping.points.empty()) {
+    throw InputError(
+        fmt::format("{}: the mapping names no points; expected 'backbone: {{points: "
+                    "[{{x: COLUMN, y: COLUMN}}, …]}}', base first",
+                    path.string()));
+  }
+  const bool headings = !mapping.points.front().theta.empty();
+  for (const PointSource& point : mapping.points) {
+    if (point.x.empty()) {
+      throw InputError(fmt::format(
+          "{}: {} is mapped to an object of a Motive file; expected the columns x and y",
+          path.string(), plate_name(point.plate)));
+    }
+    if (point.theta.empty() == headings) {
+      throw InputError(
+          fmt::format("{}: {} has {} theta column, the base has {}; expected all "
+                      "points with a heading or all without",
+                      path.string(), plate_name(point.plate), headings ? "no" : "a",
+                      headings ? "one" : "none"));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const ImportMapping& mapping,
+                                  const ArmDescription& arm, bool with_commands) {
+  require_csv_points(path, mapping);
+  WantedColumns wanted;
+  wanted.names.push_back(mapping.time.column);
+  wanted.label = mapping.recording;
+  for (const PointSource& point : mapping.points) {
+    append(wanted.names, {point.x, point.y});
+    if (!point.theta.empty()) {
+      wanted.names.push_back(point.theta);
+    }
+  }
+  std::size_t motion_column = wanted.names.size();
+  if (with_commands && !mapping.motion.empty()) {
+    wanted.names.push_back(mapping.motion);
+  }
+  const std::size_t first_command = wanted.names.size();
+  if (with_commands) {
+    want_commands(mapping.commands, wanted);
+  }
+  RunReport general;
+  const LogTable table = read_log_table(path, mapping, wanted, general);
+  std::vector<LogRun> runs;
+  for (const RowGroup& group : group_rows(table)) {
+    LogRun run;
+    run.report.name = path.filename().string() + (group.label.empty() ? "" : ", " + group.label);
+    run.report.rows = static_cast<std::int64_t>(group.rows.size());
+    run.time = mapping.time;
+    run.points = points_of(table, group, mapping);
+    run.points.time_s = picked(table.columns[0], group.rows, mapping.time.seconds_per_unit);
+    run.one_clock = with_commands;
+    if (with_commands) {
+      run.commands = commands_of(table, first_command, group, mapping, arm);
+      run.commands.time_s = run.points.time_s;
+      if (first_command > motion_column) {
+        run.commands.motion = picked(table.columns[motion_column], group.rows, 1.0);
+      }
+    }
+    runs.push_back(std::move(run));
+  }
+  runs.front().report.notes = general.notes;
+  return runs;
+}
+
+CommandTrack read_command_log(const std::filesystem::path& path, const ImportMapping& mapping,
+                              const ArmDescription& arm, RunReport& report) {
+  WantedColumns wanted;
+  wanted.names.push_back(mapping.commands.time.column);
+  want_commands(mapping.commands, wanted);
+  const LogTable table = read_log_table(path, mapping, wanted, report);
+  RowGroup all;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    all.rows.push_back(row);
+  }
+  CommandTrack track = commands_of(table, 1, all, mapping, arm);
+  track.time_s = picked(table.columns[0], all.rows, mapping.commands.time.seconds_per_unit);
+  return track;
+}
+
+void put_in_order(const std::string& log, PointTracks& tracks, RunReport& report) {
+  keep_rows(tracks, RowOrder(log, tracks.time_s, report).find());
+}
+
+void put_in_order(const std::string& log, CommandTrack& track, RunReport& report) {
+  keep_rows(track, RowOrder(log, track.time_s, report).find());
+}
+
+}  // namespace limber

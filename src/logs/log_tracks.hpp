@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+
+namespace limber {
+
+/// Where a log saw points of an arm, in one plane and on the log's own clock. T rows, k points; NaN
+/// where a point was not seen. Metres, radians, seconds; the plane's frame is the log's own until
+/// `align_base`.
+struct PointTracks {
+  std::vector<std::string> names;  ///< k, base first; what messages call them
+  std::vector<int> plates;         ///< k, rising: which plate of the arm each is, 0 the base
+  std::vector<double> time_s;      ///< T
+  Eigen::MatrixXd x_m;             ///< T×k
+  Eigen::MatrixXd y_m;             ///< T×k
+  Eigen::MatrixXd theta_rad;       ///< T×k, wrapped or not; 0×0 where only positions were logged
+
+  int point_count() const { return static_cast<int>(plates.size()); }
+  Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
+  bool has_headings() const { return theta_rad.size() > 0; }
+};
+
+/// Commands (pressures, or what the arm file says) in the arm's unit on the log's own clock; NaN
+/// where a cell was empty.
+struct CommandTrack {
+  std::vector<double> time_s;  ///< T
+  Eigen::MatrixXd measured;    ///< T×n, signed
+  Eigen::MatrixXd setpoint;    ///< T×n, or 0×0 where none were logged
+  std::vector<double> motion;  ///< T numbers of motions, or empty
+
+  Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
+};
+
+/// The whole backbone on the motion log's clock, every plate of the arm, in frame B. T rows.
+struct BackboneTrack {
+  std::vector<double> time_s;   ///< T, increasing
+  Eigen::MatrixXd poses;        ///< T×3m: x_m, y_m, theta_rad of each plate; θ unwrapped
+  std::vector<bool> usable;     ///< T; false where a point was missing for too long: poses are NaN
+  std::vector<bool> filled_in;  ///< T; a point of this row was put between its neighbours in time
+
+  Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
+};
+
+/// Puts the rows of both kinds of track into the order of `order`.
+void keep_rows(PointTracks& tracks, const std::vector<std::size_t>& order);
+void keep_rows(CommandTrack& track, const std::vector<std::size_t>& order);
+
+}  // namespace limber

@@ -1,0 +1,308 @@
+#include "motive_points.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kFlat_m = 0.02;         // plates tilt, tables are not quite level
+constexpr double kClearlyFlatter = 0.5;  // another axis has less than this part of the spread
+
+/// Measured or solved, by what is asked for.
+bool is_body(const MotiveObject& object) {
+  return object.type == "Rigid Body" || object.type == "Bone";
+}
+bool is_measured_marker(const MotiveObject& object) {
+  return object.type.ends_with("Marker") && !is_body(object) &&
+         object.type != "Rigid Body Marker" && object.type != "Bone Marker";
+}
+bool is_solved_marker(const MotiveObject& object) {
+  return object.type == "Rigid Body Marker" || object.type == "Bone Marker";
+}
+
+/// "Plate 9" before "Plate 10".
+bool natural_less(const std::string& a, const std::string& b) {
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < a.size() && j < b.size()) {
+    const bool digits = std::isdigit(static_cast<unsigned char>(a[i])) != 0 &&
+                        std::isdigit(static_cast<unsigned char>(b[j])) != 0;
+    if (!digits) {
+      if (a[i] != b[j]) {
+        return a[i] < b[j];
+      }
+      ++i;
+      ++j;
+      continue;
+    }
+    const auto number = [](const std::string& text, std::size_t& place) {
+      double value = 0.0;
+      while (place < text.size() && std::isdigit(static_cast<unsigned char>(text[place])) != 0) {
+        value = 10.0 * value + (text[place++] - '0');
+      }
+      return value;
+    };
+    const double x = number(a, i);
+    const double y = number(b, j);
+    if (x != y) {
+      return x < y;
+    }
+  }
+  return a.size() - i < b.size() - j;
+}
+
+/// The plane's two axes and its normal, right-handed, as signed columns of a position.
+struct Plane {
+  int forward;
+  int left;
+  int up;
+  double forward_sign;
+  double left_sign;
+  double up_sign;
+};
+
+Plane plane_of(const std::string& up) {
+  if (up == "x") return {1, 2, 0, 1.0, 1.0, 1.0};
+  if (up == "z") return {0, 1, 2, 1.0, 1.0, 1.0};
+  if (up == "-x") return {2, 1, 0, 1.0, 1.0, -1.0};
+  if (up == "-y") return {0, 2, 1, 1.0, 1.0, -1.0};
+  if (up == "-z") return {1, 0, 2, 1.0, 1.0, -1.0};
+  return {0, 2, 1, 1.0, -1.0, 1.0};
+}
+
+class PlateFinder {
+ public:
+  PlateFinder(const std::string& log, const MotiveTake& take, RunReport& report)
+      : log_(log), take_(take), report_(report) {}
+
+  std::vector<PointSource> default_points(const ArmDescription& arm) const {
+    for (const bool bodies : {true, false}) {
+      std::vector<std::string> names;
+      for (const MotiveObject& object : take_.objects) {
+        if (bodies ? is_body(object) : is_measured_marker(object)) {
+          names.push_back(object.name);
+        }
+      }
+      if (names.empty()) {
+        continue;
+      }
+      if (std::ssize(names) != arm.point_count()) {
+        throw InputError(fmt::format(
+            "{}: {} {} found ({}); arm '{}' has {} plates. Say in a mapping (--mapping) which is "
+            "which: 'backbone: {{points: [{{plate: 0, {}: NAME}}, …]}}'",
+            log_, names.size(), bodies ? "rigid bodies" : "markers", fmt::join(names, ", "),
+            arm.name, arm.point_count(), bodies ? "body" : "marker"));
+      }
+      std::sort(names.begin(), names.end(), natural_less);
+      std::vector<PointSource> points(names.size());
+      for (std::size_t i = 0; i < names.size(); ++i) {
+        points[i].plate = static_cast<int>(i);
+        (bodies ? points[i].body : points[i].marker) = names[i];
+      }
+      report_.note("no mapping of plates: taken in the order of their names",
+                   fmt::format("base '{}', end '{}'", names.front(), names.back()),
+                   std::ssize(names));
+      return points;
+    }
+    throw InputError(fmt::format("{}: no rigid bodies and no measured markers in it", log_));
+  }
+
+  const MotiveObject& body(const std::string& name) const {
+    const MotiveObject* found = find(name, is_body);
+    if (found == nullptr) {
+      refuse_missing("rigid body", name, is_body);
+    }
+    return *found;
+  }
+
+  const MotiveObject& marker(const std::string& name) const {
+    if (const MotiveObject* found = find(name, is_measured_marker)) {
+      return *found;
+    }
+    const MotiveObject* solved = find(name, is_solved_marker);
+    if (solved == nullptr) {
+      refuse_missing("marker", name, [](const MotiveObject& o) { return !is_body(o); });
+    }
+    report_.note(
+        "markers whose measured positions are not in the file: solved ones used, which go "
+        "on while a marker is hidden",
+        fmt::format("'{}'", name));
+    return *solved;
+  }
+
+ private:
+  template <class Kind>
+  const MotiveObject* find(const std::string& name, Kind is_kind) const {
+    const MotiveObject* found = nullptr;
+    for (const MotiveObject& object : take_.objects) {
+      if (!is_kind(object)) {
+        continue;
+      }
+      if (object.name == name) {
+        return &object;
+      }
+      // "Asset:Marker1" may be called "Marker1" where that is unambiguous.
+      const std::size_t colon = object.name.rfind(':');
+      if (colon != std::string::npos && object.name.substr(colon + 1) == name) {
+        if (found != nullptr) {
+          throw InputError(fmt::format("{}: '{}' could be '{}' or '{}'; give the whole name", log_,
+                                       name, found->name, object.name));
+        }
+        found = &object;
+      }
+    }
+    return found;
+  }
+
+  template <class Kind>
+  [[noreturn]] void refuse_missing(const char* what, const std::string& name, Kind is_kind) const {
+    std::vector<std::string> names;
+    for (const MotiveObject& object : take_.objects) {
+      if (is_kind(object)) {
+        names.push_back(object.name);
+      }
+    }
+    throw InputError(fmt::format(
+        "{}: there is no {} '{}'; the file has: {}", log_, what, name,
+        names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, ", "))));
+  }
+
+  const std::string& log_;
+  const MotiveTake& take_;
+  RunReport& report_;
+};
+
+/// Spread of a column: between its 2nd and 98th percentile.
+double spread(const Eigen::MatrixXd& positions, Eigen::Index axis) {
+  std::vector<double> values;
+  for (Eigen::Index t = 0; t < positions.rows(); ++t) {
+    if (std::isfinite(positions(t, axis))) {
+      values.push_back(positions(t, axis));
+    }
+  }
+  if (values.empty()) {
+    return 0.0;
+  }
+  std::sort(values.begin(), values.end());
+  const auto last = double(values.size() - 1);
+  return values[std::size_t(0.98 * last)] - values[std::size_t(0.02 * last)];
+}
+
+/// The arm lies in a plane; what a point does across it tells a wrong axis from a tilted table.
+void require_plane(const std::string& log, const std::vector<Eigen::MatrixXd>& positions,
+                   const ImportMapping& mapping, RunReport& report) {
+  Eigen::Vector3d largest = Eigen::Vector3d::Zero();
+  for (const Eigen::MatrixXd& position : positions) {
+    for (int axis = 0; axis < 3; ++axis) {
+      largest[axis] = std::max(largest[axis], spread(position, axis));
+    }
+  }
+  const double across_m = largest[plane_of(mapping.up).up];
+  if (across_m <= kFlat_m) {
+    return;
+  }
+  int flattest = 0;
+  const double least_m = largest.minCoeff(&flattest);
+  if (least_m < kClearlyFlatter * across_m) {
+    throw InputError(fmt::format(
+        "{}: points move by {:.3f} m along {}, which should leave the arm's plane, and by only "
+        "{:.3f} m along {}. Say in the mapping which axis is up: 'backbone: {{up: {}}}' (Motive's "
+        "own is y)",
+        log, across_m, mapping.up, least_m, "xyz"[flattest], "xyz"[flattest]));
+  }
+  report.note("points leave the plane: what they do across it is left out",
+              fmt::format("by {:.3f} m", across_m));
+}
+
+struct PointSeries {
+  std::string name;
+  Eigen::MatrixXd position_m;   // T×3
+  Eigen::VectorXd heading_rad;  // empty where none
+};
+
+PointSeries series_of(const PointSource& point, const PlateFinder& finder, const Plane& plane) {
+  if (!point.body.empty()) {
+    const MotiveObject& body = finder.body(point.body);
+    PointSeries series{body.name, body.position_m, {}};
+    if (body.rotation.size() > 0) {
+      // The turn about the plane's normal, whatever the body's own tilt.
+      series.heading_rad =
+          2.0 * (plane.up_sign * body.rotation.col(plane.up).array())
+                    .binaryExpr(body.rotation.col(3).array(),
+                                [](double y, double x) { return std::atan2(y, x); });
+    }
+    return series;
+  }
+  if (!point.marker.empty()) {
+    const MotiveObject& marker = finder.marker(point.marker);
+    return {marker.name, marker.position_m, {}};
+  }
+  const MotiveObject& right = finder.marker(point.right);
+  const MotiveObject& left = finder.marker(point.left);
+  const Eigen::MatrixXd across = left.position_m - right.position_m;
+  PointSeries series{
+      right.name + " and " + left.name, 0.5 * (left.position_m + right.position_m), {}};
+  series.heading_rad = (plane.left_sign * across.col(plane.left).array())
+                           .binaryExpr(plane.forward_sign * across.col(plane.forward).array(),
+                                       [](double y, double x) { return std::atan2(y, x); }) -
+                       0.5 * M_PI;
+  return series;
+}
+
+}  // namespace
+
+PointTracks motive_points(const std::string& log, const MotiveTake& take,
+                          const ImportMapping& mapping, const ArmDescription& arm,
+                          RunReport& report) {
+  const PlateFinder finder(log, take, report);
+  const std::vector<PointSource> points =
+      mapping.points.empty() ? finder.default_points(arm) : mapping.points;
+  const Plane plane = plane_of(mapping.up);
+  const auto rows = static_cast<Eigen::Index>(take.time_s.size());
+  const auto k = static_cast<Eigen::Index>(points.size());
+  PointTracks tracks;
+  tracks.time_s = take.time_s;
+  tracks.x_m.resize(rows, k);
+  tracks.y_m.resize(rows, k);
+  tracks.theta_rad.resize(rows, k);
+  std::vector<Eigen::MatrixXd> positions;
+  Eigen::Index with_heading = 0;
+  for (Eigen::Index i = 0; i < k; ++i) {
+    const PointSource& point = points[std::size_t(i)];
+    if (!point.x.empty()) {
+      throw InputError(
+          fmt::format("{}: the mapping names column '{}' for {}; of a Motive file "
+                      "expected body, marker, or right and left",
+                      log, point.x, plate_name(point.plate)));
+    }
+    PointSeries series = series_of(point, finder, plane);
+    tracks.names.push_back(series.name);
+    tracks.plates.push_back(point.plate);
+    tracks.x_m.col(i) = plane.forward_sign * series.position_m.col(plane.forward);
+    tracks.y_m.col(i) = plane.left_sign * series.position_m.col(plane.left);
+    if (series.heading_rad.size() > 0) {
+      tracks.theta_rad.col(i) = series.heading_rad;
+      ++with_heading;
+    }
+    positions.push_back(std::move(series.position_m));
+  }
+  if (with_heading < k) {
+    tracks.theta_rad.resize(0, 0);
+    if (with_heading > 0) {
+      report.note("some points have a heading and some have none: all headings are the tangent's");
+    }
+  }
+  require_plane(log, positions, mapping, report);
+  return tracks;
+}
+
+}  // namespace limber

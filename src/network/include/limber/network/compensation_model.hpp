@@ -1,0 +1,111 @@
+#pragma once
+// For those who ask a model where the arm goes.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/arm_identity.hpp"
+#include "limber/arm/valve_findings.hpp"
+#include "limber/network/learnt_region.hpp"
+#include "limber/network/prediction_error.hpp"
+
+namespace limber {
+
+/// How backbones enter and leave the network; sizes and order in network/backbone_layout.hpp.
+enum class BackboneLayout {
+  base_poses,  ///< the paper's: 3m numbers, poses about the arm's base; 102-…-48 for n = 3, m = 16
+  gap_poses,   ///< each plate's pose about the plate before it: 3(m − 1) numbers; the default
+};
+
+/// "base_poses" or "gap_poses", as model files have it.
+const char* to_string(BackboneLayout layout);
+
+/// What the network's outputs mean, in the coordinates of the layout.
+enum class OutputForm {
+  compensation,  ///< the paper's (5): what is added to B̃_t, one number for each of the backbone's
+  gated_change,  ///< (16): what is added to B_{t−1}, then a gate for each number, twice as many
+};
+
+/// "compensation" or "gated_change", as model files have it.
+const char* to_string(OutputForm form);
+
+/// Affine map of each number, x ↦ (x − offset)·scale, so that training data lie in [0, 1] (or have
+/// unit spread). A number that never changes in the data (the base plate's pose) has no range: its
+/// scale is 1.
+struct Normalisation {
+  Eigen::VectorXf offset;
+  Eigen::VectorXf scale;  ///< finite, not 0
+};
+
+/// One layer, y = W x + b, with ReLU behind every layer but the last.
+struct Layer {
+  Eigen::MatrixXf weight;  ///< out × in
+  Eigen::VectorXf bias;    ///< out
+};
+
+/// The network Φ of (5) or (16) with everything needed to use it: inputs (q_{t−1}, q_t, B_{t−1},
+/// B̃_t), normalised by `input`; its result, in the coordinates of `layout`, is the compensation
+/// B_t − B̃_t normalised by `output`, or a change normalised by `output` (which scales, but never
+/// shifts it: no change stays none) and the gates' arguments, not normalised. Plain values.
+struct CompensationModel {
+  BackboneLayout layout = BackboneLayout::gap_poses;
+  OutputForm form = OutputForm::compensation;
+  std::vector<Layer> layers;
+  /// An ensemble's other networks, of the same shape and normalisation, in the order of their
+  /// validation errors: `layers` is the best. Whoever wants one prediction reads `layers` alone.
+  std::vector<std::vector<Layer>> more_members;
+  Normalisation input;
+  Normalisation output;
+  std::string arm_name;
+  std::string arm_hash;         ///< ArmDescription::hash()
+  std::string arm_description;  ///< arm_keys_to_yaml(); empty in files of before it was kept
+  int segment_count = 0;
+  int point_count = 0;
+  std::string preset;  ///< "paper" or "best"
+  /// Record of the training: data files and hashes, seed, epochs, losses, seconds.
+  std::map<std::string, std::string> training;
+  /// What lies between set points and pressures of the recordings (docs/valves.md); none where
+  /// they did not tell, for the reason that the findings give.
+  std::optional<ValveParameters> valves;
+  ValveFindings valve_findings;
+  /// Of `layers` on motions that neither trained nor chose it; none where none were left for it.
+  std::optional<PredictionError> prediction_error;
+  /// What the training recordings held; none in files of before it was kept.
+  std::optional<LearntRegion> learnt;
+
+  int member_count() const { return 1 + static_cast<int>(more_members.size()); }
+  /// Member `index` as a model of its own, without the training record. @pre index < member_count()
+  CompensationModel member(int index) const;
+
+  IdentifiedValves identified_valves() const;
+  void set_valves(const IdentifiedValves& identified);
+  /// Whose arm this is (arm/arm_identity.hpp).
+  ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
+  void set_arm(const ArmDescription& arm);
+
+  /// "102-100-100-100-48".
+  std::string shape() const;
+};
+
+/// @throws InputError, its message beginning with `where`, unless the layers chain, fit the
+/// layout's sizes and the normalisations, all members have one shape, and every number is finite.
+void validate(const CompensationModel& model, const std::string& where);
+
+/// @throws InputError, its message beginning with `where`, unless the model was trained for `arm`
+/// (why_another_arm; both names and hashes in the message, and the keys that differ).
+void require_model_of(const CompensationModel& model, const ArmDescription& arm,
+                      const std::string& where);
+
+/// Writes safetensors (docs/formats.md), atomically. @pre the model is valid.
+void write_model(const std::filesystem::path& path, const CompensationModel& model);
+
+/// Reads and validates. @throws InputError naming file and tensor or metadata key.
+CompensationModel read_model(const std::filesystem::path& path);
+
+}  // namespace limber

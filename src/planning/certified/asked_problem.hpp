@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limber/certificate/certificate.hpp"
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+/// A problem as its user asked for it, with what plans for it are held against: made once, when it
+/// is first needed, and shared by all searches for its plans. Borrows what the problem borrows.
+class AskedProblem {
+ public:
+  explicit AskedProblem(const PlanningProblem& problem) : problem_(problem) {}
+
+  const Certifier& certifier();
+  /// Worked out without a certifier, which takes longer to make, where there is none yet.
+  const std::string& environment_hash();
+
+ private:
+  const PlanningProblem problem_;
+  std::optional<Certifier> certifier_;
+  std::string environment_hash_;
+};
+
+}  // namespace limber

@@ -1,0 +1,122 @@
+#include "certified_planner.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "certified_search.hpp"
+#include "goal_room.hpp"
+#include "limber/common/units.hpp"
+#include "limber/planning/problem_check.hpp"
+#include "smaller_clearances.hpp"
+
+namespace limber {
+
+namespace {
+
+/// Of the limits, for the search with the clearance that was asked for, where it finds nothing; the
+/// rest is for smaller ones. But never more time than that.
+constexpr double kPatience = 0.9;
+constexpr double kMostForSmallerS = 1.0;
+
+constexpr double kYield = 0.95;  // of what an arm starts with: it has to get away from there
+
+bool is_refusal(PlanStatus status) {
+  return status == PlanStatus::invalid_start || status == PlanStatus::goal_unreachable ||
+         status == PlanStatus::goal_in_collision;
+}
+
+class CertifiedPlanner final : public Planner {
+ public:
+  CertifiedPlanner(std::unique_ptr<Planner> planner, Valves valves)
+      : planner_(std::move(planner)), valves_(valves) {}
+
+  const char* name() const override { return planner_->name(); }
+
+  PlanResult plan(const PlanningProblem& asked, const PlannerLimits& limits, std::uint64_t seed,
+                  const PlannerCallback& callback) override {
+    require_margin(asked.margin_m);  // before it is raised to what a certificate asks for
+    require_goal_margin(asked.goal_margin);
+    const SteadyTime start = std::chrono::steady_clock::now();
+    PlanningProblem problem = asked;
+    if (valves_ == Valves::left_out) {
+      problem.model = asked.model.without_valves();
+    }
+    std::vector<std::string> notes = warnings_of_aim(problem);
+    if (problem.margin_yields_to_start) {
+      yield_to_start(problem, notes);
+    }
+    AskedProblem shared(problem);
+    const bool may_keep_less = problem.margin_m > 0.0;
+    PlannerLimits patient = limits;
+    if (may_keep_less) {
+      patient.patience =
+          limits.time_s ? std::max(kPatience, 1.0 - kMostForSmallerS / *limits.time_s) : kPatience;
+    }
+    PlanResult result = certified_search(*planner_, problem, shared, patient, seed, callback);
+    result.warnings.insert(result.warnings.begin(), notes.begin(), notes.end());
+    if (!result.plan) {
+      explain(
+          problem, seed, [&] { return limits.time_s && seconds_since(start) > *limits.time_s; },
+          result);
+      if (may_keep_less && result.status != PlanStatus::not_certified) {
+        try_smaller_clearances(problem, shared, limits, start, seed, callback, result);
+      }
+    }
+    result.statistics.time_s = seconds_since(start);
+    return result;
+  }
+
+ private:
+  static void yield_to_start(PlanningProblem& problem, std::vector<std::string>& notes) {
+    const CollisionChecker checker(problem.arm, problem.environment.obstacles);
+    const Clearance at_start =
+        checker.clearance(start_state(problem.environment, problem.arm).backbone);
+    const double most_m = at_start.value_m - kReserveM - Certificate::kClearanceToleranceM;
+    if (at_start.obstacle < 0 || most_m <= 0.0 || problem.margin_m <= most_m) {
+      return;  // nothing is near, or it starts in an obstacle, which is refused
+    }
+    notes.push_back(fmt::format(
+        "the arm starts {:.2f} cm from {}: plans keep that, instead of the {:.2f} cm that the "
+        "model erred by",
+        at_start.value_m * kCmPerM, obstacle_name(problem.environment, at_start.obstacle),
+        problem.margin_m * kCmPerM));
+    problem.margin_m = kYield * most_m;
+  }
+
+  /// A refusal's amounts are those of the problem as it was asked, wherever it is refused as such;
+  /// a search that found nothing says so where it may have had nothing to find.
+  static void explain(const PlanningProblem& problem, std::uint64_t seed,
+                      const std::function<bool()>& is_late, PlanResult& result) {
+    const CollisionChecker checker(problem.arm, problem.environment.obstacles, problem.margin_m);
+    if (result.status == PlanStatus::limit || result.status == PlanStatus::no_solution) {
+      const std::string note = reached_only_in_collision(problem, checker, seed, is_late);
+      result.reason += note.empty() ? "" : "; " + note;
+      return;
+    }
+    if (!is_refusal(result.status)) {
+      return;
+    }
+    const ProblemCheck check = check_problem(problem, checker, seed);
+    if (check.refusal) {
+      result.status = *check.refusal;
+      result.reason = check.reason;
+    } else if (problem.goal_margin.position_m > 0.0) {
+      result.reason += fmt::format(
+          "; {:.2f} cm of the tolerance are kept for the model's error: --goal-margin-m 0 keeps "
+          "none",
+          problem.goal_margin.position_m * kCmPerM);
+    }
+  }
+
+  std::unique_ptr<Planner> planner_;
+  Valves valves_;
+};
+
+}  // namespace
+
+std::unique_ptr<Planner> make_certified_planner(std::unique_ptr<Planner> planner, Valves valves) {
+  return std::make_unique<CertifiedPlanner>(std::move(planner), valves);
+}
+
+}  // namespace limber

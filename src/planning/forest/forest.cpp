@@ -1,0 +1,220 @@
+#include "limber/planning/forest.hpp"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/planning/planner.hpp"
+#include "search/path_simulator.hpp"
+#include "search/sparse_tree.hpp"
+
+namespace limber {
+
+namespace {
+
+// Finer than a search's: nodes are many, and of each only the way there is kept.
+constexpr StateCells kCells{0.02, 0.005, 0.05};
+constexpr std::uint64_t kGrowStream = std::uint64_t{1} << 33;  // one stream a proposal from here
+constexpr double kStep = 0.5;
+constexpr double kRandomParent = 0.5;
+constexpr double kFarShare = 0.5;  // of the edges that go all the way to their target
+constexpr std::size_t kBatch = 512;
+constexpr int kMostIdleRounds = 1000;
+
+struct Edge {
+  int parent;
+  Pressures to_kpa;
+};
+
+/// One growth, round by round.
+class Grower {
+ public:
+  Grower(const ArmDescription& arm, const MotionModel& model, const ArmStart& start,
+         const ForestSettings& settings)
+      : settings_(settings),
+        environment_(empty_environment(start)),
+        problem_{arm, model, environment_},
+        checker_(arm, environment_.obstacles, 0.0),
+        paths_(problem_, checker_, {kAnywhere, kAnywhere}, settings.jobs),
+        tree_(arm, problem_.model, kCells, start_of(problem_)) {
+    hold_start();
+  }
+
+  int size() const { return tree_.size(); }
+
+  void round() {
+    edges_.clear();
+    batch_.clear();
+    for (std::size_t k = 0; k < kBatch; ++k) {
+      RandomStream random(settings_.seed, kGrowStream + proposals_++);
+      const Pressures target = tree_.random_configuration(random);
+      const int parent = tree_.parent_near(target, kRandomParent, random);
+      const Pressures to =
+          random.uniform() < kFarShare ? target : tree_.stepped(parent, target, kStep);
+      batch_.push_back({tree_.states().state(parent), {to}});
+      edges_.push_back({parent, to});
+    }
+    paths_.run(batch_, outcomes_, [] { return false; });
+    for (std::size_t k = 0; k < edges_.size() && tree_.size() < settings_.nodes; ++k) {
+      add(edges_[k], outcomes_[k]);
+    }
+  }
+
+  Forest forest(const ForestKey& key) const {
+    const PressureTree& states = tree_.states();
+    Forest forest;
+    forest.key = key;
+    forest.setpoints_kpa.resize(tree_.limits_kpa().size(), states.size());
+    forest.held_tips.resize(3, states.size());
+    forest.shapes.resize(3 * (problem_.arm.point_count() - 1), states.size());
+    for (int i = 0; i < states.size(); ++i) {
+      forest.parents.push_back(states.parent(i));
+      forest.setpoints_kpa.col(i) = states.setpoint_kpa(i);
+      forest.held_tips.col(i) = held_tips_[static_cast<std::size_t>(i)];
+      round_shape(states.backbone(i), problem_.arm.length_m(), forest.shapes.col(i));
+    }
+    forest.complete();
+    return forest;
+  }
+
+ private:
+  static constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+
+  static Environment empty_environment(const ArmStart& start) {
+    Environment environment;
+    environment.start = start;
+    return environment;
+  }
+
+  void hold_start() {
+    const MotionState start = start_of(problem_);
+    batch_.assign(1, {start, {start.setpoint_kpa()}});
+    paths_.run(batch_, outcomes_, [] { return false; });
+    if (!outcomes_.front().held_tip) {
+      throw InputError("the model runs off to infinity where the arm stands still at its start");
+    }
+    note_tip(outcomes_.front());
+  }
+
+  void note_tip(const PathOutcome& outcome) {
+    held_tips_.push_back(
+        Eigen::Vector3d(outcome.held_tip->x_m, outcome.held_tip->y_m, outcome.held_tip->theta_rad)
+            .cast<float>());
+  }
+
+  void add(const Edge& edge, const PathOutcome& outcome) {
+    if (!outcome.held_tip) {
+      return;  // where nothing is in the way, what is not free has run off to infinity
+    }
+    const double cost = tree_.states().cost_kpa(edge.parent) +
+                        motion_cost_kpa(tree_.states().setpoint_kpa(edge.parent), edge.to_kpa);
+    if (tree_.add(outcome.at.front(), edge.parent, cost)) {
+      note_tip(outcome);
+    }
+  }
+
+  ForestSettings settings_;
+  Environment environment_;
+  PlanningProblem problem_;
+  CollisionChecker checker_;
+  PathSimulator paths_;
+  SparseTree tree_;
+  std::vector<Eigen::Vector3f> held_tips_;
+  std::uint64_t proposals_ = 0;
+  std::vector<Edge> edges_;
+  std::vector<Path> batch_;
+  std::vector<PathOutcome> outcomes_;
+};
+
+/// A forest keeps no name.
+ArmIdentity arm_of(const Forest& forest) {
+  return {"", forest.key.arm_hash, forest.arm_description};
+}
+
+std::string bytes_of(const float* values, Eigen::Index count) {
+  return {reinterpret_cast<const char*>(values), static_cast<std::size_t>(count) * sizeof(float)};
+}
+
+}  // namespace
+
+void Forest::complete() {
+  std::vector<double> sums(parents.size(), 0.0);
+  for (std::size_t i = 1; i < sums.size(); ++i) {
+    const auto parent = static_cast<std::size_t>(parents[i]);
+    sums[i] = sums[parent] + motion_cost_kpa(setpoints_kpa.col(static_cast<Eigen::Index>(parent)),
+                                             setpoints_kpa.col(static_cast<Eigen::Index>(i)));
+  }
+  costs_kpa.assign(sums.begin(), sums.end());
+  largest_kpa = setpoints_kpa.cwiseAbs().rowwise().maxCoeff();
+  tips = TipGrid(held_tips, costs_kpa);
+}
+
+bool is_grown_for(const Forest& forest, const ArmDescription& arm, const ForestKey& key) {
+  ForestKey same_arm = key;
+  same_arm.arm_hash = forest.key.arm_hash;
+  return forest.key == same_arm && why_another_arm(arm_of(forest), arm, "the forest").empty();
+}
+
+void require_forest_of(const Forest& forest, const ArmDescription& arm,
+                       const ValveParameters& valves, const ArmStart& start) {
+  const std::string why = why_another_arm(arm_of(forest), arm, "the forest");
+  if (!why.empty()) {
+    throw InputError(fmt::format(
+        "the forest was grown for another arm than '{}': {}. Grow it again", arm.name, why));
+  }
+  const ForestKey key = forest_key(arm, forest.key.model_hash, valves, start);
+  if (!is_grown_for(forest, arm, key)) {
+    throw InputError(fmt::format(
+        "the forest was grown for {} than '{}' has here: grow it again",
+        forest.key.valves_hash != key.valves_hash ? "other valves" : "another start", arm.name));
+  }
+  const Pressures limits_kpa = pressure_limits_kpa(arm);
+  const auto refuse = [](const std::string& what) {
+    throw InputError(fmt::format("the forest holds {}: it is broken; grow it anew", what));
+  };
+  if (forest.largest_kpa.size() != limits_kpa.size()) {
+    refuse(fmt::format("{} pressures a node; arm '{}' has {} segments", forest.largest_kpa.size(),
+                       arm.name, limits_kpa.size()));
+  }
+  if ((forest.largest_kpa.array() > limits_kpa.array()).any()) {
+    refuse("pressures beyond the arm's limits");
+  }
+  const Eigen::Index numbers = 3 * (arm.point_count() - 1);
+  if (forest.shapes.rows() != numbers) {
+    refuse(fmt::format("{} numbers a shape; arm '{}' needs {}", forest.shapes.rows(), arm.name,
+                       numbers));
+  }
+}
+
+ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
+                     const ValveParameters& valves, const ArmStart& start) {
+  return {arm.hash(), model_hash, valves.hash(),
+          content_hash(bytes_of(start.pressures_kpa.data(), start.pressures_kpa.size()) +
+                       bytes_of(start.backbone.data(), start.backbone.size()))};
+}
+
+std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& model,
+                                  const ForestKey& key, const ArmStart& start,
+                                  const ForestSettings& settings, const ForestCallback& callback) {
+  if (settings.nodes < 1 || settings.nodes > Forest::kMostNodes) {
+    throw InputError(
+        fmt::format("a forest of {} nodes; expected 1 to {}", settings.nodes, Forest::kMostNodes));
+  }
+  Grower grower(arm, model, start, settings);
+  int idle_rounds = 0;
+  while (grower.size() < settings.nodes && idle_rounds < kMostIdleRounds) {
+    const int before = grower.size();
+    grower.round();
+    idle_rounds = grower.size() == before ? idle_rounds + 1 : 0;
+    if (callback && !callback(grower.size())) {
+      return std::nullopt;
+    }
+  }
+  Forest forest = grower.forest(key);
+  forest.arm_description = arm_keys_to_yaml(arm);
+  return forest;
+}
+
+}  // namespace limber

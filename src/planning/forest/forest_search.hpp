@@ -1,0 +1,72 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <queue>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "forest_filter.hpp"
+#include "limber/planning/forest.hpp"
+#include "search/batch_search.hpp"
+#include "search/path_simulator.hpp"
+
+namespace limber {
+
+/// Looks through a forest for motions that an environment leaves free, and grafts them into a
+/// search: those that end in the goal, the cheapest first; where there are none, those that end
+/// near it, with a Newton step toward it at their end. Only what the filter takes for free is
+/// simulated, and a motion in collision rules out all that go on from it. Everything given is
+/// borrowed.
+class ForestSearch {
+ public:
+  /// @pre the forest was grown for the problem's arm, model and start
+  ForestSearch(const Forest& forest, const PlanningProblem& problem,
+               const CollisionChecker& checker, PathSimulator& simulator, BatchSearch& search);
+
+  /// Tries a batch of motions. False where there is nothing more worth trying.
+  bool round(const std::function<bool()>& give_up);
+
+ private:
+  /// Nodes, those with the smallest numbers first. A heap: mostly few of them are asked for.
+  using Ranked = std::pair<double, int>;
+  using Ranking = std::priority_queue<Ranked, std::vector<Ranked>, std::greater<>>;
+
+  /// A motion to try: to a node of the forest, and from there perhaps a step on.
+  struct Candidate {
+    int node;
+    std::vector<int> way;  // nodes behind the last state known on the way, the node included
+    std::optional<Pressures> step_kpa;
+  };
+
+  void find_those_in_goal();
+  void find_those_near();
+  /// Of the first of `nodes`, which are taken out, at most `wanted` that may be free. @param step
+  /// toward the goal
+  void collect(Ranking& nodes, std::size_t wanted, bool step, const std::function<bool()>& give_up);
+  std::optional<Candidate> candidate(int node, bool step);
+  void settle(const Candidate& tried, const PathOutcome& outcome);
+  /// Hands the whole motion to the search. @return the search's node
+  int graft(int node);
+
+  const Forest& forest_;
+  const PlanningProblem& problem_;
+  PathSimulator& simulator_;
+  BatchSearch& search_;
+  ForestFilter filter_;
+  Ranking in_goal_;              // nodes that end there, by cost
+  std::optional<Ranking> near_;  // by error; found once they are asked for
+  std::size_t near_left_;
+  int rounds_ = 0;
+  int rounds_since_plan_ = 0;
+  std::unordered_map<int, MotionState> known_;  // at nodes that are free; empty: ruled out
+  std::unordered_set<int> tried_;
+  std::unordered_map<int, int> grafted_;  // node of the forest → node of the search
+  std::vector<Candidate> candidates_;     // of a round
+  std::vector<Path> paths_;
+  std::vector<PathOutcome> outcomes_;
+};
+
+}  // namespace limber

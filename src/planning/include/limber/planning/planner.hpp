@@ -1,0 +1,154 @@
+#pragma once
+// For those who plan.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/certificate/certificate.hpp"
+#include "limber/forward/motion_model.hpp"
+#include "limber/forward/recorded_region.hpp"
+#include "limber/world/environment.hpp"
+#include "limber/world/plan.hpp"
+
+namespace limber {
+
+class PlanJudge;
+
+/// What is to be solved. Borrowed: everything outlives the call that gets it.
+struct PlanningProblem {
+  const ArmDescription& arm;
+  MotionModel model;  ///< of a forward model alone: ideal valves
+  const Environment& environment;
+  double margin_m = 0.0;  ///< clearance kept from every obstacle, ≥ 0
+  /// How far inside the goal's tolerances plans end, ≥ 0: room for the model's error.
+  PoseError goal_margin = {};
+  /// Of the goal's pose: plans that end nearer than that are alike, and preferred to cheaper ones
+  /// that end farther away. None: all that end in the goal are alike.
+  std::optional<PoseError> aim = std::nullopt;
+  /// Plans stay in there; borrowed. None: anywhere within the arm's limits.
+  const RecordedRegion* stay_within = nullptr;
+  /// Asked of every plan before it counts as one; borrowed. None: all count.
+  PlanJudge* judge = nullptr;
+  /// Whether an arm that starts nearer to an obstacle than the margin keeps what it starts with: it
+  /// is known to be where it starts.
+  bool margin_yields_to_start = false;
+  /// Whether the goal leaves room for the model's error; where not, little is gained by improving
+  /// plans for long.
+  bool goal_has_room = true;
+};
+
+/// The state that the environment starts with; the arm has long stood there.
+MotionState start_of(const PlanningProblem& problem);
+/// Set points that a plan may use.
+PressureBox setpoints_of(const PlanningProblem& problem);
+
+/// When to stop; whichever comes first. At least one of time, iterations and queries is set.
+struct PlannerLimits {
+  std::optional<double> time_s;
+  std::optional<std::uint64_t> iterations;
+  std::optional<std::uint64_t> queries;      ///< of the forward model
+  std::optional<double> memory_mb;           ///< of the tree
+  std::optional<double> cost_threshold_kpa;  ///< stop at a plan this cheap
+  /// Share of time, iterations and queries after which a search without a plan ends; in (0, 1].
+  double patience = 1.0;
+};
+
+enum class PlanStatus {
+  solved,             ///< a certified plan exists (certificate/certificate.hpp)
+  limit,              ///< a limit came first
+  no_solution,        ///< everything was searched
+  invalid_start,      ///< the arm starts in an obstacle
+  goal_unreachable,   ///< beyond the arm's length
+  goal_in_collision,  ///< no tip in the goal's region is free
+  not_certified,      ///< plans were found, and their certificates refuse every one of them
+};
+
+enum class PlanLimit { time, iterations, queries, memory };
+
+/// Names as in files and JSON: "goal_unreachable", "iterations".
+const char* to_string(PlanStatus status);
+const char* to_string(PlanLimit limit);
+
+struct PlannerProgress {
+  double time_s = 0.0;
+  std::uint64_t iterations = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t queries = 0;
+  std::optional<double> best_cost_kpa;  ///< none before the first solution
+};
+
+/// Called about ten times a second, on the planner's own thread. False asks the planner to stop.
+using PlannerCallback = std::function<bool(const PlannerProgress&)>;
+
+/// The first plan that held before its judge.
+struct FirstSolution {
+  double time_s = 0.0;  ///< when the judge had said so
+  double cost_kpa = 0.0;
+  std::uint64_t queries = 0;   ///< of the forward model, until it was found
+  double candidate_s = 0.0;    ///< when it was found
+  double certificate_s = 0.0;  ///< that it then took to build and to judge it
+};
+
+struct PlannerStatistics {
+  double time_s = 0.0;
+  std::uint64_t iterations = 0;
+  std::uint64_t queries = 0;  ///< of the forward model
+  std::uint64_t nodes = 0;
+  std::uint64_t goal_nodes = 0;
+  std::uint64_t rewires_tried = 0;     ///< cheaper parents whose edge was simulated
+  std::uint64_t rewires_accepted = 0;  ///< of these, same backbone and everything downstream free
+};
+
+/// Tip of a node and of its parent, for pictures.
+struct TreeEdge {
+  Eigen::Vector2f from_m;
+  Eigen::Vector2f to_m;
+};
+
+struct PlanResult {
+  PlanStatus status = PlanStatus::limit;
+  std::string reason;  ///< a sentence: what ended the search, or what is wrong with the problem
+  std::vector<std::string> warnings;
+  std::optional<PlanLimit> limit;  ///< the limit that ended the search; none at the cost threshold
+  std::optional<Plan> plan;        ///< set if and only if solved
+  /// The motion that came nearest to the goal, where there is no plan. Free of collision, but not
+  /// in the goal: never to be executed as a solution.
+  std::optional<Plan> best_partial;
+  std::optional<Certificate> certificate;  ///< of the plan that was found
+  /// Where nothing keeps the clearance asked for: what a plan keeps that was found with less.
+  std::optional<double> largest_clearance_m;
+  std::optional<FirstSolution> first_solution;
+  /// How the search went: the first plan, each that costs over half a per cent less than the one
+  /// noted before, and the end. Empty without a plan.
+  std::vector<PlannerProgress> events;
+  PlannerStatistics statistics;
+  std::vector<TreeEdge> tree;  ///< at most kMostTreeEdges, the oldest
+
+  static constexpr std::size_t kMostTreeEdges = 20000;
+};
+
+/// A planner in pressure space.
+///
+/// Laws: a plan is simulated anew from the start, frame by frame, before it is returned, and every
+/// frame and the motion between frames is free; its last frame, after the hold, is in the goal. The
+/// cost never rises with the budget. Runs limited by iterations or queries alone depend on the seed
+/// and nothing else, not even the number of threads; the time limit is kept to 50 ms. Threads: one
+/// planner, one caller at a time.
+class Planner {
+ public:
+  virtual ~Planner() = default;
+  virtual const char* name() const = 0;
+  /// @throws InputError where no limit is set or one is not positive.
+  [[nodiscard]] virtual PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits,
+                                        std::uint64_t seed,
+                                        const PlannerCallback& callback = {}) = 0;
+};
+
+}  // namespace limber

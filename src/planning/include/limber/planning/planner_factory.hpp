@@ -1,0 +1,29 @@
+#pragma once
+// For those who plan.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+struct Forest;
+
+/// Names that `make_planner` knows, the default first.
+std::vector<std::string> planner_names();
+
+/// Its plans are certified (planning/certified/certified_planner.hpp).
+/// @param name    one of those; settings may follow it: "default,goal_shots=0.2,improved_plans=0"
+/// @param jobs    threads to use where the planner uses several, 0 for one a core
+/// @param forest  of the arm, model and start to plan for, for the default planner; borrowed
+/// @throws InputError naming the planners there are, or the one that can't use a forest.
+std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0,
+                                      const Forest* forest = nullptr);
+
+/// Whether that is the default planner, with settings or without.
+/// @throws InputError where the settings are no key=value.
+bool is_default_planner(const std::string& name);
+
+}  // namespace limber

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/planning/planner.hpp"
+#include "limber/world/collision.hpp"
+
+namespace limber {
+
+/// What is wrong with a problem before any planning. Only what is certain is refused; what the
+/// no-load model alone doubts is a warning, since the arm moves differently.
+struct ProblemCheck {
+  std::optional<PlanStatus> refusal;  ///< invalid_start, goal_unreachable or goal_in_collision
+  std::string reason;                 ///< names obstacle, plates and amount
+  std::vector<std::string> warnings;
+};
+
+inline constexpr double kLargestMarginM = 1000.0;  // as coordinates of environments
+
+/// @throws InputError unless 0 ≤ margin_m ≤ kLargestMarginM: a negative one would be a plan through
+/// obstacles.
+void require_margin(double margin_m);
+
+/// @throws InputError unless both are finite and ≥ 0.
+void require_goal_margin(const PoseError& margin);
+
+/// The refusal alone, if there is one: what a planner asks first.
+ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker& checker);
+
+/// What is doubtful about a problem that is not refused. @param seed  of the inverse kinematics
+std::vector<std::string> find_warnings(const PlanningProblem& problem, std::uint64_t seed);
+
+/// Both. @param seed  of the inverse kinematics behind the warnings
+ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecker& checker,
+                           std::uint64_t seed);
+
+/// For a search that found nothing: whether the no-load model reaches the goal only in collision.
+/// A sentence that names obstacle, plates and amount of the configuration that is least deep; empty
+/// where some configuration at the goal is free, or none was found at all (then there is a
+/// warning). The arm itself may differ, so it explains and never refuses.
+/// @param give_up  asked now and then; once it says so the answer is empty. Empty: never
+std::string reached_only_in_collision(const PlanningProblem& problem,
+                                      const CollisionChecker& checker, std::uint64_t seed,
+                                      const std::function<bool()>& give_up = {});
+
+}  // namespace limber

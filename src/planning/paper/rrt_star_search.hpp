@@ -1,0 +1,100 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limber/common/random_stream.hpp"
+#include "limber/forward/motion_simulator.hpp"
+#include "limber/world/pressure_index.hpp"
+#include "planner_budget.hpp"
+#include "pressure_rrt_star.hpp"
+#include "pressure_tree.hpp"
+#include "search/goal_seeker.hpp"
+
+namespace limber {
+
+/// The tree of pressure-space RRT*, grown iteration by iteration. Everything given is borrowed.
+class RrtStarSearch {
+ public:
+  RrtStarSearch(const PlanningProblem& problem, MotionSimulator& simulator, ParentRule rule,
+                const PressureRrtStarSettings& settings, std::uint64_t seed);
+
+  /// One sample: at most one new node, and the rewiring about it.
+  void iterate(const PlannerBudget& budget);
+
+  /// Waypoints of the cheapest solution so far; empty before the first.
+  const std::vector<Pressures>& best_waypoints_kpa() const { return best_waypoints_kpa_; }
+  std::optional<double> best_cost_kpa() const { return best_cost_kpa_; }
+  /// Waypoints to the node whose tip is nearest to the goal.
+  std::vector<Pressures> nearest_waypoints_kpa() const { return tree_.path_to(nearest_node_); }
+
+  const PressureTree& tree() const { return tree_; }
+  double bytes() const;
+  /// Writes iterations, nodes and rewires; leaves the rest.
+  void fill(PlannerStatistics& statistics) const;
+
+ private:
+  struct Candidate {
+    double cost_kpa;
+    int node;
+    int column;  // in the batch of all near nodes
+  };
+  /// A node below a rewired one, simulated anew.
+  struct Changed {
+    int node;
+    double cost_kpa;
+    std::optional<MotionState> state;  // none: as before
+  };
+
+  Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const;
+  Pressures sample();
+  /// False where the sample falls on a node.
+  bool steer(const Pressures& sample, int nearest);
+  void find_near(int nearest);
+  /// The new node, −1 where no near node has a free way.
+  int connect();
+  bool edge_is_free(const Candidate& candidate);
+  void simulate_all_candidates();
+  /// Simulates from `from` to all of rewirings_ at once.
+  void simulate_rewirings(int from);
+  void rewire(int from, const PlannerBudget& budget);
+  void accept_rewiring(int node, int from);
+  bool simulate_below(const PlannerBudget& budget);
+  /// Whether `end` may stand for what the tree has at `node`: the same set points, pressures and
+  /// backbone, within the settings.
+  bool matches(const MotionState& end, int node) const;
+  void judge(int node);
+  bool ends_in_goal(int node);
+  void consider_best(int node);
+
+  const PlanningProblem& problem_;
+  MotionSimulator& simulator_;
+  ParentRule rule_;
+  PressureRrtStarSettings settings_;
+  RandomStream random_;
+  GoalSampler goal_sampler_;
+  Pressures limit_kpa_;
+  double near_gain_;
+
+  PressureTree tree_;
+  PressureIndex index_;
+  std::vector<char> in_goal_;  // one a node
+  std::optional<double> best_cost_kpa_;
+  std::vector<Pressures> best_waypoints_kpa_;
+  int nearest_node_ = 0;
+  double nearest_error_ = 0.0;
+  PlannerStatistics statistics_;
+
+  // Scratch.
+  Pressures new_kpa_;
+  MotionState new_state_;
+  std::vector<int> near_;
+  std::vector<Candidate> candidates_;
+  std::vector<int> rewirings_;  // nodes that would be cheaper through the new one
+  std::vector<Changed> changed_;
+  MotionBatch batch_;
+  std::vector<MotionState> batch_from_;
+  Eigen::MatrixXf batch_to_kpa_;
+};
+
+}  // namespace limber

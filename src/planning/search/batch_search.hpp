@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "default_planner.hpp"
+#include "goal_seeker.hpp"
+#include "path_simulator.hpp"
+#include "sparse_tree.hpp"
+
+namespace limber {
+
+/// Grows a sparse tree by batches of edges, some of them toward the goal. Everything given is
+/// borrowed. The tree depends on the seed, the number of rounds and what is grafted alone.
+class BatchSearch {
+ public:
+  struct Solution {
+    int node;
+    double cost_kpa;
+    Pose held_tip;  ///< after the hold
+  };
+
+  BatchSearch(const PlanningProblem& problem, PathSimulator& simulator,
+              const DefaultPlannerSettings& settings, std::uint64_t seed);
+
+  /// Proposes a batch of edges, simulates them, adds what is free and new.
+  /// @param best_cost_kpa  of any plan known: edges dearer than some multiple are not tried
+  void round(const std::optional<double>& best_cost_kpa, const std::function<bool()>& give_up);
+
+  /// Adds a state that someone else has reached from `parent`, free of collision.
+  /// @return its node
+  int graft(int parent, const MotionState& state);
+  /// Someone else has found that a node is in the goal after the hold.
+  void note_solution(int node, const Pose& held_tip) {
+    solutions_.push_back({node, tree().cost_kpa(node), held_tip});
+  }
+
+  Pressures limited(const Pressures& pressures_kpa) const { return tree_.limited(pressures_kpa); }
+
+  /// Nodes in the goal, in the order found.
+  const std::vector<Solution>& solutions() const { return solutions_; }
+  std::vector<Pressures> waypoints_to(int node) const { return tree().path_to(node); }
+  /// The node whose tip settles nearest to the goal.
+  int nearest_node() const { return elite_.front().node; }
+
+  const PressureTree& tree() const { return tree_.states(); }
+  double bytes() const { return tree_.bytes(); }
+  /// Edges thought of, simulated or not.
+  std::uint64_t proposals() const { return proposals_; }
+
+ private:
+  struct Proposal {
+    int parent;
+    Pressures to_kpa;
+  };
+  struct Elite {
+    double error;
+    int node;
+  };
+
+  Proposal propose(RandomStream& random);
+  Proposal shot_at_goal(RandomStream& random);
+  Proposal toward_goal_configuration(RandomStream& random);
+  Proposal exploration(RandomStream& random);
+  Pressures scattered(const Pressures& about_kpa, double spread, RandomStream& random) const;
+  double error_of(int node) const;
+  void add(const Proposal& edge, double cost_kpa, const PathOutcome& outcome);
+  void note_error(int node);
+
+  const PlanningProblem& problem_;
+  PathSimulator& simulator_;
+  DefaultPlannerSettings settings_;
+  std::uint64_t seed_;
+  GoalSampler goal_sampler_;
+  SparseTree tree_;
+  std::vector<Elite> elite_;  // nearest to the goal first
+  std::vector<Solution> solutions_;
+  int rounds_ = 0;
+  std::uint64_t proposals_ = 0;
+  std::vector<Proposal> batch_;
+  std::vector<double> costs_kpa_;
+  std::vector<Path> paths_;
+  std::vector<PathOutcome> outcomes_;
+};
+
+}  // namespace limber

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "limber/arm/no_load_model.hpp"
+#include "limber/common/random_stream.hpp"
+#include "limber/planning/planner.hpp"
+#include "limber/world/inverse_kinematics.hpp"
+
+namespace limber {
+
+/// Distance to the goal in tolerances, to compare states with.
+double goal_error(const PoseGoal& goal, const Pose& tip);
+
+/// Where a plan ends, beside where it should: arriving well comes before costing little.
+class GoalAim {
+ public:
+  explicit GoalAim(const PlanningProblem& problem);
+
+  /// The goal with the aim's tolerances.
+  const PoseGoal& inner() const { return inner_; }
+  /// How far a tip in the goal is beyond the aim, in the goal's tolerances; 0 within it.
+  double beyond(const Pose& held_tip) const;
+  /// What plans are compared by: their cost, and far more for ending beyond the aim.
+  double merit_kpa(double cost_kpa, const Pose& held_tip) const {
+    return cost_kpa + kKpaPerTolerance * beyond(held_tip);
+  }
+
+ private:
+  static constexpr double kKpaPerTolerance = 2000.0;  // several times what plans cost
+  PoseGoal goal_;
+  PoseGoal inner_;
+};
+
+/// Configurations whose no-load tip lies in the goal's region, drawn one by one (the paper's goal
+/// biasing); where the no-load model does not reach it, the nearest configurations found.
+class GoalSampler {
+ public:
+  GoalSampler(const NoLoadModel& model, const PoseGoal& goal, int count)
+      : model_(model), goal_(goal), count_(count) {}
+
+  const Pressures& sample(RandomStream& random);
+  /// How many are drawn before they are used again; each takes a good part of a millisecond.
+  void draw_at_most(int count) { count_ = count; }
+
+ private:
+  const NoLoadModel& model_;
+  const PoseGoal& goal_;
+  int count_;
+  std::vector<Pressures> drawn_kpa_;
+};
+
+/// The Newton step of the no-load model from `from_kpa` that would take the tip, which another
+/// model has at `tip`, to the goal: J⁺ of the error that remains, damped (resolved rate). The
+/// pressures are not limited.
+/// @param arm_length_m  weighs a turn against a way
+Pressures step_toward_goal(const NoLoadModel& model, const PoseGoal& goal, double arm_length_m,
+                           const Eigen::Ref<const Pressures>& from_kpa, const Pose& tip);
+
+}  // namespace limber

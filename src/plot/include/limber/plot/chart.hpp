@@ -1,0 +1,115 @@
+#pragma once
+// For those who show results.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "limber/plot/chart_series.hpp"
+#include "limber/plot/palette.hpp"
+
+namespace limber {
+
+/// One axis of a chart.
+struct AxisSettings {
+  std::string label;                               ///< quantity and unit: "time [s]"
+  std::optional<std::pair<double, double>> range;  ///< unset: the data's, widened to nice numbers
+  bool logarithmic = false;
+};
+
+/// Everything about a chart but its series.
+struct ChartSettings {
+  std::string title;
+  AxisSettings x, y;
+  std::vector<std::string> categories;  ///< of the x axis; empty: the x axis counts numbers
+  bool equal_aspect = false;
+  bool legend = true;
+  int width_px = 560;
+  int height_px = 380;
+  int bins = 40;
+  std::string note;  ///< a small line under the chart
+};
+
+/// A chart as a value: fill it, then ask for its SVG. Made to be read on a phone, printed, and told
+/// apart by colour-blind readers (palette of Okabe and Ito, 2008); its white background also serves
+/// pages in dark mode.
+///
+/// Values that can't be drawn (not finite; not positive on a logarithmic axis) are left out, a line
+/// breaks there, and the chart says underneath how many there were. Lines of more points than
+/// pixels keep the first, lowest, highest and last point of each pixel column.
+///
+///   Chart chart("Error over time");
+///   chart.x_axis("time [s]").y_axis("position error [cm]");
+///   chart.line("no-load", time_s, no_load_cm).line("network", time_s, network_cm);
+///   write_file_atomically("error.svg", chart.svg());
+///
+/// Series functions throw InputError where vectors that belong together differ in size.
+class Chart {
+ public:
+  explicit Chart(std::string title);
+
+  Chart& x_axis(std::string label);
+  Chart& y_axis(std::string label);
+  /// Fixed limits, low < high and both finite, else InputError.
+  Chart& x_range(double low, double high);
+  Chart& y_range(double low, double high);
+  Chart& logarithmic_y();
+  /// A unit of x is as long as a unit of y; the ranges grow to fill the area.
+  Chart& equal_aspect();
+  Chart& size_px(int width_px, int height_px);
+  Chart& without_legend();
+  Chart& bins(int count);
+  Chart& note(std::string text);
+
+  Chart& line(std::string label, std::vector<double> x, std::vector<double> y,
+              SeriesStyle style = {});
+  Chart& points(std::string label, std::vector<double> x, std::vector<double> y,
+                SeriesStyle style = {});
+  Chart& band(std::string label, std::vector<double> x, std::vector<double> low,
+              std::vector<double> high, SeriesStyle style = {});
+  /// A line and the band one `deviation` to either side of it, in one colour.
+  Chart& mean_band(std::string label, std::vector<double> x, const std::vector<double>& mean,
+                   const std::vector<double>& deviation, SeriesStyle style = {});
+  /// One group of bars for all series: every call must name the same categories.
+  Chart& bars(std::vector<std::string> categories, std::string label, std::vector<double> values,
+              std::vector<double> errors = {}, SeriesStyle style = {});
+  Chart& histogram(std::string label, std::vector<double> values, SeriesStyle style = {});
+  /// A category of its own, named `label`. Not in one chart with bars.
+  Chart& distribution(std::string label, std::vector<double> values, SeriesStyle style = {});
+  Chart& horizontal_line(std::string label, double y, SeriesStyle style = {});
+  Chart& vertical_line(std::string label, double x, SeriesStyle style = {});
+
+  /// The whole picture: well-formed XML, one <svg> element, nothing external.
+  std::string svg() const;
+
+  /// How many values svg() leaves out because they can't be drawn.
+  int undrawable_values() const;
+
+  const ChartSettings& settings() const { return settings_; }
+  const std::vector<Series>& series() const { return series_; }
+
+ private:
+  /// Gives the series the next colour of the palette where it has none, and stores it.
+  template <typename SeriesType>
+  Chart& add(SeriesType series);
+
+  ChartSettings settings_;
+  std::vector<Series> series_;
+  int next_color_ = 0;
+};
+
+/// Several charts in one picture, row by row, `columns` (at least 1) in a row.
+class ChartGrid {
+ public:
+  explicit ChartGrid(int columns, std::string title = "");
+  ChartGrid& add(Chart chart);
+  std::string svg() const;
+
+ private:
+  int columns_;
+  std::string title_;
+  std::vector<Chart> charts_;
+};
+
+}  // namespace limber

@@ -1,0 +1,95 @@
+#pragma once
+// For those who show results.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "limber/plot/palette.hpp"
+#include "limber/plot/shape_style.hpp"
+
+namespace limber {
+
+/// A point of the drawn world: x to the right, y up.
+struct WorldPoint {
+  double x_m = 0.0;
+  double y_m = 0.0;
+};
+
+/// The part of the world that a drawing shows.
+struct WorldBox {
+  double x_min_m = 0.0, x_max_m = 1.0;
+  double y_min_m = 0.0, y_max_m = 1.0;
+};
+
+/// A picture in world metres, y up, both axes to one scale: arms, obstacles, trees, goals. Shapes
+/// are drawn in the order of the calls; what leaves the box is cut off at its edge.
+///
+/// A shape with a coordinate or size that is not finite is left out and counted, and the picture
+/// says so; polylines break there instead. Coordinates are rounded to 0.01 px.
+///
+///   SvgDrawing drawing({-0.2, 0.8, -0.6, 0.6});
+///   drawing.axes();
+///   drawing.circle({0.45, 0.22}, 0.06, {.fill = "#bbbbbb"});
+///   drawing.capsule_chain(backbone, radii_m, {.fill = palette_color(1), .opacity = 0.5});
+class SvgDrawing {
+ public:
+  /// @param box       finite, minimum below maximum in both axes, else InputError.
+  /// @param width_px  of the world's part, > 0; the height follows from the box.
+  explicit SvgDrawing(const WorldBox& box, double width_px = 560.0, std::string title = "");
+
+  void polyline(std::span<const WorldPoint> points, const ShapeStyle& style = {});
+  void polygon(std::span<const WorldPoint> points, const ShapeStyle& style = {});
+  void circle(WorldPoint center, double radius_m, const ShapeStyle& style = {});
+  /// Sides width_m along the direction angle_rad, height_m across it.
+  void rectangle(WorldPoint center, double width_m, double height_m, double angle_rad,
+                 const ShapeStyle& style = {});
+  /// Many short strokes of one look, such as the edges of a tree: points 0–1, 2–3, … are joined.
+  void segments(std::span<const WorldPoint> end_points, const ShapeStyle& style = {});
+  /// A thick body: gap i, from point i to i + 1, is a capsule of radius radii_m[i]. Filled with
+  /// style.fill as one shape (opacity does not add up where capsules overlap), outlined where
+  /// style.stroke is not "none". @throws InputError where the sizes do not fit.
+  void capsule_chain(std::span<const WorldPoint> points, std::span<const double> radii_m,
+                     const ShapeStyle& style);
+  /// Five-pointed, the first point upwards.
+  void star(WorldPoint center, double radius_m, const ShapeStyle& style = {});
+  void arrow(WorldPoint from, WorldPoint to, const ShapeStyle& style = {});
+  void text(WorldPoint at, std::string_view text, const TextStyle& style = {});
+
+  /// Grid lines behind what follows, and a frame with ticks in metres around the picture.
+  void axes();
+  /// Everything until end_layer() is drawn as one, with `opacity`. Layers nest.
+  void begin_layer(std::string_view name, double opacity = 1.0);
+  void end_layer();
+  /// An entry of the key under the picture: a swatch of the style and its meaning.
+  void legend(std::string_view label, const ShapeStyle& style);
+
+  /// The whole picture; open layers are closed in it.
+  std::string svg() const;
+
+  /// How many shapes or line points were left out because they were not finite.
+  int undrawable_shapes() const { return undrawable_; }
+
+  const WorldBox& box() const { return box_; }
+
+ private:
+  double pixel_x(double x_m) const;
+  double pixel_y(double y_m) const;
+  double pixels(double length_m) const;
+  /// Counts what is not finite.
+  bool drawable(std::span<const WorldPoint> points, double size = 0.0);
+  std::string path(std::span<const WorldPoint> points) const;
+  std::string frame_and_ticks() const;
+
+  WorldBox box_;
+  double scale_;  ///< [px/m]
+  std::string title_;
+  std::string body_;
+  std::vector<LegendEntry> legend_;
+  int open_layers_ = 0;
+  int undrawable_ = 0;
+  bool axes_ = false;
+};
+
+}  // namespace limber

@@ -1,0 +1,78 @@
+#include "limber/report/certificate_report.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+}  // namespace
+
+Json certificate_to_json(const Certificate& certificate, const Environment& environment) {
+  Json json;
+  json["status"] = certificate.certified() ? "certified" : "refused";
+  json["failures"] = Json::array();
+  for (const CertificateFailure& failure : certificate.failures) {
+    json["failures"].push_back({{"check", failure.check},
+                                {"frame", failure.frame >= 0 ? Json(failure.frame) : Json(nullptr)},
+                                {"message", failure.message}});
+  }
+  json["frames"] = certificate.frames;
+  json["clearance_cm"] = finite(certificate.clearance_m * kCmPerM);
+  json["clearance_frame"] =
+      certificate.clearance_frame >= 0 ? Json(certificate.clearance_frame) : Json(nullptr);
+  json["largest_deviation_m"] = finite(certificate.largest_deviation_m);
+  json["largest_step_deviation_m"] = finite(certificate.largest_step_deviation_m);
+  json["largest_heading_deviation_rad"] = finite(certificate.largest_heading_deviation_rad);
+  json["largest_pressure_deviation_kpa"] = finite(certificate.largest_pressure_deviation_kpa);
+  json["cost_kpa"] = certificate.cost_kpa;
+  json["largest_step_kpa"] = certificate.largest_step_kpa;
+  json["distance_to_goal_cm"] = finite(certificate.goal_distance_m * kCmPerM);
+  json["orientation_to_goal_rad"] =
+      environment.goal.theta_rad ? finite(certificate.goal_orientation_rad) : Json(nullptr);
+  return json;
+}
+
+std::string certificate_to_text(const Certificate& certificate, const ArmDescription& arm,
+                                const Environment& environment) {
+  std::string text;
+  for (const CertificateFailure& failure : certificate.failures) {
+    text += failure.frame >= 0 ? fmt::format("refused: {}: frame {}: {}\n", failure.check,
+                                             failure.frame, failure.message)
+                               : fmt::format("refused: {}: {}\n", failure.check, failure.message);
+  }
+  if (!certificate.certified()) {
+    return text + fmt::format("not certified: {} of {} frames' checks failed as above",
+                              certificate.failures.size(), certificate.frames);
+  }
+  const std::string where =
+      certificate.clearance_obstacle < 0
+          ? "no obstacles"
+          : fmt::format("clearance {:.3f} cm (frame {}, {}, {})", certificate.clearance_m * kCmPerM,
+                        certificate.clearance_frame,
+                        segment_name(arm.segment_of_gap(certificate.clearance_gap)),
+                        obstacle_name(environment, certificate.clearance_obstacle));
+  const std::string heading = environment.goal.theta_rad
+                                  ? fmt::format(" and {:.3f} rad", certificate.goal_orientation_rad)
+                                  : "";
+  return fmt::format(
+      "certified: {} frames; {}; plates within {:.2g} mm of the own simulation; ends {:.3f} cm{} "
+      "from the goal; cost {:.2f} {unit}, at most {:.3g} {unit} a frame",
+      certificate.frames, where, certificate.largest_deviation_m * 1e3,
+      certificate.goal_distance_m * kCmPerM, heading, certificate.cost_kpa,
+      certificate.largest_step_kpa, fmt::arg("unit", arm.command.unit));
+}
+
+}  // namespace limber

@@ -1,0 +1,127 @@
+#include "limber/report/execution_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/units.hpp"
+#include "limber/plot/palette.hpp"
+#include "limber/report/animation.hpp"
+#include "limber/report/plan_picture.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kShapes = 6;  // taken on the way
+constexpr const char* kCollisionColor = "#b2182b";
+
+Backbone recorded_backbone(const Episode& episode, Eigen::Index frame) {
+  return Eigen::Map<const Backbone>(episode.backbone.row(frame).data(), episode.backbone.cols() / 3,
+                                    3);
+}
+
+WorldPoint tip_of(const Backbone& backbone) {
+  const Pose tip = tip_pose<float>(backbone);
+  return {tip.x_m, tip.y_m};
+}
+
+std::string title_of(const Environment& environment, const ExecutionResult& result) {
+  std::string title = environment.name + ": " + to_string(result.status);
+  if (result.final_backbone) {
+    title += fmt::format(", {:.1f} cm from the goal", kCmPerM * result.goal_error.position_m);
+  }
+  return title + (result.collided ? ", collided" : "");
+}
+
+void draw_way(SvgDrawing& drawing, const ArmDescription& arm, const Episode& episode,
+              const std::string& color) {
+  const int frames = episode.frame_count();
+  std::vector<WorldPoint> tips;
+  for (int t = 0; t < frames; ++t) {
+    tips.push_back(tip_of(recorded_backbone(episode, t)));
+  }
+  for (int k = 0; k < std::min(kShapes, frames); ++k) {
+    const auto frame = static_cast<Eigen::Index>(std::lround(k * (frames - 1.0) / kShapes));
+    draw_arm(drawing, arm, recorded_backbone(episode, frame),
+             {.fill = color, .stroke = "none", .opacity = 0.08 + 0.03 * k});
+  }
+  drawing.polyline(tips, {.stroke = color, .width_px = 1.5});
+}
+
+void draw_prediction(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan) {
+  const bool network = plan.model == "network";
+  const std::string color = palette_color(network ? kNetworkColor : kNoLoadColor);
+  std::vector<WorldPoint> tips;
+  for (const PlanFrame& frame : plan.frames) {
+    tips.push_back(tip_of(frame.backbone));
+  }
+  const ShapeStyle end{.fill = color, .stroke = "none", .opacity = 0.4};
+  draw_arm(drawing, arm, plan.frames.back().backbone, end);
+  drawing.polyline(tips, {.stroke = color, .width_px = 2.0, .dashed = true});
+  drawing.legend(fmt::format("end that the {} model predicts; dashed: its tip's way",
+                             network ? "network" : "no-load"),
+                 end);
+}
+
+void draw_collision(SvgDrawing& drawing, const ArmDescription& arm, const Episode& episode,
+                    const Contact& contact) {
+  const auto later = std::lower_bound(episode.time_s.begin(), episode.time_s.end(), contact.time_s);
+  const Eigen::Index frame =
+      std::min<Eigen::Index>(later - episode.time_s.begin(), episode.time_s.size() - 1);
+  const ShapeStyle style{.fill = kCollisionColor, .stroke = kCollisionColor, .opacity = 0.5};
+  draw_arm(drawing, arm, recorded_backbone(episode, frame), style);
+  drawing.legend(fmt::format("first collision, {:.2f} s", contact.time_s), style);
+}
+
+}  // namespace
+
+std::string execution_picture(const ArmDescription& arm, const Environment& environment,
+                              const Plan& plan, const ExecutionResult& result) {
+  SvgDrawing drawing(picture_box(arm, environment), 640.0, title_of(environment, result));
+  drawing.axes();
+  draw_environment(drawing, environment);
+  const std::string truth = palette_color(kTrueArmColor);
+  draw_prediction(drawing, arm, plan);
+  if (result.episode.frame_count() > 0) {
+    draw_way(drawing, arm, result.episode, truth);
+  }
+  if (result.first_collision && result.episode.frame_count() > 0) {
+    draw_collision(drawing, arm, result.episode, *result.first_collision);
+  }
+  if (result.final_backbone) {
+    const ShapeStyle executed{.fill = truth, .stroke = truth, .width_px = 1.5, .opacity = 0.6};
+    draw_arm(drawing, arm, *result.final_backbone, executed);
+    drawing.legend("the arm's end, and the way of its tip", executed);
+  }
+  return drawing.svg();
+}
+
+std::string execution_animation(const ArmDescription& arm, const Environment& environment,
+                                const Plan& plan, const ExecutionResult& result) {
+  const bool network = plan.model == "network";
+  AnimationTrack predicted{
+      fmt::format("as the {} model predicts it", network ? "network" : "no-load"),
+      palette_color(network ? kNetworkColor : kNoLoadColor),
+      {}};
+  std::vector<Pressures> setpoints;
+  for (const PlanFrame& frame : plan.frames) {
+    predicted.shapes.push_back(frame.backbone);
+    setpoints.push_back(frame.setpoint_kpa);
+  }
+  AnimationTrack executed{"as it moved", palette_color(kTrueArmColor), {}};
+  std::vector<Pressures> measured;
+  for (int t = 0; t < result.episode.frame_count(); ++t) {
+    executed.shapes.push_back(recorded_backbone(result.episode, t));
+    measured.emplace_back(result.episode.pressure_kpa.row(t).transpose());
+  }
+  std::vector<AnimationTrack> tracks{std::move(predicted)};
+  if (!executed.shapes.empty()) {
+    tracks.push_back(std::move(executed));
+  }
+  return animation_page(arm, environment, title_of(environment, result), tracks, setpoints,
+                        measured);
+}
+
+}  // namespace limber

@@ -1,0 +1,105 @@
+#include "limber/report/execution_report.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/units.hpp"
+#include "limber/planning/problem_check.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string place(const Contact& contact, const Environment& environment) {
+  const int obstacle = contact.clearance.obstacle;
+  return fmt::format("{}, {}, {:.2f} s", obstacle_name(environment, obstacle),
+                     plates_of_gap(contact.clearance.gap), contact.time_s);
+}
+
+Json contact_to_json(const std::optional<Contact>& contact, const Environment& environment) {
+  if (!contact) {
+    return nullptr;
+  }
+  const auto obstacle = static_cast<std::size_t>(contact->clearance.obstacle);
+  return {{"time_s", contact->time_s},
+          {"clearance_cm", kCmPerM * contact->clearance.value_m},
+          {"obstacle", obstacle},
+          {"kind", obstacle_kind(environment.obstacles[obstacle])},
+          {"plates", {contact->clearance.gap, contact->clearance.gap + 1}}};
+}
+
+}  // namespace
+
+Json execution_to_json(const ExecutionResult& result, const Environment& environment) {
+  Json json = {{"status", to_string(result.status)}, {"collided", result.collided}};
+  json["min_clearance_cm"] =
+      result.closest ? Json(kCmPerM * result.closest->clearance.value_m) : Json(nullptr);
+  json["distance_to_goal_cm"] =
+      result.final_backbone ? Json(kCmPerM * result.goal_error.position_m) : Json(nullptr);
+  json["orientation_to_goal_rad"] =
+      result.final_backbone ? Json(result.goal_error.orientation_rad) : Json(nullptr);
+  json["replans"] = 0;
+  json["frames"] = result.frames;
+  json["goal_reached"] = result.goal_reached;
+  json["message"] = result.message;
+  json["closest"] = contact_to_json(result.closest, environment);
+  json["first_collision"] = contact_to_json(result.first_collision, environment);
+  json["start_error_cm"] = kCmPerM * result.start_error_m;
+  json["prediction_error_cm"] = nullptr;
+  if (result.prediction) {
+    json["prediction_error_cm"] = {{"mean", kCmPerM * result.prediction->mean_m},
+                                   {"before_hold", kCmPerM * result.prediction->before_hold_m},
+                                   {"largest", kCmPerM * result.prediction->largest_m},
+                                   {"final", kCmPerM * result.prediction->final_m}};
+  }
+  json["final_backbone"] = nullptr;
+  if (result.final_backbone) {
+    json["final_backbone"] = Json::array();
+    for (const auto& pose : result.final_backbone->rowwise()) {
+      json["final_backbone"].push_back({pose[0], pose[1], pose[2]});
+    }
+  }
+  return json;
+}
+
+std::string execution_to_text(const ExecutionResult& result, const Environment& environment) {
+  std::string text = fmt::format("{}, {} frames", to_string(result.status), result.frames);
+  if (!result.message.empty()) {
+    text += ": " + result.message;
+  }
+  if (result.final_backbone) {
+    text += fmt::format("\n  {:.1f} cm", kCmPerM * result.goal_error.position_m);
+    if (environment.goal.theta_rad) {
+      text += fmt::format(" and {:.2f} rad", result.goal_error.orientation_rad);
+    }
+    text += fmt::format(" from the goal: {}", result.goal_reached ? "reached" : "not reached");
+  } else {
+    text += "\n  nothing saw the arm: distance to the goal and collisions are unknown";
+  }
+  if (result.first_collision) {
+    text += "\n  collided with " + place(*result.first_collision, environment);
+  }
+  if (result.closest) {
+    text += fmt::format(
+        "\n  {} {:.1f} cm at {}", result.closest->clearance.value_m < 0.0 ? "deepest" : "closest",
+        kCmPerM * std::abs(result.closest->clearance.value_m), place(*result.closest, environment));
+  }
+  if (result.prediction) {
+    text +=
+        fmt::format("\n  tip off its prediction by {:.1f} cm on average, at most {:.1f}",
+                    kCmPerM * result.prediction->mean_m, kCmPerM * result.prediction->largest_m);
+  }
+  constexpr double kNotableStartError_m = 0.005;
+  if (result.start_error_m > kNotableStartError_m) {
+    text += fmt::format("\n  the arm started {:.1f} cm from where the plan starts",
+                        kCmPerM * result.start_error_m);
+  }
+  return text;
+}
+
+}  // namespace limber

@@ -1,0 +1,19 @@
+#pragma once
+// For those who check plans.
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/certificate/certificate.hpp"
+
+namespace limber {
+
+/// The object of `limber verify --json`.
+nlohmann::ordered_json certificate_to_json(const Certificate& certificate,
+                                           const Environment& environment);
+/// The same in a few lines for people.
+std::string certificate_to_text(const Certificate& certificate, const ArmDescription& arm,
+                                const Environment& environment);
+
+}  // namespace limber

@@ -1,0 +1,19 @@
+#pragma once
+// For those who show results.
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/hardware/executor.hpp"
+
+namespace limber {
+
+/// The object of `limber execute --json`; lengths in cm, unknown values null.
+nlohmann::ordered_json execution_to_json(const ExecutionResult& result,
+                                         const Environment& environment);
+
+/// The same in a few lines for people.
+std::string execution_to_text(const ExecutionResult& result, const Environment& environment);
+
+}  // namespace limber

@@ -1,0 +1,44 @@
+#pragma once
+// For those who show results.
+
+#include <string>
+#include <vector>
+
+#include "limber/planning/planner.hpp"
+#include "limber/plot/svg_drawing.hpp"
+#include "limber/world/environment.hpp"
+#include "limber/world/plan.hpp"
+
+namespace limber {
+
+/// The part of the world that an arm and an environment take, with room about it.
+WorldBox picture_box(const ArmDescription& arm, const Environment& environment);
+
+/// Obstacles, and the goal as a star in its tolerance circle; an arrow shows a wanted heading.
+void draw_environment(SvgDrawing& drawing, const Environment& environment);
+
+/// A backbone with the thickness that collisions are checked with.
+void draw_arm(SvgDrawing& drawing, const ArmDescription& arm, const Backbone& backbone,
+              const ShapeStyle& style);
+
+/// Tips of a search tree, an edge from each node's parent.
+void draw_tree(SvgDrawing& drawing, const std::vector<TreeEdge>& tree);
+
+/// The arm along a plan, early shapes faint, the last one full, with the way of its tip.
+void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan);
+
+/// The environment with the arm at its start, as an SVG file's text.
+std::string environment_picture(const ArmDescription& arm, const Environment& environment);
+
+/// All of it: environment, tree and plan (or the nearest motion, drawn dashed, where there is no
+/// plan) as an SVG file's text.
+std::string plan_picture(const ArmDescription& arm, const Environment& environment,
+                         const PlanResult& result);
+
+/// Set points, the pressures predicted from them and, where given, the measured ones over time, one
+/// chart for all segments, as an SVG file's text.
+/// @param measured_kpa  one row a frame, the plan's frames first; may be empty
+std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
+                             const std::vector<Pressures>& measured_kpa = {});
+
+}  // namespace limber

@@ -1,0 +1,41 @@
+#pragma once
+// For those who show results.
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/training/ensemble_evaluation.hpp"
+#include "limber/training/evaluation.hpp"
+#include "limber/training/fine_tuning.hpp"
+#include "limber/training/trainer.hpp"
+
+namespace limber {
+
+struct TrainingSpeed;
+
+/// Keys position_error_cm and orientation_error_rad of `evaluate --json`.
+nlohmann::ordered_json tip_errors_to_json(const TipErrors& errors);
+/// The object of `evaluate --json`.
+nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation);
+/// The same as a table for people.
+std::string evaluation_to_text(const Evaluation& evaluation);
+
+/// The object `ensemble` of `evaluate --json`.
+nlohmann::ordered_json ensemble_evaluation_to_json(const EnsembleEvaluation& evaluation);
+std::string ensemble_evaluation_to_text(const EnsembleEvaluation& evaluation);
+
+/// The object `fine_tuning` of `train --json`.
+nlohmann::ordered_json to_json(const FineTuningReport& report);
+/// A table: tip position errors in cm.
+std::string to_text(const FineTuningReport& report);
+
+/// The object of `train --bench --json`.
+nlohmann::ordered_json to_json(const TrainingSpeed& speed);
+std::string to_text(const TrainingSpeed& speed);
+
+/// Loss and validation error over epochs, as SVG text.
+std::string learning_curve_svg(const std::vector<LearningCurvePoint>& curve);
+
+}  // namespace limber

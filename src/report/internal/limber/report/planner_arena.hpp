@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "limber/trial/plan_trial.hpp"
+
+namespace limber {
+
+/// The trials in one environment as a log of OMPL's benchmarks, which Planner Arena and OMPL's own
+/// script (ompl_benchmark_statistics.py) read: a planner for each planner and model of limber's.
+/// @param environment  EnvironmentCase::id
+std::string planner_arena_log(const std::string& environment, const std::vector<PlanTrial>& trials,
+                              const PlannerLimits& limits, std::uint64_t seed);
+
+}  // namespace limber

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/report/report_page.hpp"
+#include "limber/trial/plan_trial.hpp"
+
+namespace limber {
+
+/// Of some numbers. No numbers, no figures; the standard error wants two.
+struct SampleFigures {
+  int count = 0;
+  std::optional<double> mean;
+  std::optional<double> median;
+  std::optional<double> p95;             ///< the smallest number that 95 % of them do not exceed
+  std::optional<double> standard_error;  ///< of the mean, sample deviation / √count
+};
+
+SampleFigures figures_of(std::vector<double> values);
+
+/// One line of the paper's Table I: one environment, one model.
+struct PlanningRow {
+  std::string environment;  ///< EnvironmentCase::id
+  std::string model;        ///< "no_load" or "network"
+  std::string planner;
+  int trials = 0;
+  int solved = 0;
+  int not_certified = 0;  ///< defects: plans that were found and refused
+  SampleFigures first_solution_s;
+  SampleFigures first_cost_psi;  ///< of the first plan
+  SampleFigures cost_psi;        ///< of the best plan within the limits
+  int executed = 0;
+  int collided = 0;
+  int reached = 0;                 ///< within the goal's tolerances, without collision
+  SampleFigures distance_cm;       ///< executed, runs that collided included
+  SampleFigures distance_free_cm;  ///< without them
+  SampleFigures orientation_rad;   ///< where the goal asks for a heading
+  SampleFigures orientation_free_rad;
+  /// The paper's way, one plan a cell: the first trial that was solved.
+  const PlanTrial* one_plan = nullptr;
+};
+
+/// A row for every planner, environment and model that there are trials of, in the order in which
+/// they come first. Trials are borrowed.
+std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials);
+
+/// What the paper found when it set both models side by side, and whether it was found here.
+struct PaperFinding {
+  std::string what;
+  std::string paper;
+  std::string here;
+  std::string verdict;  ///< "reproduced", "not reproduced" or "not comparable"
+};
+
+/// Over the environments where the first row's planner planned with both models.
+std::vector<PaperFinding> compare_with_paper(const std::vector<PlanningRow>& rows);
+
+/// table.json: a list with one object a row.
+nlohmann::ordered_json planning_table_to_json(const std::vector<PlanningRow>& rows);
+
+/// Table I with all plans executed; Table I with the paper's one plan a cell; times; the
+/// comparison.
+std::vector<ReportTable> planning_tables(const std::vector<PlanningRow>& rows);
+
+/// The same as Markdown.
+std::string tables_to_markdown(const std::string& title, const std::vector<ReportTable>& tables);
+
+}  // namespace limber

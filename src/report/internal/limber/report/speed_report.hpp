@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/bench/speed_benchmark.hpp"
+#include "limber/plot/chart.hpp"
+
+namespace limber {
+
+/// Keys of `limber bench --json`, docs/formats.md.
+nlohmann::ordered_json to_json(const SpeedReport& report);
+/// A table for people.
+std::string to_text(const SpeedReport& report);
+/// Bars, logarithmic, the paper's figures among them.
+Chart speed_chart(const SpeedReport& report);
+
+}  // namespace limber

@@ -1,0 +1,120 @@
+#include "limber/report/plan_report.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// NaN and infinities have no JSON; null says "none".
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json partial_to_json(const std::optional<Plan>& partial, const PoseGoal& goal) {
+  if (!partial) {
+    return nullptr;
+  }
+  Json json;
+  json["distance_to_goal_cm"] = partial->goal_distance_m * kCmPerM;
+  json["orientation_to_goal_rad"] = goal.theta_rad ? Json(partial->goal_orientation_rad) : nullptr;
+  json["cost_kpa"] = partial->cost_kpa;
+  json["frames"] = partial->frame_count();
+  return json;
+}
+
+}  // namespace
+
+Json plan_result_to_json(const PlanResult& result, const PoseGoal& goal, const std::string& planner,
+                         const std::string& model, std::uint64_t seed) {
+  Json json;
+  json["status"] = to_string(result.status);
+  json["reason"] = result.reason;
+  json["warnings"] = result.warnings;
+  json["limit"] = result.limit ? Json(to_string(*result.limit)) : Json(nullptr);
+  json["best_partial"] = partial_to_json(result.best_partial, goal);
+  json["planner"] = planner;
+  json["model"] = model;
+  json["seed"] = seed;
+  const Plan* plan = result.plan ? &*result.plan : nullptr;
+  json["cost_kpa"] = plan ? Json(plan->cost_kpa) : nullptr;
+  json["cost_psi"] = plan ? Json(plan->cost_kpa / kKpaPerPsi) : nullptr;
+  json["first_solution"] = nullptr;
+  if (result.first_solution) {
+    json["first_solution"] = {{"time_s", result.first_solution->time_s},
+                              {"cost_kpa", result.first_solution->cost_kpa},
+                              {"queries", result.first_solution->queries}};
+  }
+  const FirstSolution* first = result.first_solution ? &*result.first_solution : nullptr;
+  json["first_candidate_s"] = first ? Json(first->candidate_s) : nullptr;
+  json["first_certificate_s"] = first ? Json(first->certificate_s) : nullptr;
+  json["time_s"] = result.statistics.time_s;
+  json["iterations"] = result.statistics.iterations;
+  json["queries"] = result.statistics.queries;
+  json["nodes"] = result.statistics.nodes;
+  json["rewires_tried"] = result.statistics.rewires_tried;
+  json["rewires_accepted"] = result.statistics.rewires_accepted;
+  json["distance_to_goal_cm"] = plan ? Json(plan->goal_distance_m * kCmPerM) : nullptr;
+  json["orientation_to_goal_rad"] =
+      plan && goal.theta_rad ? Json(plan->goal_orientation_rad) : nullptr;
+  json["clearance_cm"] = plan ? finite(plan->clearance_m * kCmPerM) : nullptr;
+  json["frames"] = plan ? Json(plan->frame_count()) : nullptr;
+  json["largest_clearance_cm"] =
+      result.largest_clearance_m ? finite(*result.largest_clearance_m * kCmPerM) : nullptr;
+  json["certificate"] = nullptr;
+  if (result.certificate) {
+    json["certificate"] = {
+        {"certified", result.certificate->certified()},
+        {"clearance_cm", finite(result.certificate->clearance_m * kCmPerM)},
+        {"largest_deviation_m", finite(result.certificate->largest_deviation_m)}};
+  }
+  json["events"] = Json::array();
+  for (const PlannerProgress& event : result.events) {
+    json["events"].push_back({{"time_s", event.time_s},
+                              {"queries", event.queries},
+                              {"nodes", event.nodes},
+                              {"best_cost_kpa", *event.best_cost_kpa}});
+  }
+  json["duration_s"] = plan ? Json(plan->duration_s()) : nullptr;
+  return json;
+}
+
+std::string plan_result_to_text(const PlanResult& result, const Command& command) {
+  if (!result.plan) {
+    return fmt::format("no plan: {}: {}", to_string(result.status), result.reason);
+  }
+  const Plan& plan = *result.plan;
+  const std::string certified =
+      plan.certified
+          ? fmt::format(
+                "\ncertified: plates within {:.2g} mm of an independent "
+                "simulation, clearance {:.3f} cm",
+                plan.certified->largest_deviation_m * 1e3, plan.certified->clearance_m * kCmPerM)
+          : "";
+  const std::string psi =
+      command.is_pressure_kpa() ? fmt::format(" ({:.1f} psi)", plan.cost_kpa / kKpaPerPsi) : "";
+  return fmt::format(
+             "plan: {} frames, {:.1f} s, cost {:.1f} {}{}; ends {:.2f} cm from the "
+             "goal, "
+             "clearance {:.2f} cm, both as the {} model predicts\n"
+             "first certified plan after {:.4f} s ({:.1f} {}); {} nodes, {} rewires of {} tried, "
+             "{} "
+             "model "
+             "queries in {:.2f} s ({:.0f} a second); {}",
+             plan.frame_count(), plan.duration_s(), plan.cost_kpa, command.unit, psi,
+             plan.goal_distance_m * kCmPerM, plan.clearance_m * kCmPerM, plan.model,
+             result.first_solution->time_s, result.first_solution->cost_kpa, command.unit,
+             result.statistics.nodes, result.statistics.rewires_accepted,
+             result.statistics.rewires_tried, result.statistics.queries, result.statistics.time_s,
+             double(result.statistics.queries) / result.statistics.time_s, result.reason) +
+         certified;
+}
+
+}  // namespace limber

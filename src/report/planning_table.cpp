@@ -1,0 +1,285 @@
+#include "limber/report/planning_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The numbers behind a row.
+struct Samples {
+  std::vector<double> first_solution_s, first_cost_psi, cost_psi;
+  std::vector<double> distance_cm, distance_free_cm, orientation_rad, orientation_free_rad;
+};
+
+void add_execution(const PlanTrial& trial, PlanningRow& row, Samples& samples) {
+  if (!trial.execution || trial.execution->status != ExecutionStatus::done) {
+    return;
+  }
+  const ExecutionResult& run = *trial.execution;
+  ++row.executed;
+  row.collided += run.collided ? 1 : 0;
+  row.reached += run.goal_reached && !run.collided ? 1 : 0;
+  samples.distance_cm.push_back(run.goal_error.position_m * kCmPerM);
+  if (!run.collided) {
+    samples.distance_free_cm.push_back(run.goal_error.position_m * kCmPerM);
+  }
+  if (trial.asks_heading) {
+    samples.orientation_rad.push_back(run.goal_error.orientation_rad);
+    if (!run.collided) {
+      samples.orientation_free_rad.push_back(run.goal_error.orientation_rad);
+    }
+  }
+}
+
+bool is_of(const PlanTrial& trial, const PlanningRow& row) {
+  return trial.environment == row.environment && trial.model == row.model &&
+         trial.planner == row.planner;
+}
+
+void fill(PlanningRow& row, const std::vector<PlanTrial>& trials) {
+  Samples samples;
+  for (const PlanTrial& trial : trials) {
+    if (!is_of(trial, row)) {
+      continue;
+    }
+    ++row.trials;
+    row.not_certified += trial.planning.status == PlanStatus::not_certified ? 1 : 0;
+    if (!trial.solved()) {
+      continue;
+    }
+    ++row.solved;
+    row.one_plan = row.one_plan == nullptr ? &trial : row.one_plan;
+    samples.first_solution_s.push_back(trial.planning.first_solution->time_s);
+    samples.first_cost_psi.push_back(trial.planning.first_solution->cost_kpa / kKpaPerPsi);
+    samples.cost_psi.push_back(trial.planning.plan->cost_kpa / kKpaPerPsi);
+    add_execution(trial, row, samples);
+  }
+  row.first_solution_s = figures_of(samples.first_solution_s);
+  row.first_cost_psi = figures_of(samples.first_cost_psi);
+  row.cost_psi = figures_of(samples.cost_psi);
+  row.distance_cm = figures_of(samples.distance_cm);
+  row.distance_free_cm = figures_of(samples.distance_free_cm);
+  row.orientation_rad = figures_of(samples.orientation_rad);
+  row.orientation_free_rad = figures_of(samples.orientation_free_rad);
+}
+
+Json number(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json to_json(const SampleFigures& figures) {
+  return {{"mean", number(figures.mean)},
+          {"median", number(figures.median)},
+          {"p95", number(figures.p95)},
+          {"standard_error", number(figures.standard_error)},
+          {"count", figures.count}};
+}
+
+/// The model, and the planner where it is not limber's own.
+std::string model_name(const PlanningRow& row) {
+  const std::string model = row.model == "network" ? "Network" : "No load";
+  return row.planner == "default" ? model : model + ", " + row.planner;
+}
+
+std::string show(const std::optional<double>& value, int digits) {
+  return value ? fmt::format("{:.{}f}", *value, digits) : "N/A";
+}
+
+std::string with_error(const SampleFigures& figures, int digits) {
+  return figures.standard_error ? fmt::format("{:.{}f} ± {:.{}f}", *figures.mean, digits,
+                                              *figures.standard_error, digits)
+                                : show(figures.mean, digits);
+}
+
+ReportTable all_plans_table(const std::vector<PlanningRow>& rows) {
+  ReportTable table;
+  table.caption =
+      "Table I, every plan executed. Mean ± standard error; distance and orientation with runs "
+      "that "
+      "collided / without them";
+  table.header = {"Environment",
+                  "Model",
+                  "Solved",
+                  "Reached",
+                  "Collided",
+                  "Distance to goal (cm)",
+                  "Orientation to goal (rad)",
+                  "First certified plan (s)",
+                  "Cost (psi)"};
+  for (const PlanningRow& row : rows) {
+    table.rows.push_back(
+        {row.environment, model_name(row), fmt::format("{} of {}", row.solved, row.trials),
+         fmt::format("{} of {}", row.reached, row.executed),
+         fmt::format("{} of {}", row.collided, row.executed),
+         show(row.distance_cm.mean, 1) + " / " + show(row.distance_free_cm.mean, 1),
+         show(row.orientation_rad.mean, 2) + " / " + show(row.orientation_free_rad.mean, 2),
+         with_error(row.first_solution_s, 4), with_error(row.cost_psi, 1)});
+  }
+  return table;
+}
+
+ReportTable one_plan_table(const std::vector<PlanningRow>& rows) {
+  ReportTable table;
+  table.caption =
+      "Table I the paper's way: one plan a cell (of the first trial solved) executed; N/A where it "
+      "collided";
+  table.header = {
+      "Environment",     "Model",     "Successful plans",      "Plan time (s)",
+      "Plan cost (psi)", "Collision", "Distance to goal (cm)", "Orientation to goal (rad)"};
+  for (const PlanningRow& row : rows) {
+    std::vector<std::string> cells = {row.environment, model_name(row), std::to_string(row.solved),
+                                      with_error(row.first_solution_s, 4),
+                                      with_error(row.cost_psi, 1)};
+    const PlanTrial* trial = row.one_plan;
+    const bool ran =
+        trial != nullptr && trial->execution && trial->execution->status == ExecutionStatus::done;
+    const bool free = ran && !trial->execution->collided;
+    cells.push_back(!ran ? "N/A" : free ? "No" : "Yes");
+    cells.push_back(free ? fmt::format("{:.2f}", trial->execution->goal_error.position_m * kCmPerM)
+                         : "N/A");
+    cells.push_back(free && trial->asks_heading
+                        ? fmt::format("{:.2f}", trial->execution->goal_error.orientation_rad)
+                        : "N/A");
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+ReportTable spread_table(const std::vector<PlanningRow>& rows) {
+  ReportTable table;
+  table.caption = "Medians and 95th percentiles; a defect is a plan refused by its certificate";
+  table.header = {"Environment",
+                  "Model",
+                  "First certified plan, median (s)",
+                  "95 % (s)",
+                  "First plan's cost (psi)",
+                  "Distance, median (cm)",
+                  "95 % (cm)",
+                  "Defects"};
+  for (const PlanningRow& row : rows) {
+    table.rows.push_back({row.environment, model_name(row), show(row.first_solution_s.median, 4),
+                          show(row.first_solution_s.p95, 4), with_error(row.first_cost_psi, 1),
+                          show(row.distance_cm.median, 1), show(row.distance_cm.p95, 1),
+                          std::to_string(row.not_certified)});
+  }
+  return table;
+}
+
+ReportTable findings_table(const std::vector<PlanningRow>& rows) {
+  ReportTable table;
+  table.caption = "What the paper found of its two models, and what was found here";
+  table.header = {"Network plans against no-load plans", "The paper", "Here", "Verdict"};
+  for (const PaperFinding& finding : compare_with_paper(rows)) {
+    table.rows.push_back({finding.what, finding.paper, finding.here, finding.verdict});
+  }
+  return table;
+}
+
+}  // namespace
+
+SampleFigures figures_of(std::vector<double> values) {
+  SampleFigures figures;
+  figures.count = static_cast<int>(values.size());
+  if (values.empty()) {
+    return figures;
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / double(n);
+  figures.mean = mean;
+  figures.median = 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+  figures.p95 = values[static_cast<std::size_t>(std::ceil(0.95 * double(n))) - 1];
+  if (n >= 2) {
+    double squares = 0.0;
+    for (const double value : values) {
+      squares += (value - mean) * (value - mean);
+    }
+    figures.standard_error = std::sqrt(squares / double(n - 1) / double(n));
+  }
+  return figures;
+}
+
+std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials) {
+  std::vector<PlanningRow> rows;
+  for (const PlanTrial& trial : trials) {
+    const bool known = std::any_of(rows.begin(), rows.end(),
+                                   [&](const PlanningRow& row) { return is_of(trial, row); });
+    if (!known) {
+      PlanningRow row;
+      row.environment = trial.environment;
+      row.model = trial.model;
+      row.planner = trial.planner;
+      fill(row, trials);
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+Json planning_table_to_json(const std::vector<PlanningRow>& rows) {
+  Json table = Json::array();
+  for (const PlanningRow& row : rows) {
+    table.push_back(
+        {{"environment", row.environment},
+         {"model", row.model},
+         {"planner", row.planner},
+         {"trials", row.trials},
+         {"solved", row.solved},
+         {"not_certified", row.not_certified},
+         {"first_solution_s", to_json(row.first_solution_s)},
+         {"first_solution_cost_psi", to_json(row.first_cost_psi)},
+         {"cost_psi", to_json(row.cost_psi)},
+         {"executed", row.executed},
+         {"collided", row.collided},
+         {"reached", row.reached},
+         {"distance_to_goal_cm", to_json(row.distance_cm)},
+         {"distance_to_goal_without_collision_cm", to_json(row.distance_free_cm)},
+         {"orientation_to_goal_rad", to_json(row.orientation_rad)},
+         {"orientation_to_goal_without_collision_rad", to_json(row.orientation_free_rad)}});
+  }
+  return table;
+}
+
+std::vector<ReportTable> planning_tables(const std::vector<PlanningRow>& rows) {
+  std::vector<ReportTable> tables{all_plans_table(rows), one_plan_table(rows), spread_table(rows),
+                                  findings_table(rows)};
+  for (std::size_t t = 0; t + 1 < tables.size(); ++t) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      if (rows[r].model == "network") {
+        tables[t].highlighted_rows.push_back(static_cast<int>(r));
+      }
+    }
+  }
+  return tables;
+}
+
+std::string tables_to_markdown(const std::string& title, const std::vector<ReportTable>& tables) {
+  std::string text = "# " + title + "\n";
+  const auto line = [](const std::vector<std::string>& cells) {
+    std::string row = "|";
+    for (const std::string& cell : cells) {
+      row += " " + cell + " |";
+    }
+    return row + "\n";
+  };
+  for (const ReportTable& table : tables) {
+    text += "\n" + table.caption + ".\n\n" + line(table.header) +
+            line(std::vector<std::string>(table.header.size(), "---"));
+    for (const std::vector<std::string>& row : table.rows) {
+      text += line(row);
+    }
+  }
+  return text;
+}
+
+}  // namespace limber

@@ -1,0 +1,87 @@
+#include "limber/report/valve_plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+#include "limber/data/valve_identification.hpp"
+#include "limber/data/valve_simulation.hpp"
+#include "limber/plot/chart.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kShownS = 12.0;
+
+/// Sum of all set points' changes within a range.
+double change_within(const Episode& episode, int first, int count) {
+  const auto set = episode.setpoint_kpa.middleRows(first, count).cast<double>();
+  return (set.bottomRows(count - 1) - set.topRows(count - 1)).cwiseAbs().sum();
+}
+
+/// The stretch of about `kShownS` that tells most, from the begin of a held-back range or whole
+/// stretches after it.
+FrameRange liveliest(const Recording& recording) {
+  FrameRange best;
+  double most = -1.0;
+  const int frames = std::max(2, int(std::lround(kShownS * recording.rate_hz)));
+  for (const FrameRange& range : split_for_valves(recording.episodes).held_back) {
+    for (int at = 0; at + 1 < range.count; at += frames) {
+      const FrameRange stretch{range.episode, range.first + at, std::min(frames, range.count - at)};
+      const double change = change_within(recording.episodes[std::size_t(range.episode)],
+                                          stretch.first, stretch.count);
+      if (stretch.count > 1 && change > most) {
+        most = change;
+        best = stretch;
+      }
+    }
+  }
+  if (most < 0.0) {
+    throw InputError("the recording is too short for a picture of its valves");
+  }
+  return best;
+}
+
+std::vector<double> column(const FrameMatrix& values, int segment) {
+  const Eigen::VectorXd numbers = values.col(segment).cast<double>();
+  return {numbers.begin(), numbers.end()};
+}
+
+}  // namespace
+
+std::string valve_plot_svg(const ValveParameters& valves, const Recording& recording) {
+  const FrameRange range = liveliest(recording);
+  const Episode& episode = recording.episodes[std::size_t(range.episode)];
+  const FrameMatrix modelled =
+      simulate_valves(valves, recording.rate_hz, episode, range.first, range.count);
+  const Eigen::VectorXd time_s = episode.time_s.segment(range.first, range.count);
+  const std::vector<double> time(time_s.begin(), time_s.end());
+  ChartGrid grid(1, "Valves: a motion that they were not fitted to");
+  for (int i = 0; i < recording.segment_count; ++i) {
+    Chart chart(fmt::format("{}", segment_name(i)));
+    chart.x_axis("time [s]")
+        .y_axis(fmt::format("{} [{}]", recording.command.name, recording.command.unit))
+        .size_px(900, 260);
+    SeriesStyle set;
+    set.dashed = true;
+    set.width_px = 1.0;
+    chart.line("set point", time,
+               column(episode.setpoint_kpa.middleRows(range.first, range.count), i), set);
+    SeriesStyle thick;
+    thick.width_px = 4.0;
+    thick.opacity = 0.5;
+    chart.line("measured", time,
+               column(episode.pressure_kpa.middleRows(range.first, range.count), i), thick);
+    if (!valves.is_ideal()) {
+      chart.line("modelled from the set points", time, column(modelled, i));
+    }
+    grid.add(chart);
+  }
+  return grid.svg();
+}
+
+}  // namespace limber

@@ -1,0 +1,71 @@
+#pragma once
+// For those who train and evaluate models.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/data/recording.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/training/long_rollout.hpp"
+#include "limber/training/tip_errors.hpp"
+
+namespace limber {
+
+/// How often a prediction is corrected from the recording. One step alone says little: holding the
+/// previous pose is already good at it (docs/training.md).
+enum class Restart {
+  every_frame,       ///< one_step
+  every_32_frames,   ///< window_32
+  every_motion,      ///< per_motion
+  at_the_start_only  ///< open_loop
+};
+
+struct RolloutErrors {
+  TipErrors one_step;
+  TipErrors one_step_moving;  ///< of the frames in which the arm moved: most of the others are easy
+  TipErrors window_32;
+  TipErrors per_motion;
+  TipErrors open_loop;
+  /// Open loop too, and fed with the pressures that the model's valves make of the recording's set
+  /// points: what a plan's prediction is worth. None where the model has no valves, or the
+  /// recording no set points of its own.
+  std::optional<TipErrors> open_loop_from_setpoints;
+};
+
+/// Errors of the models and of two trivial predictors on one recording (INTERFACE: evaluate
+/// --json).
+struct Evaluation {
+  std::int64_t frames = 0;  ///< tracked ones after the first of each episode: those that count
+  TipErrors no_load_open_loop;
+  std::optional<RolloutErrors> network;
+  LongRollout long_rollout;  ///< of the network, where there is one
+  TipErrors hold_one_step;   ///< B_t = B_{t−1}
+  TipErrors hold_one_step_moving;
+  TipErrors constant_velocity_one_step;  ///< B_t = 2 B_{t−1} − B_{t−2}
+  TipErrors constant_velocity_one_step_moving;
+  double position_reduction_percent = 0.0;  ///< open loop, network against no load
+  double orientation_reduction_percent = 0.0;
+};
+
+/// Predicted backbones of an episode (T×3m), fed with its measured pressures. The state before the
+/// first prediction and before every restart is the recorded one; a restart waits for the next
+/// frame in which the arm was seen. The no-load model needs no start. Frames that are not predicted
+/// are NaN: the first, and those that are only a start. Batched over restarts, and over `jobs`
+/// threads; the result does not depend on their number.
+FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart,
+                    int jobs = 0);
+
+/// The same for several episodes, side by side.
+/// @throws InputError where a prediction is not finite.
+std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
+                                 Restart restart, int jobs = 0);
+
+/// @param network  null: no-load model only.
+/// @throws InputError where the recording has no episode of at least three frames.
+Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
+                    const std::vector<Episode>& episodes, int jobs = 0);
+
+}  // namespace limber

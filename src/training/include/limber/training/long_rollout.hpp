@@ -1,0 +1,30 @@
+#pragma once
+// For those who train and evaluate models.
+
+#include <vector>
+
+#include "limber/data/recording.hpp"
+#include "limber/forward/forward_model.hpp"
+
+namespace limber {
+
+/// How far a model strays when it is never corrected.
+struct LongRollout {
+  int frames = 0;                    ///< rolled out
+  double largest_distance_m = 0.0;   ///< of a plate from the base; of finite frames
+  double largest_heading_rad = 0.0;  ///< of a plate, in magnitude
+  bool bounded = false;              ///< all finite, no plate farther than twice the arm's length
+};
+
+/// Frames of the check: a quarter of an hour at 20 Hz.
+inline constexpr int kLongRolloutFrames = 20'000;
+
+/// Rolls `model` out over the measured pressures of the longest episode, there and back again until
+/// `frames` are done, from the first backbone that was tracked. Error that feeds on itself shows
+/// within some hundred frames; what stays within twice the arm's length for a quarter of an hour
+/// will stay.
+/// Zero frames, and bounded, where no frame follows one that was tracked.
+LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>& episodes,
+                          int frames = kLongRolloutFrames);
+
+}  // namespace limber

@@ -1,0 +1,49 @@
+#pragma once
+// For those who train and evaluate models.
+
+#include <vector>
+
+#include "limber/data/recording.hpp"
+
+namespace limber {
+
+/// Over frames: mean, standard deviation (of the population) and 95th percentile; and the largest
+/// mean over the frames of one commanded motion. NaN where there is no frame.
+struct ErrorStatistics {
+  double mean = 0.0;
+  double std = 0.0;
+  double p95 = 0.0;
+  double worst_motion = 0.0;
+};
+
+/// Errors of the end effector.
+struct TipErrors {
+  ErrorStatistics position_cm;
+  ErrorStatistics orientation_rad;
+};
+
+/// Errors of predicted tips, one per frame; NaN where the arm was not seen or nothing predicted.
+struct TipErrorSeries {
+  std::vector<double> position_cm;
+  std::vector<double> orientation_rad;
+  std::vector<int> motion;   ///< which commanded motion the frame belongs to, falling nowhere
+  std::vector<bool> moving;  ///< the recorded tip moved by at least kMovingTip_m since the frame
+                             ///< before
+};
+
+/// 4 cm/s at 20 Hz: an arm at rest is slower, one on its way is faster.
+inline constexpr double kMovingTip_m = 0.002;
+
+/// Frames `first` and later of `predicted` (T×3m) against those recorded. @pre first ≥ 1
+TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first);
+
+/// Appends the frames of another episode; their motions are counted on.
+void append(TipErrorSeries& series, const TipErrorSeries& more);
+
+/// The frames in which the arm moved.
+TipErrorSeries moving_frames(const TipErrorSeries& series);
+
+/// Statistics over the frames that are not NaN.
+TipErrors summarise(const TipErrorSeries& series);
+
+}  // namespace limber

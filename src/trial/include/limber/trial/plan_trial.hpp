@@ -1,0 +1,77 @@
+#pragma once
+// For those who compare planners and models over many trials.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/forward/error_room.hpp"
+#include "limber/forward/motion_model.hpp"
+#include "limber/hardware/executor.hpp"
+#include "limber/planning/forest.hpp"
+#include "limber/planning/planner.hpp"
+#include "limber/world/environment.hpp"
+
+namespace limber {
+
+/// An environment and the short name that files and tables know it by, "03_gap_in_a_wall".
+struct EnvironmentCase {
+  std::string id;
+  Environment environment;
+};
+
+/// One plan and what became of it on the virtual arm.
+struct PlanTrial {
+  std::string environment;  ///< EnvironmentCase::id
+  std::string model;        ///< "no_load" or "network"
+  std::string planner;
+  std::uint64_t seed = 0;
+  bool asks_heading = false;  ///< whether the goal does
+  PlanResult planning;
+  std::optional<ExecutionResult> execution;  ///< none without a plan
+
+  bool solved() const { return planning.status == PlanStatus::solved; }
+};
+
+struct PlanTrialSettings {
+  std::string planner = "default";
+  int planner_jobs = 1;  ///< threads of the planner; trials themselves run side by side
+  PlannerLimits limits;
+  AskedRoom room;                  ///< where nothing is asked for, what the model says of its error
+  const Forest* forest = nullptr;  ///< for the default planner; borrowed
+  std::string model_hash;          ///< goes into the plan of a network; docs/formats.md
+};
+
+/// Plans in the environment with `model`, until its limits or Ctrl-C. The result's execution is not
+/// set.
+PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
+                     const EnvironmentCase& item, const PlanTrialSettings& settings,
+                     std::uint64_t seed);
+
+/// Executes the trial's plan, if it has one, on a fresh virtual arm at rest without sensor faults.
+void execute_trial(const ArmDescription& arm, const Environment& environment, PlanTrial& trial);
+
+/// Means over the trials of one model in one environment, or in all of them; none where nothing
+/// counts.
+struct TrialSummary {
+  int trials = 0;
+  int solved = 0;
+  int executed = 0;  ///< to their end
+  int collided = 0;
+  int reached = 0;  ///< ended within the goal's tolerances, without collision
+  std::optional<double> first_solution_s;  ///< over solved trials
+  std::optional<double> cost_kpa;          ///< over solved trials
+  std::optional<double> distance_m;        ///< executed, runs that collided included
+  std::optional<double> distance_free_m;   ///< executed without collision
+  std::optional<double> orientation_rad;   ///< executed, where the goal asks for a heading
+};
+/// @param environment, model  empty: any.
+TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
+                       const std::string& model);
+
+/// The cheapest solved trial; null where there is none. @param environment, model  empty: any.
+const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials, const std::string& environment,
+                               const std::string& model);
+
+}  // namespace limber

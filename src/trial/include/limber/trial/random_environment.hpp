@@ -1,0 +1,37 @@
+#pragma once
+// For those who compare planners and models over many trials.
+
+#include <optional>
+#include <vector>
+
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+struct RandomEnvironmentSettings {
+  int fewest_obstacles = 2;
+  int most_obstacles = 5;
+  double clearance_m = 0.01;  ///< of the witness motion, ≥ 0
+  double position_tolerance_m = 0.02;
+  double orientation_tolerance_rad = 0.3;
+  double orientation_share = 0.3;  ///< of environments whose goal asks for a heading
+  int attempts = 1000;             ///< motions drawn before giving up, ≥ 1
+};
+
+/// An environment, and one motion that solves it as the model predicts.
+struct RandomEnvironment {
+  Environment environment;
+  std::vector<Pressures> witness_kpa;  ///< waypoints, start first
+};
+
+/// Draws an environment by the rules of limber's own eight: the arm starts straight and free; a
+/// motion through random waypoints, simulated with `model`, stays clear of every obstacle, and the
+/// goal is where its tip ends after the hold; the straight motion in pressure to the same end
+/// collides, and none to an inverse-kinematics solution solves it.
+/// @param number  of the environment among those of `seed`; names it, too
+/// @return none where `attempts` did not give one
+std::optional<RandomEnvironment> random_environment(
+    const ArmDescription& arm, const MotionModel& model, std::uint64_t seed, std::uint64_t number,
+    const RandomEnvironmentSettings& settings = RandomEnvironmentSettings());
+
+}  // namespace limber

@@ -1,0 +1,111 @@
+#include "limber/trial/plan_trial.hpp"
+
+#include "limber/common/interrupt.hpp"
+#include "limber/hardware/virtual_arm.hpp"
+#include "limber/planning/planner_factory.hpp"
+
+namespace limber {
+
+PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
+                     const EnvironmentCase& item, const PlanTrialSettings& settings,
+                     std::uint64_t seed) {
+  PlanTrial trial;
+  trial.environment = item.id;
+  trial.model = model.has_network() ? "network" : "no_load";
+  trial.planner = settings.planner;
+  trial.seed = seed;
+  trial.asks_heading = item.environment.goal.theta_rad.has_value();
+  const ErrorRoom room = error_room(model.forward(), settings.room);
+  PlanningProblem problem{arm, model, item.environment, room.margin_m, room.goal_margin};
+  problem.margin_yields_to_start = room.margin_yields_to_start;
+  trial.planning = make_planner(settings.planner, settings.planner_jobs, settings.forest)
+                       ->plan(problem, settings.limits, seed,
+                              [](const PlannerProgress&) { return !interrupt_requested(); });
+  if (trial.planning.plan) {
+    trial.planning.plan->model_hash = model.has_network() ? settings.model_hash : "";
+  }
+  return trial;
+}
+
+void execute_trial(const ArmDescription& arm, const Environment& environment, PlanTrial& trial) {
+  if (trial.planning.plan) {
+    VirtualArm driver(arm);
+    trial.execution = execute(arm, environment, *trial.planning.plan, driver);
+  }
+}
+
+namespace {
+
+class Mean {
+ public:
+  void add(double value) {
+    sum_ += value;
+    ++count_;
+  }
+  std::optional<double> value() const {
+    return count_ > 0 ? std::optional<double>(sum_ / count_) : std::nullopt;
+  }
+
+ private:
+  double sum_ = 0.0;
+  int count_ = 0;
+};
+
+bool is_asked_for(const PlanTrial& trial, const std::string& environment,
+                  const std::string& model) {
+  return (environment.empty() || trial.environment == environment) &&
+         (model.empty() || trial.model == model);
+}
+
+}  // namespace
+
+TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
+                       const std::string& model) {
+  TrialSummary sum;
+  Mean first_solution_s, cost_kpa, distance_m, distance_free_m, orientation_rad;
+  for (const PlanTrial& trial : trials) {
+    if (!is_asked_for(trial, environment, model)) {
+      continue;
+    }
+    ++sum.trials;
+    if (trial.solved()) {
+      ++sum.solved;
+      first_solution_s.add(trial.planning.first_solution->time_s);
+      cost_kpa.add(trial.planning.plan->cost_kpa);
+    }
+    if (!trial.execution || trial.execution->status != ExecutionStatus::done) {
+      continue;
+    }
+    const ExecutionResult& run = *trial.execution;
+    ++sum.executed;
+    sum.collided += run.collided ? 1 : 0;
+    sum.reached += run.goal_reached && !run.collided ? 1 : 0;
+    distance_m.add(run.goal_error.position_m);
+    if (!run.collided) {
+      distance_free_m.add(run.goal_error.position_m);
+    }
+    if (trial.asks_heading) {
+      orientation_rad.add(run.goal_error.orientation_rad);
+    }
+  }
+  sum.first_solution_s = first_solution_s.value();
+  sum.cost_kpa = cost_kpa.value();
+  sum.distance_m = distance_m.value();
+  sum.distance_free_m = distance_free_m.value();
+  sum.orientation_rad = orientation_rad.value();
+  return sum;
+}
+
+const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials, const std::string& environment,
+                               const std::string& model) {
+  const PlanTrial* best = nullptr;
+  for (const PlanTrial& trial : trials) {
+    if (is_asked_for(trial, environment, model) && trial.solved() &&
+        (best == nullptr || trial.planning.plan->cost_kpa < best->planning.plan->cost_kpa)) {
+      best = &trial;
+    }
+  }
+  return best;
+}
+
+}  // namespace limber

@@ -1,0 +1,316 @@
+#include "limber/world/collision.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "broad_phase.hpp"
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+using Eigen::Vector2d;
+
+// Both stay well inside CollisionChecker::kToleranceM together.
+constexpr double kArcToleranceM = 0.25e-3;    // a chord's bulge that need not be split further
+constexpr double kMotionToleranceM = 0.5e-3;  // a motion that need not be split further
+constexpr int kMostPieces = 32;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The middle line of one gap: an arc of constant curvature from `start` to `end` that turns by
+/// `turn_rad`, |turn| ≤ π. With a half the turn and the chord as unit of length, the point at
+/// β in [−a, a] lies (½ + sin β / 2 sin a) along the chord and (cos a − cos β) / 2 sin a beside it.
+struct GapArc {
+  Vector2d start;
+  Vector2d end;
+  double turn_rad;
+};
+
+/// tan(x) or a little more, for 0 ≤ x ≤ π/4.
+double tangent_bound(double x) {
+  return x * (1.0 + 0.4431 * x * x);
+}
+
+/// Farthest point of the arc from its chord, (c/2)·tan(turn/4), or a little more.
+double bulge_m(double chord_m, double turn_rad) {
+  return 0.5 * chord_m * tangent_bound(0.25 * std::abs(turn_rad));
+}
+
+/// At most half a turn. What is not finite is no turn at all, nor cut down to one.
+double limited_turn(double turn_rad) {
+  return std::isfinite(turn_rad) ? std::clamp(turn_rad, -std::numbers::pi, std::numbers::pi)
+                                 : std::numeric_limits<double>::quiet_NaN();
+}
+
+template <class Scalar>
+GapArc gap_arc(const Eigen::Ref<const BackboneOf<Scalar>>& backbone, int gap) {
+  return {Vector2d(backbone(gap, 0), backbone(gap, 1)),
+          Vector2d(backbone(gap + 1, 0), backbone(gap + 1, 1)),
+          limited_turn(double(backbone(gap + 1, 2)) - double(backbone(gap, 2)))};
+}
+
+/// One gap while its plates move straight and turn evenly.
+struct GapMotion {
+  GapArc from;
+  GapArc to;
+
+  GapArc at(double fraction) const {
+    return {from.start + fraction * (to.start - from.start),
+            from.end + fraction * (to.end - from.end),
+            from.turn_rad + fraction * (to.turn_rad - from.turn_rad)};
+  }
+
+  /// No point of the arc travels farther than this: its plates' way, its bulge turning with the
+  /// chord, and its bulge growing (the point's place over the chord changes by less than 0.3 per
+  /// radian of turn; tests/world/collision_test.cpp).
+  double travel_bound_m() const {
+    constexpr double kPlacePerTurn = 0.3;
+    const Vector2d start_way = to.start - from.start;
+    const Vector2d end_way = to.end - from.end;
+    const double chord = std::sqrt(
+        std::max((from.end - from.start).squaredNorm(), (to.end - to.start).squaredNorm()));
+    const double turn = std::max(std::abs(from.turn_rad), std::abs(to.turn_rad));
+    return std::sqrt(std::max(start_way.squaredNorm(), end_way.squaredNorm())) +
+           bulge_m(1.0, turn) * (end_way - start_way).norm() +
+           kPlacePerTurn * chord * std::abs(to.turn_rad - from.turn_rad);
+  }
+};
+
+/// Calls visit(a, b, bulge) for chords of the arc short enough that none bulges by more than
+/// kArcToleranceM, until it returns false.
+template <class Visit>
+void visit_pieces(const GapArc& arc, double bulge, Visit&& visit) {
+  const int pieces =
+      std::clamp(static_cast<int>(std::ceil(std::sqrt(bulge / kArcToleranceM))), 1, kMostPieces);
+  const double half = 0.5 * arc.turn_rad;
+  const Vector2d chord = arc.end - arc.start;
+  const Vector2d beside(-chord.y(), chord.x());
+  const double scale = 0.5 / std::sin(half);
+  Vector2d previous = arc.start;
+  for (int k = 1; k <= pieces; ++k) {
+    const double beta = half * (2.0 * k / pieces - 1.0);
+    const Vector2d next = k == pieces ? arc.end
+                                      : arc.start + (0.5 + std::sin(beta) * scale) * chord +
+                                            (std::cos(half) - std::cos(beta)) * scale * beside;
+    if (!visit(previous, next, bulge_m((next - previous).norm(), arc.turn_rad / pieces))) {
+      return;
+    }
+    previous = next;
+  }
+}
+
+/// True where an arc thickened by `radius` touches an obstacle; never false where it does.
+bool arc_touches(const std::vector<ObstacleShape>& shapes, const GapArc& arc, double radius) {
+  const double bulge = bulge_m((arc.end - arc.start).norm(), arc.turn_rad);
+  const double reach = radius + bulge;
+  if (!std::isfinite(reach)) {
+    return true;  // no shape: a model that has run off
+  }
+  const double far = std::sqrt(std::max(arc.start.squaredNorm(), arc.end.squaredNorm())) + reach;
+  const Box box = Box::around(arc.start, arc.end);
+  for (const ObstacleShape& shape : shapes) {
+    if (shape.base_distance_m > far) {
+      return false;  // sorted: the others are farther still
+    }
+    if (squared_distance(box, shape.box) > reach * reach ||
+        outside_distance(shape, arc.start, arc.end) > reach) {
+      continue;
+    }
+    bool touches = bulge <= kArcToleranceM;
+    if (!touches) {
+      visit_pieces(arc, bulge, [&](const Vector2d& a, const Vector2d& b, double piece_bulge) {
+        touches = outside_distance(shape, a, b) <= radius + piece_bulge;
+        return !touches;
+      });
+    }
+    if (touches) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Lowers `best` to the clearance of a thickened arc where that is less.
+void lower_by_arc(const std::vector<ObstacleShape>& shapes, const GapArc& arc, double radius,
+                  int gap, Clearance& best) {
+  const double bulge = bulge_m((arc.end - arc.start).norm(), arc.turn_rad);
+  if (!shapes.empty() && !std::isfinite(bulge)) {
+    best = {-kInfinity, gap, shapes.front().index};
+    return;
+  }
+  const Box box = Box::around(arc.start, arc.end);
+  for (const ObstacleShape& shape : shapes) {
+    const double reach = best.value_m + radius + bulge;
+    if (reach > 0.0 && squared_distance(box, shape.box) >= reach * reach) {
+      continue;
+    }
+    const double whole = signed_distance(shape, arc.start, arc.end) - radius - bulge;
+    double value = whole;
+    if (value < best.value_m && bulge > kArcToleranceM) {
+      double pieces = kInfinity;
+      visit_pieces(arc, bulge, [&](const Vector2d& a, const Vector2d& b, double piece_bulge) {
+        pieces = std::min(pieces, signed_distance(shape, a, b) - radius - piece_bulge);
+        return true;
+      });
+      value = std::max(whole, pieces);  // both are bounds
+    }
+    if (value < best.value_m) {
+      best = {value, gap, shape.index};
+    }
+  }
+}
+
+/// True where the gap stays free between the fractions `low` and `high` of its motion.
+/// @param travel  bound on the way of any of its points over the whole motion
+bool motion_is_free(const std::vector<ObstacleShape>& shapes, const GapMotion& motion,
+                    double radius, double travel, double low, double high) {
+  const GapArc arc = motion.at(0.5 * (low + high));
+  const double way = 0.5 * (high - low) * travel;
+  if (!arc_touches(shapes, arc, radius + way)) {
+    return true;
+  }
+  if (!(way > kMotionToleranceM) || arc_touches(shapes, arc, radius)) {
+    return false;
+  }
+  const double middle = 0.5 * (low + high);
+  return motion_is_free(shapes, motion, radius, travel, low, middle) &&
+         motion_is_free(shapes, motion, radius, travel, middle, high);
+}
+
+/// Lowers `best` to a bound on the gap's clearance between the fractions `low` and `high`.
+/// @param known  bound on it from a longer interval; so that what motion_is_free calls free is > 0
+void lower_by_motion(const std::vector<ObstacleShape>& shapes, const GapMotion& motion,
+                     double radius, double travel, double low, double high, int gap, double known,
+                     Clearance& best) {
+  const double way = 0.5 * (high - low) * travel;
+  Clearance here{best.value_m + way, -1, -1};  // farther than this can't matter
+  lower_by_arc(shapes, motion.at(0.5 * (low + high)), radius, gap, here);
+  if (here.obstacle < 0) {
+    return;
+  }
+  known = std::max(known, here.value_m - way);
+  if (!(way > kMotionToleranceM)) {
+    if (known < best.value_m) {
+      best = {known, gap, here.obstacle};
+    }
+    return;
+  }
+  const double middle = 0.5 * (low + high);
+  lower_by_motion(shapes, motion, radius, travel, low, middle, gap, known, best);
+  lower_by_motion(shapes, motion, radius, travel, middle, high, gap, known, best);
+}
+
+template <class Scalar>
+Clearance backbone_clearance(const std::vector<ObstacleShape>& shapes,
+                             const std::vector<double>& radius,
+                             const Eigen::Ref<const BackboneOf<Scalar>>& backbone,
+                             double below_m = kInfinity) {
+  Clearance best{below_m, -1, -1};
+  for (std::size_t gap = 0; gap < radius.size(); ++gap) {
+    const int g = static_cast<int>(gap);
+    lower_by_arc(shapes, gap_arc<Scalar>(backbone, g), radius[gap], g, best);
+  }
+  return best;
+}
+
+/// Calls is_free(gap) for the gaps that boxes cannot clear, from the tip down, which travels
+/// farthest and meets obstacles first. @return whether all of them are
+template <class IsFree>
+bool all_are_free(const BroadPhase& broad, int gaps, const Eigen::Ref<const Backbone>& from,
+                  const Eigen::Ref<const Backbone>& to, IsFree&& is_free) {
+  for (int first = (gaps - 1) / BroadPhase::kGaps * BroadPhase::kGaps; first >= 0;
+       first -= BroadPhase::kGaps) {
+    std::uint32_t left = broad.may_touch(from, to, first);
+    while (left != 0) {
+      const int i = std::bit_width(left) - 1;
+      if (!is_free(first + i)) {
+        return false;
+      }
+      left &= ~(std::uint32_t{1} << i);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+CollisionChecker::CollisionChecker(const ArmDescription& arm,
+                                   const std::vector<Obstacle>& obstacles, double margin_m) {
+  if (!(margin_m >= 0.0 && std::isfinite(margin_m))) {
+    throw InputError(
+        fmt::format("margin_m = {}; expected a distance in metres, at least 0", margin_m));
+  }
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    obstacles_.push_back(make_obstacle_shape(obstacles[i], static_cast<int>(i)));
+  }
+  std::stable_sort(obstacles_.begin(), obstacles_.end(),
+                   [](const ObstacleShape& a, const ObstacleShape& b) {
+                     return a.base_distance_m < b.base_distance_m;
+                   });
+  for (const Segment& segment : arm.segments) {
+    radius_m_.insert(radius_m_.end(), static_cast<std::size_t>(segment.gaps),
+                     0.5 * segment.width_m + arm.actuator_radius_m + margin_m);
+  }
+  broad_ = std::make_unique<const BroadPhase>(obstacles_, radius_m_);
+}
+
+CollisionChecker::CollisionChecker(CollisionChecker&&) noexcept = default;
+CollisionChecker& CollisionChecker::operator=(CollisionChecker&&) noexcept = default;
+CollisionChecker::~CollisionChecker() = default;
+
+Clearance CollisionChecker::clearance(const Eigen::Ref<const Backbone>& backbone) const {
+  return backbone_clearance<float>(obstacles_, radius_m_, backbone);
+}
+
+Clearance CollisionChecker::clearance(const Eigen::Ref<const BackboneD>& backbone) const {
+  return backbone_clearance<double>(obstacles_, radius_m_, backbone);
+}
+
+bool CollisionChecker::is_free(const Eigen::Ref<const Backbone>& backbone) const {
+  return all_are_free(*broad_, gap_count(), backbone, backbone, [&](int gap) {
+    return !arc_touches(obstacles_, gap_arc<float>(backbone, gap), radius_m(gap));
+  });
+}
+
+bool CollisionChecker::is_free(const Eigen::Ref<const BackboneD>& backbone) const {
+  for (int gap = 0; gap < gap_count(); ++gap) {
+    if (arc_touches(obstacles_, gap_arc<double>(backbone, gap), radius_m(gap))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool CollisionChecker::is_motion_free(const Eigen::Ref<const Backbone>& from,
+                                      const Eigen::Ref<const Backbone>& to) const {
+  return all_are_free(*broad_, gap_count(), from, to, [&](int gap) {
+    const GapMotion motion{gap_arc<float>(from, gap), gap_arc<float>(to, gap)};
+    return motion_is_free(obstacles_, motion, radius_m(gap), motion.travel_bound_m(), 0.0, 1.0);
+  });
+}
+
+Clearance CollisionChecker::motion_clearance(const Eigen::Ref<const Backbone>& from,
+                                             const Eigen::Ref<const Backbone>& to,
+                                             double below_m) const {
+  const Clearance at_start = backbone_clearance<float>(obstacles_, radius_m_, from, below_m);
+  const Clearance at_end = backbone_clearance<float>(obstacles_, radius_m_, to, at_start.value_m);
+  // The ends bound the search from above; both are bounds from below, hence the tolerance.
+  Clearance best = at_end.obstacle >= 0 ? at_end : at_start;
+  best.value_m = std::min(best.value_m + kToleranceM, below_m);
+  for (std::size_t gap = 0; gap < radius_m_.size(); ++gap) {
+    const int g = static_cast<int>(gap);
+    const GapMotion motion{gap_arc<float>(from, g), gap_arc<float>(to, g)};
+    lower_by_motion(obstacles_, motion, radius_m_[gap], motion.travel_bound_m(), 0.0, 1.0, g,
+                    -kInfinity, best);
+  }
+  return best;
+}
+
+}  // namespace limber

@@ -1,0 +1,120 @@
+#include "limber/world/environment.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "limber/common/content_hash.hpp"
+
+namespace limber {
+
+namespace {
+
+std::string to_yaml(const Circle& c) {
+  return fmt::format("circle: {{x_m: {}, y_m: {}, radius_m: {}}}", c.x_m, c.y_m, c.radius_m);
+}
+
+std::string to_yaml(const Rectangle& r) {
+  return fmt::format("rectangle: {{x_m: {}, y_m: {}, width_m: {}, height_m: {}, angle_rad: {}}}",
+                     r.x_m, r.y_m, r.width_m, r.height_m, r.angle_rad);
+}
+
+std::string to_yaml(const Polygon& polygon) {
+  std::vector<std::string> points;
+  for (const Eigen::Vector2d& p : polygon.points_m) {
+    points.push_back(fmt::format("[{}, {}]", p.x(), p.y()));
+  }
+  return fmt::format("polygon: [{}]", fmt::join(points, ", "));
+}
+
+std::string to_yaml(const ArmStart& start) {
+  std::vector<std::string> rows;
+  for (Eigen::Index i = 0; i < start.backbone.rows(); ++i) {
+    rows.push_back(fmt::format("[{}, {}, {}]", start.backbone(i, 0), start.backbone(i, 1),
+                               start.backbone(i, 2)));
+  }
+  const std::vector<float> pressures(start.pressures_kpa.begin(), start.pressures_kpa.end());
+  return fmt::format("\n  pressures_kpa: [{}]\n  backbone: [{}]", fmt::join(pressures, ", "),
+                     fmt::join(rows, ", "));
+}
+
+std::string to_yaml(const PoseGoal& goal) {
+  std::string text = fmt::format("{{x_m: {}, y_m: {}", goal.x_m, goal.y_m);
+  if (goal.theta_rad) {
+    text += fmt::format(", theta_rad: {}", *goal.theta_rad);
+  }
+  text += fmt::format(", position_tolerance_m: {}", goal.position_tolerance_m);
+  if (goal.theta_rad) {
+    text += fmt::format(", orientation_tolerance_rad: {}", goal.orientation_tolerance_rad);
+  }
+  return text + "}";
+}
+
+/// `text` as a YAML scalar whatever it holds.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+    }
+    result += c == '\n' ? ' ' : c;
+  }
+  return result + "\"";
+}
+
+std::string body_to_yaml(const Environment& environment) {
+  std::string text = environment.obstacles.empty() ? "obstacles: []\n" : "obstacles:\n";
+  for (const Obstacle& obstacle : environment.obstacles) {
+    text += "  - " + std::visit([](const auto& o) { return to_yaml(o); }, obstacle) + "\n";
+  }
+  text += "start: " + (environment.start ? to_yaml(*environment.start) : "rest") + "\n";
+  return text + "goal: " + to_yaml(environment.goal) + "\n";
+}
+
+}  // namespace
+
+const char* obstacle_kind(const Obstacle& obstacle) {
+  constexpr const char* kKinds[] = {"circle", "rectangle", "polygon"};
+  return kKinds[obstacle.index()];
+}
+
+std::string obstacle_name(const Environment& environment, int obstacle) {
+  return fmt::format("obstacle {} ({})", obstacle,
+                     obstacle_kind(environment.obstacles[static_cast<std::size_t>(obstacle)]));
+}
+
+std::vector<Eigen::Vector2d> rectangle_corners(const Rectangle& rectangle) {
+  const Eigen::Vector2d along(std::cos(rectangle.angle_rad), std::sin(rectangle.angle_rad));
+  const Eigen::Vector2d u = 0.5 * rectangle.width_m * along;
+  const Eigen::Vector2d v = 0.5 * rectangle.height_m * Eigen::Vector2d(-along.y(), along.x());
+  const Eigen::Vector2d centre(rectangle.x_m, rectangle.y_m);
+  return {centre - u - v, centre + u - v, centre + u + v, centre - u + v};
+}
+
+std::string environment_to_yaml(const Environment& environment) {
+  return fmt::format("schema: limber/environment/1\nname: {}\n", quoted(environment.name)) +
+         body_to_yaml(environment);
+}
+
+std::string environment_hash(const Environment& environment) {
+  return content_hash(body_to_yaml(environment));
+}
+
+ArmStart start_state(const Environment& environment, const ArmDescription& arm) {
+  if (environment.start) {
+    return *environment.start;
+  }
+  ArmStart rest;
+  rest.pressures_kpa = Pressures::Zero(arm.segment_count());
+  rest.backbone = Backbone::Zero(arm.point_count(), 3);
+  for (int gap = 0; gap + 1 < arm.point_count(); ++gap) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(arm.segment_of_gap(gap))];
+    rest.backbone(gap + 1, 0) =
+        rest.backbone(gap, 0) + static_cast<float>(segment.length_m / segment.gaps);
+  }
+  return rest;
+}
+
+}  // namespace limber

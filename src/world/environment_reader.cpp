@@ -1,0 +1,261 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/common/yaml_reader.hpp"
+#include "limber/world/environment.hpp"
+#include "limber/world/start_shape.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr const char* kSchema = "limber/environment/1";
+constexpr double kFarthestM = 1000.0;  // keeps squares of coordinates finite, and catches mm
+constexpr double kMostAngleRad = 1000.0;
+constexpr double kOrientationToleranceRad = 0.3;  // where the file gives theta alone
+constexpr std::size_t kMostObstacles = 10000;
+constexpr std::size_t kMostPolygonPoints = 1000;
+
+double coordinate(const YamlReader& node) {
+  return node.number("a coordinate in metres", -kFarthestM, kFarthestM);
+}
+
+double size(const YamlReader& node, const char* what) {
+  const double value = node.positive(what);
+  return value <= kFarthestM ? value : node.number(what, 0.0, kFarthestM);
+}
+
+double angle(const YamlReader& node) {
+  return node.number("an angle in radians", -kMostAngleRad, kMostAngleRad);
+}
+
+Circle read_circle(const YamlReader& node) {
+  node.refuse_unknown_keys({"x_m", "y_m", "radius_m"});
+  return {coordinate(node.at("x_m")), coordinate(node.at("y_m")),
+          size(node.at("radius_m"), "a radius in metres")};
+}
+
+Rectangle read_rectangle(const YamlReader& node) {
+  node.refuse_unknown_keys({"x_m", "y_m", "width_m", "height_m", "angle_rad"});
+  Rectangle result;
+  result.x_m = coordinate(node.at("x_m"));
+  result.y_m = coordinate(node.at("y_m"));
+  result.width_m = size(node.at("width_m"), "a length in metres");
+  result.height_m = size(node.at("height_m"), "a length in metres");
+  if (node.has("angle_rad")) {
+    result.angle_rad = angle(node.at("angle_rad"));
+  }
+  return result;
+}
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// p on the closed segment a–b, which it is known to be in line with.
+bool within(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
+  return (p - a).dot(p - b) <= 0.0;
+}
+
+/// Closed segments a–b and c–d share a point.
+bool segments_meet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                   const Eigen::Vector2d& d) {
+  const double c_side = cross(b - a, c - a);
+  const double d_side = cross(b - a, d - a);
+  const double a_side = cross(d - c, a - c);
+  const double b_side = cross(d - c, b - c);
+  if (((c_side > 0.0) != (d_side > 0.0)) && ((a_side > 0.0) != (b_side > 0.0)) && c_side != 0.0 &&
+      d_side != 0.0 && a_side != 0.0 && b_side != 0.0) {
+    return true;
+  }
+  return (c_side == 0.0 && within(a, b, c)) || (d_side == 0.0 && within(a, b, d)) ||
+         (a_side == 0.0 && within(c, d, a)) || (b_side == 0.0 && within(c, d, b));
+}
+
+/// Where an edge turns straight back on the one before it, the two overlap.
+bool folds_back(const Eigen::Vector2d& before, const Eigen::Vector2d& corner,
+                const Eigen::Vector2d& after) {
+  return cross(corner - before, after - corner) == 0.0 &&
+         (corner - before).dot(after - corner) < 0.0;
+}
+
+void require_simple(const YamlReader& node, const std::vector<Eigen::Vector2d>& p) {
+  const std::size_t n = p.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (p[i] == p[(i + 1) % n]) {
+      node.refuse(fmt::format("points {} and {} are the same, ({}, {}); expected distinct points",
+                              i, (i + 1) % n, p[i].x(), p[i].y()));
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (folds_back(p[i], p[(i + 1) % n], p[(i + 2) % n])) {
+      node.refuse(
+          fmt::format("the edge after point {} runs back over the one before it; expected "
+                      "a polygon with an inside",
+                      (i + 1) % n));
+    }
+    for (std::size_t j = i + 2; j < n; ++j) {
+      const bool neighbours = i == 0 && j == n - 1;
+      if (!neighbours && segments_meet(p[i], p[i + 1], p[j], p[(j + 1) % n])) {
+        node.refuse(fmt::format("edges {}–{} and {}–{} cross or touch; expected a simple polygon",
+                                i + 1, i + 2, j + 1, (j + 1) % n + 1));
+      }
+    }
+  }
+}
+
+Polygon read_polygon(const YamlReader& node) {
+  Polygon result;
+  for (const YamlReader& point : node.elements()) {
+    const std::vector<YamlReader> xy = point.elements();
+    if (xy.size() != 2) {
+      point.refuse(fmt::format("{} numbers found; expected a point [x, y] in metres", xy.size()));
+    }
+    result.points_m.emplace_back(coordinate(xy[0]), coordinate(xy[1]));
+  }
+  const std::size_t count = result.points_m.size();
+  if (count < 3 || count > kMostPolygonPoints) {
+    node.refuse(
+        fmt::format("{} points found; expected 3 to {} points [x, y]", count, kMostPolygonPoints));
+  }
+  require_simple(node, result.points_m);
+  return result;
+}
+
+Obstacle read_obstacle(const YamlReader& node) {
+  node.refuse_unknown_keys({"circle", "rectangle", "polygon"});
+  if (node.keys().size() != 1) {
+    node.refuse(fmt::format("{} kinds found; expected exactly one of circle, rectangle, polygon",
+                            node.keys().size()));
+  }
+  if (node.has("circle")) {
+    return read_circle(node.at("circle"));
+  }
+  if (node.has("rectangle")) {
+    return read_rectangle(node.at("rectangle"));
+  }
+  return read_polygon(node.at("polygon"));
+}
+
+ArmStart read_given_start(const YamlReader& node) {
+  node.refuse_unknown_keys({"pressures_kpa", "backbone"});
+  ArmStart start;
+  const std::vector<double> pressures =
+      node.at("pressures_kpa").numbers("a gauge pressure in kPa, positive bends right");
+  start.pressures_kpa = Eigen::Map<const Eigen::VectorXd>(
+                            pressures.data(), static_cast<Eigen::Index>(pressures.size()))
+                            .cast<float>();
+  const std::vector<YamlReader> rows = node.at("backbone").elements();
+  start.backbone.resize(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<YamlReader> pose = rows[i].elements();
+    if (pose.size() != 3) {
+      rows[i].refuse(
+          fmt::format("{} numbers found; expected a pose [x_m, y_m, theta_rad]", pose.size()));
+    }
+    // All three first: a row that is begun and left by an exception is an error to Eigen.
+    const Eigen::RowVector3d row(coordinate(pose[0]), coordinate(pose[1]), angle(pose[2]));
+    start.backbone.row(static_cast<Eigen::Index>(i)) = row.cast<float>();
+  }
+  return start;
+}
+
+std::optional<ArmStart> read_start(const YamlReader& root) {
+  const std::string expected = "expected 'rest' or {pressures_kpa: […], backbone: [[x, y, θ], …]}";
+  if (!root.has("start")) {
+    root.refuse("the key 'start' is missing; " + expected);
+  }
+  const YamlReader node = root.at("start");
+  if (node.found() == "'rest'") {
+    return std::nullopt;
+  }
+  if (node.found() != "a mapping") {
+    node.refuse(node.found() + " found; " + expected);
+  }
+  return read_given_start(node);
+}
+
+PoseGoal read_goal(const YamlReader& node) {
+  node.refuse_unknown_keys(
+      {"x_m", "y_m", "theta_rad", "position_tolerance_m", "orientation_tolerance_rad"});
+  PoseGoal goal;
+  goal.orientation_tolerance_rad = kOrientationToleranceRad;
+  goal.x_m = coordinate(node.at("x_m"));
+  goal.y_m = coordinate(node.at("y_m"));
+  goal.position_tolerance_m = size(node.at("position_tolerance_m"), "a distance in metres");
+  if (node.has("theta_rad")) {
+    goal.theta_rad = angle(node.at("theta_rad"));
+  }
+  if (node.has("orientation_tolerance_rad")) {
+    const YamlReader tolerance = node.at("orientation_tolerance_rad");
+    goal.orientation_tolerance_rad = tolerance.positive("an angle in radians");
+    if (!goal.theta_rad) {
+      tolerance.refuse("set without theta_rad; expected both or neither");
+    }
+  }
+  return goal;
+}
+
+void require_start_fits(const YamlReader& root, const ArmStart& start, const ArmDescription& arm) {
+  const YamlReader pressures = root.at("start").at("pressures_kpa");
+  const YamlReader backbone = root.at("start").at("backbone");
+  if (start.pressures_kpa.size() != arm.segment_count()) {
+    pressures.refuse(fmt::format("{} pressures found; expected {}, one a segment of arm '{}'",
+                                 start.pressures_kpa.size(), arm.segment_count(), arm.name));
+  }
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    if (std::abs(start.pressures_kpa[i]) > limit) {
+      pressures.elements()[static_cast<std::size_t>(i)].refuse(
+          fmt::format("{} {unit} found; expected at most ± {} {unit}, the limit of that segment",
+                      start.pressures_kpa[i], limit, fmt::arg("unit", arm.command.unit)));
+    }
+  }
+  if (start.backbone.rows() != arm.point_count()) {
+    backbone.refuse(fmt::format("{} poses found; expected {}, one a plate of arm '{}'",
+                                start.backbone.rows(), arm.point_count(), arm.name));
+  }
+  if (const std::optional<StartFault> fault = find_start_fault(start.backbone, arm)) {
+    backbone.elements()[static_cast<std::size_t>(fault->row)].refuse(fault->message);
+  }
+}
+
+}  // namespace
+
+Environment read_environment(const YamlReader& root) {
+  root.require_schema(kSchema);
+  root.refuse_unknown_keys({"schema", "name", "obstacles", "start", "goal"});
+  Environment environment;
+  environment.name = root.at("name").text();
+  const YamlReader obstacles = root.at("obstacles");
+  for (const YamlReader& node : obstacles.elements()) {
+    environment.obstacles.push_back(read_obstacle(node));
+  }
+  if (environment.obstacles.size() > kMostObstacles) {
+    obstacles.refuse(fmt::format("{} obstacles found; expected at most {}",
+                                 environment.obstacles.size(), kMostObstacles));
+  }
+  environment.start = read_start(root);
+  environment.goal = read_goal(root.at("goal"));
+  return environment;
+}
+
+Environment read_environment(const YamlReader& root, const ArmDescription& arm) {
+  Environment environment = read_environment(root);
+  if (environment.start) {
+    require_start_fits(root, *environment.start, arm);
+  }
+  return environment;
+}
+
+Environment load_environment(const std::filesystem::path& path) {
+  return read_environment(YamlReader::from_file(path));
+}
+
+Environment load_environment(const std::filesystem::path& path, const ArmDescription& arm) {
+  return read_environment(YamlReader::from_file(path), arm);
+}
+
+}  // namespace limber

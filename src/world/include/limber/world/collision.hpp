@@ -1,0 +1,76 @@
+#pragma once
+// For those who plan.
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/backbone.hpp"
+#include "limber/world/environment.hpp"
+#include "limber/world/obstacle_shape.hpp"
+
+namespace limber {
+
+class BroadPhase;
+
+/// Smallest distance between the arm's outside and an obstacle.
+struct Clearance {
+  double value_m = 0.0;  ///< negative: how deep the arm is in the obstacle; +∞ without obstacles
+  int gap = -1;  ///< between plates gap and gap + 1, from 0 at the base; −1 without obstacles
+  int obstacle = -1;  ///< index in the environment's list
+};
+
+/// Collision of a thick backbone with the obstacles of an environment (docs/planning.md).
+///
+/// Shape:   the gap between two successive plates is the arc of constant curvature through both
+/// that
+///          turns by the difference of their headings (at most half a turn), thickened on all sides
+///          by half the width of its segment + the arm's actuator radius + a margin. The base
+///          counts; the arm's collision with itself does not.
+/// Bounds:  never misses; a reported value is at most kTolerance below the true one.
+/// Threads: constant after construction; share it freely. Nothing allocates after construction.
+class CollisionChecker {
+ public:
+  static constexpr double kToleranceM = 0.001;  ///< false alarms only this close to touching
+
+  /// @param margin_m  added to the arm's radius everywhere, ≥ 0.
+  CollisionChecker(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
+                   double margin_m = 0.0);
+  CollisionChecker(CollisionChecker&&) noexcept;
+  CollisionChecker& operator=(CollisionChecker&&) noexcept;
+  ~CollisionChecker();
+
+  /// Smallest clearance of one backbone (m×3), less the margin.
+  Clearance clearance(const Eigen::Ref<const Backbone>& backbone) const;
+  Clearance clearance(const Eigen::Ref<const BackboneD>& backbone) const;
+
+  /// True where no obstacle touches the arm; stops at the first that does.
+  bool is_free(const Eigen::Ref<const Backbone>& backbone) const;
+  bool is_free(const Eigen::Ref<const BackboneD>& backbone) const;
+
+  /// True where the arm stays free while every plate moves straight, and turns evenly, from `from`
+  /// to `to`, both ends included.
+  bool is_motion_free(const Eigen::Ref<const Backbone>& from,
+                      const Eigen::Ref<const Backbone>& to) const;
+
+  /// Smallest clearance along that motion, or `below_m` where it is not less than that: the less
+  /// is asked, the sooner there is an answer.
+  Clearance motion_clearance(const Eigen::Ref<const Backbone>& from,
+                             const Eigen::Ref<const Backbone>& to,
+                             double below_m = std::numeric_limits<double>::infinity()) const;
+
+  int obstacle_count() const { return static_cast<int>(obstacles_.size()); }
+  int gap_count() const { return static_cast<int>(radius_m_.size()); }
+  /// Half width of the gap's segment + actuator radius + margin.
+  double radius_m(int gap) const { return radius_m_[static_cast<std::size_t>(gap)]; }
+
+ private:
+  std::vector<ObstacleShape> obstacles_;  // nearest to the base first
+  std::vector<double> radius_m_;          // one a gap
+  std::unique_ptr<const BroadPhase> broad_;
+};
+
+}  // namespace limber

@@ -1,0 +1,101 @@
+#pragma once
+// For everyone.
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/arm_identity.hpp"
+#include "limber/arm/backbone.hpp"
+
+namespace limber {
+
+/// One frame of a plan. The set points of frame k are commanded at time (k − 1)/rate and held for
+/// one frame period; pressures and backbone are those predicted for its end, time k/rate.
+struct PlanFrame {
+  Pressures setpoint_kpa;  ///< size n
+  Pressures pressure_kpa;  ///< size n, predicted; the set points where the plan knows no valves
+  Backbone backbone;       ///< m×3, predicted
+};
+
+/// What its certificate (certificate/certificate.hpp) said of a plan before it was written.
+struct CertifiedFigures {
+  double clearance_m = 0.0;          ///< +∞ without obstacles
+  double largest_deviation_m = 0.0;  ///< of a plate from where the plan has it
+  /// Set by the reader: false where anything in the file was changed since.
+  bool seal_is_intact = true;
+};
+
+/// A motion in pressure space (docs/formats.md, schema limber/plan/2). Frames are part of it: the
+/// arm's shape depends on how the pressures were reached, so they are executed as they stand, never
+/// resampled.
+///
+/// `frames[0]` is the start (time 0, nothing to command); the last `hold_frame_count` frames repeat
+/// the final set point while the arm settles, after which the goal is judged.
+struct Plan {
+  std::string arm_name;
+  std::string arm_hash;         ///< ArmDescription::hash()
+  std::string arm_description;  ///< arm_keys_to_yaml(); empty in files of before it was kept
+  std::string model;            ///< "no_load" or "network"
+  std::string model_hash;       ///< content hash of the model file; empty for "no_load"
+  std::string valves_hash;      ///< ValveParameters::hash(); empty: planned without valves
+  /// Read from schema limber/plan/1, which knew none.
+  bool is_older_than_valves = false;
+  std::string environment_name;
+  std::string environment_hash;  ///< environment_hash()
+  std::string planner;
+  std::uint64_t seed = 0;
+  double margin_m = 0.0;  ///< clearance asked for
+  double frame_rate_hz = 0.0;
+
+  std::vector<Pressures> waypoints_kpa;  ///< start first; frames run straight between them
+  std::vector<PlanFrame> frames;
+  int hold_frame_count = 0;
+
+  double cost_kpa = 0.0;         ///< (2): Σ|Δp| over all segments and frames
+  double clearance_m = 0.0;      ///< smallest predicted, between frames too; +∞ without obstacles
+  double goal_distance_m = 0.0;  ///< predicted, after the hold
+  double goal_orientation_rad = 0.0;  ///< the same; 0 where the goal asks for none
+  std::string program_version;
+  std::optional<CertifiedFigures> certified;  ///< none: not certified yet
+
+  /// Whose arm this is (arm/arm_identity.hpp).
+  ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
+  int frame_count() const { return static_cast<int>(frames.size()); }
+  /// Time of the last frame, hold included.
+  double duration_s() const;
+};
+
+/// (2): Σ|Δp| over all segments and frames, in kPa.
+double path_cost_kpa(const std::vector<PlanFrame>& frames);
+
+/// Writes the plan as JSON, atomically; every number survives the round trip exactly. A certified
+/// plan is sealed with a hash of everything in the file.
+void write_plan(const std::filesystem::path& path, const Plan& plan);
+
+/// Reads and validates; a plan of schema limber/plan/1 is one without valves. Sizes agree, numbers
+/// are finite, the cost is Σ|Δp|, frames start and end at the waypoints, the hold stands still,
+/// nothing was changed since it was certified.
+/// @throws InputError naming file and field.
+Plan read_plan(const std::filesystem::path& path);
+
+/// Reads what `certify` is to judge: types and finite numbers are checked, what they say is not.
+/// @throws InputError naming file and field.
+Plan read_plan_unjudged(const std::filesystem::path& path);
+
+/// @throws InputError where the plan was made for another arm (hashes and keys in the message), or
+/// breaks the arm's pressure limits or rate.
+void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file);
+
+/// Set points for a valve controller, and the pressures predicted for the end of their frame:
+/// `time_s,setpoint_0_kpa,…,pressure_0_kpa,…`, one row a frame, time at which the frame's set
+/// points are to be commanded.
+void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan);
+
+/// Predicted shapes: `time_s,x_0_m,y_0_m,theta_0_rad,…`, one row a frame, its time the frame's end.
+void write_backbones_csv(const std::filesystem::path& path, const Plan& plan);
+
+}  // namespace limber

@@ -1,0 +1,29 @@
+#pragma once
+// For those who plan.
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/backbone.hpp"
+#include "limber/common/random_stream.hpp"
+
+namespace limber {
+
+/// Set points that a search may use: each between a lowest and a highest one.
+struct PressureBox {
+  Pressures low_kpa;   ///< size n
+  Pressures high_kpa;  ///< size n, ≥ low_kpa
+
+  /// The nearest set points inside.
+  Pressures limited(const Pressures& kpa) const { return kpa.cwiseMax(low_kpa).cwiseMin(high_kpa); }
+  /// Evenly distributed.
+  Pressures sample(RandomStream& random) const;
+  /// What lies in both. @pre that is not empty
+  PressureBox within(const PressureBox& other) const;
+};
+
+/// Between the arm's limits.
+PressureBox pressure_box(const ArmDescription& arm);
+
+/// Largest pressure of each segment.
+Pressures pressure_limits_kpa(const ArmDescription& arm);
+
+}  // namespace limber

@@ -1,0 +1,99 @@
+#include "limber/world/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kRoundingKpa = 1e-3;  // float32 of a hundred kPa, with room
+
+}  // namespace
+
+double Plan::duration_s() const {
+  return frames.empty() ? 0.0 : static_cast<double>(frames.size() - 1) / frame_rate_hz;
+}
+
+double path_cost_kpa(const std::vector<PlanFrame>& frames) {
+  double cost = 0.0;
+  for (std::size_t k = 1; k < frames.size(); ++k) {
+    cost += (frames[k].setpoint_kpa.cast<double>() - frames[k - 1].setpoint_kpa.cast<double>())
+                .lpNorm<1>();
+  }
+  return cost;
+}
+
+void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file) {
+  const std::string why = why_another_arm(plan.arm(), arm, file);
+  if (!why.empty()) {
+    throw InputError(fmt::format(
+        "{}: arm_hash: made for arm '{}' ({}); this is arm '{}' ({}): {}. Plan again for this arm, "
+        "or give the plan's own (--arm)",
+        file, plan.arm_name, plan.arm_hash, arm.name, arm.hash(), why));
+  }
+  if (plan.frame_rate_hz != arm.frame_rate_hz) {
+    throw InputError(fmt::format("{}: frame_rate_hz: {} found; arm '{}' takes {} frames a second",
+                                 file, plan.frame_rate_hz, arm.name, arm.frame_rate_hz));
+  }
+  const int n = arm.segment_count();
+  const double step_limit = arm.pressure_step_limit_kpa();
+  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
+    const PlanFrame& frame = plan.frames[k];
+    if (frame.setpoint_kpa.size() != n || frame.pressure_kpa.size() != n ||
+        frame.backbone.rows() != arm.point_count()) {
+      throw InputError(fmt::format(
+          "{}: frames[{}]: {} pressures and {} poses found; arm '{}' has {} segments and {} plates",
+          file, k, frame.setpoint_kpa.size(), frame.backbone.rows(), arm.name, n,
+          arm.point_count()));
+    }
+    for (int i = 0; i < n; ++i) {
+      const double pressure = frame.setpoint_kpa[i];
+      const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      // A set point is a float32: the limit as one may lie above it.
+      if (std::abs(pressure) > std::max(limit, double(static_cast<float>(limit)))) {
+        throw InputError(fmt::format(
+            "{}: frames[{}].setpoint_kpa[{}]: {} {unit} found; expected at most ± {} {unit}", file,
+            k, i, pressure, limit, fmt::arg("unit", arm.command.unit)));
+      }
+      const double step =
+          k == 0 ? 0.0 : std::abs(pressure - double(plan.frames[k - 1].setpoint_kpa[i]));
+      if (step > step_limit + kRoundingKpa) {
+        throw InputError(fmt::format(
+            "{}: frames[{}].setpoint_kpa[{}]: a step of {:.6g} {unit} in one frame; expected at "
+            "most {} {unit} ({} {unit}/s at {} Hz)",
+            file, k, i, step, step_limit, arm.pressure_rate_limit_kpa_per_s, arm.frame_rate_hz,
+            fmt::arg("unit", arm.command.unit)));
+      }
+    }
+  }
+}
+
+void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan) {
+  std::string text = "time_s";
+  const Eigen::Index n = plan.frames.empty() ? 0 : plan.frames.front().setpoint_kpa.size();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    text += fmt::format(",setpoint_{}_kpa", i);
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    text += fmt::format(",pressure_{}_kpa", i);
+  }
+  text += '\n';
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    text += fmt::format("{}", static_cast<double>(k - 1) / plan.frame_rate_hz);
+    for (const Pressures& row : {plan.frames[k].setpoint_kpa, plan.frames[k].pressure_kpa}) {
+      for (const float pressure : row) {
+        text += fmt::format(",{}", pressure);
+      }
+    }
+    text += '\n';
+  }
+  write_file_atomically(path, text);
+}
+
+}  // namespace limber

@@ -1,0 +1,285 @@
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/common/number_text.hpp"
+#include "limber/common/version.hpp"
+#include "limber/world/plan.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kSchema = "limber/plan/2";
+constexpr const char* kSchemaWithoutValves = "limber/plan/1";  // of older programs
+constexpr double kCostToleranceKpa = 1e-6;
+constexpr double kLargest = 1e6;  // of any number in a plan; nothing real comes near
+
+Json numbers(const Pressures& q) {
+  // As the shortest decimal that reads back to the same float, not as a float widened to double.
+  Json list = Json::array();
+  for (const float value : q) {
+    list.push_back(*number_in(fmt::format("{}", value)));
+  }
+  return list;
+}
+
+Json poses(const Backbone& backbone) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+    rows.push_back(numbers(backbone.row(i).transpose()));
+  }
+  return rows;
+}
+
+std::string lines(const Json& list) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    text += (i == 0 ? "\n  " : ",\n  ") + list[i].dump();
+  }
+  return text + "\n ]";
+}
+
+/// JSON that a person can read: a line a value, a waypoint and a frame.
+std::string one_line_an_entry(const Json& head, const Json& waypoints, const Json& frames) {
+  std::string text = "{\n";
+  for (const auto& [key, value] : head.items()) {
+    text += fmt::format(" \"{}\": {},\n", key, value.dump());
+  }
+  text += fmt::format(" \"waypoints_kpa\": {},\n", lines(waypoints));
+  return text + fmt::format(" \"frames\": {}\n}}\n", lines(frames));
+}
+
+double number_at(const JsonReader& root, const char* key, double low = -kLargest) {
+  return root.at(key).number(low, kLargest);
+}
+
+Pressures read_vector(const JsonReader& field, Eigen::Index size, const char* what) {
+  const std::vector<double> values =
+      field.numbers(static_cast<std::size_t>(size), what, -kLargest, kLargest);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), size).cast<float>();
+}
+
+Backbone read_backbone(const JsonReader& field, std::size_t point_count) {
+  const std::vector<JsonReader> rows = field.elements("a list of poses [x_m, y_m, theta_rad]");
+  if (rows.size() != point_count) {
+    field.refuse(fmt::format("{} poses found; expected {}", rows.size(), point_count));
+  }
+  Backbone backbone(static_cast<Eigen::Index>(rows.size()), 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    backbone.row(static_cast<Eigen::Index>(i)) =
+        read_vector(rows[i], 3, "numbers [x_m, y_m, theta_rad]").transpose();
+  }
+  return backbone;
+}
+
+/// @param has_pressures  of the file's schema; else pressures are the set points
+std::vector<PlanFrame> read_frames(const JsonReader& field, bool has_pressures) {
+  const std::vector<JsonReader> items = field.elements("a list of frames");
+  if (items.empty()) {
+    field.refuse("no frame found; expected at least the start");
+  }
+  const std::size_t segments =
+      items.front().at("setpoint_kpa").elements("a list of pressures").size();
+  const std::size_t points = items.front().at("backbone").elements("a list of poses").size();
+  if (segments == 0 || points < 2) {
+    items.front().refuse(fmt::format("{} pressures and {} poses found; expected at least 1 and 2",
+                                     segments, points));
+  }
+  std::vector<PlanFrame> frames;
+  for (const JsonReader& item : items) {
+    const auto pressures = [&](const char* key) {
+      return read_vector(item.at(key), static_cast<Eigen::Index>(segments), "pressures in kPa");
+    };
+    frames.push_back({pressures("setpoint_kpa"),
+                      pressures(has_pressures ? "pressure_kpa" : "setpoint_kpa"),
+                      read_backbone(item.at("backbone"), points)});
+  }
+  return frames;
+}
+
+void require_consistent(const JsonReader& root, const Plan& plan) {
+  const double cost = path_cost_kpa(plan.frames);
+  if (std::abs(cost - plan.cost_kpa) > kCostToleranceKpa * std::max(1.0, cost)) {
+    root.at("cost_kpa")
+        .refuse(fmt::format("{} found; its frames add up to {}", plan.cost_kpa, cost));
+  }
+  const std::size_t held = static_cast<std::size_t>(plan.hold_frame_count);
+  if (held >= plan.frames.size()) {
+    root.at("hold_frame_count")
+        .refuse(
+            fmt::format("{} found; expected less than the {} frames", held, plan.frames.size()));
+  }
+  for (std::size_t k = plan.frames.size() - held; k < plan.frames.size(); ++k) {
+    if (plan.frames[k].setpoint_kpa != plan.frames[k - 1].setpoint_kpa) {
+      root.at("frames").refuse(
+          fmt::format("frame {} moves; the last {} frames should hold still", k, held));
+    }
+  }
+  if (plan.waypoints_kpa.size() < 1 ||
+      plan.waypoints_kpa.front() != plan.frames.front().setpoint_kpa ||
+      plan.waypoints_kpa.back() != plan.frames.back().setpoint_kpa) {
+    root.at("waypoints_kpa").refuse("expected the first and last frame's set points at its ends");
+  }
+}
+
+/// Hash of everything in the file but the certificate itself; layout and order do not matter.
+std::string seal_of(nlohmann::json root) {
+  root.erase("certificate");
+  return content_hash(root.dump());
+}
+
+/// NaN and infinities have no JSON; null says "no obstacles".
+Json clearance_to_json(double clearance_m) {
+  return std::isfinite(clearance_m) ? Json(clearance_m) : Json(nullptr);
+}
+
+double read_clearance(const JsonReader& field) {
+  return field.is_null() ? std::numeric_limits<double>::infinity()
+                         : field.number(-kLargest, kLargest);
+}
+
+std::optional<CertifiedFigures> read_certificate(const JsonReader& root) {
+  if (!root.has("certificate")) {
+    return std::nullopt;
+  }
+  const JsonReader field = root.at("certificate");
+  CertifiedFigures figures;
+  figures.clearance_m = read_clearance(field.at("clearance_m"));
+  figures.largest_deviation_m = number_at(field, "largest_deviation_m", 0.0);
+  figures.seal_is_intact = field.at("seal").text() == seal_of(root.value());
+  return figures;
+}
+
+Plan read_fields(const JsonReader& root, bool has_valves) {
+  Plan plan;
+  plan.program_version = root.at("program_version").text();
+  plan.arm_name = root.at("arm").at("name").text();
+  plan.arm_hash = root.at("arm").at("hash").text();
+  if (root.at("arm").has("description")) {
+    plan.arm_description = root.at("arm").at("description").text();
+  }
+  plan.model = root.at("model").at("kind").text();
+  plan.model_hash = root.at("model").at("hash").text();
+  if (plan.model != "no_load" && plan.model != "network") {
+    root.at("model").at("kind").refuse_found("expected no_load or network");
+  }
+  plan.valves_hash = has_valves ? root.at("valves").at("hash").text() : "";
+  plan.is_older_than_valves = !has_valves;
+  plan.environment_name = root.at("environment").at("name").text();
+  plan.environment_hash = root.at("environment").at("hash").text();
+  plan.planner = root.at("planner").text();
+  plan.seed = root.at("seed").count(std::numeric_limits<std::uint64_t>::max());
+  plan.margin_m = number_at(root, "margin_m", 0.0);
+  plan.frame_rate_hz = root.at("frame_rate_hz").number(1.0, 1000.0);
+  plan.cost_kpa = number_at(root, "cost_kpa", 0.0);
+  plan.clearance_m = read_clearance(root.at("clearance_m"));
+  plan.goal_distance_m = number_at(root, "goal_distance_m", 0.0);
+  plan.goal_orientation_rad = number_at(root, "goal_orientation_rad", 0.0);
+  plan.hold_frame_count = static_cast<int>(root.at("hold_frame_count").count(1000000));
+  plan.frames = read_frames(root.at("frames"), has_valves);
+  const Eigen::Index segments = plan.frames.front().setpoint_kpa.size();
+  for (const JsonReader& point : root.at("waypoints_kpa").elements("a list of configurations")) {
+    plan.waypoints_kpa.push_back(read_vector(point, segments, "pressures in kPa"));
+  }
+  return plan;
+}
+
+Plan read_root(const JsonReader& root) {
+  const bool has_valves = root.at("schema").text() != kSchemaWithoutValves;
+  if (has_valves) {
+    root.require_schema(kSchema);
+  }
+  Plan plan = read_fields(root, has_valves);
+  plan.certified = read_certificate(root);
+  return plan;
+}
+
+}  // namespace
+
+void write_plan(const std::filesystem::path& path, const Plan& plan) {
+  Json root;
+  root["schema"] = kSchema;
+  root["program_version"] = plan.program_version.empty() ? version() : plan.program_version;
+  root["arm"] = {{"name", plan.arm_name}, {"hash", plan.arm_hash}};
+  if (!plan.arm_description.empty()) {
+    root["arm"]["description"] = plan.arm_description;
+  }
+  root["model"] = {{"kind", plan.model}, {"hash", plan.model_hash}};
+  root["valves"] = {{"hash", plan.valves_hash}};
+  root["environment"] = {{"name", plan.environment_name}, {"hash", plan.environment_hash}};
+  root["planner"] = plan.planner;
+  root["seed"] = plan.seed;
+  root["margin_m"] = plan.margin_m;
+  root["frame_rate_hz"] = plan.frame_rate_hz;
+  root["cost_kpa"] = plan.cost_kpa;
+  root["clearance_m"] = clearance_to_json(plan.clearance_m);
+  root["goal_distance_m"] = plan.goal_distance_m;
+  root["goal_orientation_rad"] = plan.goal_orientation_rad;
+  root["hold_frame_count"] = plan.hold_frame_count;
+  Json waypoints = Json::array();
+  for (const Pressures& q : plan.waypoints_kpa) {
+    waypoints.push_back(numbers(q));
+  }
+  Json frames = Json::array();
+  for (const PlanFrame& frame : plan.frames) {
+    frames.push_back({{"setpoint_kpa", numbers(frame.setpoint_kpa)},
+                      {"pressure_kpa", numbers(frame.pressure_kpa)},
+                      {"backbone", poses(frame.backbone)}});
+  }
+  if (plan.certified) {
+    Json sealed = root;
+    sealed["waypoints_kpa"] = waypoints;
+    sealed["frames"] = frames;
+    root["certificate"] = {{"clearance_m", clearance_to_json(plan.certified->clearance_m)},
+                           {"largest_deviation_m", plan.certified->largest_deviation_m},
+                           {"seal", seal_of(sealed)}};
+  }
+  write_file_atomically(path, one_line_an_entry(root, waypoints, frames));
+}
+
+Plan read_plan(const std::filesystem::path& path) {
+  const nlohmann::json root = read_json_object(path);
+  const JsonReader fields(root, path.string());
+  Plan plan = read_root(fields);
+  require_consistent(fields, plan);
+  if (plan.certified && !plan.certified->seal_is_intact) {
+    fields.at("certificate")
+        .refuse(
+            "the plan was changed since it was certified; 'limber verify' says whether it "
+            "still holds: plan again, or remove the key 'certificate' to use it all the same");
+  }
+  return plan;
+}
+
+Plan read_plan_unjudged(const std::filesystem::path& path) {
+  const nlohmann::json root = read_json_object(path);
+  return read_root(JsonReader(root, path.string()));
+}
+
+void write_backbones_csv(const std::filesystem::path& path, const Plan& plan) {
+  std::string text = "time_s";
+  const Eigen::Index m = plan.frames.empty() ? 0 : plan.frames.front().backbone.rows();
+  for (Eigen::Index p = 0; p < m; ++p) {
+    text += fmt::format(",x_{0}_m,y_{0}_m,theta_{0}_rad", p);
+  }
+  text += '\n';
+  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
+    text += fmt::format("{}", static_cast<double>(k) / plan.frame_rate_hz);
+    for (const auto& pose : plan.frames[k].backbone.rowwise()) {
+      text += fmt::format(",{},{},{}", pose[0], pose[1], pose[2]);
+    }
+    text += '\n';
+  }
+  write_file_atomically(path, text);
+}
+
+}  // namespace limber

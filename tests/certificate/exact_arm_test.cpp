@@ -1,0 +1,103 @@
+#include "src/certificate/exact_arm.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/common/cpu_level.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/network/untrained_model.hpp"
+#include "planning/play_model.hpp"
+#include "src/certificate/exact_network.hpp"
+#include "src/certificate/shape_comparison.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::DoubleNear;
+using ::testing::Pointwise;
+
+constexpr double kFloatModelM = 2e-6;  // float32 forward model over a 0.7 m arm, one step
+constexpr double kFloatModelRad = 2e-5;
+
+std::vector<double> doubles(const Pressures& q) {
+  return {q.begin(), q.end()};
+}
+
+TEST(ExactArm, AgreesWithTheForwardModelInEveryLayoutAndForm) {
+  const ArmDescription arm = three_segment_arm();
+  RandomStream random(1, 0);
+  for (const auto& [layout, form] :
+       {std::pair{BackboneLayout::base_poses, OutputForm::compensation},
+        {BackboneLayout::base_poses, OutputForm::gated_change},
+        {BackboneLayout::gap_poses, OutputForm::compensation},
+        {BackboneLayout::gap_poses, OutputForm::gated_change}}) {
+    const ForwardModel fast(arm, untrained_model(arm, layout, {100, 100, 100}, 5, form));
+    const ExactArm exact(arm, &fast.compensation());
+    const NoLoadModel no_load(arm);
+    ForwardModel::Workspace workspace;
+    for (int trial = 0; trial < 200; ++trial) {
+      const Pressures before = random_pressures(arm, random);
+      const Pressures now = random_pressures(arm, random);
+      const Backbone from = no_load_backbone(no_load, random_pressures(arm, random));
+      Backbone to(arm.point_count(), 3);
+      fast.step(before, now, from, to, workspace);
+      const ExactArm::Shape shape = exact.next(doubles(before), doubles(now), shape_of(from));
+      ASSERT_EQ(shape.size(), 16U);
+      for (std::size_t i = 0; i < shape.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        EXPECT_NEAR(shape[i].x_m, to(row, 0), kFloatModelM) << trial << ' ' << i;
+        EXPECT_NEAR(shape[i].y_m, to(row, 1), kFloatModelM) << trial << ' ' << i;
+        EXPECT_NEAR(shape[i].theta_rad, to(row, 2), kFloatModelRad) << trial << ' ' << i;
+      }
+    }
+  }
+}
+
+// Row by row and number by number, as docs/model.md has it.
+TEST(ExactNetwork, AgreesWithPlainLoopsAndToTheBitOnEveryCpu) {
+  constexpr double kRounding = 1e-13;
+  const ArmDescription arm = three_segment_arm();
+  RandomStream random(6, 0);
+  for (const int width : {1, 7, 33, 100}) {
+    const CompensationModel model = untrained_model(arm, BackboneLayout::gap_poses, {width, width},
+                                                    9, OutputForm::gated_change);
+    ExactNetwork::Workspace workspace;
+    for (std::vector<double>& input : workspace.input) {
+      for (Eigen::Index k = 0; k < model.input.scale.size(); ++k) {
+        input.push_back(random.uniform(-1.0, 1.0));
+      }
+    }
+    ExactNetwork(model, CpuLevel::baseline).run(workspace);
+    const auto output = workspace.output;
+    for (const CpuLevel level : available_cpu_levels()) {
+      ExactNetwork(model, level).run(workspace);
+      EXPECT_EQ(workspace.output, output) << to_string(level);
+    }
+    for (std::size_t c = 0; c < 2; ++c) {
+      std::vector<double> values;
+      for (Eigen::Index k = 0; k < model.input.scale.size(); ++k) {
+        values.push_back(
+            (workspace.input[c][static_cast<std::size_t>(k)] - double(model.input.offset[k])) *
+            double(model.input.scale[k]));
+      }
+      for (const Layer& layer : model.layers) {
+        std::vector<double> next;
+        for (Eigen::Index row = 0; row < layer.weight.rows(); ++row) {
+          double sum = double(layer.bias[row]);
+          for (Eigen::Index k = 0; k < layer.weight.cols(); ++k) {
+            sum += double(layer.weight(row, k)) * values[static_cast<std::size_t>(k)];
+          }
+          next.push_back(&layer == &model.layers.back() ? sum : std::max(sum, 0.0));
+        }
+        values = next;
+      }
+      for (Eigen::Index k = 0; k < model.output.scale.size(); ++k) {
+        double& value = values[static_cast<std::size_t>(k)];
+        value = value / double(model.output.scale[k]) + double(model.output.offset[k]);
+      }
+      EXPECT_THAT(output[c], Pointwise(DoubleNear(kRounding), values)) << width;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,74 @@
+#include "src/certificate/exact_valves.hpp"
+
+#include <gtest/gtest.h>
+
+#include "limber/arm/valve_model.hpp"
+#include "limber/certificate/certificate.hpp"
+#include "planning/play_model.hpp"
+
+namespace limber {
+namespace {
+
+SegmentValves random_valves(RandomStream& random) {
+  const auto direction = [&] {
+    return ValveDirection{random.uniform(0.0, 0.5), random.uniform(20.0, 400.0)};
+  };
+  return {direction(), direction(), random.uniform(0.0, 0.3), random.uniform(0.0, 1.0)};
+}
+
+// Two implementations that share nothing but the equations.
+TEST(ExactValves, AgreesWithTheFastModelInFloatOverLongWalks) {
+  ArmDescription arm = three_segment_arm();
+  RandomStream random(9, 0);
+  double farthest_kpa = 0.0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const ValveParameters parameters{
+        trial % 5 != 0, {random_valves(random), random_valves(random), random_valves(random)}};
+    arm.command = parameters.has_sides ? Command{} : Command{"angle", "rad"};
+    const ValveModel fast(arm, parameters);
+    Pressures setpoint = random_pressures(arm, random);
+    Eigen::VectorXf state = fast.settled_state(setpoint);
+    ExactValves::Configurations setpoints{{setpoint.begin(), setpoint.end()}};
+    ExactValves::Configurations pressures{{setpoint.begin(), setpoint.end()}};
+    for (int k = 0; k < 300; ++k) {
+      if (random.uniform() < 0.3) {
+        setpoint = random_pressures(arm, random);
+      }
+      fast.step(setpoint, state);
+      setpoints.emplace_back(setpoint.begin(), setpoint.end());
+      pressures.emplace_back(state.begin(), state.begin() + 3);
+    }
+    const auto exact = ExactValves(arm, parameters).pressures_along(setpoints);
+    ASSERT_EQ(exact.size(), pressures.size());
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        farthest_kpa = std::max(farthest_kpa, std::abs(exact[k][i] - pressures[k][i]));
+      }
+    }
+  }
+  EXPECT_LT(farthest_kpa, 0.5 * Certificate::kPressureDeviationKpa);
+  EXPECT_GT(farthest_kpa, 0.0) << "float and double differ";
+}
+
+TEST(ExactValves, IdealOnesAreTheSetPoints) {
+  const ArmDescription arm = three_segment_arm();
+  const ExactValves::Configurations setpoints{{0.0, 0.0, 0.0}, {5.0, -5.0, 2.0}, {9.0, -9.0, 3.0}};
+  EXPECT_EQ(ExactValves(arm, {}).pressures_along(setpoints), setpoints);
+}
+
+// Closed form: a step of 50 kPa after one frame and a half, then 100 kPa/s.
+TEST(ExactValves, WaitsOutADeadTimeThatIsNoWholeFrame) {
+  const ArmDescription arm = three_segment_arm();
+  const SegmentValves valves{{0.0, 100.0}, {0.0, 100.0}, 0.075, 0.0};
+  ExactValves::Configurations setpoints(6, {50.0, 50.0, 50.0});
+  setpoints.front() = {0.0, 0.0, 0.0};
+  const ValveParameters parameters{true, {valves, valves, valves}};
+  const auto pressures = ExactValves(arm, parameters).pressures_along(setpoints);
+  constexpr double kExactKpa = 1e-9;
+  EXPECT_NEAR(pressures[1][0], 0.0, kExactKpa);
+  EXPECT_NEAR(pressures[2][0], 2.5, kExactKpa);
+  EXPECT_NEAR(pressures[3][0], 7.5, kExactKpa);
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,134 @@
+// Bad logs and mappings, each with what to do about it.
+#include <gmock/gmock.h>
+
+#include "logs/csv_import.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+class LogImportFaults : public CsvImport {};
+
+TEST_F(LogImportFaults, FindsShuffledTime) {
+  std::string text = header() + "\n";
+  for (int k = 0; k < rows_; ++k) {
+    const double t = (k * 7 % rows_) / rate_hz_;
+    text += fmt::format("{:.6f}{}{}\n", t, truth_.pressure_cells(t), pose_cells(t));
+  }
+  expect_refusal(text, mapping(), {"run.csv", "time goes back", "Rows that were shuffled"});
+}
+
+TEST_F(LogImportFaults, FindsConstantPressures) {
+  pressure_scale_ = 1e-3;
+  expect_refusal(log(), mapping(), {"no pressure ever changes by more than 2 %", "is it in MPa?"});
+}
+
+TEST_F(LogImportFaults, FindsThreeFrames) {
+  rows_ = 15;
+  expect_refusal(log(), mapping(), {"nothing is left", "A longer recording is needed"});
+}
+
+TEST_F(LogImportFaults, FindsMarkersThatWereNeverSeen) {
+  expect_refusal(hidden(log(), 4 + 3 * 9, 0, rows_), mapping(),
+                 {"'x9' (plate 9) is never seen", "Leave it out of the mapping"});
+}
+
+TEST_F(LogImportFaults, FindsDuplicatedColumns) {
+  expect_refusal(replaced(log(), ",x4,", ",x3,"), mapping(),
+                 {"column 'x3' is there twice, as columns 14 and 17"});
+  expect_refusal(log(), replaced(mapping(), "x: x4, y: y4", "x: x3, y: y3"),
+                 {"points[4]", "the same source as point 3"});
+}
+
+TEST_F(LogImportFaults, FindsWrongAndMixedUnits) {
+  length_scale_ = 1e3;
+  expect_refusal(log(), mapping(), {"15 of 15 distances", "reads lengths in m: is it in mm?"});
+  length_scale_ = 1.0;
+  pressure_scale_ = 1.0 / 100.0;
+  expect_refusal(log(), mapping(), {"no pressure ever changes", "is it in bar?"});
+  pressure_scale_ = 10.0;
+  expect_refusal(log(), mapping(),
+                 {"'pressure_1_kpa' (segment 0) reaches", "the limit of arm 'sample3' is 100 kPa",
+                  "is it in mbar?"});
+  pressure_scale_ = 1.0;
+  expect_refusal(
+      log(), replaced(mapping(), "{column: time_s}", "{column: time_s, unit: us}"),
+      {"run.csv: column 'time_s', read in us, gives 1e+08 rows a second; expected 19 to 20000",
+       "Are its times in s?"});
+}
+
+TEST_F(LogImportFaults, FindsPointsInAnotherOrder) {
+  std::string map = mapping();
+  map = replaced(map, "x: x4, y: y4, theta: theta4", "x: xx, y: yy, theta: tt");
+  map = replaced(map, "x: x9, y: y9, theta: theta9", "x: x4, y: y4, theta: theta4");
+  map = replaced(map, "x: xx, y: yy, theta: tt", "x: x9, y: y9, theta: theta9");
+  expect_refusal(log(), map, {"are the points in order, base first, and all in one unit?"});
+}
+
+TEST_F(LogImportFaults, FindsALogSlowerThanTheArm) {
+  rate_hz_ = 10.0;
+  expect_refusal(log(), mapping(),
+                 {"10 rows a second; expected 19 to", "Is it the column of times?",
+                  "set frame_rate_hz of the arm file to at most 10"});
+}
+
+TEST_F(LogImportFaults, FindsTurnedSigns) {
+  pressure_scale_ = -1.0;
+  expect_refusal(log(), mapping(), {"bends to the other side", "Put a '-' before"});
+}
+
+TEST_F(LogImportFaults, NotesASegmentThatDoesNotFollow) {
+  const std::string map = replaced(mapping(), "columns: [pressure_1_kpa, pressure_2_kpa,",
+                                   "columns: [pressure_1_kpa, other,");
+  std::string text = replaced(log(), ",pressure_2_kpa", ",other");
+  std::string result = text.substr(0, text.find('\n') + 1);
+  std::size_t begin = result.size();
+  for (int k = 0; begin < text.size(); ++k) {
+    const std::size_t end = text.find('\n', begin) + 1;
+    const std::size_t first = text.find(',', text.find(',', begin) + 1) + 1;
+    const std::size_t last = text.find(',', first);
+    result += text.substr(begin, first - begin) + fmt::format("{:.4f}", 50 * std::sin(0.09 * k)) +
+              text.substr(last, end - last);
+    begin = end;
+  }
+  const ImportResult imported = import(result, map);
+  const ImportNote* found = note(imported, "hardly follows its command");
+  ASSERT_NE(found, nullptr);
+  EXPECT_THAT(found->first, HasSubstr("segment 1"));
+}
+
+TEST_F(LogImportFaults, NamesColumnsThatAreNotThere) {
+  expect_refusal(log(), replaced(mapping(), "x: x4", "x: p4_x"),
+                 {"there is no column 'p4_x'", "the file has: time_s, pressure_1_kpa"});
+  expect_refusal(without_line("\n" + log(), "time_s").substr(1), mapping(),
+                 {"where a header line should be", "columns: [time_s, …]"});
+  std::string semicolons = log();
+  std::replace(semicolons.begin(), semicolons.end(), ',', ';');
+  expect_refusal(semicolons, mapping(), {"separated by semicolons"});
+}
+
+TEST_F(LogImportFaults, RefusesLogsThatDoNotBelongTogether) {
+  rows_ = 2000;
+  const std::string text = LogTruth::table("time_s" + header().substr(header().find(",x0")), rows_,
+                                           rate_hz_, [&](double t) { return pose_cells(t); });
+  write_file_atomically(folder_.path() / "run.csv", text);
+  write_file_atomically(
+      folder_.path() / "p.csv",
+      LogTruth::table("time_s" + truth_.pressure_names(), 2000, 100.0, [](double t) {
+        return fmt::format(",{:.6f},{:.6f},{:.6f}", 90 * std::sin(11 * t), 90 * std::sin(13 * t),
+                           90 * std::sin(17 * t));
+      }));
+  write_file_atomically(folder_.path() / "map.yaml", mapping());
+  ImportOptions options;
+  options.mapping = read_import_mapping(folder_.path() / "map.yaml", truth_.arm());
+  options.command_logs = {folder_.path() / "p.csv"};
+  EXPECT_THAT([&] { import_csv({folder_.path() / "run.csv"}, options, truth_.arm()); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("can't be told from the motion"), HasSubstr("--time-offset-s"))));
+}
+
+}  // namespace
+}  // namespace limber

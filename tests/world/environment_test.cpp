@@ -1,0 +1,197 @@
+#include "limber/world/environment.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "limber/common/yaml_reader.hpp"
+#include "planning/random_shapes.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+const char* const kGood =
+    "schema: limber/environment/1\n"
+    "name: gap in a wall\n"
+    "obstacles:\n"
+    "  - circle: {x_m: 0.45, y_m: 0.22, radius_m: 0.06}\n"
+    "  - rectangle: {x_m: 0.5, y_m: -0.3, width_m: 0.04, height_m: 0.3, angle_rad: 0.5}\n"
+    "  - polygon: [[0.1, 0.3], [0.2, 0.3], [0.15, 0.4]]\n"
+    "start: rest\n"
+    "goal: {x_m: 0.5, y_m: 0.3, theta_rad: 1.2, position_tolerance_m: 0.02, "
+    "orientation_tolerance_rad: 0.25}\n";
+
+Environment read(const std::string& text) {
+  return read_environment(YamlReader::from_text(text, "e.yaml"));
+}
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = kGood;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+void expect_refused(const std::string& text, const std::string& place, const std::string& what) {
+  EXPECT_THAT([&] { read(text); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr(place), HasSubstr(what))))
+      << text;
+}
+
+TEST(Environment, ReadsEveryKindOfObstacle) {
+  const Environment e = read(kGood);
+  EXPECT_EQ(e.name, "gap in a wall");
+  ASSERT_EQ(e.obstacles.size(), 3U);
+  EXPECT_EQ(std::get<Circle>(e.obstacles[0]).radius_m, 0.06);
+  EXPECT_EQ(std::get<Rectangle>(e.obstacles[1]).angle_rad, 0.5);
+  EXPECT_EQ(std::get<Polygon>(e.obstacles[2]).points_m[2], Eigen::Vector2d(0.15, 0.4));
+  EXPECT_FALSE(e.start);
+  EXPECT_EQ(e.goal.theta_rad, 1.2);
+  EXPECT_EQ(e.goal.orientation_tolerance_rad, 0.25);
+}
+
+TEST(Environment, OrientationIsOptionalAndItsToleranceHasADefault) {
+  EXPECT_FALSE(read(with("theta_rad: 1.2, position_tolerance_m: 0.02, orientation_tolerance_rad: "
+                         "0.25",
+                         "position_tolerance_m: 0.02"))
+                   .goal.theta_rad);
+  EXPECT_EQ(read(with(", orientation_tolerance_rad: 0.25", "")).goal.orientation_tolerance_rad,
+            0.3);
+}
+
+TEST(Environment, SurvivesWritingAndReadingExactly) {
+  const ArmDescription arm = three_segment_arm();
+  RandomStream random(3, 0);
+  for (int trial = 0; trial < 20; ++trial) {
+    Environment e;
+    e.name = "odd \"name\": [" + std::to_string(trial) + "]";
+    for (int k = 0; k < trial % 5; ++k) {
+      e.obstacles.push_back(random_obstacle(random));
+    }
+    if (trial % 2 == 1) {
+      const Pressures q = random_pressures(arm, random);
+      e.start = ArmStart{q, no_load_backbone(NoLoadModel(arm), q)};
+    }
+    e.goal = {random.uniform(), random.uniform(), std::nullopt, random.uniform(0.001, 0.1), 0.3};
+    if (trial % 3 == 0) {
+      e.goal.theta_rad = random.uniform(-3.0, 3.0);
+      e.goal.orientation_tolerance_rad = random.uniform(0.1, 1.0);
+    }
+    const std::string text = environment_to_yaml(e);
+    const Environment again = read_environment(YamlReader::from_text(text, "e.yaml"), arm);
+    EXPECT_EQ(again.name, e.name);
+    EXPECT_EQ(environment_to_yaml(again), text);
+    EXPECT_EQ(environment_hash(again), environment_hash(e));
+    EXPECT_EQ(again.goal.x_m, e.goal.x_m);
+    ASSERT_EQ(again.start.has_value(), e.start.has_value());
+    if (e.start) {
+      EXPECT_EQ(again.start->backbone, e.start->backbone);
+      EXPECT_EQ(again.start->pressures_kpa, e.start->pressures_kpa);
+    }
+  }
+}
+
+TEST(Environment, HashTellsContentAndIgnoresTheName) {
+  const std::string hash = environment_hash(read(kGood));
+  EXPECT_EQ(environment_hash(read(with("gap in a wall", "other"))), hash);
+  EXPECT_NE(environment_hash(read(with("radius_m: 0.06", "radius_m: 0.0600001"))), hash);
+  EXPECT_NE(environment_hash(read(with("x_m: 0.5, y_m: 0.3,", "x_m: 0.5, y_m: 0.31,"))), hash);
+}
+
+TEST(Environment, NamesPlaceFoundAndAllowedOfEveryBrokenNumber) {
+  expect_refused(with("radius_m: 0.06", "radius_m: -0.06"),
+                 "e.yaml:4: obstacles[0].circle.radius_m: ", "-0.06 found; expected a radius");
+  expect_refused(with("radius_m: 0.06", "radius_m: 0"), "obstacles[0].circle.radius_m", "> 0");
+  expect_refused(with("radius_m: 0.06", "radius_m: .nan"), "obstacles[0].circle.radius_m",
+                 "finite");
+  expect_refused(with("radius_m: 0.06", "radius_m: 6 cm"), "obstacles[0].circle.radius_m", "6 cm");
+  expect_refused(with(", radius_m: 0.06", ""), "e.yaml:4: obstacles[0].circle",
+                 "'radius_m' is missing");
+  expect_refused(with("radius_m: 0.06", "radius: 0.06"), "obstacles[0].circle.radius",
+                 "unknown key");
+  expect_refused(with("width_m: 0.04", "width_m: 1e999"), "e.yaml:5: obstacles[1].rectangle",
+                 "finite");
+  expect_refused(with("x_m: 0.45", "x_m: 4500"), "obstacles[0].circle.x_m", "-1000 to 1000");
+  expect_refused(with("position_tolerance_m: 0.02", "position_tolerance_m: 0"),
+                 "e.yaml:8: goal.position_tolerance_m", "> 0");
+  expect_refused(with("theta_rad: 1.2, ", ""), "goal.orientation_tolerance_rad",
+                 "without theta_rad");
+}
+
+TEST(Environment, RefusesPolygonsThatAreNotSimple) {
+  const auto polygon = [](const std::string& points) {
+    return with("[[0.1, 0.3], [0.2, 0.3], [0.15, 0.4]]", points);
+  };
+  const std::string place = "e.yaml:6: obstacles[2].polygon";
+  expect_refused(polygon("[[0, 0], [1, 0]]"), place, "2 points found; expected 3");
+  expect_refused(polygon("[[0, 0], [1, 1], [1, 0], [0, 1]]"), place,
+                 "edges 1–2 and 3–4 cross or touch");
+  expect_refused(polygon("[[0, 0], [1, 0], [2, 0]]"), place, "runs back over");
+  expect_refused(polygon("[[0, 0], [1, 0], [1, 0], [0, 1]]"), place, "points 2 and 3 are the same");
+  expect_refused(polygon("[[0, 0], [2, 0], [2, 1], [1, 0], [0, 1]]"), place, "cross or touch");
+  expect_refused(polygon("[[0, 0], [1, 0], [0.5]]"), place + "[2]", "1 numbers found");
+  EXPECT_NO_THROW(read(polygon("[[0, 0], [1, 0], [1, 1], [0.5, 0.2], [0, 1]]")));
+  EXPECT_NO_THROW(read(polygon("[[0, 0], [0.5, 0], [1, 0], [1, 1]]"))) << "a corner of 180°";
+}
+
+TEST(Environment, RefusesBrokenStructure) {
+  expect_refused(with("limber/environment/1", "limber/environment/9"), "e.yaml:1: schema",
+                 "this program reads");
+  expect_refused(with("- circle:", "- sphere:"), "obstacles[0].sphere", "unknown key");
+  expect_refused(with("start: rest", "start: sleep"), "e.yaml:7: start", "'sleep' found");
+  expect_refused(with("start: rest\n", ""), "e.yaml", "'start' is missing");
+  expect_refused(with("goal: {", "target: {"), "target", "unknown key");
+  expect_refused(with("obstacles:\n", "obstacles: 3\nmore:\n"), "e.yaml:5: more", "unknown key");
+  expect_refused("", "e.yaml:1", "an empty file");
+}
+
+TEST(Environment, RefusesAStartThatDoesNotFitTheArm) {
+  const ArmDescription arm = three_segment_arm();
+  Environment e = read(kGood);
+  const Pressures q = Pressures::Constant(3, 20.0F);
+  const Backbone b = no_load_backbone(NoLoadModel(arm), q);
+  const auto refusal = [&](const Pressures& pressures, const Backbone& backbone) {
+    e.start = ArmStart{pressures, backbone};
+    try {
+      read_environment(YamlReader::from_text(environment_to_yaml(e), "e.yaml"), arm);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing refused");
+  };
+  EXPECT_EQ(refusal(q, b), "nothing refused");
+  EXPECT_THAT(refusal(Pressures::Zero(2), b),
+              AllOf(HasSubstr("start.pressures_kpa"), HasSubstr("2 pressures found; expected 3")));
+  EXPECT_THAT(refusal(q * 6.0F, b), AllOf(HasSubstr("start.pressures_kpa[0]"),
+                                          HasSubstr("120 kPa found; expected at most ± 100")));
+  EXPECT_THAT(refusal(q, b.topRows(12)), AllOf(HasSubstr("e.yaml:9: start.backbone"),
+                                               HasSubstr("12 poses found; expected 16")));
+  EXPECT_THAT(refusal(q, b * 100.0F), HasSubstr("poses are in metres"));
+  EXPECT_THAT(refusal(q, Backbone::Zero(16, 3)),
+              AllOf(HasSubstr("e.yaml:9: start.backbone[1]"),
+                    HasSubstr("plate 1 is 0 m from plate 0; expected 0.0235 to 0.0705 m")));
+}
+
+TEST(Environment, RefusesABrokenNumberInAnyPlaceOfAStartingPose) {
+  for (const char* pose : {"[x, 0, 0]", "[0, .nan, 0]", "[0, 0, 1e9]", "[5000, 0, 0]"}) {
+    expect_refused(with("start: rest", std::string("start: {pressures_kpa: [0, 0, 0], backbone: "
+                                                   "[[0, 0, 0], ") +
+                                           pose + "]}"),
+                   "e.yaml:7: start.backbone[1]", "found; expected");
+  }
+}
+
+TEST(Environment, RestIsTheStraightUnpressurisedArm) {
+  const ArmDescription arm = three_segment_arm();
+  const ArmStart start = start_state(read(kGood), arm);
+  const Backbone straight = no_load_backbone(NoLoadModel(arm), Pressures::Zero(3));
+  constexpr float kFloatM = 1e-6F;
+  EXPECT_LT((start.backbone - straight).cwiseAbs().maxCoeff(), kFloatM);
+  EXPECT_TRUE(start.pressures_kpa.isZero());
+}
+
+}  // namespace
+}  // namespace limber

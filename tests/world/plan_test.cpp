@@ -1,0 +1,283 @@
+#include "limber/world/plan.hpp"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "planning/random_shapes.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+using Json = nlohmann::ordered_json;
+
+/// A plan of awkward numbers that keeps every rule: 4 moving frames, 2 of holding.
+Plan small_plan(const ArmDescription& arm) {
+  const NoLoadModel model(arm);
+  RandomStream random(4, 0);
+  Plan plan;
+  plan.arm_name = arm.name;
+  plan.arm_hash = arm.hash();
+  plan.model = "network";
+  plan.model_hash = "abc";
+  plan.valves_hash = "fed";
+  plan.environment_name = "e";
+  plan.environment_hash = "def";
+  plan.planner = "paper";
+  plan.seed = 0xFFFFFFFFFFFFFFFFULL;
+  plan.frame_rate_hz = arm.frame_rate_hz;
+  plan.clearance_m = 0.1 / 3.0;
+  plan.goal_distance_m = 1e-3 / 7.0;
+  plan.program_version = "0.1.0";
+  Pressures q = Pressures::Zero(arm.segment_count());
+  for (int k = 0; k < 5; ++k) {
+    plan.frames.push_back({q, 0.9F * q, no_load_backbone(model, q)});
+    for (int i = 0; i < q.size(); ++i) {
+      q[i] += static_cast<float>(random.uniform(-4.9, 4.9));
+    }
+  }
+  plan.frames.push_back(plan.frames.back());
+  plan.frames.push_back(plan.frames.back());
+  plan.hold_frame_count = 2;
+  plan.waypoints_kpa = {plan.frames.front().setpoint_kpa, plan.frames.back().setpoint_kpa};
+  plan.cost_kpa = path_cost_kpa(plan.frames);
+  return plan;
+}
+
+TEST(PlanFile, SurvivesTheRoundTripExactly) {
+  const TemporaryFolder folder;
+  const ArmDescription arm = three_segment_arm();
+  const Plan plan = small_plan(arm);
+  write_plan(folder.path() / "p.json", plan);
+  const Plan again = read_plan(folder.path() / "p.json");
+  EXPECT_EQ(again.seed, plan.seed);
+  EXPECT_EQ(again.valves_hash, plan.valves_hash);
+  EXPECT_EQ(again.cost_kpa, plan.cost_kpa);
+  EXPECT_EQ(again.clearance_m, plan.clearance_m);
+  EXPECT_EQ(again.goal_distance_m, plan.goal_distance_m);
+  EXPECT_EQ(again.model_hash, "abc");
+  EXPECT_EQ(again.waypoints_kpa, plan.waypoints_kpa);
+  EXPECT_EQ(again.hold_frame_count, 2);
+  ASSERT_EQ(again.frame_count(), plan.frame_count());
+  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
+    EXPECT_EQ(again.frames[k].setpoint_kpa, plan.frames[k].setpoint_kpa);
+    EXPECT_EQ(again.frames[k].pressure_kpa, plan.frames[k].pressure_kpa);
+    EXPECT_EQ(again.frames[k].backbone, plan.frames[k].backbone);
+  }
+  write_plan(folder.path() / "q.json", again);
+  EXPECT_EQ(read_file(folder.path() / "p.json"), read_file(folder.path() / "q.json"));
+  EXPECT_NO_THROW(require_plan_of(again, arm, "p.json"));
+}
+
+TEST(PlanFile, InfiniteClearanceIsNull) {
+  const TemporaryFolder folder;
+  Plan plan = small_plan(three_segment_arm());
+  plan.clearance_m = std::numeric_limits<double>::infinity();
+  write_plan(folder.path() / "p.json", plan);
+  EXPECT_EQ(read_plan(folder.path() / "p.json").clearance_m, plan.clearance_m);
+}
+
+/// One way of a file being broken, and what the message must hold.
+struct Broken {
+  const char* what;
+  std::function<void(Json&)> damage;
+  std::vector<std::string> message;
+};
+
+TEST(PlanFile, NamesFileAndFieldOfEveryBrokenPlan) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "p.json";
+  write_plan(path, small_plan(three_segment_arm()));
+  const Json good = Json::parse(read_file(path));
+  const std::vector<Broken> cases{
+      {"other schema",
+       [](Json& j) { j["schema"] = "limber/arm/1"; },
+       {"schema", "'limber/arm/1' found", "limber/plan/2"}},
+      {"no schema", [](Json& j) { j.erase("schema"); }, {"schema: missing"}},
+      {"no hash", [](Json& j) { j["arm"].erase("hash"); }, {"arm.hash: missing"}},
+      {"arm is a text", [](Json& j) { j["arm"] = "mine"; }, {"arm.name: missing"}},
+      {"unknown model",
+       [](Json& j) { j["model"]["kind"] = "magic"; },
+       {"model.kind", "'magic' found", "no_load or network"}},
+      {"negative seed", [](Json& j) { j["seed"] = -1; }, {"seed", "-1 found"}},
+      {"text as number",
+       [](Json& j) { j["cost_kpa"] = "12"; },
+       {"cost_kpa", "'12' found", "finite number"}},
+      {"null as number",
+       [](Json& j) { j["frames"][2]["setpoint_kpa"][1] = nullptr; },
+       {"frames[2].setpoint_kpa[1]", "null found"}},
+      {"wrong cost", [](Json& j) { j["cost_kpa"] = 1.0; }, {"cost_kpa", "its frames add up to"}},
+      {"rate", [](Json& j) { j["frame_rate_hz"] = 0; }, {"frame_rate_hz", "from 1 to 1000"}},
+      {"no frames", [](Json& j) { j["frames"] = Json::array(); }, {"frames", "no frame found"}},
+      {"frames no list", [](Json& j) { j["frames"] = 3; }, {"frames", "a list of frames"}},
+      {"short pressures",
+       [](Json& j) { j["frames"][3]["setpoint_kpa"].erase(0); },
+       {"frames[3].setpoint_kpa", "2 numbers found; expected 3"}},
+      {"short backbone",
+       [](Json& j) { j["frames"][3]["backbone"].erase(0); },
+       {"frames[3].backbone", "15 poses found; expected 16"}},
+      {"short pose",
+       [](Json& j) { j["frames"][0]["backbone"][5].erase(0); },
+       {"frames[0].backbone[5]", "2 numbers found; expected 3"}},
+      {"huge",
+       [](Json& j) { j["frames"][0]["backbone"][5][0] = 1e30; },
+       {"frames[0].backbone[5][0]", "1e+30 found"}},
+      {"hold too long",
+       [](Json& j) { j["hold_frame_count"] = 9; },
+       {"hold_frame_count", "9 found; expected less than the 7 frames"}},
+      {"hold moves", [](Json& j) { j["hold_frame_count"] = 4; }, {"frames", "should hold still"}},
+      {"waypoints elsewhere",
+       [](Json& j) { j["waypoints_kpa"][0][0] = 5.0; },
+       {"waypoints_kpa", "at its ends"}},
+  };
+  for (const Broken& broken : cases) {
+    Json json = good;
+    broken.damage(json);
+    std::ofstream(path) << json.dump();
+    std::string message = "accepted";
+    try {
+      read_plan(path);
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    EXPECT_THAT(message, HasSubstr(path.string())) << broken.what;
+    for (const std::string& part : broken.message) {
+      EXPECT_THAT(message, HasSubstr(part)) << broken.what;
+    }
+  }
+}
+
+// The seal is a hash over everything, so an extra key counts, however deep it goes.
+TEST(PlanFile, RefusesNestingThatWouldEndTheStack) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "p.json";
+  write_plan(path, small_plan(three_segment_arm()));
+  const std::string nested = std::string(200'000, '[') + std::string(200'000, ']');
+  const std::string whole = read_file(path);
+  for (const std::string& text :
+       {"{\"schema\":" + nested + "}", "{\"extra\":" + nested + "," + whole.substr(1)}) {
+    write_file_atomically(path, text);
+    for (const auto& read : {read_plan, read_plan_unjudged}) {
+      EXPECT_THAT([&] { read(path); },
+                  ThrowsMessage<InputError>(AllOf(HasSubstr("p.json: "), HasSubstr("32 deep"))));
+    }
+  }
+}
+
+TEST(PlanFile, RefusesWhatIsNoJson) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "p.json";
+  write_plan(path, small_plan(three_segment_arm()));
+  const std::string whole = read_file(path);
+  for (const std::string& text :
+       {std::string(), whole.substr(0, whole.size() / 2), std::string("schema: limber/plan/1"),
+        std::string("{\"cost_kpa\": 1e999}")}) {
+    std::ofstream(path) << text;
+    EXPECT_THAT([&] { read_plan(path); },
+                ThrowsMessage<InputError>(AllOf(HasSubstr("p.json"), HasSubstr("not valid JSON"))));
+  }
+  EXPECT_THAT([&] { read_plan(folder.path() / "none.json"); },
+              ThrowsMessage<InputError>(HasSubstr("none.json")));
+}
+
+TEST(Plan, OfAnotherMachinesFitOfTheSameArmIsItsOwn) {
+  const TemporaryFolder folder;
+  const ArmDescription arm = three_segment_arm();
+  Plan plan = small_plan(arm);
+  plan.arm_description = arm_keys_to_yaml(arm);
+  write_plan(folder.path() / "p.json", plan);
+  const Plan back = read_plan(folder.path() / "p.json");
+  EXPECT_EQ(back.arm_description, plan.arm_description);
+  ArmDescription elsewhere = arm;
+  elsewhere.segments[1].strain_polynomial[0] += 1e-9;  // 1e-7 of strain
+  ASSERT_NE(elsewhere.hash(), arm.hash());
+  EXPECT_NO_THROW(require_plan_of(back, elsewhere, "p.json"));
+  elsewhere.segments[1].width_m = 0.031;
+  EXPECT_THAT([&] { require_plan_of(back, elsewhere, "p.json"); },
+              ThrowsMessage<InputError>(HasSubstr("segments[1].width_m: 0.03 there, 0.031 here")));
+}
+
+TEST(Plan, OfBeforeTheDescriptionIsOfTheArmWithItsHash) {
+  const ArmDescription arm = three_segment_arm();
+  const Plan plan = small_plan(arm);
+  ASSERT_EQ(plan.arm_description, "");
+  EXPECT_NO_THROW(require_plan_of(plan, arm, "p.json"));
+  ArmDescription elsewhere = arm;
+  elsewhere.segments[1].strain_polynomial[0] += 1e-9;
+  EXPECT_THAT([&] { require_plan_of(plan, elsewhere, "p.json"); },
+              ThrowsMessage<InputError>(HasSubstr("what differs is not known")));
+}
+
+TEST(Plan, IsRefusedForAnotherArmAndBeyondItsLimits) {
+  const ArmDescription arm = three_segment_arm();
+  ArmDescription other = arm;
+  other.name = "other";
+  other.segments[0].length_m = 0.3;
+  const Plan plan = small_plan(arm);
+  EXPECT_THAT([&] { require_plan_of(plan, other, "p.json"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("p.json: arm_hash"),
+                                              HasSubstr("'three_segment'"), HasSubstr("'other'"))));
+  Plan fast = plan;
+  fast.frames[2].setpoint_kpa[1] += 11.0F;
+  EXPECT_THAT([&] { require_plan_of(fast, arm, "p.json"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("frames[2].setpoint_kpa[1]"),
+                                              HasSubstr("expected at most 5 kPa"))));
+  Plan strong = plan;
+  strong.frames[0].setpoint_kpa[2] = -100.5F;
+  EXPECT_THAT([&] { require_plan_of(strong, arm, "p.json"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("frames[0].setpoint_kpa[2]"),
+                                              HasSubstr("-100.5 kPa found"),
+                                              HasSubstr("at most ± 100 kPa"))));
+  Plan thin = plan;
+  thin.frames[1].setpoint_kpa = Pressures::Zero(2);
+  EXPECT_THAT([&] { require_plan_of(thin, arm, "p.json"); },
+              ThrowsMessage<InputError>(HasSubstr("frames[1]: 2 pressures")));
+}
+
+TEST(Plan, CsvHoldsTheSetPointsToCommandAndWhen) {
+  const TemporaryFolder folder;
+  const Plan plan = small_plan(three_segment_arm());
+  write_setpoints_csv(folder.path() / "p.csv", plan);
+  std::ifstream file(folder.path() / "p.csv");
+  std::string line;
+  std::getline(file, line);
+  EXPECT_EQ(line,
+            "time_s,setpoint_0_kpa,setpoint_1_kpa,setpoint_2_kpa,"
+            "pressure_0_kpa,pressure_1_kpa,pressure_2_kpa");
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    ASSERT_TRUE(std::getline(file, line));
+    std::stringstream row(line);
+    std::string cell;
+    std::getline(row, cell, ',');
+    EXPECT_DOUBLE_EQ(std::stod(cell), double(k - 1) / 20.0);
+    for (int i = 0; i < 3; ++i) {
+      std::getline(row, cell, ',');
+      EXPECT_EQ(std::stof(cell), plan.frames[k].setpoint_kpa[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      std::getline(row, cell, ',');
+      EXPECT_EQ(std::stof(cell), plan.frames[k].pressure_kpa[i]);
+    }
+  }
+  EXPECT_FALSE(std::getline(file, line));
+  EXPECT_DOUBLE_EQ(plan.duration_s(), 0.3);
+}
+
+TEST(Plan, CostIsTheSumOfAllPressureChanges) {
+  std::vector<PlanFrame> frames(4);
+  frames[0].setpoint_kpa = Eigen::Vector2f(0.0F, 0.0F);
+  frames[1].setpoint_kpa = Eigen::Vector2f(3.0F, -1.0F);
+  frames[2].setpoint_kpa = Eigen::Vector2f(1.0F, -4.0F);
+  frames[3].setpoint_kpa = Eigen::Vector2f(1.0F, -4.0F);
+  EXPECT_DOUBLE_EQ(path_cost_kpa(frames), 4.0 + 5.0);
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""Draws docs/images/modules.svg from the build's own targets: which module links which.
+
+    tools/module_picture.py --build build/dev --out docs/images/modules.svg
+    tools/module_picture.py --build build/dev --check     only whether the layers hold
+
+Modules stand on those below them, in layers; what is linked through another is not drawn again. Fails
+where an arrow would point upwards, that is where targets stand on each other in a circle, or where a
+module holds more than 14 % of the library's lines.
+"""
+
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+MOST_LINES = 0.14
+BOX_W, BOX_H, GAP_X, GAP_Y, EDGE = 118, 40, 26, 46, 20
+
+
+def links_of(build):
+    """Module → modules that its target links, as cmake's own graph has it."""
+    with tempfile.TemporaryDirectory() as folder:
+        graph = pathlib.Path(folder) / "targets.dot"
+        subprocess.run(["cmake", f"--graphviz={graph}", str(build)], check=True,
+                       stdout=subprocess.DEVNULL)
+        text = graph.read_text()
+    names = dict(re.findall(r'"(node\d+)" \[ label = "limber_(\w+)[^"]*"', text))
+    libraries = {path.parent.name for path in ROOT.glob("src/*/CMakeLists.txt")}
+    links = {name: set() for name in names.values() if name in libraries}
+    for a, b in re.findall(r'"(node\d+)" -> "(node\d+)"', text):
+        if names.get(a) in links and names.get(b) in links:
+            links[names[a]].add(names[b])
+    return links
+
+
+def below(links, module, way=()):
+    """All that a module stands on."""
+    if module in way:
+        sys.exit(f"modules stand on each other: {' → '.join([*way, module])}")
+    found = set()
+    for other in links[module]:
+        found |= {other} | below(links, other, (*way, module))
+    return found
+
+
+def direct(links, module):
+    """Without what is linked through another."""
+    through = set().union(*[below(links, other) for other in links[module]], set())
+    return links[module] - through
+
+
+def lines_of(module):
+    folder = ROOT / "src" / module
+    return sum(len(path.read_text().splitlines()) for path in folder.rglob("*.?pp"))
+
+
+def layers_of(links):
+    height = {}
+
+    def layer(module):
+        if module not in height:
+            height[module] = 1 + max([layer(other) for other in links[module]], default=-1)
+        return height[module]
+
+    rows = {}
+    for module in links:
+        rows.setdefault(layer(module), []).append(module)
+    return [sorted(rows[key]) for key in sorted(rows)]
+
+
+def picture(links, lines):
+    rows = layers_of(links)
+    width = max(len(row) for row in rows) * (BOX_W + GAP_X) - GAP_X + 2 * EDGE
+    height = len(rows) * (BOX_H + GAP_Y) - GAP_Y + 2 * EDGE
+    total = sum(lines.values())
+    centre = {}
+    for k, row in enumerate(rows):
+        # Under the mean of what stands on them there are the fewest crossings; by name will do.
+        left = (width - (len(row) * (BOX_W + GAP_X) - GAP_X)) / 2
+        for i, module in enumerate(row):
+            centre[module] = (left + i * (BOX_W + GAP_X) + BOX_W / 2,
+                              height - EDGE - k * (BOX_H + GAP_Y) - BOX_H / 2)
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" '
+           f'viewBox="0 0 {width:.0f} {height:.0f}" font-family="sans-serif" font-size="13">',
+           '<title>Modules and what they stand on</title>',
+           '<defs><marker id="tip" markerWidth="8" markerHeight="8" refX="7" refY="4" orient="auto">'
+           '<path d="M0,1 L7,4 L0,7" fill="none" stroke="#5f6b7a"/></marker></defs>',
+           f'<rect width="{width:.0f}" height="{height:.0f}" fill="#ffffff"/>']
+    for module in sorted(links):
+        for other in sorted(direct(links, module)):
+            (x1, y1), (x2, y2) = centre[module], centre[other]
+            out.append(f'<path d="M{x1:.0f},{y1 + BOX_H / 2:.0f} C{x1:.0f},{y1 + BOX_H / 2 + 34:.0f} '
+                       f'{x2:.0f},{y2 - BOX_H / 2 - 34:.0f} {x2:.0f},{y2 - BOX_H / 2 - 2:.0f}" '
+                       'fill="none" stroke="#5f6b7a" marker-end="url(#tip)"/>')
+    for module, (x, y) in sorted(centre.items()):
+        share = f"{100 * lines[module] / total:.0f} %" if lines[module] else ""
+        out.append(f'<rect x="{x - BOX_W / 2:.0f}" y="{y - BOX_H / 2:.0f}" width="{BOX_W}" '
+                   f'height="{BOX_H}" rx="5" fill="#eef3f8" stroke="#31506f"/>')
+        out.append(f'<text x="{x:.0f}" y="{y - 2:.0f}" text-anchor="middle" fill="#10233a">'
+                   f'{module}</text>')
+        out.append(f'<text x="{x:.0f}" y="{y + 13:.0f}" text-anchor="middle" font-size="11" '
+                   f'fill="#5f6b7a">{share}</text>')
+    return "\n".join([*out, "</svg>"]) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", default="build/dev", help="a configured build folder")
+    parser.add_argument("--out", default=str(ROOT / "docs/images/modules.svg"))
+    parser.add_argument("--check", action="store_true", help="draw nothing")
+    options = parser.parse_args()
+    links = links_of(options.build)
+    lines = {module: lines_of(module) for module in links}
+    largest = max(lines, key=lines.get)
+    share = lines[largest] / sum(lines.values())
+    for module in links:
+        below(links, module)
+    print(f"{len(links)} modules, the largest {largest} with {100 * share:.1f} % of the lines")
+    if share > MOST_LINES:
+        sys.exit(f"{largest} holds more than {100 * MOST_LINES:.0f} % of the lines")
+    if not options.check:
+        pathlib.Path(options.out).write_text(picture(links, lines))
+
+
+if __name__ == "__main__":
+    main()
