@@ -102,8 +102,9 @@ class BenchCsv {
     const CsvCell& segment_cell = cells[*segment_];
     const double segment = csv_.number(segment_cell, "a segment's number, 0 at the base");
     if (segment != std::floor(segment) || segment < 0.0 || segment >= segments_) {
-      csv_.refuse(segment_cell.column, fmt::format("{}; expected a whole number from 0 to {}",
-                                                   segment_name(segment), segments_ - 1));
+      csv_.refuse(segment_cell.column,
+                  fmt::format("segment number {}; expected a whole number from 0 to {}", segment,
+                              segments_ - 1));
     }
     data[std::size_t(segment)].push_back({pressure, strain});
   }

@@ -16,9 +16,10 @@ PoseError final_error(const PlanningProblem& problem, const Plan& plan) {
 }
 
 /// Smallest clearance over all frames and between them, the margin given back.
-double plan_clearance_m(const CollisionChecker& checker, double margin_m, const Plan& plan) {
+double plan_clearance_m(const CollisionChecker& checker, double margin_m, const Plan& plan,
+                        const std::function<bool()>& give_up) {
   double smallest = checker.clearance(plan.frames.front().backbone).value_m;
-  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+  for (std::size_t k = 1; k < plan.frames.size() && !(give_up && give_up()); ++k) {
     smallest =
         checker.motion_clearance(plan.frames[k - 1].backbone, plan.frames[k].backbone, smallest)
             .value_m;
@@ -28,9 +29,9 @@ double plan_clearance_m(const CollisionChecker& checker, double margin_m, const 
 
 }  // namespace
 
-Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
-                const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
-                std::uint64_t seed) {
+Plan build_partial_plan(const PlanningProblem& problem, MotionSimulator& simulator,
+                        const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
+                        std::uint64_t seed) {
   Plan plan;
   const ArmIdentity arm = identity_of(problem.arm);
   plan.arm_name = arm.name;
@@ -55,10 +56,17 @@ Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
   }
   plan.hold_frame_count = simulator.append_hold(plan.frames);
   plan.cost_kpa = path_cost_kpa(plan.frames);
-  plan.clearance_m = plan_clearance_m(simulator.checker(), problem.margin_m, plan);
   const PoseError error = final_error(problem, plan);
   plan.goal_distance_m = error.position_m;
   plan.goal_orientation_rad = error.orientation_rad;
+  return plan;
+}
+
+Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
+                const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
+                std::uint64_t seed, const std::function<bool()>& give_up) {
+  Plan plan = build_partial_plan(problem, simulator, waypoints_kpa, planner, seed);
+  plan.clearance_m = plan_clearance_m(simulator.checker(), problem.margin_m, plan, give_up);
   return plan;
 }
 

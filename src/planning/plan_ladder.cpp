@@ -62,11 +62,10 @@ bool PlanLadder::is_notable(const Rung& rung) const {
 
 PlanJudge::Verdict PlanLadder::judge(const Rung& rung, const Found& found) {
   const double begin_s = budget_.elapsed_s();
-  Plan plan = build_plan(problem_, simulator_, rung.waypoints_kpa, planner_, seed_);
+  const auto give_up = [this] { return budget_.is_overdue(); };
+  Plan plan = build_plan(problem_, simulator_, rung.waypoints_kpa, planner_, seed_, give_up);
   const PlanJudge::Verdict verdict =
-      problem_.judge == nullptr
-          ? PlanJudge::Verdict::holds
-          : problem_.judge->judge(plan, [this] { return budget_.is_overdue(); });
+      problem_.judge == nullptr ? PlanJudge::Verdict::holds : problem_.judge->judge(plan, give_up);
   const double end_s = budget_.elapsed_s();
   budget_.keep_for_the_end(end_s - begin_s);
   switch (verdict) {

@@ -52,7 +52,7 @@ void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
   result.limit = budget.limit();
   result.status = PlanStatus::limit;
   if (!end.ladder.settle(result, end.queries)) {
-    Plan plan = build_plan(problem, simulator, end.nearest_kpa, planner, seed);
+    Plan plan = build_partial_plan(problem, simulator, end.nearest_kpa, planner, seed);
     result.reason = reason_of_failure(budget, problem.environment.goal, plan, result);
     result.best_partial = std::move(plan);
   } else if (result.plan) {

@@ -17,18 +17,41 @@ double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Even–odd rule; points on the outline may fall either way.
-bool is_inside(const std::vector<Vector2d>& vertices, const Vector2d& p) {
-  bool inside = false;
-  const Vector2d* previous = &vertices.back();
-  for (const Vector2d& corner : vertices) {
-    if ((corner.y() > p.y()) != (previous->y() > p.y()) &&
-        p.x() < corner.x() + (previous->x() - corner.x()) * (p.y() - corner.y()) /
-                                 (previous->y() - corner.y())) {
-      inside = !inside;
+/// Calls visit(a, b) for the edges a–b of those boxes that `is_of_interest`, until it returns
+/// false.
+/// @return whether it never did
+template <class IsOfInterest, class Visit>
+bool visit_edges(const ObstacleShape& shape, IsOfInterest&& is_of_interest, Visit&& visit) {
+  const std::vector<Vector2d>& corners = shape.vertices;
+  for (std::size_t k = 0; k < shape.edge_boxes.size(); ++k) {
+    if (!is_of_interest(shape.edge_boxes[k])) {
+      continue;
     }
-    previous = &corner;
+    const std::size_t first = k * ObstacleShape::kEdgesPerBox;
+    const std::size_t end = std::min(first + ObstacleShape::kEdgesPerBox, corners.size());
+    const Vector2d* previous = first == 0 ? &corners.back() : &corners[first - 1];
+    for (std::size_t i = first; i < end; ++i) {
+      if (!visit(*previous, corners[i])) {
+        return false;
+      }
+      previous = &corners[i];
+    }
   }
+  return true;
+}
+
+/// Even–odd rule; points on the outline may fall either way.
+bool is_inside(const ObstacleShape& shape, const Vector2d& p) {
+  bool inside = false;
+  visit_edges(
+      shape, [&](const Box& box) { return box.low.y() <= p.y() && p.y() < box.high.y(); },
+      [&](const Vector2d& a, const Vector2d& b) {
+        if ((b.y() > p.y()) != (a.y() > p.y()) &&
+            p.x() < b.x() + (a.x() - b.x()) * (p.y() - b.y()) / (a.y() - b.y())) {
+          inside = !inside;
+        }
+        return true;
+      });
   return inside;
 }
 
@@ -39,14 +62,31 @@ bool cross_properly(const Vector2d& a, const Vector2d& b, const Vector2d& c, con
   return cross(ab, c - a) * cross(ab, d - a) < 0.0 && cross(cd, a - c) * cross(cd, b - c) < 0.0;
 }
 
-double distance_to_outline(const std::vector<Vector2d>& vertices, const Vector2d& p) {
+double distance_to_outline(const ObstacleShape& shape, const Vector2d& p) {
   double best = kInfinity;
-  const Vector2d* previous = &vertices.back();
-  for (const Vector2d& corner : vertices) {
-    best = std::min(best, squared_distance(p, *previous, corner));
-    previous = &corner;
-  }
+  visit_edges(
+      shape,
+      [&](const Box& box) {
+        return squared_distance(box, {p, p}) < best;
+      },
+      [&](const Vector2d& a, const Vector2d& b) {
+        best = std::min(best, squared_distance(p, a, b));
+        return true;
+      });
   return std::sqrt(best);
+}
+
+std::vector<Box> edge_boxes_of(const std::vector<Vector2d>& corners) {
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector2d& before = i == 0 ? corners.back() : corners[i - 1];
+    if (i % ObstacleShape::kEdgesPerBox == 0) {
+      boxes.push_back({before, before});
+    }
+    boxes.back().include(before);
+    boxes.back().include(corners[i]);
+  }
+  return boxes;
 }
 
 /// Lowest signed distance on a–b: it changes by no more than the way along the segment, which
@@ -93,6 +133,7 @@ ObstacleShape make_obstacle_shape(const Obstacle& obstacle, int index) {
     for (const Vector2d& corner : shape.vertices) {
       shape.box.include(corner);
     }
+    shape.edge_boxes = edge_boxes_of(shape.vertices);
   }
   shape.base_distance_m = std::max(0.0, signed_distance(shape, Vector2d::Zero()));
   return shape;
@@ -102,28 +143,27 @@ double signed_distance(const ObstacleShape& shape, const Vector2d& p) {
   if (shape.is_circle()) {
     return (p - shape.centre).norm() - shape.radius_m;
   }
-  const double distance = distance_to_outline(shape.vertices, p);
-  return is_inside(shape.vertices, p) ? -distance : distance;
+  const double distance = distance_to_outline(shape, p);
+  return is_inside(shape, p) ? -distance : distance;
 }
 
 double outside_distance(const ObstacleShape& shape, const Vector2d& a, const Vector2d& b) {
   if (shape.is_circle()) {
     return std::max(0.0, std::sqrt(squared_distance(shape.centre, a, b)) - shape.radius_m);
   }
-  if (is_inside(shape.vertices, a) || is_inside(shape.vertices, b)) {
+  if (is_inside(shape, a) || is_inside(shape, b)) {
     return 0.0;
   }
   double best = kInfinity;
-  const Vector2d* previous = &shape.vertices.back();
-  for (const Vector2d& corner : shape.vertices) {
-    if (cross_properly(a, b, *previous, corner)) {
-      return 0.0;
-    }
-    best = std::min({best, squared_distance(a, *previous, corner),
-                     squared_distance(b, *previous, corner), squared_distance(corner, a, b)});
-    previous = &corner;
-  }
-  return std::sqrt(best);
+  const Box around = Box::around(a, b);
+  const bool is_apart = visit_edges(
+      shape, [&](const Box& box) { return squared_distance(box, around) < best; },
+      [&](const Vector2d& c, const Vector2d& d) {
+        best = std::min({best, squared_distance(a, c, d), squared_distance(b, c, d),
+                         squared_distance(d, a, b)});
+        return !cross_properly(a, b, c, d);
+      });
+  return is_apart ? std::sqrt(best) : 0.0;
 }
 
 double signed_distance(const ObstacleShape& shape, const Vector2d& a, const Vector2d& b) {

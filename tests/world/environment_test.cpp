@@ -130,7 +130,7 @@ TEST(Environment, RefusesPolygonsThatAreNotSimple) {
   expect_refused(polygon("[[0, 0], [1, 1], [1, 0], [0, 1]]"), place,
                  "edges 1–2 and 3–4 cross or touch");
   expect_refused(polygon("[[0, 0], [1, 0], [2, 0]]"), place, "runs back over");
-  expect_refused(polygon("[[0, 0], [1, 0], [1, 0], [0, 1]]"), place, "points 2 and 3 are the same");
+  expect_refused(polygon("[[0, 0], [1, 0], [1, 0], [0, 1]]"), place, "points 1 and 2 are the same");
   expect_refused(polygon("[[0, 0], [2, 0], [2, 1], [1, 0], [0, 1]]"), place, "cross or touch");
   expect_refused(polygon("[[0, 0], [1, 0], [0.5]]"), place + "[2]", "1 numbers found");
   EXPECT_NO_THROW(read(polygon("[[0, 0], [1, 0], [1, 1], [0.5, 0.2], [0, 1]]")));

@@ -119,7 +119,7 @@ struct PlanResult {
   std::optional<PlanLimit> limit;  ///< the limit that ended the search; none at the cost threshold
   std::optional<Plan> plan;        ///< set if and only if solved
   /// The motion that came nearest to the goal, where there is no plan. Free of collision, but not
-  /// in the goal: never to be executed as a solution.
+  /// in the goal: never to be executed as a solution. Its clearance is not measured.
   std::optional<Plan> best_partial;
   std::optional<Certificate> certificate;  ///< of the plan that was found
   /// Where nothing keeps the clearance asked for: what a plan keeps that was found with less.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -8,12 +9,19 @@
 
 namespace limber {
 
-/// A plan along waypoints, simulated from the start frame by frame, the hold included, with its
-/// clearance and distance to the goal measured on those frames.
+/// A motion along waypoints, simulated from the start frame by frame, the hold included, with its
+/// distance to the goal measured on its last frame. Its clearance is not looked for.
 /// @param waypoints_kpa  start first
+Plan build_partial_plan(const PlanningProblem& problem, MotionSimulator& simulator,
+                        const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
+                        std::uint64_t seed);
+
+/// The same with its clearance, over all frames and between them.
+/// @param give_up  asked at every frame; once it says so, the clearance is that of the frames so
+///                 far. Empty: never
 Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
                 const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
-                std::uint64_t seed);
+                std::uint64_t seed, const std::function<bool()>& give_up = {});
 
 /// Whether a built plan keeps every constraint and ends in the goal.
 bool is_solution(const PlanningProblem& problem, const CollisionChecker& checker, const Plan& plan);

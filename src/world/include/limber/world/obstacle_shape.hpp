@@ -33,9 +33,14 @@ struct ObstacleShape {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< circle only
   double radius_m = 0.0;                             ///< circle only
   Box box;
+  /// Around kEdgesPerBox edges each, from the one that ends in vertices[0] on: what is far from a box
+  /// is far from its edges.
+  std::vector<Box> edge_boxes;
   double base_distance_m = 0.0;  ///< from the origin of B; 0 where it lies inside
 
   bool is_circle() const { return vertices.empty(); }
+
+  static constexpr std::size_t kEdgesPerBox = 16;
 };
 
 ObstacleShape make_obstacle_shape(const Obstacle& obstacle, int index);
