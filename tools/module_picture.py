@@ -30,7 +30,8 @@ def links_of(build):
         text = graph.read_text()
     names = dict(re.findall(r'"(node\d+)" \[ label = "limber_(\w+)[^"]*"', text))
     libraries = {path.parent.name for path in ROOT.glob("src/*/CMakeLists.txt")}
-    links = {name: set() for name in names.values() if name in libraries}
+    # Kernels are headers for inner loops, seen from many layers: docs/architecture.md names them.
+    links = {name: set() for name in names.values() if name in libraries - {"kernels"}}
     for a, b in re.findall(r'"(node\d+)" -> "(node\d+)"', text):
         if names.get(a) in links and names.get(b) in links:
             links[names[a]].add(names[b])
@@ -59,17 +60,31 @@ def lines_of(module):
 
 
 def layers_of(links):
-    height = {}
+    """Rows from the bottom up, each module as near as can be to those that stand on it."""
+    users = {module: {user for user in links if module in links[user]} for module in links}
+    depth = {}
 
     def layer(module):
-        if module not in height:
-            height[module] = 1 + max([layer(other) for other in links[module]], default=-1)
-        return height[module]
+        if module not in depth:
+            depth[module] = 1 + max([layer(user) for user in users[module]], default=-1)
+        return depth[module]
 
     rows = {}
     for module in links:
         rows.setdefault(layer(module), []).append(module)
-    return [sorted(rows[key]) for key in sorted(rows)]
+    return untangled([sorted(rows[key]) for key in sorted(rows, reverse=True)], links)
+
+
+def untangled(rows, links):
+    """Each row in the order of the mean place of its neighbours, again and again."""
+    near = {module: {other for other in links if other in direct(links, module)
+                     or module in direct(links, other)} for module in links}
+    for sweep in range(8):
+        place = {module: i - (len(row) - 1) / 2 for row in rows for i, module in enumerate(row)}
+        for row in rows if sweep % 2 else reversed(rows):
+            row.sort(key=lambda m: sum(place[n] for n in near[m]) / max(len(near[m]), 1))
+            place.update({module: i - (len(row) - 1) / 2 for i, module in enumerate(row)})
+    return rows
 
 
 def picture(links, lines):
@@ -79,7 +94,6 @@ def picture(links, lines):
     total = sum(lines.values())
     centre = {}
     for k, row in enumerate(rows):
-        # Under the mean of what stands on them there are the fewest crossings; by name will do.
         left = (width - (len(row) * (BOX_W + GAP_X) - GAP_X)) / 2
         for i, module in enumerate(row):
             centre[module] = (left + i * (BOX_W + GAP_X) + BOX_W / 2,
@@ -115,7 +129,7 @@ def main():
     parser.add_argument("--check", action="store_true", help="draw nothing")
     options = parser.parse_args()
     links = links_of(options.build)
-    lines = {module: lines_of(module) for module in links}
+    lines = {module: lines_of(module) for module in [*links, "kernels"]}
     largest = max(lines, key=lines.get)
     share = lines[largest] / sum(lines.values())
     for module in links:
