@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "limber/common/number_text.hpp"
 #include "limber/common/csv_reader.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/common/utf8.hpp"
 
 namespace limber {

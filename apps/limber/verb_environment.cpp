@@ -128,8 +128,7 @@ class EnvironmentVerb final : public Verb {
       if (!drawn) {
         throw InputError(fmt::format(
             "no environment {} of seed {} for arm '{}' whose motion, executed on the virtual arm, "
-            "reaches its goal; "
-            "try another --seed{}",
+            "reaches its goal; try another --seed{}",
             k, flags.seed, arm.name,
             model_.empty() ? ", or --model MODEL, which is nearer to the arm than the no-load model"
                            : ""));

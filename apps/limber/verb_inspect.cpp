@@ -123,9 +123,8 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
                      const std::optional<ArmDescription>& arm) {
   if (content.find("schema") == std::string::npos) {
     throw InputError(fmt::format(
-        "{}: none of limber's files; expected a recording (HDF5), a model or forest "
-        "(safetensors), a plan "
-        "(JSON), or an arm, an environment or valves (YAML with a line 'schema: limber/…')",
+        "{}: none of limber's files; expected a recording (HDF5), a model or forest (safetensors), "
+        "a plan (JSON), or an arm, an environment or valves (YAML with a line 'schema: limber/…')",
         file));
   }
   const YamlReader root = YamlReader::from_file(file);

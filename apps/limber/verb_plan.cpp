@@ -90,8 +90,7 @@ class PlanVerb final : public Verb {
     app.add_option(
            "--planner", planner_,
            "default: several backbones for like pressures, plans then improved; paper: RRT* in "
-           "pressure "
-           "space; paper-steer-all: the same, simulating from every near node; ompl:NAME: "
+           "pressure space; paper-steer-all: the same, simulating from every near node; ompl:NAME: "
            "one of OMPL's, with settings as ompl:SST,pruning_radius=0.1; the default's go as "
            "default,goal_shots=0.2")
         ->capture_default_str();

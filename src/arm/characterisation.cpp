@@ -9,8 +9,8 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
-#include "limber/common/number_text.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/number_text.hpp"
 #include "monotone_fit.hpp"
 
 namespace limber {
@@ -92,9 +92,8 @@ void require_coverage(const std::vector<BenchPoint>& points, double limit_kpa) {
   if (moment >= 0.0) {
     throw InputError(
         "the bench strain is positive: the side would lengthen under pressure. Expected "
-        "contraction "
-        "as a negative strain, (length - l0)/l0; where the data hold the amount of contraction, "
-        "change their sign");
+        "contraction as a negative strain, (length - l0)/l0; where the data hold the amount of "
+        "contraction, change their sign");
   }
 }
 

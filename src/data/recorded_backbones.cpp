@@ -78,8 +78,7 @@ void require_motion(const Episode& episode, const ArmDescription& arm, const std
     if (range > kMovingCommand * limit) {
       throw InputError(fmt::format(
           "{}: the arm's end stands still (its place spreads by {:.2g} mm; expected at least "
-          "{:.2g} "
-          "mm) while the {} of {} changes by {:.4g} {}. Was the tracker running, and do "
+          "{:.2g} mm) while the {} of {} changes by {:.4g} {}. Was the tracker running, and do "
           "both logs belong together? Record it again, or leave the episode out",
           place, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, segment_name(i),
           range, arm.command.unit));

@@ -108,13 +108,13 @@ void look_at_distances(const Recording& recording, const ArmDescription* arm,
     const double distance_m = median_distance_m(recording, plate);
     const auto p = static_cast<std::size_t>(plate);
     if (distance_m < kSamePlace_m) {
-      suspicions.add("two plates at the same place", 0, 0,
-                     plates_of_gap(plate));
+      suspicions.add("two plates at the same place", 0, 0, plates_of_gap(plate));
     } else if (arm != nullptr && (distance_m > kLongestGap * (rest[p + 1] - rest[p]) ||
                                   distance_m < kShortestGap * (rest[p + 1] - rest[p]))) {
       suspicions.add("plates whose distance is not the arm file's (another unit, order or arm?)", 0,
                      0,
-                     fmt::format("{}: {:.4g} m, {:.4g} m by the arm file", plates_of_gap(plate), distance_m, rest[p + 1] - rest[p]));
+                     fmt::format("{}: {:.4g} m, {:.4g} m by the arm file", plates_of_gap(plate),
+                                 distance_m, rest[p + 1] - rest[p]));
     }
   }
 }

@@ -268,8 +268,7 @@ class Experiment {
     page.heading("Final shapes")
         .paragraph(
             "As in the paper's Fig. 5: where the arm ended after executing one plan of each model, "
-            "and "
-            "after all of them. Runs that collided are dashed.");
+            "and after all of them. Runs that collided are dashed.");
     for (const EnvironmentCase& item : settings_.environments) {
       std::vector<PlanTrial> one;
       for (const PlanningRow& row : rows) {

@@ -81,9 +81,8 @@ RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTrac
         {name, tracks.plates[std::size_t(i)], 1.0 - double(missing) / double(rows)});
     if (missing == rows) {
       throw InputError(
-          fmt::format("{}: point '{}' ({}) is never seen: all of its cells are empty. Leave "
-                      "it out of the "
-                      "mapping to have its plate put between its neighbours, or track it",
+          fmt::format("{}: point '{}' ({}) is never seen: all of its cells are empty. Leave it out "
+                      "of the mapping to have its plate put between its neighbours, or track it",
                       log, name, plate_name(tracks.plates[std::size_t(i)])));
     }
   }
@@ -145,8 +144,8 @@ void require_distances(const std::string& log, const std::vector<bool>& usable,
       wrong.push_back(
           fmt::format("'{}' and '{}' ({} and {}) are {:.4g} m apart; the arm "
                       "file has {:.4g} m between them",
-                      tracks.names[std::size_t(i)], tracks.names[std::size_t(i + 1)], plate_name(from),
-                      plate_name(to), distance_m, rest_m));
+                      tracks.names[std::size_t(i)], tracks.names[std::size_t(i + 1)],
+                      plate_name(from), plate_name(to), distance_m, rest_m));
     }
   }
   if (!wrong.empty()) {

@@ -285,9 +285,8 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
     root.at("backbone")
         .refuse(
             "no point is plate 0, the base; add it, or say where the base is: 'alignment: {x_m, "
-            "y_m, "
-            "heading_rad}' in the log's plane, or 'alignment: none' where the log is in the arm's "
-            "frame");
+            "y_m, heading_rad}' in the log's plane, or 'alignment: none' where the log is in the "
+            "arm's frame");
   }
   if (root.has("longest_gap_s")) {
     mapping.longest_gap_s = root.at("longest_gap_s").number("a time in s", 0.0, kLongestGap_s);

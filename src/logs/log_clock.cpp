@@ -78,8 +78,7 @@ void check_silence(const std::string& log, const TimeColumn& time,
   }
   throw InputError(fmt::format(
       "{}, so its {} rows are {:.4g} s long, but they reach over {:.4g} s: {:.12g} s is followed "
-      "by "
-      "{:.12g} s. Did the clock jump? Take out the rows that don't belong to this recording",
+      "by {:.12g} s. Did the clock jump? Take out the rows that don't belong to this recording",
       found(log, time, rate_hz), time_s.size(), filled_s, span_s, time_s[longest - 1],
       time_s[longest]));
 }

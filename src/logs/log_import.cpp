@@ -67,10 +67,8 @@ void bring_clocks_together(const std::string& log, const std::string& command_lo
       throw InputError(fmt::format(
           "{} and {}: how far apart their clocks are can't be told from the motion: the best "
           "correlation is {:.2f}, the next best {:.2f}. Do they belong together, and are the "
-          "columns "
-          "in the segments' order? Give the difference with --time-offset-s (what is to be added "
-          "to "
-          "the {} log's times), or record something that does not repeat itself",
+          "columns in the segments' order? Give the difference with --time-offset-s (what is to be "
+          "added to the {} log's times), or record something that does not repeat itself",
           log, command_log, match.correlation, match.runner_up, arm.command.name));
     }
     clock = {match.offset_s, true, match.correlation, match.lag_s, match.runner_up};

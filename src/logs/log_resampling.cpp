@@ -251,10 +251,9 @@ std::vector<Episode> resample(const std::string& log, const BackboneTrack& motio
   if (episodes.empty()) {
     throw InputError(
         fmt::format("{}: nothing is left: motion is logged from {:.12g} s to {:.12g} s, commands "
-                    "from {:.12g} s "
-                    "to {:.12g} s on the same clock, and no second of both is without a gap longer "
-                    "than {} s. Are "
-                    "the clocks and the time's unit right? A longer recording is needed otherwise",
+                    "from {:.12g} s to {:.12g} s on the same clock, and no second of both is "
+                    "without a gap longer than {} s. Are the clocks and the time's unit right? A "
+                    "longer recording is needed otherwise",
                     log, motion.time_s.front(), motion.time_s.back(), commands.time_s.front(),
                     commands.time_s.back(), longest_gap_s));
   }

@@ -153,8 +153,7 @@ class RowOrder {
     if (double(back) > kMostOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s) {
       throw InputError(fmt::format(
           "{}: time goes back {} times, by up to {:.3g} s; first, {}. Is the column named in "
-          "'time' "
-          "the time? Rows that were shuffled have to be sorted; a file that holds several "
+          "'time' the time? Rows that were shuffled have to be sorted; a file that holds several "
           "recordings needs a column that tells them apart, named in the mapping as 'recording'",
           log_, back, farthest_s, place));
     }

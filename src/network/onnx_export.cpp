@@ -160,8 +160,7 @@ std::string onnx_version() {
 void write_onnx(const std::filesystem::path& path, const CompensationModel&) {
   throw InputError(
       fmt::format("{}: this limber was built without ONNX; install libonnx-dev and "
-                  "libprotobuf-dev, and build it "
-                  "again",
+                  "libprotobuf-dev, and build it again",
                   path.string()));
 }
 

@@ -105,8 +105,7 @@ ReportTable all_plans_table(const std::vector<PlanningRow>& rows) {
   ReportTable table;
   table.caption =
       "Table I, every plan executed. Mean ± standard error; distance and orientation with runs "
-      "that "
-      "collided / without them";
+      "that collided / without them";
   table.header = {"Environment",
                   "Model",
                   "Solved",

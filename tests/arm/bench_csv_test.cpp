@@ -72,7 +72,8 @@ TEST_F(BenchCsvFile, NamesLineAndColumnOfEveryFault) {
   expect_refusal("pressure_kpa,strain\n30,-12\n", ":2:4: strain -12; expected a fraction");
   expect_refusal("pressure_kpa,strain,segment\n30,-0.1,2\n",
                  ":2:9: segment number 2; expected a whole number from 0 to 1");
-  expect_refusal("pressure_kpa,strain,segment\n30,-0.1,0.5\n", ":2:9: segment number 0.5; expected");
+  expect_refusal("pressure_kpa,strain,segment\n30,-0.1,0.5\n",
+                 ":2:9: segment number 0.5; expected");
   expect_refusal("pressure_kpa,strain,segment\n30,-0.1,0\n",
                  ":2:1: no row for segment 1; the arm has segments 0 to 1");
 }

@@ -1,8 +1,8 @@
 #include "limber/bench/speed_benchmark.hpp"
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "limber/bench/speed_peers.hpp"
 #include "limber/network/untrained_model.hpp"

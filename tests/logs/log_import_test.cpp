@@ -39,7 +39,8 @@ TEST_F(CsvImport, DefaultColumnsCountFrom0UnlessThereIsNoColumn0) {
       mapping().substr(0, at) + mapping().substr(mapping().find("backbone:"));
   const auto counted_from_0 = [&](std::string text) {
     for (int i = 0; i < truth_.arm().segment_count(); ++i) {
-      text = replaced(text, fmt::format("pressure_{}_kpa", i + 1), fmt::format("pressure_{}_kpa", i));
+      text =
+          replaced(text, fmt::format("pressure_{}_kpa", i + 1), fmt::format("pressure_{}_kpa", i));
     }
     return text;
   };

@@ -7,11 +7,11 @@
 #include <fmt/format.h>
 
 #include "demo_stages.hpp"
-#include "limber/report/final_shapes_picture.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/report/final_shapes_picture.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/trial/proven_environment.hpp"
 

@@ -61,12 +61,9 @@ void opening(ReportPage& page, const DemoResults& results) {
   }
   page.remark(
       "The arm is simulated. Its friction, damping and plate weight were chosen so that the "
-      "no-load model errs on it as "
-      "it did on the paper's hardware and so that it stays bent after inflating and venting, as in "
-      "the paper's Fig. 1; "
-      "the rest is compared, not fitted. Nothing here was measured on a real arm, so no figure is "
-      "an improvement over "
-      "the paper's.");
+      "no-load model errs on it as it did on the paper's hardware and so that it stays bent after "
+      "inflating and venting, as in the paper's Fig. 1; the rest is compared, not fitted. Nothing "
+      "here was measured on a real arm, so no figure is an improvement over the paper's.");
 }
 
 void what_was_done(ReportPage& page, const DemoResults& results) {
@@ -133,8 +130,7 @@ void learning(ReportPage& page, const DemoResults& results) {
       .heading("Why it is not enough")
       .paragraph(
           "All right sides inflated fully, then vented: the model says the arm lies straight "
-          "again. "
-          "Friction holds it elsewhere. The paper shows the same in its Fig. 1.")
+          "again. Friction holds it elsewhere. The paper shows the same in its Fig. 1.")
       .figure({results.inflate_deflate_svg, "After inflating the right side fully and venting it"})
       .heading("Between set points and pressures")
       .paragraph(
@@ -151,8 +147,7 @@ void learning(ReportPage& page, const DemoResults& results) {
       .table(paper_table(results))
       .paragraph(
           "One step alone says little: holding the last pose is already good at it. Open loop "
-          "means "
-          "the model is never corrected over the whole test.")
+          "means the model is never corrected over the whole test.")
       .figures({{results.evaluation_plots.error_over_time, "Open-loop tip error over the test"},
                 {results.evaluation_plots.backbones, "Backbones, recorded and predicted"}})
       .figures({{results.evaluation_plots.position_distribution,
@@ -197,9 +192,8 @@ void planning(ReportPage& page, const DemoResults& results) {
           "stands; distance and heading are taken after the last one was held for a second. "
           "Reached means within the goal's tolerances, 2 cm (and 0.3 rad where a heading is asked "
           "for), without collision. Environments were chosen where the simple model errs "
-          "(docs/environments.md). "
-          "The paper's plans ended 3.3–14.9 cm off with one collision (no load), 1.0–6.4 cm with "
-          "none (network).")
+          "(docs/environments.md). The paper's plans ended 3.3–14.9 cm off with one collision (no "
+          "load), 1.0–6.4 cm with none (network).")
       .table(trial_table(results))
       .figures(results.plan_pictures);
 }
