@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 namespace limber {
 
 namespace {
@@ -11,12 +14,9 @@ namespace {
 // edges of all lengths are tried: one that overshoots has to come back from afar.
 constexpr int kMostParentChoices = 32;
 
-// Mixes a value into a hash (the finaliser of SplitMix64).
+/// A hash of all that `hash` is of, and `value`.
 std::uint64_t mixed(std::uint64_t hash, std::int64_t value) {
-  std::uint64_t x = hash + 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(value);
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
+  return XXH3_64bits_withSeed(&value, sizeof value, hash);
 }
 
 }  // namespace
