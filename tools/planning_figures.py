@@ -32,7 +32,7 @@ ROWS = {
     "first_forest": ("default", 20, 10, [*FIRST, *BOTH_CORES, "--forest", "FOREST"]),
     "first_paper": ("paper", 20, 60, FIRST),
     "steer_all": ("paper-steer-all", 2, 10, []),
-    "plain": ("default,goal_shots=0,improved_plans=0", 2, 10, []),
+    "plain": ("default,goal_steering_share=0,improved_plans=0", 2, 10, []),
     "shots": ("default,improved_plans=0", 2, 10, []),
     "with_forest": ("default", 2, 10, ["--forest", "FOREST"]),
     "threads": ("default", 2, 10, ["--forest", "FOREST", *BOTH_CORES]),
@@ -66,7 +66,7 @@ OMPL = {
     "ompl:SST": [f"frames={f},selection_radius={s},pruning_radius={p}" for f, s, p in
                  [(5, 0.2, 0.1), (10, 0.2, 0.1), (20, 0.2, 0.1), (10, 0.1, 0.03), (20, 0.4, 0.2)]],
 }
-OMPL["ompl:SST-mended"] = OMPL["ompl:SST"]
+OMPL["ompl:SST-pruned"] = OMPL["ompl:SST"]
 OMPL_TRIAL_S, OMPL_LIMIT_S, OMPL_TRIALS = 2, 10, 5
 
 

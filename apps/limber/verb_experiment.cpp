@@ -7,6 +7,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/experiment/planning_experiment.hpp"
+#include "limber/planning/planner_factory.hpp"
 #include "model_flags.hpp"
 #include "room_flags.hpp"
 #include "verbs.hpp"
@@ -79,6 +80,11 @@ class ExperimentVerb final : public Verb {
     settings_.force = flags.force;
     settings_.progress = flags.progress();
     settings_.say = [&](const std::string& line) { say(flags, "{}", line); };
+    for (const std::string& planner : settings_.planners) {
+      for (const std::string& note : planner_name_notes(planner)) {
+        say(flags, "note: {}", note);
+      }
+    }
     settings_.with_no_load = !network_only_;
     require_writable_folder(settings_.folder);
     const ForwardModel network(settings_.arm, read_model(settings_.model_file));

@@ -92,7 +92,7 @@ class PlanVerb final : public Verb {
            "default: several backbones for like pressures, plans then improved; paper: RRT* in "
            "pressure space; paper-steer-all: the same, simulating from every near node; ompl:NAME: "
            "one of OMPL's, with settings as ompl:SST,pruning_radius=0.1; the default's go as "
-           "default,goal_shots=0.2")
+           "default,goal_steering_share=0.2")
         ->capture_default_str();
     app.add_option("--time-limit-s", limits_.time_s,
                    fmt::format("Stop after so many seconds; {} where no limit is given",
@@ -173,6 +173,9 @@ class PlanVerb final : public Verb {
   }
 
   PlanResult search(const PlanningProblem& problem, const CommonFlags& flags) {
+    for (const std::string& note : planner_name_notes(planner_)) {
+      say(flags, "note: {}", note);
+    }
     std::optional<Forest> forest;
     if (forest_.is_asked_for()) {
       const Forest none;

@@ -1,7 +1,5 @@
 #include "planner_name.hpp"
 
-#include <cstdlib>
-
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
@@ -9,9 +7,34 @@
 
 namespace limber {
 
+namespace {
+
+struct Renamed {
+  const char* before;
+  const char* now;
+};
+
+constexpr Renamed kRenamed[] = {{"goal_shots", "goal_steering_share"},
+                                {"dearest", "max_cost_ratio"},
+                                {"ompl:SST-mended", "ompl:SST-pruned"}};
+
+/// Today's name of what may be called as before.
+std::string todays_name(const std::string& name, std::vector<std::string>& notes) {
+  for (const Renamed& one : kRenamed) {
+    if (name == one.before) {
+      notes.push_back(fmt::format("{} is called {} now", one.before, one.now));
+      return one.now;
+    }
+  }
+  return name;
+}
+
+}  // namespace
+
 PlannerName PlannerName::parse(const std::string& text) {
   const std::size_t comma = text.find(',');
-  PlannerName parsed{text.substr(0, comma), {}};
+  PlannerName parsed;
+  parsed.name = todays_name(text.substr(0, comma), parsed.notes);
   for (std::size_t at = comma; at != std::string::npos;) {
     const std::size_t next = text.find(',', at + 1);
     const std::string part = text.substr(at + 1, next == std::string::npos ? next : next - at - 1);
@@ -20,8 +43,9 @@ PlannerName PlannerName::parse(const std::string& text) {
       throw InputError(
           fmt::format("planner setting '{}'; expected NAME,key=value,key=value", part));
     }
-    if (!parsed.settings.emplace(part.substr(0, equals), part.substr(equals + 1)).second) {
-      throw InputError(fmt::format("planner setting {}: given twice", part.substr(0, equals)));
+    const std::string key = todays_name(part.substr(0, equals), parsed.notes);
+    if (!parsed.settings.emplace(key, part.substr(equals + 1)).second) {
+      throw InputError(fmt::format("planner setting {}: given twice", key));
     }
     at = next;
   }

@@ -67,13 +67,13 @@ TEST_F(OmplPlanner, EveryPlannerRunsAndWhatItSolvesIsCertified) {
   EXPECT_GE(solved, 2) << "an easy problem";
 }
 
-TEST_F(OmplPlanner, SstAsShippedNeverPrunesAndTheMendedOneDoes) {
+TEST_F(OmplPlanner, SstAsShippedNeverPrunesAndThePrunedOneDoes) {
   int active = 0, inactive = 0, witnesses = 0;
   const std::string settings = ",pruning_radius=0.3,selection_radius=0.5";
   read_counts(plan("ompl:SST" + settings, 20000, 1.0), active, inactive, witnesses);
-  EXPECT_EQ(inactive, 0) << "what has mended it? Then docs/planning.md is out of date";
+  EXPECT_EQ(inactive, 0) << "what prunes it? Then docs/planning.md is out of date";
   EXPECT_GT(active, 2 * witnesses);
-  read_counts(plan("ompl:SST-mended" + settings, 20000, 1.0), active, inactive, witnesses);
+  read_counts(plan("ompl:SST-pruned" + settings, 20000, 1.0), active, inactive, witnesses);
   EXPECT_GT(inactive, 0);
   EXPECT_EQ(active, witnesses) << "one active node for each witness";
 }

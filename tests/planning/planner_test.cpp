@@ -16,6 +16,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::ThrowsMessage;
 
 TEST(Planner, TakesSettingsWithItsName) {
@@ -29,14 +30,31 @@ TEST(Planner, TakesSettingsWithItsName) {
     EXPECT_THAT([&] { (void)make_planner(name); }, ThrowsMessage<InputError>(HasSubstr(message)));
   };
   refusal("default,goal_shot=0", "planner setting goal_shot: the default planner has step_size");
-  refusal("default,goal_shots", "planner setting 'goal_shots'; expected NAME,key=value");
-  refusal("default,goal_shots=x", "goal_shots = 'x'; expected a number");
-  refusal("default,goal_shots=2", "goal_shots = '2'; expected a number from 0 to 1");
-  refusal("default,goal_shots=0,goal_shots=1", "planner setting goal_shots: given twice");
+  refusal("default,goal_steering_share",
+          "planner setting 'goal_steering_share'; expected NAME,key=value");
+  refusal("default,goal_steering_share=x", "goal_steering_share = 'x'; expected a number");
+  refusal("default,goal_steering_share=2",
+          "goal_steering_share = '2'; expected a number from 0 to 1");
+  refusal("default,goal_steering_share=0,goal_steering_share=1",
+          "planner setting goal_steering_share: given twice");
   refusal("default,improved_plans=2.5", "improved_plans = 2.5; expected a whole number");
-  refusal("default,goal_shots=0.6,goal_bias=0.6", "goal_bias + goal_shots = 1.2; expected 0 to 1");
-  refusal("paper,goal_shots=0",
-          "planner setting goal_shots: unknown; 'paper' has the setting valves");
+  refusal("default,goal_steering_share=0.6,goal_bias=0.6",
+          "goal_bias + goal_steering_share = 1.2; expected 0 to 1");
+  refusal("paper,goal_steering_share=0",
+          "planner setting goal_steering_share: unknown; 'paper' has the setting valves");
+}
+
+TEST(Planner, UnderstandsTheNamesOfBefore) {
+  Setting s(false);
+  const PlanResult before = s.plan("default,goal_shots=0.4,dearest=1.5", 800);
+  const PlanResult now = s.plan("default,goal_steering_share=0.4,max_cost_ratio=1.5", 800);
+  ASSERT_EQ(now.status, PlanStatus::solved);
+  EXPECT_EQ(before.plan->waypoints_kpa, now.plan->waypoints_kpa);
+  EXPECT_THAT(planner_name_notes("default,dearest=1.5"),
+              ElementsAre("dearest is called max_cost_ratio now"));
+  EXPECT_THAT(planner_name_notes("default,max_cost_ratio=1.5"), IsEmpty());
+  EXPECT_THAT([] { (void)make_planner("default,goal_shots=0,goal_steering_share=1"); },
+              ThrowsMessage<InputError>(HasSubstr("goal_steering_share: given twice")));
 }
 
 TEST(Planner, LogsHowTheCostFell) {

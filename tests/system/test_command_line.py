@@ -65,7 +65,7 @@ class CommandLine(InFolder):
 
     def test_planner_settings_that_are_no_numbers_are_refused(self):
         for verb in ("plan", "experiment"):
-            for value in ("ompl:SST,pruning_radius=nan", "default,goal_shots=inf"):
+            for value in ("ompl:SST,pruning_radius=nan", "default,goal_steering_share=inf"):
                 result = self.run_limber(verb, "--planner", value, code=2)
                 self.assertIn("expected a finite number", result.stderr)
 

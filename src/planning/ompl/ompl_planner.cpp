@@ -19,10 +19,10 @@
 #include "limber/common/error.hpp"
 #include "limber/planning/problem_check.hpp"
 #include "limber/world/inverse_kinematics.hpp"
-#include "mended_sst.hpp"
 #include "plan_ladder.hpp"
 #include "plan_result.hpp"
 #include "planner_name.hpp"
+#include "pruned_sst.hpp"
 
 namespace limber {
 
@@ -44,7 +44,7 @@ ob::PlannerPtr make(const oc::SpaceInformationPtr& si) {
 
 const std::map<std::string, ob::PlannerPtr (*)(const oc::SpaceInformationPtr&)> kPlanners{
     {"ompl:RRT", make<oc::RRT>},          {"ompl:SST", make<CountedSst>},
-    {"ompl:SST-mended", make<MendedSst>}, {"ompl:KPIECE1", make<oc::KPIECE1>},
+    {"ompl:SST-pruned", make<PrunedSst>}, {"ompl:KPIECE1", make<oc::KPIECE1>},
     {"ompl:EST", make<oc::EST>},          {"ompl:PDST", make<oc::PDST>}};
 
 OmplSettings take_settings(PlannerName& name) {

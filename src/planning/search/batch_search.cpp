@@ -93,10 +93,10 @@ BatchSearch::Proposal BatchSearch::exploration(RandomStream& random) {
 
 BatchSearch::Proposal BatchSearch::propose(RandomStream& random) {
   const double kind = random.uniform();
-  if (kind < settings_.goal_shots) {
+  if (kind < settings_.goal_steering_share) {
     return shot_at_goal(random);
   }
-  if (kind < settings_.goal_shots + settings_.goal_bias) {
+  if (kind < settings_.goal_steering_share + settings_.goal_bias) {
     return toward_goal_configuration(random);
   }
   return exploration(random);
@@ -116,7 +116,7 @@ void BatchSearch::round(const std::optional<double>& best_cost_kpa,
     const auto from = tree().setpoint_kpa(edge.parent);
     const double cost = tree().cost_kpa(edge.parent) + motion_cost_kpa(from, edge.to_kpa);
     if (tree_.scaled(edge.to_kpa - from).norm() <= kSamePoint ||
-        (best_cost_kpa && cost >= settings_.dearest * *best_cost_kpa)) {
+        (best_cost_kpa && cost >= settings_.max_cost_ratio * *best_cost_kpa)) {
       continue;
     }
     paths_.push_back({tree().state(edge.parent), {edge.to_kpa}});

@@ -11,8 +11,9 @@ namespace limber {
 /// The default planner's choices; docs/planning.md says what was measured. Distances in pressure
 /// are Euclidean, each pressure as a fraction of its segment's limit.
 struct DefaultPlannerSettings {
-  double step_size = 0.5;     ///< longest edge of an exploration, > 0
-  double goal_shots = 0.3;    ///< share of edges that step from a node toward the goal, in [0, 1]
+  double step_size = 0.5;  ///< longest edge of an exploration, > 0
+  double goal_steering_share =
+      0.3;                    ///< share of edges that step from a node toward the goal, in [0, 1]
   double shot_spread = 0.02;  ///< standard deviation about such a step, ≥ 0
   double goal_bias = 0.2;     ///< share at inverse-kinematics solutions, in [0, 1]
   double goal_spread = 0.1;   ///< standard deviation about such a solution, ≥ 0
@@ -22,8 +23,8 @@ struct DefaultPlannerSettings {
   double cell_pressure = 0.05;
   double cell_position_m = 0.01;
   double cell_orientation_rad = 0.1;
-  double dearest = 2.0;    ///< nodes dearer than this × the best plan are not tried, ≥ 1
-  int improved_plans = 3;  ///< how many are improved side by side; 0: none
+  double max_cost_ratio = 2.0;  ///< nodes dearer than this × the best plan are not tried, ≥ 1
+  int improved_plans = 3;       ///< how many are improved side by side; 0: none
   /// Queries of the model after the first plan, then the search ends: from there on plans get
   /// cheaper by the model's errors, and executions worse (docs/planning.md).
   double improvement_queries = 200'000;

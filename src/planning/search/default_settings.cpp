@@ -25,7 +25,7 @@ struct Range {
 };
 
 const std::array kRanges{Range{"step_size", &Settings::step_size, 1e-3, 10.0},
-                         Range{"goal_shots", &Settings::goal_shots, 0.0, 1.0},
+                         Range{"goal_steering_share", &Settings::goal_steering_share, 0.0, 1.0},
                          Range{"shot_spread", &Settings::shot_spread, 0.0, 10.0},
                          Range{"goal_bias", &Settings::goal_bias, 0.0, 1.0},
                          Range{"goal_spread", &Settings::goal_spread, 0.0, 10.0},
@@ -34,7 +34,7 @@ const std::array kRanges{Range{"step_size", &Settings::step_size, 1e-3, 10.0},
                          Range{"cell_pressure", &Settings::cell_pressure, 1e-4, 2.0},
                          Range{"cell_position_m", &Settings::cell_position_m, 1e-5, 10.0},
                          Range{"cell_orientation_rad", &Settings::cell_orientation_rad, 1e-4, 10.0},
-                         Range{"dearest", &Settings::dearest, 1.0, 1e6},
+                         Range{"max_cost_ratio", &Settings::max_cost_ratio, 1.0, 1e6},
                          Range{"improved_plans", &Settings::improved_plans, 0, 64},
                          Range{"improvement_queries", &Settings::improvement_queries, 0.0, 1e18},
                          Range{"improvement_queries_without_room",
@@ -64,7 +64,8 @@ void require_valid(const DefaultPlannerSettings& settings) {
   for (const Range& range : kRanges) {
     require_between(range.name, value_of(settings, range), range.low, range.high);
   }
-  require_between("goal_bias + goal_shots", settings.goal_bias + settings.goal_shots, 0.0, 1.0);
+  require_between("goal_bias + goal_steering_share",
+                  settings.goal_bias + settings.goal_steering_share, 0.0, 1.0);
   require_between("jobs", settings.jobs, 0, 1024);
 }
 

@@ -1,4 +1,4 @@
-#include "mended_sst.hpp"
+#include "pruned_sst.hpp"
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
@@ -28,7 +28,7 @@ SstCounts CountedSst::counts() const {
   return counts;
 }
 
-void MendedSst::add_starts() {
+void PrunedSst::add_starts() {
   while (const ob::State* start = pis_.nextStart()) {
     auto* root = new Motion(siC_);
     si_->copyState(root->state_, start);
@@ -39,7 +39,7 @@ void MendedSst::add_starts() {
   }
 }
 
-oc::SST::Motion* MendedSst::accept(Motion* reached, Motion* from, unsigned int frames) {
+oc::SST::Motion* PrunedSst::accept(Motion* reached, Motion* from, unsigned int frames) {
   const ob::Cost cost =
       opt_->combineCosts(from->accCost_, opt_->motionCost(from->state_, reached->state_));
   Witness* witness = findClosestWitness(reached);
@@ -64,7 +64,7 @@ oc::SST::Motion* MendedSst::accept(Motion* reached, Motion* from, unsigned int f
 }
 
 /// Frees a dominated leaf, and its parent where that was dominated and is now a leaf too.
-void MendedSst::prune(Motion* dominated) {
+void PrunedSst::prune(Motion* dominated) {
   while (dominated != nullptr && dominated->inactive_ && dominated->numChildren_ == 0 &&
          dominated->parent_ != nullptr) {
     Motion* parent = dominated->parent_;
@@ -77,7 +77,7 @@ void MendedSst::prune(Motion* dominated) {
   }
 }
 
-void MendedSst::keep_solution(const Motion* end) {
+void PrunedSst::keep_solution(const Motion* end) {
   for (ob::State* state : prevSolution_) {
     si_->freeState(state);
   }
@@ -96,7 +96,7 @@ void MendedSst::keep_solution(const Motion* end) {
   }
 }
 
-ob::PlannerStatus MendedSst::solve(const ob::PlannerTerminationCondition& stop) {
+ob::PlannerStatus PrunedSst::solve(const ob::PlannerTerminationCondition& stop) {
   checkValidity();
   add_starts();
   if (nn_->size() == 0) {

@@ -20,7 +20,7 @@ class CountedSst : public ompl::control::SST {
 /// Stable sparse RRT (Li, Littlefield, Bekris 2016) on OMPL's data structures, with the pruning
 /// that OMPL 1.5's lacks: there the loop that deactivates and frees dominated nodes asks for
 /// inactive ones, and nothing ever makes a node inactive.
-class MendedSst final : public CountedSst {
+class PrunedSst final : public CountedSst {
  public:
   using CountedSst::CountedSst;
   ompl::base::PlannerStatus solve(const ompl::base::PlannerTerminationCondition& stop) override;
