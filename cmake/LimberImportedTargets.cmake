@@ -36,14 +36,13 @@ if(NOT TARGET limber_import::onnx)
   endif()
 endif()
 
-# Philox counter-based random numbers, xxHash and utfcpp: headers only.
+# Philox counter-based random numbers and xxHash: headers only.
 if(NOT TARGET limber_import::headers)
   find_path(LIMBER_RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
   find_path(LIMBER_XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
-  find_path(LIMBER_UTFCPP_INCLUDE_DIR utf8cpp/utf8.h REQUIRED)
   add_library(limber_import::headers INTERFACE IMPORTED)
   set_target_properties(limber_import::headers PROPERTIES
-    INTERFACE_INCLUDE_DIRECTORIES "${LIMBER_RANDOM123_INCLUDE_DIR};${LIMBER_XXHASH_INCLUDE_DIR};${LIMBER_UTFCPP_INCLUDE_DIR}")
+    INTERFACE_INCLUDE_DIRECTORIES "${LIMBER_RANDOM123_INCLUDE_DIR};${LIMBER_XXHASH_INCLUDE_DIR}")
 endif()
 
 # OMPL, optional. Its own package sets variables, not a target, and names Boost libraries that only

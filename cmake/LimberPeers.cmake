@@ -11,7 +11,7 @@ function(limber_add_peer name)
   set_target_properties(limber_${name}_peer PROPERTIES PREFIX ""
     LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib/limber/peers")
   target_compile_features(limber_${name}_peer PRIVATE cxx_std_20)
-    target_include_directories(limber_${name}_peer SYSTEM PRIVATE ${ARG_INCLUDES})
+  target_include_directories(limber_${name}_peer SYSTEM PRIVATE ${ARG_INCLUDES})
   target_link_libraries(limber_${name}_peer PRIVATE ${ARG_LIBRARIES} limber_private_settings)
   add_dependencies(limber_bench limber_${name}_peer)
 endfunction()

@@ -157,10 +157,14 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
   return result;
 }
 
+fs::path first_of(const std::vector<fs::path>& logs) {
+  return logs.empty() ? fs::path() : logs.front();
+}
+
 /// With default columns as the first log of commands counts them; the others are like it.
 ImportOptions as_counted(const fs::path& log, ImportOptions options, const ArmDescription& arm) {
   CommandColumns& commands = options.mapping.commands;
-  if (commands.setpoint_optional) {
+  if (commands.setpoint_optional && !log.empty()) {
     const fs::path& first = options.command_logs.empty() ? log : options.command_logs.front();
     commands = as_counted_in(log_columns(first, options.mapping), std::move(commands), arm);
   }
@@ -171,7 +175,7 @@ ImportOptions as_counted(const fs::path& log, ImportOptions options, const ArmDe
 
 ImportResult import_csv(const std::vector<fs::path>& logs, const ImportOptions& asked,
                         const ArmDescription& arm) {
-  const ImportOptions options = as_counted(logs.front(), asked, arm);
+  const ImportOptions options = as_counted(first_of(logs), asked, arm);
   return import_logs(logs, options, arm, "csv", [&](const fs::path& log, std::size_t i) {
     const bool inside = options.command_logs.empty();
     std::vector<LogRun> runs = read_csv_runs(log, options.mapping, arm, inside);
@@ -196,7 +200,7 @@ ImportResult import_motive(const std::vector<fs::path>& logs, const ImportOption
         "{}: Motive's files hold no {}s; give the log of them with --pressures, one for each",
         logs.front().string(), arm.command.name));
   }
-  const ImportOptions options = as_counted(logs.front(), asked, arm);
+  const ImportOptions options = as_counted(first_of(logs), asked, arm);
   return import_logs(logs, options, arm, "motive", [&](const fs::path& log, std::size_t i) {
     std::vector<LogRun> runs(1);
     LogRun& run = runs.front();

@@ -1,9 +1,5 @@
 #include "limber/planning/plan_builder.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "limber/common/version.hpp"
 #include "limber/world/pose_goal.hpp"
 

@@ -4,7 +4,6 @@
 
 #include "limber/planning/plan_builder.hpp"
 #include "plan_judge.hpp"
-#include "search/plan_improver.hpp"
 
 namespace limber {
 
@@ -63,9 +62,12 @@ bool PlanLadder::is_notable(const Rung& rung) const {
 PlanJudge::Verdict PlanLadder::judge(const Rung& rung, const Found& found) {
   const double begin_s = budget_.elapsed_s();
   const auto give_up = [this] { return budget_.is_overdue(); };
-  Plan plan = build_plan(problem_, simulator_, rung.waypoints_kpa, planner_, seed_, give_up);
+  PlanJudge* const judge = problem_.judge;
+  // What is measured in part, as time runs out, is for a judge, who will say so.
+  Plan plan = build_plan(problem_, simulator_, rung.waypoints_kpa, planner_, seed_,
+                         judge != nullptr ? give_up : std::function<bool()>());
   const PlanJudge::Verdict verdict =
-      problem_.judge == nullptr ? PlanJudge::Verdict::holds : problem_.judge->judge(plan, give_up);
+      judge == nullptr ? PlanJudge::Verdict::holds : judge->judge(plan, give_up);
   const double end_s = budget_.elapsed_s();
   budget_.keep_for_the_end(end_s - begin_s);
   switch (verdict) {

@@ -51,8 +51,8 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
     return make_certified_planner(make_ompl_planner(name));
   }
   throw InputError(
-      fmt::format("planner '{}'; expected one of {}, or ompl:NAME (planning/ompl_planner.hpp)",
-                  name, fmt::join(planner_names(), ", ")));
+      fmt::format("planner '{}'; expected one of {}, or ompl:NAME (docs/planning.md, OMPL)", name,
+                  fmt::join(planner_names(), ", ")));
 }
 
 std::vector<std::string> planner_name_notes(const std::string& name) {

@@ -7,7 +7,6 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/units.hpp"
-#include "limber/planning/problem_check.hpp"
 
 namespace limber {
 

@@ -187,8 +187,11 @@ LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episode
 }
 
 LearntRegion with_shapes_of(LearntRegion region, const std::vector<Episode>& episodes) {
-  for (const Episode& episode : episodes) {
-    const Eigen::MatrixXd joint = joint_vectors(episode);
+  const bool any = std::ranges::any_of(episodes, [](const Episode& episode) {
+    return episode.untracked_count() < episode.frame_count();
+  });
+  if (any) {
+    const Eigen::MatrixXd joint = joint_vectors(episodes);
     const auto kpa = joint.topRows(region.low_kpa.size()).cast<float>().array();
     const Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> inside =
         kpa >= region.low_kpa.replicate(1, joint.cols()).array() &&

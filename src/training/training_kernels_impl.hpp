@@ -1,7 +1,7 @@
 #pragma once
 
 // WindowKernels and OptimiserKernels for the instruction set that the including file is compiled
-// for (see common/vector_float.hpp).
+// for (see kernels/vector_float.hpp).
 
 #include "frame_error_kernels.hpp"
 #include "kernels/gemm_tiles.hpp"

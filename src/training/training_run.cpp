@@ -140,7 +140,7 @@ std::string TrainingRun::divergence_message(int epoch, const EpochLoss& loss) co
       "training diverged in epoch {} at learning rate {:.3g}{}: loss {:.4g}, {:.4g} at the start "
       "of this stage. Try --learning-rate {:.1g}",
       epoch, trainer_.learning_rate(epoch - 1),
-      trainer_.member_count() > 1 ? fmt::format(", network {} of the ensemble", member + 1) : "",
+      trainer_.member_count() > 1 ? fmt::format(", network {} of the ensemble", member) : "",
       loss.diverged_loss, trainer_.state().stage_first_loss[member],
       settings_.learning_rate / 10.0);
 }

@@ -11,10 +11,17 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kDepthToleranceM = 1e-4;
+constexpr double kRounding = 1e-12;  // relative, and in m²: of two ways to work out one distance
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Whether a box may hold something nearer than `best`, both squared; also where they are equal but
+/// for rounding, so that boxes change no distance by a bit.
+bool may_be_nearer(double to_box, double best) {
+  return to_box <= best * (1.0 + kRounding) + kRounding * kRounding;
 }
 
 /// Calls visit(a, b) for the edges a–b of those boxes that `is_of_interest`, until it returns
@@ -67,7 +74,7 @@ double distance_to_outline(const ObstacleShape& shape, const Vector2d& p) {
   visit_edges(
       shape,
       [&](const Box& box) {
-        return squared_distance(box, {p, p}) < best;
+        return may_be_nearer(squared_distance(box, {p, p}), best);
       },
       [&](const Vector2d& a, const Vector2d& b) {
         best = std::min(best, squared_distance(p, a, b));
@@ -157,7 +164,7 @@ double outside_distance(const ObstacleShape& shape, const Vector2d& a, const Vec
   double best = kInfinity;
   const Box around = Box::around(a, b);
   const bool is_apart = visit_edges(
-      shape, [&](const Box& box) { return squared_distance(box, around) < best; },
+      shape, [&](const Box& box) { return may_be_nearer(squared_distance(box, around), best); },
       [&](const Vector2d& c, const Vector2d& d) {
         best = std::min({best, squared_distance(a, c, d), squared_distance(b, c, d),
                          squared_distance(d, a, b)});

@@ -10,7 +10,7 @@
 namespace limber {
 namespace {
 
-constexpr double kSineTolerance = 2e-7;  // promised by common/vector_sincos.hpp, |angle| ≤ 100 rad
+constexpr double kSineTolerance = 2e-7;  // promised by kernels/vector_sincos.hpp, |angle| ≤ 100 rad
 
 using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 

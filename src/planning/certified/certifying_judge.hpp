@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "asked_problem.hpp"
 #include "limber/certificate/certificate.hpp"

@@ -14,8 +14,8 @@ struct Forest;
 /// Names that `make_planner` knows, the default first.
 std::vector<std::string> planner_names();
 
-/// Its plans are certified (planning/certified/certified_planner.hpp).
-/// @param name    one of those; settings may follow it: "default,goal_steering_share=0.2,improved_plans=0"
+/// Its plans are certified (docs/planning.md, Certificate).
+/// @param name    one of those; settings may follow it: "default,improved_plans=0"
 /// @param jobs    threads to use where the planner uses several, 0 for one a core
 /// @param forest  of the arm, model and start to plan for, for the default planner; borrowed
 /// @throws InputError naming the planners there are, or the one that can't use a forest.
