@@ -17,15 +17,15 @@ namespace limber {
 
 namespace {
 
-constexpr double kLargest = 1e15;  // in kPa, m, s, Hz, rad: nothing real comes near
+constexpr double kMax = 1e15;  // in kPa, m, s, Hz, rad: nothing real comes near
 
 /// @return what is wrong with `text`; empty where nothing is
 std::string check_finite(std::string& text) {
   double value = 0.0;
-  return parse_number(text, value) && std::abs(value) <= kLargest
+  return parse_number(text, value) && std::abs(value) <= kMax
              ? ""
              : fmt::format("'{}' found; expected a finite number of at most {}", shortened(text),
-                           kLargest);
+                           kMax);
 }
 
 /// Rewrites `text` in its plainest spelling, which CLI11 can't take for an octal number.

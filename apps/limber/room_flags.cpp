@@ -8,14 +8,14 @@ void RoomFlags::add_to(CLI::App& app) {
   app.add_option("--margin-m", asked_.margin_m,
                  "Clearance kept from every obstacle; else what the model erred by, at most, in "
                  "95 % of its unseen runs (limber inspect MODEL)")
-      ->check(CLI::Range(0.0, kLargestMarginM));
+      ->check(CLI::Range(0.0, kMaxMarginM));
   app.add_option("--goal-margin-m", asked_.goal_margin_m,
                  "How far inside the goal's rim plans end; else what the model erred by at the "
                  "end of 95 % of those runs")
-      ->check(CLI::Range(0.0, kLargestMarginM));
+      ->check(CLI::Range(0.0, kMaxMarginM));
   app.add_option("--goal-margin-rad", asked_.goal_margin_rad,
                  "The same of the goal's heading, where it asks for one")
-      ->check(CLI::Range(0.0, kLargestMarginM));
+      ->check(CLI::Range(0.0, kMaxMarginM));
 }
 
 ErrorRoom RoomFlags::room(const ForwardModel& model, const CommonFlags& flags) const {

@@ -129,7 +129,7 @@ class CharacterizeVerb final : public Verb {
     for (const std::string& warning : valves.findings.warnings) {
       say(flags, "warning: {}", warning);
     }
-    nlohmann::ordered_json json = valves_to_json(valves);
+    nlohmann::ordered_json json = to_json(valves);
     json["hash"] = valves.parameters.hash();
     std::string text = valves_to_text(valves, arm.command.unit);
     if (!plot.empty()) {

@@ -93,7 +93,7 @@ class CollectVerb final : public Verb {
     json["frames_dropped"] = recording.untracked_count();
     json["arm_time_s"] = recording.duration_s();
     json["wall_time_s"] = result.wall_time_s;
-    json["valves"] = valves_to_json(valves);
+    json["valves"] = to_json(valves);
     print_result(flags, json,
                  fmt::format("{}: {} motions in {} episodes, {} frames ({} of arm time), seed {}, "
                              "recorded in {:.1f} s\n{}",

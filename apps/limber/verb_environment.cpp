@@ -44,7 +44,7 @@ class EnvironmentVerb final : public Verb {
                    "Network model that says what is in reach; the no-load model where not given");
     valves_.add_valves_to(app);
     app.add_option("--margin-m", margin_m_, "Clearance that a check asks for")
-        ->check(CLI::Range(0.0, kLargestMarginM))
+        ->check(CLI::Range(0.0, kMaxMarginM))
         ->capture_default_str();
     app.add_option("--svg", svg_, "Draw the environment that is checked here");
   }
@@ -124,7 +124,7 @@ class EnvironmentVerb final : public Verb {
     for (int k = 1; k <= count_; ++k) {
       throw_if_interrupted();
       const std::optional<Environment> drawn =
-          draw_proven_environment(arm, model, flags.seed, static_cast<std::uint64_t>(k));
+          sample_proven_environment(arm, model, flags.seed, static_cast<std::uint64_t>(k));
       if (!drawn) {
         throw InputError(fmt::format(
             "no environment {} of seed {} for arm '{}' whose motion, executed on the virtual arm, "

@@ -71,12 +71,12 @@ class EvaluateVerb final : public Verb {
         say(flags, "wrote {}", path.string());
       }
     }
-    nlohmann::ordered_json json = evaluation_to_json(evaluation);
+    nlohmann::ordered_json json = to_json(evaluation);
     std::string text = evaluation_to_text(evaluation);
     if (network && network->compensation().member_count() > 1) {
       const EnsembleForward ensemble(arm, network->compensation());
       const EnsembleEvaluation errors = evaluate_ensemble(ensemble, recording.episodes, flags.jobs);
-      json["ensemble"] = ensemble_evaluation_to_json(errors);
+      json["ensemble"] = to_json(errors);
       text += "network: the member that validated best, as used for planning\n" +
               ensemble_evaluation_to_text(errors);
     }
@@ -86,7 +86,7 @@ class EvaluateVerb final : public Verb {
       const std::optional<PredictionError>& error = model.prediction_error;
       json["prediction_error"] = nullptr;
       if (error) {
-        json["prediction_error"] = prediction_error_to_json(*error);
+        json["prediction_error"] = to_json(*error);
         text += prediction_error_to_text(*error) + "\n";
       }
       store(model);

@@ -10,7 +10,7 @@ namespace limber {
 namespace {
 
 // Clocks that count from 1970 and from the start of a log are 2e9 s apart.
-constexpr double kMostOffsetS = 1e10;
+constexpr double kMaxOffsetS = 1e10;
 
 class ImportVerb final : public Verb {
  public:
@@ -39,7 +39,7 @@ class ImportVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--time-offset-s", time_offset_s_,
                    "What to add to the pressure log's times; without it, found by correlation")
-        ->check(CLI::Range(-kMostOffsetS, kMostOffsetS));
+        ->check(CLI::Range(-kMaxOffsetS, kMaxOffsetS));
     app.add_option("--out", out_, "Recording to write");
     app.add_flag("--dry-run", dry_run_, "Report what would be dropped and changed; write nothing");
   }

@@ -30,7 +30,7 @@ struct Finding {
 Finding inspect_recording(const std::string& file, const std::optional<ArmDescription>& arm) {
   const Recording recording = read_recording(file);
   const RecordingInspection inspection = inspect(recording, arm ? &*arm : nullptr, file);
-  return {inspection_to_json(recording, inspection), inspection_to_text(recording, inspection)};
+  return {to_json(recording, inspection), inspection_to_text(recording, inspection)};
 }
 
 Finding inspect_arm(const YamlReader& root) {
@@ -108,7 +108,7 @@ Finding inspect_valves(const YamlReader& root, const std::optional<ArmDescriptio
   }
   Finding finding;
   finding.json = {{"kind", "valves"}, {"hash", valves.parameters.hash()}};
-  finding.json.update(valves_to_json(valves));
+  finding.json.update(to_json(valves));
   finding.text = fmt::format(
       "{}\n  from {}, hash {}", valves_to_text(valves),
       valves.findings.source.empty() ? "a source that is not stored" : valves.findings.source,
@@ -147,13 +147,13 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
 /// How far the model errs, and what its recordings held.
 void add_what_is_known(const CompensationModel& model, Finding& finding) {
   if (model.prediction_error) {
-    finding.json["prediction_error"] = prediction_error_to_json(*model.prediction_error);
+    finding.json["prediction_error"] = to_json(*model.prediction_error);
     finding.text += "\n  " + prediction_error_to_text(*model.prediction_error);
   } else {
     finding.text += "\n  error on unseen motions: not measured";
   }
   if (model.learnt) {
-    finding.json["learnt"] = learnt_region_to_json(*model.learnt);
+    finding.json["learnt"] = to_json(*model.learnt);
     finding.text += "\n  learnt from";
     for (const std::string& line : learnt_region_lines(*model.learnt)) {
       finding.text += "\n    " + line;
@@ -193,7 +193,7 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
   }
   const IdentifiedValves valves = model.identified_valves();
   if (model.valves || !valves.findings.reason.empty()) {
-    finding.json["valves"] = valves_to_json(valves);
+    finding.json["valves"] = to_json(valves);
   }
   finding.text += "\n  " + valves_to_text(valves);
   add_what_is_known(model, finding);

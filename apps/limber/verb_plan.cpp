@@ -147,8 +147,7 @@ class PlanVerb final : public Verb {
     }
     write(result, arm, environment);
     const std::string model_name = model.has_network() ? "network" : "no_load";
-    print_result(flags,
-                 plan_result_to_json(result, environment.goal, planner_, model_name, flags.seed),
+    print_result(flags, to_json(result, environment.goal, planner_, model_name, flags.seed),
                  result.plan ? plan_result_to_text(result, arm.command) : "");
     const int code = exit_code(result.status);
     if (code == kExitBadInput) {
@@ -218,10 +217,10 @@ class PlanVerb final : public Verb {
     if (!result.plan || !forward.has_network() || !forward.compensation().learnt) {
       return;
     }
-    const std::vector<std::string> ways =
-        ways_beyond(*forward.compensation().learnt, *result.plan, arm.command.unit);
-    for (const std::string& way : ways) {
-      result.warnings.push_back(way + "; --stay-recorded plans without");
+    const std::vector<std::string> excursions =
+        excursions_beyond(*forward.compensation().learnt, *result.plan, arm.command.unit);
+    for (const std::string& excursion : excursions) {
+      result.warnings.push_back(excursion + "; --stay-recorded plans without");
     }
   }
 

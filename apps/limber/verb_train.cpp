@@ -313,16 +313,16 @@ class TrainVerb final : public Verb {
     json["loss"] = last.loss;
     json["validation_position_error_cm"] = result.best_validation_position_error_cm;
     json["members"] = result.model.member_count();
-    json["valves"] = valves_to_json(result.model.identified_valves());
+    json["valves"] = to_json(result.model.identified_valves());
     if (result.model.member_count() > 1) {
       json["member_validation_position_error_cm"] = result.member_validation_position_error_cm;
     }
     json["prediction_error"] = nullptr;
     if (result.model.prediction_error) {
-      json["prediction_error"] = prediction_error_to_json(*result.model.prediction_error);
+      json["prediction_error"] = to_json(*result.model.prediction_error);
     }
     if (result.model.learnt) {
-      json["learnt"] = learnt_region_to_json(*result.model.learnt);
+      json["learnt"] = to_json(*result.model.learnt);
     }
     if (changes) {
       json["fine_tuning"] = to_json(*changes);

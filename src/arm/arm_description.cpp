@@ -17,7 +17,7 @@ namespace limber {
 namespace {
 
 constexpr const char* kSchema = "limber/arm/1";
-constexpr int kMostGaps = 100;
+constexpr int kMaxGaps = 100;
 
 StrainPolynomial read_strain_polynomial(const YamlReader& node, double pressure_limit_kpa) {
   const std::vector<double> coefficients = node.numbers("a coefficient c1 … c4 for kPa");
@@ -66,7 +66,7 @@ class SegmentReader {
     Segment segment;
     segment.length_m = node.at("length_m").positive("a length in metres");
     segment.width_m = node.at("width_m").positive("a length in metres");
-    segment.gaps = node.at("gaps").integer("a number of gaps between plates", 1, kMostGaps);
+    segment.gaps = node.at("gaps").integer("a number of gaps between plates", 1, kMaxGaps);
     if (!general_limit_) {
       segment.pressure_limit_kpa =
           node.at("pressure_limit_kpa").positive("a gauge pressure in kPa");
@@ -123,15 +123,15 @@ class SegmentReader {
     }
     const double turn_rad =
         std::abs(segment.curvature_per_unit) * segment.pressure_limit_kpa * segment.length_m;
-    if (turn_rad > kLargestTurn_rad) {
+    if (turn_rad > kMaxTurn_rad) {
       node.refuse(
           fmt::format("the limit of {} {} would turn the segment by {:.3g} rad; expected "
                       "at most {:.4g}, a full turn",
-                      segment.pressure_limit_kpa, unit_, turn_rad, kLargestTurn_rad));
+                      segment.pressure_limit_kpa, unit_, turn_rad, kMaxTurn_rad));
     }
   }
 
-  static constexpr double kLargestTurn_rad = 2.0 * std::numbers::pi;
+  static constexpr double kMaxTurn_rad = 2.0 * std::numbers::pi;
 
   NoLoadKind kind_;
   std::string unit_;
@@ -285,9 +285,9 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   for (const YamlReader& node : segments.elements()) {
     arm.segments.push_back(reader.read(node));
   }
-  if (arm.segments.empty() || arm.segments.size() > kMostSegments) {
+  if (arm.segments.empty() || arm.segments.size() > kMaxSegments) {
     segments.refuse(
-        fmt::format("{} segments found; expected 1 to {}", arm.segments.size(), kMostSegments));
+        fmt::format("{} segments found; expected 1 to {}", arm.segments.size(), kMaxSegments));
   }
   if (root.has("virtual_arm")) {
     if (!arm.command.is_pressure_kpa()) {

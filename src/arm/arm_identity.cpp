@@ -10,7 +10,7 @@ namespace limber {
 
 namespace {
 
-constexpr std::size_t kMostNamed = 4;  // differences in a message
+constexpr std::size_t kMaxNamed = 4;  // differences in a message
 
 /// Compares two arms key by key.
 class Comparison {
@@ -55,24 +55,24 @@ class Comparison {
     }
   }
 
-  void segment(const std::string& place, const Segment& there, const Segment& here) {
-    number(place + "length_m", there.length_m, here.length_m);
-    number(place + "width_m", there.width_m, here.width_m);
+  void segment(const std::string& prefix, const Segment& there, const Segment& here) {
+    number(prefix + "length_m", there.length_m, here.length_m);
+    number(prefix + "width_m", there.width_m, here.width_m);
     if (there.gaps != here.gaps) {
-      add(place + "gaps", there.gaps, here.gaps);
+      add(prefix + "gaps", there.gaps, here.gaps);
     }
-    number(place + (here_.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit"),
+    number(prefix + (here_.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit"),
            there.pressure_limit_kpa, here.pressure_limit_kpa);
     if (there_.no_load == here_.no_load && here_.no_load == NoLoadKind::curvature) {
-      number(place + "curvature_per_unit", there.curvature_per_unit, here.curvature_per_unit);
+      number(prefix + "curvature_per_unit", there.curvature_per_unit, here.curvature_per_unit);
     }
     if (there_.no_load == here_.no_load && here_.no_load == NoLoadKind::strain_polynomial) {
-      strain(place + "strain_polynomial", there, here);
+      strain(prefix + "strain_polynomial", there, here);
     }
   }
 
   void strain(const std::string& key, const Segment& there, const Segment& here) {
-    const StrainDifference largest = largest_strain_difference(
+    const StrainDifference largest = max_strain_difference(
         there.strain_polynomial, here.strain_polynomial, here.pressure_limit_kpa);
     if (!(largest.strain <= kSameStrain)) {
       found_.push_back(fmt::format("{}: a strain of {:.6f} there, {:.6f} here at {:.4g} {}", key,
@@ -108,9 +108,9 @@ std::string why_another_arm(const ArmIdentity& made_for, const ArmDescription& a
   }
   const ArmDescription there = read_arm_keys(made_for.description, file + ": arm_description");
   std::vector<std::string> differences = arm_differences(there, arm);
-  if (differences.size() > kMostNamed) {
-    const std::string more = fmt::format("and {} more", differences.size() - kMostNamed);
-    differences.resize(kMostNamed);
+  if (differences.size() > kMaxNamed) {
+    const std::string more = fmt::format("and {} more", differences.size() - kMaxNamed);
+    differences.resize(kMaxNamed);
     differences.push_back(more);
   }
   return fmt::format("{}", fmt::join(differences, "; "));

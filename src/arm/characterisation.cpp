@@ -17,7 +17,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kFewestPressures = 5;
+constexpr int kMinPressures = 5;
 constexpr double kBeyondLimit = 1.05;         // × p_max: readings above are left out
 constexpr double kCoveredFrom = 0.3;          // × p_max: the lowest pressure > 0 must be below
 constexpr double kCoveredTo = 0.9;            // × p_max: the highest must be above
@@ -27,7 +27,7 @@ constexpr double kBareActuatorStrain = 0.24;  // between a mounted side (0.20) a
 // Seven digits move the slope by at most 5e-7 Σ k |a_k|, where the a_k are some tens of full
 // strain: some ten turns are enough.
 constexpr int kHoldingTurns = 20;
-constexpr double kLeastHeldSlope = 1e-7;  // of the mean slope
+constexpr double kMinHeldSlope = 1e-7;  // of the mean slope
 
 /// 7 significant digits: sums in another order, on another machine, give the same file.
 double rounded(double value) {
@@ -71,10 +71,10 @@ void require_coverage(const std::vector<BenchPoint>& points, double limit_kpa) {
     pressures.insert(point.pressure_kpa);
     moment += point.pressure_kpa * point.strain;
   }
-  if (int(pressures.size()) < kFewestPressures) {
+  if (int(pressures.size()) < kMinPressures) {
     throw InputError(
         fmt::format("{} bench points at {} distinct pressures up to {} kPa; expected at least {}",
-                    points.size(), pressures.size(), limit_kpa, kFewestPressures));
+                    points.size(), pressures.size(), limit_kpa, kMinPressures));
   }
   if (*pressures.rbegin() < kCoveredTo * limit_kpa) {
     throw InputError(fmt::format(
@@ -150,10 +150,10 @@ StrainPolynomial never_falling(const MonotoneFit& problem, double limit_kpa) {
   for (int turn = 0; turn < kHoldingTurns; ++turn) {
     const Eigen::Vector4d fit = problem.monotone(held);
     const StrainPolynomial polynomial = per_kpa(fit, limit_kpa);
-    if (least_strain_slope(polynomial, limit_kpa).slope_per_kpa >= 0.0) {
+    if (min_strain_slope(polynomial, limit_kpa).slope_per_kpa >= 0.0) {
       return polynomial;
     }
-    held = std::max(2.0 * held, kLeastHeldSlope * fit.sum());  // Σ a_k = e(1), the mean slope
+    held = std::max(2.0 * held, kMinHeldSlope * fit.sum());  // Σ a_k = e(1), the mean slope
   }
   throw InputError(
       fmt::format("no polynomial of 7 digits that never falls was found in {} turns. Look for "
@@ -172,7 +172,7 @@ StrainFit fit_strain_polynomial(const std::vector<BenchPoint>& points, double pr
   fit.pressure_limit_kpa = pressure_limit_kpa;
   const MonotoneFit problem(used, pressure_limit_kpa);
   fit.polynomial = per_kpa(problem.unconstrained(), pressure_limit_kpa);
-  if (least_strain_slope(fit.polynomial, pressure_limit_kpa).slope_per_kpa < 0.0) {
+  if (min_strain_slope(fit.polynomial, pressure_limit_kpa).slope_per_kpa < 0.0) {
     fit.polynomial = never_falling(problem, pressure_limit_kpa);
     fit.refitted = true;
   }
@@ -206,9 +206,9 @@ namespace {
 /// The same bench test fitted on another machine differs in the last digit. Where the fit says what
 /// the arm file says already, the file's numbers stay, so that the arm keeps its hash.
 void keep_what_agrees(const StrainPolynomial& of_file, StrainFit& fit) {
-  fit.kept = why_unusable(of_file, fit.pressure_limit_kpa).empty() &&
-             largest_strain_difference(of_file, fit.polynomial, fit.pressure_limit_kpa).strain <=
-                 kSameStrain;
+  fit.kept =
+      why_unusable(of_file, fit.pressure_limit_kpa).empty() &&
+      max_strain_difference(of_file, fit.polynomial, fit.pressure_limit_kpa).strain <= kSameStrain;
   if (fit.kept) {
     fit.polynomial = of_file;
   }

@@ -23,7 +23,7 @@ Eigen::Matrix<double, 4, 2> double_root_basis(double c) {
 
 bool rises(const Eigen::Vector4d& a) {
   const StrainPolynomial c{a[0], a[1], a[2], a[3]};
-  return least_strain_slope(c, 1.0).slope_per_kpa >= -kFallAllowed;
+  return min_strain_slope(c, 1.0).slope_per_kpa >= -kFallAllowed;
 }
 
 }  // namespace

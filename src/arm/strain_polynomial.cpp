@@ -17,7 +17,7 @@ constexpr int kDifferenceGrid = 200;
 
 }  // namespace
 
-LeastSlope least_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa) {
+LeastSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa) {
   LeastSlope least{0.0, c[0]};
   const auto consider = [&](double pressure_kpa) {
     if (pressure_kpa > 0.0 && pressure_kpa <= pressure_limit_kpa) {
@@ -39,8 +39,8 @@ LeastSlope least_strain_slope(const StrainPolynomial& c, double pressure_limit_k
   return least;
 }
 
-StrainDifference largest_strain_difference(const StrainPolynomial& a, const StrainPolynomial& b,
-                                           double pressure_limit_kpa) {
+StrainDifference max_strain_difference(const StrainPolynomial& a, const StrainPolynomial& b,
+                                       double pressure_limit_kpa) {
   StrainDifference largest;
   for (int k = 1; k <= kDifferenceGrid; ++k) {
     const double p = pressure_limit_kpa * k / kDifferenceGrid;
@@ -58,7 +58,7 @@ std::string why_unusable(const StrainPolynomial& c, double pressure_limit_kpa) {
     return fmt::format("gives a strain of {:.4g} at the limit of {} kPa; expected between 0 and 1",
                        full, pressure_limit_kpa);
   }
-  const LeastSlope least = least_strain_slope(c, pressure_limit_kpa);
+  const LeastSlope least = min_strain_slope(c, pressure_limit_kpa);
   if (least.slope_per_kpa * pressure_limit_kpa < -kRoundingOfSlope * full) {
     return fmt::format(
         "falls at {:.4g} kPa; expected strain that never falls between 0 and the limit of {} kPa "

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kSchema = "limber/valves/1";
 
-Json segment_to_json(const SegmentValves& valves) {
+Json to_json(const SegmentValves& valves) {
   Json json = {{"inflate_time_constant_s", valves.inflating.time_constant_s},
                {"vent_time_constant_s", valves.venting.time_constant_s}};
   // JSON and YAML files know no infinity: a key that is missing stands for it.
@@ -56,7 +56,7 @@ SegmentValves read_segment(const YamlReader& node) {
   return valves;
 }
 
-Json errors_to_json(const ValveErrors& errors) {
+Json to_json(const ValveErrors& errors) {
   return {{"mean_kpa", errors.mean_kpa},
           {"p95_kpa", errors.p95_kpa},
           {"max_kpa", errors.max_kpa},
@@ -69,16 +69,16 @@ ValveErrors read_errors(const YamlReader& node) {
   errors.mean_kpa = node.at("mean_kpa").number("an error in kPa", 0.0);
   errors.p95_kpa = node.at("p95_kpa").number("an error in kPa", 0.0);
   errors.max_kpa = node.at("max_kpa").number("an error in kPa", 0.0);
-  constexpr double kMostFrames = 1e15;  // exact in a double
-  errors.frames = std::llround(node.at("frames").number("a number of frames", 0.0, kMostFrames));
+  constexpr double kMaxFrames = 1e15;  // exact in a double
+  errors.frames = std::llround(node.at("frames").number("a number of frames", 0.0, kMaxFrames));
   return errors;
 }
 
-Json findings_to_json(const ValveFindings& findings) {
+Json to_json(const ValveFindings& findings) {
   Json json = {{"source", findings.source}};
   if (findings.held_back.frames > 0) {
-    json["held_back_error"] = errors_to_json(findings.held_back);
-    json["setpoints_as_pressures_error"] = errors_to_json(findings.from_setpoints);
+    json["held_back_error"] = to_json(findings.held_back);
+    json["setpoints_as_pressures_error"] = to_json(findings.from_setpoints);
   }
   if (!findings.reason.empty()) {
     json["reason"] = findings.reason;
@@ -127,19 +127,19 @@ std::string segment_to_text(const SegmentValves& valves, bool has_sides, const s
 
 }  // namespace
 
-Json valves_to_json(const IdentifiedValves& valves) {
+Json to_json(const IdentifiedValves& valves) {
   Json segments = Json::array();
   for (const SegmentValves& segment : valves.parameters.segments) {
-    segments.push_back(segment_to_json(segment));
+    segments.push_back(to_json(segment));
   }
   return {{"schema", kSchema},
           {"has_sides", valves.parameters.has_sides},
           {"segments", segments},
-          {"identified", findings_to_json(valves.findings)}};
+          {"identified", to_json(valves.findings)}};
 }
 
 std::string valves_to_yaml(const IdentifiedValves& valves) {
-  const Json json = valves_to_json(valves);
+  const Json json = to_json(valves);
   // Values are written as JSON, which is YAML; keys without their quotes.
   const auto flow = [](const Json& mapping) {
     std::string text;

@@ -26,13 +26,13 @@ namespace {
 using Eigen::MatrixXf;
 
 constexpr int kInputs = 1024;                           // different queries, asked again and again
-constexpr std::int64_t kLeastPasses = 10;               // of a measurement; the median counts
+constexpr std::int64_t kMinPasses = 10;                 // of a measurement; the median counts
 constexpr std::chrono::seconds kLongestMeasurement{4};  // a slow peer's; a million take limber one
 constexpr int kBatchSizes[] = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024};
 constexpr int kParallelBatch = 16384;  // split over threads
 // The system wakes a thread where the one that woke it runs, and takes some hundredths of a second
 // to move it to an idle core.
-constexpr std::int64_t kLeastParallelQueries = 64 * kParallelBatch;
+constexpr std::int64_t kMinParallelQueries = 64 * kParallelBatch;
 constexpr int kTile = 64;              // queries at a time while the layers are timed
 constexpr long kPeakRounds = 200'000;  // 0.3 ms at 4 GHz
 constexpr long kPeakPasses = 40;
@@ -51,13 +51,13 @@ double seconds_of(const std::function<void()>& work) {
 double rate_of(std::int64_t queries, std::int64_t queries_per_pass,
                const std::function<void()>& pass) {
   pass();
-  const std::int64_t passes = std::max(kLeastPasses, queries / queries_per_pass);
+  const std::int64_t passes = std::max(kMinPasses, queries / queries_per_pass);
   const auto start = std::chrono::steady_clock::now();
   std::vector<double> seconds;
   for (std::int64_t k = 0; k < passes; ++k) {
     throw_if_interrupted();
     seconds.push_back(seconds_of(pass));
-    if (k + 1 >= kLeastPasses && std::chrono::steady_clock::now() - start > kLongestMeasurement) {
+    if (k + 1 >= kMinPasses && std::chrono::steady_clock::now() - start > kLongestMeasurement) {
       break;
     }
   }
@@ -237,7 +237,7 @@ class SpeedMeasurement {
 
   void measure_threads(const ForwardModel& model, NetworkSpeed& speed) {
     Queries many = random_queries(arm_, kParallelBatch, settings_.seed);
-    const std::int64_t queries = std::max(settings_.queries, kLeastParallelQueries);
+    const std::int64_t queries = std::max(settings_.queries, kMinParallelQueries);
     for (const int jobs : {1, settings_.jobs}) {
       ParallelForward parallel(jobs);
       speed.batches.push_back(

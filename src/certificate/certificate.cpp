@@ -118,9 +118,9 @@ class Certifier::Certification {
         const double stored = double(plan_.frames[k].pressure_kpa[static_cast<Eigen::Index>(i)]);
         const double apart = std::abs(pressures_kpa_[k][i] - stored);
         const bool agreed =
-            result_.largest_pressure_deviation_kpa <= Certificate::kPressureDeviationKpa;
-        if (!(apart <= result_.largest_pressure_deviation_kpa)) {
-          result_.largest_pressure_deviation_kpa = apart;
+            result_.max_pressure_deviation_kpa <= Certificate::kPressureDeviationKpa;
+        if (!(apart <= result_.max_pressure_deviation_kpa)) {
+          result_.max_pressure_deviation_kpa = apart;
         }
         if (agreed && !(apart <= Certificate::kPressureDeviationKpa)) {
           fail("valves", static_cast<int>(k),
@@ -168,8 +168,8 @@ class Certifier::Certification {
       stored = shape_of(plan_.frames[k].backbone);
       simulated_.push_back(std::move(next[0]));
       const Deviation of_step = deviation(next[1], stored);
-      if (!(of_step.apart_m <= result_.largest_step_deviation_m)) {
-        result_.largest_step_deviation_m = of_step.apart_m;
+      if (!(of_step.apart_m <= result_.max_step_deviation_m)) {
+        result_.max_step_deviation_m = of_step.apart_m;
       }
       compare(k, stored);
     }
@@ -178,14 +178,14 @@ class Certifier::Certification {
 
   void compare(std::size_t k, const ExactArm::Shape& stored) {
     const Deviation of_path = deviation(simulated_[k], stored);
-    const bool agreed = result_.largest_deviation_m <= Certificate::kDeviationM &&
-                        result_.largest_heading_deviation_rad <= Certificate::kHeadingDeviationRad;
-    if (!(of_path.apart_m <= result_.largest_deviation_m)) {
-      result_.largest_deviation_m = of_path.apart_m;
+    const bool agreed = result_.max_deviation_m <= Certificate::kDeviationM &&
+                        result_.max_heading_deviation_rad <= Certificate::kHeadingDeviationRad;
+    if (!(of_path.apart_m <= result_.max_deviation_m)) {
+      result_.max_deviation_m = of_path.apart_m;
       result_.deviation_frame = static_cast<int>(k);
     }
-    if (!(of_path.turned_rad <= result_.largest_heading_deviation_rad)) {
-      result_.largest_heading_deviation_rad = of_path.turned_rad;
+    if (!(of_path.turned_rad <= result_.max_heading_deviation_rad)) {
+      result_.max_heading_deviation_rad = of_path.turned_rad;
     }
     if (agreed && !(of_path.apart_m <= Certificate::kDeviationM &&
                     of_path.turned_rad <= Certificate::kHeadingDeviationRad)) {
@@ -194,7 +194,7 @@ class Certifier::Certification {
   }
 
   void fail_model(int frame, const Deviation& found) {
-    const bool is_rounding = result_.largest_step_deviation_m <= kRoundingM;
+    const bool is_rounding = result_.max_step_deviation_m <= kRoundingM;
     fail("model", frame,
          fmt::format("{} is {:.4g} mm and {:.4g} rad from where the model puts it; allowed: "
                      "{} mm and {} rad{}",
@@ -229,7 +229,7 @@ class Certifier::Certification {
     result_.clearance_frame = swept.frame;
     result_.clearance_gap = swept.gap;
     result_.clearance_obstacle = swept.obstacle;
-    const double least = std::max(plan_.margin_m, Certificate::kLeastClearanceM);
+    const double least = std::max(plan_.margin_m, Certificate::kMinClearanceM);
     if (!(swept.value_m >= least)) {
       fail("collision", swept.frame,
            fmt::format("the arm, {}, comes within {:.3f} mm of {}; {:.3f} mm are asked for",

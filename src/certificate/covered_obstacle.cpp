@@ -56,9 +56,9 @@ bool turns_once(const std::vector<Complex>& corners) {
 }
 
 Reading reading_of(const Circle& circle, Complex p) {
-  const Complex way = p - Complex(circle.x_m, circle.y_m);
-  const double apart = std::sqrt(std::norm(way));
-  return {apart - circle.radius_m, apart > 0.0 ? way / apart : Complex(0.0)};
+  const Complex offset = p - Complex(circle.x_m, circle.y_m);
+  const double apart = std::sqrt(std::norm(offset));
+  return {apart - circle.radius_m, apart > 0.0 ? offset / apart : Complex(0.0)};
 }
 
 Reading reading_of(const Rectangle& rectangle, Complex p) {

@@ -19,14 +19,14 @@ Complex direction(double angle_rad) {
 
 /// `step` seen from `pose`, in B.
 Pose composed(const Pose& pose, const Pose& step) {
-  const Complex way = direction(pose.theta_rad) * Complex(step.x_m, step.y_m);
-  return {pose.x_m + way.real(), pose.y_m + way.imag(), pose.theta_rad + step.theta_rad};
+  const Complex offset = direction(pose.theta_rad) * Complex(step.x_m, step.y_m);
+  return {pose.x_m + offset.real(), pose.y_m + offset.imag(), pose.theta_rad + step.theta_rad};
 }
 
 /// `to` seen from `from`.
 Pose relative(const Pose& from, const Pose& to) {
-  const Complex way = direction(-from.theta_rad) * Complex(to.x_m - from.x_m, to.y_m - from.y_m);
-  return {way.real(), way.imag(), to.theta_rad - from.theta_rad};
+  const Complex offset = direction(-from.theta_rad) * Complex(to.x_m - from.x_m, to.y_m - from.y_m);
+  return {offset.real(), offset.imag(), to.theta_rad - from.theta_rad};
 }
 
 /// (17) and (18): the segment turns by its command, or not at all, and keeps its length.

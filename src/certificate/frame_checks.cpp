@@ -108,7 +108,7 @@ class FrameChecks {
       }
     }
     certificate_.cost_kpa = cost;
-    certificate_.largest_step_kpa = largest;
+    certificate_.max_step_kpa = largest;
     if (!(std::abs(plan_.cost_kpa - cost) <= kCost * std::max(1.0, cost))) {
       fail("cost",
            fmt::format("cost_kpa = {:.9g}; the frames add up to {:.9g}", plan_.cost_kpa, cost));

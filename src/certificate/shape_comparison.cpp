@@ -7,7 +7,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kMostTurnRad = std::numbers::pi;  // of one gap; beyond there is no such arc
+constexpr double kMaxTurnRad = std::numbers::pi;  // of one gap; beyond there is no such arc
 
 }  // namespace
 
@@ -24,8 +24,7 @@ bool is_drawable(const ExactArm::Shape& shape) {
   for (std::size_t i = 0; i < shape.size(); ++i) {
     const bool finite = std::isfinite(shape[i].x_m) && std::isfinite(shape[i].y_m) &&
                         std::isfinite(shape[i].theta_rad);
-    if (!finite ||
-        (i > 0 && std::abs(shape[i].theta_rad - shape[i - 1].theta_rad) > kMostTurnRad)) {
+    if (!finite || (i > 0 && std::abs(shape[i].theta_rad - shape[i - 1].theta_rad) > kMaxTurnRad)) {
       return false;
     }
   }

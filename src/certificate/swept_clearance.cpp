@@ -22,7 +22,7 @@ double sinc_of(double x, double sine) {
   return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : sine / x;
 }
 
-Complex place_of(const Pose& pose) {
+Complex point_of(const Pose& pose) {
   return {pose.x_m, pose.y_m};
 }
 
@@ -32,26 +32,26 @@ Complex place_of(const Pose& pose) {
 class SweptClearance::MovingArc {
  public:
   MovingArc(const Pose& start_from, const Pose& end_from, const Pose& start_to, const Pose& end_to)
-      : start_(place_of(start_from)),
-        start_way_(place_of(start_to) - start_),
-        chord_(place_of(end_from) - start_),
-        chord_way_(place_of(end_to) - place_of(start_to) - chord_),
+      : start_(point_of(start_from)),
+        start_shift_(point_of(start_to) - start_),
+        chord_(point_of(end_from) - start_),
+        chord_shift_(point_of(end_to) - point_of(start_to) - chord_),
         turn_(end_from.theta_rad - start_from.theta_rad),
-        turn_way_(end_to.theta_rad - start_to.theta_rad - turn_) {
+        turn_shift_(end_to.theta_rad - start_to.theta_rad - turn_) {
     // With φ the turn, a point is s + c·w(u, φ), w = ∫₀ᵘ e^{iφ(σ−½)} dσ / D, D = sinc(φ/2) ≥ 2/π.
     // |w| ≤ 1 up to half a turn, |∂w/∂u| = 1/D, |∂w/∂φ| ≤ (¼ + |D'|)/D ≤ (¼ + 2/π²)·π/2, and
     // |∂²w/∂u∂φ| ≤ ½/D + |D'|/D² ≤ π/4 + 2/π²·π²/4.
     constexpr double kPlacePerTurn = 0.72;
     constexpr double kTangentPerTurn = 1.29;
-    const double longest = std::max(std::abs(chord_), std::abs(chord_ + chord_way_));
-    const double most_turn = std::max(std::abs(turn_), std::abs(turn_ + turn_way_));
-    const double end_speed = std::abs(start_way_ + chord_way_);
-    speed_m_ = std::min(std::abs(start_way_), end_speed) + std::abs(chord_way_) +
-               kPlacePerTurn * longest * std::abs(turn_way_);
-    length_m_ = longest / sinc_of(most_turn / 2.0, std::sin(most_turn / 2.0));
-    tangent_per_place_m_ = length_m_ * most_turn;
-    tangent_per_time_m_ = std::numbers::pi / 2.0 * std::abs(chord_way_) +
-                          kTangentPerTurn * longest * std::abs(turn_way_);
+    const double longest = std::max(std::abs(chord_), std::abs(chord_ + chord_shift_));
+    const double max_turn = std::max(std::abs(turn_), std::abs(turn_ + turn_shift_));
+    const double end_speed = std::abs(start_shift_ + chord_shift_);
+    speed_m_ = std::min(std::abs(start_shift_), end_speed) + std::abs(chord_shift_) +
+               kPlacePerTurn * longest * std::abs(turn_shift_);
+    length_m_ = longest / sinc_of(max_turn / 2.0, std::sin(max_turn / 2.0));
+    tangent_per_fraction_m_ = length_m_ * max_turn;
+    tangent_per_time_m_ = std::numbers::pi / 2.0 * std::abs(chord_shift_) +
+                          kTangentPerTurn * longest * std::abs(turn_shift_);
   }
 
   /// A point, and how it moves with its place.
@@ -68,11 +68,11 @@ class SweptClearance::MovingArc {
     }
 
     /// With a = φu/2: w·D = u·sinc(a)·e^{i(a − φ/2)}, and ∂w/∂u·D = e^{i(2a − φ/2)}.
-    Point at(double place) const {
-      const double a = half_turn_ * place;
+    Point at(double fraction) const {
+      const double a = half_turn_ * fraction;
       const Complex turned = std::polar(1.0, a);
       const Complex along = scaled_chord_ * turned * back_;
-      return {start_ + place * sinc_of(a, turned.imag()) * along, along * turned};
+      return {start_ + fraction * sinc_of(a, turned.imag()) * along, along * turned};
     }
 
    private:
@@ -81,27 +81,28 @@ class SweptClearance::MovingArc {
     Complex back_;
   };
   Still still(double time) const {
-    return {start_ + time * start_way_, chord_ + time * chord_way_, turn_ + time * turn_way_};
+    return {start_ + time * start_shift_, chord_ + time * chord_shift_, turn_ + time * turn_shift_};
   }
 
   double speed_m() const { return speed_m_; }    ///< bound on a point's way over all time
   double length_m() const { return length_m_; }  ///< bound on the arc's length at any time
 
-  /// Bound on how far a point gets in direction −`away` when its place changes by `half_place` and
+  /// Bound on how far a point gets in direction −`away` when its place changes by `half_fraction` and
   /// time by `half_time`, its way over time not counted.
-  double approach_m(const Point& middle, Complex away, double half_time, double half_place) const {
+  double approach_m(const Point& middle, Complex away, double half_time,
+                    double half_fraction) const {
     const double slope =
         std::abs(middle.tangent_m.real() * away.real() + middle.tangent_m.imag() * away.imag());
-    return half_place *
-           (slope + tangent_per_time_m_ * half_time + 0.5 * tangent_per_place_m_ * half_place);
+    return half_fraction * (slope + tangent_per_time_m_ * half_time +
+                            0.5 * tangent_per_fraction_m_ * half_fraction);
   }
 
  private:
-  Complex start_, start_way_, chord_, chord_way_;
-  double turn_, turn_way_;
+  Complex start_, start_shift_, chord_, chord_shift_;
+  double turn_, turn_shift_;
   double speed_m_ = 0.0;
   double length_m_ = 0.0;
-  double tangent_per_place_m_ = 0.0;
+  double tangent_per_fraction_m_ = 0.0;
   double tangent_per_time_m_ = 0.0;
 };
 
@@ -109,7 +110,7 @@ namespace {
 
 /// A rectangle of time and place, by its middle and half its sizes.
 struct Cell {
-  double time, place, half_time, half_place;
+  double time, fraction, half_time, half_fraction;
 };
 
 std::array<Cell, 2> halves(const Cell& cell, bool by_time) {
@@ -120,9 +121,9 @@ std::array<Cell, 2> halves(const Cell& cell, bool by_time) {
     low.time -= low.half_time;
     high.time += high.half_time;
   } else {
-    low.half_place = high.half_place = cell.half_place / 2.0;
-    low.place -= low.half_place;
-    high.place += high.half_place;
+    low.half_fraction = high.half_fraction = cell.half_fraction / 2.0;
+    low.fraction -= low.half_fraction;
+    high.fraction += high.half_fraction;
   }
   return {low, high};
 }
@@ -133,17 +134,17 @@ CoveringBox box_about(const Pose& start_from, const Pose& end_from, const Pose& 
                       const Pose& end_to) {
   CoveringBox box;
   for (const Pose* pose : {&start_from, &end_from, &start_to, &end_to}) {
-    box.cover(place_of(*pose));
+    box.cover(point_of(*pose));
   }
   // Between frames neither chord nor turn is larger than at both ends.
-  const double most_chord =
+  const double max_chord =
       std::max(std::abs(end_from.x_m - start_from.x_m) + std::abs(end_from.y_m - start_from.y_m),
                std::abs(end_to.x_m - start_to.x_m) + std::abs(end_to.y_m - start_to.y_m));
-  const double most_turn = std::max(std::abs(end_from.theta_rad - start_from.theta_rad),
-                                    std::abs(end_to.theta_rad - start_to.theta_rad));
-  const double most_bulge = most_chord / 2.0 * most_turn / std::numbers::pi;
-  box.low -= Complex(most_bulge, most_bulge);
-  box.high += Complex(most_bulge, most_bulge);
+  const double max_turn = std::max(std::abs(end_from.theta_rad - start_from.theta_rad),
+                                   std::abs(end_to.theta_rad - start_to.theta_rad));
+  const double max_bulge = max_chord / 2.0 * max_turn / std::numbers::pi;
+  box.low -= Complex(max_bulge, max_bulge);
+  box.high += Complex(max_bulge, max_bulge);
   return box;
 }
 
@@ -185,7 +186,7 @@ class SweptClearance::Search {
       const ExactArm::Shape& shape = shapes_[k];
       CoveringBox box;
       for (const Pose& plate : shape) {
-        box.cover(place_of(plate));
+        box.cover(point_of(plate));
       }
       find_near(box, nearest.value_m);
       for (std::size_t i = 0; i < shape.size(); ++i) {
@@ -216,7 +217,7 @@ class SweptClearance::Search {
     const double thickest =
         std::max(radius[plate == 0 ? 0 : plate - 1], radius[std::min(plate, radius.size() - 1)]);
     const CoveredObstacle& obstacle = clearance_.obstacles_[o];
-    const Complex p = place_of(shapes_[k][plate]);
+    const Complex p = point_of(shapes_[k][plate]);
     if (obstacle.box.distance_m(p) - thickest >= nearest.value_m) {
       return;
     }
@@ -229,7 +230,7 @@ class SweptClearance::Search {
   /// Lists the obstacles whose boxes may be nearer than `value_m` to what the box covers.
   void find_near(const CoveringBox& box, double value_m) {
     near_.clear();
-    const double reach = std::max(0.0, value_m + clearance_.largest_radius_m_);
+    const double reach = std::max(0.0, value_m + clearance_.max_radius_m_);
     for (std::size_t o = 0; o < clearance_.obstacles_.size(); ++o) {
       if (clearance_.obstacles_[o].box.squared_distance(box) <= reach * reach) {
         near_.push_back(o);
@@ -280,25 +281,26 @@ class SweptClearance::Search {
     while (!open_.empty() && !give_up_.seldom()) {
       const Cell cell = open_.back();
       open_.pop_back();
-      const double time_way = cell.half_time * arc.speed_m();
-      double place_way = cell.half_place * arc.length_m();
+      const double time_reach = cell.half_time * arc.speed_m();
+      double fraction_reach = cell.half_fraction * arc.length_m();
       if (cell.time != time) {  // cells of one time mostly follow one another
         time = cell.time;
         still = arc.still(time);
       }
-      const MovingArc::Point middle = still.at(cell.place);
+      const MovingArc::Point middle = still.at(cell.fraction);
       const double enough = best - clearance_.tolerance_m_;
-      if (obstacle.box.distance_m(middle.at_m) >= enough + time_way + place_way) {
+      if (obstacle.box.distance_m(middle.at_m) >= enough + time_reach + fraction_reach) {
         continue;
       }
       const Reading reading = obstacle.read(middle.at_m);
       best = std::min(best, reading.distance_m);
       if (reading.away != Complex(0.0)) {
-        place_way = std::min(place_way,
-                             arc.approach_m(middle, reading.away, cell.half_time, cell.half_place));
+        fraction_reach =
+            std::min(fraction_reach,
+                     arc.approach_m(middle, reading.away, cell.half_time, cell.half_fraction));
       }
-      if (reading.distance_m < best - clearance_.tolerance_m_ + time_way + place_way) {
-        const auto parts = halves(cell, time_way > place_way);
+      if (reading.distance_m < best - clearance_.tolerance_m_ + time_reach + fraction_reach) {
+        const auto parts = halves(cell, time_reach > fraction_reach);
         open_.insert(open_.end(), parts.begin(), parts.end());
       }
     }
@@ -322,7 +324,7 @@ SweptClearance::SweptClearance(const ArmDescription& arm, const std::vector<Obst
   for (const Segment& segment : arm.segments) {
     radius_m_.insert(radius_m_.end(), static_cast<std::size_t>(segment.gaps),
                      segment.width_m / 2.0 + arm.actuator_radius_m);
-    largest_radius_m_ = std::max(largest_radius_m_, radius_m_.back());
+    max_radius_m_ = std::max(max_radius_m_, radius_m_.back());
   }
 }
 

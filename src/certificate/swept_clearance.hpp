@@ -47,7 +47,7 @@ class SweptClearance {
 
   double tolerance_m_;
   std::vector<double> radius_m_;  // one a gap
-  double largest_radius_m_ = 0.0;
+  double max_radius_m_ = 0.0;
   std::vector<CoveredObstacle> obstacles_;
 };
 

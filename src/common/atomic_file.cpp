@@ -120,7 +120,7 @@ void require_writable(const fs::path& path) {
 
 [[noreturn]] void refuse_size(const fs::path& path, std::uintmax_t size) {
   throw InputError(fmt::format("{}: {} bytes or more; files of up to {} bytes are read",
-                               path.string(), size, kLargestFile));
+                               path.string(), size, kMaxFile));
 }
 
 Descriptor open_to_read(const fs::path& path) {
@@ -136,7 +136,7 @@ Descriptor open_to_read(const fs::path& path) {
     throw InputError(
         fmt::format("{}: is a pipe or a device; expected a plain file", path.string()));
   }
-  if (static_cast<std::uintmax_t>(status.st_size) > kLargestFile) {
+  if (static_cast<std::uintmax_t>(status.st_size) > kMaxFile) {
     refuse_size(path, static_cast<std::uintmax_t>(status.st_size));
   }
   Descriptor file(path, O_RDONLY | O_NONBLOCK);
@@ -193,7 +193,7 @@ std::string read_file(const fs::path& path) {
       throw_fault(path, "can't be read", errno);
     }
     size += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
-    if (size > kLargestFile) {
+    if (size > kMaxFile) {
       refuse_size(path, size);
     }
     if (size == content.size()) {

@@ -18,17 +18,17 @@ using Json = nlohmann::json;
 
 /// A few numbers, which say more than how many there are.
 bool is_short(const Json& list) {
-  constexpr std::size_t kMostShown = 4;
-  return list.size() <= kMostShown &&
+  constexpr std::size_t kMaxShown = 4;
+  return list.size() <= kMaxShown &&
          std::ranges::all_of(list, [](const Json& item) { return item.is_number(); });
 }
 
 /// What the library says, without its own numbering: "[json.exception.parse_error.101] ".
 std::string reason_of(const Json::exception& error) {
-  constexpr std::size_t kMostReason = 160;
+  constexpr std::size_t kMaxReason = 160;
   const std::string text = error.what();
   const std::size_t end = text.find("] ");
-  return shortened(end == std::string::npos ? text : text.substr(end + 2), kMostReason);
+  return shortened(end == std::string::npos ? text : text.substr(end + 2), kMaxReason);
 }
 
 }  // namespace
@@ -37,11 +37,11 @@ Json parse_json_object(std::string_view text, const std::string& where) {
   const auto shallow = [&](int depth, Json::parse_event_t event, const Json&) {
     const bool opens =
         event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
-    if (opens && depth >= kMostJsonLevels) {
+    if (opens && depth >= kMaxJsonLevels) {
       throw InputError(
           fmt::format("{}: lists and objects more than {} deep in each other; none of "
                       "limber's files has so many",
-                      where, kMostJsonLevels));
+                      where, kMaxJsonLevels));
     }
     return true;
   };
@@ -135,10 +135,9 @@ double JsonReader::number(double low, double high) const {
   }
   const double value = value_.get<double>();
   if (!(value >= low && value <= high)) {
-    refuse_found(low == -kLargestNumber ? fmt::format("expected a number of at most {}", high)
-                 : high == kLargestNumber
-                     ? fmt::format("expected a number of at least {}", low)
-                     : fmt::format("expected a number from {} to {}", low, high));
+    refuse_found(low == -kMaxNumber   ? fmt::format("expected a number of at most {}", high)
+                 : high == kMaxNumber ? fmt::format("expected a number of at least {}", low)
+                                      : fmt::format("expected a number from {} to {}", low, high));
   }
   return value;
 }

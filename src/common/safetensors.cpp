@@ -23,7 +23,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kLengthBytes = 8;
 constexpr std::size_t kAlignment = 8;
-constexpr std::uint64_t kLargestHeader = 100'000'000;  // the format's own limit
+constexpr std::uint64_t kMaxHeader = 100'000'000;  // the format's own limit
 constexpr const char* kMetadataKey = "__metadata__";
 constexpr const char* kFloats = "F32";
 constexpr const char* kShorts = "I16";
@@ -47,7 +47,7 @@ std::string_view header_of(std::string_view bytes, const std::string& where) {
   }
   std::uint64_t length = 0;
   std::memcpy(&length, bytes.data(), kLengthBytes);
-  if (length > kLargestHeader || length > bytes.size() - kLengthBytes) {
+  if (length > kMaxHeader || length > bytes.size() - kLengthBytes) {
     refuse(where, fmt::format("header length is {} bytes, but {} follow it: truncated, or no "
                               "safetensors file",
                               length, bytes.size() - kLengthBytes));

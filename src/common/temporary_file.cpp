@@ -96,10 +96,10 @@ bool is_abandoned(const std::string& name, const std::string& own_host) {
   if (count_at == process.npos) {
     return false;
   }
-  constexpr std::size_t kMostDigits = 9;  // of a process number; Linux has at most seven
+  constexpr std::size_t kMaxDigits = 9;  // of a process number; Linux has at most seven
   const std::string number = process.substr(0, start_at);
   const std::string start = process.substr(start_at + 1, count_at - start_at - 1);
-  return is_number(number) && number.size() <= kMostDigits && is_number(start) &&
+  return is_number(number) && number.size() <= kMaxDigits && is_number(start) &&
          is_number(process.substr(count_at + 1)) && !runs(number, start);
 }
 

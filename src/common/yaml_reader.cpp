@@ -67,9 +67,9 @@ YamlReader YamlReader::from_file(const std::filesystem::path& path) {
 }
 
 YamlReader YamlReader::from_text(const std::string& text, const std::string& name) {
-  if (const std::size_t place = find_invalid_utf8(text); place != std::string::npos) {
+  if (const std::size_t at = find_invalid_utf8(text); at != std::string::npos) {
     throw InputError(fmt::format("{}:{}: a byte that is no UTF-8; save the file as UTF-8", name,
-                                 1 + std::count(text.begin(), text.begin() + long(place), '\n')));
+                                 1 + std::count(text.begin(), text.begin() + long(at), '\n')));
   }
   try {
     YAML::Node root = YAML::Load(text);
@@ -87,8 +87,8 @@ YamlReader YamlReader::from_text(const std::string& text, const std::string& nam
 }
 
 void YamlReader::refuse(const std::string& message) const {
-  const std::string place = field_.empty() ? "" : field_ + ": ";
-  throw InputError(fmt::format("{}:{}: {}{}", file_, line_, place, message));
+  const std::string where = field_.empty() ? "" : field_ + ": ";
+  throw InputError(fmt::format("{}:{}: {}{}", file_, line_, where, message));
 }
 
 std::string YamlReader::found() const {

@@ -28,7 +28,7 @@ constexpr double kShortestGap = 0.5;
 constexpr double kStill = 0.002;
 constexpr double kMovingCommand = 0.5;
 
-void require_gaps(const Episode& episode, const ArmDescription& arm, const std::string& place) {
+void require_gaps(const Episode& episode, const ArmDescription& arm, const std::string& where) {
   const std::vector<double> rest_m = rest_positions_m(arm);
   for (int plate = 0; plate + 1 < arm.point_count(); ++plate) {
     const auto p = static_cast<std::size_t>(plate);
@@ -40,7 +40,7 @@ void require_gaps(const Episode& episode, const ArmDescription& arm, const std::
           "{}: {} are {:.4g} m apart (median over the frames); arm '{}' has {:.4g} m "
           "there, and {:.4g} to {:.4g} m are allowed. {} Import its logs again, or give the arm "
           "file that it was recorded with (--arm)",
-          place, plates_of_gap(plate), found_m, arm.name, expected_m, kShortestGap * expected_m,
+          where, plates_of_gap(plate), found_m, arm.name, expected_m, kShortestGap * expected_m,
           kLongestGap * expected_m,
           unit.empty() ? "Are the plates in order, and is it this arm?"
                        : "It should be in m: " + unit));
@@ -56,17 +56,17 @@ double spread_of_end_m(const Episode& episode) {
   for (int t = 0; t < episode.frame_count(); ++t) {
     if (episode.was_tracked(t)) {
       // Welford's update: differences of large sums would lose the spread of an arm far away.
-      const Eigen::Vector2d place = episode.backbone.row(t).segment<2>(tip).cast<double>();
-      const Eigen::Vector2d before = place - mean;
+      const Eigen::Vector2d tip_m = episode.backbone.row(t).segment<2>(tip).cast<double>();
+      const Eigen::Vector2d before = tip_m - mean;
       count += 1.0;
       mean += before / count;
-      squares += before.dot(place - mean);
+      squares += before.dot(tip_m - mean);
     }
   }
   return count > 0.0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN();
 }
 
-void require_motion(const Episode& episode, const ArmDescription& arm, const std::string& place) {
+void require_motion(const Episode& episode, const ArmDescription& arm, const std::string& where) {
   const double spread_m = spread_of_end_m(episode);
   if (!(spread_m < kStill * arm.length_m())) {
     return;
@@ -80,7 +80,7 @@ void require_motion(const Episode& episode, const ArmDescription& arm, const std
           "{}: the arm's end stands still (its place spreads by {:.2g} mm; expected at least "
           "{:.2g} mm) while the {} of {} changes by {:.4g} {}. Was the tracker running, and do "
           "both logs belong together? Record it again, or leave the episode out",
-          place, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, segment_name(i),
+          where, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, segment_name(i),
           range, arm.command.unit));
     }
   }
@@ -89,14 +89,14 @@ void require_motion(const Episode& episode, const ArmDescription& arm, const std
 }  // namespace
 
 Pose mean_base(const Episode& episode) {
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d point = Eigen::Vector2d::Zero();
   double cosine = 0.0;
   double sine = 0.0;
   int count = 0;
   for (int t = 0; t < episode.frame_count(); ++t) {
     if (episode.was_tracked(t)) {
       const auto base = episode.backbone.row(t).head<3>().cast<double>();
-      place += base.head<2>().transpose();
+      point += base.head<2>().transpose();
       cosine += std::cos(base[2]);
       sine += std::sin(base[2]);
       ++count;
@@ -105,8 +105,8 @@ Pose mean_base(const Episode& episode) {
   if (count == 0) {
     return {};
   }
-  place /= count;
-  return {place.x(), place.y(), std::atan2(sine, cosine)};
+  point /= count;
+  return {point.x(), point.y(), std::atan2(sine, cosine)};
 }
 
 std::string base_offset(const Episode& episode) {
@@ -138,9 +138,9 @@ double median_gap_m(const Episode& episode, int plate) {
 void require_backbones_of(const Recording& recording, const ArmDescription& arm,
                           const std::string& file) {
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
-    const std::string place = fmt::format("{}: {}", file, episode_path(e));
-    require_gaps(recording.episodes[e], arm, place);
-    require_motion(recording.episodes[e], arm, place);
+    const std::string where = fmt::format("{}: {}", file, episode_path(e));
+    require_gaps(recording.episodes[e], arm, where);
+    require_motion(recording.episodes[e], arm, where);
   }
 }
 

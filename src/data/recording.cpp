@@ -210,25 +210,25 @@ void require_sizes_of(const Recording& recording, const ArmDescription& arm,
 
 namespace {
 
-constexpr double kFarBeyond = 1.2;        // of the limit, …
-constexpr double kMostFarBeyond = 0.001;  // … in this share of the frames: more than single spikes
-constexpr double kNeverBelieved = 3.0;    // of the limit, even once: a spike that ruins the ranges
+constexpr double kFarBeyond = 1.2;       // of the limit, …
+constexpr double kMaxFarBeyond = 0.001;  // … in this share of the frames: more than single spikes
+constexpr double kNeverBelieved = 3.0;   // of the limit, even once: a spike that ruins the ranges
 
 void require_commands_within(const FrameMatrix& commands, const ArmDescription& arm,
-                             const std::string& file, const std::string& place) {
+                             const std::string& file, const std::string& where) {
   for (Eigen::Index i = 0; i < commands.cols(); ++i) {
     const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
     const auto sizes = commands.col(i).cwiseAbs().cast<double>();
     const auto beyond = (sizes.array() > kFarBeyond * limit).count();
     Eigen::Index worst = 0;
     const double largest = sizes.maxCoeff(&worst);
-    if (double(beyond) > kMostFarBeyond * double(commands.rows()) ||
+    if (double(beyond) > kMaxFarBeyond * double(commands.rows()) ||
         largest > kNeverBelieved * limit) {
       throw InputError(fmt::format(
           "{}: {}: {} is at {:.4g} {} in frame {}; the limit of arm '{}' is {} {}. If the "
           "arm can take that, raise the limit in its arm file; if not, the unit or the column was "
           "wrong when the recording was made: import it again",
-          file, place, segment_name(i), double(commands(worst, i)), arm.command.unit, worst,
+          file, where, segment_name(i), double(commands(worst, i)), arm.command.unit, worst,
           arm.name, limit, arm.command.unit));
     }
   }
@@ -248,10 +248,10 @@ void require_recording_of(const Recording& recording, const ArmDescription& arm,
         file, recording.arm_name, recording.arm_hash, arm.name, arm.hash(), why));
   }
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
-    const std::string place = episode_path(e);
+    const std::string where = episode_path(e);
     const Episode& episode = recording.episodes[e];
-    require_commands_within(episode.pressure_kpa, arm, file, place + ", measured");
-    require_commands_within(episode.setpoint_kpa, arm, file, place + ", set points");
+    require_commands_within(episode.pressure_kpa, arm, file, where + ", measured");
+    require_commands_within(episode.setpoint_kpa, arm, file, where + ", set points");
   }
   if (recording.frame_count() > 0 && recording.untracked_count() == recording.frame_count()) {
     throw InputError(fmt::format(

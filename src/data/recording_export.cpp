@@ -221,20 +221,20 @@ void require_valid(const Recording& recording, const LogExportSettings& settings
       throw InputError(fmt::format("{} {}; expected {}", name, value, allowed));
     }
   };
-  const double most_hz = std::max(LogExportSettings::kMostRateHz, recording.rate_hz);
+  const double max_hz = std::max(LogExportSettings::kMaxRateHz, recording.rate_hz);
   require(settings.rate_hz == 0.0 ||
-              (settings.rate_hz >= recording.rate_hz && settings.rate_hz <= most_hz),
+              (settings.rate_hz >= recording.rate_hz && settings.rate_hz <= max_hz),
           "rate_hz", settings.rate_hz,
-          fmt::format("the recording's rate, {} Hz, to {} Hz", recording.rate_hz, most_hz));
-  require(std::abs(settings.time_offset_s) <= LogExportSettings::kMostOffsetS, "time_offset_s",
-          settings.time_offset_s, fmt::format("at most ± {} s", LogExportSettings::kMostOffsetS));
+          fmt::format("the recording's rate, {} Hz, to {} Hz", recording.rate_hz, max_hz));
+  require(std::abs(settings.time_offset_s) <= LogExportSettings::kMaxOffsetS, "time_offset_s",
+          settings.time_offset_s, fmt::format("at most ± {} s", LogExportSettings::kMaxOffsetS));
   require(settings.noise_m >= 0.0 && settings.noise_m < 1.0, "noise_m", settings.noise_m,
           "0 to 1 m");
   require(settings.noise_rad >= 0.0 && settings.noise_rad < 1.0, "noise_rad", settings.noise_rad,
           "0 to 1 rad");
-  require(settings.occlusions >= 0 && settings.occlusions <= LogExportSettings::kMostOcclusions,
+  require(settings.occlusions >= 0 && settings.occlusions <= LogExportSettings::kMaxOcclusions,
           "occlusions", settings.occlusions,
-          fmt::format("0 to {}", LogExportSettings::kMostOcclusions));
+          fmt::format("0 to {}", LogExportSettings::kMaxOcclusions));
   require(settings.occlusion_s > 0.0 && std::isfinite(settings.occlusion_s), "occlusion_s",
           settings.occlusion_s, "a time > 0 s");
 }

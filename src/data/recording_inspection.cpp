@@ -81,11 +81,11 @@ class EpisodeInspector {
     for (int i = 0; i < recording_.point_count; ++i) {
       const auto now = episode_.backbone.row(t).segment<3>(3 * i);
       const auto before = episode_.backbone.row(t - 1).segment<3>(3 * i);
-      const double way_m = (now - before).head<2>().norm();
+      const double distance_m = (now - before).head<2>().norm();
       const double turn_rad = std::abs(now[2] - before[2]);
-      if (way_m > kFastestPlate_m_per_s * step_s) {
+      if (distance_m > kFastestPlate_m_per_s * step_s) {
         suspicions_.add("a plate that jumps", index_, t,
-                        fmt::format("{}: {:.3f} m in {:.3f} s", plate_name(i), way_m, step_s));
+                        fmt::format("{}: {:.3f} m in {:.3f} s", plate_name(i), distance_m, step_s));
       }
       if (turn_rad > std::numbers::pi) {
         suspicions_.add("a heading that jumps by more than half a turn (wrapped?)", index_, t,
@@ -187,8 +187,7 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
   return inspection;
 }
 
-nlohmann::ordered_json inspection_to_json(const Recording& recording,
-                                          const RecordingInspection& inspection) {
+nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspection& inspection) {
   nlohmann::ordered_json json;
   json["kind"] = "recording";
   json["arm"] = recording.arm_name;
@@ -214,7 +213,7 @@ nlohmann::ordered_json inspection_to_json(const Recording& recording,
   json["transitions"] = {{"possible", static_cast<std::int64_t>(inspection.transitions.possible)},
                          {"attempted", inspection.transitions.attempted},
                          {"covered", inspection.transitions.covered}};
-  json["valves"] = valves_to_json(inspection.valves);
+  json["valves"] = to_json(inspection.valves);
   json["suspicions"] = nlohmann::ordered_json::array();
   for (const Suspicion& suspicion : inspection.suspicions) {
     json["suspicions"].push_back({{"what", suspicion.what},

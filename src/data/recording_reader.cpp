@@ -14,12 +14,12 @@ namespace limber {
 
 namespace {
 
-constexpr hsize_t kLargestCount = 1U << 28;  // frames of an episode; above it, the file is damaged
+constexpr hsize_t kMaxCount = 1U << 28;  // frames of an episode; above it, the file is damaged
 
 constexpr std::size_t kLongestText = std::size_t{1} << 20U;  // bytes of an attribute
 
 // Deflate makes data at most 1032 times smaller; less than this on disk were never written.
-constexpr hsize_t kLargestCompression = 1100;
+constexpr hsize_t kMaxCompression = 1100;
 constexpr hsize_t kSmallData = hsize_t{1} << 26U;  // bytes; up to here other filters may do better
 
 std::string text_of(const Shape& shape) {
@@ -79,8 +79,8 @@ class Reader {
     }
   }
 
-  [[noreturn]] void refuse(const std::string& place, const std::string& message) const {
-    throw InputError(fmt::format("{}: {}: {}", name_, place, message));
+  [[noreturn]] void refuse(const std::string& where, const std::string& message) const {
+    throw InputError(fmt::format("{}: {}: {}", name_, where, message));
   }
 
   H5::Attribute attribute(const char* name) const {
@@ -95,29 +95,29 @@ class Reader {
   }
 
   /// The text of any attribute.
-  std::string text_in(const H5::Attribute& found, const std::string& place) const {
+  std::string text_in(const H5::Attribute& found, const std::string& where) const {
     if (found.getTypeClass() != H5T_STRING) {
-      refuse(place, "not a text; expected a text");
+      refuse(where, "not a text; expected a text");
     }
-    require_single(found, place);
+    require_single(found, where);
     const H5::StrType type = found.getStrType();
     if (type.getSize() > kLongestText) {
-      refuse(place,
+      refuse(where,
              fmt::format("a text of {} bytes; expected up to {}", type.getSize(), kLongestText));
     }
     std::string value;
     found.read(type, value);
     if (!is_utf8(value)) {
-      refuse(place, "not a text in UTF-8; expected one");
+      refuse(where, "not a text in UTF-8; expected one");
     }
     return value;
   }
 
   /// HDF5 reads as many values as an attribute holds, however many there is room for.
-  void require_single(const H5::Attribute& found, const std::string& place) const {
+  void require_single(const H5::Attribute& found, const std::string& where) const {
     const hssize_t count = found.getSpace().getSimpleExtentNpoints();
     if (count != 1) {
-      refuse(place, fmt::format("{} values found; expected a single one", count));
+      refuse(where, fmt::format("{} values found; expected a single one", count));
     }
   }
 
@@ -199,7 +199,7 @@ class Reader {
     }
     bool fits = shape.size() == wanted.size();
     for (std::size_t i = 0; fits && i < shape.size(); ++i) {
-      fits = shape[i] <= kLargestCount && (wanted[i] == 0 || shape[i] == wanted[i]);
+      fits = shape[i] <= kMaxCount && (wanted[i] == 0 || shape[i] == wanted[i]);
     }
     if (!fits) {
       refuse(path, fmt::format("shape {} found; expected {}", text_of(shape), meaning));
@@ -219,8 +219,7 @@ class Reader {
     const auto numbers = static_cast<hsize_t>(found.getSpace().getSimpleExtentNpoints());
     const hsize_t bytes = numbers * found.getDataType().getSize();
     const hsize_t stored = found.getStorageSize();
-    if (numbers > 0 &&
-        (stored == 0 || (bytes > kSmallData && bytes / kLargestCompression > stored))) {
+    if (numbers > 0 && (stored == 0 || (bytes > kSmallData && bytes / kMaxCompression > stored))) {
       refuse(path, fmt::format("{} numbers by its shape, but {} bytes in the file: they were never "
                                "written, or the file is damaged",
                                numbers, stored));

@@ -24,8 +24,8 @@ struct Coordinates {
   bool limits_venting = true;
 
   static constexpr int kCount = 6;
-  static constexpr double kFirstBand = 2e-3;     // of the limit
-  static constexpr double kSmallestBand = 1e-4;  // of the limit: none
+  static constexpr double kFirstBand = 2e-3;  // of the limit
+  static constexpr double kMinBand = 1e-4;    // of the limit: none
 
   SegmentValves valves(const Eigen::VectorXd& x) const {
     const auto time = [](double v) { return std::clamp(std::exp(v), kFastestS, kSlowestS); };
@@ -33,7 +33,7 @@ struct Coordinates {
     result.inflating = {time(x[0]), limits_inflating ? limit_kpa * std::exp(x[2]) : kNoLimit};
     result.venting = {time(x[1]), limits_venting ? limit_kpa * std::exp(x[3]) : kNoLimit};
     result.dead_time_s = std::clamp(x[4] / rate_hz, 0.0, kLongestDeadTimeS);
-    result.dead_band_kpa = x[5] < std::log(kSmallestBand) ? 0.0 : limit_kpa * std::exp(x[5]);
+    result.dead_band_kpa = x[5] < std::log(kMinBand) ? 0.0 : limit_kpa * std::exp(x[5]);
     return result;
   }
   Eigen::VectorXd of(const SegmentValves& valves) const {
@@ -43,7 +43,7 @@ struct Coordinates {
         std::log(std::max(valves.venting.time_constant_s, kFastestS)),
         rate(valves.inflating.rate_limit_kpa_per_s), rate(valves.venting.rate_limit_kpa_per_s),
         valves.dead_time_s * rate_hz,
-        std::log(std::max(valves.dead_band_kpa / limit_kpa, kSmallestBand));
+        std::log(std::max(valves.dead_band_kpa / limit_kpa, kMinBand));
     return x;
   }
 };
@@ -106,11 +106,11 @@ class Fitter {
   }
 
   /// Levenberg–Marquardt with finite differences.
-  Eigen::VectorXd optimise(Eigen::VectorXd x, int most_evaluations) const {
+  Eigen::VectorXd optimise(Eigen::VectorXd x, int max_evaluations) const {
     constexpr double kStepSquared = 1e-10;  // relative steps of 1e-5: far above rounding
     Eigen::NumericalDiff<OutputErrors> function(errors_, kStepSquared);
     Eigen::LevenbergMarquardt<Eigen::NumericalDiff<OutputErrors>> search(function);
-    search.parameters.maxfev = most_evaluations;
+    search.parameters.maxfev = max_evaluations;
     search.parameters.ftol = kConverged;
     search.parameters.xtol = kConverged;
     search.minimize(x);
@@ -123,7 +123,7 @@ class Fitter {
   void rescale(const Eigen::VectorXd& x) {
     constexpr double kDeviationsPerMedian = 1.4826;  // of a normal distribution
     constexpr double kTypicalErrors = 3.0;
-    constexpr double kLeast = 5e-4;     // of the limit: finer than any sensor
+    constexpr double kMin = 5e-4;       // of the limit: finer than any sensor
     constexpr double kUnderWay = 0.02;  // of the limit, from the set point
     const ValveMotion motion(errors_.coordinates.valves(x), errors_.has_sides,
                              1.0 / errors_.coordinates.rate_hz);
@@ -145,7 +145,7 @@ class Fitter {
     const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
     std::nth_element(sizes.begin(), middle, sizes.end());
     errors_.scale_kpa = std::max(kTypicalErrors * kDeviationsPerMedian * *middle,
-                                 kLeast * errors_.coordinates.limit_kpa);
+                                 kMin * errors_.coordinates.limit_kpa);
   }
 
   Coordinates& coordinates() { return errors_.coordinates; }
@@ -180,8 +180,8 @@ double fastest_kpa_per_s(const std::vector<ValveRun>& runs, double rate_hz, doub
 }
 
 /// The first so many frames' worth of runs, evenly picked: for the coarse search.
-std::vector<ValveRun> thinned(const std::vector<ValveRun>& runs, int most_frames) {
-  const int step = 1 + error_count(runs) / most_frames;
+std::vector<ValveRun> thinned(const std::vector<ValveRun>& runs, int max_frames) {
+  const int step = 1 + error_count(runs) / max_frames;
   std::vector<ValveRun> chosen;
   for (std::size_t i = 0; i < runs.size(); i += std::size_t(step)) {
     chosen.push_back(runs[i]);

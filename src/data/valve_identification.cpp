@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kChangedWithinS = 0.5;
 constexpr double kChange = 1e-3;          // of the limit, from one frame to the next
-constexpr int kFewestChanges = 20;        // frames with one
+constexpr int kMinChanges = 20;           // frames with one
 constexpr double kCopy = 1e-4;            // of the largest pressure
 constexpr double kSuspiciousMean = 0.02;  // of the limit
 
@@ -25,7 +25,7 @@ bool changes_at(const Episode& episode, int segment, int frame, double limit) {
                                episode.setpoint_kpa(frame - 1, segment)) > kChange * limit;
 }
 
-std::vector<double> largest_setpoints(const Recording& recording) {
+std::vector<double> max_setpoints(const Recording& recording) {
   std::vector<double> limits(std::size_t(recording.segment_count), 0.0);
   for (const Episode& episode : recording.episodes) {
     for (int i = 0; i < recording.segment_count; ++i) {
@@ -50,7 +50,7 @@ int change_count(const Recording& recording, int segment, double limit) {
 std::vector<ValveRun> runs_of(const std::vector<Episode>& episodes,
                               const std::vector<FrameRange>& ranges, int segment) {
   constexpr int kRunFrames = 600;
-  constexpr int kMostFrames = 20000;
+  constexpr int kMaxFrames = 20000;
   std::vector<ValveRun> runs;
   int frames = 0;
   for (const FrameRange& range : ranges) {
@@ -63,9 +63,9 @@ std::vector<ValveRun> runs_of(const std::vector<Episode>& episodes,
     }
   }
   std::vector<ValveRun> chosen;
-  const std::size_t wanted = frames <= kMostFrames
+  const std::size_t wanted = frames <= kMaxFrames
                                  ? runs.size()
-                                 : runs.size() * std::size_t(kMostFrames) / std::size_t(frames);
+                                 : runs.size() * std::size_t(kMaxFrames) / std::size_t(frames);
   for (std::size_t k = 0; k < wanted; ++k) {
     chosen.push_back(runs[k * runs.size() / wanted]);
   }
@@ -172,7 +172,7 @@ class Identification {
     for (int i = 0; i < recording_.segment_count; ++i) {
       const int count = change_count(recording_, i, limits_[std::size_t(i)]);
       changes = std::max(changes, count);
-      if (count >= kFewestChanges) {
+      if (count >= kMinChanges) {
         told_.push_back(i);
       }
     }
@@ -181,7 +181,7 @@ class Identification {
     }
     if (told_.empty()) {
       return fmt::format("set points change in {} frames at most; expected {} or more", changes,
-                         kFewestChanges);
+                         kMinChanges);
     }
     if (split_.fitted.empty() || split_.held_back.empty()) {
       return "the episodes are too short to fit valves to a part and judge them by the rest";
@@ -243,10 +243,10 @@ class Identification {
   /// Valves cannot know a set point before it is given.
   void look_for_late_setpoints(IdentifiedValves& result) const {
     constexpr double kMuchBetter = 0.8;
-    constexpr int kMostFrames = 10;
+    constexpr int kMaxFrames = 10;
     double best = result.findings.held_back.mean_kpa;
     int best_frames = 0;
-    for (int early = 1; early <= kMostFrames; ++early) {
+    for (int early = 1; early <= kMaxFrames; ++early) {
       const double mean = collector_.errors(result.parameters, split_.held_back, early).mean_kpa;
       if (mean < kMuchBetter * result.findings.held_back.mean_kpa && mean < best) {
         best = mean;
@@ -283,17 +283,17 @@ bool setpoints_are_measured(const std::vector<Episode>& episodes) {
 
 ValveSplit split_for_valves(const std::vector<Episode>& episodes) {
   constexpr int kHeldBack = 5;  // one in so many
-  constexpr int kFewestFrames = 20;
+  constexpr int kMinFrames = 20;
   ValveSplit split;
   const bool whole = episodes.size() >= kHeldBack;
   for (int e = 0; e < int(episodes.size()); ++e) {
     const int frames = episodes[std::size_t(e)].frame_count();
     const bool held = e % kHeldBack == kHeldBack - 1;
     const int fitted = whole ? (held ? 0 : frames) : frames - frames / kHeldBack;
-    if (fitted >= kFewestFrames) {
+    if (fitted >= kMinFrames) {
       split.fitted.push_back({e, 0, fitted});
     }
-    if (frames - fitted >= kFewestFrames) {
+    if (frames - fitted >= kMinFrames) {
       split.held_back.push_back({e, fitted, frames - fitted});
     }
   }
@@ -302,13 +302,13 @@ ValveSplit split_for_valves(const std::vector<Episode>& episodes) {
 
 ValveErrors valve_errors(const ValveParameters& valves, const Recording& recording,
                          const std::vector<FrameRange>& ranges) {
-  const std::vector<double> limits = largest_setpoints(recording);
+  const std::vector<double> limits = max_setpoints(recording);
   return ErrorCollector(recording, limits).errors(valves, ranges);
 }
 
 IdentifiedValves identify_valves(const Recording& recording, std::vector<double> limits_kpa) {
   if (limits_kpa.empty()) {
-    limits_kpa = largest_setpoints(recording);
+    limits_kpa = max_setpoints(recording);
   }
   if (int(limits_kpa.size()) != recording.segment_count) {
     throw InputError(fmt::format("valves: {} limits; the recording has {} segments",

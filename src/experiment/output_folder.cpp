@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kSchema = "limber/output/1";
-constexpr std::size_t kMostNamed = 3;  // of the files that stay
+constexpr std::size_t kMaxNamed = 3;  // of the files that stay
 
 /// Without links, dots and a slash at the end, as far as it exists.
 fs::path whole(const fs::path& path) {
@@ -212,13 +212,13 @@ std::string OutputFolder::about_left() const {
     return "";
   }
   std::string names;
-  for (std::size_t i = 0; i < std::min(left_.size(), kMostNamed); ++i) {
+  for (std::size_t i = 0; i < std::min(left_.size(), kMaxNamed); ++i) {
     names += (i == 0 ? "" : ", ") + left_[i];
   }
   return fmt::format(
       "{}: left as they are, not written by limber {} or changed since: {}{}", folder_.string(),
       verb_, names,
-      left_.size() > kMostNamed ? fmt::format(" and {} more", left_.size() - kMostNamed) : "");
+      left_.size() > kMaxNamed ? fmt::format(" and {} more", left_.size() - kMaxNamed) : "");
 }
 
 void OutputFolder::require_free(const std::vector<std::string>& names) const {

@@ -243,7 +243,7 @@ class Experiment {
       trials.push_back(read(task));
     }
     const std::vector<PlanningRow> rows = planning_rows(trials);
-    const Json table = planning_table_to_json(rows);
+    const Json table = to_json(rows);
     output_->write("table.json", table.dump(1) + "\n");
     const std::string title =
         fmt::format("Planning and execution, arm {}, {} trials a cell, seed {}", settings_.arm.name,

@@ -11,11 +11,11 @@ constexpr int kTileQueries = 64;
 
 // Rows pay where at least two vectors of queries are nearly full; below, columns keep more lanes
 // busy.
-int fewest_rows(int lanes) {
+int min_rows(int lanes) {
   return 2 * lanes;
 }
-int most_columns(int lanes) {
-  return fewest_rows(lanes) * 7 / 8;
+int max_columns(int lanes) {
+  return min_rows(lanes) * 7 / 8;
 }
 
 NoLoadSegment pack(const Segment& segment, NoLoadKind kind) {
@@ -72,12 +72,12 @@ void ForwardPipeline::run(int count, const QueryColumns& queries, float* scratch
     int tile = std::min(kTileQueries, count - j);
     if (!network_) {
       run_no_load(tile, queries.from(j), scratch);
-    } else if (tile <= most_columns(rows_.lanes)) {
+    } else if (tile <= max_columns(rows_.lanes)) {
       run_few(tile, queries.from(j), scratch);
     } else {
       // A remainder of few queries comes after the full vectors.
-      const int rest = tile % fewest_rows(rows_.lanes);
-      tile -= tile > rest && rest <= most_columns(rows_.lanes) ? rest : 0;
+      const int rest = tile % min_rows(rows_.lanes);
+      tile -= tile > rest && rest <= max_columns(rows_.lanes) ? rest : 0;
       run_many(tile, queries.from(j), scratch);
     }
     j += tile;

@@ -9,7 +9,7 @@ namespace limber {
 namespace {
 
 /// Size n without a heap.
-using SmallPressures = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, kMostSegments, 1>;
+using SmallPressures = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, kMaxSegments, 1>;
 
 /// What a segment's bending by `turn_rad` and growing by `grown_m` about its middle does to `tip`.
 void turn_about(const Eigen::RowVector3d& middle, double turn_rad, double grown_m, Pose& tip) {

@@ -32,9 +32,9 @@ void add_pressures(const LearntRegion& learnt, const Plan& plan, Eigen::Index i,
     range.cover(frame.setpoint_kpa[i]);
     range.cover(frame.pressure_kpa[i]);
   }
-  const auto add = [&](const char* way, float value) {
-    found.push_back(fmt::format("{} {} {:.1f} {}; recorded {:.1f} … {:.1f}", segment_name(i), way,
-                                value, unit, learnt.low_kpa[i], learnt.high_kpa[i]));
+  const auto add = [&](const char* direction, float value) {
+    found.push_back(fmt::format("{} {} {:.1f} {}; recorded {:.1f} … {:.1f}", segment_name(i),
+                                direction, value, unit, learnt.low_kpa[i], learnt.high_kpa[i]));
   };
   if (range.low < learnt.low_kpa[i] - slack_kpa(learnt, i)) {
     add("down to", range.low);
@@ -51,9 +51,9 @@ void add_rates(const LearntRegion& learnt, const Plan& plan, Eigen::Index i,
     rate.cover((plan.frames[k].pressure_kpa[i] - plan.frames[k - 1].pressure_kpa[i]) *
                float(plan.frame_rate_hz));
   }
-  const auto add = [&](const char* way, float value, float recorded) {
+  const auto add = [&](const char* direction, float value, float recorded) {
     found.push_back(fmt::format("{} {} by {:.1f} {} a second; recorded up to {:.1f}",
-                                segment_name(i), way, value, unit, recorded));
+                                segment_name(i), direction, value, unit, recorded));
   };
   if (-rate.low > kRateSlack * learnt.steepest_fall_kpa_per_s[i]) {
     add("falls", -rate.low, learnt.steepest_fall_kpa_per_s[i]);
@@ -103,8 +103,8 @@ PressureBox RecordedRegion::setpoints_of(const ArmDescription& arm) const {
   return pressure_box(arm).within({learnt_.low_kpa, learnt_.high_kpa});
 }
 
-std::vector<std::string> ways_beyond(const LearntRegion& learnt, const Plan& plan,
-                                     const std::string& unit) {
+std::vector<std::string> excursions_beyond(const LearntRegion& learnt, const Plan& plan,
+                                           const std::string& unit) {
   std::vector<std::string> found;
   for (Eigen::Index i = 0; i < learnt.segment_count(); ++i) {
     add_pressures(learnt, plan, i, unit, found);

@@ -17,7 +17,7 @@ namespace {
 // damping, and on which frame another machine stops at, and shows in the fit's seventh digit.
 constexpr double kStillStrain = 1e-13;
 constexpr double kLongestRestS = 60.0;
-constexpr int kFewestSteps = 4;
+constexpr int kMinSteps = 4;
 
 /// The arm that stands on the bench: one segment, nothing that depends on history.
 ArmDescription bench_arm(const ArmDescription& arm, int segment) {
@@ -63,9 +63,8 @@ std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int s
     throw InputError(fmt::format("bench test: {}; arm '{}' has segments 0 to {}",
                                  segment_name(segment), arm.name, arm.segment_count() - 1));
   }
-  if (steps < kFewestSteps) {
-    throw InputError(
-        fmt::format("bench test: {} steps; expected at least {}", steps, kFewestSteps));
+  if (steps < kMinSteps) {
+    throw InputError(fmt::format("bench test: {} steps; expected at least {}", steps, kMinSteps));
   }
   VirtualArm bench(bench_arm(arm, segment));
   const double limit = arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;

@@ -30,7 +30,7 @@ void CollisionWatch::observe(double time_s, const Eigen::Ref<const BackboneD>& b
     const double closest = closest_->clearance.value_m;
     const double still_certain =
         closest >= 0.0 ? std::max(0.0, closest - kSlackM) : closest - kSlackM;
-    if (checked_value_m_ - largest_motion_m(backbone) > still_certain) {
+    if (checked_value_m_ - max_motion_m(backbone) > still_certain) {
       return;
     }
   }
@@ -48,7 +48,7 @@ void CollisionWatch::observe(double time_s, const Eigen::Ref<const BackboneD>& b
 
 // No point of an arc between two plates moves farther than its plates do, twice over where they
 // move apart (its bulge turns with the chord), plus 0.3 of the chord per radian that it turns more.
-double CollisionWatch::largest_motion_m(const Eigen::Ref<const BackboneD>& backbone) const {
+double CollisionWatch::max_motion_m(const Eigen::Ref<const BackboneD>& backbone) const {
   const auto way = (backbone - checked_).eval();
   const double plates_m = way.leftCols<2>().rowwise().norm().maxCoeff();
   const double turn_rad = way.col(2).cwiseAbs().maxCoeff();

@@ -62,19 +62,19 @@ Episode EpisodeRecorder::finish() {
   return episode;
 }
 
-void fill_missing_rows(const std::vector<double>& time_s, const std::vector<std::uint8_t>& present,
+void fill_missing_rows(const std::vector<double>& time_s, const std::vector<std::uint8_t>& tracked,
                        FrameMatrix& values) {
-  const auto frames = static_cast<Eigen::Index>(present.size());
-  const auto is_present = [&](Eigen::Index t) { return present[static_cast<std::size_t>(t)] != 0; };
+  const auto frames = static_cast<Eigen::Index>(tracked.size());
+  const auto is_tracked = [&](Eigen::Index t) { return tracked[static_cast<std::size_t>(t)] != 0; };
   const auto time = [&](Eigen::Index t) { return time_s[static_cast<std::size_t>(t)]; };
   Eigen::Index before = -1;
   for (Eigen::Index t = 0; t < frames; ++t) {
-    if (is_present(t)) {
+    if (is_tracked(t)) {
       before = t;
       continue;
     }
     Eigen::Index after = t + 1;
-    while (after < frames && !is_present(after)) {
+    while (after < frames && !is_tracked(after)) {
       ++after;
     }
     assert(before >= 0 || after < frames);

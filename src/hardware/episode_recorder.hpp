@@ -38,8 +38,8 @@ class EpisodeRecorder {
 };
 
 /// Fills the rows of `values` whose `present` is 0: linearly between the present rows around them,
-/// with the nearest at the ends. @pre one row is present.
-void fill_missing_rows(const std::vector<double>& time_s, const std::vector<std::uint8_t>& present,
+/// with the nearest at the ends. @pre one row is tracked.
+void fill_missing_rows(const std::vector<double>& time_s, const std::vector<std::uint8_t>& tracked,
                        FrameMatrix& values);
 
 }  // namespace limber

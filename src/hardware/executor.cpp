@@ -121,27 +121,27 @@ class Execution {
 
   /// Takes in the arm's shape of this frame, where there is one.
   void see() {
-    if (std::optional<BackboneD> seen = look_()) {
-      watch_.observe(driver_.state().time_s, *seen);
-      seen_ = std::move(seen);
-      seen_frame_ = result_.frames;
+    if (std::optional<BackboneD> measured = look_()) {
+      watch_.observe(driver_.state().time_s, *measured);
+      measured_ = std::move(measured);
+      measured_frame_ = result_.frames;
     }
   }
 
   void note_start() {
     see();
-    if (seen_) {
+    if (measured_) {
       const BackboneD planned = plan_.frames.front().backbone.cast<double>();
-      result_.start_error_m = (*seen_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
+      result_.start_error_m = (*measured_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
     }
   }
 
   void compare_with_prediction(std::size_t frame) {
-    if (!seen_ || seen_frame_ != result_.frames) {
+    if (!measured_ || measured_frame_ != result_.frames) {
       return;
     }
-    const double distance_m = tip_distance_m(plan_.frames[frame].backbone, *seen_);
-    prediction_.largest_m = std::max(prediction_.largest_m, distance_m);
+    const double distance_m = tip_distance_m(plan_.frames[frame].backbone, *measured_);
+    prediction_.max_m = std::max(prediction_.max_m, distance_m);
     prediction_.final_m = distance_m;
     prediction_sum_m_ += distance_m;
     ++prediction_count_;
@@ -159,9 +159,9 @@ class Execution {
   }
 
   void judge() {
-    if (seen_) {
-      result_.final_backbone = seen_->cast<float>();
-      result_.goal_error = pose_error(environment_.goal, tip_pose(*seen_));
+    if (measured_) {
+      result_.final_backbone = measured_->cast<float>();
+      result_.goal_error = pose_error(environment_.goal, tip_pose(*measured_));
       result_.goal_reached = result_.status == ExecutionStatus::done &&
                              is_within(environment_.goal, result_.goal_error);
       result_.episode = measured_ ? recorder_.finish() : Episode{};
@@ -190,8 +190,8 @@ class Execution {
   CollisionWatch watch_;
   EpisodeRecorder recorder_;
   ExecutionResult result_;
-  std::optional<BackboneD> seen_;
-  int seen_frame_ = -1;
+  std::optional<BackboneD> measured_;
+  int measured_frame_ = -1;
   bool started_ = false;
   bool measured_ =
       false;  // in some frame; a virtual arm knows its shape even where none was delivered

@@ -15,9 +15,9 @@ namespace {
 
 constexpr int kStates = 3;  // of a segment: off, right, left
 constexpr int kTransitionEpisodes = 16;
-constexpr int kLargestFullSchedule = 3;  // segments; 729 transitions
-constexpr int kLargestWalk = 6;          // segments; 531 441 edges held in memory
-constexpr int kLargestCount = 10'000'000;
+constexpr int kMaxFullSchedule = 3;  // segments; 729 transitions
+constexpr int kMaxWalk = 6;          // segments; 531 441 edges held in memory
+constexpr int kMaxCount = 10'000'000;
 constexpr double kLongestHold_s = 3600.0;
 constexpr std::uint64_t kScheduleStream = 0x7363'6865'6475'6c65;  // apart from a driver's streams
 
@@ -71,9 +71,9 @@ void require(bool condition, const std::string& message) {
 }
 
 void check(const ScheduleSettings& settings) {
-  require(settings.count >= 0 && settings.count <= kLargestCount,
+  require(settings.count >= 0 && settings.count <= kMaxCount,
           fmt::format("--count {}: expected a number of motions from 1 to {}", settings.count,
-                      kLargestCount));
+                      kMaxCount));
   require(settings.episodes >= 0 && settings.episodes <= 1'000'000,
           fmt::format("--episodes {}: expected from 1 to 1000000", settings.episodes));
   require(settings.hold_s > 0.0 && settings.hold_s <= kLongestHold_s,
@@ -98,7 +98,7 @@ int transition_count(const ArmDescription& arm, const ScheduleSettings& settings
   const int n = arm.segment_count();
   const double all = std::pow(static_cast<double>(kStates), 2 * n);
   if (settings.count == 0) {
-    require(n <= kLargestFullSchedule,
+    require(n <= kMaxFullSchedule,
             fmt::format("--schedule transitions: arm '{}' has {} segments, so {:.0f} ordered "
                         "transitions, {:.1f} h at {} s each; give --count N to take N of them",
                         arm.name, n, all, all * settings.hold_s / 3600.0, settings.hold_s));
@@ -117,9 +117,8 @@ std::vector<EpisodeSchedule> transition_schedule(const ArmDescription& arm,
   const int count = transition_count(arm, settings);
   RandomStream random(seed, kScheduleStream);
   const std::int64_t vertices = power(kStates, n);
-  const std::vector<int> walk = n <= kLargestWalk
-                                    ? eulerian_circuit(static_cast<int>(vertices), random)
-                                    : random_walk(vertices, count, random);
+  const std::vector<int> walk = n <= kMaxWalk ? eulerian_circuit(static_cast<int>(vertices), random)
+                                              : random_walk(vertices, count, random);
   const int wanted = settings.episodes == 0 ? kTransitionEpisodes : settings.episodes;
   const int episodes = std::min(wanted, count);
   std::vector<EpisodeSchedule> result(static_cast<std::size_t>(episodes));

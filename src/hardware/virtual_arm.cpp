@@ -27,10 +27,10 @@ void check_option(const char* name, double value, double high) {
 
 void check_options(const VirtualArmOptions& options) {
   constexpr double kLongestLatencyS = 10.0;
-  constexpr double kLargestNoise = 1e3;
-  check_option("noise_m", options.noise_m, kLargestNoise);
-  check_option("noise_rad", options.noise_rad, kLargestNoise);
-  check_option("noise_kpa", options.noise_kpa, kLargestNoise);
+  constexpr double kMaxNoise = 1e3;
+  check_option("noise_m", options.noise_m, kMaxNoise);
+  check_option("noise_rad", options.noise_rad, kMaxNoise);
+  check_option("noise_kpa", options.noise_kpa, kMaxNoise);
   check_option("drop_rate", options.drop_rate, 1.0);
   check_option("latency_s", options.latency_s, kLongestLatencyS);
 }
@@ -213,8 +213,8 @@ class VirtualArm::Simulation {
       backbone(row, 1) += noise(options_.noise_m);
       backbone(row, 2) += noise(options_.noise_rad);
     }
-    const bool dropped = options_.drop_rate > 0.0 && noise_.uniform() < options_.drop_rate;
-    if (!dropped) {
+    const bool lost = options_.drop_rate > 0.0 && noise_.uniform() < options_.drop_rate;
+    if (!lost) {
       state.backbone = backbone.cast<float>();
     }
     return state;

@@ -28,11 +28,11 @@ constexpr double kShortestArc = 0.05;  // chord over length; beyond, the points 
 
 /// Which rows are whole, as seen or after short gaps were bridged.
 struct RowState {
-  std::vector<bool> usable;
-  std::vector<bool> filled_in;
+  std::vector<bool> tracked;
+  std::vector<bool> bridged;
 };
 
-bool is_seen(const PointTracks& tracks, Eigen::Index t, Eigen::Index i) {
+bool is_tracked(const PointTracks& tracks, Eigen::Index t, Eigen::Index i) {
   return std::isfinite(tracks.x_m(t, i)) && std::isfinite(tracks.y_m(t, i)) &&
          (!tracks.has_headings() || std::isfinite(tracks.theta_rad(t, i)));
 }
@@ -61,7 +61,7 @@ RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTrac
     Eigen::Index before = -1;
     std::int64_t missing = 0;
     for (Eigen::Index t = 0; t <= rows; ++t) {
-      if (t < rows && !is_seen(tracks, t, i)) {
+      if (t < rows && !is_tracked(tracks, t, i)) {
         ++missing;
         continue;
       }
@@ -72,7 +72,7 @@ RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTrac
         bridge(before, t, i, tracks);
       }
       for (Eigen::Index gap = before + 1; gap < t; ++gap) {
-        (short_gap ? state.filled_in : state.usable)[std::size_t(gap)] = short_gap;
+        (short_gap ? state.bridged : state.tracked)[std::size_t(gap)] = short_gap;
       }
       before = t;
     }
@@ -86,8 +86,8 @@ RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTrac
                       log, name, plate_name(tracks.plates[std::size_t(i)])));
     }
   }
-  const auto filled = std::count(state.filled_in.begin(), state.filled_in.end(), true);
-  const auto lost = std::count(state.usable.begin(), state.usable.end(), false);
+  const auto filled = std::count(state.bridged.begin(), state.bridged.end(), true);
+  const auto lost = std::count(state.tracked.begin(), state.tracked.end(), false);
   if (filled > 0) {
     report.note(
         fmt::format("rows in which a point was missing for at most {} s and was put between "
@@ -110,11 +110,11 @@ RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTrac
 // ---- distances
 // --------------------------------------------------------------------------------
 
-double median_distance_m(const PointTracks& tracks, const std::vector<bool>& usable,
+double median_distance_m(const PointTracks& tracks, const std::vector<bool>& tracked,
                          Eigen::Index i) {
   std::vector<double> distances;
   for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
-    if (usable[std::size_t(t)]) {
+    if (tracked[std::size_t(t)]) {
       distances.push_back(std::hypot(tracks.x_m(t, i + 1) - tracks.x_m(t, i),
                                      tracks.y_m(t, i + 1) - tracks.y_m(t, i)));
     }
@@ -125,7 +125,7 @@ double median_distance_m(const PointTracks& tracks, const std::vector<bool>& usa
 }
 
 /// Distances between neighbouring points, where no arc can be longer than the arm at rest.
-void require_distances(const std::string& log, const std::vector<bool>& usable,
+void require_distances(const std::string& log, const std::vector<bool>& tracked,
                        const ImportMapping& mapping, const ArmDescription& arm,
                        const PointTracks& tracks, RunReport& report) {
   const std::vector<double> rest = rest_positions_m(arm);
@@ -136,7 +136,7 @@ void require_distances(const std::string& log, const std::vector<bool>& usable,
     const int from = tracks.plates[std::size_t(i)];
     const int to = tracks.plates[std::size_t(i + 1)];
     const double rest_m = rest[std::size_t(to)] - rest[std::size_t(from)];
-    const double distance_m = median_distance_m(tracks, usable, i);
+    const double distance_m = median_distance_m(tracks, tracked, i);
     const double ratio = distance_m / rest_m;
     measured_m += distance_m;
     if (ratio > kLongestChord || ratio < kShortestChord) {
@@ -301,7 +301,7 @@ Eigen::MatrixXd poses_of_plates(const PointTracks& tracks, const RowState& state
   Eigen::MatrixXd poses =
       Eigen::MatrixXd::Constant(tracks.row_count(), 3 * arm.point_count(), kNan);
   for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
-    if (!state.usable[std::size_t(t)]) {
+    if (!state.tracked[std::size_t(t)]) {
       continue;
     }
     const auto pose_at = [&](Eigen::Index i) {
@@ -349,8 +349,8 @@ BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
   }
   RowState state = fill_short_gaps(log, mapping.longest_gap_s, tracks, report);
   // Before the base is looked for: a wrong unit or order would show there as something odder.
-  require_distances(log, state.usable, mapping, arm, tracks, report);
-  align_base(log, state.usable, mapping.alignment, arm, tracks, report);
+  require_distances(log, state.tracked, mapping, arm, tracks, report);
+  align_base(log, state.tracked, mapping.alignment, arm, tracks, report);
   if (tracks.has_headings()) {
     unwrap_along_arm(tracks);
   } else {
@@ -364,8 +364,8 @@ BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
   BackboneTrack track;
   track.poses = poses_of_plates(tracks, state, arm);
   track.time_s = std::move(tracks.time_s);
-  track.usable = std::move(state.usable);
-  track.filled_in = std::move(state.filled_in);
+  track.tracked = std::move(state.tracked);
+  track.bridged = std::move(state.bridged);
   return track;
 }
 

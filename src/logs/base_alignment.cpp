@@ -37,12 +37,12 @@ class MeanAngle {
 
 class BaseFinder {
  public:
-  BaseFinder(const std::string& log, const std::vector<bool>& usable,
+  BaseFinder(const std::string& log, const std::vector<bool>& tracked,
              const BaseAlignment& alignment, const ArmDescription& arm, const PointTracks& tracks)
       : log_(log), alignment_(alignment), arm_(arm), tracks_(tracks) {
     for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
       const bool straight = alignment.kind != BaseAlignment::Kind::straight || is_straight_at(t);
-      if (usable[std::size_t(t)] && straight) {
+      if (tracked[std::size_t(t)] && straight) {
         rows_.push_back(t);
       }
     }
@@ -179,10 +179,10 @@ void add_base(PointTracks& tracks) {
 }
 
 /// The base is bolted down: what is left of its motion is noise, unless there is too much of it.
-void settle_base(const std::vector<bool>& usable, PointTracks& tracks, RunReport& report) {
+void settle_base(const std::vector<bool>& tracked, PointTracks& tracks, RunReport& report) {
   std::vector<double> distances;
   for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
-    if (usable[std::size_t(t)]) {
+    if (tracked[std::size_t(t)]) {
       distances.push_back(std::hypot(tracks.x_m(t, 0), tracks.y_m(t, 0)));
     }
   }
@@ -202,10 +202,10 @@ void settle_base(const std::vector<bool>& usable, PointTracks& tracks, RunReport
 
 }  // namespace
 
-void align_base(const std::string& log, const std::vector<bool>& usable,
+void align_base(const std::string& log, const std::vector<bool>& tracked,
                 const BaseAlignment& alignment, const ArmDescription& arm, PointTracks& tracks,
                 RunReport& report) {
-  const BaseFinder finder(log, usable, alignment, arm, tracks);
+  const BaseFinder finder(log, tracked, alignment, arm, tracks);
   report.base = finder.find();
   if (alignment.kind == BaseAlignment::Kind::straight && tracks.has_headings()) {
     tracks.theta_rad.rowwise() -= finder.heading_offsets().transpose();
@@ -215,7 +215,7 @@ void align_base(const std::string& log, const std::vector<bool>& usable,
   if (tracks.plates.front() != 0) {
     add_base(tracks);
   }
-  settle_base(usable, tracks, report);
+  settle_base(tracked, tracks, report);
 }
 
 }  // namespace limber

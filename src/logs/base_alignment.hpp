@@ -9,11 +9,11 @@
 
 namespace limber {
 
-/// Turns and moves the tracks into frame B, found by `alignment` from the usable rows. Adds the
+/// Turns and moves the tracks into frame B, found by `alignment` from the tracked rows. Adds the
 /// base where it was not a point (fixed, none), and puts it exactly at the origin where it stood
 /// still. Notes the pose found and the base's scatter.
 /// @throws InputError, its message beginning with `log`, where frame B can't be found.
-void align_base(const std::string& log, const std::vector<bool>& usable,
+void align_base(const std::string& log, const std::vector<bool>& tracked,
                 const BaseAlignment& alignment, const ArmDescription& arm, PointTracks& tracks,
                 RunReport& report);
 

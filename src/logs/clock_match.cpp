@@ -16,8 +16,8 @@ namespace {
 constexpr double kRate_hz = 100.0;
 constexpr double kRounding_s = 1e-6;
 constexpr double kDifference_s = 0.1;
-constexpr double kLeastOverlap = 0.5;
-constexpr double kLeastOverlap_s = 5.0;
+constexpr double kMinOverlap = 0.5;
+constexpr double kMinOverlap_s = 5.0;
 constexpr double kPeakWidth_s = 1.0;
 constexpr double kPeakHalfWidth_s = 0.5;
 constexpr double kTypicalLag_s = 0.1;  // of each stage; limber's virtual arms have 0.08 to 0.13
@@ -179,8 +179,8 @@ Eigen::VectorXd normalised_correlation(const TurnRates& a, const TurnRates& b, b
   const std::vector<double> b_energy = energy_before(b.values);
   const Eigen::Index shorter = std::min(a.values.rows(), b.values.rows());
   const auto least = std::min<Eigen::Index>(
-      shorter, static_cast<Eigen::Index>(
-                   std::max(kLeastOverlap_s * kRate_hz, kLeastOverlap * double(shorter))));
+      shorter,
+      static_cast<Eigen::Index>(std::max(kMinOverlap_s * kRate_hz, kMinOverlap * double(shorter))));
   for (Eigen::Index k = 0; k < sum.size(); ++k) {
     const Eigen::Index shift = k - (b.values.rows() - 1);
     const Eigen::Index begin = std::max<Eigen::Index>(0, shift);

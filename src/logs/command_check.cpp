@@ -13,8 +13,8 @@ namespace limber {
 
 namespace {
 
-constexpr double kFarBeyond = 1.2;     // of the limit; a measured pressure overshoots by less
-constexpr double kMostBeyond = 0.001;  // of the rows; spikes happen
+constexpr double kFarBeyond = 1.2;    // of the limit; a measured pressure overshoots by less
+constexpr double kMaxBeyond = 0.001;  // of the rows; spikes happen
 constexpr double kOvershoot = 1.05;
 constexpr double kConstant = 0.02;  // of the limit, range over the whole log
 constexpr double kHighPercentile = 0.99;
@@ -80,7 +80,7 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
                     CommandTrack& commands, RunReport& report) {
   const std::string& unit = arm.command.unit;
   int constant = 0;
-  double largest_ratio = 0.0;
+  double max_ratio = 0.0;
   for (Eigen::Index i = 0; i < commands.measured.cols(); ++i) {
     const double limit = arm.segments[std::size_t(i)].pressure_limit_kpa;
     const std::string name = name_of(mapping.commands, i);
@@ -92,7 +92,7 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
     const auto high = facts.sizes[std::size_t(kHighPercentile * double(facts.sizes.size() - 1))];
     const auto beyond = facts.sizes.end() - std::upper_bound(facts.sizes.begin(), facts.sizes.end(),
                                                              kFarBeyond * limit);
-    if (double(beyond) > kMostBeyond * double(facts.sizes.size())) {
+    if (double(beyond) > kMaxBeyond * double(facts.sizes.size())) {
       throw InputError(
           fmt::format("{}: '{}' ({}) reaches {:.4g} {}; the limit of arm '{}' is {} {}. {}", log,
                       name, segment_name(i), facts.sizes.back(), unit, arm.name, limit, unit,
@@ -102,7 +102,7 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
       report.note("a command more than 5 % beyond its limit",
                   fmt::format("'{}': {:.4g} {}, limit {}", name, facts.sizes.back(), unit, limit));
     }
-    largest_ratio = std::max(largest_ratio, facts.sizes.back() / limit);
+    max_ratio = std::max(max_ratio, facts.sizes.back() / limit);
     if (facts.highest - facts.lowest < kConstant * limit) {
       ++constant;
       report.note("a command that never changes: nothing can be learnt of its segment",
@@ -120,7 +120,7 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
     throw InputError(fmt::format(
         "{}: no {} ever changes by more than {:.0f} % of its limit: nothing can be learnt from it. "
         "{}",
-        log, arm.command.name, 100.0 * kConstant, unit_advice(largest_ratio, mapping)));
+        log, arm.command.name, 100.0 * kConstant, unit_advice(max_ratio, mapping)));
   }
 }
 

@@ -21,7 +21,8 @@ nlohmann::ordered_json to_json(const RunReport& run) {
   json["duration_s"] = run.duration_s;
   json["points"] = nlohmann::ordered_json::array();
   for (const PointReport& point : run.points) {
-    json["points"].push_back({{"name", point.name}, {"plate", point.plate}, {"seen", point.seen}});
+    json["points"].push_back(
+        {{"name", point.name}, {"plate", point.plate}, {"seen", point.tracked_share}});
   }
   json["base"] = {{"x_m", run.base.x_m},
                   {"y_m", run.base.y_m},
@@ -64,9 +65,9 @@ std::string to_text(const RunReport& run) {
                                  run.rate_hz, run.duration_s);
   std::string rarely;
   for (const PointReport& point : run.points) {
-    if (point.seen < kNoteworthy) {
+    if (point.tracked_share < kNoteworthy) {
       rarely += fmt::format("{}{} ({}) {:.1f} %", rarely.empty() ? "" : ", ", point.name,
-                            plate_name(point.plate), 100.0 * point.seen);
+                            plate_name(point.plate), 100.0 * point.tracked_share);
     }
   }
   text += fmt::format("\n  {} points{}", run.points.size(),

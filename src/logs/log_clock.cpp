@@ -19,9 +19,9 @@ constexpr double kFastestLog_hz = 20000.0;
 constexpr double kPlausibleLog_hz = 2000.0;  // of a guess: no logger that we know is faster
 constexpr double kSlowArm_hz = 1.0;          // an arm file may say as little
 // Of a log's length: loggers pause, but one that is silent nine tenths of its time has no clock.
-constexpr double kLargestSilence = 0.9;
+constexpr double kMaxSilence = 0.9;
 constexpr double kSilenceAllowed_s = 60.0;  // however short the log
-constexpr double kLeastOfMotion = 0.1;      // of the motion log's length
+constexpr double kMinOfMotion = 0.1;        // of the motion log's length
 constexpr double kLongestLog_s = 86400.0;   // clocks are compared over the whole of it, at 100 Hz
 
 /// The unit in which the times would be those of a log of this arm; empty where there is none.
@@ -67,7 +67,7 @@ void check_silence(const std::string& log, const TimeColumn& time,
                    const std::vector<double>& time_s, double rate_hz) {
   const double span_s = time_s.back() - time_s.front();
   const double filled_s = double(time_s.size()) / rate_hz;
-  if (span_s <= kSilenceAllowed_s + filled_s / (1.0 - kLargestSilence)) {
+  if (span_s <= kSilenceAllowed_s + filled_s / (1.0 - kMaxSilence)) {
     return;
   }
   std::size_t longest = 1;
@@ -107,14 +107,14 @@ void check_span(const std::string& log, const TimeColumn& time, const std::vecto
                 const std::string& motion_log, const std::vector<double>& motion_time_s) {
   const double span_s = time_s.back() - time_s.front();
   const double motion_s = motion_time_s.back() - motion_time_s.front();
-  if (span_s >= kLeastOfMotion * motion_s && span_s <= kLongestLog_s) {
+  if (span_s >= kMinOfMotion * motion_s && span_s <= kLongestLog_s) {
     return;
   }
   throw InputError(fmt::format(
       "{}, {:.4g} s in all; {} is {:.4g} s long: expected {:.4g} s to {:.4g} s. Is the unit of the "
       "time right, and do the logs belong together?",
       found(log, time, median_rate_hz(time_s)), span_s, motion_log, motion_s,
-      kLeastOfMotion * motion_s, kLongestLog_s));
+      kMinOfMotion * motion_s, kLongestLog_s));
 }
 
 }  // namespace limber

@@ -23,8 +23,8 @@ namespace limber {
 
 namespace {
 
-constexpr double kLeastCorrelation = 0.3;  // below, the logs do not belong together
-constexpr double kAmbiguous = 0.9;         // a runner-up this good could as well be the answer
+constexpr double kMinCorrelation = 0.3;  // below, the logs do not belong together
+constexpr double kAmbiguous = 0.9;       // a runner-up this good could as well be the answer
 constexpr double kWeakSegment = 0.2;
 
 namespace fs = std::filesystem;
@@ -60,10 +60,10 @@ void bring_clocks_together(const std::string& log, const std::string& command_lo
     clock.offset_s = *options.time_offset_s;
   } else {
     const ClockMatch match = match_clocks(motion, run.commands, arm);
-    if (-match.opposite > std::max(match.correlation, kLeastCorrelation)) {
+    if (-match.opposite > std::max(match.correlation, kMinCorrelation)) {
       refuse_turned_signs(log, arm, match.opposite);
     }
-    if (match.correlation < kLeastCorrelation || match.runner_up > kAmbiguous * match.correlation) {
+    if (match.correlation < kMinCorrelation || match.runner_up > kAmbiguous * match.correlation) {
       throw InputError(fmt::format(
           "{} and {}: how far apart their clocks are can't be told from the motion: the best "
           "correlation is {:.2f}, the next best {:.2f}. Do they belong together, and are the "
@@ -83,7 +83,7 @@ void check_signs(const std::string& log, const ArmDescription& arm, const Backbo
                  const CommandTrack& commands, RunReport& report) {
   const std::vector<double> correlations = segment_correlations(motion, commands, arm, 0.0);
   for (std::size_t i = 0; i < correlations.size(); ++i) {
-    if (correlations[i] < -kLeastCorrelation) {
+    if (correlations[i] < -kMinCorrelation) {
       refuse_turned_signs(fmt::format("{}: {}", log, segment_name(i)), arm, correlations[i]);
     }
     if (correlations[i] < kWeakSegment) {

@@ -19,7 +19,7 @@ constexpr double kRounding_s = 1e-6;       // of times written with six digits
 constexpr double kMovingSetpoint = 0.001;  // of the limit, between frames
 constexpr double kMovingCommand = 0.01;    // the same where only noisy measurements are there
 // Numbers of frames are whole in double: 45 million years at 20 Hz.
-constexpr double kLargestFrameNumber = 1e15;
+constexpr double kMaxFrameNumber = 1e15;
 constexpr int kStillFrames = 4;  // before a motion begins, where only measurements are
 
 /// The rows around a moment.
@@ -94,14 +94,14 @@ FrameMatrix stacked(const std::vector<Eigen::RowVectorXd>& rows) {
 
 /// Numbers of motions: a motion begins where something moves that stood still.
 std::vector<int> number_motions(const FrameMatrix& values, const ArmDescription& arm,
-                                double least_change, int still_frames) {
+                                double min_change, int still_frames) {
   std::vector<int> motions = {0};
   int still = still_frames;
   for (Eigen::Index t = 1; t < values.rows(); ++t) {
     bool moves = false;
     for (Eigen::Index i = 0; i < values.cols(); ++i) {
       const double limit = arm.segments[std::size_t(i)].pressure_limit_kpa;
-      moves |= std::abs(values(t, i) - values(t - 1, i)) > least_change * limit;
+      moves |= std::abs(values(t, i) - values(t - 1, i)) > min_change * limit;
     }
     const bool begins = moves && still >= still_frames && t > 1;
     motions.push_back(motions.back() + int(begins));
@@ -127,7 +127,7 @@ class Resampler {
     const double to = std::min(motion_.time_s.back(), commands_.time_s.back());
     const double begin = std::ceil((from - kRounding_s) / period_s);
     const double end = std::floor((to + kRounding_s) / period_s);
-    if (!(begin <= end && -begin <= kLargestFrameNumber && end <= kLargestFrameNumber)) {
+    if (!(begin <= end && -begin <= kMaxFrameNumber && end <= kMaxFrameNumber)) {
       return {};
     }
     const auto last = static_cast<std::int64_t>(end);
@@ -142,13 +142,14 @@ class Resampler {
   void add_frame(double time_s) {
     const Bracket seen = motion_rows_.at(time_s);
     const Bracket told = command_rows_.at(time_s);
-    const bool usable = seen.valid() && told.valid() && motion_.usable[std::size_t(seen.before)] &&
-                        motion_.usable[std::size_t(seen.after)];
+    const bool tracked = seen.valid() && told.valid() &&
+                         motion_.tracked[std::size_t(seen.before)] &&
+                         motion_.tracked[std::size_t(seen.after)];
     Eigen::RowVectorXd measured;
-    if (usable) {
+    if (tracked) {
       measured = row_at(commands_.measured, told);
     }
-    if (!usable || !measured.allFinite()) {
+    if (!tracked || !measured.allFinite()) {
       finish_piece();
       ++lost_;
       return;
@@ -166,7 +167,7 @@ class Resampler {
     }
     piece_.backbone.push_back(row_at(motion_.poses, seen));
     const bool filled =
-        motion_.filled_in[std::size_t(seen.before)] || motion_.filled_in[std::size_t(seen.after)];
+        motion_.bridged[std::size_t(seen.before)] || motion_.bridged[std::size_t(seen.after)];
     piece_.tracked.push_back(!filled && !motion_rows_.has_lost_row(seen) ? 1 : 0);
   }
 

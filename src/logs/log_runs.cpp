@@ -131,7 +131,7 @@ class RowOrder {
   }
 
  private:
-  static constexpr double kMostOutOfOrder = 0.01;
+  static constexpr double kMaxOutOfOrder = 0.01;
   static constexpr double kFarthestBack_s = 0.5;
 
   void sort(std::vector<std::size_t>& order) {
@@ -150,7 +150,7 @@ class RowOrder {
     }
     const std::string place = fmt::format("row {} at {:.6g} s follows {:.6g} s", first,
                                           time_s_[order[first]], time_s_[order[first - 1]]);
-    if (double(back) > kMostOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s) {
+    if (double(back) > kMaxOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s) {
       throw InputError(fmt::format(
           "{}: time goes back {} times, by up to {:.3g} s; first, {}. Is the column named in "
           "'time' the time? Rows that were shuffled have to be sorted; a file that holds several "

@@ -14,7 +14,7 @@ namespace limber {
 namespace {
 
 constexpr std::size_t kNamesInMessages = 40;
-constexpr double kMostBadRows = 0.01;
+constexpr double kMaxBadRows = 0.01;
 constexpr std::size_t kBadRowsAlwaysLeftOut = 3;
 
 bool is_missing(std::string_view text) {
@@ -203,8 +203,8 @@ LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& 
       table.labels.emplace_back(row[label].text);
     }
   }
-  const auto most_bad = static_cast<std::size_t>(kMostBadRows * double(table.row_count() + bad));
-  if (bad > std::max(most_bad, kBadRowsAlwaysLeftOut)) {
+  const auto max_bad = static_cast<std::size_t>(kMaxBadRows * double(table.row_count() + bad));
+  if (bad > std::max(max_bad, kBadRowsAlwaysLeftOut)) {
     throw InputError(fmt::format("{}: {} of {} rows can't be read; first {}", table.file, bad,
                                  table.row_count() + bad, first_bad));
   }

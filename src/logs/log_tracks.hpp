@@ -38,10 +38,10 @@ struct CommandTrack {
 
 /// The whole backbone on the motion log's clock, every plate of the arm, in frame B. T rows.
 struct BackboneTrack {
-  std::vector<double> time_s;   ///< T, increasing
-  Eigen::MatrixXd poses;        ///< T×3m: x_m, y_m, theta_rad of each plate; θ unwrapped
-  std::vector<bool> usable;     ///< T; false where a point was missing for too long: poses are NaN
-  std::vector<bool> filled_in;  ///< T; a point of this row was put between its neighbours in time
+  std::vector<double> time_s;  ///< T, increasing
+  Eigen::MatrixXd poses;       ///< T×3m: x_m, y_m, theta_rad of each plate; θ unwrapped
+  std::vector<bool> tracked;   ///< T; false where a point was missing for too long: poses are NaN
+  std::vector<bool> bridged;   ///< T; a point of this row was put between its neighbours in time
 
   Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
 };

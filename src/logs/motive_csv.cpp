@@ -23,7 +23,7 @@ constexpr const char* kHowToExport =
     "In Motive's export tick 'Header Information', 'Rigid Bodies' (in Motive 3 'Rigid Body Bones') "
     "or 'Markers', 'Use World Coordinates', rotation 'Quaternion', units 'Meters'";
 constexpr double kOldestFormat = 1.2;
-constexpr double kMostBadRows = 0.01;
+constexpr double kMaxBadRows = 0.01;
 constexpr const char* kTypes[] = {
     "Rigid Body", "Rigid Body Marker", "Marker",       "Bone",          "Bone Marker",
     "Unlabeled",  "Unlabeled Marker",  "Other Marker", "Labeled Marker"};
@@ -280,7 +280,7 @@ class MotiveFile {
       }
     }
     if (take_.time_s.empty() ||
-        double(bad) > std::max(3.0, kMostBadRows * double(take_.time_s.size()))) {
+        double(bad) > std::max(3.0, kMaxBadRows * double(take_.time_s.size()))) {
       refuse(bad > 0 ? fmt::format("{} rows can't be read; first {}", bad, first_bad)
                      : std::string("no data below the headings"));
     }

@@ -99,7 +99,7 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
   }
 }
 
-nlohmann::ordered_json learnt_region_to_json(const LearntRegion& region) {
+nlohmann::ordered_json to_json(const LearntRegion& region) {
   nlohmann::ordered_json segments = nlohmann::ordered_json::array();
   for (int i = 0; i < region.segment_count(); ++i) {
     segments.push_back({{"low_kpa", region.low_kpa[i]},

@@ -234,7 +234,7 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
     content.metadata[kTrainingPrefix + key] = value;
   }
   if (model.valves || !model.valve_findings.reason.empty()) {
-    content.metadata[kValvesKey] = valves_to_json(model.identified_valves()).dump();
+    content.metadata[kValvesKey] = to_json(model.identified_valves()).dump();
   }
   if (model.prediction_error) {
     content.metadata[kErrorKey] = prediction_error_to_metadata(*model.prediction_error);

@@ -16,7 +16,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kMostRuns = 1'000'000'000;
+constexpr int kMaxRuns = 1'000'000'000;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void validate(const PredictionError& error, const std::string& where) {
   if (!std::isfinite(error.run_s) || error.run_s <= 0.0) {
     refuse("run_s", error.run_s, "a time in seconds, > 0");
   }
-  for (const auto& [name, value] : {std::pair{"largest_position_m", error.largest_position_m},
+  for (const auto& [name, value] : {std::pair{"largest_position_m", error.max_position_m},
                                     std::pair{"off_path_m", error.off_path_m},
                                     std::pair{"end_position_m", error.end_position_m},
                                     std::pair{"end_orientation_rad", error.end_orientation_rad}}) {
@@ -55,7 +55,7 @@ void validate(const PredictionError& error, const std::string& where) {
 std::string prediction_error_to_metadata(const PredictionError& error) {
   return nlohmann::ordered_json({{"runs", error.runs},
                                  {"run_s", error.run_s},
-                                 {"largest_position_m", error.largest_position_m},
+                                 {"largest_position_m", error.max_position_m},
                                  {"off_path_m", error.off_path_m},
                                  {"end_position_m", error.end_position_m},
                                  {"end_orientation_rad", error.end_orientation_rad}})
@@ -66,19 +66,19 @@ PredictionError read_prediction_error(const YamlReader& root) {
   root.refuse_unknown_keys({"runs", "run_s", "largest_position_m", "off_path_m", "end_position_m",
                             "end_orientation_rad"});
   PredictionError error;
-  error.runs = root.at("runs").integer("a number of runs", 1, kMostRuns);
+  error.runs = root.at("runs").integer("a number of runs", 1, kMaxRuns);
   error.run_s = root.at("run_s").positive("a time in seconds");
-  error.largest_position_m = root.at("largest_position_m").number("a distance in metres", 0.0);
+  error.max_position_m = root.at("largest_position_m").number("a distance in metres", 0.0);
   error.off_path_m = root.at("off_path_m").number("a distance in metres", 0.0);
   error.end_position_m = root.at("end_position_m").number("a distance in metres", 0.0);
   error.end_orientation_rad = root.at("end_orientation_rad").number("an angle in radians", 0.0);
   return error;
 }
 
-nlohmann::ordered_json prediction_error_to_json(const PredictionError& error) {
+nlohmann::ordered_json to_json(const PredictionError& error) {
   return {{"runs", error.runs},
           {"run_s", error.run_s},
-          {"largest_cm_p95", kCmPerM * error.largest_position_m},
+          {"largest_cm_p95", kCmPerM * error.max_position_m},
           {"off_path_cm_p95", kCmPerM * error.off_path_m},
           {"end_cm_p95", kCmPerM * error.end_position_m},
           {"end_rad_p95", error.end_orientation_rad}};
@@ -88,7 +88,7 @@ std::string prediction_error_to_text(const PredictionError& error) {
   return fmt::format(
       "error on {} unseen runs of {:.3g} s, {:.0f} %: {:.2f} cm anywhere on the arm, {:.2f} cm off "
       "the predicted path, {:.2f} cm and {:.3f} rad at the tip's end",
-      error.runs, error.run_s, 100.0 * PredictionError::kShare, kCmPerM * error.largest_position_m,
+      error.runs, error.run_s, 100.0 * PredictionError::kShare, kCmPerM * error.max_position_m,
       kCmPerM * error.off_path_m, kCmPerM * error.end_position_m, error.end_orientation_rad);
 }
 

@@ -12,9 +12,9 @@ namespace limber {
 namespace {
 
 constexpr double kCallPeriodS = 0.1;
-constexpr double kReserveS = 0.005;   // for what comes after the search
-constexpr double kMostReserve = 0.5;  // of the time limit
-constexpr double kGraceS = 0.02;      // beyond the time limit, to end what has begun
+constexpr double kReserveS = 0.005;  // for what comes after the search
+constexpr double kMaxReserve = 0.5;  // of the time limit
+constexpr double kGraceS = 0.02;     // beyond the time limit, to end what has begun
 constexpr double kBytesPerMb = 1e6;
 constexpr double kNotable = 0.995;  // of the cost noted before
 
@@ -53,8 +53,7 @@ bool PlannerBudget::is_overdue() const {
 
 void PlannerBudget::keep_for_the_end(double seconds) {
   if (limits_.time_s) {
-    reserve_s_ =
-        std::min(std::max(reserve_s_, kReserveS + seconds), kMostReserve * *limits_.time_s);
+    reserve_s_ = std::min(std::max(reserve_s_, kReserveS + seconds), kMaxReserve * *limits_.time_s);
   }
 }
 

@@ -94,7 +94,7 @@ std::string reached_only_in_collision(const PlanningProblem& problem,
   RandomStream random(seed, kCheckStream);
   InverseKinematicsSettings settings;
   settings.starts = 200;
-  settings.most_solutions = 50;
+  settings.max_solutions = 50;
   const InverseKinematicsResult found =
       solve_inverse_kinematics(problem.model.no_load(), problem.environment.goal, settings, random);
   if (!found.reachable()) {
@@ -119,17 +119,17 @@ std::string reached_only_in_collision(const PlanningProblem& problem,
 }
 
 void require_margin(double margin_m) {
-  if (!(margin_m >= 0.0 && margin_m <= kLargestMarginM)) {
+  if (!(margin_m >= 0.0 && margin_m <= kMaxMarginM)) {
     throw InputError(fmt::format("margin_m = {}; expected a distance in metres, 0 to {}", margin_m,
-                                 kLargestMarginM));
+                                 kMaxMarginM));
   }
 }
 
 void require_goal_margin(const PoseError& margin) {
   for (const double one : {margin.position_m, margin.orientation_rad}) {
-    if (!(one >= 0.0 && one <= kLargestMarginM)) {
+    if (!(one >= 0.0 && one <= kMaxMarginM)) {
       throw InputError(
-          fmt::format("goal margin of {}; expected a number, 0 to {}", one, kLargestMarginM));
+          fmt::format("goal margin of {}; expected a number, 0 to {}", one, kMaxMarginM));
     }
   }
 }
@@ -149,7 +149,7 @@ ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker
 std::vector<std::string> find_warnings(const PlanningProblem& problem, std::uint64_t seed) {
   RandomStream random(seed, kCheckStream);
   InverseKinematicsSettings settings;
-  settings.most_solutions = 1;
+  settings.max_solutions = 1;
   const InverseKinematicsResult found =
       solve_inverse_kinematics(problem.model.no_load(), problem.environment.goal, settings, random);
   if (found.reachable()) {

@@ -8,7 +8,7 @@ namespace limber {
 namespace {
 
 /// Beyond this, differences and squares of values would overflow.
-constexpr double kLargest = 1e150;
+constexpr double kMax = 1e150;
 
 /// Looks at every series once and gathers what the axes must span.
 class Measurer {
@@ -157,8 +157,7 @@ void Extent::include(double value) {
 }
 
 bool is_drawable(double value, bool logarithmic) {
-  return std::isfinite(value) && std::abs(value) <= kLargest &&
-         (!logarithmic || value >= 1.0 / kLargest);
+  return std::isfinite(value) && std::abs(value) <= kMax && (!logarithmic || value >= 1.0 / kMax);
 }
 
 std::vector<int> bin_counts(const std::vector<double>& values, const std::vector<double>& edges) {

@@ -33,8 +33,8 @@ std::size_t character_length(std::string_view text) {
     }
     code = (code << 6) | (byte(i) & 0x3FU);
   }
-  static constexpr std::array<std::uint32_t, 5> kSmallest{0, 0, 0x80, 0x800, 0x10000};
-  const bool overlong = code < kSmallest[length];
+  static constexpr std::array<std::uint32_t, 5> kMin{0, 0, 0x80, 0x800, 0x10000};
+  const bool overlong = code < kMin[length];
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   const bool forbidden = code == 0xFFFE || code == 0xFFFF || code > 0x10FFFF;
   return overlong || surrogate || forbidden ? 0 : length;

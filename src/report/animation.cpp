@@ -26,7 +26,7 @@ Json point(double x_m, double y_m) {
   return {rounded(x_m), rounded(y_m)};
 }
 
-Json obstacle_to_json(const Obstacle& obstacle) {
+Json to_json(const Obstacle& obstacle) {
   if (const auto* circle = std::get_if<Circle>(&obstacle)) {
     return {{"x", circle->x_m}, {"y", circle->y_m}, {"radius", circle->radius_m}};
   }
@@ -39,7 +39,7 @@ Json obstacle_to_json(const Obstacle& obstacle) {
   return {{"points", points}};
 }
 
-Json track_to_json(const AnimationTrack& track) {
+Json to_json(const AnimationTrack& track) {
   Json shapes = Json::array();
   for (const Backbone& shape : track.shapes) {
     Json points = Json::array();
@@ -51,7 +51,7 @@ Json track_to_json(const AnimationTrack& track) {
   return {{"label", track.label}, {"color", track.color}, {"shapes", shapes}};
 }
 
-Json rows_to_json(const std::vector<Pressures>& rows) {
+Json to_json(const std::vector<Pressures>& rows) {
   Json json = Json::array();
   for (const Pressures& row : rows) {
     json.push_back(std::vector<float>(row.begin(), row.end()));
@@ -92,14 +92,14 @@ std::string animation_page(const ArmDescription& arm, const Environment& environ
   }
   data["obstacles"] = Json::array();
   for (const Obstacle& obstacle : environment.obstacles) {
-    data["obstacles"].push_back(obstacle_to_json(obstacle));
+    data["obstacles"].push_back(to_json(obstacle));
   }
   data["tracks"] = Json::array();
   for (const AnimationTrack& track : tracks) {
-    data["tracks"].push_back(track_to_json(track));
+    data["tracks"].push_back(to_json(track));
   }
-  data["setpoints_kpa"] = rows_to_json(setpoints_kpa);
-  data["pressures_kpa"] = rows_to_json(pressures_kpa);
+  data["setpoints_kpa"] = to_json(setpoints_kpa);
+  data["pressures_kpa"] = to_json(pressures_kpa);
   data["unit"] = arm.command.unit;
   std::string json = data.dump();
   replace_all(json, "<", "\\u003c");  // nothing in the data may end the script element

@@ -20,7 +20,7 @@ Json finite(double value) {
 
 }  // namespace
 
-Json certificate_to_json(const Certificate& certificate, const Environment& environment) {
+Json to_json(const Certificate& certificate, const Environment& environment) {
   Json json;
   json["status"] = certificate.certified() ? "certified" : "refused";
   json["failures"] = Json::array();
@@ -33,12 +33,12 @@ Json certificate_to_json(const Certificate& certificate, const Environment& envi
   json["clearance_cm"] = finite(certificate.clearance_m * kCmPerM);
   json["clearance_frame"] =
       certificate.clearance_frame >= 0 ? Json(certificate.clearance_frame) : Json(nullptr);
-  json["largest_deviation_m"] = finite(certificate.largest_deviation_m);
-  json["largest_step_deviation_m"] = finite(certificate.largest_step_deviation_m);
-  json["largest_heading_deviation_rad"] = finite(certificate.largest_heading_deviation_rad);
-  json["largest_pressure_deviation_kpa"] = finite(certificate.largest_pressure_deviation_kpa);
+  json["largest_deviation_m"] = finite(certificate.max_deviation_m);
+  json["largest_step_deviation_m"] = finite(certificate.max_step_deviation_m);
+  json["largest_heading_deviation_rad"] = finite(certificate.max_heading_deviation_rad);
+  json["largest_pressure_deviation_kpa"] = finite(certificate.max_pressure_deviation_kpa);
   json["cost_kpa"] = certificate.cost_kpa;
-  json["largest_step_kpa"] = certificate.largest_step_kpa;
+  json["largest_step_kpa"] = certificate.max_step_kpa;
   json["distance_to_goal_cm"] = finite(certificate.goal_distance_m * kCmPerM);
   json["orientation_to_goal_rad"] =
       environment.goal.theta_rad ? finite(certificate.goal_orientation_rad) : Json(nullptr);
@@ -70,9 +70,9 @@ std::string certificate_to_text(const Certificate& certificate, const ArmDescrip
   return fmt::format(
       "certified: {} frames; {}; plates within {:.2g} mm of the own simulation; ends {:.3f} cm{} "
       "from the goal; cost {:.2f} {unit}, at most {:.3g} {unit} a frame",
-      certificate.frames, where, certificate.largest_deviation_m * 1e3,
+      certificate.frames, where, certificate.max_deviation_m * 1e3,
       certificate.goal_distance_m * kCmPerM, heading, certificate.cost_kpa,
-      certificate.largest_step_kpa, fmt::arg("unit", arm.command.unit));
+      certificate.max_step_kpa, fmt::arg("unit", arm.command.unit));
 }
 
 }  // namespace limber

@@ -16,7 +16,7 @@ Json number(double value) {
 }
 
 Json to_json(const EnsembleErrors& errors) {
-  Json json = tip_errors_to_json(errors.mean);
+  Json json = to_json(errors.mean);
   json["spread"] = {{"mean_cm", number(errors.spread.mean_cm)},
                     {"rank_correlation", number(errors.spread.rank_correlation)},
                     {"covered_by_two", number(errors.spread.covered_by_two)},
@@ -34,7 +34,7 @@ std::string row(const char* name, const EnsembleErrors& errors) {
 
 }  // namespace
 
-Json ensemble_evaluation_to_json(const EnsembleEvaluation& evaluation) {
+Json to_json(const EnsembleEvaluation& evaluation) {
   return {{"members", evaluation.members},
           {"one_step", to_json(evaluation.one_step)},
           {"window_32", to_json(evaluation.window_32)},

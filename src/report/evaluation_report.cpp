@@ -37,36 +37,36 @@ std::string row(const char* name, const TipErrors& errors) {
 
 }  // namespace
 
-Json tip_errors_to_json(const TipErrors& value) {
+Json to_json(const TipErrors& value) {
   return {{"position_error_cm", to_json(value.position_cm)},
           {"orientation_error_rad", to_json(value.orientation_rad)}};
 }
 
-Json evaluation_to_json(const Evaluation& evaluation) {
+Json to_json(const Evaluation& evaluation) {
   Json json;
   json["frames"] = evaluation.frames;
-  json["no_load"]["open_loop"] = tip_errors_to_json(evaluation.no_load_open_loop);
+  json["no_load"]["open_loop"] = to_json(evaluation.no_load_open_loop);
   if (evaluation.network) {
     Json& network = json["network"];
-    network["one_step"] = tip_errors_to_json(evaluation.network->one_step);
-    network["one_step_moving"] = tip_errors_to_json(evaluation.network->one_step_moving);
-    network["window_32"] = tip_errors_to_json(evaluation.network->window_32);
-    network["per_motion"] = tip_errors_to_json(evaluation.network->per_motion);
-    network["open_loop"] = tip_errors_to_json(evaluation.network->open_loop);
+    network["one_step"] = to_json(evaluation.network->one_step);
+    network["one_step_moving"] = to_json(evaluation.network->one_step_moving);
+    network["window_32"] = to_json(evaluation.network->window_32);
+    network["per_motion"] = to_json(evaluation.network->per_motion);
+    network["open_loop"] = to_json(evaluation.network->open_loop);
     const std::optional<TipErrors>& planned = evaluation.network->open_loop_from_setpoints;
-    network["open_loop_from_setpoints"] = planned ? tip_errors_to_json(*planned) : Json();
+    network["open_loop_from_setpoints"] = planned ? to_json(*planned) : Json();
     const LongRollout& rollout = evaluation.long_rollout;
     json["long_rollout"] = {{"frames", rollout.frames},
-                            {"largest_distance_m", rollout.largest_distance_m},
-                            {"largest_heading_rad", rollout.largest_heading_rad},
+                            {"largest_distance_m", rollout.max_distance_m},
+                            {"largest_heading_rad", rollout.max_heading_rad},
                             {"bounded", rollout.bounded}};
   }
   Json& baselines = json["baselines"];
-  baselines["hold"] = {{"one_step", tip_errors_to_json(evaluation.hold_one_step)},
-                       {"one_step_moving", tip_errors_to_json(evaluation.hold_one_step_moving)}};
+  baselines["hold"] = {{"one_step", to_json(evaluation.hold_one_step)},
+                       {"one_step_moving", to_json(evaluation.hold_one_step_moving)}};
   baselines["constant_velocity"] = {
-      {"one_step", tip_errors_to_json(evaluation.constant_velocity_one_step)},
-      {"one_step_moving", tip_errors_to_json(evaluation.constant_velocity_one_step_moving)}};
+      {"one_step", to_json(evaluation.constant_velocity_one_step)},
+      {"one_step_moving", to_json(evaluation.constant_velocity_one_step_moving)}};
   if (evaluation.network) {
     json["reduction_percent"] = {{"position", number(evaluation.position_reduction_percent)},
                                  {"orientation", number(evaluation.orientation_reduction_percent)}};
@@ -104,7 +104,7 @@ std::string evaluation_to_text(const Evaluation& evaluation) {
     const LongRollout& rollout = evaluation.long_rollout;
     text += fmt::format("{} frames without correction: {}, no plate farther than {:.2f} m\n",
                         rollout.frames, rollout.bounded ? "bounded" : "NOT BOUNDED",
-                        rollout.largest_distance_m);
+                        rollout.max_distance_m);
   }
   return text;
 }

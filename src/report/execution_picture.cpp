@@ -35,8 +35,8 @@ std::string title_of(const Environment& environment, const ExecutionResult& resu
   return title + (result.collided ? ", collided" : "");
 }
 
-void draw_way(SvgDrawing& drawing, const ArmDescription& arm, const Episode& episode,
-              const std::string& color) {
+void draw_tip_path(SvgDrawing& drawing, const ArmDescription& arm, const Episode& episode,
+                   const std::string& color) {
   const int frames = episode.frame_count();
   std::vector<WorldPoint> tips;
   for (int t = 0; t < frames; ++t) {
@@ -85,7 +85,7 @@ std::string execution_picture(const ArmDescription& arm, const Environment& envi
   const std::string truth = palette_color(kTrueArmColor);
   draw_prediction(drawing, arm, plan);
   if (result.episode.frame_count() > 0) {
-    draw_way(drawing, arm, result.episode, truth);
+    draw_tip_path(drawing, arm, result.episode, truth);
   }
   if (result.first_collision && result.episode.frame_count() > 0) {
     draw_collision(drawing, arm, result.episode, *result.first_collision);

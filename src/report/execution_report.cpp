@@ -20,7 +20,7 @@ std::string place(const Contact& contact, const Environment& environment) {
                      plates_of_gap(contact.clearance.gap), contact.time_s);
 }
 
-Json contact_to_json(const std::optional<Contact>& contact, const Environment& environment) {
+Json to_json(const std::optional<Contact>& contact, const Environment& environment) {
   if (!contact) {
     return nullptr;
   }
@@ -46,14 +46,14 @@ Json execution_to_json(const ExecutionResult& result, const Environment& environ
   json["frames"] = result.frames;
   json["goal_reached"] = result.goal_reached;
   json["message"] = result.message;
-  json["closest"] = contact_to_json(result.closest, environment);
-  json["first_collision"] = contact_to_json(result.first_collision, environment);
+  json["closest"] = to_json(result.closest, environment);
+  json["first_collision"] = to_json(result.first_collision, environment);
   json["start_error_cm"] = kCmPerM * result.start_error_m;
   json["prediction_error_cm"] = nullptr;
   if (result.prediction) {
     json["prediction_error_cm"] = {{"mean", kCmPerM * result.prediction->mean_m},
                                    {"before_hold", kCmPerM * result.prediction->before_hold_m},
-                                   {"largest", kCmPerM * result.prediction->largest_m},
+                                   {"largest", kCmPerM * result.prediction->max_m},
                                    {"final", kCmPerM * result.prediction->final_m}};
   }
   json["final_backbone"] = nullptr;
@@ -89,9 +89,8 @@ std::string execution_to_text(const ExecutionResult& result, const Environment& 
         kCmPerM * std::abs(result.closest->clearance.value_m), place(*result.closest, environment));
   }
   if (result.prediction) {
-    text +=
-        fmt::format("\n  tip off its prediction by {:.1f} cm on average, at most {:.1f}",
-                    kCmPerM * result.prediction->mean_m, kCmPerM * result.prediction->largest_m);
+    text += fmt::format("\n  tip off its prediction by {:.1f} cm on average, at most {:.1f}",
+                        kCmPerM * result.prediction->mean_m, kCmPerM * result.prediction->max_m);
   }
   constexpr double kNotableStartError_m = 0.005;
   if (result.start_error_m > kNotableStartError_m) {

@@ -18,7 +18,7 @@ Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json partial_to_json(const std::optional<Plan>& partial, const PoseGoal& goal) {
+Json to_json(const std::optional<Plan>& partial, const PoseGoal& goal) {
   if (!partial) {
     return nullptr;
   }
@@ -32,14 +32,14 @@ Json partial_to_json(const std::optional<Plan>& partial, const PoseGoal& goal) {
 
 }  // namespace
 
-Json plan_result_to_json(const PlanResult& result, const PoseGoal& goal, const std::string& planner,
-                         const std::string& model, std::uint64_t seed) {
+Json to_json(const PlanResult& result, const PoseGoal& goal, const std::string& planner,
+             const std::string& model, std::uint64_t seed) {
   Json json;
   json["status"] = to_string(result.status);
   json["reason"] = result.reason;
   json["warnings"] = result.warnings;
   json["limit"] = result.limit ? Json(to_string(*result.limit)) : Json(nullptr);
-  json["best_partial"] = partial_to_json(result.best_partial, goal);
+  json["best_partial"] = to_json(result.best_partial, goal);
   json["planner"] = planner;
   json["model"] = model;
   json["seed"] = seed;
@@ -67,13 +67,12 @@ Json plan_result_to_json(const PlanResult& result, const PoseGoal& goal, const s
   json["clearance_cm"] = plan ? finite(plan->clearance_m * kCmPerM) : nullptr;
   json["frames"] = plan ? Json(plan->frame_count()) : nullptr;
   json["largest_clearance_cm"] =
-      result.largest_clearance_m ? finite(*result.largest_clearance_m * kCmPerM) : nullptr;
+      result.max_clearance_m ? finite(*result.max_clearance_m * kCmPerM) : nullptr;
   json["certificate"] = nullptr;
   if (result.certificate) {
-    json["certificate"] = {
-        {"certified", result.certificate->certified()},
-        {"clearance_cm", finite(result.certificate->clearance_m * kCmPerM)},
-        {"largest_deviation_m", finite(result.certificate->largest_deviation_m)}};
+    json["certificate"] = {{"certified", result.certificate->certified()},
+                           {"clearance_cm", finite(result.certificate->clearance_m * kCmPerM)},
+                           {"largest_deviation_m", finite(result.certificate->max_deviation_m)}};
   }
   json["events"] = Json::array();
   for (const PlannerProgress& event : result.events) {
@@ -96,7 +95,7 @@ std::string plan_result_to_text(const PlanResult& result, const Command& command
           ? fmt::format(
                 "\ncertified: plates within {:.2g} mm of an independent "
                 "simulation, clearance {:.3f} cm",
-                plan.certified->largest_deviation_m * 1e3, plan.certified->clearance_m * kCmPerM)
+                plan.certified->max_deviation_m * 1e3, plan.certified->clearance_m * kCmPerM)
           : "";
   const std::string psi =
       command.is_pressure_kpa() ? fmt::format(" ({:.1f} psi)", plan.cost_kpa / kKpaPerPsi) : "";

@@ -225,7 +225,7 @@ std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials) {
   return rows;
 }
 
-Json planning_table_to_json(const std::vector<PlanningRow>& rows) {
+Json to_json(const std::vector<PlanningRow>& rows) {
   Json table = Json::array();
   for (const PlanningRow& row : rows) {
     table.push_back(

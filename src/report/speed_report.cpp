@@ -11,31 +11,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kLeastShown = 100.0;  // queries/s: a bar's foot, below the paper's figures
-constexpr double kMostShown = 2e8;
+constexpr double kMinShown = 100.0;  // queries/s: a bar's foot, below the paper's figures
+constexpr double kMaxShown = 2e8;
 
-Json rate_to_json(const QueryRate& rate) {
+Json to_json(const QueryRate& rate) {
   return {
       {"size", rate.batch_size}, {"threads", rate.threads}, {"queries_per_s", rate.queries_per_s}};
 }
 
-Json rates_to_json(const std::vector<QueryRate>& rates) {
+Json to_json(const std::vector<QueryRate>& rates) {
   Json list = Json::array();
   for (const QueryRate& rate : rates) {
-    list.push_back(rate_to_json(rate));
+    list.push_back(to_json(rate));
   }
   return list;
 }
 
-Json network_to_json(const NetworkSpeed& speed) {
-  Json batch = rate_to_json(speed.batch);
+Json to_json(const NetworkSpeed& speed) {
+  Json batch = to_json(speed.batch);
   batch["fraction_of_fma_peak"] = speed.fraction_of_fma_peak;
   return {{"layout", speed.shape},
           {"backbone_layout", speed.layout},
           {"single", {{"queries_per_s", speed.single.queries_per_s}}},
           {"single_half_weights", {{"queries_per_s", speed.single_half.queries_per_s}}},
           {"batch", batch},
-          {"batches", rates_to_json(speed.batches)}};
+          {"batches", to_json(speed.batches)}};
 }
 
 std::string line(const std::string& what, const QueryRate& rate) {
@@ -80,16 +80,16 @@ Json to_json(const SpeedReport& report) {
                {"fma_peak_difference", report.fma_peak_difference},
                {"no_load",
                 {{"single", {{"queries_per_s", report.no_load_single.queries_per_s}}},
-                 {"batch", rate_to_json(report.no_load_batch)}}},
-               {"network", network_to_json(report.paper_shape)},
+                 {"batch", to_json(report.no_load_batch)}}},
+               {"network", to_json(report.paper_shape)},
                {"peers", Json::array()}};
   if (!report.model.empty()) {
-    json["model"] = network_to_json(report.model.front());
+    json["model"] = to_json(report.model.front());
   }
   for (const PeerSpeed& peer : report.peers) {
     json["peers"].push_back({{"name", peer.name},
                              {"single", {{"queries_per_s", peer.single.queries_per_s}}},
-                             {"batches", rates_to_json(peer.batches)}});
+                             {"batches", to_json(peer.batches)}});
   }
   json["paper"] = {{"no_load", {{"queries_per_s", kPaperNoLoadQueriesPerS}}},
                    {"network", {{"queries_per_s", kPaperNetworkQueriesPerS}}}};
@@ -136,7 +136,7 @@ Chart speed_chart(const SpeedReport& report) {
     single.push_back(one.queries_per_s);
     batch.push_back(many.queries_per_s);
   };
-  const QueryRate none{1, 1, kLeastShown};  // the paper asks one query at a time
+  const QueryRate none{1, 1, kMinShown};  // the paper asks one query at a time
   group("no load: the paper", {1, 1, kPaperNoLoadQueriesPerS}, none);
   group("limber", report.no_load_single, report.no_load_batch);
   group("network: the paper", {1, 1, kPaperNetworkQueriesPerS}, none);
@@ -148,7 +148,7 @@ Chart speed_chart(const SpeedReport& report) {
     group("limber, " + model.shape, model.single, model.batch);
   }
   Chart chart("Forward model queries per second");
-  chart.y_axis("queries per second").logarithmic_y().y_range(kLeastShown, kMostShown);
+  chart.y_axis("queries per second").logarithmic_y().y_range(kMinShown, kMaxShown);
   chart.size_px(860, 440);
   chart.bars(names, "one query", single).bars(names, "batch", batch);
   chart.note(report.cpu + ", one core; the paper's figures as printed there");

@@ -17,12 +17,12 @@ namespace {
 
 // Frames of a chunk: many enough for efficient products, few enough that every core gets some.
 constexpr int kFramesPerChunk = 512;
-constexpr int kLeastWindowsPerChunk = 32;
+constexpr int kMinWindowsPerChunk = 32;
 // Numbers of the chunks' gradients that one task adds up.
 constexpr std::size_t kNumbersPerSum = 8192;
 
 int windows_per_chunk(int window_frames, int windows_per_batch) {
-  const int windows = std::max(kFramesPerChunk / window_frames, kLeastWindowsPerChunk);
+  const int windows = std::max(kFramesPerChunk / window_frames, kMinWindowsPerChunk);
   return std::min(windows, windows_per_batch);
 }
 

@@ -20,9 +20,9 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr const char* kSchema = "limber/checkpoint/2";
-constexpr int kMostEpochs = 10'000'000;  // as --epochs; of a stage's numbers too
-constexpr double kMostSeconds = 1e9;     // 30 years
-constexpr std::uint64_t kMostSteps = 1'000'000'000'000;
+constexpr int kMaxEpochs = 10'000'000;  // as --epochs; of a stage's numbers too
+constexpr double kMaxSeconds = 1e9;     // 30 years
+constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
 
 Tensor to_tensor(const Eigen::VectorXf& vector) {
   return {{static_cast<std::size_t>(vector.size())}, {vector.begin(), vector.end()}};
@@ -34,7 +34,7 @@ Eigen::VectorXf to_vector(const Tensor& tensor) {
 }
 
 /// JSON has no NaN: null stands for an epoch that was not validated.
-Json curve_to_json(const std::vector<LearningCurvePoint>& curve) {
+Json to_json(const std::vector<LearningCurvePoint>& curve) {
   Json rows = Json::array();
   for (const LearningCurvePoint& p : curve) {
     const double error = p.validation_position_error_cm;
@@ -44,7 +44,7 @@ Json curve_to_json(const std::vector<LearningCurvePoint>& curve) {
   return rows;
 }
 
-Json stages_to_json(const std::vector<TrainingStage>& stages) {
+Json to_json(const std::vector<TrainingStage>& stages) {
   Json rows = Json::array();
   for (const TrainingStage& stage : stages) {
     rows.push_back({stage.window_frames, stage.windows_per_batch, stage.epochs});
@@ -116,7 +116,7 @@ class CheckpointReader {
   Checkpoint read_state(const JsonReader& json, const std::string& identity) const {
     Checkpoint result;
     result.identity = identity;
-    result.elapsed_s = json.at("elapsed_s").number(0.0, kMostSeconds);
+    result.elapsed_s = json.at("elapsed_s").number(0.0, kMaxSeconds);
     result.stages = stages(json.at("stages"));
     const Eigen::Index moments = run_.keeps_moments ? run_.parameters : 0;
     TrainingState& state = result.state;
@@ -124,7 +124,7 @@ class CheckpointReader {
     state.average = vector("average", run_.keeps_average ? run_.parameters : 0);
     state.optimiser.first_moment = vector("first_moment", moments);
     state.optimiser.second_moment = vector("second_moment", moments, 0.0F);
-    state.optimiser.step = static_cast<std::int64_t>(json.at("step").count(kMostSteps));
+    state.optimiser.step = static_cast<std::int64_t>(json.at("step").count(kMaxSteps));
     read_progress(json, result.stages, state);
     read_best(json, state);
     return result;
@@ -138,8 +138,8 @@ class CheckpointReader {
       if (items.size() != 3) {
         row.refuse(fmt::format("{} numbers found; expected 3", items.size()));
       }
-      result.push_back({items[0].integer(1, kMostEpochs), items[1].integer(1, kMostEpochs),
-                        items[2].integer(1, kMostEpochs - epochs)});
+      result.push_back({items[0].integer(1, kMaxEpochs), items[1].integer(1, kMaxEpochs),
+                        items[2].integer(1, kMaxEpochs - epochs)});
       epochs += result.back().epochs;
     }
     return result;
@@ -179,9 +179,9 @@ class CheckpointReader {
       const int epoch = static_cast<int>(result.size()) + 1;
       const double error =
           items[4].is_null() ? std::numeric_limits<double>::quiet_NaN() : items[4].number(0.0);
-      result.push_back({items[0].integer(epoch, epoch), items[1].integer(1, kMostEpochs),
+      result.push_back({items[0].integer(epoch, epoch), items[1].integer(1, kMaxEpochs),
                         items[2].number(0.0), items[3].number(0.0), error,
-                        items[5].number(0.0, kMostSeconds)});
+                        items[5].number(0.0, kMaxSeconds)});
     }
     return result;
   }
@@ -218,8 +218,8 @@ void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
                         {"best_members_m", state.best_members_m},
                         {"elapsed_s", checkpoint.elapsed_s},
                         {"best_epoch", state.best_epoch},
-                        {"stages", stages_to_json(checkpoint.stages)},
-                        {"curve", curve_to_json(state.curve)}};
+                        {"stages", to_json(checkpoint.stages)},
+                        {"curve", to_json(state.curve)}};
   content.metadata = {
       {"schema", kSchema}, {"identity", checkpoint.identity}, {"state", numbers.dump()}};
   write_file_atomically(path, safetensors_bytes(content));

@@ -101,7 +101,7 @@ std::vector<int> EpochTrainer::shuffled_starts(const TrainingStage& stage) const
   const int shift = settings_.shift_windows ? static_cast<int>(random.index(frames)) : 0;
   const std::span all(tables_.episodes);
   const auto starts_in = [&](std::span<const EpisodeRange> episodes) {
-    return window_starts(episodes, tables_.frames.seen, stage.window_frames, shift);
+    return window_starts(episodes, tables_.frames.tracked, stage.window_frames, shift);
   };
   std::vector<int> starts = starts_in(all.first(own_episodes_));
   if (own_episodes_ < all.size()) {

@@ -9,19 +9,19 @@ namespace limber {
 
 namespace {
 
-constexpr double kStillM = 1e-3;             // of any plate from frame to frame
-constexpr int kStillFrames = 4;              // in a row
-constexpr std::size_t kFewestFromRest = 19;  // for a 95 % quantile
+constexpr double kStillM = 1e-3;          // of any plate from frame to frame
+constexpr int kStillFrames = 4;           // in a row
+constexpr std::size_t kMinFromRest = 19;  // for a 95 % quantile
 
-/// Motions as they were recorded, holds included, cut where they are longer than `most_frames`.
-std::vector<RolloutPiece> cut_motions(const std::vector<Episode>& unseen, int most_frames) {
+/// Motions as they were recorded, holds included, cut where they are longer than `max_frames`.
+std::vector<RolloutPiece> cut_motions(const std::vector<Episode>& unseen, int max_frames) {
   std::vector<RolloutPiece> pieces;
   for (const RolloutPiece& motion : pieces_of_motions(unseen)) {
     const Episode& episode = unseen[static_cast<std::size_t>(motion.episode)];
     const int end = motion.first + motion.frames;
     int first = motion.first;
     while (first < end) {
-      const int frames = std::min(most_frames, end - first);
+      const int frames = std::min(max_frames, end - first);
       pieces.push_back({motion.episode, first, frames});
       first = episode.next_tracked(first + frames, end);
     }
@@ -43,7 +43,7 @@ bool stands_still(const Episode& episode, int frame) {
     return false;
   }
   for (int k = frame - kStillFrames; k < frame; ++k) {
-    if (largest_distance_m(episode.backbone.row(k + 1), episode.backbone.row(k)) > kStillM) {
+    if (max_distance_m(episode.backbone.row(k + 1), episode.backbone.row(k)) > kStillM) {
       return false;
     }
   }
@@ -52,17 +52,17 @@ bool stands_still(const Episode& episode, int frame) {
 
 }  // namespace
 
-double largest_distance_m(const Eigen::RowVectorXf& a, const Eigen::RowVectorXf& b) {
+double max_distance_m(const Eigen::RowVectorXf& a, const Eigen::RowVectorXf& b) {
   const Eigen::MatrixX3d apart = (a - b).cast<double>().reshaped<Eigen::RowMajor>(a.size() / 3, 3);
   return apart.leftCols<2>().rowwise().norm().maxCoeff();
 }
 
 std::vector<RolloutPiece> error_runs(const ArmDescription& arm,
                                      const std::vector<Episode>& unseen) {
-  const int most_frames = static_cast<int>(std::lround(kLongestErrorRun_s * arm.frame_rate_hz));
+  const int max_frames = static_cast<int>(std::lround(kLongestErrorRun_s * arm.frame_rate_hz));
   std::vector<RolloutPiece> moving;
   std::vector<RolloutPiece> from_rest;
-  for (const RolloutPiece& piece : cut_motions(unseen, most_frames)) {
+  for (const RolloutPiece& piece : cut_motions(unseen, max_frames)) {
     const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
     if (moves(episode, piece)) {
       moving.push_back(piece);
@@ -71,7 +71,7 @@ std::vector<RolloutPiece> error_runs(const ArmDescription& arm,
       }
     }
   }
-  return from_rest.size() >= kFewestFromRest ? from_rest : moving;
+  return from_rest.size() >= kMinFromRest ? from_rest : moving;
 }
 
 }  // namespace limber

@@ -8,7 +8,7 @@
 namespace limber {
 
 /// Plate by plate, the largest distance between two shapes of 3m numbers each.
-double largest_distance_m(const Eigen::RowVectorXf& a, const Eigen::RowVectorXf& b);
+double max_distance_m(const Eigen::RowVectorXf& a, const Eigen::RowVectorXf& b);
 
 /// The runs over which a model's error is measured: recorded motions, cut at kLongestErrorRun_s,
 /// that move a set point; only those that begin with the arm at rest where there are enough.

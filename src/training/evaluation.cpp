@@ -17,7 +17,7 @@ namespace limber {
 namespace {
 
 constexpr int kWindowFrames = 32;
-constexpr int kLeastFrames = 3;  // constant velocity needs two frames before the one it predicts
+constexpr int kMinFrames = 3;  // constant velocity needs two frames before the one it predicts
 
 std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Restart restart) {
   switch (restart) {
@@ -170,7 +170,7 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
   std::int64_t frames = 0;
   for (const Episode& episode : all_episodes) {
     frames += episode.frame_count();
-    if (episode.frame_count() >= kLeastFrames) {
+    if (episode.frame_count() >= kMinFrames) {
       episodes.push_back(episode);
     }
   }
@@ -178,7 +178,7 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
     throw InputError(
         fmt::format("the recording is too short to evaluate on: {} frames in {} episodes; expected "
                     "an episode of at least {} frames",
-                    frames, all_episodes.size(), kLeastFrames));
+                    frames, all_episodes.size(), kMinFrames));
   }
   Evaluation result;
   result.frames = counted_frames(episodes);

@@ -16,30 +16,30 @@ namespace {
 
 // A number that spreads by less is taken to spread by this, or noise in what hardly moves would
 // decide. Of positions and headings as in the loss (docs/training.md).
-constexpr double kLeastPositionSpread_m = 1e-4;
-constexpr double kLeastHeadingSpread_rad = 2e-3;
-constexpr double kLeastPressureShare = 0.01;  // of the pressure that spreads most
+constexpr double kMinPositionSpread_m = 1e-4;
+constexpr double kMinHeadingSpread_rad = 2e-3;
+constexpr double kMinPressureShare = 0.01;  // of the pressure that spreads most
 
 // An axis with less variance than this, of numbers whose variance is 1, says nothing but rounding.
 constexpr double kNegligibleVariance = 1e-5;
-constexpr double kLeastHalfRange = 1e-3;  // of an axis along which nothing varies
+constexpr double kMinHalfRange = 1e-3;  // of an axis along which nothing varies
 
 constexpr int kBlockFrames = 200;        // 10 s: two blocks have little to do with each other
 constexpr double kAllowedBeyond = 0.03;  // share of frames; what is asked for is 0.05
-constexpr double kMostWidening = 1.0;
+constexpr double kMaxWidening = 1.0;
 
 /// Joint vectors of the frames in which the arm was seen, one a column.
 Eigen::MatrixXd joint_vectors(const Episode& episode) {
-  std::vector<int> seen;
+  std::vector<int> tracked;
   for (int t = 0; t < episode.frame_count(); ++t) {
     if (episode.was_tracked(t)) {
-      seen.push_back(t);
+      tracked.push_back(t);
     }
   }
-  const Eigen::MatrixXd poses = episode.backbone(seen, Eigen::all).cast<double>().transpose();
+  const Eigen::MatrixXd poses = episode.backbone(tracked, Eigen::all).cast<double>().transpose();
   const Eigen::MatrixXd gaps = gap_poses_of(poses);
   Eigen::MatrixXd joint(episode.pressure_kpa.cols() + gaps.rows(), gaps.cols());
-  joint << episode.pressure_kpa(seen, Eigen::all).cast<double>().transpose(), gaps;
+  joint << episode.pressure_kpa(tracked, Eigen::all).cast<double>().transpose(), gaps;
   return joint;
 }
 
@@ -103,7 +103,7 @@ Eigen::MatrixXd along_axes(const LearntRegion& region, const Eigen::MatrixXd& jo
 void widen_axes(LearntRegion& region, const Eigen::MatrixXd& along, double widening) {
   const Eigen::VectorXd low = along.rowwise().minCoeff();
   const Eigen::VectorXd high = along.rowwise().maxCoeff();
-  const Eigen::VectorXd margin = (widening * 0.5 * (high - low)).cwiseMax(kLeastHalfRange);
+  const Eigen::VectorXd margin = (widening * 0.5 * (high - low)).cwiseMax(kMinHalfRange);
   region.axis_low = region.axis_low.cwiseMin((low - margin).cast<float>());
   region.axis_high = region.axis_high.cwiseMax((high + margin).cast<float>());
 }
@@ -125,7 +125,7 @@ double needed_widening(const Eigen::MatrixXd& along) {
     const Eigen::VectorXd low = known.rowwise().minCoeff();
     const Eigen::VectorXd high = known.rowwise().maxCoeff();
     const Eigen::VectorXd middle = 0.5 * (low + high);
-    const Eigen::VectorXd half_range = (0.5 * (high - low)).cwiseMax(kLeastHalfRange);
+    const Eigen::VectorXd half_range = (0.5 * (high - low)).cwiseMax(kMinHalfRange);
     for (const Eigen::Index t : halves[half]) {
       beyond.push_back((along.col(t) - middle).cwiseQuotient(half_range).cwiseAbs().maxCoeff() -
                        1.0);
@@ -134,18 +134,18 @@ double needed_widening(const Eigen::MatrixXd& along) {
   const auto rank =
       static_cast<std::ptrdiff_t>((1.0 - kAllowedBeyond) * static_cast<double>(beyond.size() - 1));
   std::nth_element(beyond.begin(), beyond.begin() + rank, beyond.end());
-  return std::clamp(beyond[static_cast<std::size_t>(rank)], kAxisWidening, kMostWidening);
+  return std::clamp(beyond[static_cast<std::size_t>(rank)], kAxisWidening, kMaxWidening);
 }
 
 /// Deviation of each number, no less than what it is taken to spread by at least.
 Eigen::VectorXd spread_of(const Eigen::MatrixXd& centred, Eigen::Index segments) {
   Eigen::VectorXd spread = centred.rowwise().norm() / std::sqrt(double(centred.cols()));
   const double widest = spread.head(segments).maxCoeff();
-  const double least = widest > 0.0 ? kLeastPressureShare * widest : 1.0;
+  const double least = widest > 0.0 ? kMinPressureShare * widest : 1.0;
   spread.head(segments) = spread.head(segments).cwiseMax(least);
   for (Eigen::Index i = segments; i < spread.size(); ++i) {
     const bool heading = (i - segments) % 3 == 2;
-    spread[i] = std::max(spread[i], heading ? kLeastHeadingSpread_rad : kLeastPositionSpread_m);
+    spread[i] = std::max(spread[i], heading ? kMinHeadingSpread_rad : kMinPositionSpread_m);
   }
   return spread;
 }

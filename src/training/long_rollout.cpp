@@ -53,14 +53,13 @@ LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>&
     previous = current;
     if (state.allFinite()) {
       const Eigen::MatrixX3d plates = state.cast<double>();
-      result.largest_distance_m =
-          std::max(result.largest_distance_m, plates.leftCols<2>().rowwise().norm().maxCoeff());
-      result.largest_heading_rad =
-          std::max(result.largest_heading_rad, plates.col(2).cwiseAbs().maxCoeff());
+      result.max_distance_m =
+          std::max(result.max_distance_m, plates.leftCols<2>().rowwise().norm().maxCoeff());
+      result.max_heading_rad =
+          std::max(result.max_heading_rad, plates.col(2).cwiseAbs().maxCoeff());
     }
   }
-  result.bounded =
-      state.allFinite() && result.largest_distance_m <= kFarthest * arm_length_m(model);
+  result.bounded = state.allFinite() && result.max_distance_m <= kFarthest * arm_length_m(model);
   return result;
 }
 

@@ -63,10 +63,10 @@ TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, 
   for (int t = first; t < episode.frame_count(); ++t) {
     const Eigen::Vector3d difference =
         (predicted.row(t).segment<3>(tip) - recorded.row(t).segment<3>(tip)).cast<double>();
-    const bool seen = episode.was_tracked(t) && difference.allFinite();
+    const bool tracked = episode.was_tracked(t) && difference.allFinite();
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    errors.position_cm.push_back(seen ? kCmPerM * difference.head<2>().norm() : nan);
-    errors.orientation_rad.push_back(seen ? std::abs(difference[2]) : nan);
+    errors.position_cm.push_back(tracked ? kCmPerM * difference.head<2>().norm() : nan);
+    errors.orientation_rad.push_back(tracked ? std::abs(difference[2]) : nan);
     errors.motion.push_back(episode.motion_index[static_cast<std::size_t>(t)]);
     const auto step = (recorded.row(t) - recorded.row(t - 1)).segment<2>(tip).cast<double>();
     errors.moving.push_back(episode.was_tracked(t - 1) && step.norm() >= kMovingTip_m);

@@ -128,9 +128,9 @@ void TrainingRun::fit_epochs_to_time_limit() {
     seconds += stage.epochs * seconds_per_epoch(stage);
   }
   const double left = kMargin * settings_.time_limit_s - elapsed_s();
-  constexpr double kMostEpochs = 1e6;
+  constexpr double kMaxEpochs = 1e6;
   const int epochs =
-      static_cast<int>(std::clamp(settings_.epoch_count() * left / seconds, 0.0, kMostEpochs));
+      static_cast<int>(std::clamp(settings_.epoch_count() * left / seconds, 0.0, kMaxEpochs));
   set_epoch_count(settings_, std::max(epochs, static_cast<int>(settings_.stages.size())));
 }
 
@@ -212,7 +212,7 @@ std::string TrainingRun::identity() const {
   const FrameTable<float>& frames = trainer_.tables().frames;
   text += content_hash(bytes(frames.pressure)) + content_hash(bytes(frames.state));
   text += content_hash(bytes(trainer_.state().parameters));  // the weights that it began with
-  text += content_hash(std::string(frames.seen.begin(), frames.seen.end()));
+  text += content_hash(std::string(frames.tracked.begin(), frames.tracked.end()));
   for (const Episode& episode : data_.validation) {
     text += content_hash(bytes(episode.backbone));
   }

@@ -86,13 +86,13 @@ void set_epoch_count(TrainingSettings& settings, int epochs) {
 
 void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames) {
   constexpr int kFramesInBatch = 2048;
-  constexpr int kMostWindows = 512;
+  constexpr int kMaxWindows = 512;
   const int epochs = settings.epoch_count();
   settings.stages.clear();
   require(!window_frames.empty(), "windows", 0, "at least one stage");
   for (const int frames : window_frames) {
     require(frames >= 1, "stages.window_frames", frames, ">= 1");
-    settings.stages.push_back({frames, std::clamp(kFramesInBatch / frames, 1, kMostWindows), 1});
+    settings.stages.push_back({frames, std::clamp(kFramesInBatch / frames, 1, kMaxWindows), 1});
   }
   set_epoch_count(settings, epochs);
 }

@@ -16,43 +16,43 @@ namespace {
 // A column whose numbers spread by less than this (kPa, m or rad) is constant: float32's rounding.
 constexpr float kConstantSpread = 1e-6F;
 // Of poses: no motion capture resolves less.
-constexpr float kLeastPositionSpread_m = 1e-4F;
-constexpr float kLeastHeadingSpread_rad = 2e-3F;
+constexpr float kMinPositionSpread_m = 1e-4F;
+constexpr float kMinHeadingSpread_rad = 2e-3F;
 
 /// Columns of all episodes' frames in user units, backbones in the network's layout.
 struct RawFrames {
-  Eigen::MatrixXf pressure_kpa;    // n×F
-  Eigen::MatrixXf poses;           // 3m×F, recorded, about the base
-  Eigen::MatrixXf no_load_poses;   // 3m×F
-  Eigen::MatrixXf state;           // D×F, recorded, in the network's layout
-  Eigen::MatrixXf no_load;         // D×F
-  std::vector<std::uint8_t> seen;  // F; empty: the arm was tracked in all frames
-  std::vector<int> seen_columns;   // those in which it was; empty: in all
+  Eigen::MatrixXf pressure_kpa;       // n×F
+  Eigen::MatrixXf poses;              // 3m×F, recorded, about the base
+  Eigen::MatrixXf no_load_poses;      // 3m×F
+  Eigen::MatrixXf state;              // D×F, recorded, in the network's layout
+  Eigen::MatrixXf no_load;            // D×F
+  std::vector<std::uint8_t> tracked;  // F; empty: the arm was tracked in all frames
+  std::vector<int> tracked_columns;   // those in which it was; empty: in all
 };
 
 /// Marks the frames in which the arm was not tracked.
-void mark_unseen(const std::vector<Episode>& episodes, RawFrames& raw) {
-  std::int64_t unseen = 0;
+void mark_untracked(const std::vector<Episode>& episodes, RawFrames& raw) {
+  std::int64_t untracked = 0;
   for (const Episode& episode : episodes) {
-    unseen += episode.untracked_count();
+    untracked += episode.untracked_count();
   }
-  if (unseen == 0) {
+  if (untracked == 0) {
     return;
   }
   for (const Episode& episode : episodes) {
     for (int t = 0; t < episode.frame_count(); ++t) {
-      raw.seen.push_back(episode.tracked.empty() ? 1
-                                                 : episode.tracked[static_cast<std::size_t>(t)]);
-      if (raw.seen.back() != 0) {
-        raw.seen_columns.push_back(static_cast<int>(raw.seen.size()) - 1);
+      raw.tracked.push_back(episode.tracked.empty() ? 1
+                                                    : episode.tracked[static_cast<std::size_t>(t)]);
+      if (raw.tracked.back() != 0) {
+        raw.tracked_columns.push_back(static_cast<int>(raw.tracked.size()) - 1);
       }
     }
   }
-  if (raw.seen_columns.empty()) {
+  if (raw.tracked_columns.empty()) {
     throw InputError(fmt::format(
         "the arm was tracked in none of the training data's {} frames: there is nothing to learn "
         "from",
-        raw.seen.size()));
+        raw.tracked.size()));
   }
 }
 
@@ -85,20 +85,20 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
   }
   raw.no_load = layout.encode(raw.no_load_poses);
   raw.state = layout.encode(raw.poses);
-  mark_unseen(episodes, raw);
+  mark_untracked(episodes, raw);
   return raw;
 }
 
 /// The columns in which the arm was seen: guesses in between say nothing about ranges.
-Eigen::MatrixXf seen_only(Eigen::MatrixXf columns, const RawFrames& raw) {
-  return raw.seen_columns.empty() ? std::move(columns)
-                                  : Eigen::MatrixXf(columns(Eigen::all, raw.seen_columns));
+Eigen::MatrixXf tracked_only(Eigen::MatrixXf columns, const RawFrames& raw) {
+  return raw.tracked_columns.empty() ? std::move(columns)
+                                     : Eigen::MatrixXf(columns(Eigen::all, raw.tracked_columns));
 }
 
 /// Least spread of the numbers of poses (x, y, θ, x, y, …): a number that only noise moves would
 /// otherwise count as much as the arm's end.
-float least_pose_spread(Eigen::Index row) {
-  return row % 3 == 2 ? kLeastHeadingSpread_rad : kLeastPositionSpread_m;
+float min_pose_spread(Eigen::Index row) {
+  return row % 3 == 2 ? kMinHeadingSpread_rad : kMinPositionSpread_m;
 }
 
 /// Of other numbers: any spread counts.
@@ -108,7 +108,7 @@ float no_least_spread(Eigen::Index) {
 
 /// Offset and scale of each row of `columns`.
 Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling,
-                      float (*least_spread)(Eigen::Index) = no_least_spread) {
+                      float (*min_spread)(Eigen::Index) = no_least_spread) {
   Normalisation result{Eigen::VectorXf(columns.rows()), Eigen::VectorXf(columns.rows())};
   for (Eigen::Index i = 0; i < columns.rows(); ++i) {
     const auto row = columns.row(i);
@@ -122,7 +122,7 @@ Normalisation measure(const Eigen::MatrixXf& columns, Scaling scaling,
       spread = static_cast<float>(std::sqrt((row.cast<double>().array() - mean).square().mean()));
     }
     result.offset[i] = offset;
-    result.scale[i] = range > kConstantSpread ? 1.0F / std::max(spread, least_spread(i)) : 1.0F;
+    result.scale[i] = range > kConstantSpread ? 1.0F / std::max(spread, min_spread(i)) : 1.0F;
   }
   return result;
 }
@@ -168,8 +168,9 @@ Eigen::MatrixXf normalised(Eigen::MatrixXf columns, const Normalisation& by, Eig
 FrameError<float> chained_error(const RawFrames& raw, const Normalisation& input,
                                 const NetworkLayout& layout, Scaling scaling) {
   const Eigen::Index size = layout.backbone_size();
-  const Normalisation spread = measure(
-      seen_only((raw.poses - raw.no_load_poses).bottomRows(size), raw), scaling, least_pose_spread);
+  const Normalisation spread =
+      measure(tracked_only((raw.poses - raw.no_load_poses).bottomRows(size), raw), scaling,
+              min_pose_spread);
   return FrameError<float>(spread.scale,
                            input.scale.segment(layout.backbone_row(), size).cwiseInverse(),
                            input.offset.segment(layout.backbone_row(), size));
@@ -189,11 +190,11 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
     // In units of the spread that compensation has.
     const Normalisation spread =
         settings.form == OutputForm::gated_change
-            ? measure(seen_only(raw.state - raw.no_load, raw), settings.scaling)
+            ? measure(tracked_only(raw.state - raw.no_load, raw), settings.scaling)
             : tables.output;
     tables.map.error = FrameError<float>(spread.scale.array() / state_scale);
   }
-  frames.seen = std::move(raw.seen);
+  frames.tracked = std::move(raw.tracked);
   frames.pressure = normalised(std::move(raw.pressure_kpa), tables.input, layout.pressure_row());
   frames.state = normalised(std::move(raw.state), tables.input, layout.backbone_row());
   frames.no_load =
@@ -220,14 +221,14 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
   TrainingTables tables;
   RawFrames raw = gather(arm, episodes, layout, tables.episodes);
   require_varying_pressures(raw.pressure_kpa);
-  const Normalisation pressure = measure(seen_only(raw.pressure_kpa, raw), settings.scaling);
+  const Normalisation pressure = measure(tracked_only(raw.pressure_kpa, raw), settings.scaling);
   tables.input = stack(
-      {pressure, pressure, measure(seen_only(raw.state, raw), settings.scaling, least_pose_spread),
-       measure(seen_only(layout.no_load_input(raw.no_load), raw), settings.scaling)});
+      {pressure, pressure, measure(tracked_only(raw.state, raw), settings.scaling, min_pose_spread),
+       measure(tracked_only(layout.no_load_input(raw.no_load), raw), settings.scaling)});
   tables.output =
       settings.form == OutputForm::gated_change
           ? measure_changes(raw, tables.episodes, settings.scaling)
-          : measure(seen_only(raw.state - raw.no_load, raw), settings.scaling, least_pose_spread);
+          : measure(tracked_only(raw.state - raw.no_load, raw), settings.scaling, min_pose_spread);
   normalise(std::move(raw), layout, settings, tables);
   return tables;
 }
@@ -244,22 +245,23 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
 }
 
 std::vector<int> window_starts(std::span<const EpisodeRange> episodes,
-                               std::span<const std::uint8_t> seen, int window_frames, int shift) {
-  const auto is_seen = [&](int frame) {
-    return seen.empty() || seen[static_cast<std::size_t>(frame)] != 0;
+                               std::span<const std::uint8_t> tracked, int window_frames,
+                               int shift) {
+  const auto is_tracked = [&](int frame) {
+    return tracked.empty() || tracked[static_cast<std::size_t>(frame)] != 0;
   };
   std::vector<int> starts;
   for (const EpisodeRange& episode : episodes) {
     const int last = episode.first + episode.count - 1 - window_frames;
     int start = std::min(episode.first + shift, std::max(last, episode.first));
     while (start <= last) {
-      if (!is_seen(start)) {
+      if (!is_tracked(start)) {
         ++start;
         continue;
       }
       bool useful = false;
       for (int frame = start + 1; frame <= start + window_frames && !useful; ++frame) {
-        useful = is_seen(frame);
+        useful = is_tracked(frame);
       }
       if (useful) {
         starts.push_back(start);

@@ -35,7 +35,7 @@ std::vector<Episode> runs_of(const ArmDescription& arm, const CompensationModel&
 }
 
 struct RunError {
-  double largest_position_m = 0.0;
+  double max_position_m = 0.0;
   double off_path_m = 0.0;
   double end_position_m = 0.0;
   double end_orientation_rad = 0.0;
@@ -45,13 +45,13 @@ struct RunError {
 double off_path_m(const FrameMatrix& predicted, const Episode& run, int t) {
   const int first = std::max(0, t - kPathFrames);
   const int last = std::min(run.frame_count() - 1, t + kPathFrames);
-  double nearest = largest_distance_m(predicted.row(t), run.backbone.row(t));
+  double nearest = max_distance_m(predicted.row(t), run.backbone.row(t));
   for (int k = first; k < last; ++k) {
     for (int part = 0; part < kPathParts; ++part) {
       const float fraction = float(part) / float(kPathParts);
       const Eigen::RowVectorXf between =
           (1.0F - fraction) * predicted.row(k) + fraction * predicted.row(k + 1);
-      nearest = std::min(nearest, largest_distance_m(between, run.backbone.row(t)));
+      nearest = std::min(nearest, max_distance_m(between, run.backbone.row(t)));
     }
   }
   return nearest;
@@ -67,8 +67,8 @@ std::optional<RunError> error_of(const FrameMatrix& predicted, const Episode& ru
     const Eigen::RowVector3d tip_apart =
         (predicted.row(t).tail<3>() - run.backbone.row(t).tail<3>()).cast<double>();
     error = error.value_or(RunError{});
-    error->largest_position_m = std::max(error->largest_position_m,
-                                         largest_distance_m(predicted.row(t), run.backbone.row(t)));
+    error->max_position_m =
+        std::max(error->max_position_m, max_distance_m(predicted.row(t), run.backbone.row(t)));
     error->off_path_m = std::max(error->off_path_m, off_path_m(predicted, run, t));
     error->end_position_m = tip_apart.head<2>().norm();
     error->end_orientation_rad = std::abs(tip_apart[2]);
@@ -101,24 +101,24 @@ PredictedRuns predict_runs(const ArmDescription& arm, const CompensationModel& m
 }
 
 std::optional<PredictionError> error_of(const ArmDescription& arm, const PredictedRuns& all) {
-  std::vector<double> largest_m, off_m, end_m, end_rad;
+  std::vector<double> max_m, off_m, end_m, end_rad;
   double frames = 0.0;
   for (std::size_t i = 0; i < all.runs.size(); ++i) {
     if (const std::optional<RunError> error = error_of(all.predicted[i], all.runs[i])) {
-      largest_m.push_back(error->largest_position_m);
+      max_m.push_back(error->max_position_m);
       off_m.push_back(error->off_path_m);
       end_m.push_back(error->end_position_m);
       end_rad.push_back(error->end_orientation_rad);
       frames += all.runs[i].frame_count() - 1;
     }
   }
-  if (largest_m.empty()) {
+  if (max_m.empty()) {
     return std::nullopt;
   }
   PredictionError result;
-  result.runs = static_cast<int>(largest_m.size());
+  result.runs = static_cast<int>(max_m.size());
   result.run_s = frames / result.runs * arm.frame_period_s();
-  result.largest_position_m = conformal_quantile(largest_m);
+  result.max_position_m = conformal_quantile(max_m);
   result.off_path_m = conformal_quantile(off_m);
   result.end_position_m = conformal_quantile(end_m);
   result.end_orientation_rad = conformal_quantile(end_rad);

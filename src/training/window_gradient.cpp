@@ -98,16 +98,16 @@ void WindowGradient<Scalar>::weigh(const FrameTable<Scalar>& frames, std::span<c
   std::fill(weight_.begin(), weight_.end(), Scalar(0));
   for (int j = 0; j < windows_; ++j) {
     const int first = starts[static_cast<std::size_t>(j)] + 1;
-    const auto is_seen = [&](int k) {
-      return frames.seen.empty() || frames.seen[static_cast<std::size_t>(first + k)] != 0;
+    const auto is_tracked = [&](int k) {
+      return frames.tracked.empty() || frames.tracked[static_cast<std::size_t>(first + k)] != 0;
     };
     int count = 0;
     for (int k = 0; k < frames_; ++k) {
-      count += is_seen(k) ? 1 : 0;
+      count += is_tracked(k) ? 1 : 0;
     }
     for (int k = 0; k < frames_; ++k) {
       at(weight_, 1, block_of(j / stride_, k))[j % stride_] =
-          is_seen(k) ? Scalar(1) / static_cast<Scalar>(count) : Scalar(0);
+          is_tracked(k) ? Scalar(1) / static_cast<Scalar>(count) : Scalar(0);
     }
   }
 }

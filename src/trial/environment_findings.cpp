@@ -12,7 +12,7 @@ namespace limber {
 namespace {
 
 constexpr std::uint64_t kMonotoneStream = 1;
-constexpr int kMostWaypoints = 3;    // of a monotone motion, its end included
+constexpr int kMaxWaypoints = 3;     // of a monotone motion, its end included
 constexpr double kAboutGoals = 0.5;  // share of monotone motions that end near a known plan's end
 constexpr double kSpread = 0.15;     // of those ends, as a share of the pressure limit
 
@@ -26,9 +26,9 @@ bool failed(const PlanTrial& trial) {
 }
 
 /// Ways through an environment that need no planner.
-class SimpleWays {
+class SimplePaths {
  public:
-  explicit SimpleWays(const PlanningProblem& problem)
+  explicit SimplePaths(const PlanningProblem& problem)
       : arm_(problem.arm),
         environment_(problem.environment),
         start_(start_state(problem.environment, problem.arm)),
@@ -51,8 +51,8 @@ class SimpleWays {
   }
 
   /// Waypoints between which every pressure only rises or only falls, ending at `end_kpa`.
-  std::vector<Pressures> monotone_way(const Pressures& end_kpa, RandomStream& random) const {
-    const std::size_t count = 1 + random.index(kMostWaypoints);
+  std::vector<Pressures> monotone_path(const Pressures& end_kpa, RandomStream& random) const {
+    const std::size_t count = 1 + random.index(kMaxWaypoints);
     std::vector<Pressures> waypoints(count, end_kpa);
     for (Eigen::Index i = 0; i < end_kpa.size(); ++i) {
       std::vector<double> shares(count - 1);
@@ -99,17 +99,18 @@ std::vector<Pressures> plan_ends(const std::vector<PlanTrial>& trials, const cha
   return ends;
 }
 
-void look_for_simple_ways(EnvironmentFindings& findings, const PlanningProblem& problem,
-                          int monotone_motions, std::uint64_t seed) {
+void look_for_simple_paths(EnvironmentFindings& findings, const PlanningProblem& problem,
+                           int monotone_motions, std::uint64_t seed) {
   const std::vector<Pressures> ends = plan_ends(findings.trials, "network");
   findings.straight_line_collides =
       std::all_of(ends.begin(), ends.end(),
                   [&](const Pressures& end) { return straight_line_collides(problem, end); });
-  SimpleWays ways(problem);
+  SimplePaths paths(problem);
   RandomStream random(seed, kMonotoneStream);
   findings.needs_reversal = true;
   for (int k = 0; k < monotone_motions && findings.needs_reversal; ++k) {
-    findings.needs_reversal = !ways.solves(ways.monotone_way(ways.draw_end(ends, random), random));
+    findings.needs_reversal =
+        !paths.solves(paths.monotone_path(paths.draw_end(ends, random), random));
   }
 }
 
@@ -149,8 +150,8 @@ EnvironmentFindings find_out(const ArmDescription& arm, const MotionModel& no_lo
     findings.network_reached += trial.model == "network" && proven(trial) ? 1 : 0;
     findings.no_load_failed += trial.model == "no_load" && failed(trial) ? 1 : 0;
   }
-  look_for_simple_ways(findings, PlanningProblem{arm, network, item.environment, 0.0},
-                       settings.monotone_motions, seed);
+  look_for_simple_paths(findings, PlanningProblem{arm, network, item.environment, 0.0},
+                        settings.monotone_motions, seed);
   measure_passage(findings, arm, item.environment);
   return findings;
 }

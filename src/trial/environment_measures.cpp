@@ -27,8 +27,8 @@ double ray_distance(const ObstacleShape& shape, const Vector2d& p, const Vector2
     const Vector2d to_centre = shape.centre - p;
     const double along = to_centre.dot(direction);
     const double square = shape.radius_m * shape.radius_m - to_centre.squaredNorm() + along * along;
-    const double way = square >= 0.0 ? along - std::sqrt(square) : -1.0;
-    return way >= 0.0 ? way : kNone;
+    const double distance = square >= 0.0 ? along - std::sqrt(square) : -1.0;
+    return distance >= 0.0 ? distance : kNone;
   }
   double nearest = kNone;
   const Vector2d* previous = &shape.vertices.back();
@@ -36,10 +36,10 @@ double ray_distance(const ObstacleShape& shape, const Vector2d& p, const Vector2
     const Vector2d edge = corner - *previous;
     const double turn = cross(direction, edge);
     if (turn != 0.0) {
-      const double way = cross(*previous - p, edge) / turn;
+      const double distance = cross(*previous - p, edge) / turn;
       const double on_edge = cross(*previous - p, direction) / turn;
-      if (way >= 0.0 && on_edge >= 0.0 && on_edge <= 1.0) {
-        nearest = std::min(nearest, way);
+      if (distance >= 0.0 && on_edge >= 0.0 && on_edge <= 1.0) {
+        nearest = std::min(nearest, distance);
       }
     }
     previous = &corner;
@@ -82,7 +82,7 @@ bool straight_line_solves(const PlanningProblem& problem, const std::vector<Pres
   RandomStream random(seed, kMeasureStream);
   InverseKinematicsSettings settings;
   settings.starts = starts;
-  settings.most_solutions = starts;
+  settings.max_solutions = starts;
   std::vector<Pressures> candidates = to_kpa;
   for (const Eigen::VectorXd& q :
        solve_inverse_kinematics(problem.model.no_load(), problem.environment.goal, settings, random)

@@ -12,31 +12,31 @@ namespace limber {
 
 namespace {
 
-constexpr int kDraws = 100;
-constexpr std::uint64_t kNextDraw = 1'000'000;  // between the numbers of one environment's draws
+constexpr int kSamples = 100;
+constexpr std::uint64_t kNextSample = 1'000'000;  // between the numbers of one environment's draws
 
 bool is_proven(const ArmDescription& arm, const MotionModel& model,
-               const RandomEnvironment& drawn) {
-  const CollisionChecker checker(arm, drawn.environment.obstacles);
+               const RandomEnvironment& sampled) {
+  const CollisionChecker checker(arm, sampled.environment.obstacles);
   MotionSimulator simulator(arm, model, checker);
-  const PlanningProblem problem{arm, model, drawn.environment, 0.0};
-  const Plan plan = build_plan(problem, simulator, drawn.witness_kpa, "witness", 0);
+  const PlanningProblem problem{arm, model, sampled.environment, 0.0};
+  const Plan plan = build_plan(problem, simulator, sampled.witness_kpa, "witness", 0);
   VirtualArm driver(arm);
-  const ExecutionResult run = execute(arm, drawn.environment, plan, driver);
+  const ExecutionResult run = execute(arm, sampled.environment, plan, driver);
   return run.goal_reached && !run.collided;
 }
 
 }  // namespace
 
-std::optional<Environment> draw_proven_environment(const ArmDescription& arm,
-                                                   const MotionModel& model, std::uint64_t seed,
-                                                   std::uint64_t number) {
-  for (int k = 0; k < kDraws; ++k) {
+std::optional<Environment> sample_proven_environment(const ArmDescription& arm,
+                                                     const MotionModel& model, std::uint64_t seed,
+                                                     std::uint64_t number) {
+  for (int k = 0; k < kSamples; ++k) {
     throw_if_interrupted();
-    const std::optional<RandomEnvironment> drawn =
-        random_environment(arm, model, seed, number + std::uint64_t(k) * kNextDraw);
-    if (drawn && is_proven(arm, model, *drawn)) {
-      Environment environment = drawn->environment;
+    const std::optional<RandomEnvironment> sampled =
+        random_environment(arm, model, seed, number + std::uint64_t(k) * kNextSample);
+    if (sampled && is_proven(arm, model, *sampled)) {
+      Environment environment = sampled->environment;
       environment.name = "random " + std::to_string(number) + " of seed " + std::to_string(seed);
       return environment;
     }

@@ -16,16 +16,16 @@ namespace limber {
 namespace {
 
 constexpr std::uint64_t kEnvironmentStream = 0x656e76ULL << 32;
-constexpr int kMostWaypoints = 3;
-constexpr double kLeastTravelM = 0.15;  // of the tip, from start to goal
+constexpr int kMaxWaypoints = 3;
+constexpr double kMinTravelM = 0.15;  // of the tip, from start to goal
 constexpr int kTriesPerObstacle = 30;
 constexpr int kStraightLineStarts = 20;
 
 /// Builds one environment about one random motion.
-class Drawing {
+class EnvironmentSampler {
  public:
-  Drawing(const ArmDescription& arm, const MotionModel& model,
-          const RandomEnvironmentSettings& settings, RandomStream& random)
+  EnvironmentSampler(const ArmDescription& arm, const MotionModel& model,
+                     const RandomEnvironmentSettings& settings, RandomStream& random)
       : arm_(arm),
         model_(model),
         settings_(settings),
@@ -33,17 +33,17 @@ class Drawing {
         nothing_(arm, {}),
         simulator_(arm, model, nothing_) {}
 
-  std::optional<RandomEnvironment> draw() {
+  std::optional<RandomEnvironment> sample() {
     draw_motion();
     const Pose tip = tip_pose<float>(motion_.back().backbone);
     const Pose start = tip_pose<float>(motion_.front().backbone);
-    if (std::hypot(tip.x_m - start.x_m, tip.y_m - start.y_m) < kLeastTravelM) {
+    if (std::hypot(tip.x_m - start.x_m, tip.y_m - start.y_m) < kMinTravelM) {
       return std::nullopt;
     }
     set_goal(tip);
-    const int wanted = settings_.fewest_obstacles +
-                       static_cast<int>(random_.index(static_cast<std::uint32_t>(
-                           settings_.most_obstacles - settings_.fewest_obstacles + 1)));
+    const int wanted =
+        settings_.min_obstacles + static_cast<int>(random_.index(static_cast<std::uint32_t>(
+                                      settings_.max_obstacles - settings_.min_obstacles + 1)));
     for (int k = 0; k < wanted * kTriesPerObstacle &&
                     static_cast<int>(result_.environment.obstacles.size()) < wanted;
          ++k) {
@@ -74,7 +74,7 @@ class Drawing {
     motion_.assign(1, {rest.pressures_kpa, rest.pressures_kpa, rest.backbone});
     straight_ = motion_;
     result_.witness_kpa.assign(1, rest.pressures_kpa);
-    const int waypoints = 2 + static_cast<int>(random_.index(kMostWaypoints - 1));
+    const int waypoints = 2 + static_cast<int>(random_.index(kMaxWaypoints - 1));
     for (int k = 0; k < waypoints; ++k) {
       result_.witness_kpa.push_back(random_pressures());
       simulator_.append_motion(result_.witness_kpa.back(), motion_);
@@ -95,7 +95,7 @@ class Drawing {
   }
 
   /// A point near the arm on the straight motion, which is to be blocked, or near the witness.
-  Eigen::Vector2d random_place(bool on_straight_line) {
+  Eigen::Vector2d random_point(bool on_straight_line) {
     const std::vector<PlanFrame>& frames = on_straight_line ? straight_ : motion_;
     const Backbone& b = frames[random_.index(static_cast<std::uint32_t>(frames.size()))].backbone;
     const auto plate =
@@ -129,7 +129,7 @@ class Drawing {
 
   /// Adds one obstacle where the witness stays clear of it.
   void add_obstacle(bool on_straight_line) {
-    const Obstacle obstacle = random_obstacle(random_place(on_straight_line));
+    const Obstacle obstacle = random_obstacle(random_point(on_straight_line));
     const CollisionChecker checker(arm_, {obstacle}, settings_.clearance_m);
     for (std::size_t k = 1; k < motion_.size(); ++k) {
       if (!checker.is_motion_free(motion_[k - 1].backbone, motion_[k].backbone)) {
@@ -158,10 +158,11 @@ std::optional<RandomEnvironment> random_environment(const ArmDescription& arm,
                                                     const RandomEnvironmentSettings& settings) {
   RandomStream random(seed, kEnvironmentStream + number);
   for (int attempt = 0; attempt < settings.attempts; ++attempt) {
-    std::optional<RandomEnvironment> drawn = Drawing(arm, model, settings, random).draw();
-    if (drawn) {
-      drawn->environment.name = fmt::format("random {} of seed {}", number, seed);
-      return drawn;
+    std::optional<RandomEnvironment> sampled =
+        EnvironmentSampler(arm, model, settings, random).sample();
+    if (sampled) {
+      sampled->environment.name = fmt::format("random {} of seed {}", number, seed);
+      return sampled;
     }
   }
   return std::nullopt;

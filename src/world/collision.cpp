@@ -21,7 +21,7 @@ using Eigen::Vector2d;
 // Both stay well inside CollisionChecker::kToleranceM together.
 constexpr double kArcToleranceM = 0.25e-3;    // a chord's bulge that need not be split further
 constexpr double kMotionToleranceM = 0.5e-3;  // a motion that need not be split further
-constexpr int kMostPieces = 32;
+constexpr int kMaxPieces = 32;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The middle line of one gap: an arc of constant curvature from `start` to `end` that turns by
@@ -72,13 +72,13 @@ struct GapMotion {
   /// radian of turn; tests/world/collision_test.cpp).
   double travel_bound_m() const {
     constexpr double kPlacePerTurn = 0.3;
-    const Vector2d start_way = to.start - from.start;
-    const Vector2d end_way = to.end - from.end;
+    const Vector2d start_shift = to.start - from.start;
+    const Vector2d end_shift = to.end - from.end;
     const double chord = std::sqrt(
         std::max((from.end - from.start).squaredNorm(), (to.end - to.start).squaredNorm()));
     const double turn = std::max(std::abs(from.turn_rad), std::abs(to.turn_rad));
-    return std::sqrt(std::max(start_way.squaredNorm(), end_way.squaredNorm())) +
-           bulge_m(1.0, turn) * (end_way - start_way).norm() +
+    return std::sqrt(std::max(start_shift.squaredNorm(), end_shift.squaredNorm())) +
+           bulge_m(1.0, turn) * (end_shift - start_shift).norm() +
            kPlacePerTurn * chord * std::abs(to.turn_rad - from.turn_rad);
   }
 };
@@ -88,7 +88,7 @@ struct GapMotion {
 template <class Visit>
 void visit_pieces(const GapArc& arc, double bulge, Visit&& visit) {
   const int pieces =
-      std::clamp(static_cast<int>(std::ceil(std::sqrt(bulge / kArcToleranceM))), 1, kMostPieces);
+      std::clamp(static_cast<int>(std::ceil(std::sqrt(bulge / kArcToleranceM))), 1, kMaxPieces);
   const double half = 0.5 * arc.turn_rad;
   const Vector2d chord = arc.end - arc.start;
   const Vector2d beside(-chord.y(), chord.x());
@@ -172,11 +172,11 @@ void lower_by_arc(const std::vector<ObstacleShape>& shapes, const GapArc& arc, d
 bool motion_is_free(const std::vector<ObstacleShape>& shapes, const GapMotion& motion,
                     double radius, double travel, double low, double high) {
   const GapArc arc = motion.at(0.5 * (low + high));
-  const double way = 0.5 * (high - low) * travel;
-  if (!arc_touches(shapes, arc, radius + way)) {
+  const double reach = 0.5 * (high - low) * travel;
+  if (!arc_touches(shapes, arc, radius + reach)) {
     return true;
   }
-  if (!(way > kMotionToleranceM) || arc_touches(shapes, arc, radius)) {
+  if (!(reach > kMotionToleranceM) || arc_touches(shapes, arc, radius)) {
     return false;
   }
   const double middle = 0.5 * (low + high);
@@ -189,14 +189,14 @@ bool motion_is_free(const std::vector<ObstacleShape>& shapes, const GapMotion& m
 void lower_by_motion(const std::vector<ObstacleShape>& shapes, const GapMotion& motion,
                      double radius, double travel, double low, double high, int gap, double known,
                      Clearance& best) {
-  const double way = 0.5 * (high - low) * travel;
-  Clearance here{best.value_m + way, -1, -1};  // farther than this can't matter
+  const double reach = 0.5 * (high - low) * travel;
+  Clearance here{best.value_m + reach, -1, -1};  // farther than this can't matter
   lower_by_arc(shapes, motion.at(0.5 * (low + high)), radius, gap, here);
   if (here.obstacle < 0) {
     return;
   }
-  known = std::max(known, here.value_m - way);
-  if (!(way > kMotionToleranceM)) {
+  known = std::max(known, here.value_m - reach);
+  if (!(reach > kMotionToleranceM)) {
     if (known < best.value_m) {
       best = {known, gap, here.obstacle};
     }

@@ -13,10 +13,10 @@ namespace {
 
 constexpr const char* kSchema = "limber/environment/1";
 constexpr double kFarthestM = 1000.0;  // keeps squares of coordinates finite, and catches mm
-constexpr double kMostAngleRad = 1000.0;
+constexpr double kMaxAngleRad = 1000.0;
 constexpr double kOrientationToleranceRad = 0.3;  // where the file gives theta alone
-constexpr std::size_t kMostObstacles = 10000;
-constexpr std::size_t kMostPolygonPoints = 1000;
+constexpr std::size_t kMaxObstacles = 10000;
+constexpr std::size_t kMaxPolygonPoints = 1000;
 
 double coordinate(const YamlReader& node) {
   return node.number("a coordinate in metres", -kFarthestM, kFarthestM);
@@ -28,7 +28,7 @@ double size(const YamlReader& node, const char* what) {
 }
 
 double angle(const YamlReader& node) {
-  return node.number("an angle in radians", -kMostAngleRad, kMostAngleRad);
+  return node.number("an angle in radians", -kMaxAngleRad, kMaxAngleRad);
 }
 
 Circle read_circle(const YamlReader& node) {
@@ -116,9 +116,9 @@ Polygon read_polygon(const YamlReader& node) {
     result.points_m.emplace_back(coordinate(xy[0]), coordinate(xy[1]));
   }
   const std::size_t count = result.points_m.size();
-  if (count < 3 || count > kMostPolygonPoints) {
+  if (count < 3 || count > kMaxPolygonPoints) {
     node.refuse(
-        fmt::format("{} points found; expected 3 to {} points [x, y]", count, kMostPolygonPoints));
+        fmt::format("{} points found; expected 3 to {} points [x, y]", count, kMaxPolygonPoints));
   }
   require_simple(node, result.points_m);
   return result;
@@ -233,9 +233,9 @@ Environment read_environment(const YamlReader& root) {
   for (const YamlReader& node : obstacles.elements()) {
     environment.obstacles.push_back(read_obstacle(node));
   }
-  if (environment.obstacles.size() > kMostObstacles) {
+  if (environment.obstacles.size() > kMaxObstacles) {
     obstacles.refuse(fmt::format("{} obstacles found; expected at most {}",
-                                 environment.obstacles.size(), kMostObstacles));
+                                 environment.obstacles.size(), kMaxObstacles));
   }
   environment.start = read_start(root);
   environment.goal = read_goal(root.at("goal"));

@@ -17,10 +17,10 @@ namespace limber {
 
 namespace {
 
-constexpr double kSmallestDamping = 1e-12;  // relative to J Jᵀ; keeps the solve regular
-constexpr double kLargestDamping = 1e8;     // no step this short will help: the start has stalled
-constexpr double kLeastScale = 1e-12;       // [m²]; where every segment is held
-constexpr double kStalledStep = 1e-12;      // relative to the curvature limits
+constexpr double kMinDamping = 1e-12;   // relative to J Jᵀ; keeps the solve regular
+constexpr double kMaxDamping = 1e8;     // no step this short will help: the start has stalled
+constexpr double kMinScale = 1e-12;     // [m²]; where every segment is held
+constexpr double kStalledStep = 1e-12;  // relative to the curvature limits
 
 double wrapped(double angle_rad) {
   return std::remainder(angle_rad, 2.0 * std::numbers::pi);
@@ -53,11 +53,11 @@ class Descent {
       const Pose tip = tip_at_curvatures(model_, candidate.cwiseProduct(limits_));
       if (residual(tip).squaredNorm() < residual_.squaredNorm()) {
         start_at(candidate);
-        damping = std::max(kSmallestDamping, damping * 0.1);
+        damping = std::max(kMinDamping, damping * 0.1);
       } else {
         damping *= 10.0;
       }
-      if (moved < kStalledStep || damping > kLargestDamping) {
+      if (moved < kStalledStep || damping > kMaxDamping) {
         break;
       }
     }
@@ -83,7 +83,7 @@ class Descent {
     PlanarJacobian free = jacobian_;
     while (true) {  // ends after n holds at the latest
       Eigen::Matrix3d normal = free * free.transpose();
-      const double scale = std::max(normal.trace(), kLeastScale);
+      const double scale = std::max(normal.trace(), kMinScale);
       normal.diagonal().array() += damping * scale;
       if (!goal_.theta_rad) {
         normal(2, 2) = scale;  // an unused row: its residual is zero
@@ -138,7 +138,7 @@ void require_valid(const PoseGoal& goal, const InverseKinematicsSettings& settin
     throw InputError(fmt::format("goal tolerances {} m and {} rad; expected both > 0",
                                  goal.position_tolerance_m, goal.orientation_tolerance_rad));
   }
-  if (settings.starts < 1 || settings.most_solutions < 1 || settings.iterations < 1 ||
+  if (settings.starts < 1 || settings.max_solutions < 1 || settings.iterations < 1 ||
       !(settings.convergence_m > 0.0) || !(settings.distinct_pressure_kpa >= 0.0)) {
     throw InputError(
         "inverse kinematics: starts, solutions, iterations, convergence must be positive");
@@ -174,11 +174,11 @@ InverseKinematicsResult solve_inverse_kinematics(const NoLoadModel& model, const
     arm_length_m += model.segment(i).length_m;
   }
   InverseKinematicsResult result;
-  double least_excess = std::numeric_limits<double>::infinity();
+  double min_excess = std::numeric_limits<double>::infinity();
   Descent descent(model, goal);
   SegmentVector z(n);
   while (result.starts_used < settings.starts &&
-         int(result.pressures_kpa.size()) < settings.most_solutions) {
+         int(result.pressures_kpa.size()) < settings.max_solutions) {
     ++result.starts_used;
     for (int i = 0; i < n; ++i) {
       z[i] = random.uniform(-1.0, 1.0);
@@ -188,9 +188,9 @@ InverseKinematicsResult solve_inverse_kinematics(const NoLoadModel& model, const
     const Eigen::VectorXd pressures = pressures_at(model, descent.curvatures());
     const PoseError error = descent.error();
     const double score = excess(goal, error, arm_length_m);
-    if (score < least_excess ||
-        (score == least_excess && error.position_m < result.best_error.position_m)) {
-      least_excess = score;
+    if (score < min_excess ||
+        (score == min_excess && error.position_m < result.best_error.position_m)) {
+      min_excess = score;
       result.best_error = error;
       result.best_pressures_kpa = pressures;
     }

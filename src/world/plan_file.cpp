@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kSchema = "limber/plan/2";
 constexpr const char* kSchemaWithoutValves = "limber/plan/1";  // of older programs
 constexpr double kCostToleranceKpa = 1e-6;
-constexpr double kLargest = 1e6;  // of any number in a plan; nothing real comes near
+constexpr double kMax = 1e6;  // of any number in a plan; nothing real comes near
 
 Json numbers(const Pressures& q) {
   // As the shortest decimal that reads back to the same float, not as a float widened to double.
@@ -58,13 +58,13 @@ std::string one_line_an_entry(const Json& head, const Json& waypoints, const Jso
   return text + fmt::format(" \"frames\": {}\n}}\n", lines(frames));
 }
 
-double number_at(const JsonReader& root, const char* key, double low = -kLargest) {
-  return root.at(key).number(low, kLargest);
+double number_at(const JsonReader& root, const char* key, double low = -kMax) {
+  return root.at(key).number(low, kMax);
 }
 
 Pressures read_vector(const JsonReader& field, Eigen::Index size, const char* what) {
   const std::vector<double> values =
-      field.numbers(static_cast<std::size_t>(size), what, -kLargest, kLargest);
+      field.numbers(static_cast<std::size_t>(size), what, -kMax, kMax);
   return Eigen::Map<const Eigen::VectorXd>(values.data(), size).cast<float>();
 }
 
@@ -143,8 +143,7 @@ Json clearance_to_json(double clearance_m) {
 }
 
 double read_clearance(const JsonReader& field) {
-  return field.is_null() ? std::numeric_limits<double>::infinity()
-                         : field.number(-kLargest, kLargest);
+  return field.is_null() ? std::numeric_limits<double>::infinity() : field.number(-kMax, kMax);
 }
 
 std::optional<CertifiedFigures> read_certificate(const JsonReader& root) {
@@ -154,7 +153,7 @@ std::optional<CertifiedFigures> read_certificate(const JsonReader& root) {
   const JsonReader field = root.at("certificate");
   CertifiedFigures figures;
   figures.clearance_m = read_clearance(field.at("clearance_m"));
-  figures.largest_deviation_m = number_at(field, "largest_deviation_m", 0.0);
+  figures.max_deviation_m = number_at(field, "largest_deviation_m", 0.0);
   figures.seal_is_intact = field.at("seal").text() == seal_of(root.value());
   return figures;
 }
@@ -240,7 +239,7 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
     sealed["waypoints_kpa"] = waypoints;
     sealed["frames"] = frames;
     root["certificate"] = {{"clearance_m", clearance_to_json(plan.certified->clearance_m)},
-                           {"largest_deviation_m", plan.certified->largest_deviation_m},
+                           {"largest_deviation_m", plan.certified->max_deviation_m},
                            {"seal", seal_of(sealed)}};
   }
   write_file_atomically(path, one_line_an_entry(root, waypoints, frames));

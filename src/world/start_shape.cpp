@@ -16,23 +16,23 @@ namespace {
 constexpr double kReachAllowance = 1.2;  // a tracked arm may read a little longer than its file
 constexpr double kBaseOffset_m = 0.01;   // of a tracked base plate; more is another frame
 constexpr double kBaseHeading_rad = 0.1;
-constexpr double kShortestGap = 0.5;  // plate to plate, over the gap's length at rest: both sides
-constexpr double kLongestGap = 1.5;   // contracted and well bent; stretched by a pull
-constexpr double kMostOfFullBend = 2.0;                     // a loaded segment does not bend evenly
+constexpr double kShortestGap = 0.5;    // plate to plate, over the gap's length at rest: both sides
+constexpr double kLongestGap = 1.5;     // contracted and well bent; stretched by a pull
+constexpr double kMaxOfFullBend = 2.0;  // a loaded segment does not bend evenly
 constexpr double kUnevenTurn_rad = 0.5 * std::numbers::pi;  // of any arm's gap, pushed by hand
-constexpr double kMostTurn_rad = std::numbers::pi;  // beyond half a turn no arc joins two plates
+constexpr double kMaxTurn_rad = std::numbers::pi;  // beyond half a turn no arc joins two plates
 // An arc's chord lies between its ends' headings; plates tilt by a few tenths.
-constexpr double kMostSkew_rad = 1.0;
+constexpr double kMaxSkew_rad = 1.0;
 
 /// Largest turn of one gap of a segment.
 double turn_limit_rad(const ArmDescription& arm, const NoLoadModel& model, int segment) {
   if (arm.no_load == NoLoadKind::straight) {
-    return kMostTurn_rad;  // the arm file does not say how far it bends
+    return kMaxTurn_rad;  // the arm file does not say how far it bends
   }
   const Segment& s = arm.segments[static_cast<std::size_t>(segment)];
   const SegmentShape full = model.segment_shape(segment, s.pressure_limit_kpa);
-  return std::clamp(kMostOfFullBend * std::abs(full.curvature_per_m) * full.length_m / s.gaps,
-                    kUnevenTurn_rad, kMostTurn_rad);
+  return std::clamp(kMaxOfFullBend * std::abs(full.curvature_per_m) * full.length_m / s.gaps,
+                    kUnevenTurn_rad, kMaxTurn_rad);
 }
 
 std::string reach_fault(const ArmDescription& arm, int row, double reach_m) {
@@ -75,12 +75,12 @@ std::string gap_fault(const ArmDescription& arm, const NoLoadModel& model, const
         turn_rad, plate_name(row - 1), plate_name(row), limit_rad, segment_name(segment));
   }
   const double skew_rad =
-      std::remainder(std::atan2(y_m, x_m) - (b(row - 1, 2) + 0.5 * turn_rad), kMostTurn_rad * 2.0);
-  if (!(std::abs(skew_rad) <= kMostSkew_rad)) {
+      std::remainder(std::atan2(y_m, x_m) - (b(row - 1, 2) + 0.5 * turn_rad), kMaxTurn_rad * 2.0);
+  if (!(std::abs(skew_rad) <= kMaxSkew_rad)) {
     return fmt::format(
         "{} lies {:.4g} rad off where its heading and that of {} lead; expected at "
         "most {} rad",
-        plate_name(row), skew_rad, plate_name(row - 1), kMostSkew_rad);
+        plate_name(row), skew_rad, plate_name(row - 1), kMaxSkew_rad);
   }
   return {};
 }

@@ -99,7 +99,7 @@ TEST(StrainFit, CoefficientsHaveSevenDigits) {
 TEST(MonotoneStrainFit, HoldsTheSlopeWhereThePlainFitFalls) {
   const StrainFit fit = fit_strain_polynomial(bench(dead_zone_and_saturation), kLimit);
   EXPECT_TRUE(fit.refitted);
-  EXPECT_GE(least_strain_slope(fit.polynomial, kLimit).slope_per_kpa, 0.0);
+  EXPECT_GE(min_strain_slope(fit.polynomial, kLimit).slope_per_kpa, 0.0);
   EXPECT_GT(fit.rms_residual, 0.005);
   EXPECT_LT(fit.rms_residual, 0.10);
   ArmDescription arm = arm_of(1);
@@ -133,7 +133,7 @@ TEST(MonotoneStrainFit, NoMonotoneQuarticNearbyFitsBetter) {
       for (int k = 0; k < 4; ++k) {
         near[std::size_t(k)] += size * random.normal() / std::pow(kLimit, k + 1);
       }
-      if (least_strain_slope(near, kLimit).slope_per_kpa >= 0.0) {
+      if (min_strain_slope(near, kLimit).slope_per_kpa >= 0.0) {
         ++feasible;
         ASSERT_GT(sum_of_squares(near, points), best * (1.0 - kRoundingOfFit));
       }
@@ -237,7 +237,7 @@ TEST(LeastStrainSlope, IsTheSmallestOnADenseGrid) {
     for (int k = 0; k <= 20000; ++k) {
       least = std::min(least, strain_slope_at(c, 2.0 * k / 20000.0));
     }
-    const LeastSlope found = least_strain_slope(c, 2.0);
+    const LeastSlope found = min_strain_slope(c, 2.0);
     EXPECT_LE(found.slope_per_kpa, least + 1e-12);
     EXPECT_GE(found.slope_per_kpa, least - 1e-6);
     EXPECT_DOUBLE_EQ(strain_slope_at(c, found.pressure_kpa), found.slope_per_kpa);

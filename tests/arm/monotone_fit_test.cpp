@@ -32,7 +32,7 @@ class SquaresReference {
     }
   }
 
-  double least_squares(std::uint64_t seed) const {
+  double min_squares(std::uint64_t seed) const {
     constexpr int kStarts = 12;
     RandomStream random(seed, 1);
     double best = std::numeric_limits<double>::infinity();
@@ -122,8 +122,8 @@ double sum_of_squares(const StrainPolynomial& c, const std::vector<BenchPoint>& 
 
 void expect_best_that_never_falls(const std::vector<BenchPoint>& points, std::uint64_t seed) {
   const StrainFit fit = fit_strain_polynomial(points, kLimit);
-  EXPECT_GE(least_strain_slope(fit.polynomial, kLimit).slope_per_kpa, 0.0) << "bench " << seed;
-  const double reference = SquaresReference(points).least_squares(seed);
+  EXPECT_GE(min_strain_slope(fit.polynomial, kLimit).slope_per_kpa, 0.0) << "bench " << seed;
+  const double reference = SquaresReference(points).min_squares(seed);
   const double rounding = kRoundingOfStrain * fit.full_strain;
   EXPECT_LE(
       std::sqrt(sum_of_squares(fit.polynomial, points)),

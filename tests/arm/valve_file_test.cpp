@@ -42,7 +42,7 @@ TEST(ValveFile, ComesBackAfterARoundTrip) {
   const auto path = folder.path() / "valves.yaml";
   write_valves(path, sample_valves());
   expect_equal(read_valves(path), sample_valves());
-  expect_equal(read_valves(YamlReader::from_text(valves_to_json(sample_valves()).dump(), "json")),
+  expect_equal(read_valves(YamlReader::from_text(to_json(sample_valves()).dump(), "json")),
                sample_valves());
 }
 

@@ -62,7 +62,7 @@ TEST(ValveMotion, AgreesWithSmallEulerSteps) {
 TEST(ValveMotion, IsContinuousInPressureAndSetpoint) {
   constexpr double kNudgeKpa = 1e-7;
   // Two directions may differ a hundredfold in speed, and one frame stretches distances by that.
-  constexpr double kLargestSlope = 1e3;
+  constexpr double kMaxSlope = 1e3;
   RandomStream random(6, 0);
   for (int trial = 0; trial < 20000; ++trial) {
     SegmentValves valves = random_valves(random);
@@ -74,8 +74,8 @@ TEST(ValveMotion, IsContinuousInPressureAndSetpoint) {
     const double p = random.uniform() < 0.5 ? random.uniform(-1e-7, 1e-7) : random.uniform(-3, 3);
     const double s = random.uniform() < 0.5 ? random.uniform(-1e-7, 1e-7) : random.uniform(-3, 3);
     const double here = motion.after_frame(p, s, s);
-    EXPECT_NEAR(motion.after_frame(p + kNudgeKpa, s, s), here, kLargestSlope * kNudgeKpa);
-    EXPECT_NEAR(motion.after_frame(p, s, s + kNudgeKpa), here, kLargestSlope * kNudgeKpa);
+    EXPECT_NEAR(motion.after_frame(p + kNudgeKpa, s, s), here, kMaxSlope * kNudgeKpa);
+    EXPECT_NEAR(motion.after_frame(p, s, s + kNudgeKpa), here, kMaxSlope * kNudgeKpa);
   }
 }
 

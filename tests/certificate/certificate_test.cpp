@@ -71,8 +71,8 @@ TEST(Certificate, APlannersPlanIsCertifiedWithRoomToSpare) {
   ASSERT_FALSE(s.plan.frames.empty()) << "not solved";
   const Certificate certificate = s.certificate(s.plan);
   EXPECT_THAT(failed_checks(certificate), IsEmpty());
-  EXPECT_LT(certificate.largest_deviation_m, Certificate::kDeviationM / 5);
-  EXPECT_GE(certificate.clearance_m, Certificate::kLeastClearanceM);
+  EXPECT_LT(certificate.max_deviation_m, Certificate::kDeviationM / 5);
+  EXPECT_GE(certificate.clearance_m, Certificate::kMinClearanceM);
   EXPECT_NEAR(certificate.goal_distance_m, s.plan.goal_distance_m, Certificate::kDeviationM);
   EXPECT_NEAR(certificate.cost_kpa, s.plan.cost_kpa, 1e-9 * s.plan.cost_kpa);
   ASSERT_TRUE(s.plan.certified);
@@ -190,7 +190,7 @@ TEST(Certifier, SaysTheSameOfEveryPlanAsOneMadeForItAlone) {
   for (const Plan& plan : {s.plan, other, s.plan}) {
     const Certificate again = certifier.certify(plan);
     const Certificate alone = s.certificate(plan);
-    EXPECT_EQ(certificate_to_json(again, s.environment), certificate_to_json(alone, s.environment));
+    EXPECT_EQ(to_json(again, s.environment), to_json(alone, s.environment));
     EXPECT_FALSE(again.unfinished);
   }
 }
@@ -227,7 +227,7 @@ TEST(Certificate, HoldsForTheSameArmFittedElsewhere) {
   CompensationModel model = s.model.compensation();
   model.set_arm(s.arm);
   const Certificate certificate = certify(s.plan, arm, &model, {}, s.environment);
-  EXPECT_GT(certificate.largest_deviation_m, 1e-6) << "another arm in its last digits";
+  EXPECT_GT(certificate.max_deviation_m, 1e-6) << "another arm in its last digits";
   EXPECT_TRUE(certificate.certified());
 }
 

@@ -225,7 +225,7 @@ TEST(ReadFile, RefusesFilesBeyondItsLimitBeforeReadingThem) {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "huge";
   std::ofstream(path) << "x";
-  fs::resize_file(path, kLargestFile + 1);  // takes no room on disk
+  fs::resize_file(path, kMaxFile + 1);  // takes no room on disk
   EXPECT_THAT([&] { read_file(path); },
               ThrowsMessage<InputError>(HasSubstr("files of up to 4294967296 bytes are read")));
 }

@@ -37,8 +37,8 @@ std::string nested(std::size_t lists) {
 }
 
 TEST(JsonReader, RefusesWhatLiesTooDeepWithoutRecursion) {
-  EXPECT_NO_THROW((void)parse_json_object(nested(kMostJsonLevels - 1), "f.json"));
-  for (const std::size_t lists : {std::size_t(kMostJsonLevels), std::size_t(2'000'000)}) {
+  EXPECT_NO_THROW((void)parse_json_object(nested(kMaxJsonLevels - 1), "f.json"));
+  for (const std::size_t lists : {std::size_t(kMaxJsonLevels), std::size_t(2'000'000)}) {
     EXPECT_THAT(refusal_of(nested(lists)), AllOf(StartsWith("f.json: "), HasSubstr("32 deep")));
   }
   std::string objects;

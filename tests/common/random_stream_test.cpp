@@ -35,29 +35,29 @@ TEST(RandomStream, IsPhilox4x32WithTenRounds) {
 }
 
 TEST(RandomStream, NormalHasZeroMeanAndUnitVariance) {
-  constexpr int kDraws = 100000;
+  constexpr int kSamples = 100000;
   constexpr double kTolerance = 5.0 / 316.0;  // five standard errors of the mean of 1e5 draws
   RandomStream stream(1, 1);
   double sum = 0.0;
   double squares = 0.0;
-  for (int k = 0; k < kDraws; ++k) {
+  for (int k = 0; k < kSamples; ++k) {
     const double x = stream.normal();
     sum += x;
     squares += x * x;
   }
-  EXPECT_NEAR(sum / kDraws, 0.0, kTolerance);
-  EXPECT_NEAR(squares / kDraws, 1.0, 2.0 * kTolerance);
+  EXPECT_NEAR(sum / kSamples, 0.0, kTolerance);
+  EXPECT_NEAR(squares / kSamples, 1.0, 2.0 * kTolerance);
 }
 
 TEST(RandomStream, IndexIsUniformOverItsRange) {
-  constexpr int kDraws = 30000;
+  constexpr int kSamples = 30000;
   std::array<int, 3> counts{};
   RandomStream stream(5, 0);
-  for (int k = 0; k < kDraws; ++k) {
+  for (int k = 0; k < kSamples; ++k) {
     ++counts.at(stream.index(3));
   }
   for (const int count : counts) {
-    EXPECT_NEAR(count, kDraws / 3, 5.0 * std::sqrt(kDraws * 2.0 / 9.0));
+    EXPECT_NEAR(count, kSamples / 3, 5.0 * std::sqrt(kSamples * 2.0 / 9.0));
   }
 }
 

@@ -55,7 +55,7 @@ class RecordingExport : public ::testing::Test {
   /// Root mean square and largest difference of positions, and of headings, over frames seen.
   struct Differences {
     double rms_m = 0.0;
-    double largest_m = 0.0;
+    double max_m = 0.0;
     double rms_rad = 0.0;
   };
   Differences differences(const Recording& imported) const {
@@ -74,7 +74,7 @@ class RecordingExport : public ::testing::Test {
                                         .cast<double>();
           result.rms_m += d.head<2>().squaredNorm();
           result.rms_rad += d[2] * d[2];
-          result.largest_m = std::max(result.largest_m, d.head<2>().norm());
+          result.max_m = std::max(result.max_m, d.head<2>().norm());
           ++count;
         }
       }
@@ -121,7 +121,7 @@ TEST_F(RecordingExport, MotiveComesBackThroughAnotherClock) {
     const ImportResult back = import_back(true);
     // Pressures at 20 Hz: a little lag, fitted along, fits as well.
     EXPECT_NEAR(back.report.runs[0].clock->offset_s, -73.21, 1.5e-2);
-    EXPECT_LT(differences(back.recording).largest_m, 5 * kWritten);
+    EXPECT_LT(differences(back.recording).max_m, 5 * kWritten);
     EXPECT_GT(back.recording.frame_count(), 595);
     EXPECT_EQ(back.recording.untracked_count(), 0);
   }
@@ -142,7 +142,7 @@ TEST_F(RecordingExport, NoiseAndOcclusionsComeBackAsThatAndNoMore) {
   // Two coordinates, each with the noise; the base's median adds next to nothing.
   EXPECT_NEAR(found.rms_m, std::sqrt(2.0) * settings.noise_m, 0.05 * settings.noise_m);
   EXPECT_NEAR(found.rms_rad, settings.noise_rad, 0.05 * settings.noise_rad);
-  EXPECT_LT(found.largest_m, 7 * settings.noise_m);
+  EXPECT_LT(found.max_m, 7 * settings.noise_m);
   // 40 × 0.2 s of 30 s, some over others, and the frames beside them.
   EXPECT_GT(back.recording.untracked_count(), 100);
   EXPECT_LT(back.recording.untracked_count(), 250);
@@ -157,7 +157,7 @@ TEST_F(RecordingExport, LongOcclusionsAreNotFilledIn) {
   const ImportResult back = import_back(true, 0.0);
   EXPECT_GE(back.recording.episodes.size(), 2U);
   EXPECT_EQ(back.recording.untracked_count(), 0);
-  EXPECT_LT(differences(back.recording).largest_m, 5 * kWritten);
+  EXPECT_LT(differences(back.recording).max_m, 5 * kWritten);
 }
 
 TEST_F(RecordingExport, IsTheSameForTheSameSeed) {

@@ -223,7 +223,7 @@ TEST(RecordingInspection, SaysTheSameInJsonAndInText) {
   recording.episodes[0].tracked[2] = 0;
   recording.episodes[0].time_s.tail(3).array() += 1.0;
   const RecordingInspection inspection = inspect_it(recording);
-  const nlohmann::ordered_json json = inspection_to_json(recording, inspection);
+  const nlohmann::ordered_json json = to_json(recording, inspection);
   EXPECT_EQ(json["frames"], 37);
   EXPECT_EQ(json["frames_dropped"], 1);
   EXPECT_EQ(json["transitions"]["possible"], 9);

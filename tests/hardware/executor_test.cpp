@@ -117,7 +117,7 @@ TEST_F(Executor, MeasuresTheGoalAfterTheHold) {
   FakeArm slow(arm_, 0.3);  // 95 % there after the hold's first 0.9 s
   const ExecutionResult late = execute(arm_, environment_, plan(), slow);
   EXPECT_GT(late.prediction->final_m, 0.01);
-  EXPECT_GT(late.prediction->largest_m, late.prediction->mean_m);
+  EXPECT_GT(late.prediction->max_m, late.prediction->mean_m);
   EXPECT_NEAR(late.goal_error.position_m, 0.05, 0.01);
 }
 
@@ -125,7 +125,7 @@ TEST_F(Executor, FindsNoErrorOfAModelThatIsTrue) {
   FakeArm driver(arm_, kInstant_s);
   const ExecutionResult result = execute(arm_, environment_, plan(), driver);
   ASSERT_TRUE(result.prediction);
-  EXPECT_NEAR(result.prediction->largest_m, 0.0, 1e-6);
+  EXPECT_NEAR(result.prediction->max_m, 0.0, 1e-6);
   EXPECT_NEAR(result.start_error_m, 0.0, 1e-7);
 }
 

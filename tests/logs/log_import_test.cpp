@@ -166,7 +166,7 @@ TEST_F(CsvImport, BridgesShortOcclusionsAndMarksTheirFrames) {
   }
   EXPECT_LT(errors(episode).first, 5e-3) << "a straight line over 0.13 s";
   EXPECT_NE(note(result, "put between its neighbours in time"), nullptr);
-  EXPECT_LT(result.report.runs.front().points[9].seen, 0.99);
+  EXPECT_LT(result.report.runs.front().points[9].tracked_share, 0.99);
 }
 
 TEST_F(CsvImport, InventsNothingOverLongOcclusions) {

@@ -90,9 +90,9 @@ TEST(Clearance, WhereNothingKeepsItTheLargestThatGaveAPlanIsNamed) {
   const PlanResult result =
       make_planner("default")->plan({s.arm, s.model, s.environment, kTooMuchM}, limits, 3);
   ASSERT_FALSE(result.plan);
-  ASSERT_TRUE(result.largest_clearance_m) << result.reason;
-  EXPECT_LT(*result.largest_clearance_m, kTooMuchM);
-  EXPECT_GT(*result.largest_clearance_m, 0.0);
+  ASSERT_TRUE(result.max_clearance_m) << result.reason;
+  EXPECT_LT(*result.max_clearance_m, kTooMuchM);
+  EXPECT_GT(*result.max_clearance_m, 0.0);
   EXPECT_THAT(result.reason, HasSubstr("with less clearance than the 8.00 cm asked for"));
   EXPECT_LE(result.statistics.iterations, 4000U);
 }

@@ -16,17 +16,17 @@ using ::testing::HasSubstr;
 /// Refuses what is cheaper than it likes, and remembers what it was asked.
 class Dear final : public PlanJudge {
  public:
-  explicit Dear(double least_kpa) : least_kpa_(least_kpa) {}
+  explicit Dear(double min_kpa) : min_kpa_(min_kpa) {}
 
   Verdict judge(Plan& plan, const std::function<bool()>&) override {
     asked_kpa.push_back(plan.cost_kpa);
-    return plan.cost_kpa >= least_kpa_ ? Verdict::holds : Verdict::refused;
+    return plan.cost_kpa >= min_kpa_ ? Verdict::holds : Verdict::refused;
   }
 
   std::vector<double> asked_kpa;
 
  private:
-  double least_kpa_;
+  double min_kpa_;
 };
 
 class Slow final : public PlanJudge {
@@ -174,15 +174,15 @@ TEST(DefaultPlanner, SearchesOnFromWhatItsJudgeLetsStand) {
   Setting s(false);
   PlannerLimits limits;
   limits.iterations = 1500;
-  const double least_kpa =
+  const double min_kpa =
       make_default_planner()->plan({s.arm, s.model, s.environment}, limits, 3).plan->cost_kpa;
-  Dear judge(1.05 * least_kpa);
+  Dear judge(1.05 * min_kpa);
   const PlanningProblem judged{s.arm, s.model,      s.environment, 0.0,
                                {},    std::nullopt, nullptr,       &judge};
   const PlanResult result = make_default_planner()->plan(judged, limits, 3);
   ASSERT_EQ(result.status, PlanStatus::solved);
-  EXPECT_GE(result.plan->cost_kpa, 1.05 * least_kpa);
-  EXPECT_LE(result.plan->cost_kpa, 1.3 * least_kpa);
+  EXPECT_GE(result.plan->cost_kpa, 1.05 * min_kpa);
+  EXPECT_LE(result.plan->cost_kpa, 1.3 * min_kpa);
 }
 
 }  // namespace

@@ -40,18 +40,18 @@ TEST(RecordedRegion, SaysInNumbersWhereAPlanLeavesIt) {
     lowest = std::min(lowest, frame.setpoint_kpa[1]);
   }
   const Pressures wide = Pressures::Constant(3, 500.0F);
-  EXPECT_THAT(ways_beyond(recorded(-wide, wide, kFast), *result.plan, "kPa"), IsEmpty());
+  EXPECT_THAT(excursions_beyond(recorded(-wide, wide, kFast), *result.plan, "kPa"), IsEmpty());
 
   Pressures low = -wide;
   low[1] = lowest + 5.0F;
   const std::vector<std::string> below =
-      ways_beyond(recorded(low, wide, kFast), *result.plan, "kPa");
+      excursions_beyond(recorded(low, wide, kFast), *result.plan, "kPa");
   ASSERT_FALSE(below.empty());
   EXPECT_EQ(below.front(), fmt::format("segment 1 down to {:.1f} kPa; recorded {:.1f} … 500.0",
                                        lowest, lowest + 5.0F));
 
   const std::vector<std::string> fast =
-      ways_beyond(recorded(-wide, wide, 1.0F), *result.plan, "kPa");
+      excursions_beyond(recorded(-wide, wide, 1.0F), *result.plan, "kPa");
   ASSERT_FALSE(fast.empty());
   EXPECT_THAT(fast.front(), HasSubstr("kPa a second; recorded up to 1.0"));
 }
@@ -71,12 +71,12 @@ TEST(RecordedRegion, PlansAskedToStayInsideDo) {
   // A narrower box, in which the goal can still be reached.
   const LearntRegion region = recorded(low.array() - 15.0F, high.array() * 0.98F, kFast);
   const RecordedRegion inside(region, s.arm.frame_rate_hz);
-  ASSERT_FALSE(ways_beyond(region, *free.plan, "kPa").empty());
+  ASSERT_FALSE(excursions_beyond(region, *free.plan, "kPa").empty());
   for (const char* planner : {"default", "paper"}) {
     const PlanResult result = make_planner(planner)->plan(
         {s.arm, s.model, s.environment, 0.0, {}, std::nullopt, &inside}, limits, 3);
     if (result.plan) {
-      EXPECT_THAT(ways_beyond(region, *result.plan, "kPa"), IsEmpty()) << planner;
+      EXPECT_THAT(excursions_beyond(region, *result.plan, "kPa"), IsEmpty()) << planner;
     } else {
       EXPECT_STREQ(planner, "paper") << result.reason;
       EXPECT_THAT(result.reason, HasSubstr("leaves what the model's recordings held"));

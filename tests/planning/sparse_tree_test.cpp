@@ -72,15 +72,15 @@ TEST(SparseTree, StepsNoFartherThanAskedAndNeverBeyondTheLimits) {
 TEST(SparseTree, PowersOfTwoAreDrawnAlikeUpToTheMost) {
   RandomStream random(3, 1);
   std::map<int, int> drawn;
-  constexpr int kDraws = 6000;
-  for (int k = 0; k < kDraws; ++k) {
+  constexpr int kSamples = 6000;
+  for (int k = 0; k < kSamples; ++k) {
     ++drawn[random_power_of_two(random, 32)];
   }
   ASSERT_EQ(drawn.size(), 6U);
   constexpr int kSpread = 150;  // five standard deviations
   for (const auto& [power, count] : drawn) {
     EXPECT_EQ(power & (power - 1), 0);
-    EXPECT_NEAR(count, kDraws / 6, kSpread) << power;
+    EXPECT_NEAR(count, kSamples / 6, kSpread) << power;
   }
 }
 

@@ -34,12 +34,12 @@ TEST(Animation, HoldsEveryFrameOfEveryArmWithItsObstaclesAndGoal) {
       data_of(animation_page(arm, environment, "t", {track, track}, setpoints, {setpoints[1]}));
   ASSERT_EQ(data["tracks"].size(), 2U);
   ASSERT_EQ(data["tracks"][1]["shapes"].size(), 4U);
-  constexpr double kRoundedM = 0.51e-4;
+  constexpr double kQuantizedM = 0.51e-4;
   for (std::size_t k = 0; k < 4; ++k) {
     for (int i = 0; i < 16; ++i) {
       const auto& p = data["tracks"][0]["shapes"][k][static_cast<std::size_t>(i)];
-      EXPECT_NEAR(p[0].get<double>(), track.shapes[k](i, 0), kRoundedM);
-      EXPECT_NEAR(p[1].get<double>(), track.shapes[k](i, 1), kRoundedM);
+      EXPECT_NEAR(p[0].get<double>(), track.shapes[k](i, 0), kQuantizedM);
+      EXPECT_NEAR(p[1].get<double>(), track.shapes[k](i, 1), kQuantizedM);
     }
   }
   EXPECT_EQ(data["radii"].size(), 15U);

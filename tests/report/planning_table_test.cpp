@@ -85,7 +85,7 @@ TEST(PlanningTable, RefusedPlansAreDefectsAndNotSolved) {
 TEST(PlanningTable, HasTheKeysOfItsContract) {
   const std::vector<PlanTrial> trials{trial("01", "no_load", 100.0, 0.1),
                                       trial("01", "network", 120.0, 0.01)};
-  const nlohmann::ordered_json table = planning_table_to_json(planning_rows(trials));
+  const nlohmann::ordered_json table = to_json(planning_rows(trials));
   ASSERT_EQ(table.size(), 2U);
   for (const char* key :
        {"environment", "model", "planner", "trials", "solved", "first_solution_s", "cost_psi",

@@ -69,11 +69,11 @@ TEST(EvaluateEnsemble, UntrackedFramesChangeNothing) {
   episode.tracked.assign(101, 1);
   episode.tracked[0] = episode.tracked[40] = episode.tracked[64] = 0;
   const EnsembleForward ensemble(arm, shifted(arm, {0.01F, 0.03F}));
-  const auto before = ensemble_evaluation_to_json(evaluate_ensemble(ensemble, {episode}));
+  const auto before = to_json(evaluate_ensemble(ensemble, {episode}));
   for (const int t : {0, 40, 64}) {
     episode.backbone.row(t).setConstant(9.0F);
   }
-  EXPECT_EQ(before, ensemble_evaluation_to_json(evaluate_ensemble(ensemble, {episode})));
+  EXPECT_EQ(before, to_json(evaluate_ensemble(ensemble, {episode})));
 }
 
 }  // namespace

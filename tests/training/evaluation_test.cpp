@@ -132,13 +132,13 @@ TEST(LongRollout, TellsADriftFromAModelThatStays) {
   const LongRollout steady = roll_out_long(ForwardModel(arm, zero_network(arm)), episodes, 3000);
   EXPECT_TRUE(steady.bounded);
   EXPECT_EQ(steady.frames, 3000);
-  EXPECT_LE(steady.largest_distance_m, arm.length_m());
-  EXPECT_GT(steady.largest_distance_m, 0.3 * arm.length_m());
+  EXPECT_LE(steady.max_distance_m, arm.length_m());
+  EXPECT_GT(steady.max_distance_m, 0.3 * arm.length_m());
   const ForwardModel drifting(arm, drifting_network(arm));
   EXPECT_TRUE(roll_out_long(drifting, episodes, 100).bounded);
   const LongRollout drift = roll_out_long(drifting, episodes, 3000);
   EXPECT_FALSE(drift.bounded);
-  EXPECT_GT(drift.largest_distance_m, 2.9);  // 1 mm a frame
+  EXPECT_GT(drift.max_distance_m, 2.9);  // 1 mm a frame
 }
 
 TEST(Evaluate, AZeroNetworkIsTheNoLoadModel) {
@@ -178,22 +178,22 @@ TEST(Evaluate, UntrackedFramesChangeNothing) {
   for (const int t : {0, 32, 33, 41, 61, 100}) {
     episode.tracked[static_cast<std::size_t>(t)] = 0;
   }
-  const auto before = evaluation_to_json(evaluate(no_load, &network, {episode}));
+  const auto before = to_json(evaluate(no_load, &network, {episode}));
   for (int t = 0; t < 101; ++t) {
     if (!episode.was_tracked(t)) {
       episode.backbone.row(t).setConstant(100.0F);
     }
   }
-  EXPECT_EQ(before, evaluation_to_json(evaluate(no_load, &network, {episode})));
+  EXPECT_EQ(before, to_json(evaluate(no_load, &network, {episode})));
   const std::vector<Episode> episodes = {episode};
   const auto pieces = pieces_of_length(episodes, 32);
   EXPECT_LT(mean_tip_error_m(roll_out(network, episodes, pieces, 1), episodes, pieces), 1.0);
 }
 
 /// The same episode, seen in every `period`-th frame alone, or in all but those.
-Episode seen_now_and_then(Episode episode, int period, bool seen) {
+Episode tracked_now_and_then(Episode episode, int period, bool tracked) {
   for (int t = 0; t < episode.frame_count(); ++t) {
-    episode.tracked.push_back((t % period == 0) == seen ? 1 : 0);
+    episode.tracked.push_back((t % period == 0) == tracked ? 1 : 0);
   }
   return episode;
 }
@@ -218,8 +218,8 @@ TEST(Evaluate, TheNoLoadModelsErrorsAreThoseOfTheSameFramesOfATrackedRecording) 
   const Episode whole = toy_episode(arm, 5, 20, 3);
   const TipErrorSeries all = tip_errors(predict(no_load, whole, Restart::every_frame), whole, 1);
   for (const int period : {2, 3}) {
-    for (const bool seen : {true, false}) {
-      const Episode episode = seen_now_and_then(whole, period, seen);
+    for (const bool tracked : {true, false}) {
+      const Episode episode = tracked_now_and_then(whole, period, tracked);
       const TipErrorSeries expected = seen_frames(all, episode);
       const TipErrorSeries found = seen_frames(
           tip_errors(predict(no_load, episode, Restart::every_frame), episode, 1), episode);
@@ -243,19 +243,19 @@ TEST(Evaluate, AFrameGivenAsAStartIsNoPrediction) {
   const ForwardModel network(arm, drifting_network(arm));
   const Episode whole = still_episode(arm, 161);
   // Seen in 1, 2, 4, 5, 7, 8, …: of each pair the first is a start, the second one step from it.
-  const Evaluation pairs = evaluate(no_load, &network, {seen_now_and_then(whole, 3, false)});
+  const Evaluation pairs = evaluate(no_load, &network, {tracked_now_and_then(whole, 3, false)});
   EXPECT_EQ(pairs.frames, 107);
   EXPECT_NEAR(pairs.network->one_step.position_cm.mean, 0.1, kMicrometre_cm);
   EXPECT_NEAR(pairs.network->one_step.position_cm.p95, 0.1, kMicrometre_cm);
   // Seen in every second frame: no frame is one step from one that was seen.
-  const Evaluation single = evaluate(no_load, &network, {seen_now_and_then(whole, 2, true)});
+  const Evaluation single = evaluate(no_load, &network, {tracked_now_and_then(whole, 2, true)});
   EXPECT_EQ(single.frames, 80);
   EXPECT_TRUE(std::isnan(single.network->one_step.position_cm.mean));
   EXPECT_TRUE(std::isnan(single.network->one_step.position_cm.worst_motion));
   EXPECT_TRUE(std::isnan(single.hold_one_step.position_cm.mean));
   EXPECT_NEAR(single.network->window_32.position_cm.mean, 0.1 * 17, kMicrometre_cm);
   EXPECT_NEAR(single.network->open_loop.position_cm.mean, 0.1 * 81, kDriftRounding_cm);
-  const auto json = evaluation_to_json(single);
+  const auto json = to_json(single);
   EXPECT_TRUE(json.at("/network/one_step/position_error_cm/mean"_json_pointer).is_null());
   EXPECT_THAT(evaluation_to_text(single), HasSubstr("network, one step                     -"));
 }
@@ -297,8 +297,8 @@ TEST(Evaluate, DoesNotDependOnTheNumberOfJobs) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     episodes.push_back(toy_episode(arm, 4 + static_cast<int>(seed), 20, seed));
   }
-  EXPECT_EQ(evaluation_to_json(evaluate(no_load, &network, episodes, 1)),
-            evaluation_to_json(evaluate(no_load, &network, episodes, 4)));
+  EXPECT_EQ(to_json(evaluate(no_load, &network, episodes, 1)),
+            to_json(evaluate(no_load, &network, episodes, 4)));
 }
 
 TEST(Evaluate, RefusesRecordingsTooShort) {
@@ -313,7 +313,7 @@ TEST(EvaluationJson, HasTheContractsKeys) {
   const ForwardModel no_load(arm);
   const ForwardModel network(arm, zero_network(arm));
   const nlohmann::ordered_json json =
-      evaluation_to_json(evaluate(no_load, &network, {toy_episode(arm, 2, 20, 4)}));
+      to_json(evaluate(no_load, &network, {toy_episode(arm, 2, 20, 4)}));
   for (const char* path :
        {"/no_load/open_loop", "/network/one_step", "/network/one_step_moving", "/network/window_32",
         "/network/per_motion", "/network/open_loop", "/baselines/hold/one_step",

@@ -44,7 +44,7 @@ TEST(SetpointEvaluation, FromSetpointsIsNullWithoutValvesOrSetpoints) {
   Episode episode = toy_episode(arm, 2, 30, 3);
   const auto json = [&] {
     const ForwardModel network(arm, model);
-    return evaluation_to_json(evaluate(ForwardModel(arm), &network, {episode}))
+    return to_json(evaluate(ForwardModel(arm), &network, {episode}))
         .at("network")
         .at("open_loop_from_setpoints");
   };

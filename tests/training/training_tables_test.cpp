@@ -150,22 +150,22 @@ TEST(TrainingTables, UntrackedFramesShapeNoRange) {
   const TrainingTables after = make_training_tables(arm, {dropped}, settings);
   EXPECT_EQ(before.input.scale, after.input.scale);
   EXPECT_EQ(before.output.offset, after.output.offset);
-  EXPECT_EQ(after.frames.seen[30], 0);
-  EXPECT_EQ(after.frames.seen[31], 1);
+  EXPECT_EQ(after.frames.tracked[30], 0);
+  EXPECT_EQ(after.frames.tracked[31], 1);
   dropped.tracked.assign(121, 0);
   EXPECT_THAT([&] { make_training_tables(arm, {dropped}, settings); },
               ThrowsMessage<InputError>(HasSubstr("tracked in none of the training data's 121")));
 }
 
 TEST(WindowStarts, AreFramesInWhichTheArmWasSeen) {
-  std::vector<std::uint8_t> seen(40, 1);
-  seen[0] = seen[12] = seen[13] = 0;
+  std::vector<std::uint8_t> tracked(40, 1);
+  tracked[0] = tracked[12] = tracked[13] = 0;
   const std::vector<EpisodeRange> episode = {{0, 40}};
-  EXPECT_EQ(window_starts(episode, seen, 4, 0),
+  EXPECT_EQ(window_starts(episode, tracked, 4, 0),
             (std::vector<int>{1, 5, 9, 14, 18, 22, 26, 30, 34}));
   // Nothing is seen behind frame 20: no window has anything to learn there.
-  std::fill(seen.begin() + 21, seen.end(), 0);
-  EXPECT_EQ(window_starts(episode, seen, 4, 0), (std::vector<int>{1, 5, 9, 14, 18}));
+  std::fill(tracked.begin() + 21, tracked.end(), 0);
+  EXPECT_EQ(window_starts(episode, tracked, 4, 0), (std::vector<int>{1, 5, 9, 14, 18}));
 }
 
 TEST(WindowStarts, DoNotOverlapAndStayInsideTheirEpisode) {

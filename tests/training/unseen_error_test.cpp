@@ -24,7 +24,7 @@ CompensationModel model_with_valves(const ArmDescription& arm) {
 }
 
 struct ErrorByHand {
-  double largest_m = 0.0;
+  double max_m = 0.0;
   double off_path_m = 0.0;
   double end_m = 0.0;
   double end_rad = 0.0;
@@ -70,8 +70,7 @@ ErrorByHand error_by_hand(const ArmDescription& arm, const CompensationModel& co
   ErrorByHand error;
   for (int k = 1; k <= count; ++k) {
     const Backbone there = seen(k);
-    error.largest_m =
-        std::max(error.largest_m, apart_m(predicted[static_cast<std::size_t>(k)], there));
+    error.max_m = std::max(error.max_m, apart_m(predicted[static_cast<std::size_t>(k)], there));
     error.off_path_m = std::max(error.off_path_m, off_path_by_hand_m(predicted, there, k));
   }
   const Backbone apart = predicted.back() - seen(count);
@@ -88,7 +87,7 @@ TEST(UnseenError, IsThatOfMotionsFromSetPoints) {
   std::vector<double> largest, off_path, end, turn;
   for (int first = 0; first < 200; first += 40) {
     const ErrorByHand error = error_by_hand(arm, model, episode, first, 40);
-    largest.push_back(error.largest_m);
+    largest.push_back(error.max_m);
     off_path.push_back(error.off_path_m);
     end.push_back(error.end_m);
     turn.push_back(error.end_rad);
@@ -99,11 +98,11 @@ TEST(UnseenError, IsThatOfMotionsFromSetPoints) {
     EXPECT_EQ(error->runs, 5);
     EXPECT_NEAR(error->run_s, 2.0, kMicrometre);
     // Fewer than 19 runs: the largest.
-    EXPECT_NEAR(error->largest_position_m, *std::ranges::max_element(largest), kMicrometre);
+    EXPECT_NEAR(error->max_position_m, *std::ranges::max_element(largest), kMicrometre);
     EXPECT_NEAR(error->off_path_m, *std::ranges::max_element(off_path), kMicrometre);
     EXPECT_NEAR(error->end_position_m, *std::ranges::max_element(end), kMicrometre);
     EXPECT_NEAR(error->end_orientation_rad, *std::ranges::max_element(turn), kMicrometre);
-    EXPECT_LE(error->off_path_m, error->largest_position_m);
+    EXPECT_LE(error->off_path_m, error->max_position_m);
   }
 }
 
@@ -156,7 +155,7 @@ TEST(UnseenError, FramesThatWereNotSeenDoNotCount) {
   episode.backbone.row(100).array() += 5.0F;
   const auto after = measure_prediction_error(arm, model, {episode});
   ASSERT_TRUE(before && after);
-  EXPECT_LE(after->largest_position_m, before->largest_position_m);
+  EXPECT_LE(after->max_position_m, before->max_position_m);
   EXPECT_EQ(after->end_position_m, before->end_position_m);
 }
 
@@ -174,14 +173,14 @@ TEST(UnseenError, WhatTheModelPredictsOfThemCountsAsLearnt) {
   state.reshaped<Eigen::RowMajor>() = episode.backbone.row(0).transpose();
   const FrameMatrix kpa = simulate_valves(*model.valves, arm.frame_rate_hz, episode, 0, 41);
   double most = 0.0;
-  double most_before = 0.0;
+  double max_before = 0.0;
   for (int k = 1; k <= 40; ++k) {
     forward.step(kpa.row(k - 1).transpose(), kpa.row(k).transpose(), state, state, workspace);
     most = std::max(most, model.learnt->novelty(kpa.row(k).transpose(), state));
-    most_before = std::max(most_before, before.novelty(kpa.row(k).transpose(), state));
+    max_before = std::max(max_before, before.novelty(kpa.row(k).transpose(), state));
   }
   EXPECT_LE(most, 1.0);
-  EXPECT_GT(most_before, 1.0) << "an untrained network draws shapes of its own";
+  EXPECT_GT(max_before, 1.0) << "an untrained network draws shapes of its own";
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ using Vector = Eigen::VectorXd;
 FrameTable<double> in_double(const FrameTable<float>& frames) {
   return {frames.pressure.cast<double>(),      frames.no_load.cast<double>(),
           frames.uncompensated.cast<double>(), frames.state.cast<double>(),
-          frames.target.cast<double>(),        frames.seen};
+          frames.target.cast<double>(),        frames.tracked};
 }
 
 StateMap<double> in_double(const StateMap<float>& map) {
@@ -217,9 +217,9 @@ TEST(WindowGradient, UnseenFramesCountNothing) {
   };
   Vector all(layout.size());
   const double whole = evaluate(all);
-  frames.seen.assign(static_cast<std::size_t>(frames.state.cols()), 1);
-  frames.seen[3] = 0;
-  frames.seen[13] = 0;
+  frames.tracked.assign(static_cast<std::size_t>(frames.state.cols()), 1);
+  frames.tracked[3] = 0;
+  frames.tracked[13] = 0;
   Vector some(layout.size());
   const double partial = evaluate(some);
   EXPECT_NE(partial, whole);
@@ -237,8 +237,8 @@ TEST(WindowGradient, UnseenFramesCountNothing) {
     part.load(frames, std::vector<int>{0});
     sum += (length == 3 ? -1.0 : 1.0) * length * part.forward(parameters.data());
   }
-  frames.seen.assign(static_cast<std::size_t>(frames.state.cols()), 1);
-  frames.seen[3] = 0;
+  frames.tracked.assign(static_cast<std::size_t>(frames.state.cols()), 1);
+  frames.tracked[3] = 0;
   window.load(frames, std::vector<int>{0});
   EXPECT_NEAR(window.forward(parameters.data()), sum / 5.0, 1e-12);
 }

@@ -46,7 +46,7 @@ TEST_P(InverseKinematicsOfArm, FindsReachablePosesAndTheForwardModelAgrees) {
     const PoseGoal goal{tip.x_m, tip.y_m, tip.theta_rad, 1e-6, 1e-6};
     InverseKinematicsSettings settings;
     settings.starts = 200;
-    settings.most_solutions = 3;
+    settings.max_solutions = 3;
     const auto result = solve_inverse_kinematics(model, goal, settings, random);
     ASSERT_TRUE(result.reachable()) << "goal " << trial << ": " << result.reason;
     EXPECT_TRUE(result.reason.empty());

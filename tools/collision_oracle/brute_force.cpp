@@ -81,7 +81,7 @@ struct Gap {
   Vector2d start_from, start_to, end_from, end_to;
   double turn_from, turn_to, radius;
 
-  double most_turn() const { return std::max(std::abs(turn_from), std::abs(turn_to)); }
+  double max_turn() const { return std::max(std::abs(turn_from), std::abs(turn_to)); }
   double longest_chord() const {
     return std::max((end_from - start_from).norm(), (end_to - start_to).norm());
   }
@@ -89,11 +89,11 @@ struct Gap {
   /// which add up to 1/cos(turn/4) at most; and its place changes by at most 0.72 chords a radian.
   double way() const {
     return std::max((start_to - start_from).norm(), (end_to - end_from).norm()) /
-               std::cos(most_turn() / 4.0) +
+               std::cos(max_turn() / 4.0) +
            0.72 * longest_chord() * std::abs(turn_to - turn_from);
   }
   double length() const {
-    const double half = most_turn() / 2.0;
+    const double half = max_turn() / 2.0;
     return longest_chord() * (half < 1e-3 ? 1.001 : half / std::sin(half));
   }
 };

@@ -30,12 +30,12 @@ struct Family {
   const char* id;
   const char* name;
   StyleSettings style;
-  double least_cost_psi;
-  double largest_cost_psi;
+  double min_cost_psi;
+  double max_cost_psi;
   bool no_load_must_fail;
   bool needs_reversal;
   bool narrow;
-  double least_no_load_miss_cm;  ///< mean distance that executed no-load plans end off by
+  double min_no_load_miss_cm;  ///< mean distance that executed no-load plans end off by
 };
 
 constexpr EnvironmentStyle kPillars = EnvironmentStyle::pillars;
@@ -119,11 +119,11 @@ const Family kFamilies[] = {
 };
 
 constexpr std::uint64_t kSeed = 2026;
-constexpr std::uint64_t kMostDraws = 200000;
+constexpr std::uint64_t kMaxDraws = 200000;
 constexpr std::uint64_t kIterations = 8000;
 constexpr double kMarginM = 0.005;
-constexpr double kUnknown = 9.99;        // [m], where no plan was executed
-constexpr double kLargestMissCm = 19.0;  // beyond it only a rare history leads to the goal
+constexpr double kUnknown = 9.99;    // [m], where no plan was executed
+constexpr double kMaxMissCm = 19.0;  // beyond it only a rare history leads to the goal
 constexpr double kNetworkMissM =
     0.05;  // network plans of a chosen environment end nearer than this on average
 
@@ -170,7 +170,7 @@ bool is_promising(const Models& models, const Family& family, const StyledEnviro
       narrowest_passage(models.arm, drawn.environment, drawn.hidden_plan.frames);
   const double miss_cm = no_load_miss_m(models, drawn) * kCmPerM;
   return (!family.narrow || (passage && is_narrow(*passage))) &&
-         miss_cm >= 0.8 * family.least_no_load_miss_cm && miss_cm <= kLargestMissCm &&
+         miss_cm >= 0.8 * family.min_no_load_miss_cm && miss_cm <= kMaxMissCm &&
          hidden_plan_works(models, drawn);
 }
 
@@ -178,7 +178,7 @@ bool is_promising(const Models& models, const Family& family, const StyledEnviro
 bool worth_a_closer_look(const Family& family, const EnvironmentFindings& found) {
   return found.keeps_rules() && found.no_load.solved == found.no_load.trials &&
          found.network.distance_m.value_or(kUnknown) < kNetworkMissM &&
-         found.no_load.distance_m.value_or(0.0) * kCmPerM >= family.least_no_load_miss_cm &&
+         found.no_load.distance_m.value_or(0.0) * kCmPerM >= family.min_no_load_miss_cm &&
          (!family.no_load_must_fail || 2 * found.no_load_failed > found.no_load.trials) &&
          (!family.needs_reversal || found.needs_reversal) &&
          (!family.narrow || (found.passage && is_narrow(*found.passage)));
@@ -186,8 +186,8 @@ bool worth_a_closer_look(const Family& family, const EnvironmentFindings& found)
 
 bool suits(const Family& family, const EnvironmentFindings& found) {
   const double cost_psi = found.network.cost_kpa.value_or(0.0) / kKpaPerPsi;
-  return worth_a_closer_look(family, found) && cost_psi >= family.least_cost_psi &&
-         cost_psi <= family.largest_cost_psi && found.network.collided <= 1;
+  return worth_a_closer_look(family, found) && cost_psi >= family.min_cost_psi &&
+         cost_psi <= family.max_cost_psi && found.network.collided <= 1;
 }
 
 std::string row(const std::string& id, const EnvironmentFindings& found) {
@@ -226,7 +226,7 @@ bool find(const Models& models, const Family& family, const std::filesystem::pat
   const auto seed = kSeed + std::uint64_t(&family - kFamilies);  // no two draw the same motions
   std::uint64_t drawn_count = 0;
   std::uint64_t examined = 0;
-  for (std::uint64_t number = 0; number < kMostDraws; ++number) {
+  for (std::uint64_t number = 0; number < kMaxDraws; ++number) {
     auto drawn = draw_styled(models.arm, models.network, family.style, seed, number);
     drawn_count += drawn ? 1 : 0;
     if (!drawn || !is_promising(models, family, *drawn)) {

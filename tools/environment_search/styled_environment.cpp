@@ -17,11 +17,10 @@ namespace limber {
 namespace {
 
 constexpr int kObstacleDraws = 300;
-constexpr double kLeastBend =
-    0.35;  // of the limit, of every segment at the end of the hidden motion
-constexpr double kLeastTravelM = 0.25;  // of the tip; less is no task
-constexpr double kGapLargestM = 0.22;   // a wider way through a wall is no gap
-constexpr double kWallLengthM = 0.22;   // of the wall on either side of the gap
+constexpr double kMinBend = 0.35;  // of the limit, of every segment at the end of the hidden motion
+constexpr double kMinTravelM = 0.25;   // of the tip; less is no task
+constexpr double kGapLargestM = 0.22;  // a wider way through a wall is no gap
+constexpr double kWallLengthM = 0.22;  // of the wall on either side of the gap
 constexpr double kWallWidthM = 0.03;
 constexpr double kGoalToleranceM = 0.02;
 constexpr double kGoalToleranceRad = 0.3;
@@ -60,7 +59,7 @@ class Draft {
     for (int i = 0; i < arm_.segment_count(); ++i) {
       const double limit = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
       const double sign = random_.uniform() < 0.5 ? -1.0 : 1.0;
-      end[i] = static_cast<float>(sign * limit * random_.uniform(kLeastBend, 1.0));
+      end[i] = static_cast<float>(sign * limit * random_.uniform(kMinBend, 1.0));
     }
     return end;
   }
@@ -97,7 +96,7 @@ class Draft {
     const auto tip = [](const PlanFrame& frame) { return tip_pose(frame.backbone); };
     const Pose from = tip(hidden_.frames.front());
     const Pose to = tip(hidden_.frames.back());
-    return std::hypot(to.x_m - from.x_m, to.y_m - from.y_m) > kLeastTravelM;
+    return std::hypot(to.x_m - from.x_m, to.y_m - from.y_m) > kMinTravelM;
   }
 
   void set_goal() {
@@ -113,11 +112,11 @@ class Draft {
     }
   }
 
-  /// Least clearance of a motion from one obstacle; gives up below `least_of_interest`.
-  double clearance_m(const Plan& motion, const Obstacle& obstacle, double least_of_interest) const {
+  /// Least clearance of a motion from one obstacle; gives up below `min_of_interest`.
+  double clearance_m(const Plan& motion, const Obstacle& obstacle, double min_of_interest) const {
     const CollisionChecker checker(arm_, {obstacle});
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 1; k < motion.frames.size() && least >= least_of_interest; ++k) {
+    for (std::size_t k = 1; k < motion.frames.size() && least >= min_of_interest; ++k) {
       least = std::min(
           least, checker.motion_clearance(motion.frames[k - 1].backbone, motion.frames[k].backbone)
                      .value_m);
@@ -125,9 +124,9 @@ class Draft {
     return least;
   }
 
-  bool accept(const Obstacle& obstacle, double largest_clearance_m) {
-    const double clearance = clearance_m(hidden_, obstacle, settings_.least_clearance_m);
-    if (clearance < settings_.least_clearance_m || clearance > largest_clearance_m) {
+  bool accept(const Obstacle& obstacle, double max_clearance_m) {
+    const double clearance = clearance_m(hidden_, obstacle, settings_.min_clearance_m);
+    if (clearance < settings_.min_clearance_m || clearance > max_clearance_m) {
       return false;
     }
     environment_.obstacles.push_back(obstacle);
@@ -171,10 +170,10 @@ class Draft {
                     static_cast<int>(environment_.obstacles.size()) < settings_.obstacles;
          ++k) {
       const double clearance =
-          random_.uniform(settings_.least_clearance_m, settings_.largest_clearance_m);
+          random_.uniform(settings_.min_clearance_m, settings_.max_clearance_m);
       accept(draw_obstacle_beside(settings_.style, draw_plate(hidden_), clearance,
                                   random_.uniform() < 0.5 ? -1.0 : 1.0, random_),
-             settings_.largest_clearance_m);
+             settings_.max_clearance_m);
     }
   }
 
@@ -211,10 +210,9 @@ class Draft {
       for (const PlanFrame& frame : hidden_.frames) {
         widen_by_crossing(line, arm_, frame.backbone, kWallWidthM, low, high);
       }
-      const double room =
-          random_.uniform(settings_.least_clearance_m, settings_.largest_clearance_m);
-      const double largest_m = settings_.narrow ? narrow_m(plate) : kGapLargestM;
-      if (!(high - low + 2.0 * room < largest_m)) {
+      const double room = random_.uniform(settings_.min_clearance_m, settings_.max_clearance_m);
+      const double max_m = settings_.narrow ? narrow_m(plate) : kGapLargestM;
+      if (!(high - low + 2.0 * room < max_m)) {
         continue;
       }
       const Obstacle left = wall_piece(line, high + room, high + room + kWallLengthM, kWallWidthM);

@@ -18,13 +18,13 @@ enum class EnvironmentStyle {
 
 struct StyleSettings {
   EnvironmentStyle style = EnvironmentStyle::clutter;
-  int waypoints = 2;                 ///< of the hidden motion, its end included, 1 … 4
-  bool overshoot = false;            ///< the hidden motion reverses a pressure
-  bool narrow = false;               ///< the way leads through a passage that counts as narrow
-  bool orientation = false;          ///< the goal asks for a heading too
-  int obstacles = 5;                 ///< wanted; a wall counts as two
-  double least_clearance_m = 0.015;  ///< of the hidden motion, > 0
-  double largest_clearance_m = 0.05;
+  int waypoints = 2;               ///< of the hidden motion, its end included, 1 … 4
+  bool overshoot = false;          ///< the hidden motion reverses a pressure
+  bool narrow = false;             ///< the way leads through a passage that counts as narrow
+  bool orientation = false;        ///< the goal asks for a heading too
+  int obstacles = 5;               ///< wanted; a wall counts as two
+  double min_clearance_m = 0.015;  ///< of the hidden motion, > 0
+  double max_clearance_m = 0.05;
 };
 
 /// An environment with the motion it was drawn around, which solves it as the model predicts.

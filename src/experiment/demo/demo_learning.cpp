@@ -151,7 +151,7 @@ void evaluate_stage(DemoResults& results) {
   results.inflate_deflate_svg =
       plot_inflate_deflate(no_load, network, inflate_and_deflate(results.arm()));
   results.output->write("plots/inflate_deflate.svg", results.inflate_deflate_svg);
-  results.output->write("evaluation.json", evaluation_to_json(results.evaluation).dump(2) + "\n");
+  results.output->write("evaluation.json", to_json(results.evaluation).dump(2) + "\n");
 }
 
 void bench_stage(DemoResults& results) {

@@ -35,7 +35,7 @@ std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
     return cases;
   }
   for (int k = 1; k <= results.recipe.random_environments; ++k) {
-    std::optional<Environment> drawn = draw_proven_environment(
+    std::optional<Environment> drawn = sample_proven_environment(
         results.arm(), results.motion_model(*results.network),
         derived_seed(results.settings->seed, kEnvironmentSeed), std::uint64_t(k));
     if (!drawn) {

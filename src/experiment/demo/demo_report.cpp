@@ -243,7 +243,7 @@ void whats_next(ReportPage& page) {
           "  --environment my_table.yaml --out my_plan.json --svg my_plan.svg");
 }
 
-nlohmann::ordered_json times_to_json(const StageClock& clock) {
+nlohmann::ordered_json to_json(const StageClock& clock) {
   nlohmann::ordered_json json;
   for (const auto& [stage, seconds] : clock.stages()) {
     json[stage] = seconds;
@@ -252,7 +252,7 @@ nlohmann::ordered_json times_to_json(const StageClock& clock) {
   return json;
 }
 
-nlohmann::ordered_json training_to_json(const DemoResults& results) {
+nlohmann::ordered_json to_json(const DemoResults& results) {
   const TrainingResult& training = results.training;
   return {{"shape", training.model.shape()},
           {"preset", training.model.preset},
@@ -267,7 +267,7 @@ nlohmann::ordered_json number(const std::optional<double>& mean, double factor) 
   return mean ? nlohmann::ordered_json(*mean * factor) : nlohmann::ordered_json(nullptr);
 }
 
-nlohmann::ordered_json comparison_to_json(const std::vector<PlanTrial>& trials) {
+nlohmann::ordered_json to_json(const std::vector<PlanTrial>& trials) {
   nlohmann::ordered_json json;
   for (const char* model : {"no_load", "network"}) {
     const TrialSummary sum = summarise(trials, "", model);
@@ -307,11 +307,11 @@ nlohmann::ordered_json demo_summary(const DemoResults& results) {
   json["arm"] = results.arm().name;
   json["seed"] = results.settings->seed;
   json["quick"] = results.settings->quick;
-  json["training"] = training_to_json(results);
-  json["valves"] = valves_to_json(results.training.model.identified_valves());
-  json["evaluation"] = evaluation_to_json(results.evaluation);
+  json["training"] = to_json(results);
+  json["valves"] = to_json(results.training.model.identified_valves());
+  json["evaluation"] = to_json(results.evaluation);
   json["bench"] = to_json(results.speed);
-  json["comparison"] = comparison_to_json(results.trials);
+  json["comparison"] = to_json(results.trials);
   json["plans"] = nlohmann::ordered_json::array();
   json["executions"] = nlohmann::ordered_json::array();
   for (const PlanTrial& trial : results.trials) {
@@ -321,7 +321,7 @@ nlohmann::ordered_json demo_summary(const DemoResults& results) {
       json["executions"].push_back(execution_to_json(trial, environment));
     }
   }
-  json["wall_time_s"] = times_to_json(results.clock);
+  json["wall_time_s"] = to_json(results.clock);
   return json;
 }
 

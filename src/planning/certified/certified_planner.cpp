@@ -17,7 +17,7 @@ namespace {
 /// Of the limits, for the search with the clearance that was asked for, where it finds nothing; the
 /// rest is for smaller ones. But never more time than that.
 constexpr double kPatience = 0.9;
-constexpr double kMostForSmallerS = 1.0;
+constexpr double kMaxForSmallerS = 1.0;
 
 constexpr double kYield = 0.95;  // of what an arm starts with: it has to get away from there
 
@@ -51,7 +51,7 @@ class CertifiedPlanner final : public Planner {
     PlannerLimits patient = limits;
     if (may_keep_less) {
       patient.patience =
-          limits.time_s ? std::max(kPatience, 1.0 - kMostForSmallerS / *limits.time_s) : kPatience;
+          limits.time_s ? std::max(kPatience, 1.0 - kMaxForSmallerS / *limits.time_s) : kPatience;
     }
     PlanResult result = certified_search(*planner_, problem, shared, patient, seed, callback);
     result.warnings.insert(result.warnings.begin(), notes.begin(), notes.end());
@@ -72,8 +72,8 @@ class CertifiedPlanner final : public Planner {
     const CollisionChecker checker(problem.arm, problem.environment.obstacles);
     const Clearance at_start =
         checker.clearance(start_state(problem.environment, problem.arm).backbone);
-    const double most_m = at_start.value_m - kReserveM - Certificate::kClearanceToleranceM;
-    if (at_start.obstacle < 0 || most_m <= 0.0 || problem.margin_m <= most_m) {
+    const double max_m = at_start.value_m - kReserveM - Certificate::kClearanceToleranceM;
+    if (at_start.obstacle < 0 || max_m <= 0.0 || problem.margin_m <= max_m) {
       return;  // nothing is near, or it starts in an obstacle, which is refused
     }
     notes.push_back(fmt::format(
@@ -81,7 +81,7 @@ class CertifiedPlanner final : public Planner {
         "model erred by",
         at_start.value_m * kCmPerM, obstacle_name(problem.environment, at_start.obstacle),
         problem.margin_m * kCmPerM));
-    problem.margin_m = kYield * most_m;
+    problem.margin_m = kYield * max_m;
   }
 
   /// A refusal's amounts are those of the problem as it was asked, wherever it is refused as such;

@@ -10,7 +10,7 @@ namespace limber {
 namespace {
 
 double clearance_with_reserve_m(double margin_m) {
-  return std::max(margin_m, Certificate::kLeastClearanceM) + kReserveM;
+  return std::max(margin_m, Certificate::kMinClearanceM) + kReserveM;
 }
 
 }  // namespace

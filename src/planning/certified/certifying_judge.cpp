@@ -32,7 +32,7 @@ PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()
     return Verdict::unfinished;
   }
   if (certificate.certified() && stays_within(plan)) {
-    plan.certified = CertifiedFigures{certificate.clearance_m, certificate.largest_deviation_m};
+    plan.certified = CertifiedFigures{certificate.clearance_m, certificate.max_deviation_m};
     held_ = std::move(certificate);
     held_plan_ = plan;
     return Verdict::holds;
@@ -46,7 +46,7 @@ PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()
 
 bool CertifyingJudge::stays_within(const Plan& plan) const {
   return problem_.stay_within == nullptr ||
-         ways_beyond(problem_.stay_within->learnt(), plan, problem_.arm.command.unit).empty();
+         excursions_beyond(problem_.stay_within->learnt(), plan, problem_.arm.command.unit).empty();
 }
 
 void CertifyingJudge::report(PlanResult& result) {
@@ -66,8 +66,8 @@ void CertifyingJudge::report(PlanResult& result) {
       result.reason = fmt::format(
           "every plan that planner '{}' found leaves what the model's recordings held: {}",
           result.best_partial->planner,
-          ways_beyond(problem_.stay_within->learnt(), *result.best_partial,
-                      problem_.arm.command.unit)
+          excursions_beyond(problem_.stay_within->learnt(), *result.best_partial,
+                            problem_.arm.command.unit)
               .front());
       return;
     }

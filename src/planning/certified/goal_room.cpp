@@ -10,7 +10,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kMostReserve = 0.1;  // of a tolerance
+constexpr double kMaxReserve = 0.1;  // of a tolerance
 /// Of a tolerance: what plans may use of it where the model's error leaves no room in it.
 constexpr double kShareWithoutRoom = 0.8;
 /// Of a tolerance: what is aimed at where there is an error to keep room for. That costs little.
@@ -23,7 +23,7 @@ bool fits(double tolerance, double margin) {
 double with_room(double tolerance, double margin, double reserve) {
   const double inside =
       fits(tolerance, margin) ? tolerance - margin : kShareWithoutRoom * tolerance;
-  return inside - std::min(reserve, kMostReserve * inside);
+  return inside - std::min(reserve, kMaxReserve * inside);
 }
 
 }  // namespace

@@ -33,9 +33,8 @@ PlannerLimits left_of(const PlannerLimits& limits, const PlannerStatistics& spen
 }
 
 bool is_spent(const PlannerLimits& limits) {
-  constexpr double kLeastS = 0.01;
-  return (limits.time_s && *limits.time_s < kLeastS) || limits.iterations == 0 ||
-         limits.queries == 0;
+  constexpr double kMinS = 0.01;
+  return (limits.time_s && *limits.time_s < kMinS) || limits.iterations == 0 || limits.queries == 0;
 }
 
 /// An equal part of what is left for each of so many tries.
@@ -77,11 +76,11 @@ void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
     spent.iterations += tried.statistics.iterations;
     spent.queries += tried.statistics.queries;
     if (tried.plan) {
-      result.largest_clearance_m = tried.plan->certified->clearance_m;
+      result.max_clearance_m = tried.plan->certified->clearance_m;
       result.reason += fmt::format(
           "; with less clearance than the {:.2f} cm asked for there is a plan, which keeps "
           "{:.2f} cm: --margin-m {:.4g}",
-          asked.margin_m * kCmPerM, *result.largest_clearance_m * kCmPerM, problem.margin_m);
+          asked.margin_m * kCmPerM, *result.max_clearance_m * kCmPerM, problem.margin_m);
       return;
     }
   }

@@ -21,7 +21,7 @@ constexpr double kStep = 0.5;
 constexpr double kRandomParent = 0.5;
 constexpr double kFarShare = 0.5;  // of the edges that go all the way to their target
 constexpr std::size_t kBatch = 512;
-constexpr int kMostIdleRounds = 1000;
+constexpr int kMaxIdleRounds = 1000;
 
 struct Edge {
   int parent;
@@ -147,7 +147,7 @@ void Forest::complete() {
                                              setpoints_kpa.col(static_cast<Eigen::Index>(i)));
   }
   costs_kpa.assign(sums.begin(), sums.end());
-  largest_kpa = setpoints_kpa.cwiseAbs().rowwise().maxCoeff();
+  max_kpa = setpoints_kpa.cwiseAbs().rowwise().maxCoeff();
   tips = TipGrid(held_tips, costs_kpa);
 }
 
@@ -174,11 +174,11 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
   const auto refuse = [](const std::string& what) {
     throw InputError(fmt::format("the forest holds {}: it is broken; grow it anew", what));
   };
-  if (forest.largest_kpa.size() != limits_kpa.size()) {
-    refuse(fmt::format("{} pressures a node; arm '{}' has {} segments", forest.largest_kpa.size(),
+  if (forest.max_kpa.size() != limits_kpa.size()) {
+    refuse(fmt::format("{} pressures a node; arm '{}' has {} segments", forest.max_kpa.size(),
                        arm.name, limits_kpa.size()));
   }
-  if ((forest.largest_kpa.array() > limits_kpa.array()).any()) {
+  if ((forest.max_kpa.array() > limits_kpa.array()).any()) {
     refuse("pressures beyond the arm's limits");
   }
   const Eigen::Index numbers = 3 * (arm.point_count() - 1);
@@ -198,13 +198,13 @@ ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
 std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& model,
                                   const ForestKey& key, const ArmStart& start,
                                   const ForestSettings& settings, const ForestCallback& callback) {
-  if (settings.nodes < 1 || settings.nodes > Forest::kMostNodes) {
+  if (settings.nodes < 1 || settings.nodes > Forest::kMaxNodes) {
     throw InputError(
-        fmt::format("a forest of {} nodes; expected 1 to {}", settings.nodes, Forest::kMostNodes));
+        fmt::format("a forest of {} nodes; expected 1 to {}", settings.nodes, Forest::kMaxNodes));
   }
   Grower grower(arm, model, start, settings);
   int idle_rounds = 0;
-  while (grower.size() < settings.nodes && idle_rounds < kMostIdleRounds) {
+  while (grower.size() < settings.nodes && idle_rounds < kMaxIdleRounds) {
     const int before = grower.size();
     grower.round();
     idle_rounds = grower.size() == before ? idle_rounds + 1 : 0;

@@ -80,9 +80,9 @@ class ForestReader {
         (nodes_ != 0 && tensor.shape[0] != nodes_)) {
       refuse(where_, fmt::format("tensor {} has not one row for each of the forest's nodes", name));
     }
-    if (tensor.shape[0] > static_cast<std::size_t>(Forest::kMostNodes)) {
+    if (tensor.shape[0] > static_cast<std::size_t>(Forest::kMaxNodes)) {
       refuse(where_, fmt::format("tensor {} has {} rows; expected at most {}", name,
-                                 tensor.shape[0], Forest::kMostNodes));
+                                 tensor.shape[0], Forest::kMaxNodes));
     }
     nodes_ = tensor.shape[0];
     return tensor;
@@ -154,7 +154,7 @@ Forest read_forest(const std::filesystem::path& path) {
   forest.held_tips = Eigen::Map<const Eigen::Matrix3Xf>(tips.values.data(), 3,
                                                         static_cast<Eigen::Index>(forest.size()));
   const ShortTensor& shapes = reader.shorts("shapes", 2);
-  forest.shapes = Eigen::Map<const RoundedShapes>(
+  forest.shapes = Eigen::Map<const QuantizedShapes>(
       shapes.values.data(), static_cast<Eigen::Index>(shapes.shape[1]), forest.size());
   forest.complete();
   return forest;

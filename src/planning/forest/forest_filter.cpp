@@ -8,7 +8,7 @@ namespace limber {
 namespace {
 
 constexpr float kLookM = 0.04F;  // of the way of the plate that moves farthest: looked at so often
-constexpr int kMostLooks = 16;   // along an edge
+constexpr int kMaxLooks = 16;    // along an edge
 
 /// Of the plate that moves farthest.
 float travel_m(const Backbone& from, const Backbone& to) {
@@ -33,7 +33,7 @@ bool ForestFilter::leaves_free(int node) {
   if (known_.count(node) == 0 && !stands_free(node)) {
     known_[node] = false;
   }
-  return leaves_way_free(node) && leaves_hold_free(node);
+  return leaves_path_free(node) && leaves_hold_free(node);
 }
 
 bool ForestFilter::stands_free(int node) {
@@ -41,12 +41,12 @@ bool ForestFilter::stands_free(int node) {
   return checker_.is_free(after_);
 }
 
-bool ForestFilter::leaves_way_free(int node) {
-  way_.clear();
+bool ForestFilter::leaves_path_free(int node) {
+  path_.clear();
   for (int i = node; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
-    way_.push_back(i);
+    path_.push_back(i);
   }
-  for (auto step = way_.rbegin(); step != way_.rend(); ++step) {
+  for (auto step = path_.rbegin(); step != path_.rend(); ++step) {
     const int parent = forest_.parents[static_cast<std::size_t>(*step)];
     known_[*step] = known_.at(parent) && leaves_edge_free(*step);
   }
@@ -60,7 +60,7 @@ bool ForestFilter::leaves_edge_free(int node) {
   }
   blend(parent, parent, 0.0F, before_);
   const int looks =
-      std::min(kMostLooks, static_cast<int>(std::ceil(travel_m(before_, after_) / kLookM)));
+      std::min(kMaxLooks, static_cast<int>(std::ceil(travel_m(before_, after_) / kLookM)));
   for (int k = 1; k < looks; ++k) {
     blend(parent, node, static_cast<float>(k) / static_cast<float>(looks), between_);
     if (!checker_.is_free(between_)) {
@@ -75,10 +75,10 @@ bool ForestFilter::leaves_hold_free(int node) {
   after_ = between_;
   // Of the held shape the tip alone is stored: every plate does its part of what the tip does.
   const Eigen::Index last = after_.rows() - 1;
-  const Eigen::RowVector3f way = forest_.held_tips.col(node).transpose() - after_.row(last);
+  const Eigen::RowVector3f shift = forest_.held_tips.col(node).transpose() - after_.row(last);
   for (Eigen::Index plate = 1; plate <= last; ++plate) {
     const float part = static_cast<float>(plate) / static_cast<float>(last);
-    after_.row(plate) += part * part * way;
+    after_.row(plate) += part * part * shift;
   }
   return checker_.is_motion_free(between_, after_);
 }

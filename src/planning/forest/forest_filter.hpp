@@ -25,7 +25,7 @@ class ForestFilter {
  private:
   /// At the end of the motion to it, which is left in after_.
   bool stands_free(int node);
-  bool leaves_way_free(int node);
+  bool leaves_path_free(int node);
   /// The same of the motion from its parent alone, its end included.
   bool leaves_edge_free(int node);
   /// The same of the hold: the arm has followed late, and its tip goes on to where it is held.
@@ -36,7 +36,7 @@ class ForestFilter {
   const CollisionChecker& checker_;
   double arm_length_m_;
   std::unordered_map<int, bool> known_;  // of nodes asked for, and those on the way there
-  std::vector<int> way_;
+  std::vector<int> path_;
   Backbone before_;
   Backbone after_;
   Backbone between_;

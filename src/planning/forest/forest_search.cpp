@@ -8,15 +8,15 @@ namespace {
 
 constexpr std::size_t kFirstBatch = 1;  // small, so that an easy plan comes at once; then doubled
 constexpr std::size_t kFirstNear = 8;   // their step mostly ends in the goal, not nearly always
-constexpr std::size_t kLargestBatch = 64;
-constexpr std::size_t kMostNear = 64;  // tried: then the search has footholds enough
-constexpr double kNearM = 0.10;        // how near the goal's disc those end
-constexpr int kRoundsWithPlan = 2;     // dearer ones, for the improvers to start from
-constexpr std::ptrdiff_t kMostNearLookedAt = 2048;
-constexpr int kMostLooks = 1024;  // of the filter in a round: then it is the search's turn
+constexpr std::size_t kMaxBatch = 64;
+constexpr std::size_t kMaxNear = 64;  // tried: then the search has footholds enough
+constexpr double kNearM = 0.10;       // how near the goal's disc those end
+constexpr int kRoundsWithPlan = 2;    // dearer ones, for the improvers to start from
+constexpr std::ptrdiff_t kMaxNearLookedAt = 2048;
+constexpr int kMaxLooks = 1024;   // of the filter in a round: then it is the search's turn
 constexpr int kLooksAtOnce = 64;  // until somebody asks whether there is time for more
 
-Eigen::Vector2f place_m(const PoseGoal& goal) {
+Eigen::Vector2f point_m(const PoseGoal& goal) {
   return {static_cast<float>(goal.x_m), static_cast<float>(goal.y_m)};
 }
 
@@ -39,7 +39,7 @@ ForestSearch::ForestSearch(const Forest& forest, const PlanningProblem& problem,
       simulator_(simulator),
       search_(search),
       filter_(forest, problem, checker),
-      near_left_(kMostNear) {
+      near_left_(kMaxNear) {
   grafted_[0] = 0;
   known_[0] = start_of(problem);
   find_those_in_goal();
@@ -48,7 +48,7 @@ ForestSearch::ForestSearch(const Forest& forest, const PlanningProblem& problem,
 void ForestSearch::find_those_in_goal() {
   const PoseGoal& goal = problem_.environment.goal;
   std::vector<Ranked> found;
-  forest_.tips.visit_near(place_m(goal), static_cast<float>(goal.position_tolerance_m),
+  forest_.tips.visit_near(point_m(goal), static_cast<float>(goal.position_tolerance_m),
                           [&](const TipGrid::Tip& tip) {
                             if (is_within(goal, pose_error(goal, pose_of(tip)))) {
                               found.emplace_back(double(tip.cost_kpa), tip.node);
@@ -60,13 +60,13 @@ void ForestSearch::find_those_in_goal() {
 void ForestSearch::find_those_near() {
   const PoseGoal& goal = problem_.environment.goal;
   std::vector<Ranked> found;
-  forest_.tips.visit_near(place_m(goal), static_cast<float>(goal.position_tolerance_m + kNearM),
+  forest_.tips.visit_near(point_m(goal), static_cast<float>(goal.position_tolerance_m + kNearM),
                           [&](const TipGrid::Tip& tip) {
                             found.emplace_back(goal_error(goal, pose_of(tip)), tip.node);
                           });
-  if (std::ssize(found) > kMostNearLookedAt) {
-    std::nth_element(found.begin(), found.begin() + kMostNearLookedAt, found.end());
-    found.resize(static_cast<std::size_t>(kMostNearLookedAt));
+  if (std::ssize(found) > kMaxNearLookedAt) {
+    std::nth_element(found.begin(), found.begin() + kMaxNearLookedAt, found.end());
+    found.resize(static_cast<std::size_t>(kMaxNearLookedAt));
   }
   near_.emplace(Ranking({}, std::move(found)));
 }
@@ -78,13 +78,13 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
   Candidate found{node, {node}, std::nullopt};  // even where it is known: its hold is not
   int i = forest_.parents[static_cast<std::size_t>(node)];
   for (; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
-    found.way.push_back(i);
+    found.path.push_back(i);
   }
   const auto last = known_.find(node);
   if (is_ruled_out(known_.at(i)) || (last != known_.end() && is_ruled_out(last->second))) {
     return std::nullopt;
   }
-  std::reverse(found.way.begin(), found.way.end());
+  std::reverse(found.path.begin(), found.path.end());
   if (step) {
     const auto held = forest_.held_tips.col(node);
     found.step_kpa = search_.limited(step_toward_goal(
@@ -96,7 +96,7 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
 
 void ForestSearch::collect(Ranking& nodes, std::size_t wanted, bool step,
                            const std::function<bool()>& give_up) {
-  for (int looks = 1; looks <= kMostLooks && !nodes.empty() && paths_.size() < wanted; ++looks) {
+  for (int looks = 1; looks <= kMaxLooks && !nodes.empty() && paths_.size() < wanted; ++looks) {
     if (looks % kLooksAtOnce == 0 && give_up()) {
       return;
     }
@@ -106,10 +106,10 @@ void ForestSearch::collect(Ranking& nodes, std::size_t wanted, bool step,
     if (!found) {
       continue;
     }
-    const int from = forest_.parents[static_cast<std::size_t>(found->way.front())];
+    const int from = forest_.parents[static_cast<std::size_t>(found->path.front())];
     Path path{known_.at(from), {}};
     path.hold = true;  // the forest knows where that leads, however far it goes
-    for (const int passed : found->way) {
+    for (const int passed : found->path) {
       path.to_kpa.emplace_back(forest_.setpoints_kpa.col(passed));
     }
     if (found->step_kpa) {
@@ -126,7 +126,7 @@ bool ForestSearch::round(const std::function<bool()>& give_up) {
     return false;
   }
   const auto wanted = [this](std::size_t first) {
-    return std::min(first << std::min(rounds_, 8), kLargestBatch);
+    return std::min(first << std::min(rounds_, 8), kMaxBatch);
   };
   paths_.clear();
   candidates_.clear();
@@ -151,37 +151,37 @@ bool ForestSearch::round(const std::function<bool()>& give_up) {
 }
 
 void ForestSearch::settle(const Candidate& tried, const PathOutcome& outcome) {
-  for (std::size_t i = 0; i < tried.way.size(); ++i) {
+  for (std::size_t i = 0; i < tried.path.size(); ++i) {
     if (i >= outcome.at.size()) {
-      known_.try_emplace(tried.way[i]);
+      known_.try_emplace(tried.path[i]);
       return;
     }
-    known_.try_emplace(tried.way[i], outcome.at[i]);
+    known_.try_emplace(tried.path[i], outcome.at[i]);
   }
-  int place = graft(tried.node);
+  int node = graft(tried.node);
   if (!outcome.free) {
     return;  // the step collides, not the way to it
   }
   if (tried.step_kpa) {
-    place = search_.graft(place, outcome.at.back());
+    node = search_.graft(node, outcome.at.back());
   }
   if (outcome.in_goal) {
-    search_.note_solution(place, *outcome.held_tip);
+    search_.note_solution(node, *outcome.held_tip);
   }
 }
 
 int ForestSearch::graft(int node) {
-  std::vector<int> way;
+  std::vector<int> path;
   int i = node;
   for (; grafted_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
-    way.push_back(i);
+    path.push_back(i);
   }
-  int place = grafted_.at(i);
-  for (auto step = way.rbegin(); step != way.rend(); ++step) {
-    place = search_.graft(place, known_.at(*step));
-    grafted_[*step] = place;
+  int grafted = grafted_.at(i);
+  for (auto step = path.rbegin(); step != path.rend(); ++step) {
+    grafted = search_.graft(grafted, known_.at(*step));
+    grafted_[*step] = grafted;
   }
-  return place;
+  return grafted;
 }
 
 }  // namespace limber

@@ -37,7 +37,7 @@ class ForestSearch {
   /// A motion to try: to a node of the forest, and from there perhaps a step on.
   struct Candidate {
     int node;
-    std::vector<int> way;  // nodes behind the last state known on the way, the node included
+    std::vector<int> path;  // nodes behind the last state known on the way, the node included
     std::optional<Pressures> step_kpa;
   };
 

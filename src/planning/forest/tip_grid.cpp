@@ -6,7 +6,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kMostCells = 64;  // along the longer side of what the tips reach
+constexpr int kMaxCells = 64;  // along the longer side of what the tips reach
 
 }  // namespace
 
@@ -16,10 +16,10 @@ TipGrid::TipGrid(const Eigen::Matrix3Xf& tips, const std::vector<float>& costs_k
   }
   low_m_ = tips.topRows<2>().rowwise().minCoeff();
   const Eigen::Vector2f size_m = tips.topRows<2>().rowwise().maxCoeff() - low_m_;
-  constexpr float kLeastCellM = 1e-3F;
-  cell_m_ = std::max(size_m.maxCoeff() / static_cast<float>(kMostCells), kLeastCellM);
-  columns_ = place(size_m.x(), kMostCells) + 1;
-  rows_ = place(size_m.y(), kMostCells) + 1;
+  constexpr float kMinCellM = 1e-3F;
+  cell_m_ = std::max(size_m.maxCoeff() / static_cast<float>(kMaxCells), kMinCellM);
+  columns_ = cell_index(size_m.x(), kMaxCells) + 1;
+  rows_ = cell_index(size_m.y(), kMaxCells) + 1;
   const auto cell_of = [&](Eigen::Index i) { return cell(column(tips(0, i)), row(tips(1, i))); };
   // A counting sort: how many there are in each cell, where each cell begins, then everyone's
   // place.
@@ -39,7 +39,7 @@ TipGrid::TipGrid(const Eigen::Matrix3Xf& tips, const std::vector<float>& costs_k
   }
 }
 
-int TipGrid::place(float distance_m, int count) const {
+int TipGrid::cell_index(float distance_m, int count) const {
   // Compared as floats: a place far away is no int, nor is one that is no number.
   const float cells = distance_m / cell_m_;
   if (!(cells > 0.0F)) {

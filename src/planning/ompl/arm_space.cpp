@@ -14,7 +14,7 @@ namespace {
 namespace ob = ompl::base;
 namespace oc = ompl::control;
 
-constexpr double kLargestAngleRad = 100.0;
+constexpr double kMaxAngleRad = 100.0;
 constexpr double kOvershoot = 1.05;  // × the limit: OMPL asks for bounds, the arm keeps its own
 constexpr double kGoalSpread = 0.1;  // of the limits, about a goal configuration
 constexpr double kHoldPositionM = 0.05;  // tips this near are held and judged, as in the default
@@ -96,7 +96,7 @@ class ArmSpace final : public ob::RealVectorStateSpace {
       const double most = i < world.valves() ? kOvershoot * limit_kpa(world, i % world.segments())
                           : i == world.cost_index() ? 1e9
                           : i == world.free_index() ? 1.0
-                          : angle                   ? kLargestAngleRad
+                          : angle                   ? kMaxAngleRad
                                                     : reach;
       bounds.setLow(index, -most);
       bounds.setHigh(index, most);
@@ -111,10 +111,10 @@ class ArmSpace final : public ob::RealVectorStateSpace {
       squares += change * change;
     }
     const int tip = world_.valves() + world_.poses() - 3;
-    const double way =
+    const double distance =
         std::hypot(values(a)[tip] - values(b)[tip], values(a)[tip + 1] - values(b)[tip + 1]) *
         world_.settings.tip_weight / world_.problem.arm.length_m();
-    return std::sqrt(squares + way * way);
+    return std::sqrt(squares + distance * distance);
   }
   ob::State* allocState() const override {
     ++world_.states;

@@ -101,7 +101,7 @@ class Run {
   void find_goal_configurations() {
     InverseKinematicsSettings settings;
     settings.starts = 4 * kGoalConfigurations;
-    settings.most_solutions = kGoalConfigurations;
+    settings.max_solutions = kGoalConfigurations;
     const InverseKinematicsResult found = solve_inverse_kinematics(
         problem_.model.no_load(), problem_.environment.goal, settings, world_.random);
     for (const Eigen::VectorXd& kpa : found.pressures_kpa) {

@@ -15,7 +15,7 @@ constexpr double kImprovementKpa = 1e-6;  // rounding of a sum of pressures
 /// A gain γ of the near radius γ (ln N / N)^(1/n) for which RRT* is asymptotically optimal on a
 /// cube of side 2: 2 (1 + 1/n)^(1/n) (volume / volume of the unit ball)^(1/n), which PRM* needs and
 /// which is more than enough for RRT* (Karaman and Frazzoli 2011, theorems 34 and 38).
-double least_near_gain(int n) {
+double min_near_gain(int n) {
   const double ball = std::pow(std::numbers::pi, 0.5 * n) / std::tgamma(0.5 * n + 1.0);
   return 2.0 * std::pow((1.0 + 1.0 / n) * std::pow(2.0, n) / ball, 1.0 / n);
 }
@@ -33,7 +33,7 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
       goal_sampler_(problem.model.no_load(), problem.environment.goal,
                     settings.goal_configurations),
       limit_kpa_(pressure_limits_kpa(problem.arm)),
-      near_gain_(settings.near_factor * least_near_gain(problem.arm.segment_count())),
+      near_gain_(settings.near_factor * min_near_gain(problem.arm.segment_count())),
       tree_(problem.model),
       index_(problem.arm.segment_count()),
       new_kpa_(problem.arm.segment_count()),

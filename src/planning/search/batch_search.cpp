@@ -8,11 +8,11 @@ namespace limber {
 namespace {
 
 constexpr std::uint64_t kSearchStream = std::uint64_t{1} << 32;  // one stream a proposal from here
-constexpr float kSamePoint = 1e-4F;       // of the limit: an edge this short adds nothing
-constexpr std::size_t kFewestEdges = 16;  // of a batch, while the tree is small
-constexpr std::size_t kMostEdges = 128;
+constexpr float kSamePoint = 1e-4F;    // of the limit: an edge this short adds nothing
+constexpr std::size_t kMinEdges = 16;  // of a batch, while the tree is small
+constexpr std::size_t kMaxEdges = 128;
 constexpr std::size_t kElites = 32;
-constexpr int kMostShotChoices = 16;  // nodes of which the nearest to the goal is shot from
+constexpr int kMaxShotChoices = 16;  // nodes of which the nearest to the goal is shot from
 
 }  // namespace
 
@@ -62,7 +62,7 @@ Pressures BatchSearch::scattered(const Pressures& about_kpa, double spread,
 BatchSearch::Proposal BatchSearch::shot_at_goal(RandomStream& random) {
   int node = elite_[random.index(static_cast<std::uint32_t>(elite_.size()))].node;
   if (random.uniform() < 0.5) {
-    const int choices = random.uniform() < 0.5 ? 1 : random_power_of_two(random, kMostShotChoices);
+    const int choices = random.uniform() < 0.5 ? 1 : random_power_of_two(random, kMaxShotChoices);
     node = tree_.random_node(random);
     double error = error_of(node);
     for (int k = 1; k < choices; ++k) {
@@ -105,7 +105,7 @@ BatchSearch::Proposal BatchSearch::propose(RandomStream& random) {
 void BatchSearch::round(const std::optional<double>& best_cost_kpa,
                         const std::function<bool()>& give_up) {
   const std::size_t wanted =
-      std::clamp(static_cast<std::size_t>(tree_.size()) / 4, kFewestEdges, kMostEdges);
+      std::clamp(static_cast<std::size_t>(tree_.size()) / 4, kMinEdges, kMaxEdges);
   goal_sampler_.draw_at_most(std::min(settings_.goal_configurations, 1 + rounds_++ / 2));
   batch_.clear();
   costs_kpa_.clear();

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSearchShare = 0.2;  // of the model's queries, once there is a plan
 constexpr int kPatience = 15;  // rounds without success until a plan that is not the best goes
-constexpr int kMostIdleTurns = 10'000;
+constexpr int kMaxIdleTurns = 10'000;
 constexpr std::uint64_t kChoiceStream = std::uint64_t{1} << 60;
 
 /// One run: the tree, and some of the plans it has found, which are improved side by side. One that
@@ -80,7 +80,7 @@ class Run {
   /// Whether no plan can be cheaper, or nobody has anything to try: a limit of queries alone would
   /// never be reached.
   bool nothing_left() const {
-    return (has_plan() && *best_cost_kpa() <= 0.0) || idle_turns_ > kMostIdleTurns ||
+    return (has_plan() && *best_cost_kpa() <= 0.0) || idle_turns_ > kMaxIdleTurns ||
            improvement_queries() >= (problem_.goal_has_room
                                          ? settings_.improvement_queries
                                          : settings_.improvement_queries_without_room);
@@ -203,15 +203,15 @@ class Run {
     if (waiting_.empty()) {
       return;
     }
-    const std::size_t place = choice_.index(static_cast<std::uint32_t>(waiting_.size()));
+    const std::size_t index = choice_.index(static_cast<std::uint32_t>(waiting_.size()));
     std::vector<MotionState> states;
-    const BatchSearch::Solution solution = waiting_[place];
+    const BatchSearch::Solution solution = waiting_[index];
     const std::vector<int> nodes = search_.tree().nodes_to(solution.node);
     for (const int node : nodes) {
       states.push_back(search_.tree().state(node));
     }
     improver.adopt(search_.waypoints_to(solution.node), std::move(states), solution.held_tip);
-    waiting_[place] = waiting_.back();
+    waiting_[index] = waiting_.back();
     waiting_.pop_back();
   }
 

@@ -45,8 +45,8 @@ double GoalAim::beyond(const Pose& held_tip) const {
 }
 
 const Pressures& GoalSampler::sample(RandomStream& random) {
-  if (static_cast<int>(drawn_kpa_.size()) >= count_) {
-    return drawn_kpa_[random.index(static_cast<std::uint32_t>(drawn_kpa_.size()))];
+  if (static_cast<int>(sampled_kpa_.size()) >= count_) {
+    return sampled_kpa_[random.index(static_cast<std::uint32_t>(sampled_kpa_.size()))];
   }
   // A pose of the region: uniform in the disc, and in the interval of headings.
   const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
@@ -62,12 +62,12 @@ const Pressures& GoalSampler::sample(RandomStream& random) {
   }
   InverseKinematicsSettings settings;
   settings.starts = 4;
-  settings.most_solutions = 1;
+  settings.max_solutions = 1;
   settings.convergence_m = 0.1 * kNewtonToleranceM;
   const InverseKinematicsResult found = solve_inverse_kinematics(model_, target, settings, random);
-  drawn_kpa_.emplace_back(
+  sampled_kpa_.emplace_back(
       (found.reachable() ? found.pressures_kpa.front() : found.best_pressures_kpa).cast<float>());
-  return drawn_kpa_.back();
+  return sampled_kpa_.back();
 }
 
 Pressures step_toward_goal(const NoLoadModel& model, const PoseGoal& goal, double arm_length_m,

@@ -47,7 +47,7 @@ class GoalSampler {
   const NoLoadModel& model_;
   const PoseGoal& goal_;
   int count_;
-  std::vector<Pressures> drawn_kpa_;
+  std::vector<Pressures> sampled_kpa_;
 };
 
 /// The Newton step of the no-load model from `from_kpa` that would take the tip, which another

@@ -12,8 +12,8 @@ namespace limber {
 
 namespace {
 
-constexpr std::size_t kWidth = 64;      // most paths that run side by side on one thread
-constexpr std::size_t kLeastWidth = 8;  // fewer are not worth another thread
+constexpr std::size_t kWidth = 64;    // most paths that run side by side on one thread
+constexpr std::size_t kMinWidth = 8;  // fewer are not worth another thread
 
 }  // namespace
 
@@ -173,7 +173,7 @@ void PathSimulator::run(const std::vector<Path>& paths, std::vector<PathOutcome>
                         const std::function<bool()>& give_up) {
   outcomes.assign(paths.size(), {});
   Queue queue(paths, outcomes);
-  const std::size_t threads = std::clamp(paths.size() / kLeastWidth, std::size_t{1},
+  const std::size_t threads = std::clamp(paths.size() / kMinWidth, std::size_t{1},
                                          static_cast<std::size_t>(threads_->arena.jobs()));
   const std::size_t width = std::min(kWidth, (paths.size() + threads - 1) / threads);
   const auto run_thread = [&](std::size_t) {

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::uint64_t kFirstStream = std::uint64_t{1} << 40;  // one stream a change from here
 constexpr double kImprovementKpa = 1e-4;
-constexpr double kNotable = 1e-3;      // of the cost
-constexpr double kLargestShift = 0.3;  // standard deviation, of the limit
-constexpr double kSmallestShift = 0.002;
+constexpr double kNotable = 1e-3;  // of the cost
+constexpr double kMaxShift = 0.3;  // standard deviation, of the limit
+constexpr double kMinShift = 0.002;
 constexpr std::size_t kCandidates = 8;
 constexpr int kTries = 128;  // random changes, to find as many that are cheaper
-constexpr std::size_t kMostWaypoints = 40;
+constexpr std::size_t kMaxWaypoints = 40;
 constexpr std::size_t kRepairs = 4;  // of a round's changes, those that would be the cheapest
 constexpr double kInsideRim = 0.98;  // of the goal's tolerance, where a repair leads
 
@@ -31,9 +31,9 @@ PoseGoal nearest_inside(const PoseGoal& goal, const Pose& tip) {
   inside.x_m += share * (tip.x_m - goal.x_m);
   inside.y_m += share * (tip.y_m - goal.y_m);
   if (goal.theta_rad) {
-    const double most_rad = kInsideRim * goal.orientation_tolerance_rad;
+    const double max_rad = kInsideRim * goal.orientation_tolerance_rad;
     const double turn = std::remainder(tip.theta_rad - *goal.theta_rad, 2.0 * std::numbers::pi);
-    inside.theta_rad = *goal.theta_rad + std::clamp(turn, -most_rad, most_rad);
+    inside.theta_rad = *goal.theta_rad + std::clamp(turn, -max_rad, max_rad);
   }
   return inside;
 }
@@ -101,7 +101,7 @@ bool PlanImprover::straighten(RandomStream& random) {
 
 /// Normal, of a scale drawn evenly in its logarithm, along all segments or one of them.
 Pressures PlanImprover::random_shift(RandomStream& random) const {
-  const double scale = kSmallestShift * std::pow(kLargestShift / kSmallestShift, random.uniform());
+  const double scale = kMinShift * std::pow(kMaxShift / kMinShift, random.uniform());
   const auto n = static_cast<std::uint32_t>(limit_kpa_.size());
   const std::uint32_t only = random.index(2 * n);  // ≥ n: all of them
   Pressures shift = Pressures::Zero(limit_kpa_.size());
@@ -132,7 +132,7 @@ void PlanImprover::shift_in_proportion(const Pressures& shift_kpa) {
 
 /// Puts a waypoint between two, for later changes to move.
 bool PlanImprover::split(RandomStream& random) {
-  if (candidate_kpa_.size() >= kMostWaypoints) {
+  if (candidate_kpa_.size() >= kMaxWaypoints) {
     return false;
   }
   const std::uint32_t i = random.index(static_cast<std::uint32_t>(candidate_kpa_.size()) - 1);

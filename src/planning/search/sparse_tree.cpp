@@ -12,7 +12,7 @@ namespace {
 
 // Nodes of which the nearest becomes a parent; powers of two up to this are drawn alike, so that
 // edges of all lengths are tried: one that overshoots has to come back from afar.
-constexpr int kMostParentChoices = 32;
+constexpr int kMaxParentChoices = 32;
 
 /// A hash of all that `hash` is of, and `value`.
 std::uint64_t mixed(std::uint64_t hash, std::int64_t value) {
@@ -69,7 +69,7 @@ int SparseTree::parent_near(const Pressures& target_kpa, double random_share,
     node = index_.nearest(scaled(target_kpa));
   } else {
     float nearest = std::numeric_limits<float>::infinity();
-    const int choices = random_power_of_two(random, kMostParentChoices);
+    const int choices = random_power_of_two(random, kMaxParentChoices);
     for (int k = 0; k < choices; ++k) {
       const int other = random_node(random);
       const float distance =

@@ -13,7 +13,7 @@ namespace limber {
 class YamlReader;
 
 /// An arm of more segments is refused; sizes the stack storage of solvers.
-inline constexpr int kMostSegments = 64;
+inline constexpr int kMaxSegments = 64;
 
 /// What a segment is told, one signed number, and the unit it comes in. Of any other command than a
 /// pressure, names that end in `_kpa` hold numbers in that command's unit; messages and files name

@@ -29,7 +29,7 @@ struct LeastSlope {
 };
 
 /// Exact: the ends and the two places where the slope's own derivative vanishes.
-LeastSlope least_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa);
+LeastSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa);
 
 /// Strains this close over the whole pressure range are those of the same segment: ten times what
 /// two machines' rounding makes of one bench test, and too little for a certificate to tell (5e-6
@@ -43,8 +43,8 @@ struct StrainDifference {
 };
 
 /// Over [0, p_max], to a thousandth of itself.
-StrainDifference largest_strain_difference(const StrainPolynomial& a, const StrainPolynomial& b,
-                                           double pressure_limit_kpa);
+StrainDifference max_strain_difference(const StrainPolynomial& a, const StrainPolynomial& b,
+                                       double pressure_limit_kpa);
 
 /// Why no model can use the polynomial up to its pressure limit: it falls somewhere, or its full
 /// strain is not between 0 and 1. Empty where it is fine.

@@ -13,7 +13,7 @@ namespace limber {
 class YamlReader;
 
 /// Keys as in the file (docs/formats.md, schema limber/valves/1).
-nlohmann::ordered_json valves_to_json(const IdentifiedValves& valves);
+nlohmann::ordered_json to_json(const IdentifiedValves& valves);
 /// The file's text. Numbers survive the round trip exactly.
 std::string valves_to_yaml(const IdentifiedValves& valves);
 /// One line for people: parameters of each segment (once where all are alike) and errors.

@@ -8,9 +8,9 @@
 namespace limber {
 
 /// 3×n, one column a segment; storage is inside the object, so that solvers allocate nothing.
-using PlanarJacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMostSegments>;
+using PlanarJacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMaxSegments>;
 /// n numbers, stored inside the object.
-using SegmentVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMostSegments, 1>;
+using SegmentVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSegments, 1>;
 
 /// dl/dκ in metre², the D of docs/model.md (6): the length a segment loses as it bends.
 ///

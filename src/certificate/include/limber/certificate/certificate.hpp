@@ -31,18 +31,18 @@ struct Certificate {
   double clearance_m = std::numeric_limits<double>::quiet_NaN();
   int clearance_frame = -1;  ///< the frame that the motion there leads to, 0 the start; −1: none
   int clearance_gap = -1;    ///< between plates gap and gap + 1, from 0 at the base
-  int clearance_obstacle = -1;       ///< index in the environment's list
-  double largest_deviation_m = 0.0;  ///< of a plate, own simulation against the stored backbone
+  int clearance_obstacle = -1;   ///< index in the environment's list
+  double max_deviation_m = 0.0;  ///< of a plate, own simulation against the stored backbone
   int deviation_frame = -1;
-  double largest_heading_deviation_rad = 0.0;
-  /// The same as largest_deviation_m, but each frame simulated from the stored one before it. Where
+  double max_heading_deviation_rad = 0.0;
+  /// The same as max_deviation_m, but each frame simulated from the stored one before it. Where
   /// this is rounding and the other is not, the plan is no mistake: the model amplifies rounding
   /// along it, and nothing can be said of where the arm ends.
-  double largest_step_deviation_m = 0.0;
+  double max_step_deviation_m = 0.0;
   /// Of a predicted pressure, own simulation of the valves against the stored one.
-  double largest_pressure_deviation_kpa = 0.0;
+  double max_pressure_deviation_kpa = 0.0;
   double cost_kpa = 0.0;
-  double largest_step_kpa = 0.0;  ///< of a pressure in one frame
+  double max_step_kpa = 0.0;  ///< of a pressure in one frame
   double goal_distance_m =
       std::numeric_limits<double>::quiet_NaN();  ///< of the own simulation's last tip
   double goal_orientation_rad = 0.0;             ///< 0 where the goal asks for none
@@ -56,8 +56,8 @@ struct Certificate {
   static constexpr double kDeviationM = 1e-4;  ///< allowed at every plate of every frame
   static constexpr double kHeadingDeviationRad = 1e-3;
   static constexpr double kPressureDeviationKpa = 1e-3;  ///< of every pressure of every frame
-  static constexpr double kSettledShare = 0.01;  ///< of the limit: what the hold has to settle to
-  static constexpr double kLeastClearanceM = 1e-4;  ///< even where no margin was asked for
+  static constexpr double kSettledShare = 0.01;   ///< of the limit: what the hold has to settle to
+  static constexpr double kMinClearanceM = 1e-4;  ///< even where no margin was asked for
   static constexpr double kClearanceToleranceM = 2e-5;
 };
 

@@ -9,7 +9,7 @@
 namespace limber {
 
 /// Largest file that is read, 4 GiB: a recording of weeks. A larger one is a mistake.
-inline constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 32U;
+inline constexpr std::uintmax_t kMaxFile = std::uintmax_t{1} << 32U;
 
 /// Writes `content` to a temporary name beside `path`, syncs it to disk and renames it: readers see
 /// the old file or the whole new one, never a part. Missing parent folders are made. Temporary
@@ -19,7 +19,7 @@ inline constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 32U;
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// The whole file. @throws InputError where it is missing, may not be read, is no plain file (a
-/// pipe would block, a device has no end) or is larger than kLargestFile; SystemFault where the
+/// pipe would block, a device has no end) or is larger than kMaxFile; SystemFault where the
 /// disk fails.
 std::string read_file(const std::filesystem::path& path);
 

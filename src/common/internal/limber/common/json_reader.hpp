@@ -13,10 +13,10 @@ namespace limber {
 
 /// Levels of lists and objects in each other that are read: limber's own files need 6, and a
 /// recursion over more could end the stack.
-inline constexpr int kMostJsonLevels = 32;
+inline constexpr int kMaxJsonLevels = 32;
 
 /// The one way in which limber reads JSON: an object, in UTF-8, with or without a byte order mark,
-/// at most kMostJsonLevels deep, with numbers that a double can hold.
+/// at most kMaxJsonLevels deep, with numbers that a double can hold.
 /// @param where  begins every message: the file, or the part of it.
 /// @throws InputError
 nlohmann::json parse_json_object(std::string_view text, const std::string& where);
@@ -31,7 +31,7 @@ std::string in_few_words(const nlohmann::json& value);
 /// what is allowed. Borrows the value.
 class JsonReader {
  public:
-  static constexpr double kLargestNumber = std::numeric_limits<double>::max();
+  static constexpr double kMaxNumber = std::numeric_limits<double>::max();
 
   /// @param file   begins every message
   /// @param field  path of the value in the file; empty for the root
@@ -47,14 +47,14 @@ class JsonReader {
   std::string text() const;
   bool boolean() const;
   /// A finite number in [low, high].
-  double number(double low = -kLargestNumber, double high = kLargestNumber) const;
+  double number(double low = -kMaxNumber, double high = kMaxNumber) const;
   /// A whole number from 0 to `most`.
   std::uint64_t count(std::uint64_t most) const;
   /// The same, as an int in [low, high].
   int integer(int low, int high) const;
   /// Numbers in [low, high]. @param size  how many there have to be; npos: any number of them.
-  std::vector<double> numbers(std::size_t size, const char* what, double low = -kLargestNumber,
-                              double high = kLargestNumber) const;
+  std::vector<double> numbers(std::size_t size, const char* what, double low = -kMaxNumber,
+                              double high = kMaxNumber) const;
 
   /// @throws InputError where the text `schema` is another than `expected`.
   void require_schema(const std::string& expected) const;

@@ -20,9 +20,9 @@ struct LogExportSettings {
   bool markers = false;        ///< Motive: a marker on each side of a plate instead of rigid bodies
   std::uint64_t seed = 1;      ///< of noise and occlusions; episode e draws from stream e
 
-  static constexpr double kMostRateHz = 2000.0;  ///< no tracker of points is faster by much
-  static constexpr double kMostOffsetS = 1e10;   ///< clocks from 1970 and from 0 are 2e9 s apart
-  static constexpr int kMostOcclusions = 10'000;
+  static constexpr double kMaxRateHz = 2000.0;  ///< no tracker of points is faster by much
+  static constexpr double kMaxOffsetS = 1e10;   ///< clocks from 1970 and from 0 are 2e9 s apart
+  static constexpr int kMaxOcclusions = 10'000;
 };
 
 /// Writes each episode as one table, episode_000.csv … (time_s, pressures, set points, poses,

@@ -60,8 +60,7 @@ std::string base_warning(const Recording& recording);
 TransitionCoverage transition_coverage(const Recording& recording,
                                        const std::vector<double>& limits_kpa);
 
-nlohmann::ordered_json inspection_to_json(const Recording& recording,
-                                          const RecordingInspection& inspection);
+nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspection& inspection);
 std::string inspection_to_text(const Recording& recording, const RecordingInspection& inspection);
 
 }  // namespace limber

@@ -40,7 +40,7 @@ class RecordedRegion {
 
 /// Where a plan leaves what the recordings held, in sentences with numbers: "segment 1 down to
 /// −6.0 kPa; recorded −2.5 … 10.7". Empty: nowhere.
-std::vector<std::string> ways_beyond(const LearntRegion& learnt, const Plan& plan,
-                                     const std::string& unit);
+std::vector<std::string> excursions_beyond(const LearntRegion& learnt, const Plan& plan,
+                                           const std::string& unit);
 
 }  // namespace limber

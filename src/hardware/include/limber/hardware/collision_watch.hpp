@@ -36,7 +36,7 @@ class CollisionWatch {
   int checks() const { return checks_; }
 
  private:
-  double largest_motion_m(const Eigen::Ref<const BackboneD>& backbone) const;
+  double max_motion_m(const Eigen::Ref<const BackboneD>& backbone) const;
 
   CollisionChecker checker_;
   double longest_gap_m_;

@@ -35,7 +35,7 @@ struct ExecutionSettings {
 struct ExecutedError {
   double mean_m = 0.0;
   double before_hold_m = 0.0;  ///< mean over the frames before the plan's hold: while it moves
-  double largest_m = 0.0;
+  double max_m = 0.0;
   double final_m = 0.0;  ///< at the plan's last frame
 };
 

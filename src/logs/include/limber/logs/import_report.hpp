@@ -23,7 +23,7 @@ struct ImportNote {
 struct PointReport {
   std::string name;
   int plate = 0;
-  double seen = 1.0;  ///< fraction of the log's rows
+  double tracked_share = 1.0;  ///< fraction of the log's rows
 };
 
 /// How a clock was brought to the motion log's.

@@ -91,7 +91,7 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
               const std::string& where);
 
 /// The object `learnt` of `train` and `inspect` with --json: ranges per segment.
-nlohmann::ordered_json learnt_region_to_json(const LearntRegion& region);
+nlohmann::ordered_json to_json(const LearntRegion& region);
 /// One line for each segment: "segment 0: pressures −98.2 … 97.5 kPa, rates −120 … 115 kPa/s".
 std::vector<std::string> learnt_region_lines(const LearntRegion& region,
                                              const std::string& unit = "kPa");

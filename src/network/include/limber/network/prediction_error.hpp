@@ -17,7 +17,7 @@ struct PredictionError {
   int runs = 0;        ///< that it was measured over, ≥ 1
   double run_s = 0.0;  ///< their mean length, > 0
   /// Of each run the largest distance of any plate in any frame: not exceeded by kShare of them.
-  double largest_position_m = 0.0;
+  double max_position_m = 0.0;
   /// Of each run the farthest that the arm came off the predicted motion, whenever it was predicted
   /// to be there: how much clearance the motion would have needed. At most the above.
   double off_path_m = 0.0;
@@ -42,7 +42,7 @@ std::string prediction_error_to_metadata(const PredictionError& error);
 PredictionError read_prediction_error(const YamlReader& root);
 
 /// The object `prediction_error` of train, inspect and evaluate with --json.
-nlohmann::ordered_json prediction_error_to_json(const PredictionError& error);
+nlohmann::ordered_json to_json(const PredictionError& error);
 /// One line for people.
 std::string prediction_error_to_text(const PredictionError& error);
 

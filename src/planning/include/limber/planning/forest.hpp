@@ -12,7 +12,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/forward/motion_model.hpp"
-#include "limber/network/rounded_shape.hpp"
+#include "limber/network/quantized_shape.hpp"
 #include "limber/planning/tip_grid.hpp"
 #include "limber/world/environment.hpp"
 
@@ -41,18 +41,18 @@ struct Forest {
   std::vector<std::int32_t> parents;  ///< size N, −1 for the start
   Eigen::MatrixXf setpoints_kpa;      ///< n×N; motions between a node and its parent are straight
   Eigen::Matrix3Xf held_tips;         ///< (x_m, y_m, theta_rad) after the hold at a node
-  RoundedShapes shapes;               ///< 3(m−1)×N, before it (network/rounded_shape.hpp)
+  QuantizedShapes shapes;             ///< 3(m−1)×N, before it (network/quantized_shape.hpp)
 
   // What `complete` derives from those; not in the file.
   std::vector<float> costs_kpa;  ///< size N, (2) from the start
-  Pressures largest_kpa;         ///< size n, of all nodes' set points, without sign
+  Pressures max_kpa;             ///< size n, of all nodes' set points, without sign
   TipGrid tips;                  ///< of the held tips
 
   int size() const { return static_cast<int>(parents.size()); }
   /// Fills in the rest from parents, set points and tips.
   void complete();
 
-  static constexpr int kMostNodes = 1 << 24;  ///< what a file's floats still tell apart
+  static constexpr int kMaxNodes = 1 << 24;  ///< what a file's floats still tell apart
 };
 
 /// Whether the forest was grown for the arm (why_another_arm) and everything else of `key`.
@@ -64,7 +64,7 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
                        const ValveParameters& valves, const ArmStart& start);
 
 struct ForestSettings {
-  int nodes = 200'000;  ///< 1 to Forest::kMostNodes
+  int nodes = 200'000;  ///< 1 to Forest::kMaxNodes
   std::uint64_t seed = 1;
   int jobs = 0;  ///< threads, 0 for one a core; the forest does not depend on it
 };

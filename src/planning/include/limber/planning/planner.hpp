@@ -123,15 +123,15 @@ struct PlanResult {
   std::optional<Plan> best_partial;
   std::optional<Certificate> certificate;  ///< of the plan that was found
   /// Where nothing keeps the clearance asked for: what a plan keeps that was found with less.
-  std::optional<double> largest_clearance_m;
+  std::optional<double> max_clearance_m;
   std::optional<FirstSolution> first_solution;
   /// How the search went: the first plan, each that costs over half a per cent less than the one
   /// noted before, and the end. Empty without a plan.
   std::vector<PlannerProgress> events;
   PlannerStatistics statistics;
-  std::vector<TreeEdge> tree;  ///< at most kMostTreeEdges, the oldest
+  std::vector<TreeEdge> tree;  ///< at most kMaxTreeEdges, the oldest
 
-  static constexpr std::size_t kMostTreeEdges = 20000;
+  static constexpr std::size_t kMaxTreeEdges = 20000;
 };
 
 /// A planner in pressure space.

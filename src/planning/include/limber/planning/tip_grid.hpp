@@ -29,19 +29,19 @@ class TipGrid {
   /// Calls visit(tip) for every tip at most `radius_m` from a place (rounding apart), by cells, in
   /// a cell by node.
   template <class Visit>
-  void visit_near(const Eigen::Vector2f& place_m, float radius_m, Visit&& visit) const {
+  void visit_near(const Eigen::Vector2f& point_m, float radius_m, Visit&& visit) const {
     if (tips_.empty()) {
       return;
     }
-    const int first_column = column(place_m.x() - radius_m);
-    const int last_column = column(place_m.x() + radius_m);
-    const int last_row = row(place_m.y() + radius_m);
-    for (int r = row(place_m.y() - radius_m); r <= last_row; ++r) {
+    const int first_column = column(point_m.x() - radius_m);
+    const int last_column = column(point_m.x() + radius_m);
+    const int last_row = row(point_m.y() + radius_m);
+    for (int r = row(point_m.y() - radius_m); r <= last_row; ++r) {
       const std::size_t end = begins_[cell(last_column, r) + 1];
       for (std::size_t i = begins_[cell(first_column, r)]; i < end; ++i) {
         const Tip& tip = tips_[i];
-        const float dx = tip.x_m - place_m.x();
-        const float dy = tip.y_m - place_m.y();
+        const float dx = tip.x_m - point_m.x();
+        const float dy = tip.y_m - point_m.y();
         if (dx * dx + dy * dy <= radius_m * radius_m) {
           visit(tip);
         }
@@ -50,9 +50,9 @@ class TipGrid {
   }
 
  private:
-  int column(float x_m) const { return place(x_m - low_m_.x(), columns_); }
-  int row(float y_m) const { return place(y_m - low_m_.y(), rows_); }
-  int place(float distance_m, int count) const;
+  int column(float x_m) const { return cell_index(x_m - low_m_.x(), columns_); }
+  int row(float y_m) const { return cell_index(y_m - low_m_.y(), rows_); }
+  int cell_index(float distance_m, int count) const;
   std::size_t cell(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(column);

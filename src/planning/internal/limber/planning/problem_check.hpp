@@ -18,9 +18,9 @@ struct ProblemCheck {
   std::vector<std::string> warnings;
 };
 
-inline constexpr double kLargestMarginM = 1000.0;  // as coordinates of environments
+inline constexpr double kMaxMarginM = 1000.0;  // as coordinates of environments
 
-/// @throws InputError unless 0 ≤ margin_m ≤ kLargestMarginM: a negative one would be a plan through
+/// @throws InputError unless 0 ≤ margin_m ≤ kMaxMarginM: a negative one would be a plan through
 /// obstacles.
 void require_margin(double margin_m);
 

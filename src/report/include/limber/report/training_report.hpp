@@ -16,14 +16,14 @@ namespace limber {
 struct TrainingSpeed;
 
 /// Keys position_error_cm and orientation_error_rad of `evaluate --json`.
-nlohmann::ordered_json tip_errors_to_json(const TipErrors& errors);
+nlohmann::ordered_json to_json(const TipErrors& errors);
 /// The object of `evaluate --json`.
-nlohmann::ordered_json evaluation_to_json(const Evaluation& evaluation);
+nlohmann::ordered_json to_json(const Evaluation& evaluation);
 /// The same as a table for people.
 std::string evaluation_to_text(const Evaluation& evaluation);
 
 /// The object `ensemble` of `evaluate --json`.
-nlohmann::ordered_json ensemble_evaluation_to_json(const EnsembleEvaluation& evaluation);
+nlohmann::ordered_json to_json(const EnsembleEvaluation& evaluation);
 std::string ensemble_evaluation_to_text(const EnsembleEvaluation& evaluation);
 
 /// The object `fine_tuning` of `train --json`.

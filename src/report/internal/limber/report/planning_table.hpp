@@ -60,7 +60,7 @@ struct PaperFinding {
 std::vector<PaperFinding> compare_with_paper(const std::vector<PlanningRow>& rows);
 
 /// table.json: a list with one object a row.
-nlohmann::ordered_json planning_table_to_json(const std::vector<PlanningRow>& rows);
+nlohmann::ordered_json to_json(const std::vector<PlanningRow>& rows);
 
 /// Table I with all plans executed; Table I with the paper's one plan a cell; times; the
 /// comparison.

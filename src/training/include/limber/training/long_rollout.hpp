@@ -10,10 +10,10 @@ namespace limber {
 
 /// How far a model strays when it is never corrected.
 struct LongRollout {
-  int frames = 0;                    ///< rolled out
-  double largest_distance_m = 0.0;   ///< of a plate from the base; of finite frames
-  double largest_heading_rad = 0.0;  ///< of a plate, in magnitude
-  bool bounded = false;              ///< all finite, no plate farther than twice the arm's length
+  int frames = 0;                ///< rolled out
+  double max_distance_m = 0.0;   ///< of a plate from the base; of finite frames
+  double max_heading_rad = 0.0;  ///< of a plate, in magnitude
+  bool bounded = false;          ///< all finite, no plate farther than twice the arm's length
 };
 
 /// Frames of the check: a quarter of an hour at 20 Hz.

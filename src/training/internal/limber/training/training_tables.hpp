@@ -43,6 +43,6 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
 /// begins at a frame in which the arm was seen, and sees it again in at least one more.
 /// @param seen  FrameTable::seen; empty: always.
 std::vector<int> window_starts(std::span<const EpisodeRange> episodes,
-                               std::span<const std::uint8_t> seen, int window_frames, int shift);
+                               std::span<const std::uint8_t> tracked, int window_frames, int shift);
 
 }  // namespace limber

@@ -17,12 +17,12 @@ namespace limber {
 template <class Scalar>
 struct FrameTable {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-  Matrix pressure;                 ///< n×F
-  Matrix no_load;                  ///< N×F, B̃ as the network reads it
-  Matrix uncompensated;            ///< D×F, the state that a network output of zero would give
-  Matrix state;                    ///< D×F, recorded backbones
-  Matrix target;                   ///< D×F, what the frame error compares with; empty: `state`
-  std::vector<std::uint8_t> seen;  ///< F, 0 where the backbone was not tracked; empty: always
+  Matrix pressure;                    ///< n×F
+  Matrix no_load;                     ///< N×F, B̃ as the network reads it
+  Matrix uncompensated;               ///< D×F, the state that a network output of zero would give
+  Matrix state;                       ///< D×F, recorded backbones
+  Matrix target;                      ///< D×F, what the frame error compares with; empty: `state`
+  std::vector<std::uint8_t> tracked;  ///< F, 0 where the backbone was not tracked; empty: always
 
   const Matrix& targets() const { return target.size() > 0 ? target : state; }
 };

@@ -9,8 +9,8 @@
 namespace limber {
 
 struct RandomEnvironmentSettings {
-  int fewest_obstacles = 2;
-  int most_obstacles = 5;
+  int min_obstacles = 2;
+  int max_obstacles = 5;
   double clearance_m = 0.01;  ///< of the witness motion, ≥ 0
   double position_tolerance_m = 0.02;
   double orientation_tolerance_rad = 0.3;

@@ -13,8 +13,8 @@ namespace limber {
 /// nearer `model` is to the arm, the fewer draws it takes. Depends on its arguments alone.
 /// @param number  of the environment among those of `seed`
 /// @return none where a hundred draws did not give one
-std::optional<Environment> draw_proven_environment(const ArmDescription& arm,
-                                                   const MotionModel& model, std::uint64_t seed,
-                                                   std::uint64_t number);
+std::optional<Environment> sample_proven_environment(const ArmDescription& arm,
+                                                     const MotionModel& model, std::uint64_t seed,
+                                                     std::uint64_t number);
 
 }  // namespace limber

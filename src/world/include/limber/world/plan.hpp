@@ -23,8 +23,8 @@ struct PlanFrame {
 
 /// What its certificate (certificate/certificate.hpp) said of a plan before it was written.
 struct CertifiedFigures {
-  double clearance_m = 0.0;          ///< +∞ without obstacles
-  double largest_deviation_m = 0.0;  ///< of a plate from where the plan has it
+  double clearance_m = 0.0;      ///< +∞ without obstacles
+  double max_deviation_m = 0.0;  ///< of a plate from where the plan has it
   /// Set by the reader: false where anything in the file was changed since.
   bool seal_is_intact = true;
 };

@@ -1,4 +1,4 @@
-#include "limber/network/rounded_shape.hpp"
+#include "limber/network/quantized_shape.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ double farthest_m(const Backbone& a, const Backbone& b) {
   return double((a - b).leftCols<2>().rowwise().norm().maxCoeff());
 }
 
-TEST(RoundedShape, ComesBackWithinHalfAMillimetre) {
+TEST(QuantizedShape, ComesBackWithinHalfAMillimetre) {
   const Setting s;
   RandomStream random(3, 1);
   for (int k = 0; k < 200; ++k) {
@@ -54,7 +54,7 @@ TEST(RoundedShape, ComesBackWithinHalfAMillimetre) {
 
 // Without load curvature is nearly proportional to pressure, so halfway in pressure is halfway in
 // every gap's turn; a tip that swings by half a turn is not halfway along its chord.
-TEST(RoundedShape, HalfwayBendsEveryGapByHalf) {
+TEST(QuantizedShape, HalfwayBendsEveryGapByHalf) {
   const Setting s;
   const Backbone left = s.backbone({-80, -80, -80});
   const Backbone right = s.backbone({80, 80, 80});
@@ -65,7 +65,7 @@ TEST(RoundedShape, HalfwayBendsEveryGapByHalf) {
   EXPECT_NEAR(halfway(15, 1), 0.0F, kRoundingM);
 }
 
-TEST(RoundedShape, WhatDoesNotFitIsCutOff) {
+TEST(QuantizedShape, WhatDoesNotFitIsCutOff) {
   const Setting s;
   Backbone broken = Backbone::Zero(s.arm.point_count(), 3);
   broken(1, 0) = 1e6F;

@@ -13,8 +13,8 @@ namespace limber {
 /// the plate before it, (Δx, Δy) in 1/32767 of the arm's length and Δθ in 1/32767 of π. Errors add
 /// up along the arm, to some tenths of a millimetre at the tip of one metre: to propose with, never
 /// to judge by.
-using RoundedShapes = Eigen::Matrix<std::int16_t, Eigen::Dynamic, Eigen::Dynamic>;
-using RoundedShapeRef = Eigen::Ref<const Eigen::Matrix<std::int16_t, Eigen::Dynamic, 1>>;
+using QuantizedShapes = Eigen::Matrix<std::int16_t, Eigen::Dynamic, Eigen::Dynamic>;
+using QuantizedShapeRef = Eigen::Ref<const Eigen::Matrix<std::int16_t, Eigen::Dynamic, 1>>;
 
 /// @param backbone  m×3
 /// @param shape     size 3(m−1); what does not fit is cut off
@@ -24,7 +24,7 @@ void round_shape(const Eigen::Ref<const Backbone>& backbone, double arm_length_m
 /// The backbone a part of the way from one shape to another, every gap bending evenly.
 /// @param fraction  in [0, 1]
 /// @param backbone  m×3, of which the first row, the base, is given
-void blend_shapes(const RoundedShapeRef& from, const RoundedShapeRef& to, float fraction,
+void blend_shapes(const QuantizedShapeRef& from, const QuantizedShapeRef& to, float fraction,
                   double arm_length_m, Eigen::Ref<Backbone> backbone);
 
 }  // namespace limber

@@ -1,4 +1,4 @@
-#include "limber/network/rounded_shape.hpp"
+#include "limber/network/quantized_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,17 +10,17 @@ namespace limber {
 
 namespace {
 
-constexpr float kLargest = 32767.0F;
+constexpr float kMax = 32767.0F;
 
 std::int16_t rounded(float value, float unit) {
-  return static_cast<std::int16_t>(std::clamp(std::round(value / unit), -kLargest, kLargest));
+  return static_cast<std::int16_t>(std::clamp(std::round(value / unit), -kMax, kMax));
 }
 
 float unit_m(double arm_length_m) {
-  return static_cast<float>(arm_length_m) / kLargest;
+  return static_cast<float>(arm_length_m) / kMax;
 }
 
-constexpr float kUnitRad = std::numbers::pi_v<float> / kLargest;
+constexpr float kUnitRad = std::numbers::pi_v<float> / kMax;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ void round_shape(const Eigen::Ref<const Backbone>& backbone, double arm_length_m
 
 // By loops of its own, not base_poses_of: the filter blends many shapes, and allocates
 // nothing.
-void blend_shapes(const RoundedShapeRef& from, const RoundedShapeRef& to, float fraction,
+void blend_shapes(const QuantizedShapeRef& from, const QuantizedShapeRef& to, float fraction,
                   double arm_length_m, Eigen::Ref<Backbone> backbone) {
   const float unit = unit_m(arm_length_m);
   const auto blended = [&](Eigen::Index i) {
