@@ -40,7 +40,7 @@ class ExecuteVerb final : public Verb {
     if (driver_ != "virtual") {
       throw InputError(fmt::format("--driver {}: expected virtual", driver_));
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);

@@ -70,7 +70,7 @@ class ExperimentVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    settings_.arm = load_arm(find_arm_file(arm_));
+    settings_.arm = load_asked_arm(arm_);
     settings_.environments = load_environments();
     if (!settings_.limits.time_s && !settings_.limits.iterations && !settings_.limits.queries) {
       settings_.limits.time_s = kDefaultTimeLimitS;

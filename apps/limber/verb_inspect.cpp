@@ -11,6 +11,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/recording_inspection.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/world/environment.hpp"
@@ -35,6 +36,7 @@ Finding inspect_recording(const std::string& file, const std::optional<ArmDescri
 
 Finding inspect_arm(const YamlReader& root) {
   const ArmDescription arm = read_arm(root);
+  virtual_arm_parameters(arm);  // refuses what is wrong there
   const NoLoadModel model(arm);
   Finding finding;
   finding.json = {{"kind", "arm"},
@@ -286,7 +288,7 @@ class InspectVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     std::optional<ArmDescription> arm;
     if (!arm_.empty()) {
-      arm = load_arm(find_arm_file(arm_));
+      arm = load_asked_arm(arm_);
     }
     Finding finding = inspect_file(file_, arm);
     nlohmann::ordered_json json = {{"file", file_}};

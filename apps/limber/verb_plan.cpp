@@ -119,7 +119,7 @@ class PlanVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     const ForwardModel forward = model_.forward_model(arm);
     const MotionModel model = model_.motion_model(arm, forward);
     model_.warn_without_valves(model, flags);

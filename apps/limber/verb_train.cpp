@@ -101,7 +101,7 @@ class TrainVerb final : public Verb {
                       "starts anew",
                       checkpoint_path().string()));
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     std::optional<CompensationModel> start;
     if (!from_.empty()) {
       start = read_model(from_);

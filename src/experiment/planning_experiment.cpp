@@ -18,6 +18,7 @@
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/experiment/output_folder.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
@@ -52,7 +53,7 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   Json json;
   json["schema"] = "limber/experiment/1";
   json["arm"] = {{"name", settings.arm.name}, {"hash", settings.arm.hash()}};
-  json["virtual_arm"] = content_hash(arm_to_yaml(settings.arm));
+  json["virtual_arm"] = content_hash(virtual_arm_to_yaml(settings.arm));
   json["model"] = model_hash;
   json["valves"] = settings.valves.hash();
   json["margin_m"] = optional_json(settings.room.margin_m);  // null: the model's own
