@@ -147,7 +147,8 @@ class PlanVerb final : public Verb {
     }
     write(result, arm, environment);
     const std::string model_name = model.has_network() ? "network" : "no_load";
-    print_result(flags, to_json(result, environment.goal, planner_, model_name, flags.seed),
+    print_result(flags,
+                 to_json(result, arm.command, environment.goal, planner_, model_name, flags.seed),
                  result.plan ? plan_result_to_text(result, arm.command) : "");
     const int code = exit_code(result.status);
     if (code == kExitBadInput) {

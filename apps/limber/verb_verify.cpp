@@ -46,7 +46,7 @@ class VerifyVerb final : public Verb {
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", plan_, error.what()));
     }
-    print_result(flags, to_json(certificate, environment),
+    print_result(flags, to_json(certificate, arm.command, environment),
                  certificate_to_text(certificate, arm, environment));
     return certificate.certified() ? kExitDone : kExitNoSolution;
   }

@@ -250,6 +250,8 @@ class ArmDrivenByMotors(InFolder):
                              "--goal-margin-m", 0, "--margin-m", 0,
                              "--out", f"{kind}.json", code=code)
         self.assertEqual(plan["status"], "solved" if kind == "curvature" else "limit")
+        # A motor's angles are no pressures, so no name says kPa.
+        self.assertNotIn("kpa", json.dumps(plan).replace("pressure_box", ""))
 
     def test_what_needs_pressures_says_so(self):
         for arguments in (
