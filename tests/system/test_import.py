@@ -2,6 +2,7 @@
 Motive's CSV and plain CSV, an arm that is not driven by pressures from its logs to a plan, and one
 plain message for each kind of bad input."""
 
+import json
 import math
 import os
 import subprocess
@@ -251,7 +252,7 @@ class ArmDrivenByMotors(InFolder):
                              "--out", f"{kind}.json", code=code)
         self.assertEqual(plan["status"], "solved" if kind == "curvature" else "limit")
         # A motor's angles are no pressures, so no name says kPa.
-        self.assertNotIn("kpa", json.dumps(plan).replace("pressure_box", ""))
+        self.assertNotIn("kpa", json.dumps(plan))
 
     def test_what_needs_pressures_says_so(self):
         for arguments in (
