@@ -67,6 +67,9 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   json["cost_threshold_kpa"] = optional_json(settings.limits.cost_threshold_kpa);
   json["forest"] = settings.forest ? Json(forest_hash(*settings.forest)) : Json(nullptr);
   json["planner_jobs"] = settings.planner_jobs;
+  if (settings.replan) {
+    json["replan"] = true;
+  }
   json["environments"] = Json::object();
   for (const EnvironmentCase& item : settings.environments) {
     json["environments"][item.id] = environment_hash(item.environment);
@@ -76,7 +79,9 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
 
 void require_same(const fs::path& file, const nlohmann::json& wanted) {
   const nlohmann::json root = read_json_object(file);
-  for (const auto& [key, value] : wanted.items()) {
+  nlohmann::json all = wanted;
+  all.emplace("replan", nullptr);  // written where it is asked for alone
+  for (const auto& [key, value] : all.items()) {
     const nlohmann::json there = root.value(key, nlohmann::json(nullptr));
     if (there != value) {
       throw InputError(fmt::format(
@@ -232,7 +237,11 @@ class Experiment {
     const Environment& environment = task.environment->environment;
     PlanTrial trial =
         plan_trial(settings_.arm, *task.model, *task.environment, settings, task.key.seed);
-    execute_trial(settings_.arm, environment, trial);
+    if (settings_.replan) {
+      execute_trial_replanning(settings_.arm, *task.model, environment, settings, trial);
+    } else {
+      execute_trial(settings_.arm, environment, trial);
+    }
     if (!interrupt_requested()) {
       write_trial(*output_, task.key, trial, environment);
     }
