@@ -2,6 +2,7 @@
 
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "verb.hpp"
 
 namespace limber {
@@ -29,6 +30,12 @@ std::string find_arm_file(const std::string& name_or_path) {
   return find_own_file(name_or_path, "arms",
                        "--arm {}: no such file, and none of limber's own arms has that name "
                        "(three_segment, two_segment, five_segment, motor_driven)");
+}
+
+ArmDescription load_asked_arm(const std::string& name_or_path, PolynomialsOf polynomials) {
+  ArmDescription arm = load_arm(find_arm_file(name_or_path), polynomials);
+  virtual_arm_parameters(arm);  // refuses what is wrong there, whoever needs it
+  return arm;
 }
 
 std::string find_environment_file(const std::string& name_or_path) {

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/arm_description.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/common/standard_streams.hpp"
@@ -61,6 +62,10 @@ void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result
 /// An arm file: the path given, or the name of one of limber's own ("three_segment") found in arms/
 /// beside the program or in its installed data folder.
 std::string find_arm_file(const std::string& name_or_path);
+
+/// The arm of that file, with what the file says of the virtual arm checked too.
+ArmDescription load_asked_arm(const std::string& name_or_path,
+                              PolynomialsOf polynomials = PolynomialsOf::model);
 
 /// An environment file, found the same way ("01_pillar" in environments/).
 std::string find_environment_file(const std::string& name_or_path);

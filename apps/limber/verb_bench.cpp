@@ -57,7 +57,7 @@ class BenchVerb final : public Verb {
     if (!plot_.empty()) {
       refuse_to_overwrite(plot_, flags.force);
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     if (!training_.empty()) {
       return run_training(arm, flags);
     }

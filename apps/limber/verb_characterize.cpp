@@ -91,7 +91,7 @@ class CharacterizeVerb final : public Verb {
  private:
   int run_bench(const CommonFlags& flags) const {
     const std::string arm_file = find_arm_file(arm_);
-    const ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
+    const ArmDescription arm = load_asked_arm(arm_file, PolynomialsOf::characterisation);
     require_characterisable(arm);
     for (const std::string& path : {out_, plot_}) {
       if (!path.empty()) {
@@ -115,7 +115,7 @@ class CharacterizeVerb final : public Verb {
   }
 
   int run_valves(const CommonFlags& flags) const {
-    const ArmDescription arm = load_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
+    const ArmDescription arm = load_asked_arm(arm_, PolynomialsOf::characterisation);
     const fs::path plot = plots_.empty() ? fs::path() : fs::path(plots_) / "valves.svg";
     for (const fs::path& path : {fs::path(out_), plot}) {
       if (!path.empty()) {

@@ -55,7 +55,7 @@ class CollectVerb final : public Verb {
     if (driver_ != "virtual") {
       throw InputError(fmt::format("--driver {}: expected virtual", driver_));
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     options_.seed = flags.seed;
     CollectionSettings settings = virtual_collection(arm, schedule_, options_);
     settings.jobs = flags.jobs;

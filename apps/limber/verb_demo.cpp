@@ -51,7 +51,7 @@ class DemoVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     DemoSettings settings;
     settings.folder = out_;
-    settings.arm = load_arm(find_arm_file(arm_));
+    settings.arm = load_asked_arm(arm_);
     settings.quick = quick_;
     settings.force = flags.force;
     settings.seed = flags.seed;

@@ -56,7 +56,7 @@ class EnvironmentVerb final : public Verb {
           "expected either 'limber environment check FILE' or 'limber environment --random "
           "--count N --out DIR'");
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     const ForwardModel forward =
         model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
     const MotionModel model = valves_.motion_model(arm, forward);

@@ -45,7 +45,7 @@ class EvaluateVerb final : public Verb {
     if (!out_.empty()) {
       refuse_to_overwrite(out_, flags.force);
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     const ForwardModel no_load(arm);
     std::optional<ForwardModel> network;
     if (!model_.empty()) {

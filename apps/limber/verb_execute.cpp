@@ -4,6 +4,9 @@
 #include "limber/report/execution_picture.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/plan_picture.hpp"
+#include "limber/trial/replanner.hpp"
+#include "model_flags.hpp"
+#include "room_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -13,7 +16,7 @@ namespace {
 class ExecuteVerb final : public Verb {
  public:
   const char* name() const override { return "execute"; }
-  const char* summary() const override { return "Run a plan on an arm, open loop"; }
+  const char* summary() const override { return "Run a plan on an arm, open or closed loop"; }
   const char* example() const override {
     return "limber execute --plan plan.json --environment environments/01_pillar.yaml --out run.h5";
   }
@@ -29,6 +32,17 @@ class ExecuteVerb final : public Verb {
     app.add_option("--hold-s", settings_.hold_s,
                    "Seconds that the last set point is held in all before the goal is judged")
         ->capture_default_str();
+    app.add_flag("--replan", replan_,
+                 "Closed loop: plan again, with --model, from where the arm is measured, until it "
+                 "comes no nearer to the goal's centre");
+    app.add_option("--max-replans", replanning_.max_replans, "With --replan")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    app.add_option("--replan-queries", replanning_.queries, "Model queries of each search")
+        ->check(CLI::Range(std::uint64_t{100}, std::uint64_t{1'000'000'000}))
+        ->capture_default_str();
+    model_.add_to(app, " that the plan was made with; for --replan");
+    room_.add_to(app);
     app.add_option("--out", out_, "Recording of the run to write");
     app.add_option("--svg", svg_, "Picture of the run to write, beside the prediction");
     app.add_option("--pressures-svg", pressures_svg_,
@@ -40,7 +54,7 @@ class ExecuteVerb final : public Verb {
     if (driver_ != "virtual") {
       throw InputError(fmt::format("--driver {}: expected virtual", driver_));
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
@@ -50,7 +64,7 @@ class ExecuteVerb final : public Verb {
       }
     }
     VirtualArm driver(arm);
-    const ExecutionResult result = execute(arm, environment, plan, driver, settings_);
+    const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
     write_run(arm, plan, result);
     if (!svg_.empty()) {
       write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
@@ -74,6 +88,22 @@ class ExecuteVerb final : public Verb {
   }
 
  private:
+  template <class Driver>
+  ExecutionResult run_plan(const ArmDescription& arm, const Environment& environment,
+                           const Plan& plan, Driver& driver, const CommonFlags& flags) const {
+    if (!replan_) {
+      return execute(arm, environment, plan, driver, settings_);
+    }
+    const ForwardModel forward = model_.forward_model(arm);
+    const MotionModel model = model_.motion_model(arm, forward);
+    model_.warn_without_valves(model, flags);
+    Replanner replanner(arm, model, environment, room_.room(forward, flags), replanning_,
+                        flags.seed);
+    ExecutionSettings closed_loop = settings_;
+    closed_loop.replanner = &replanner;
+    return execute(arm, environment, plan, driver, closed_loop);
+  }
+
   static std::vector<Pressures> measured_in(const ExecutionResult& result) {
     std::vector<Pressures> rows;
     for (int t = 0; t < result.episode.frame_count(); ++t) {
@@ -103,6 +133,10 @@ class ExecuteVerb final : public Verb {
   std::string pressures_svg_;
   std::string animation_;
   ExecutionSettings settings_;
+  bool replan_ = false;
+  ModelFlags model_;
+  RoomFlags room_;
+  ReplannerSettings replanning_;
 };
 
 }  // namespace

@@ -60,6 +60,8 @@ class ExperimentVerb final : public Verb {
     app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan");
     app.add_option("--cost-threshold-kpa", settings_.limits.cost_threshold_kpa,
                    "Stop at a plan this cheap; a large number stops at the first");
+    app.add_flag("--replan", settings_.replan,
+                 "Execute closed loop: plan again from where the arm is measured");
     room_.add_to(app);
     valves_.add_valves_to(app);
     forest_.add_to(app);
@@ -70,7 +72,7 @@ class ExperimentVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    settings_.arm = load_arm(find_arm_file(arm_));
+    settings_.arm = load_asked_arm(arm_);
     settings_.environments = load_environments();
     if (!settings_.limits.time_s && !settings_.limits.iterations && !settings_.limits.queries) {
       settings_.limits.time_s = kDefaultTimeLimitS;

@@ -7,6 +7,7 @@
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/recording_export.hpp"
 #include "limber/hardware/mjcf.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/network/onnx_export.hpp"
 #include "limber/world/plan.hpp"
 #include "verbs.hpp"
@@ -177,7 +178,7 @@ class ExportVerb final : public Verb {
   /// Set points go to valves, which take whatever they are told.
   void require_safe_to_command(const Plan& plan) const {
     if (!arm_.empty()) {
-      require_plan_of(plan, load_arm(find_arm_file(arm_)), file_);
+      require_plan_of(plan, load_asked_arm(arm_), file_);
     } else if (!plan.certified) {
       throw InputError(fmt::format(
           "{}: certificate: missing, so nothing says that its set points keep to the limits of arm "
@@ -189,7 +190,7 @@ class ExportVerb final : public Verb {
   void export_arm() {
     const ArmDescription arm = load_arm(file_);
     require_pressure_driven(arm, "the virtual arm");
-    write_file_atomically(mjcf_, chain_mjcf(arm, arm.virtual_arm.time_step_s));
+    write_file_atomically(mjcf_, chain_mjcf(arm, virtual_arm_parameters(arm).time_step_s));
     add({mjcf_});
   }
 

@@ -51,7 +51,7 @@ class ImportVerb final : public Verb {
     if (!dry_run_) {
       refuse_to_overwrite(out_, flags.force);
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     if (format_ == "csv" && mapping_.empty()) {
       throw InputError(
           "import csv needs --mapping MAP.yaml, which says what the columns are "

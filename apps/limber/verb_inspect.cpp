@@ -11,6 +11,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/recording_inspection.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/world/environment.hpp"
@@ -35,6 +36,7 @@ Finding inspect_recording(const std::string& file, const std::optional<ArmDescri
 
 Finding inspect_arm(const YamlReader& root) {
   const ArmDescription arm = read_arm(root);
+  virtual_arm_parameters(arm);  // refuses what is wrong there
   const NoLoadModel model(arm);
   Finding finding;
   finding.json = {{"kind", "arm"},
@@ -153,9 +155,12 @@ void add_what_is_known(const CompensationModel& model, Finding& finding) {
     finding.text += "\n  error on unseen motions: not measured";
   }
   if (model.learnt) {
-    finding.json["learnt"] = to_json(*model.learnt);
+    const Command command = model.arm_description.empty()
+                                ? Command{}
+                                : read_arm_keys(model.arm_description, "the model's arm").command;
+    finding.json["learnt"] = to_json(*model.learnt, command);
     finding.text += "\n  learnt from";
-    for (const std::string& line : learnt_region_lines(*model.learnt)) {
+    for (const std::string& line : learnt_region_lines(*model.learnt, command)) {
       finding.text += "\n    " + line;
     }
   } else {
@@ -239,7 +244,7 @@ Finding inspect_plan(const std::string& file, const std::optional<ArmDescription
                   {"frames", plan.frame_count()},
                   {"waypoints", plan.waypoints_kpa.size()},
                   {"duration_s", plan.duration_s()},
-                  {"cost_kpa", plan.cost_kpa},
+                  {quantity_key(plan.command, "cost"), plan.cost_kpa},
                   {"distance_to_goal_cm", 100.0 * plan.goal_distance_m}};
   std::string clearance = "no obstacles";
   finding.json["clearance_cm"] = nullptr;
@@ -249,10 +254,10 @@ Finding inspect_plan(const std::string& file, const std::optional<ArmDescription
   }
   finding.text = fmt::format(
       "plan for arm '{}' in '{}' by {} with the {} model, seed {}\n  {} frames ({:.1f} s), {} "
-      "waypoints, {:.1f} kPa; predicted: {:.1f} cm from the goal, {}",
+      "waypoints, {:.1f} {}; predicted: {:.1f} cm from the goal, {}",
       plan.arm_name, plan.environment_name, plan.planner, plan.model, plan.seed, plan.frame_count(),
-      plan.duration_s(), plan.waypoints_kpa.size(), plan.cost_kpa, 100.0 * plan.goal_distance_m,
-      clearance);
+      plan.duration_s(), plan.waypoints_kpa.size(), plan.cost_kpa, plan.command.unit,
+      100.0 * plan.goal_distance_m, clearance);
   return finding;
 }
 
@@ -286,7 +291,7 @@ class InspectVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     std::optional<ArmDescription> arm;
     if (!arm_.empty()) {
-      arm = load_arm(find_arm_file(arm_));
+      arm = load_asked_arm(arm_);
     }
     Finding finding = inspect_file(file_, arm);
     nlohmann::ordered_json json = {{"file", file_}};

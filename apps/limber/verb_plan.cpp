@@ -119,7 +119,7 @@ class PlanVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     const ForwardModel forward = model_.forward_model(arm);
     const MotionModel model = model_.motion_model(arm, forward);
     model_.warn_without_valves(model, flags);
@@ -147,7 +147,8 @@ class PlanVerb final : public Verb {
     }
     write(result, arm, environment);
     const std::string model_name = model.has_network() ? "network" : "no_load";
-    print_result(flags, to_json(result, environment.goal, planner_, model_name, flags.seed),
+    print_result(flags,
+                 to_json(result, arm.command, environment.goal, planner_, model_name, flags.seed),
                  result.plan ? plan_result_to_text(result, arm.command) : "");
     const int code = exit_code(result.status);
     if (code == kExitBadInput) {

@@ -101,7 +101,7 @@ class TrainVerb final : public Verb {
                       "starts anew",
                       checkpoint_path().string()));
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     std::optional<CompensationModel> start;
     if (!from_.empty()) {
       start = read_model(from_);
@@ -152,7 +152,7 @@ class TrainVerb final : public Verb {
     if (result.status == TrainingStatus::finished) {
       remove_checkpoint();
     }
-    report(flags, result, changes, !data.unseen.empty());
+    report(flags, arm.command, result, changes, !data.unseen.empty());
     if (result.status == TrainingStatus::interrupted) {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
@@ -295,7 +295,7 @@ class TrainVerb final : public Verb {
     write_file_atomically(curve_path(".curve.svg"), learning_curve_svg(result.curve));
   }
 
-  void report(const CommonFlags& flags, const TrainingResult& result,
+  void report(const CommonFlags& flags, const Command& command, const TrainingResult& result,
               const std::optional<FineTuningReport>& changes, bool has_unseen) const {
     const char* status = result.status == TrainingStatus::finished      ? "finished"
                          : result.status == TrainingStatus::interrupted ? "interrupted"
@@ -322,7 +322,7 @@ class TrainVerb final : public Verb {
       json["prediction_error"] = to_json(*result.model.prediction_error);
     }
     if (result.model.learnt) {
-      json["learnt"] = to_json(*result.model.learnt);
+      json["learnt"] = to_json(*result.model.learnt, command);
     }
     if (changes) {
       json["fine_tuning"] = to_json(*changes);

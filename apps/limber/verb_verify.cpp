@@ -34,7 +34,7 @@ class VerifyVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_asked_arm(arm_);
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan_unjudged(plan_);
     const std::optional<CompensationModel> network = read_network(plan);
@@ -46,7 +46,7 @@ class VerifyVerb final : public Verb {
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", plan_, error.what()));
     }
-    print_result(flags, to_json(certificate, environment),
+    print_result(flags, to_json(certificate, arm.command, environment),
                  certificate_to_text(certificate, arm, environment));
     return certificate.certified() ? kExitDone : kExitNoSolution;
   }

@@ -296,7 +296,7 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
               "the virtual arm is driven by pressures in kPa; leave the key "
               "out for an arm of another command");
     }
-    arm.virtual_arm = read_virtual_arm_parameters(root.at("virtual_arm"));
+    arm.virtual_arm = {root.mapping_as_text("virtual_arm"), root.file()};
   }
   return arm;
 }
@@ -306,10 +306,9 @@ ArmDescription load_arm(const std::filesystem::path& path, PolynomialsOf polynom
 }
 
 std::string arm_to_yaml(const ArmDescription& arm) {
-  const std::string text = schema_line() + arm_keys_to_yaml(arm);
-  return arm.command.is_pressure_kpa()
-             ? text + "virtual_arm:\n" + virtual_arm_parameters_to_yaml(arm.virtual_arm, 2)
-             : text;
+  const std::string& section = arm.virtual_arm.yaml;
+  const std::size_t begin = std::min(section.find_first_not_of('\n'), section.size());
+  return schema_line() + arm_keys_to_yaml(arm) + section.substr(begin);
 }
 
 ArmDescription read_arm_keys(const std::string& keys, const std::string& name) {

@@ -148,6 +148,28 @@ std::vector<std::string> YamlReader::keys() const {
   return result;
 }
 
+std::string YamlReader::mapping_as_text(const std::string& key) const {
+  const YamlReader mapping = at(key);
+  std::string text;
+  int line = 1;
+  const auto add = [&](int wanted, const std::string& added) {
+    for (; line < wanted; ++line) {
+      text += '\n';
+    }
+    text += added + "\n";
+    ++line;
+  };
+  const std::vector<std::string> keys = mapping.keys();
+  add(keys.empty() ? mapping.line_ : line_of(mapping.node_.begin()->first, mapping.line_) - 1,
+      key + (keys.empty() ? ": {}" : ":"));
+  for (const auto& entry : mapping.node_) {
+    YAML::Emitter emitter;
+    emitter << YAML::Flow << entry.second;
+    add(line_of(entry.first, line), fmt::format("  {}: {}", entry.first.Scalar(), emitter.c_str()));
+  }
+  return text;
+}
+
 void YamlReader::refuse_unknown_keys(std::initializer_list<const char*> allowed) const {
   for (const std::string& key : keys()) {
     if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) {

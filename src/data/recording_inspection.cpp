@@ -205,10 +205,11 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
   json["frames_dropped"] = recording.untracked_count();
   json["duration_s"] = recording.duration_s();
   for (const PressureRange& range : inspection.pressures) {
-    json["pressure_kpa"].push_back({range.lowest_kpa, range.highest_kpa});
-    json["setpoint_kpa"].push_back({range.lowest_setpoint_kpa, range.highest_setpoint_kpa});
+    json[followed_key(recording.command)].push_back({range.lowest_kpa, range.highest_kpa});
+    json[quantity_key(recording.command, "setpoint")].push_back(
+        {range.lowest_setpoint_kpa, range.highest_setpoint_kpa});
   }
-  json["limits_kpa"] = inspection.limits_kpa;
+  json[quantity_key(recording.command, "limits")] = inspection.limits_kpa;
   json["limits_known"] = inspection.limits_known;
   json["transitions"] = {{"possible", static_cast<std::int64_t>(inspection.transitions.possible)},
                          {"attempted", inspection.transitions.attempted},

@@ -18,6 +18,7 @@
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/experiment/output_folder.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
@@ -52,7 +53,7 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   Json json;
   json["schema"] = "limber/experiment/1";
   json["arm"] = {{"name", settings.arm.name}, {"hash", settings.arm.hash()}};
-  json["virtual_arm"] = content_hash(arm_to_yaml(settings.arm));
+  json["virtual_arm"] = content_hash(virtual_arm_to_yaml(settings.arm));
   json["model"] = model_hash;
   json["valves"] = settings.valves.hash();
   json["margin_m"] = optional_json(settings.room.margin_m);  // null: the model's own
@@ -66,6 +67,9 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   json["cost_threshold_kpa"] = optional_json(settings.limits.cost_threshold_kpa);
   json["forest"] = settings.forest ? Json(forest_hash(*settings.forest)) : Json(nullptr);
   json["planner_jobs"] = settings.planner_jobs;
+  if (settings.replan) {
+    json["replan"] = true;
+  }
   json["environments"] = Json::object();
   for (const EnvironmentCase& item : settings.environments) {
     json["environments"][item.id] = environment_hash(item.environment);
@@ -75,7 +79,9 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
 
 void require_same(const fs::path& file, const nlohmann::json& wanted) {
   const nlohmann::json root = read_json_object(file);
-  for (const auto& [key, value] : wanted.items()) {
+  nlohmann::json all = wanted;
+  all.emplace("replan", nullptr);  // written where it is asked for alone
+  for (const auto& [key, value] : all.items()) {
     const nlohmann::json there = root.value(key, nlohmann::json(nullptr));
     if (there != value) {
       throw InputError(fmt::format(
@@ -231,7 +237,11 @@ class Experiment {
     const Environment& environment = task.environment->environment;
     PlanTrial trial =
         plan_trial(settings_.arm, *task.model, *task.environment, settings, task.key.seed);
-    execute_trial(settings_.arm, environment, trial);
+    if (settings_.replan) {
+      execute_trial_replanning(settings_.arm, *task.model, environment, settings, trial);
+    } else {
+      execute_trial(settings_.arm, environment, trial);
+    }
     if (!interrupt_requested()) {
       write_trial(*output_, task.key, trial, environment);
     }

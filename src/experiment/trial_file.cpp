@@ -98,6 +98,7 @@ ExecutionResult read_execution(const JsonReader& json, const ArmDescription& arm
   run.collided = json.at("collided").boolean();
   run.goal_reached = json.at("goal_reached").boolean();
   run.frames = json.at("frames").integer(0, std::numeric_limits<int>::max());
+  run.replans = json.at("replans").integer(0, std::numeric_limits<int>::max());
   if (!json.at("final_backbone").is_null()) {
     run.goal_error.position_m = json.at("distance_to_goal_cm").number(0.0) / kCmPerM;
     run.goal_error.orientation_rad = json.at("orientation_to_goal_rad").number(0.0);

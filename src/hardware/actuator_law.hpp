@@ -1,6 +1,6 @@
 #pragma once
 
-#include "limber/arm/virtual_arm_parameters.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 
 namespace limber {
 

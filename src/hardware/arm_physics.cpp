@@ -15,8 +15,9 @@ constexpr double kReferencePressureKpa = 1.0;
 
 }  // namespace
 
-ArmPhysics::ArmPhysics(const ArmDescription& arm, double time_step_s)
-    : parameters_(arm.virtual_arm),
+ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& parameters,
+                       double time_step_s)
+    : parameters_(parameters),
       time_step_s_(time_step_s),
       links_(chain_links(arm)),
       actuator_(parameters_),

@@ -8,6 +8,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/hardware/mjcf.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "mujoco_chain.hpp"
 #include "plane_kinematics.hpp"
 #include "pneumatics.hpp"
@@ -19,7 +20,7 @@ namespace limber {
 /// nothing of frames, noise or limits.
 class ArmPhysics {
  public:
-  ArmPhysics(const ArmDescription& arm, double time_step_s);
+  ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& parameters, double time_step_s);
 
   /// One step toward `setpoint_kpa` (signed, size n). @param vent  as Pneumatics::step's `exact`.
   /// @returns what went wrong, empty where all is well.

@@ -8,6 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 
 namespace limber {
 
@@ -24,14 +25,16 @@ ArmDescription bench_arm(const ArmDescription& arm, int segment) {
   ArmDescription bench = arm;
   bench.segments = {arm.segments[static_cast<std::size_t>(segment)]};
   bench.name = fmt::format("{}, {} on the bench", arm.name, segment_name(segment));
-  bench.virtual_arm.strength_spread = 0.0;
-  bench.virtual_arm.hysteresis_fraction = 0.0;
-  bench.virtual_arm.hysteresis_floor_n = 0.0;
-  bench.virtual_arm.friction_coefficient = 0.0;
-  bench.virtual_arm.creep_fraction = 0.0;
-  bench.virtual_arm.plate_offset_rad = 0.0;
-  bench.virtual_arm.base_misalignment_rad = 0.0;
-  bench.virtual_arm.pressure_dead_band_kpa = 0.0;
+  VirtualArmParameters parameters = virtual_arm_parameters(arm);
+  parameters.strength_spread = 0.0;
+  parameters.hysteresis_fraction = 0.0;
+  parameters.hysteresis_floor_n = 0.0;
+  parameters.friction_coefficient = 0.0;
+  parameters.creep_fraction = 0.0;
+  parameters.plate_offset_rad = 0.0;
+  parameters.base_misalignment_rad = 0.0;
+  parameters.pressure_dead_band_kpa = 0.0;
+  set_virtual_arm_parameters(bench, parameters);
   return bench;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <list>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,8 @@ namespace limber {
 
 namespace {
 
+constexpr double kLongestBlindS = 1.0;  // waited for the arm to be tracked, before the next plan
+
 /// What is known of the arm's shape now: measured, or the truth of a virtual arm.
 using Look = std::function<std::optional<BackboneD>()>;
 
@@ -32,7 +35,7 @@ class Execution {
             ArmDriver& driver, Look look, const ExecutionSettings& settings)
       : arm_(arm),
         environment_(environment),
-        plan_(plan),
+        plan_(&plan),
         driver_(driver),
         look_(std::move(look)),
         settings_(settings),
@@ -53,16 +56,11 @@ class Execution {
       started_ = true;
       start_time_s_ = driver_.state().time_s;
       note_start();
-      recorder_.add(driver_.state(), plan_.frames.front().setpoint_kpa, 0);
+      recorder_.add(driver_.state(), plan_->frames.front().setpoint_kpa, 0);
       measured_ = driver_.state().backbone.has_value();
-      for (std::size_t k = 1; k < plan_.frames.size(); ++k) {
-        command(plan_.frames[k].setpoint_kpa);
-        compare_with_prediction(k);
-        count_motion(plan_.frames[k].setpoint_kpa);
-      }
-      // A plan's own hold counts: planner and executor judge the goal at the same moment.
-      for (int k = plan_.hold_frame_count; k < arm_.frames_in(settings_.hold_s); ++k) {
-        command(plan_.frames.back().setpoint_kpa);
+      follow();
+      while (settings_.replanner != nullptr && go_on()) {
+        follow();
       }
     } catch (const SystemFault& fault) {
       result_.status = ExecutionStatus::fault;
@@ -77,10 +75,54 @@ class Execution {
   }
 
  private:
+  /// The plan, or its beginning where its rest must not be followed, and the hold.
+  void follow() {
+    const std::vector<PlanFrame>& frames = plan_->frames;
+    std::size_t k = 1;
+    for (bool goes_on = true; goes_on && k < frames.size(); ++k) {
+      command(frames[k].setpoint_kpa);
+      compare_with_prediction(k);
+      count_motion(frames[k].setpoint_kpa);
+      goes_on = k + 1 == frames.size() || settings_.replanner == nullptr ||
+                settings_.replanner->may_go_on(*plan_, k, driver_.state());
+    }
+    const bool halted = k < frames.size();
+    result_.halts += halted ? 1 : 0;
+    setpoint_kpa_ = frames[k - 1].setpoint_kpa;
+    // A plan's own hold counts: planner and executor judge the goal at the same moment.
+    for (int held = halted ? 0 : plan_->hold_frame_count; held < arm_.frames_in(settings_.hold_s);
+         ++held) {
+      command(setpoint_kpa_);
+    }
+  }
+
+  /// @return whether there is another plan to follow
+  bool go_on() {
+    const int longest = arm_.frames_in(kLongestBlindS);
+    for (int k = 0; k < longest && !driver_.state().backbone; ++k) {
+      command(setpoint_kpa_);
+    }
+    std::optional<Plan> next = settings_.replanner->next(setpoint_kpa_, driver_.state());
+    if (!next) {
+      return false;
+    }
+    require_plan_of(*next, arm_, "the next plan");
+    if (next->frames.front().setpoint_kpa != setpoint_kpa_) {
+      throw InputError("the next plan does not start at the set points that the arm holds");
+    }
+    if (result_.replans++ == 0 && shape_) {
+      result_.open_loop_goal_error = pose_error(environment_.goal, tip_pose(*shape_));
+    }
+    more_plans_.push_back(std::move(*next));
+    plan_ = &more_plans_.back();
+    first_motion_ = ++motion_;
+    return true;
+  }
+
   /// Unrecorded: from rest to where the plan starts. The plan takes the arm to have long stood
   /// there, so slow valves get their time.
   void approach_start() {
-    const Pressures& start_kpa = plan_.frames.front().setpoint_kpa;
+    const Pressures& start_kpa = plan_->frames.front().setpoint_kpa;
     if (start_kpa.isZero()) {
       return;
     }
@@ -131,7 +173,7 @@ class Execution {
   void note_start() {
     see();
     if (shape_) {
-      const BackboneD planned = plan_.frames.front().backbone.cast<double>();
+      const BackboneD planned = plan_->frames.front().backbone.cast<double>();
       result_.start_error_m = (*shape_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
     }
   }
@@ -140,20 +182,20 @@ class Execution {
     if (!shape_ || shape_frame_ != result_.frames) {
       return;
     }
-    const double distance_m = tip_distance_m(plan_.frames[frame].backbone, *shape_);
+    const double distance_m = tip_distance_m(plan_->frames[frame].backbone, *shape_);
     prediction_.max_m = std::max(prediction_.max_m, distance_m);
     prediction_.final_m = distance_m;
     prediction_sum_m_ += distance_m;
     ++prediction_count_;
-    if (static_cast<int>(frame) < plan_.frame_count() - plan_.hold_frame_count) {
+    if (static_cast<int>(frame) < plan_->frame_count() - plan_->hold_frame_count) {
       prediction_.before_hold_m = prediction_sum_m_ / prediction_count_;
     }
   }
 
   /// A motion ends where its edge of the plan does.
   void count_motion(const Pressures& setpoint_kpa) {
-    const auto next = static_cast<std::size_t>(motion_) + 1;
-    if (next + 1 < plan_.waypoints_kpa.size() && setpoint_kpa == plan_.waypoints_kpa[next]) {
+    const auto next = static_cast<std::size_t>(motion_ - first_motion_) + 1;
+    if (next + 1 < plan_->waypoints_kpa.size() && setpoint_kpa == plan_->waypoints_kpa[next]) {
       ++motion_;
     }
   }
@@ -183,7 +225,9 @@ class Execution {
 
   const ArmDescription& arm_;
   const Environment& environment_;
-  const Plan& plan_;
+  const Plan* plan_;  // the one that is followed
+  std::list<Plan> more_plans_;
+  Pressures setpoint_kpa_;
   ArmDriver& driver_;
   Look look_;
   const ExecutionSettings& settings_;
@@ -196,6 +240,7 @@ class Execution {
   bool measured_ =
       false;  // in some frame; a virtual arm knows its shape even where none was delivered
   int motion_ = 0;
+  int first_motion_ = 0;  // of the plan that is followed
   double start_time_s_ = 0.0;
   ExecutedError prediction_;
   double prediction_sum_m_ = 0.0;

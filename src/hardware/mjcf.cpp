@@ -4,6 +4,7 @@
 
 #include "limber/common/printable.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 
 namespace limber {
 
@@ -50,7 +51,7 @@ std::string link_mjcf(const ChainLink& link, const VirtualArmParameters& p, std:
 }  // namespace
 
 std::vector<ChainLink> chain_links(const ArmDescription& arm) {
-  const VirtualArmParameters& p = arm.virtual_arm;
+  const VirtualArmParameters p = virtual_arm_parameters(arm);
   RandomStream offsets(p.strength_seed, kPlateOffsetStream);
   std::vector<ChainLink> links;
   for (int s = 0; s < arm.segment_count(); ++s) {
@@ -73,7 +74,7 @@ std::vector<ChainLink> chain_links(const ArmDescription& arm) {
 }
 
 std::string chain_mjcf(const ArmDescription& arm, double time_step_s) {
-  const VirtualArmParameters& p = arm.virtual_arm;
+  const VirtualArmParameters p = virtual_arm_parameters(arm);
   const std::vector<ChainLink> links = chain_links(arm);
   std::string text = fmt::format(
       "<mujoco model=\"{}\">\n"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "limber/arm/virtual_arm_parameters.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 
 namespace limber {
 

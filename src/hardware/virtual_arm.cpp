@@ -11,6 +11,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 
 namespace limber {
 
@@ -36,10 +37,10 @@ void check_options(const VirtualArmOptions& options) {
 }
 
 /// Simulator steps a frame: the fewest that keep the step within the arm's `time_step_s`.
-int steps_per_frame(const ArmDescription& arm) {
+int steps_per_frame(const ArmDescription& arm, const VirtualArmParameters& parameters) {
   constexpr double kRounding = 1e-9;  // so that 0.05 s of 0.001 s are 50 steps, not 51
-  return std::max(1, static_cast<int>(std::ceil(arm.frame_period_s() / arm.virtual_arm.time_step_s -
-                                                kRounding)));
+  return std::max(
+      1, static_cast<int>(std::ceil(arm.frame_period_s() / parameters.time_step_s - kRounding)));
 }
 
 }  // namespace
@@ -49,13 +50,14 @@ class VirtualArm::Simulation {
   Simulation(const ArmDescription& arm, const VirtualArmOptions& options)
       : arm_(arm),
         options_(options),
-        steps_per_frame_(steps_per_frame(arm)),
+        parameters_(virtual_arm_parameters(arm)),
+        steps_per_frame_(steps_per_frame(arm, parameters_)),
         time_step_s_(arm.frame_period_s() / steps_per_frame_),
-        physics_(arm, time_step_s_),
+        physics_(arm, parameters_, time_step_s_),
         noise_(options.seed, options.stream),
         setpoint_kpa_(arm.segments.size()) {
     check_options(options);
-    dead_steps_ = std::llround(arm.virtual_arm.valve_dead_time_s / time_step_s_);
+    dead_steps_ = std::llround(parameters_.valve_dead_time_s / time_step_s_);
     const auto latency_steps = static_cast<int>(std::lround(options.latency_s / time_step_s_));
     frames_late_ = latency_steps / steps_per_frame_;
     steps_late_ = latency_steps % steps_per_frame_;
@@ -224,6 +226,7 @@ class VirtualArm::Simulation {
 
   ArmDescription arm_;
   VirtualArmOptions options_;
+  VirtualArmParameters parameters_;
   int steps_per_frame_;
   double time_step_s_;
   ArmPhysics physics_;

@@ -99,24 +99,26 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
   }
 }
 
-nlohmann::ordered_json to_json(const LearntRegion& region) {
+nlohmann::ordered_json to_json(const LearntRegion& region, const Command& command) {
   nlohmann::ordered_json segments = nlohmann::ordered_json::array();
   for (int i = 0; i < region.segment_count(); ++i) {
-    segments.push_back({{"low_kpa", region.low_kpa[i]},
-                        {"high_kpa", region.high_kpa[i]},
-                        {"steepest_fall_kpa_per_s", region.steepest_fall_kpa_per_s[i]},
-                        {"steepest_rise_kpa_per_s", region.steepest_rise_kpa_per_s[i]}});
+    segments.push_back(
+        {{quantity_key(command, "low"), region.low_kpa[i]},
+         {quantity_key(command, "high"), region.high_kpa[i]},
+         {quantity_key(command, "steepest_fall") + "_per_s", region.steepest_fall_kpa_per_s[i]},
+         {quantity_key(command, "steepest_rise") + "_per_s", region.steepest_rise_kpa_per_s[i]}});
   }
   return {{"segments", segments}, {"axes", region.axes.rows()}};
 }
 
-std::vector<std::string> learnt_region_lines(const LearntRegion& region, const std::string& unit) {
+std::vector<std::string> learnt_region_lines(const LearntRegion& region, const Command& command) {
+  const std::string& unit = command.unit;
   std::vector<std::string> lines;
   for (int i = 0; i < region.segment_count(); ++i) {
-    lines.push_back(fmt::format(
-        "{}: {} {:.3g} … {:.3g} {}, rates {:.3g} … {:.3g} {}/s", segment_name(i),
-        unit == "kPa" ? "pressures" : "commands", region.low_kpa[i], region.high_kpa[i], unit,
-        -region.steepest_fall_kpa_per_s[i], region.steepest_rise_kpa_per_s[i], unit));
+    lines.push_back(fmt::format("{}: {} {:.3g} … {:.3g} {}, rates {:.3g} … {:.3g} {}/s",
+                                segment_name(i), command.name + "s", region.low_kpa[i],
+                                region.high_kpa[i], unit, -region.steepest_fall_kpa_per_s[i],
+                                region.steepest_rise_kpa_per_s[i], unit));
   }
   return lines;
 }

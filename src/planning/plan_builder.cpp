@@ -33,6 +33,7 @@ Plan build_partial_plan(const PlanningProblem& problem, MotionSimulator& simulat
   plan.arm_name = arm.name;
   plan.arm_hash = arm.hash;
   plan.arm_description = arm.description;
+  plan.command = problem.arm.command;
   plan.model = problem.model.has_network() ? "network" : "no_load";
   plan.valves_hash = problem.model.valves().parameters().hash();
   plan.environment_name = problem.environment.name;

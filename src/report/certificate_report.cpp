@@ -20,7 +20,8 @@ Json finite(double value) {
 
 }  // namespace
 
-Json to_json(const Certificate& certificate, const Environment& environment) {
+Json to_json(const Certificate& certificate, const Command& command,
+             const Environment& environment) {
   Json json;
   json["status"] = certificate.certified() ? "certified" : "refused";
   json["failures"] = Json::array();
@@ -36,9 +37,10 @@ Json to_json(const Certificate& certificate, const Environment& environment) {
   json["largest_deviation_m"] = finite(certificate.max_deviation_m);
   json["largest_step_deviation_m"] = finite(certificate.max_step_deviation_m);
   json["largest_heading_deviation_rad"] = finite(certificate.max_heading_deviation_rad);
-  json["largest_pressure_deviation_kpa"] = finite(certificate.max_pressure_deviation_kpa);
-  json["cost_kpa"] = certificate.cost_kpa;
-  json["largest_step_kpa"] = certificate.max_step_kpa;
+  json[command.is_pressure_kpa() ? "largest_pressure_deviation_kpa" : "largest_command_deviation"] =
+      finite(certificate.max_pressure_deviation_kpa);
+  json[quantity_key(command, "cost")] = certificate.cost_kpa;
+  json[quantity_key(command, "largest_step")] = certificate.max_step_kpa;
   json["distance_to_goal_cm"] = finite(certificate.goal_distance_m * kCmPerM);
   json["orientation_to_goal_rad"] =
       environment.goal.theta_rad ? finite(certificate.goal_orientation_rad) : Json(nullptr);

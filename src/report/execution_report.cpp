@@ -42,7 +42,11 @@ Json execution_to_json(const ExecutionResult& result, const Environment& environ
       result.final_backbone ? Json(kCmPerM * result.goal_error.position_m) : Json(nullptr);
   json["orientation_to_goal_rad"] =
       result.final_backbone ? Json(result.goal_error.orientation_rad) : Json(nullptr);
-  json["replans"] = 0;
+  json["replans"] = result.replans;
+  json["halts"] = result.halts;
+  json["open_loop_distance_to_goal_cm"] =
+      result.open_loop_goal_error ? Json(kCmPerM * result.open_loop_goal_error->position_m)
+                                  : Json(nullptr);
   json["frames"] = result.frames;
   json["goal_reached"] = result.goal_reached;
   json["message"] = result.message;
@@ -77,6 +81,10 @@ std::string execution_to_text(const ExecutionResult& result, const Environment& 
       text += fmt::format(" and {:.2f} rad", result.goal_error.orientation_rad);
     }
     text += fmt::format(" from the goal: {}", result.goal_reached ? "reached" : "not reached");
+    if (result.open_loop_goal_error) {
+      text += fmt::format("; {:.1f} cm off before {} more plans",
+                          kCmPerM * result.open_loop_goal_error->position_m, result.replans);
+    }
   } else {
     text += "\n  nothing saw the arm: distance to the goal and collisions are unknown";
   }

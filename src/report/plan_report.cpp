@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -25,15 +26,15 @@ Json to_json(const std::optional<Plan>& partial, const PoseGoal& goal) {
   Json json;
   json["distance_to_goal_cm"] = partial->goal_distance_m * kCmPerM;
   json["orientation_to_goal_rad"] = goal.theta_rad ? Json(partial->goal_orientation_rad) : nullptr;
-  json["cost_kpa"] = partial->cost_kpa;
+  json[quantity_key(partial->command, "cost")] = partial->cost_kpa;
   json["frames"] = partial->frame_count();
   return json;
 }
 
 }  // namespace
 
-Json to_json(const PlanResult& result, const PoseGoal& goal, const std::string& planner,
-             const std::string& model, std::uint64_t seed) {
+Json to_json(const PlanResult& result, const Command& command, const PoseGoal& goal,
+             const std::string& planner, const std::string& model, std::uint64_t seed) {
   Json json;
   json["status"] = to_string(result.status);
   json["reason"] = result.reason;
@@ -44,12 +45,15 @@ Json to_json(const PlanResult& result, const PoseGoal& goal, const std::string& 
   json["model"] = model;
   json["seed"] = seed;
   const Plan* plan = result.plan ? &*result.plan : nullptr;
-  json["cost_kpa"] = plan ? Json(plan->cost_kpa) : nullptr;
-  json["cost_psi"] = plan ? Json(plan->cost_kpa / kKpaPerPsi) : nullptr;
+  const std::string cost = quantity_key(command, "cost");
+  json[cost] = plan ? Json(plan->cost_kpa) : nullptr;
+  if (command.is_pressure_kpa()) {
+    json["cost_psi"] = plan ? Json(plan->cost_kpa / kKpaPerPsi) : nullptr;
+  }
   json["first_solution"] = nullptr;
   if (result.first_solution) {
     json["first_solution"] = {{"time_s", result.first_solution->time_s},
-                              {"cost_kpa", result.first_solution->cost_kpa},
+                              {cost, result.first_solution->cost_kpa},
                               {"queries", result.first_solution->queries}};
   }
   const FirstSolution* first = result.first_solution ? &*result.first_solution : nullptr;
@@ -79,7 +83,7 @@ Json to_json(const PlanResult& result, const PoseGoal& goal, const std::string& 
     json["events"].push_back({{"time_s", event.time_s},
                               {"queries", event.queries},
                               {"nodes", event.nodes},
-                              {"best_cost_kpa", *event.best_cost_kpa}});
+                              {"best_" + cost, *event.best_cost_kpa}});
   }
   json["duration_s"] = plan ? Json(plan->duration_s()) : nullptr;
   return json;

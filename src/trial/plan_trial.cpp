@@ -3,6 +3,7 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/planning/planner_factory.hpp"
+#include "limber/trial/replanner.hpp"
 
 namespace limber {
 
@@ -32,6 +33,20 @@ void execute_trial(const ArmDescription& arm, const Environment& environment, Pl
     VirtualArm driver(arm);
     trial.execution = execute(arm, environment, *trial.planning.plan, driver);
   }
+}
+
+void execute_trial_replanning(const ArmDescription& arm, const MotionModel& model,
+                              const Environment& environment, const PlanTrialSettings& settings,
+                              PlanTrial& trial) {
+  if (!trial.planning.plan) {
+    return;
+  }
+  VirtualArm driver(arm);
+  Replanner replanner(arm, model, environment, error_room(model.forward(), settings.room), {},
+                      trial.seed);
+  ExecutionSettings closed_loop;
+  closed_loop.replanner = &replanner;
+  trial.execution = execute(arm, environment, *trial.planning.plan, driver, closed_loop);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 
@@ -58,30 +59,35 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
       // A set point is a float32: the limit as one may lie above it.
       if (std::abs(pressure) > std::max(limit, double(static_cast<float>(limit)))) {
         throw InputError(fmt::format(
-            "{}: frames[{}].setpoint_kpa[{}]: {} {unit} found; expected at most ± {} {unit}", file,
-            k, i, pressure, limit, fmt::arg("unit", arm.command.unit)));
+            "{}: frames[{}].{setpoint}[{}]: {} {unit} found; expected at most ± {} {unit}", file, k,
+            i, pressure, limit, fmt::arg("unit", arm.command.unit),
+            fmt::arg("setpoint", quantity_key(arm.command, "setpoint"))));
       }
       const double step =
           k == 0 ? 0.0 : std::abs(pressure - double(plan.frames[k - 1].setpoint_kpa[i]));
       if (step > step_limit + kRoundingKpa) {
         throw InputError(fmt::format(
-            "{}: frames[{}].setpoint_kpa[{}]: a step of {:.6g} {unit} in one frame; expected at "
+            "{}: frames[{}].{setpoint}[{}]: a step of {:.6g} {unit} in one frame; expected at "
             "most {} {unit} ({} {unit}/s at {} Hz)",
             file, k, i, step, step_limit, arm.pressure_rate_limit_kpa_per_s, arm.frame_rate_hz,
-            fmt::arg("unit", arm.command.unit)));
+            fmt::arg("unit", arm.command.unit),
+            fmt::arg("setpoint", quantity_key(arm.command, "setpoint"))));
       }
     }
   }
 }
 
 void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan) {
+  const bool pressures = plan.command.is_pressure_kpa();
+  const char* const setpoint = pressures ? ",setpoint_{}_kpa" : ",setpoint_{}";
+  const char* const followed = pressures ? ",pressure_{}_kpa" : ",command_{}";
   std::string text = "time_s";
   const Eigen::Index n = plan.frames.empty() ? 0 : plan.frames.front().setpoint_kpa.size();
   for (Eigen::Index i = 0; i < n; ++i) {
-    text += fmt::format(",setpoint_{}_kpa", i);
+    text += fmt::format(fmt::runtime(setpoint), i);
   }
   for (Eigen::Index i = 0; i < n; ++i) {
-    text += fmt::format(",pressure_{}_kpa", i);
+    text += fmt::format(fmt::runtime(followed), i);
   }
   text += '\n';
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {

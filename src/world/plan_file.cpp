@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/json_reader.hpp"
@@ -49,12 +50,13 @@ std::string lines(const Json& list) {
 }
 
 /// JSON that a person can read: a line a value, a waypoint and a frame.
-std::string one_line_an_entry(const Json& head, const Json& waypoints, const Json& frames) {
+std::string one_line_an_entry(const Json& head, const std::string& waypoints_key,
+                              const Json& waypoints, const Json& frames) {
   std::string text = "{\n";
   for (const auto& [key, value] : head.items()) {
     text += fmt::format(" \"{}\": {},\n", key, value.dump());
   }
-  text += fmt::format(" \"waypoints_kpa\": {},\n", lines(waypoints));
+  text += fmt::format(" \"{}\": {},\n", waypoints_key, lines(waypoints));
   return text + fmt::format(" \"frames\": {}\n}}\n", lines(frames));
 }
 
@@ -62,9 +64,9 @@ double number_at(const JsonReader& root, const char* key, double low = -kMax) {
   return root.at(key).number(low, kMax);
 }
 
-Pressures read_vector(const JsonReader& field, Eigen::Index size, const char* what) {
+Pressures read_vector(const JsonReader& field, Eigen::Index size, const std::string& what) {
   const std::vector<double> values =
-      field.numbers(static_cast<std::size_t>(size), what, -kMax, kMax);
+      field.numbers(static_cast<std::size_t>(size), what.c_str(), -kMax, kMax);
   return Eigen::Map<const Eigen::VectorXd>(values.data(), size).cast<float>();
 }
 
@@ -81,27 +83,46 @@ Backbone read_backbone(const JsonReader& field, std::size_t point_count) {
   return backbone;
 }
 
+/// "pressures in kPa", for messages.
+std::string numbers_of(const Command& command) {
+  return command.name + "s in " + command.unit;
+}
+
+/// What the arm is driven by; files of arms that are driven by pressures don't say so, nor did any
+/// file of older programs.
+Command read_command(const JsonReader& root) {
+  Command command;
+  if (root.has("command")) {
+    command.name = root.at("command").at("name").text();
+    command.unit = root.at("command").at("unit").text();
+  }
+  return command;
+}
+
 /// @param has_pressures  of the file's schema; else pressures are the set points
-std::vector<PlanFrame> read_frames(const JsonReader& field, bool has_pressures) {
+std::vector<PlanFrame> read_frames(const JsonReader& field, const Command& command,
+                                   bool has_pressures) {
   const std::vector<JsonReader> items = field.elements("a list of frames");
   if (items.empty()) {
     field.refuse("no frame found; expected at least the start");
   }
+  const std::string setpoint = quantity_key(command, "setpoint");
+  const std::string followed = has_pressures ? followed_key(command) : setpoint;
   const std::size_t segments =
-      items.front().at("setpoint_kpa").elements("a list of pressures").size();
+      items.front().at(setpoint.c_str()).elements("a list of " + command.name + "s").size();
   const std::size_t points = items.front().at("backbone").elements("a list of poses").size();
   if (segments == 0 || points < 2) {
-    items.front().refuse(fmt::format("{} pressures and {} poses found; expected at least 1 and 2",
-                                     segments, points));
+    items.front().refuse(fmt::format("{} {}s and {} poses found; expected at least 1 and 2",
+                                     segments, command.name, points));
   }
   std::vector<PlanFrame> frames;
   for (const JsonReader& item : items) {
-    const auto pressures = [&](const char* key) {
-      return read_vector(item.at(key), static_cast<Eigen::Index>(segments), "pressures in kPa");
+    const auto commands = [&](const std::string& key) {
+      return read_vector(item.at(key.c_str()), static_cast<Eigen::Index>(segments),
+                         numbers_of(command));
     };
-    frames.push_back({pressures("setpoint_kpa"),
-                      pressures(has_pressures ? "pressure_kpa" : "setpoint_kpa"),
-                      read_backbone(item.at("backbone"), points)});
+    frames.push_back(
+        {commands(setpoint), commands(followed), read_backbone(item.at("backbone"), points)});
   }
   return frames;
 }
@@ -109,7 +130,7 @@ std::vector<PlanFrame> read_frames(const JsonReader& field, bool has_pressures) 
 void require_consistent(const JsonReader& root, const Plan& plan) {
   const double cost = path_cost_kpa(plan.frames);
   if (std::abs(cost - plan.cost_kpa) > kCostToleranceKpa * std::max(1.0, cost)) {
-    root.at("cost_kpa")
+    root.at(quantity_key(plan.command, "cost").c_str())
         .refuse(fmt::format("{} found; its frames add up to {}", plan.cost_kpa, cost));
   }
   const std::size_t held = static_cast<std::size_t>(plan.hold_frame_count);
@@ -127,7 +148,8 @@ void require_consistent(const JsonReader& root, const Plan& plan) {
   if (plan.waypoints_kpa.size() < 1 ||
       plan.waypoints_kpa.front() != plan.frames.front().setpoint_kpa ||
       plan.waypoints_kpa.back() != plan.frames.back().setpoint_kpa) {
-    root.at("waypoints_kpa").refuse("expected the first and last frame's set points at its ends");
+    root.at(quantity_key(plan.command, "waypoints").c_str())
+        .refuse("expected the first and last frame's set points at its ends");
   }
 }
 
@@ -166,6 +188,7 @@ Plan read_fields(const JsonReader& root, bool has_valves) {
   if (root.at("arm").has("description")) {
     plan.arm_description = root.at("arm").at("description").text();
   }
+  plan.command = read_command(root);
   plan.model = root.at("model").at("kind").text();
   plan.model_hash = root.at("model").at("hash").text();
   if (plan.model != "no_load" && plan.model != "network") {
@@ -179,15 +202,16 @@ Plan read_fields(const JsonReader& root, bool has_valves) {
   plan.seed = root.at("seed").count(std::numeric_limits<std::uint64_t>::max());
   plan.margin_m = number_at(root, "margin_m", 0.0);
   plan.frame_rate_hz = root.at("frame_rate_hz").number(1.0, 1000.0);
-  plan.cost_kpa = number_at(root, "cost_kpa", 0.0);
+  plan.cost_kpa = number_at(root, quantity_key(plan.command, "cost").c_str(), 0.0);
   plan.clearance_m = read_clearance(root.at("clearance_m"));
   plan.goal_distance_m = number_at(root, "goal_distance_m", 0.0);
   plan.goal_orientation_rad = number_at(root, "goal_orientation_rad", 0.0);
   plan.hold_frame_count = static_cast<int>(root.at("hold_frame_count").count(1000000));
-  plan.frames = read_frames(root.at("frames"), has_valves);
+  plan.frames = read_frames(root.at("frames"), plan.command, has_valves);
   const Eigen::Index segments = plan.frames.front().setpoint_kpa.size();
-  for (const JsonReader& point : root.at("waypoints_kpa").elements("a list of configurations")) {
-    plan.waypoints_kpa.push_back(read_vector(point, segments, "pressures in kPa"));
+  const std::string waypoints = quantity_key(plan.command, "waypoints");
+  for (const JsonReader& point : root.at(waypoints.c_str()).elements("a list of configurations")) {
+    plan.waypoints_kpa.push_back(read_vector(point, segments, numbers_of(plan.command)));
   }
   return plan;
 }
@@ -212,6 +236,9 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   if (!plan.arm_description.empty()) {
     root["arm"]["description"] = plan.arm_description;
   }
+  if (!plan.command.is_pressure_kpa()) {
+    root["command"] = {{"name", plan.command.name}, {"unit", plan.command.unit}};
+  }
   root["model"] = {{"kind", plan.model}, {"hash", plan.model_hash}};
   root["valves"] = {{"hash", plan.valves_hash}};
   root["environment"] = {{"name", plan.environment_name}, {"hash", plan.environment_hash}};
@@ -219,7 +246,7 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   root["seed"] = plan.seed;
   root["margin_m"] = plan.margin_m;
   root["frame_rate_hz"] = plan.frame_rate_hz;
-  root["cost_kpa"] = plan.cost_kpa;
+  root[quantity_key(plan.command, "cost")] = plan.cost_kpa;
   root["clearance_m"] = clearance_to_json(plan.clearance_m);
   root["goal_distance_m"] = plan.goal_distance_m;
   root["goal_orientation_rad"] = plan.goal_orientation_rad;
@@ -230,19 +257,20 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   }
   Json frames = Json::array();
   for (const PlanFrame& frame : plan.frames) {
-    frames.push_back({{"setpoint_kpa", numbers(frame.setpoint_kpa)},
-                      {"pressure_kpa", numbers(frame.pressure_kpa)},
+    frames.push_back({{quantity_key(plan.command, "setpoint"), numbers(frame.setpoint_kpa)},
+                      {followed_key(plan.command), numbers(frame.pressure_kpa)},
                       {"backbone", poses(frame.backbone)}});
   }
+  const std::string waypoints_key = quantity_key(plan.command, "waypoints");
   if (plan.certified) {
     Json sealed = root;
-    sealed["waypoints_kpa"] = waypoints;
+    sealed[waypoints_key] = waypoints;
     sealed["frames"] = frames;
     root["certificate"] = {{"clearance_m", clearance_to_json(plan.certified->clearance_m)},
                            {"largest_deviation_m", plan.certified->max_deviation_m},
                            {"seal", seal_of(sealed)}};
   }
-  write_file_atomically(path, one_line_an_entry(root, waypoints, frames));
+  write_file_atomically(path, one_line_an_entry(root, waypoints_key, waypoints, frames));
 }
 
 Plan read_plan(const std::filesystem::path& path) {

@@ -108,7 +108,7 @@ TEST(ArmIdentity, NumbersAgreeToAMillionth) {
   EXPECT_THAT(arm_differences(arm, other), Not(IsEmpty()));
   other = arm;
   other.name = "renamed";
-  other.virtual_arm.friction_coefficient = 0.7;
+  other.virtual_arm.yaml = "virtual_arm:\n  friction_coefficient: 0.7\n";
   EXPECT_THAT(arm_differences(arm, other), IsEmpty());
 }
 

@@ -8,6 +8,7 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/hardware/bench_test.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "support/sample_arm.hpp"
 
 namespace limber {
@@ -20,12 +21,14 @@ ArmDescription own_arm(const char* name) {
 /// Identical actuators, no friction, no hysteresis; more damping changes how fast it settles, not
 /// where.
 ArmDescription ideal(ArmDescription arm) {
-  arm.virtual_arm.strength_spread = 0.0;
-  arm.virtual_arm.friction_coefficient = 0.0;
-  arm.virtual_arm.hysteresis_fraction = 0.0;
-  arm.virtual_arm.hysteresis_floor_n = 0.0;
-  arm.virtual_arm.hinge_damping_n_m_s_per_rad *= 6.0;
-  arm.virtual_arm.pressure_dead_band_kpa = 0.0;
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) {
+    p.strength_spread = 0.0;
+    p.friction_coefficient = 0.0;
+    p.hysteresis_fraction = 0.0;
+    p.hysteresis_floor_n = 0.0;
+    p.hinge_damping_n_m_s_per_rad *= 6.0;
+    p.pressure_dead_band_kpa = 0.0;
+  });
   return arm;
 }
 
@@ -74,10 +77,12 @@ TEST_P(ArmPhysicsOf, SettlesInTheShapeOfTheNoLoadModel) {
 TEST_P(ArmPhysicsOf, LosesEnergyWhileNothingIsInflated) {
   constexpr double kRipple = 3e-3;  // of semi-implicit Euler, at the shock of losing all air
   const ArmDescription arm = own_arm(GetParam());
-  for (const double friction : {0.0, arm.virtual_arm.friction_coefficient}) {
+  for (const double friction : {0.0, virtual_arm_parameters(arm).friction_coefficient}) {
     ArmDescription on_table = arm;
-    on_table.virtual_arm.friction_coefficient = friction;
-    on_table.virtual_arm.time_step_s = 1e-4;  // the integrator's own ripple goes with it
+    change_virtual_arm(on_table, [&](VirtualArmParameters& p) {
+      p.friction_coefficient = friction;
+      p.time_step_s = 1e-4;  // the integrator's own ripple goes with it
+    });
     VirtualArm virtual_arm(on_table);
     virtual_arm.settle(uniform(arm, 0.9), 0.7);
     VirtualArmState state = virtual_arm.save();  // bent, and from here on without air
@@ -168,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Arms, ArmPhysicsOf,
 
 TEST(ArmPhysics, MirrorsWithIdenticalActuators) {
   ArmDescription arm = sample_arm(3);
-  arm.virtual_arm.strength_spread = 0.0;
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) { p.strength_spread = 0.0; });
   VirtualArm right(arm);
   VirtualArm left(arm);
   right.settle(uniform(arm, 0.7), 3.0);
@@ -181,7 +186,7 @@ TEST(ArmPhysics, MirrorsWithIdenticalActuators) {
 TEST(ArmPhysics, NoTwoActuatorsAreAlike) {
   const ArmDescription arm = sample_arm(3);
   ArmDescription other = arm;
-  other.virtual_arm.strength_seed = 2;
+  change_virtual_arm(other, [&](VirtualArmParameters& p) { p.strength_seed = 2; });
   VirtualArm first(arm);
   VirtualArm second(other);
   first.settle(uniform(arm, 0.7), 3.0);
@@ -191,10 +196,12 @@ TEST(ArmPhysics, NoTwoActuatorsAreAlike) {
 
 TEST(ArmPhysics, CreepsAndIsBuiltAskewWhereAsked) {
   ArmDescription arm = ideal(sample_arm(2));
-  arm.virtual_arm.creep_fraction = 0.5;
-  arm.virtual_arm.creep_time_s = 5.0;
-  arm.virtual_arm.base_misalignment_rad = 0.1;
-  arm.virtual_arm.plate_offset_rad = 0.02;
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) {
+    p.creep_fraction = 0.5;
+    p.creep_time_s = 5.0;
+    p.base_misalignment_rad = 0.1;
+    p.plate_offset_rad = 0.02;
+  });
   VirtualArm creeping(arm);
   EXPECT_NEAR(creeping.true_backbone()(0, 2), 0.1, 1e-12);
   EXPECT_NE(creeping.true_backbone()(1, 2), 0.1);

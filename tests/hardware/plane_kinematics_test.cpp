@@ -9,6 +9,7 @@
 #include <mujoco/mujoco.h>
 
 #include "limber/common/random_stream.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "support/sample_arm.hpp"
 
 namespace limber {
@@ -48,7 +49,7 @@ class PlaneKinematicsOf : public testing::TestWithParam<int> {
   PlaneKinematicsOf()
       : arm(make_arm()),
         oracle(arm),
-        kinematics(chain_links(arm), arm.virtual_arm.base_misalignment_rad) {
+        kinematics(chain_links(arm), virtual_arm_parameters(arm).base_misalignment_rad) {
     RandomStream random(5, 0);
     for (int joint = 0; joint < oracle.model->nv; ++joint) {
       oracle.data->qpos[joint] = joint % 2 == 0 ? 0.01 * random.normal() : 0.4 * random.normal();
@@ -59,7 +60,7 @@ class PlaneKinematicsOf : public testing::TestWithParam<int> {
   }
   static ArmDescription make_arm() {
     ArmDescription arm = sample_arm(GetParam());
-    arm.virtual_arm.base_misalignment_rad = 0.2;
+    change_virtual_arm(arm, [&](VirtualArmParameters& p) { p.base_misalignment_rad = 0.2; });
     return arm;
   }
   ArmDescription arm;

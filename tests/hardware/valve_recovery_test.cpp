@@ -8,6 +8,7 @@
 #include "limber/data/valve_identification.hpp"
 #include "limber/hardware/collection.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 
 namespace limber {
 namespace {
@@ -54,7 +55,7 @@ void expect_recovered(const ArmDescription& arm, double noise_kpa = 0.0) {
   const IdentifiedValves found = identify_on(arm, noise_kpa);
   ASSERT_FALSE(found.parameters.is_ideal()) << found.findings.reason;
   SCOPED_TRACE(valves_to_text(found));
-  const VirtualArmParameters& truth = arm.virtual_arm;
+  const VirtualArmParameters truth = virtual_arm_parameters(arm);
   const SegmentValves& valves = found.parameters.segments.front();
   EXPECT_NEAR(valves.inflating.time_constant_s, truth.inflate_time_constant_s,
               kTimeConstantShare * truth.inflate_time_constant_s);

@@ -9,6 +9,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "support/sample_arm.hpp"
 
 namespace limber {
@@ -68,7 +69,7 @@ TEST(VirtualArm, AdvancesOneFramePeriodACommand) {
   ArmDescription arm = sample_arm(2);
   arm.frame_rate_hz = 30.0;  // the period is no multiple of the time step
   VirtualArm virtual_arm(arm);
-  EXPECT_LE(virtual_arm.time_step_s(), arm.virtual_arm.time_step_s);
+  EXPECT_LE(virtual_arm.time_step_s(), virtual_arm_parameters(arm).time_step_s);
   for (int frame = 1; frame <= 30; ++frame) {
     virtual_arm.command(pressures({0.0F, 0.0F}));
   }
@@ -90,7 +91,8 @@ TEST(VirtualArm, BendsTowardTheInflatedSideAndUnwrapsItsAngles) {
 TEST(VirtualArm, RepeatsTheSameMotionToTheBitFromASavedState) {
   ArmDescription arm = sample_arm(3);
   for (const double latency_s : {0.0, 0.07}) {
-    arm.virtual_arm.valve_dead_time_s = latency_s > 0.0 ? 0.13 : 0.0;
+    change_virtual_arm(
+        arm, [&](VirtualArmParameters& p) { p.valve_dead_time_s = latency_s > 0.0 ? 0.13 : 0.0; });
     VirtualArm first(arm, noisy(latency_s));
     VirtualArm second(arm, noisy(latency_s));
     RandomStream random(3, 0);
@@ -117,9 +119,11 @@ TEST(VirtualArm, RepeatsTheSameMotionToTheBitFromASavedState) {
 TEST(VirtualArm, SetpointsArriveAfterTheDeadTime) {
   ArmDescription arm = sample_arm(2);
   VirtualArm prompt(arm);
-  arm.virtual_arm.valve_dead_time_s = 0.15;  // three frames
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) {
+    p.valve_dead_time_s = 0.15;  // three frames
+  });
   VirtualArm late(arm);
-  arm.virtual_arm.valve_dead_time_s = 0.13;
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) { p.valve_dead_time_s = 0.13; });
   VirtualArm within_a_frame(arm);
   RandomStream random(5, 0);
   std::vector<Eigen::VectorXd> expected;
@@ -140,7 +144,7 @@ TEST(VirtualArm, SetpointsArriveAfterTheDeadTime) {
 
 TEST(VirtualArm, ASafetyVentDoesNotWaitForTheDeadTime) {
   ArmDescription arm = sample_arm(1);
-  arm.virtual_arm.valve_dead_time_s = 0.5;
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) { p.valve_dead_time_s = 0.5; });
   VirtualArm late(arm);
   late.settle(pressures({50.0F}), 3.0);
   late.command(pressures({90.0F}));
@@ -310,9 +314,11 @@ TEST(VirtualArm, DelaysWhatItMeasuresByTheLatency) {
 
 TEST(VirtualArm, SaysWhenAndAtWhatPressureItBlewUp) {
   ArmDescription description = sample_arm(2);
-  description.virtual_arm.time_step_s = 0.05;
-  description.virtual_arm.hysteresis_stiffness_n_per_m = 1e9;
-  description.virtual_arm.hysteresis_fraction = 1e3;
+  change_virtual_arm(description, [&](VirtualArmParameters& p) {
+    p.time_step_s = 0.05;
+    p.hysteresis_stiffness_n_per_m = 1e9;
+    p.hysteresis_fraction = 1e3;
+  });
   VirtualArm arm(description);
   const VirtualArmState rest = arm.save();
   const auto run = [&] { arm.settle(pressures({100.0F, -100.0F}), 20.0); };

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "limber/hardware/virtual_arm_factory.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "support/fake_arm.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -50,7 +51,7 @@ TEST(VirtualCollection, DescribesWhatDecidesTheData) {
   options.noise_m = 0.002;
   EXPECT_NE(describe(arm, options), plain);
   EXPECT_THAT(describe(arm, options), ::testing::HasSubstr("noise 0.002 m"));
-  arm.virtual_arm.friction_coefficient = 0.3;
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) { p.friction_coefficient = 0.3; });
   EXPECT_NE(describe(arm, {}), plain) << "the arm's hash leaves physics out";
 }
 

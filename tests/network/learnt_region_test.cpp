@@ -154,7 +154,7 @@ TEST(LearntRegion, SaysItsRangesInOneLineForEachSegment) {
   region.steepest_fall_kpa_per_s << 120.0F;
   region.steepest_rise_kpa_per_s << 115.0F;
   EXPECT_EQ(
-      learnt_region_lines(region),
+      learnt_region_lines(region, Command{}),
       std::vector<std::string>{"segment 0: pressures -98.2 … 97.5 kPa, rates -120 … 115 kPa/s"});
 }
 

@@ -2,6 +2,7 @@
 Motive's CSV and plain CSV, an arm that is not driven by pressures from its logs to a plan, and one
 plain message for each kind of bad input."""
 
+import json
 import math
 import os
 import subprocess
@@ -250,6 +251,8 @@ class ArmDrivenByMotors(InFolder):
                              "--goal-margin-m", 0, "--margin-m", 0,
                              "--out", f"{kind}.json", code=code)
         self.assertEqual(plan["status"], "solved" if kind == "curvature" else "limit")
+        # A motor's angles are no pressures, so no name says kPa.
+        self.assertNotIn("kpa", json.dumps(plan))
 
     def test_what_needs_pressures_says_so(self):
         for arguments in (

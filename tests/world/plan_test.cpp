@@ -15,6 +15,8 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 using Json = nlohmann::ordered_json;
 
@@ -49,6 +51,29 @@ Plan small_plan(const ArmDescription& arm) {
   plan.waypoints_kpa = {plan.frames.front().setpoint_kpa, plan.frames.back().setpoint_kpa};
   plan.cost_kpa = path_cost_kpa(plan.frames);
   return plan;
+}
+
+TEST(PlanFile, OfAnotherCommandSaysNothingOfPressures) {
+  const TemporaryFolder folder;
+  Plan plan = small_plan(three_segment_arm());
+  plan.command = {"curvature", "1/m"};
+  write_plan(folder.path() / "p.json", plan);
+  const std::string text = read_file(folder.path() / "p.json");
+  EXPECT_THAT(text, Not(HasSubstr("kpa")));
+  EXPECT_THAT(text, HasSubstr(R"("command": {"name":"curvature","unit":"1/m"})"));
+  const Plan again = read_plan(folder.path() / "p.json");
+  EXPECT_EQ(again.command.name, "curvature");
+  EXPECT_EQ(again.command.unit, "1/m");
+  EXPECT_EQ(again.cost_kpa, plan.cost_kpa);
+  EXPECT_EQ(again.waypoints_kpa, plan.waypoints_kpa);
+  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
+    EXPECT_EQ(again.frames[k].setpoint_kpa, plan.frames[k].setpoint_kpa);
+    EXPECT_EQ(again.frames[k].pressure_kpa, plan.frames[k].pressure_kpa);
+  }
+  write_setpoints_csv(folder.path() / "p.csv", plan);
+  EXPECT_THAT(
+      read_file(folder.path() / "p.csv"),
+      StartsWith("time_s,setpoint_0,setpoint_1,setpoint_2,command_0,command_1,command_2\n"));
 }
 
 TEST(PlanFile, SurvivesTheRoundTripExactly) {

@@ -9,6 +9,7 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 
 namespace limber {
 
@@ -61,7 +62,7 @@ class Moments {
 }  // namespace
 
 ArmDescription without_friction(ArmDescription arm) {
-  arm.virtual_arm.friction_coefficient = 0.0;
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) { p.friction_coefficient = 0.0; });
   return arm;
 }
 
@@ -177,7 +178,7 @@ double drift_m(const ArmDescription& arm, int trials) {
 
 double half_step_distance_m(const ArmDescription& arm, std::uint64_t seed) {
   ArmDescription half = arm;
-  half.virtual_arm.time_step_s *= 0.5;
+  change_virtual_arm(half, [&](VirtualArmParameters& p) { p.time_step_s *= 0.5; });
   VirtualArm coarse(arm);
   VirtualArm fine(half);
   RandomStream random(seed, kMotions);
@@ -214,8 +215,10 @@ std::vector<double> arc_deviation_m(const ArmDescription& arm) {
   for (const Segment& segment : arm.segments) {
     ArmDescription alone = without_friction(arm);
     alone.segments = {segment};
-    alone.virtual_arm.hysteresis_fraction = 0.0;
-    alone.virtual_arm.hysteresis_floor_n = 0.0;
+    change_virtual_arm(alone, [&](VirtualArmParameters& p) {
+      p.hysteresis_fraction = 0.0;
+      p.hysteresis_floor_n = 0.0;
+    });
     VirtualArm virtual_arm(alone);
     virtual_arm.settle(uniform(alone, 1.0), 30.0);
     const BackboneD plates = virtual_arm.true_backbone();

@@ -12,6 +12,7 @@
 #include "limber/hardware/collection.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/hardware/virtual_arm_factory.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/report/bench_chart.hpp"
 #include "limber/report/speed_report.hpp"
 #include "limber/report/training_report.hpp"
@@ -70,7 +71,7 @@ Episode inflate_and_deflate(const ArmDescription& arm) {
 void characterise_stage(DemoResults& results) {
   results.bench_points = bench_test_all(results.settings->arm);
   results.characterised = characterise(results.settings->arm, results.bench_points);
-  results.output->write("arm.yaml", arm_to_yaml(results.arm()));
+  results.output->write("arm.yaml", virtual_arm_to_yaml(results.arm()));
   results.output->write("characterisation.svg",
                         bench_chart(results.characterised, results.bench_points).svg());
 }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "limber/arm/strain_polynomial.hpp"
-#include "limber/arm/virtual_arm_parameters.hpp"
 
 namespace limber {
 
@@ -45,6 +44,13 @@ struct Segment {
   double curvature_per_unit = 1.0;
 };
 
+/// What an arm's file says under `virtual_arm`, not read yet: whoever simulates the arm does so
+/// (hardware/virtual_arm_parameters.hpp).
+struct VirtualArmSection {
+  std::string yaml;          ///< `virtual_arm:` and its entries, on the lines of the file; or empty
+  std::string file = "arm";  ///< stands for the file in messages
+};
+
 /// A planar arm as its file describes it (docs/formats.md, schema limber/arm/1). Plain values;
 /// `validate`d by the reader.
 struct ArmDescription {
@@ -56,7 +62,7 @@ struct ArmDescription {
   double pressure_rate_limit_kpa_per_s =
       0.0;                         ///< what the valves can follow; bounds a plan's frames
   double actuator_radius_m = 0.0;  ///< collision radius of a gap is width/2 + this
-  VirtualArmParameters virtual_arm;
+  VirtualArmSection virtual_arm;
 
   int segment_count() const { return static_cast<int>(segments.size()); }
   /// Backbone points m: every plate, base included.
@@ -92,7 +98,7 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials = Poly
 /// The arm as YAML, readable by `load_arm`; floating-point values survive the round trip exactly.
 std::string arm_to_yaml(const ArmDescription& arm);
 
-/// The same without schema and virtual arm: the keys that `hash` stands for, and the name. Other
+/// The same without schema and `virtual_arm`: the keys that `hash` stands for, and the name. Other
 /// files hold it as a text.
 std::string arm_keys_to_yaml(const ArmDescription& arm);
 

@@ -30,4 +30,16 @@ inline std::string gap_name(const ArmDescription& arm, int gap) {
   return fmt::format("between {} ({})", plates_of_gap(gap), segment_name(arm.segment_of_gap(gap)));
 }
 
+// What files and JSON call a quantity that is a pressure where the arm is driven by pressures.
+
+/// "cost_kpa" of pressures; of any other command "cost", in the command's unit.
+inline std::string quantity_key(const Command& command, const std::string& stem) {
+  return command.is_pressure_kpa() ? stem + "_kpa" : stem;
+}
+
+/// Of the commands as they were followed, or are predicted to be: "pressure_kpa" or "command".
+inline std::string followed_key(const Command& command) {
+  return command.is_pressure_kpa() ? "pressure_kpa" : "command";
+}
+
 }  // namespace limber

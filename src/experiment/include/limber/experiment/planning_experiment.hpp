@@ -31,6 +31,7 @@ struct ExperimentSettings {
   /// the network. None: everything is searched.
   std::optional<Forest> forest;
   PlannerLimits limits;
+  bool replan = false;  ///< executed closed loop: planned again from where the arm is measured
   AskedRoom room;  ///< where nothing is asked for, what each model says of its error
   std::uint64_t seed = 1;
   int planner_jobs = 1;  ///< threads of each planner
@@ -46,7 +47,7 @@ struct ExperimentSettings {
 void require_usable(const ExperimentSettings& settings);
 
 /// The paper's Table I on the virtual arm: every environment planned in with both models, every
-/// plan certified and executed open loop. Writes to the folder
+/// plan certified and executed, open loop unless `replan`. Writes to the folder
 ///
 ///   experiment.json         the settings; `resume` asks for the same
 ///   trials/ID.json          keys of `plan --json`, and of `execute --json` under "execution"

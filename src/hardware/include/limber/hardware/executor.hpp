@@ -25,10 +25,24 @@ enum class ExecutionStatus {
 
 const char* to_string(ExecutionStatus status);
 
+/// Says how to go on while a plan is executed, from what is measured (docs/planning.md, Closed loop).
+class PlanSource {
+ public:
+  virtual ~PlanSource() = default;
+  /// Whether the rest of the plan may be followed; asked after each of its frames but the last.
+  /// Where not, the arm holds where it is and `next` is asked.
+  virtual bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
+  /// The plan to follow from here on, for an arm that has held `setpoint_kpa` for the hold; it
+  /// starts there. None ends the run.
+  virtual std::optional<Plan> next(const Pressures& setpoint_kpa, const ArmState& state) = 0;
+};
+
 struct ExecutionSettings {
   /// The last set point is held this long in all, the plan's own hold counted (and never cut); then
   /// the goal is judged. [s], ≥ 0.
   double hold_s = 1.0;
+  /// Asked for more plans; borrowed. None: the plan is executed open loop.
+  PlanSource* replanner = nullptr;
 };
 
 /// Distance between predicted and executed tip over the plan's frames.
@@ -56,12 +70,18 @@ struct ExecutionResult {
   bool goal_reached = false;
   std::optional<ExecutedError> prediction;  ///< none where nothing was tracked
 
+  int replans = 0;  ///< plans after the first
+  int halts = 0;    ///< plans that were left before their end, since the arm strayed
+  /// Where the first plan's hold ended, if more plans followed.
+  std::optional<PoseError> open_loop_goal_error;
+
   /// What was commanded and measured, time 0 being the start; no frames where nothing was tracked.
   /// A motion is one edge of the plan, the hold belongs to the last.
   Episode episode;
 };
 
-/// Commands a plan's frames as they stand, open loop, one frame period each, then holds. Whatever
+/// Commands a plan's frames as they stand, one frame period each, then holds; open loop, unless the
+/// settings name a source of more plans. Whatever
 /// happens (end, fault, Ctrl-C, exception), the arm is vented before this returns. A start under
 /// pressure is approached first, straight in pressure space and held 3 s, unrecorded.
 ///

@@ -14,6 +14,8 @@
 
 namespace limber {
 
+struct Command;
+
 /// What the recordings held that a model was trained on (docs/training.md). Plain values.
 ///
 /// The joint vector z of a frame is its pressures (n), then each plate's pose about the plate
@@ -91,9 +93,8 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
               const std::string& where);
 
 /// The object `learnt` of `train` and `inspect` with --json: ranges per segment.
-nlohmann::ordered_json to_json(const LearntRegion& region);
+nlohmann::ordered_json to_json(const LearntRegion& region, const Command& command);
 /// One line for each segment: "segment 0: pressures −98.2 … 97.5 kPa, rates −120 … 115 kPa/s".
-std::vector<std::string> learnt_region_lines(const LearntRegion& region,
-                                             const std::string& unit = "kPa");
+std::vector<std::string> learnt_region_lines(const LearntRegion& region, const Command& command);
 
 }  // namespace limber

@@ -10,7 +10,8 @@
 namespace limber {
 
 /// The object of `limber verify --json`.
-nlohmann::ordered_json to_json(const Certificate& certificate, const Environment& environment);
+nlohmann::ordered_json to_json(const Certificate& certificate, const Command& command,
+                               const Environment& environment);
 /// The same in a few lines for people.
 std::string certificate_to_text(const Certificate& certificate, const ArmDescription& arm,
                                 const Environment& environment);

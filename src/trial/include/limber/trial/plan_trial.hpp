@@ -52,6 +52,11 @@ PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
 /// Executes the trial's plan, if it has one, on a fresh virtual arm at rest without sensor faults.
 void execute_trial(const ArmDescription& arm, const Environment& environment, PlanTrial& trial);
 
+/// The same, and plans again from where the arm is measured (docs/planning.md, Closed loop).
+void execute_trial_replanning(const ArmDescription& arm, const MotionModel& model,
+                              const Environment& environment, const PlanTrialSettings& settings,
+                              PlanTrial& trial);
+
 /// Means over the trials of one model in one environment, or in all of them; none where nothing
 /// counts.
 struct TrialSummary {

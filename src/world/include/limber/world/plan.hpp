@@ -39,6 +39,7 @@ struct Plan {
   std::string arm_name;
   std::string arm_hash;         ///< ArmDescription::hash()
   std::string arm_description;  ///< arm_keys_to_yaml(); empty in files of before it was kept
+  Command command;              ///< the arm's: what "kpa" stands for in the names below
   std::string model;            ///< "no_load" or "network"
   std::string model_hash;       ///< content hash of the model file; empty for "no_load"
   std::string valves_hash;      ///< ValveParameters::hash(); empty: planned without valves
@@ -91,8 +92,8 @@ Plan read_plan_unjudged(const std::filesystem::path& path);
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file);
 
 /// Set points for a valve controller, and the pressures predicted for the end of their frame:
-/// `time_s,setpoint_0_kpa,…,pressure_0_kpa,…`, one row a frame, time at which the frame's set
-/// points are to be commanded.
+/// `time_s,setpoint_0_kpa,…,pressure_0_kpa,…` (`setpoint_0,…,command_0,…` where the arm is driven by
+/// anything else), one row per frame, time at which the frame's set points are to be commanded.
 void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan);
 
 /// Predicted shapes: `time_s,x_0_m,y_0_m,theta_0_rad,…`, one row a frame, its time the frame's end.

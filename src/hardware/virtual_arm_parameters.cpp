@@ -1,4 +1,4 @@
-#include "limber/arm/virtual_arm_parameters.hpp"
+#include "limber/hardware/virtual_arm_parameters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -86,6 +86,7 @@ constexpr std::array kQuarticFields = {
     QuarticField{"actuator_compression_n", &Parameters::actuator_compression_n},
 };
 
+constexpr const char* kSection = "virtual_arm";
 constexpr const char* kParameter = "a parameter of the virtual arm (docs/virtual-arm.md)";
 
 template <class Table>
@@ -109,9 +110,7 @@ QuarticCoefficients read_quartic(const YamlReader& value) {
   return coefficients;
 }
 
-}  // namespace
-
-VirtualArmParameters read_virtual_arm_parameters(const YamlReader& node) {
+VirtualArmParameters read_parameters(const YamlReader& node) {
   VirtualArmParameters parameters;
   for (const std::string& key : node.keys()) {
     const YamlReader value = node.at(key);
@@ -129,20 +128,41 @@ VirtualArmParameters read_virtual_arm_parameters(const YamlReader& node) {
   return parameters;
 }
 
-std::string virtual_arm_parameters_to_yaml(const VirtualArmParameters& parameters, int indent) {
-  const std::string margin(static_cast<std::size_t>(indent), ' ');
-  std::string text;
+std::string to_yaml(const VirtualArmParameters& parameters) {
+  std::string text = std::string(kSection) + ":\n";
   for (const Field& field : kFields) {
     if (field.optional && parameters.*(field.member) == 0.0) {
       continue;
     }
-    text += fmt::format("{}{}: {}\n", margin, field.key, parameters.*(field.member));
+    text += fmt::format("  {}: {}\n", field.key, parameters.*(field.member));
   }
   for (const QuarticField& field : kQuarticFields) {
-    text +=
-        fmt::format("{}{}: [{}]\n", margin, field.key, fmt::join(parameters.*(field.member), ", "));
+    text += fmt::format("  {}: [{}]\n", field.key, fmt::join(parameters.*(field.member), ", "));
   }
-  return text + fmt::format("{}strength_seed: {}\n", margin, parameters.strength_seed);
+  return text + fmt::format("  strength_seed: {}\n", parameters.strength_seed);
+}
+
+}  // namespace
+
+VirtualArmParameters virtual_arm_parameters(const ArmDescription& arm) {
+  if (arm.virtual_arm.yaml.empty()) {
+    return {};
+  }
+  return read_parameters(
+      YamlReader::from_text(arm.virtual_arm.yaml, arm.virtual_arm.file).at(kSection));
+}
+
+void set_virtual_arm_parameters(ArmDescription& arm, const VirtualArmParameters& parameters) {
+  arm.virtual_arm.yaml = to_yaml(parameters);
+}
+
+std::string virtual_arm_to_yaml(const ArmDescription& arm) {
+  if (!arm.command.is_pressure_kpa()) {
+    return arm_to_yaml(arm);
+  }
+  ArmDescription complete = arm;
+  set_virtual_arm_parameters(complete, virtual_arm_parameters(arm));
+  return arm_to_yaml(complete);
 }
 
 }  // namespace limber

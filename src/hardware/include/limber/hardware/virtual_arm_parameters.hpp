@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <string>
 
-namespace limber {
+#include "limber/arm/arm_description.hpp"
 
-class YamlReader;
+namespace limber {
 
 /// c1 x + c2 x² + c3 x³ + c4 x⁴; [0] is c1.
 using QuarticCoefficients = std::array<double, 4>;
@@ -73,7 +73,22 @@ struct VirtualArmParameters {
   double time_step_s = 0.001;
 };
 
-VirtualArmParameters read_virtual_arm_parameters(const YamlReader& node);
-std::string virtual_arm_parameters_to_yaml(const VirtualArmParameters& parameters, int indent);
+/// Of the arm's file; what it leaves out is as above. @throws InputError naming file, line and key.
+VirtualArmParameters virtual_arm_parameters(const ArmDescription& arm);
+
+/// Puts `parameters` in place of what the arm's file says.
+void set_virtual_arm_parameters(ArmDescription& arm, const VirtualArmParameters& parameters);
+
+/// change(parameters), and puts them back.
+template <class Change>
+void change_virtual_arm(ArmDescription& arm, Change&& change) {
+  VirtualArmParameters parameters = virtual_arm_parameters(arm);
+  change(parameters);
+  set_virtual_arm_parameters(arm, parameters);
+}
+
+/// The arm as YAML with every parameter, also those that its file leaves out: what the virtual arm's
+/// behaviour depends on.
+std::string virtual_arm_to_yaml(const ArmDescription& arm);
 
 }  // namespace limber

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "limber/forward/error_room.hpp"
+#include "limber/forward/motion_model.hpp"
+#include "limber/hardware/executor.hpp"
+#include "limber/planning/planner.hpp"
+
+namespace limber {
+
+struct ReplannerSettings {
+  /// Of each search; a number of queries, so that runs in simulated time can be repeated.
+  std::uint64_t queries = 20000;
+  int max_replans = 12;
+  /// Corrections end once they gain less than that, twice in a row, or nothing is left to gain:
+  /// about what the tracker's noise hides. [m], > 0.
+  double min_gain_m = 0.001;
+  int planner_jobs = 1;
+};
+
+/// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
+/// goal, and where it has strayed from its plan by as much as the plan keeps from obstacles. Every
+/// plan is certified. Small corrections from rest are predicted well, since the network's error
+/// grows with the motion.
+///
+/// Borrows arm, model and environment. Without tracking it asks for no plan: the run is then open
+/// loop.
+class Replanner final : public PlanSource {
+ public:
+  Replanner(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
+            const ErrorRoom& room, const ReplannerSettings& settings, std::uint64_t seed);
+  ~Replanner() override;
+
+  bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
+  std::optional<Plan> next(const Pressures& setpoint_kpa, const ArmState& state) override;
+
+ private:
+  bool has_more_to_gain(double error_m);
+  std::optional<Plan> search(const Environment& from_here, double margin_m);
+
+  const ArmDescription& arm_;
+  MotionModel model_;
+  const Environment& environment_;
+  ErrorRoom room_;
+  ReplannerSettings settings_;
+  std::uint64_t seed_;
+  std::unique_ptr<Planner> planner_;
+  int replans_ = 0;
+  int small_gains_ = 0;
+  bool halted_ = false;
+  std::optional<double> error_before_m_;  // of the correction under way
+};
+
+}  // namespace limber

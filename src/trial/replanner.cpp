@@ -1,0 +1,107 @@
+#include "limber/trial/replanner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "limber/common/interrupt.hpp"
+#include "limber/planning/planner_factory.hpp"
+
+namespace limber {
+
+namespace {
+
+/// What is asked of a correction, the most first: share of the goal's tolerances that it ends
+/// within, share of the room for the model's error that it keeps from obstacles. That error is one
+/// of long motions; a correction is short.
+struct Asked {
+  double tolerance;
+  double margin;
+};
+constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
+
+/// Both errors as one length: the heading counts as much as the position where each is at its
+/// tolerance.
+double as_length_m(const PoseGoal& goal, const PoseError& error) {
+  if (!goal.theta_rad) {
+    return error.position_m;
+  }
+  const double m_per_rad = goal.position_tolerance_m / goal.orientation_tolerance_rad;
+  return std::hypot(error.position_m, m_per_rad * error.orientation_rad);
+}
+
+double largest_distance_m(const Backbone& a, const Backbone& b) {
+  return double((a - b).leftCols<2>().rowwise().norm().maxCoeff());
+}
+
+}  // namespace
+
+Replanner::Replanner(const ArmDescription& arm, const MotionModel& model,
+                     const Environment& environment, const ErrorRoom& room,
+                     const ReplannerSettings& settings, std::uint64_t seed)
+    : arm_(arm),
+      model_(model),
+      environment_(environment),
+      room_(room),
+      settings_(settings),
+      seed_(seed),
+      planner_(make_planner("default", settings.planner_jobs)) {}
+
+Replanner::~Replanner() = default;
+
+bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) {
+  // No obstacle is nearer to the plan than its clearance.
+  const bool strays =
+      state.backbone &&
+      !(largest_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m);
+  halted_ = strays && replans_ < settings_.max_replans;
+  return !halted_;
+}
+
+bool Replanner::has_more_to_gain(double error_m) {
+  if (error_m < settings_.min_gain_m) {
+    return false;
+  }
+  if (error_before_m_) {
+    small_gains_ = *error_before_m_ - error_m < settings_.min_gain_m ? small_gains_ + 1 : 0;
+  }
+  error_before_m_ = error_m;
+  return small_gains_ < 2;
+}
+
+std::optional<Plan> Replanner::search(const Environment& from_here, double margin_m) {
+  PlanningProblem problem{arm_, model_, from_here, margin_m};
+  problem.margin_yields_to_start = true;
+  PlannerLimits limits;
+  limits.queries = settings_.queries;
+  const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(replans_);
+  return planner_
+      ->plan(problem, limits, seed, [](const PlannerProgress&) { return !interrupt_requested(); })
+      .plan;
+}
+
+std::optional<Plan> Replanner::next(const Pressures& setpoint_kpa, const ArmState& state) {
+  if (!state.backbone || replans_ >= settings_.max_replans) {
+    return std::nullopt;
+  }
+  const PoseError error =
+      pose_error(environment_.goal, tip_pose(state.backbone->cast<double>().eval()));
+  if (!halted_ && !has_more_to_gain(as_length_m(environment_.goal, error))) {
+    return std::nullopt;
+  }
+  halted_ = false;
+  Environment from_here = environment_;
+  from_here.start = ArmStart{setpoint_kpa, *state.backbone};
+  for (const Asked& asked : kAsked) {
+    from_here.goal = environment_.goal;
+    from_here.goal.position_tolerance_m *= asked.tolerance;
+    from_here.goal.orientation_tolerance_rad *= asked.tolerance;
+    if (std::optional<Plan> plan = search(from_here, asked.margin * room_.margin_m)) {
+      ++replans_;
+      return plan;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace limber
