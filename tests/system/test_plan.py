@@ -75,7 +75,7 @@ class Plan(InFolder):
         path = self.plan_file(PILLAR)
         found = self.run_limber("plan", *ARM, *BUDGET, "--environment", path, "--stay-recorded",
                                 code=2)
-        self.assertIn("--stay-recorded: the model does not say", found.stderr)
+        self.assertIn("--stay-recorded: the model does not store", found.stderr)
 
     def test_a_byte_order_mark_changes_nothing(self):
         self.plan(PILLAR, "--out", "p.json")
@@ -96,12 +96,12 @@ class Plan(InFolder):
         grown = (self.folder / "f").read_bytes()
         self.assertNotIn("motions", said("--environment", rest))
         self.assertEqual((self.folder / "f").read_bytes(), grown)
-        self.assertIn("asked for; growing it anew", said("--build-forest"))
+        self.assertIn("growing it again, as asked for", said("--build-forest"))
         self.assertEqual((self.folder / "f").read_bytes(), grown, "same seed, same forest")
         other = self.run_limber("plan", "--arm", "three_segment", "--no-load", *forest,
                                 "--build-forest")
-        self.assertIn("growing it anew", other.stderr)
-        self.assertIn("grown for another arm, model, valves or start; growing it anew",
+        self.assertIn("growing it again", other.stderr)
+        self.assertIn("grown for another arm, model, valves or start; growing it again",
                       said("--environment", rest))
 
     def test_a_forest_of_another_form_is_grown_anew_where_asked_for(self):

@@ -164,7 +164,7 @@ class Train(InFolder):
         twice = ("characterize", *ARM, "--out", "arm.yaml", "--plot", "./arm.yaml")
         message = self.run_limber(*twice, code=2).stderr
         self.assertIn("is the file that", message)
-        self.assertIn("writes as well", message)
+        self.assertIn("also writes", message)
 
     def test_another_arms_recording_is_refused(self):
         message = self.run_limber(
