@@ -97,7 +97,7 @@ class TrainVerb final : public Verb {
     if (!resume_ && !flags.force && fs::exists(checkpoint_path())) {
       throw InputError(
           fmt::format("{}: a run that was stopped; --resume goes on with it, --force "
-                      "starts anew",
+                      "starts over",
                       checkpoint_path().string()));
     }
     const ArmDescription arm = load_arm(find_arm_file(arm_));

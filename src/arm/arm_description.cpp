@@ -271,7 +271,7 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   if (arm.name.empty()) {
     root.at("name").refuse("an empty text found; expected a name");
   }
-  arm.frame_rate_hz = root.at("frame_rate_hz").number("frames a second", 1.0, 1000.0);
+  arm.frame_rate_hz = root.at("frame_rate_hz").number("frames per second", 1.0, 1000.0);
   arm.no_load = read_no_load(root);
   if (root.has("command")) {
     read_command_and_rate(root, arm);

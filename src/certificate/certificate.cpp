@@ -153,7 +153,7 @@ class Certifier::Certification {
   }
 
   /// Open loop from the start, and each step from the stored backbone before it beside that.
-  /// @return false where it gave up
+  /// @return false if it gave up
   bool simulate() {
     ExactNetwork::Workspace workspace;
     simulated_.reserve(plan_.frames.size());
@@ -215,7 +215,7 @@ class Certifier::Certification {
     return true;
   }
 
-  /// @return false where it gave up
+  /// @return false if it gave up
   bool check_collision() {
     if (give_up_.now()) {
       return false;

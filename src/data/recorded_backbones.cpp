@@ -20,7 +20,7 @@ namespace {
 constexpr double kBasePosition_m = 0.002;  // trackers are better than that
 constexpr double kBaseHeading_rad = 0.01;  // 7 mm at the end of a 0.7 m arm
 // Median distance of two plates over their gap at rest. A gap that stretches by half or bends by
-// 3.8 rad is no arm that we know; another unit or another arm is off by more.
+// 3.8 rad is not an arm that we know; another unit or another arm is off by more.
 constexpr double kLongestGap = 1.5;
 constexpr double kShortestGap = 0.5;
 // Standard deviation of the end's place over the arm's length, 1.4 mm at 0.7 m: more than a

@@ -203,7 +203,7 @@ void require_sizes_of(const Recording& recording, const ArmDescription& arm,
   }
   constexpr double kRateTolerance = 1e-6;  // relative; a rate is written once and copied
   if (std::abs(recording.rate_hz - arm.frame_rate_hz) > kRateTolerance * arm.frame_rate_hz) {
-    refuse(fmt::format("{} frames a second", recording.rate_hz),
+    refuse(fmt::format("{} frames per second", recording.rate_hz),
            fmt::format("{}", arm.frame_rate_hz));
   }
 }

@@ -282,7 +282,7 @@ class Reader {
                fmt::format("{} × {} × 3: frames × points × [x_m, y_m, theta_rad]", frames, m),
                "m, m, rad");
 
-    const std::string each = fmt::format("{}: one a frame", frames);
+    const std::string each = fmt::format("{}: one per frame", frames);
     const std::string motion_path = group + "/motion_index";
     episode.motion_index.resize(frames);
     read_into(motion_path, data_set(motion_path, {frames}, each.c_str(), "1"),

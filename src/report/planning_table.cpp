@@ -130,8 +130,8 @@ ReportTable all_plans_table(const std::vector<PlanningRow>& rows) {
 ReportTable one_plan_table(const std::vector<PlanningRow>& rows) {
   ReportTable table;
   table.caption =
-      "Table I the paper's way: one plan a cell (of the first trial solved) executed; N/A where it "
-      "collided";
+      "Table I the paper's way: one plan per cell (of the first trial solved) executed; N/A where "
+      "it collided";
   table.header = {
       "Environment",     "Model",     "Successful plans",      "Plan time (s)",
       "Plan cost (psi)", "Collision", "Distance to goal (cm)", "Orientation to goal (rad)"};

@@ -54,7 +54,7 @@ TipErrorSeries errors_over(const std::vector<FrameMatrix>& predicted,
   return all;
 }
 
-/// @throws InputError where a prediction within the pieces is not finite.
+/// @throws InputError if a prediction within the pieces is not finite.
 void require_finite(const std::vector<FrameMatrix>& predicted,
                     const std::vector<RolloutPiece>& pieces) {
   for (const RolloutPiece& piece : pieces) {

@@ -231,7 +231,7 @@ void TrainingRun::resume() {
   if (!same) {
     throw InputError(fmt::format(
         "{}: the checkpoint of a run of {}; this one is to be {}. Give the --epochs or "
-        "--time-limit-s that it was begun with, or leave out --resume to start anew",
+        "--time-limit-s that it was begun with, or leave out --resume to start over",
         settings_.checkpoint.string(), in_words(checkpoint.stages), in_words(settings_.stages)));
   }
   settings_.stages = std::move(checkpoint.stages);

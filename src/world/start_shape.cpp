@@ -89,7 +89,7 @@ std::string gap_fault(const ArmDescription& arm, const NoLoadModel& model, const
 
 std::optional<StartFault> find_start_fault(const Backbone& backbone, const ArmDescription& arm) {
   if (backbone.rows() != arm.point_count()) {
-    return StartFault{0, fmt::format("{} poses found; expected {}, one a plate of arm '{}'",
+    return StartFault{0, fmt::format("{} poses found; expected {}, one per plate of arm '{}'",
                                      backbone.rows(), arm.point_count(), arm.name)};
   }
   const BackboneD b = backbone.cast<double>();

@@ -95,7 +95,7 @@ class Train(InFolder):
         self.killed("--epochs", "3000", "--checkpoint-interval-s", "0")
         message = self.refused("--epochs", 600, "--resume")
         self.assertIn("the checkpoint of a run of 1000 epochs of 2-frame windows", message)
-        self.assertIn("leave out --resume to start anew", message)
+        self.assertIn("leave out --resume to start over", message)
         self.assertIn("a run that was stopped; --resume goes on", self.refused("--epochs", 3000))
         self.assertIn("other data or settings", self.refused("--epochs", 3000, "--resume", "--ensemble", 2))
 

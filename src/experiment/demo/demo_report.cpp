@@ -20,7 +20,7 @@ std::string mean_std(const ErrorStatistics& error, int digits) {
   return fmt::format("{:.{}f} ± {:.{}f}", error.mean, digits, error.std, digits);
 }
 
-/// A mean in the unit that `factor` leads to; a dash where there is none.
+/// A mean in the unit that `factor` leads to; a dash if there is none.
 std::string show(const std::optional<double>& mean, double factor, int digits) {
   return mean ? fmt::format("{:.{}f}", *mean * factor, digits) : "–";
 }
@@ -52,7 +52,7 @@ void opening(ReportPage& page, const DemoResults& results) {
        {"error taken away", fmt::format("{:.0f} %", evaluation.position_reduction_percent),
         fmt::format("orientation {:.0f} %; the paper 62 and 73",
                     evaluation.orientation_reduction_percent)},
-       {"network queries a second", rate(results.speed.paper_shape.single.queries_per_s),
+       {"network queries per second", rate(results.speed.paper_shape.single.queries_per_s),
         "the paper's shape, one at a time, one core; the paper 510"}});
   if (results.settings->quick) {
     page.remark(
@@ -200,7 +200,7 @@ void planning(ReportPage& page, const DemoResults& results) {
 
 ReportTable speed_table(const SpeedReport& speed) {
   ReportTable table;
-  table.caption = fmt::format("Forward-model queries a second on {}", speed.cpu);
+  table.caption = fmt::format("Forward-model queries per second on {}", speed.cpu);
   table.header = {"model", "one at a time", "in batches", "batch"};
   const auto add = [&](const std::string& name, const QueryRate& single, const QueryRate& batch) {
     table.rows.push_back({name, rate(single.queries_per_s), rate(batch.queries_per_s),
@@ -219,7 +219,7 @@ ReportTable speed_table(const SpeedReport& speed) {
 void times(ReportPage& page, const DemoResults& results) {
   page.heading("Speed")
       .table(speed_table(results.speed))
-      .figure({speed_chart(results.speed).svg(), "Forward-model queries a second, one core"})
+      .figure({speed_chart(results.speed).svg(), "Forward-model queries per second, one core"})
       .heading("Time");
   ReportTable table;
   table.header = {"stage", "time"};

@@ -172,7 +172,7 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
   }
   const Pressures limits_kpa = pressure_limits_kpa(arm);
   const auto refuse = [](const std::string& what) {
-    throw InputError(fmt::format("the forest holds {}: it is broken; grow it anew", what));
+    throw InputError(fmt::format("the forest holds {}: it is broken; grow it again", what));
   };
   if (forest.max_kpa.size() != limits_kpa.size()) {
     refuse(fmt::format("{} pressures a node; arm '{}' has {} segments", forest.max_kpa.size(),

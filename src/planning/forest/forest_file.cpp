@@ -32,7 +32,7 @@ class ForestReader {
   explicit ForestReader(const std::filesystem::path& path)
       : where_(path.string()), content_(parse_safetensors(read_file(path), where_)) {
     if (text("schema") != kSchema) {
-      refuse(where_, fmt::format("schema '{}'; expected {}: --build-forest grows it anew",
+      refuse(where_, fmt::format("schema '{}'; expected {}: --build-forest grows it again",
                                  shortened(text("schema")), kSchema));
     }
   }

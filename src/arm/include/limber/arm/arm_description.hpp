@@ -101,7 +101,8 @@ ArmDescription read_arm_keys(const std::string& keys, const std::string& name);
 
 /// `yaml`, the text of the arm's file, with the arm's strain polynomials in place of the old ones:
 /// everything else, comments too, stays as it is. Where the text has a form that cannot be edited
-/// in place, or differs from `arm` in more, `arm_to_yaml`. @throws InputError if it is no arm file.
+/// in place, or differs from `arm` in more, `arm_to_yaml`. @throws InputError if it is not an arm
+/// file.
 std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm);
 
 /// Distance along the arm at rest from the base to each plate, m numbers.

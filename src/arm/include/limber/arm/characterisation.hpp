@@ -43,7 +43,7 @@ struct StrainFit {
 /// Where the plain fit is not monotone, the least-squares fit among all quartics without constant
 /// term whose slope is ≥ 0 on [0, p_max] (docs/model.md (10)); exact, not a restriction of it.
 /// Pressures down to −1 % of the limit count as 0; those above 1.05 p_max are left out.
-/// @throws InputError where a value is not finite, a pressure is negative, fewer than 5 pressures
+/// @throws InputError if a value is not finite, a pressure is negative, fewer than 5 pressures
 /// are distinct, they do not cover the range up to p_max, the strain extends instead of contracting
 /// or exceeds 1, or the monotone fit leaves a residual above 10 % of full strain.
 StrainFit fit_strain_polynomial(const std::vector<BenchPoint>& points, double pressure_limit_kpa);
@@ -54,7 +54,7 @@ struct CharacterisedArm {
   std::vector<StrainFit> fits;
 };
 
-/// @throws InputError where there is nothing to fit: another command than pressures in kPa, or
+/// @throws InputError if there is nothing to fit: another command than pressures in kPa, or
 /// another no-load model. To be asked before the bench test.
 void require_characterisable(const ArmDescription& arm);
 

@@ -18,7 +18,7 @@ struct SegmentShape {
 struct SegmentPressure {
   double pressure_kpa = 0.0;  ///< within ± the segment's limit
   bool reachable =
-      false;  ///< false where more than the limit would be needed; the pressure is then the limit
+      false;  ///< false if more than the limit would be needed; the pressure is then the limit
 };
 
 /// Shape of the unloaded, frictionless arm at given pressures: docs/model.md, (3), (4), (11) and

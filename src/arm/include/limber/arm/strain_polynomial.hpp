@@ -47,7 +47,7 @@ StrainDifference max_strain_difference(const StrainPolynomial& a, const StrainPo
                                        double pressure_limit_kpa);
 
 /// Why no model can use the polynomial up to its pressure limit: it falls somewhere, or its full
-/// strain is not between 0 and 1. Empty where it is fine.
+/// strain is not between 0 and 1. Empty if it is fine.
 std::string why_unusable(const StrainPolynomial& c, double pressure_limit_kpa);
 
 }  // namespace limber

@@ -27,7 +27,7 @@ class ValveModel {
   explicit ValveModel(const ArmDescription& arm);
   /// The same of an arm of so many segments.
   static ValveModel ideal(int segment_count);
-  /// @throws InputError where the parameters do not fit the arm or are out of range.
+  /// @throws InputError if the parameters do not fit the arm or are out of range.
   ValveModel(const ArmDescription& arm, ValveParameters parameters);
 
   bool is_ideal() const { return parameters_.is_ideal(); }

@@ -42,7 +42,7 @@ struct ValveParameters {
 /// Longest dead time that a model accepts.
 inline constexpr double kLongestDeadTimeS = 5.0;
 
-/// Empty where a valve model of `arm` can use the parameters, else what is wrong with them:
+/// Empty if a valve model of `arm` can use the parameters, else what is wrong with them:
 /// "segment 1: dead_time_s = -1; expected …".
 std::string why_unusable(const ValveParameters& parameters, const ArmDescription& arm);
 /// The same without the arm: numbers out of range, or another number of segments.

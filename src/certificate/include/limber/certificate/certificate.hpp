@@ -19,7 +19,7 @@ namespace limber {
 struct CertificateFailure {
   std::string check;  ///< "limits", "rate", "start", "waypoints", "cost", "hold", "valves",
                       ///< "model", "collision", "goal", "claims", "seal", "sizes" or "unfinished"
-  int frame = -1;     ///< the first one that fails; −1 where no frame is to blame
+  int frame = -1;     ///< the first one that fails; −1 if no frame is to blame
   std::string message;
 };
 
@@ -45,7 +45,7 @@ struct Certificate {
   double max_step_kpa = 0.0;  ///< of a pressure in one frame
   double goal_distance_m =
       std::numeric_limits<double>::quiet_NaN();  ///< of the own simulation's last tip
-  double goal_orientation_rad = 0.0;             ///< 0 where the goal asks for none
+  double goal_orientation_rad = 0.0;             ///< 0 if the goal asks for none
   int frames = 0;
   /// Given up before all was looked at; then "unfinished" is the last of the failures. What was
   /// found until then stands, and what was not looked at has no figure.
@@ -82,10 +82,10 @@ class Certifier {
 
   /// @param give_up  asked often enough for the certificate to end within 5 ms of its turning true
   ///                 in any environment; the result is then `unfinished`. Empty: never
-  /// @throws InputError where the plan was made for another arm, other valves or another
+  /// @throws InputError if the plan was made for another arm, other valves or another
   /// environment (hashes in the message), or the network is of another arm. Everything else is a
   /// failure in the result.
-  /// @throws Interrupted where a signal comes while it looks for collisions.
+  /// @throws Interrupted if a signal comes while it looks for collisions.
   Certificate certify(const Plan& plan, const std::function<bool()>& give_up = {}) const;
 
   /// Of the environment: what plans have to state. Not free to work out where obstacles have many

@@ -18,7 +18,7 @@ inline constexpr std::uintmax_t kMaxFile = std::uintmax_t{1} << 32U;
 /// is untouched then, and no other one is left.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
-/// The whole file. @throws InputError where it is missing, may not be read, is no plain file (a
+/// The whole file. @throws InputError if it is missing, may not be read, is no plain file (a
 /// pipe would block, a device has no end) or is larger than kMaxFile; SystemFault where the
 /// disk fails.
 std::string read_file(const std::filesystem::path& path);
@@ -30,7 +30,7 @@ void require_plain_file(const std::filesystem::path& path);
 /// existing file unless `force`, and anything that is no plain file (a folder, a device, a link)
 /// always; refuses a path that names no file ("", "results/") and one where none can be made.
 /// Leaves nothing behind. @throws InputError that names --force, or the system's reason;
-/// SystemFault where the disk is full.
+/// SystemFault if the disk is full.
 void refuse_to_overwrite(const std::filesystem::path& path, bool force);
 
 /// The same for a folder that will be made or filled.

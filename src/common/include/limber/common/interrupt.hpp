@@ -11,7 +11,7 @@ void install_interrupt_handler();
 /// True after the first Ctrl-C or SIGTERM. Safe from any thread.
 bool interrupt_requested();
 
-/// @throws Interrupted where a signal has come.
+/// @throws Interrupted if a signal has come.
 void throw_if_interrupted();
 
 }  // namespace limber

@@ -16,7 +16,7 @@ class Progress {
  public:
   enum class Mode { automatic, quiet };
 
-  /// @param total  units of work, 0 where unknown.
+  /// @param total  units of work, 0 if unknown.
   Progress(std::string task, std::string unit, std::uint64_t total, Mode mode = Mode::automatic);
   ~Progress();
   Progress(const Progress&) = delete;

@@ -26,7 +26,7 @@ struct Episode {
       backbone;  ///< T×3m, poses (x_m, y_m, theta_rad) of the points, base first, θ unwrapped
   std::vector<int> motion_index;  ///< T, number of the commanded motion a frame belongs to, from 0
 
-  /// T, 1 where the backbone was seen, 0 where the frame was dropped and its backbone is filled in
+  /// T, 1 if the backbone was seen, 0 if the frame was dropped and its backbone is filled in
   /// between the neighbours that were; empty: all were seen. `read_recording` never leaves it
   /// empty.
   std::vector<std::uint8_t> tracked;
@@ -78,7 +78,7 @@ Recording make_recording(const ArmDescription& arm, const std::string& source, s
 void validate(const Recording& recording, const std::string& file);
 
 /// Writes atomically, after `validate`. Threads: any; HDF5 itself is entered by one at a time.
-/// @throws InputError as `validate`; SystemFault where the disk refuses.
+/// @throws InputError as `validate`; SystemFault if the disk refuses.
 void write_recording(const std::filesystem::path& path, const Recording& recording);
 
 /// Reads and validates. Threads: any; HDF5 itself is entered by one at a time.
@@ -86,7 +86,7 @@ void write_recording(const std::filesystem::path& path, const Recording& recordi
 /// and what is allowed: also where the file is no HDF5, damaged or cut short.
 Recording read_recording(const std::filesystem::path& path);
 
-/// @throws InputError where the recording's segments, points, rate or command are not the arm's.
+/// @throws InputError if the recording's segments, points, rate or command are not the arm's.
 void require_sizes_of(const Recording& recording, const ArmDescription& arm,
                       const std::string& file);
 

@@ -38,8 +38,8 @@ ValveErrors valve_errors(const ValveParameters& valves, const Recording& recordi
 /// The same for all segments where that is as good on what is held back, else for each its own;
 /// segments whose set points hardly change take those of the others. Where the recording does not
 /// tell, the findings say why and the parameters are ideal. Deterministic; seconds for any length.
-/// @param limits_kpa  largest commands, one a segment; empty: the largest set points.
-/// @throws InputError where `limits_kpa` has another size.
+/// @param limits_kpa  largest commands, one per segment; empty: the largest set points.
+/// @throws InputError if `limits_kpa` has another size.
 IdentifiedValves identify_valves(const Recording& recording, std::vector<double> limits_kpa = {});
 
 /// The same for an arm's recordings taken together. @pre they fit the arm.

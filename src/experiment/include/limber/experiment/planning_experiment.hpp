@@ -34,7 +34,7 @@ struct ExperimentSettings {
   AskedRoom room;  ///< where nothing is asked for, what each model says of its error
   std::uint64_t seed = 1;
   int planner_jobs = 1;  ///< threads of each planner
-  int jobs = 0;          ///< trials at once, 0: one a core
+  int jobs = 0;          ///< trials at once, 0: one per core
   bool resume = false;   ///< keep finished trials of the same experiment
   bool force = false;    ///< replace a folder that limber experiment did not make
   Progress::Mode progress = Progress::Mode::automatic;
@@ -58,7 +58,7 @@ void require_usable(const ExperimentSettings& settings);
 ///
 /// and returns the table. Trials are spread over threads; where no clock limits them, results do
 /// not depend on `jobs`. What the table says is read from the files, resumed or not.
-/// @throws InputError where settings are out of range, or differ from those being resumed;
+/// @throws InputError if settings are out of range, or differ from those being resumed;
 /// Interrupted after Ctrl-C: finished trials are kept.
 nlohmann::ordered_json run_experiment(const ExperimentSettings& settings);
 

@@ -20,7 +20,7 @@ class ForwardPipeline;
 /// model, or the no-load model compensated by a network. A pure function: the whole state is in its
 /// arguments.
 ///
-/// Sizes:   n segments, m backbone points; batches of k queries, one a column, a backbone's 3m
+/// Sizes:   n segments, m backbone points; batches of k queries, one per column, a backbone's 3m
 ///          numbers in row order.
 /// Threads: constant after construction; it moves but is not copied; each thread brings its own
 /// Workspace.
@@ -36,7 +36,7 @@ class ForwardModel {
 
   /// The no-load model alone.
   explicit ForwardModel(const ArmDescription& arm, CpuLevel level = cpu_level());
-  /// @throws InputError where the network is not valid or was trained for another arm (both names
+  /// @throws InputError if the network is not valid or was trained for another arm (both names
   /// and hashes in the message).
   ForwardModel(const ArmDescription& arm, CompensationModel compensation,
                CpuLevel level = cpu_level(), WeightPrecision precision = WeightPrecision::single);
@@ -65,7 +65,7 @@ class ForwardModel {
                   const Eigen::Ref<const Eigen::MatrixXf>& previous,
                   Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const;
 
-  /// One query, checked. @throws InputError where a size is wrong, a number not finite or a
+  /// One query, checked. @throws InputError if a size is wrong, a number not finite or a
   /// pressure beyond its limit (by more than 5 %: a measured pressure overshoots).
   Backbone checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
                         const Backbone& previous) const;

@@ -103,7 +103,7 @@ class MotionBatch {
  private:
   MotionSimulator& simulator_;
   RolloutBatch rollouts_;
-  std::vector<Eigen::MatrixXf> frames_;  // one a motion, 3m × (frames + 1)
+  std::vector<Eigen::MatrixXf> frames_;  // one per motion, 3m × (frames + 1)
   std::vector<MotionState> ends_;
 };
 

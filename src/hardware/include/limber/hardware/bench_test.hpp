@@ -12,7 +12,7 @@ namespace limber {
 /// is pressurised from 0 to the segment's limit in `steps` equal steps, each held until the segment
 /// stands still. The strain so includes the segment's own elasticity.
 /// @param steps  ≥ 4, so that a quartic can be fitted; `steps` + 1 points come back.
-/// @throws InputError where `segment` or `steps` is out of range, SystemFault where the simulation
+/// @throws InputError if `segment` or `steps` is out of range, SystemFault if the simulation
 /// blows up or does not come to rest.
 std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int steps = 20);
 

@@ -54,7 +54,7 @@ struct ExecutionResult {
   std::optional<Backbone> final_backbone;  ///< after the hold, or at the fault; none if untracked
   PoseError goal_error;                    ///< of it; meaningless without `final_backbone`
   bool goal_reached = false;
-  std::optional<ExecutedError> prediction;  ///< none where nothing was tracked
+  std::optional<ExecutedError> prediction;  ///< none if nothing was tracked
 
   /// What was commanded and measured, time 0 being the start; no frames where nothing was tracked.
   /// A motion is one edge of the plan, the hold belongs to the last.
@@ -65,8 +65,8 @@ struct ExecutionResult {
 /// happens (end, fault, Ctrl-C, exception), the arm is vented before this returns. A start under
 /// pressure is approached first, straight in pressure space and held 3 s, unrecorded.
 ///
-/// Collision: the backbones that the driver returns, once a frame.
-/// @throws InputError where plan, environment and arm don't belong together (hashes in the
+/// Collision: the backbones that the driver returns, once per frame.
+/// @throws InputError if plan, environment and arm don't belong together (hashes in the
 /// message).
 [[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
                                       const Plan& plan, ArmDriver& driver,

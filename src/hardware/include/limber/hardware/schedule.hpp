@@ -51,7 +51,7 @@ struct EpisodeSchedule {
 /// directed graph with self-loops, its order drawn by `seed`, cut into episodes; with `count` the
 /// first ones of that walk (above 6 segments, where the walk would be huge, a random walk).
 /// Random: `count` motions in each of `episodes` episodes, from rest.
-/// @throws InputError where a number is out of its range, or where n > 3 and no count is given
+/// @throws InputError if a number is out of its range, or where n > 3 and no count is given
 /// (with the time that all transitions would take).
 std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
                                            const ScheduleSettings& settings, std::uint64_t seed);

@@ -39,7 +39,7 @@ struct VirtualArmState {
   std::vector<double> position;        ///< MuJoCo's qpos: slide [m] and hinge [rad] of each gap
   std::vector<double> velocity;        ///< qvel
   std::vector<double> warm_start;      ///< qacc_warmstart
-  std::vector<double> pressure_kpa;    ///< true, signed, one a segment
+  std::vector<double> pressure_kpa;    ///< true, signed, one per segment
   std::vector<double> flow_kpa_per_s;  ///< what the valves let through
   std::vector<double> setpoint_kpa;    ///< what the pressure controller goes by
   std::deque<PendingSetpoint> pending_setpoints;  ///< commanded, but not there yet (dead time)
@@ -67,7 +67,7 @@ using StepObserver = std::function<void(double time_s, const BackboneD& backbone
 class VirtualArm final : public ArmDriver {
  public:
   /// At rest: straight, vented, at time 0.
-  /// @throws InputError where an option or a parameter is out of its range.
+  /// @throws InputError if an option or a parameter is out of its range.
   explicit VirtualArm(const ArmDescription& arm, const VirtualArmOptions& options = {});
   ~VirtualArm() override;
   VirtualArm(VirtualArm&&) noexcept;
@@ -76,7 +76,7 @@ class VirtualArm final : public ArmDriver {
   const ArmState& state() const override;
 
   /// As ArmDriver::command. Set points up to 1e-3 kPa beyond a limit (rounding) are clamped.
-  /// @throws SystemFault where the simulation blows up, naming time and pressures.
+  /// @throws SystemFault if the simulation blows up, naming time and pressures.
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override;
 
   /// Opens every vent valve: all set points zero, no dead band, until the next `command` arrives.
@@ -87,7 +87,7 @@ class VirtualArm final : public ArmDriver {
   const ArmState& settle(const Eigen::Ref<const Pressures>& setpoint_kpa, double seconds);
 
   VirtualArmState save() const;
-  /// @throws InputError where the state is another arm's (sizes differ).
+  /// @throws InputError if the state is another arm's (sizes differ).
   void restore(const VirtualArmState& state);
 
   /// Whoever must see every simulator step (collision with obstacles). Not part of the state; an
@@ -96,7 +96,7 @@ class VirtualArm final : public ArmDriver {
 
   /// m×3, without noise, drops or latency.
   BackboneD true_backbone() const;
-  /// Signed, one a segment, without noise or latency.
+  /// Signed, one per segment, without noise or latency.
   Eigen::VectorXd true_pressure_kpa() const;
   /// Change of a side's length over its unpressurised length, negative where it has contracted.
   /// @pre 0 ≤ segment < n.

@@ -18,7 +18,7 @@ struct TimeColumn {
   std::string unit = "s";  ///< as the mapping has it; "frame" with a rate
 };
 
-/// Where a log holds commands: either `measured`, signed, or one column a side.
+/// Where a log holds commands: either `measured`, signed, or one column per side.
 struct CommandColumns {
   TimeColumn time;
   std::vector<std::string> measured;  ///< n; a '-' before a name turns its sign
@@ -81,7 +81,7 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
 /// segment, with setpoint_0_kpa … where they are there.
 ImportMapping default_import_mapping(const ArmDescription& arm);
 
-/// Default columns as a log counts them: from 0, or from 1 where it has no column 0, as limber
+/// Default columns as a log counts them: from 0, or from 1 if it has no column 0, as limber
 /// wrote them before. @param names  the log's columns
 CommandColumns as_counted_in(const std::vector<std::string>& names, CommandColumns commands,
                              const ArmDescription& arm);

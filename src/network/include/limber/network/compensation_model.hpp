@@ -70,11 +70,11 @@ struct CompensationModel {
   std::string preset;  ///< "paper" or "best"
   /// Record of the training: data files and hashes, seed, epochs, losses, seconds.
   std::map<std::string, std::string> training;
-  /// What lies between set points and pressures of the recordings (docs/valves.md); none where
+  /// What lies between set points and pressures of the recordings (docs/valves.md); none if
   /// they did not tell, for the reason that the findings give.
   std::optional<ValveParameters> valves;
   ValveFindings valve_findings;
-  /// Of `layers` on motions that neither trained nor chose it; none where none were left for it.
+  /// Of `layers` on motions that neither trained nor chose it; none if none were left for it.
   std::optional<PredictionError> prediction_error;
   /// What the training recordings held; none in files of before it was kept.
   std::optional<LearntRegion> learnt;

@@ -9,10 +9,10 @@
 
 namespace limber {
 
-/// Backbones in 16 bits a number, one a column: of every plate but the first its pose as seen from
-/// the plate before it, (Δx, Δy) in 1/32767 of the arm's length and Δθ in 1/32767 of π. Errors add
-/// up along the arm, to some tenths of a millimetre at the tip of one metre: to propose with, never
-/// to judge by.
+/// Backbones in 16 bits per number, one per column: of every plate but the first its pose as seen
+/// from the plate before it, (Δx, Δy) in 1/32767 of the arm's length and Δθ in 1/32767 of π. Errors
+/// add up along the arm, to some tenths of a millimetre at the tip of one metre: to propose with,
+/// never to judge by.
 using QuantizedShapes = Eigen::Matrix<std::int16_t, Eigen::Dynamic, Eigen::Dynamic>;
 using QuantizedShapeRef = Eigen::Ref<const Eigen::Matrix<std::int16_t, Eigen::Dynamic, 1>>;
 

@@ -39,7 +39,7 @@ struct PlanningProblem {
   /// Whether an arm that starts nearer to an obstacle than the margin keeps what it starts with: it
   /// is known to be where it starts.
   bool margin_yields_to_start = false;
-  /// Whether the goal leaves room for the model's error; where not, little is gained by improving
+  /// Whether the goal leaves room for the model's error; if not, little is gained by improving
   /// plans for long.
   bool goal_has_room = true;
 };
@@ -84,7 +84,7 @@ struct PlannerProgress {
   std::optional<double> best_cost_kpa;  ///< none before the first solution
 };
 
-/// Called about ten times a second, on the planner's own thread. False asks the planner to stop.
+/// Called about ten times per second, on the planner's own thread. False asks the planner to stop.
 using PlannerCallback = std::function<bool(const PlannerProgress&)>;
 
 /// The first plan that held before its judge.
@@ -118,7 +118,7 @@ struct PlanResult {
   std::vector<std::string> warnings;
   std::optional<PlanLimit> limit;  ///< the limit that ended the search; none at the cost threshold
   std::optional<Plan> plan;        ///< set if and only if solved
-  /// The motion that came nearest to the goal, where there is no plan. Free of collision, but not
+  /// The motion that came nearest to the goal, if there is no plan. Free of collision, but not
   /// in the goal: never to be executed as a solution. Its clearance is not measured.
   std::optional<Plan> best_partial;
   std::optional<Certificate> certificate;  ///< of the plan that was found
@@ -136,7 +136,7 @@ struct PlanResult {
 
 /// A planner in pressure space.
 ///
-/// Laws: a plan is simulated anew from the start, frame by frame, before it is returned, and every
+/// Laws: a plan is simulated again from the start, frame by frame, before it is returned, and every
 /// frame and the motion between frames is free; its last frame, after the hold, is in the goal. The
 /// cost never rises with the budget. Runs limited by iterations or queries alone depend on the seed
 /// and nothing else, not even the number of threads; the time limit is kept to 50 ms. Threads: one
@@ -145,7 +145,7 @@ class Planner {
  public:
   virtual ~Planner() = default;
   virtual const char* name() const = 0;
-  /// @throws InputError where no limit is set or one is not positive.
+  /// @throws InputError if no limit is set or one is not positive.
   [[nodiscard]] virtual PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits,
                                         std::uint64_t seed,
                                         const PlannerCallback& callback = {}) = 0;

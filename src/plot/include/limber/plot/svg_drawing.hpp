@@ -49,7 +49,7 @@ class SvgDrawing {
   void segments(std::span<const WorldPoint> end_points, const ShapeStyle& style = {});
   /// A thick body: gap i, from point i to i + 1, is a capsule of radius radii_m[i]. Filled with
   /// style.fill as one shape (opacity does not add up where capsules overlap), outlined where
-  /// style.stroke is not "none". @throws InputError where the sizes do not fit.
+  /// style.stroke is not "none". @throws InputError if the sizes do not fit.
   void capsule_chain(std::span<const WorldPoint> points, std::span<const double> radii_m,
                      const ShapeStyle& style);
   /// Five-pointed, the first point upwards.

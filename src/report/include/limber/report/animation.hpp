@@ -10,7 +10,7 @@
 
 namespace limber {
 
-/// One arm that moves through an animation, a shape a frame.
+/// One arm that moves through an animation, one shape per frame.
 struct AnimationTrack {
   std::string label;  ///< "predicted", "executed"
   std::string color;  ///< CSS
@@ -19,7 +19,7 @@ struct AnimationTrack {
 
 /// One self-contained HTML page, nothing loaded from elsewhere, in which arms move through an
 /// environment: play, pause, speed, a slider over time, and set points and pressures of each frame.
-/// @param setpoints_kpa  one a frame; may be shorter than the tracks
+/// @param setpoints_kpa  one per frame; may be shorter than the tracks
 /// @param pressures_kpa  the same: as predicted, or as measured
 std::string animation_page(const ArmDescription& arm, const Environment& environment,
                            const std::string& title, const std::vector<AnimationTrack>& tracks,

@@ -8,7 +8,7 @@
 namespace limber {
 
 /// One run as an SVG file's text: obstacles and goal; where the plan predicts the arm to end, and
-/// shapes that it really took, the last one full (at the fault, where there was one); the way of
+/// shapes that it really took, the last one full (at the fault, if there was one); the way of
 /// both tips; the shape at the first collision, in red. Shapes are those that were recorded.
 std::string execution_picture(const ArmDescription& arm, const Environment& environment,
                               const Plan& plan, const ExecutionResult& result);

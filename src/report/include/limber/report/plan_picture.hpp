@@ -30,14 +30,14 @@ void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan)
 /// The environment with the arm at its start, as an SVG file's text.
 std::string environment_picture(const ArmDescription& arm, const Environment& environment);
 
-/// All of it: environment, tree and plan (or the nearest motion, drawn dashed, where there is no
+/// All of it: environment, tree and plan (or the nearest motion, drawn dashed, if there is no
 /// plan) as an SVG file's text.
 std::string plan_picture(const ArmDescription& arm, const Environment& environment,
                          const PlanResult& result);
 
 /// Set points, the pressures predicted from them and, where given, the measured ones over time, one
 /// chart for all segments, as an SVG file's text.
-/// @param measured_kpa  one row a frame, the plan's frames first; may be empty
+/// @param measured_kpa  one row per frame, the plan's frames first; may be empty
 std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
                              const std::vector<Pressures>& measured_kpa = {});
 

@@ -30,7 +30,7 @@ struct RolloutErrors {
   TipErrors per_motion;
   TipErrors open_loop;
   /// Open loop too, and fed with the pressures that the model's valves make of the recording's set
-  /// points: what a plan's prediction is worth. None where the model has no valves, or the
+  /// points: what a plan's prediction is worth. None if the model has no valves, or the
   /// recording no set points of its own.
   std::optional<TipErrors> open_loop_from_setpoints;
 };
@@ -41,7 +41,7 @@ struct Evaluation {
   std::int64_t frames = 0;  ///< tracked ones after the first of each episode: those that count
   TipErrors no_load_open_loop;
   std::optional<RolloutErrors> network;
-  LongRollout long_rollout;  ///< of the network, where there is one
+  LongRollout long_rollout;  ///< of the network, if there is one
   TipErrors hold_one_step;   ///< B_t = B_{t−1}
   TipErrors hold_one_step_moving;
   TipErrors constant_velocity_one_step;  ///< B_t = 2 B_{t−1} − B_{t−2}
@@ -59,12 +59,12 @@ FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart r
                     int jobs = 0);
 
 /// The same for several episodes, side by side.
-/// @throws InputError where a prediction is not finite.
+/// @throws InputError if a prediction is not finite.
 std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
                                  Restart restart, int jobs = 0);
 
 /// @param network  null: no-load model only.
-/// @throws InputError where the recording has no episode of at least three frames.
+/// @throws InputError if the recording has no episode of at least three frames.
 Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     const std::vector<Episode>& episodes, int jobs = 0);
 

@@ -8,7 +8,7 @@
 namespace limber {
 
 /// Over frames: mean, standard deviation (of the population) and 95th percentile; and the largest
-/// mean over the frames of one commanded motion. NaN where there is no frame.
+/// mean over the frames of one commanded motion. NaN if there is no frame.
 struct ErrorStatistics {
   double mean = 0.0;
   double std = 0.0;
@@ -22,7 +22,7 @@ struct TipErrors {
   ErrorStatistics orientation_rad;
 };
 
-/// Errors of predicted tips, one per frame; NaN where the arm was not seen or nothing predicted.
+/// Errors of predicted tips, one per frame; NaN if the arm was not seen or nothing predicted.
 struct TipErrorSeries {
   std::vector<double> position_cm;
   std::vector<double> orientation_rad;

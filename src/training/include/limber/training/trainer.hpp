@@ -25,13 +25,13 @@ struct TrainingData {
 
 /// Holds back whole episodes for validation, chosen by `seed`: about `fraction` of the frames, at
 /// least one episode. Of a single episode the last `fraction` is held back.
-/// @throws InputError where nothing would be left to learn from.
+/// @throws InputError if nothing would be left to learn from.
 TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction,
                                   std::uint64_t seed);
 
 /// Then holds back for `data.unseen` about `fraction` of the frames of training and validation:
 /// whole training episodes, chosen by `seed`, of which one stays; or the end of the longest one,
-/// where that is more than twice as long. Nothing where that is too short. What validates stays as
+/// where that is more than twice as long. Nothing if that is too short. What validates stays as
 /// it is. To be called after `hold_back_validation`, or before validation episodes come from
 /// elsewhere.
 void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed);
@@ -42,7 +42,7 @@ struct LearningCurvePoint {
   int window_frames = 0;
   double learning_rate = 0.0;
   double loss = 0.0;                        ///< mean frame error, normalised units
-  double validation_position_error_cm = 0;  ///< of the tip, see `train`; NaN where not measured
+  double validation_position_error_cm = 0;  ///< of the tip, see `train`; NaN if not measured
   double elapsed_s = 0.0;
 };
 
@@ -66,12 +66,12 @@ struct TrainingResult {
 /// Validation error: mean distance of the tip over open-loop rollouts of up to 600 frames that
 /// cover the validation episodes; of an ensemble, of the mean of its members' predictions, each
 /// member rolled out by itself. Frames in which the arm was not tracked don't count.
-/// @throws InputError where the data don't fit the arm, or are too short for one window.
+/// @throws InputError if the data don't fit the arm, or are too short for one window.
 [[nodiscard]] TrainingResult train(const ArmDescription& arm, const TrainingData& data,
                                    const TrainingSettings& settings);
 
 /// The same, from the weights of `start` (fine-tuning): its layout, hidden units, members and
-/// normalisation are kept. @throws InputError where it is another arm's.
+/// normalisation are kept. @throws InputError if it is another arm's.
 [[nodiscard]] TrainingResult fine_tune(const ArmDescription& arm, const TrainingData& data,
                                        const TrainingSettings& settings,
                                        const CompensationModel& start);

@@ -61,7 +61,7 @@ struct TrainingSettings {
   double replay_share = 0.25;  ///< of an epoch's windows, from what is replayed; [0, 0.95]
 
   std::uint64_t seed = 1;
-  int jobs = 0;  ///< threads, 0: one a core; never changes a result
+  int jobs = 0;  ///< threads, 0: one per core; never changes a result
   /// > 0: the epochs of every stage are scaled to about this, once, at the start.
   double time_limit_s = 0;
   int validation_interval = 1;  ///< epochs between validations
@@ -90,12 +90,12 @@ TrainingSettings best_preset();
 TrainingSettings training_preset(const std::string& name);
 
 /// Scales the stages to `epochs` in all, keeping their proportions; each keeps at least one.
-/// @throws InputError where there are fewer epochs than stages.
+/// @throws InputError if there are fewer epochs than stages.
 void set_epoch_count(TrainingSettings& settings, int epochs);
 
 /// Stages of windows of these lengths instead, in this order, that share the epochs there are.
-/// @param window_frames  one a stage, each ≥ 1
-/// @throws InputError where there is none, one is < 1, or there are fewer epochs than stages.
+/// @param window_frames  one per stage, each ≥ 1
+/// @throws InputError if there is none, one is < 1, or there are fewer epochs than stages.
 void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames);
 
 /// @throws InputError naming the setting, what it is and what is allowed.

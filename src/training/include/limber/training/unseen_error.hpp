@@ -23,14 +23,14 @@ inline constexpr double kLongestErrorRun_s = 5.0;
 /// backbone of its first frame, in which the arm was seen; set points of before it are known to the
 /// valves. Where no valves are known, set points count as pressures, as in plans; where the
 /// recording holds no set points of its own, measured pressures are used. Frames in which the arm
-/// was not seen don't count; a run ends with the last one in which it was. None where there is no
+/// was not seen don't count; a run ends with the last one in which it was. None if there is no
 /// run, or a prediction is not finite. The same for any `jobs`.
 std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,
                                                         const CompensationModel& model,
                                                         const std::vector<Episode>& unseen,
                                                         int jobs = 0);
 
-/// Measures the error of a finished model and stores it (none where it can't be measured), and
+/// Measures the error of a finished model and stores it (none if it can't be measured), and
 /// widens what the model counts as learnt, where it says so, by its own predictions along the same
 /// runs: networks draw shapes that are a little off those of an arm, and whoever asks about
 /// predicted shapes should not be told of that.

@@ -52,7 +52,7 @@ PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
 /// Executes the trial's plan, if it has one, on a fresh virtual arm at rest without sensor faults.
 void execute_trial(const ArmDescription& arm, const Environment& environment, PlanTrial& trial);
 
-/// Means over the trials of one model in one environment, or in all of them; none where nothing
+/// Means over the trials of one model in one environment, or in all of them; none if nothing
 /// counts.
 struct TrialSummary {
   int trials = 0;
@@ -70,7 +70,7 @@ struct TrialSummary {
 TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
                        const std::string& model);
 
-/// The cheapest solved trial; null where there is none. @param environment, model  empty: any.
+/// The cheapest solved trial; null if there is none. @param environment, model  empty: any.
 const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials, const std::string& environment,
                                const std::string& model);
 

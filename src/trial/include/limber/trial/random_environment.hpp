@@ -29,7 +29,7 @@ struct RandomEnvironment {
 /// goal is where its tip ends after the hold; the straight motion in pressure to the same end
 /// collides, and none to an inverse-kinematics solution solves it.
 /// @param number  of the environment among those of `seed`; names it, too
-/// @return none where `attempts` did not give one
+/// @return none if `attempts` did not give one
 std::optional<RandomEnvironment> random_environment(
     const ArmDescription& arm, const MotionModel& model, std::uint64_t seed, std::uint64_t number,
     const RandomEnvironmentSettings& settings = RandomEnvironmentSettings());

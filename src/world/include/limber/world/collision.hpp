@@ -47,11 +47,11 @@ class CollisionChecker {
   Clearance clearance(const Eigen::Ref<const Backbone>& backbone) const;
   Clearance clearance(const Eigen::Ref<const BackboneD>& backbone) const;
 
-  /// True where no obstacle touches the arm; stops at the first that does.
+  /// True if no obstacle touches the arm; stops at the first that does.
   bool is_free(const Eigen::Ref<const Backbone>& backbone) const;
   bool is_free(const Eigen::Ref<const BackboneD>& backbone) const;
 
-  /// True where the arm stays free while every plate moves straight, and turns evenly, from `from`
+  /// True if the arm stays free while every plate moves straight, and turns evenly, from `from`
   /// to `to`, both ends included.
   bool is_motion_free(const Eigen::Ref<const Backbone>& from,
                       const Eigen::Ref<const Backbone>& to) const;
@@ -69,7 +69,7 @@ class CollisionChecker {
 
  private:
   std::vector<ObstacleShape> obstacles_;  // nearest to the base first
-  std::vector<double> radius_m_;          // one a gap
+  std::vector<double> radius_m_;          // one per gap
   std::unique_ptr<const BroadPhase> broad_;
 };
 

@@ -17,7 +17,7 @@ class RandomStream;
 struct InverseKinematicsSettings {
   int starts = 40;                     ///< random configurations Newton starts from, ≥ 1
   int max_solutions = 8;               ///< stops early at this many distinct ones, ≥ 1
-  int iterations = 60;                 ///< Newton steps a start, ≥ 1
+  int iterations = 60;                 ///< Newton steps per start, ≥ 1
   double convergence_m = 1e-10;        ///< a start is done at this residual, > 0
   double distinct_pressure_kpa = 1.0;  ///< solutions differ by more than this in some segment
 };
@@ -32,7 +32,7 @@ struct InverseKinematicsResult {
   Eigen::VectorXd best_pressures_kpa;
   PoseError best_error;
   int starts_used = 0;
-  std::string reason;  ///< why there is no solution, with amounts; empty where there is one
+  std::string reason;  ///< why there is no solution, with amounts; empty if there is one
 
   bool reachable() const { return !pressures_kpa.empty(); }
 };

@@ -25,7 +25,7 @@ struct PlanFrame {
 struct CertifiedFigures {
   double clearance_m = 0.0;      ///< +∞ without obstacles
   double max_deviation_m = 0.0;  ///< of a plate from where the plan has it
-  /// Set by the reader: false where anything in the file was changed since.
+  /// Set by the reader: false if anything in the file was changed since.
   bool seal_is_intact = true;
 };
 
@@ -58,7 +58,7 @@ struct Plan {
   double cost_kpa = 0.0;         ///< (2): Σ|Δp| over all segments and frames
   double clearance_m = 0.0;      ///< smallest predicted, between frames too; +∞ without obstacles
   double goal_distance_m = 0.0;  ///< predicted, after the hold
-  double goal_orientation_rad = 0.0;  ///< the same; 0 where the goal asks for none
+  double goal_orientation_rad = 0.0;  ///< the same; 0 if the goal asks for none
   std::string program_version;
   std::optional<CertifiedFigures> certified;  ///< none: not certified yet
 
@@ -86,16 +86,17 @@ Plan read_plan(const std::filesystem::path& path);
 /// @throws InputError naming file and field.
 Plan read_plan_unjudged(const std::filesystem::path& path);
 
-/// @throws InputError where the plan was made for another arm (hashes and keys in the message), or
+/// @throws InputError if the plan was made for another arm (hashes and keys in the message), or
 /// breaks the arm's pressure limits or rate.
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file);
 
 /// Set points for a valve controller, and the pressures predicted for the end of their frame:
-/// `time_s,setpoint_0_kpa,…,pressure_0_kpa,…`, one row a frame, time at which the frame's set
+/// `time_s,setpoint_0_kpa,…,pressure_0_kpa,…`, one row per frame, time at which the frame's set
 /// points are to be commanded.
 void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan);
 
-/// Predicted shapes: `time_s,x_0_m,y_0_m,theta_0_rad,…`, one row a frame, its time the frame's end.
+/// Predicted shapes: `time_s,x_0_m,y_0_m,theta_0_rad,…`, one row per frame, its time the frame's
+/// end.
 void write_backbones_csv(const std::filesystem::path& path, const Plan& plan);
 
 }  // namespace limber

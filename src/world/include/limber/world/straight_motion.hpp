@@ -31,7 +31,7 @@ void motion_setpoint(const Eigen::Ref<const Pressures>& from_kpa,
                      Eigen::Ref<Pressures> setpoint_kpa);
 
 /// Set points of the frames from `from` to `to`, `to` included and `from` not: evenly along the
-/// straight line, as few as let no segment move by more than the arm's step limit a frame: the
+/// straight line, as few as let no segment move by more than the arm's step limit per frame: the
 /// frame rule above.
 std::vector<Pressures> straight_frames(const ArmDescription& arm, const Pressures& from,
                                        const Pressures& to);
