@@ -116,10 +116,11 @@ TEST_F(LogClock, RefusesAClockThatJumps) {
   const auto jumps = [](double time_s) {
     return fmt::format("{:.3f}", time_s < 10.0 ? time_s : kEpoch_s + time_s);
   };
-  expect_refused(pressures(jumps), 0.0,
-                 {"p.csv: column 'time_s', read in s, gives 50 rows per second, so its 1000 rows are "
-                  "20 s long, but they reach over 1.7e+09 s",
-                  "9.98 s is followed by 1700000010 s"});
+  expect_refused(
+      pressures(jumps), 0.0,
+      {"p.csv: column 'time_s', read in s, gives 50 rows per second, so its 1000 rows are "
+       "20 s long, but they reach over 1.7e+09 s",
+       "9.98 s is followed by 1700000010 s"});
   // The same in a log of both.
   std::string text = log();
   text += fmt::format("1e300{}{}\n", truth_.pressure_cells(20.0), pose_cells(20.0));

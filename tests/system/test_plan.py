@@ -104,7 +104,7 @@ class Plan(InFolder):
         self.assertIn("grown for another arm, model, valves or start; growing it again",
                       said("--environment", rest))
 
-    def test_a_forest_of_another_form_is_grown_anew_where_asked_for(self):
+    def test_a_forest_of_another_form_is_grown_again_where_asked_for(self):
         rest = self.plan_file(PILLAR, "rest.yaml")
         forest = ("--forest", "f", "--forest-nodes", 2000)
         plan = ("plan", *ARM, *BUDGET, *forest, "--environment", rest)
@@ -113,7 +113,7 @@ class Plan(InFolder):
         (self.folder / "f").write_bytes(grown.replace(b"limber/forest/3", b"limber/forest/1"))
         refused = self.run_limber(*plan, code=2)
         self.assertIn("f: schema 'limber/forest/1'; expected limber/forest/3: --build-forest grows "
-                      "it anew", refused.stderr)
+                      "it again", refused.stderr)
         self.run_limber(*plan, "--build-forest")
         self.assertEqual((self.folder / "f").read_bytes(), grown)
 

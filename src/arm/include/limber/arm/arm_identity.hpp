@@ -11,8 +11,8 @@ namespace limber {
 /// What a model, plan, forest or recording keeps of the arm that it was made for, so that another
 /// machine can tell whether an arm file is the same arm.
 ///
-/// Hashes alone do not say so: two CPUs fit strain polynomials that differ in the last digit, and a
-/// length typed as 0.2350001 is no other arm. Where the hashes differ, the keys are compared.
+/// Hashes alone do not tell this: two CPUs fit strain polynomials that differ in the last digit,
+/// and a length typed as 0.2350001 is not another arm. If the hashes differ, the keys are compared.
 struct ArmIdentity {
   std::string name;
   std::string hash;         ///< ArmDescription::hash()

@@ -31,9 +31,9 @@ struct LeastSlope {
 /// Exact: the ends and the two places where the slope's own derivative vanishes.
 LeastSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa);
 
-/// Strains this close over the whole pressure range are those of the same segment: ten times what
-/// two machines' rounding makes of one bench test, and too little for a certificate to tell (5e-6
-/// in every segment of a long, thin arm moves its tip by 0.05 mm).
+/// Strains this close over the whole pressure range are those of the same segment. This is ten
+/// times the rounding difference between two machines for one bench test, and too little for a
+/// certificate to notice (5e-6 in every segment of a long, thin arm moves its tip by 0.05 mm).
 inline constexpr double kSameStrain = 5e-6;
 
 /// Where two polynomials are farthest apart, and how far.

@@ -34,7 +34,7 @@ struct ValveParameters {
   std::vector<SegmentValves> segments;  ///< empty: ideal valves, pressures are the set points
 
   bool is_ideal() const { return segments.empty(); }
-  /// Of everything that a prediction depends on; empty for ideal valves.
+  /// Hash of everything that a prediction depends on; empty for ideal valves.
   std::string hash() const;
   bool operator==(const ValveParameters&) const = default;
 };

@@ -8,8 +8,8 @@
 
 namespace limber {
 
-/// Progress of one long task on standard error: a bar with rate and time left on a terminal,
-/// otherwise a line now and then, nothing when quiet.
+/// Progress of one long task on standard error: on a terminal a bar with rate and time left,
+/// otherwise an occasional line, nothing when quiet.
 ///
 /// Threads: `advance` and `update` may be called from several at once.
 class Progress {

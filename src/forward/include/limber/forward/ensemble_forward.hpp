@@ -7,11 +7,11 @@
 
 namespace limber {
 
-/// Mean and spread of an ensemble's predictions: networks trained together, each from weights of
-/// its own. Each member carries its own backbone, so members that have drifted apart stay apart:
-/// the spread grows along a rollout as the members' doubts do. Where a pure function of one
-/// backbone is wanted (planning, execution), ForwardModel on the same file is the member that
-/// validated best.
+/// Mean and spread of an ensemble's predictions: networks trained together, each from its own
+/// initial weights. Each member carries its own backbone, so members that have drifted apart stay
+/// apart, and the spread grows along a rollout as the uncertainty does. Where a pure function of
+/// one backbone is needed (planning, execution), ForwardModel on the same file is the member with
+/// the smallest validation error.
 ///
 /// Sizes: N members, n segments, m backbone points; k queries, one per column.
 /// Threads: constant after construction; each thread brings its own Workspace.

@@ -25,7 +25,7 @@ struct CommandColumns {
   std::vector<std::string> right;     ///< n; the side that a positive pressure inflates
   std::vector<std::string> left;      ///< n
   std::vector<std::string> setpoint;  ///< n, or none
-  bool setpoint_optional = false;     ///< left out where the log has no such columns
+  bool setpoint_optional = false;     ///< left out if the log has no such columns
   std::string unit = "kPa";
   double factor = 1.0;  ///< to the arm's unit
 };
@@ -77,8 +77,8 @@ struct ImportMapping {
 /// Reads a mapping for `arm`. @throws InputError naming file, line and field.
 ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDescription& arm);
 
-/// Where no mapping is given: time_s, and pressure_0_kpa … (command_0 … for another command), one a
-/// segment, with setpoint_0_kpa … where they are there.
+/// The mapping if none is given: time_s, and pressure_0_kpa … (command_0 … for another command),
+/// one per segment, with setpoint_0_kpa … if there are such columns.
 ImportMapping default_import_mapping(const ArmDescription& arm);
 
 /// Default columns as a log counts them: from 0, or from 1 if it has no column 0, as limber

@@ -19,7 +19,7 @@ struct ImportNote {
   std::string first;
 };
 
-/// How well one point was seen.
+/// How well one point was tracked.
 struct PointReport {
   std::string name;
   int plate = 0;

@@ -20,7 +20,7 @@ std::string onnx_version();
 void write_onnx(const std::filesystem::path& path, const CompensationModel& model);
 
 /// `count` seeded queries within the model's normalisation ranges and the network's answers to
-/// them, to compare another program's with: CSV columns query_0 …, answer_0 …, nine digits.
+/// them, to compare another program with: CSV columns query_0 …, answer_0 …, nine digits.
 std::string reference_queries_csv(const CompensationModel& model, int count, std::uint64_t seed);
 
 }  // namespace limber

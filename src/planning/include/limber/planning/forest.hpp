@@ -32,9 +32,9 @@ struct ForestKey {
 ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
                      const ValveParameters& valves, const ArmStart& start);
 
-/// Motions that a model can make from one start where nothing is in the way, to be looked through
-/// for those that an environment leaves free (docs/planning.md). Node 0 is the start; a node comes
-/// after its parent. Constant after construction; share it freely.
+/// Motions that a model can make from one start without obstacles; a search looks for those that an
+/// environment leaves free (docs/planning.md). Node 0 is the start; a node comes after its parent.
+/// Constant after construction; share it freely.
 struct Forest {
   ForestKey key;
   std::string arm_description;        ///< arm_keys_to_yaml(); empty in files of before it was kept
@@ -59,7 +59,7 @@ struct Forest {
 bool is_grown_for(const Forest& forest, const ArmDescription& arm, const ForestKey& key);
 
 /// @throws InputError if the forest was grown for another arm, other valves or another start, or
-/// does not fit them. Of the model only the caller knows whose it is.
+/// does not fit them. Only the caller can check the model.
 void require_forest_of(const Forest& forest, const ArmDescription& arm,
                        const ValveParameters& valves, const ArmStart& start);
 
@@ -69,13 +69,13 @@ struct ForestSettings {
   int jobs = 0;  ///< threads, 0 for one per core; the forest does not depend on it
 };
 
-/// Called now and then with the nodes that there are. False asks to stop.
+/// Called now and then with the number of nodes so far. False asks to stop.
 using ForestCallback = std::function<bool(int nodes)>;
 
-/// Grows a forest by the default planner's rules for exploring. Takes about 35 queries of the model
-/// a node.
+/// Grows a forest by the default planner's rules for exploring. Takes about 35 model queries per
+/// node.
 /// @return none if the callback asked to stop
-/// @throws InputError if settings are out of range, or the model runs off to infinity.
+/// @throws InputError if settings are out of range, or if the model diverges.
 std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& model,
                                   const ForestKey& key, const ArmStart& start,
                                   const ForestSettings& settings = ForestSettings(),
