@@ -28,7 +28,7 @@ struct LeastSlope {
   double slope_per_kpa = 0.0;
 };
 
-/// Exact: the ends and the two places where the slope's own derivative vanishes.
+/// Exact: it looks at the ends and at the two points where the slope's own derivative vanishes.
 LeastSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa);
 
 /// Strains this close over the whole pressure range are those of the same segment. This is ten

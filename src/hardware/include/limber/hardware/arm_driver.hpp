@@ -9,7 +9,7 @@
 
 namespace limber {
 
-/// What is known of the arm at one frame.
+/// What is known about the arm at one frame.
 struct ArmState {
   double time_s = 0.0;
   Pressures pressure_kpa;            ///< measured, size n
@@ -31,8 +31,8 @@ class ArmDriver {
 
   /// Commands set points (size n, kPa, signed), lets one frame period pass and returns the state
   /// after it.
-  /// @throws InputError if a set point is not finite or beyond its segment's limit (the arm is
-  /// left as it was).
+  /// @throws InputError if a set point is not finite or beyond its segment's limit (the arm stays
+  /// as it was).
   /// @throws SystemFault if the arm fails; it has been vented.
   virtual const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) = 0;
 

@@ -15,8 +15,8 @@
 
 namespace limber {
 
-/// A fresh arm at rest for episode `index`. Its randomness depends on the index alone, never on who
-/// asks or when. Called from several threads at once.
+/// A fresh arm at rest for episode `index`. Its random numbers depend on the index alone, never on
+/// the caller or the time. Called from several threads at once.
 using DriverFactory = std::function<std::unique_ptr<ArmDriver>(int index)>;
 
 struct CollectionSettings {
@@ -34,12 +34,12 @@ struct CollectionSettings {
 struct CollectionResult {
   Recording recording;
   int kept_episodes = 0;          ///< found finished by `resume`
-  std::size_t foreign_files = 0;  ///< left in `path`.parts, as collect did not make them
+  std::size_t foreign_files = 0;  ///< left in `path`.parts, because collect did not make them
   double wall_time_s = 0.0;       ///< of this run
 };
 
 /// One unbroken run: leads the arm to the schedule's first configuration (unrecorded), then records
-/// from there. Frame 0 is the arm before the first motion, under the set point it was led to.
+/// from there. Frame 0 is the arm before the first motion, at the set point that it was led to.
 /// @throws SystemFault if a set point is not reached within `hold_limit_s`, or the arm fails.
 /// The arm is vented in every case.
 Episode record_episode(const ArmDescription& arm, ArmDriver& driver,

@@ -17,7 +17,7 @@ struct AnimationTrack {
   std::vector<Backbone> shapes;
 };
 
-/// One self-contained HTML page, nothing loaded from elsewhere, in which arms move through an
+/// One self-contained HTML page, which loads nothing else, in which arms move through an
 /// environment: play, pause, speed, a slider over time, and set points and pressures of each frame.
 /// @param setpoints_kpa  one per frame; may be shorter than the tracks
 /// @param pressures_kpa  the same: as predicted, or as measured

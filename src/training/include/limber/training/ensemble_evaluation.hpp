@@ -9,9 +9,9 @@
 
 namespace limber {
 
-/// Whether an ensemble knows how wrong it is. A frame's spread is the root of the members' mean
-/// squared distance from their mean tip; its error is that mean tip's distance from the recorded
-/// one. NaN if there is no frame.
+/// How well an ensemble's spread predicts its error. A frame's spread is the root of the members'
+/// mean squared distance from their mean tip; its error is that mean tip's distance from the
+/// recorded one. NaN if there is no frame.
 struct SpreadStatistics {
   double mean_cm = 0.0;
   /// Spearman's, between spread and error over frames: 1 if a larger spread always means a
@@ -21,8 +21,8 @@ struct SpreadStatistics {
   double factor_for_95 = 0.0;   ///< 95 % of the errors are at most this many times the spread
 };
 
-/// Errors of the mean of the members' predictions, each member rolled out by itself, and what their
-/// spread says about them.
+/// Errors of the mean of the members' predictions, each member rolled out by itself, and how well
+/// their spread predicts these errors.
 struct EnsembleErrors {
   TipErrors mean;
   SpreadStatistics spread;

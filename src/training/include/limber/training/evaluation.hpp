@@ -29,9 +29,9 @@ struct RolloutErrors {
   TipErrors window_32;
   TipErrors per_motion;
   TipErrors open_loop;
-  /// Open loop too, and fed with the pressures that the model's valves make of the recording's set
-  /// points: what a plan's prediction is worth. None if the model has no valves, or the
-  /// recording no set points of its own.
+  /// Open loop too, with the pressures that the model's valves make of the recording's set points:
+  /// this is how good a plan's prediction is. None if the model has no valves, or the recording no
+  /// set points of its own.
   std::optional<TipErrors> open_loop_from_setpoints;
 };
 
@@ -50,11 +50,11 @@ struct Evaluation {
   double orientation_reduction_percent = 0.0;
 };
 
-/// Predicted backbones of an episode (T×3m), fed with its measured pressures. The state before the
+/// Predicted backbones of an episode (T×3m) from its measured pressures. The state before the
 /// first prediction and before every restart is the recorded one; a restart waits for the next
-/// frame in which the arm was seen. The no-load model needs no start. Frames that are not predicted
-/// are NaN: the first, and those that are only a start. Batched over restarts, and over `jobs`
-/// threads; the result does not depend on their number.
+/// tracked frame. The no-load model needs no start. Frames that are not predicted are NaN: the
+/// first, and those that are only a start. Batched over restarts, and over `jobs` threads; the
+/// result does not depend on their number.
 FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart,
                     int jobs = 0);
 
