@@ -91,8 +91,8 @@ void check_clock(const std::string& log, const TimeColumn& time, const std::vect
   const double lowest_hz = kSlowerThanArm * arm.frame_rate_hz;
   if (!(rate_hz >= lowest_hz)) {
     throw InputError(fmt::format(
-        "{}; expected {:.4g} to {}: arm '{}' works at {} frames per second, and what lies between "
-        "rows is not invented. {}",
+        "{}; expected {:.4g} to {}: arm '{}' works at {} frames per second, and frames between "
+        "rows are not invented. {}",
         found(log, time, rate_hz), lowest_hz, kFastestLog_hz, arm.name, arm.frame_rate_hz,
         advice(time, rate_hz, lowest_hz)));
   }

@@ -163,7 +163,7 @@ std::string read_row(const LogFile& file, const std::vector<CsvCell>& row,
       }
       const CsvCell& cell = row[column.index];
       if (!is_missing(cell.text) && !file.parse(cell.text, value)) {
-        return fmt::format("line {}, column '{}': '{}' is no number", file.csv().line(),
+        return fmt::format("line {}, column '{}': '{}' is not a number", file.csv().line(),
                            file.names()[column.index], cell.text);
       }
     }

@@ -78,7 +78,7 @@ std::string execution_to_text(const ExecutionResult& result, const Environment& 
     }
     text += fmt::format(" from the goal: {}", result.goal_reached ? "reached" : "not reached");
   } else {
-    text += "\n  nothing saw the arm: distance to the goal and collisions are unknown";
+    text += "\n  the arm was not tracked: distance to the goal and collisions are unknown";
   }
   if (result.first_collision) {
     text += "\n  collided with " + place(*result.first_collision, environment);

@@ -52,7 +52,7 @@ Eigen::MatrixXd joint_vectors(const std::vector<Episode>& episodes) {
     frames += parts.back().cols();
   }
   if (frames == 0) {
-    throw InputError("the arm was seen in no frame of the recordings to learn from");
+    throw InputError("the arm was tracked in no frame of the recordings to learn from");
   }
   Eigen::MatrixXd all(parts.front().rows(), frames);
   Eigen::Index at = 0;

@@ -71,7 +71,7 @@ std::string gap_fault(const ArmDescription& arm, const NoLoadModel& model, const
   if (!(std::abs(turn_rad) <= limit_rad)) {
     return fmt::format(
         "the heading turns by {:.4g} rad from {} to {}; expected at most {:.4g} rad in "
-        "a gap of {} (headings run on, without jumps of a full turn)",
+        "a gap of {} (headings are continuous, without jumps of a full turn)",
         turn_rad, plate_name(row - 1), plate_name(row), limit_rad, segment_name(segment));
   }
   const double skew_rad =
