@@ -32,7 +32,7 @@ MatrixXf random_pressures_kpa(int columns, std::uint64_t stream) {
   });
 }
 
-// Backbones of the unloaded arm, one a column.
+// Backbones of the unloaded arm, one per column.
 MatrixXf unloaded(const MatrixXf& pressures_kpa) {
   MatrixXf backbones(3 * paper_arm().point_count(), pressures_kpa.cols());
   ForwardModel::Workspace workspace;

@@ -36,7 +36,7 @@ void multiply_add(benchmark::State& state, CpuLevel level) {
   report_multiply_adds(state, static_cast<double>(kRounds) * kernels.multiply_adds_per_round);
 }
 
-// A hidden layer over range(0) queries, one a column.
+// A hidden layer over range(0) queries, one per column.
 void layer(benchmark::State& state, CpuLevel level) {
   const GemmKernels& kernels = gemm_kernels(level);
   const int queries = static_cast<int>(state.range(0));
@@ -52,7 +52,7 @@ void layer(benchmark::State& state, CpuLevel level) {
   report_multiply_adds(state, 1.0 * kUnits * kUnits * queries);
 }
 
-// The same, one a row.
+// The same, one per row.
 void layer_of_rows(benchmark::State& state, CpuLevel level) {
   const GemmKernels& kernels = gemm_kernels(level);
   const int queries = static_cast<int>(state.range(0));

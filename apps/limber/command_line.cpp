@@ -24,12 +24,12 @@ namespace {
 
 void add_common_flags(CLI::App& app, CommonFlags& flags) {
   app.add_flag("--json", flags.json,
-               "Print one JSON object on standard output, nothing else there");
+               "Print one JSON object on standard output, and nothing else there");
   app.add_flag("--quiet", flags.quiet, "No messages, no progress");
   app.add_flag("--force", flags.force, "Replace files that exist");
-  app.add_option("--jobs", flags.jobs, "Threads to use, 0 for one a core; never changes a result")
+  app.add_option("--jobs", flags.jobs, "Threads to use, 0 for one per core; never changes a result")
       ->check(CLI::Range(0, 1024));
-  app.add_option("--seed", flags.seed, "Seed of everything that chance decides")
+  app.add_option("--seed", flags.seed, "Seed of everything that is random")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
 }
@@ -39,7 +39,7 @@ int report(int code, const std::string& message) {
   return code;
 }
 
-/// What CLI11 has to say: help and version as they are, complaints made printable.
+/// What CLI11 says: help and version unchanged, errors made printable.
 int report(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
   std::ostringstream complaint;

@@ -18,16 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every option by which a verb names a file or folder to write …
+// Every option that names a file or folder to write …
 constexpr std::array kOutputs = {"--out",       "--svg",    "--plot",         "--plots",
                                  "--tables",    "--onnx",   "--mjcf",         "--motive",
                                  "--animation", "--forest", "--pressures-svg"};
-// … and the verbs that write one which others read.
+// … and the verbs that write what --csv names; other verbs read it.
 constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
-// Fills in the arm file that it reads, where --force says so.
+// With --force, this verb fills in the arm file that it reads.
 constexpr std::string_view kRewriter = "characterize";
 
-// Verbs that fill a folder with results, and remove the last run's.
+// Verbs that fill a folder with results, and remove those of the last run.
 constexpr std::array<std::string_view, 2> kFillers = {"demo", "experiment"};
 
 struct NamedPath {
@@ -52,14 +52,14 @@ bool same_file(const fs::path& a, const fs::path& b) {
   return !whole_a.empty() && whole_a == whole_b;
 }
 
-/// As given, or by default.
+/// The folder given, or the default.
 fs::path folder_for_results(const CLI::Option& out) {
   std::string name = out.results().empty() ? out.get_default_str() : out.results().front();
   std::erase(name, '"');
   return name;
 }
 
-/// What lies in the folder for results would be taken for one of them, or be in their way.
+/// A file in the folder for results would be taken for a result, or be in the way of one.
 void require_outside_of_results(const CLI::App& command, const fs::path& folder) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& value : option->results()) {
@@ -114,7 +114,7 @@ void require_distinct_files(const CLI::App& command) {
     }
     for (std::size_t k = 0; k < i; ++k) {
       if (same_file(outputs[i].path, outputs[k].path)) {
-        refuse(outputs[k], "writes as well");
+        refuse(outputs[k], "also writes");
       }
     }
   }

@@ -4,11 +4,12 @@
 
 namespace limber {
 
-/// Refuses a command line on which a file to be written is also read, or written twice, or one that
-/// is read lies in the folder that `demo` or `experiment` fill: the work would be lost, or its
-/// input. Files to be written are the values of the options named in the
-/// source; whatever else names an existing file is read. Paths are compared as files, so links and
-/// detours don't hide them. @throws InputError naming both options and the file.
+/// Refuses a command line if a file to be written is also read or is written twice, or if a file to
+/// be read lies in the folder that `demo` or `experiment` fill: the work or its input would be
+/// lost. Files to be written are the values of the options named in the source; any other value
+/// that names an existing file is read. Paths are compared as files, so links and detours don't
+/// hide them.
+/// @throws InputError naming both options and the file.
 void require_distinct_files(const CLI::App& command);
 
 }  // namespace limber

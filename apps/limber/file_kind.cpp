@@ -18,7 +18,7 @@ FileKind kind_of(const std::string& content) {
     return header.find("limber/forest/") == header.npos ? FileKind::model : FileKind::forest;
   }
   // JSON is YAML too: arms, environments and valves may be written either way.
-  // A byte order mark, which every reader of text skips, says nothing of the kind.
+  // A byte order mark, which every reader of text skips, says nothing about the kind.
   const std::size_t begin = content.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   const std::size_t first = content.find_first_not_of(" \t\r\n", begin);
   const bool braced = first != std::string::npos && content[first] == '{';

@@ -4,10 +4,10 @@
 
 namespace limber {
 
-/// What a file of limber's holds; an arm, an environment and valves are all YAML.
+/// What a limber file holds; an arm, an environment and valves are all YAML.
 enum class FileKind { recording, model, forest, plan, yaml };
 
-/// By content, never by name.
+/// Decides by content, never by name.
 FileKind kind_of(const std::string& content);
 
 }  // namespace limber

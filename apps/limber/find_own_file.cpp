@@ -9,7 +9,7 @@ namespace limber {
 
 namespace {
 
-/// The file given, or the one of limber's own that has this name in `folder`.
+/// The file given, or limber's own file of this name in `folder`.
 std::string find_own_file(const std::string& name_or_path, const char* folder,
                           const char* complaint) {
   namespace fs = std::filesystem;

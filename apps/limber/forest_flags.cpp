@@ -12,12 +12,12 @@ namespace limber {
 
 void ForestFlags::add_to(CLI::App& app) {
   app.add_option("--forest", file_,
-                 "Stored motions of model and start, looked through before much is searched; "
-                 "grown and written here where there are none, or those of another model");
+                 "Stored motions of model and start, tried before searching; grown and written "
+                 "here if there are none, or if they are of another model");
   app.add_flag("--build-forest", build_,
-               "Grow them anew; as MODEL.forest, to be named by --forest from then on, where "
-               "--forest names no file");
-  app.add_option("--forest-nodes", nodes_, "How many, where they are grown")
+               "Grow the stored motions again. If --forest names no file, they are written to "
+               "MODEL.forest, which --forest can name from then on");
+  app.add_option("--forest-nodes", nodes_, "How many motions to grow")
       ->check(CLI::Range(1, 1 << 24))
       ->capture_default_str();
 }
@@ -27,7 +27,7 @@ std::string ForestFlags::path_beside(const std::string& model_file) const {
     return file_;
   }
   if (model_file.empty()) {
-    throw InputError("--build-forest with --no-load: --forest has to say where to");
+    throw InputError("--build-forest with --no-load: --forest has to name the file to write");
   }
   return std::filesystem::path(model_file).replace_extension(".forest").string();
 }
@@ -42,9 +42,9 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
   std::error_code error;
   if (std::filesystem::exists(path, error) && build_) {
     if (kind_of(read_file(path)) != FileKind::forest) {
-      throw InputError(path + ": no forest; only a forest is replaced by another");
+      throw InputError(path + ": no forest; only a forest can be replaced by a forest");
     }
-    say(flags, "{}: asked for; growing it anew", path);
+    say(flags, "{}: growing it again, as asked for", path);
   } else if (std::filesystem::exists(path, error)) {
     Forest stored = read_forest(path);
     if (is_grown_for(stored, arm, key)) {
@@ -55,7 +55,7 @@ std::optional<Forest> ForestFlags::forest(const ArmDescription& arm, const Motio
       }
       return stored;
     }
-    say(flags, "{}: grown for another arm, model, valves or start; growing it anew", path);
+    say(flags, "{}: grown for another arm, model, valves or start; growing it again", path);
   }
   refuse_to_overwrite(path, true);
   ForestSettings settings;

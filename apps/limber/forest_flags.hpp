@@ -16,10 +16,10 @@ class ForestFlags {
   bool is_asked_for() const { return !file_.empty() || build_; }
   bool builds() const { return build_; }
 
-  /// The forest of --forest; grown and stored where there is none, where it is of another arm,
+  /// The forest of --forest. It is grown and stored if there is none, if it is of another arm,
   /// model or start, and with --build-forest.
   /// @param model_file  empty for the no-load model
-  /// @return none where Ctrl-C interrupted the growth
+  /// @return none if Ctrl-C interrupted the growth
   std::optional<Forest> forest(const ArmDescription& arm, const MotionModel& model,
                                const std::string& model_file, const ArmStart& start,
                                const CommonFlags& flags) const;

@@ -14,9 +14,10 @@ void ModelFlags::add_to(CLI::App& app, const std::string& of_plan) {
 void ModelFlags::add_valves_to(CLI::App& app) {
   CLI::Option* valves = app.add_option(
       "--valves", valves_,
-      "Valve model between set points and pressures (limber characterize --valves); without it "
+      "Valve model between set points and pressures (limber characterize --valves); by default "
       "the one that the network was trained with");
-  app.add_flag("--no-valves", no_valves_, "Take pressures to be the set points")->excludes(valves);
+  app.add_flag("--no-valves", no_valves_, "Take the set points for the pressures")
+      ->excludes(valves);
 }
 
 ForwardModel ModelFlags::forward_model(const ArmDescription& arm) const {
@@ -54,9 +55,9 @@ void ModelFlags::warn_without_valves(const MotionModel& model, const CommonFlags
   const std::string reason =
       model.has_network() ? model.compensation().valve_findings.reason : std::string();
   say(flags,
-      "warning: no valve model{}: pressures are taken to be the set points, and an arm whose "
-      "valves lag is elsewhere while it moves; --valves FILE names one (limber characterize "
-      "--valves RECORDING), --no-valves says that this is meant",
+      "warning: no valve model{}: the set points are taken for the pressures, but an arm whose "
+      "valves lag is elsewhere while it moves. --valves FILE names a valve model (limber "
+      "characterize --valves RECORDING); --no-valves says that none is wanted",
       reason.empty() ? "" : " (" + reason + ")");
 }
 

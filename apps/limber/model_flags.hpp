@@ -8,7 +8,7 @@
 
 namespace limber {
 
-/// What motions are predicted with, as flags name it: a network or the no-load model, and valves.
+/// What motions are predicted with, as named by flags: a network or the no-load model, and valves.
 class ModelFlags {
  public:
   /// --model, --no-load, --valves and --no-valves. @param of_plan  "… that it was made with"
@@ -21,15 +21,15 @@ class ModelFlags {
   bool asks_no_valves() const { return no_valves_; }
   const std::string& model_file() const { return model_; }
 
-  /// @throws InputError where neither --model nor --no-load is given, or a file does not fit.
+  /// @throws InputError if neither --model nor --no-load is given, or if a file does not fit.
   ForwardModel forward_model(const ArmDescription& arm) const;
 
   /// Those of --valves FILE, else those that `network` was trained with; none with --no-valves.
   /// @param network  null: the no-load model
-  /// @throws InputError where they do not fit the arm.
+  /// @throws InputError if they do not fit the arm.
   ValveParameters valves(const ArmDescription& arm, const CompensationModel* network) const;
   MotionModel motion_model(const ArmDescription& arm, const ForwardModel& forward) const;
-  /// Where nothing says what the valves do, and nobody said that this is meant.
+  /// Warns if no valve model is known and --no-valves was not given.
   void warn_without_valves(const MotionModel& model, const CommonFlags& flags) const;
 
  private:

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kMax = 1e15;  // in kPa, m, s, Hz, rad: nothing real comes near
 
-/// @return what is wrong with `text`; empty where nothing is
+/// @return what is wrong with `text`; empty if nothing is
 std::string check_finite(std::string& text) {
   double value = 0.0;
   return parse_number(text, value) && std::abs(value) <= kMax
@@ -28,7 +28,7 @@ std::string check_finite(std::string& text) {
                            kMax);
 }
 
-/// Rewrites `text` in its plainest spelling, which CLI11 can't take for an octal number.
+/// Rewrites `text` as a plain number, which CLI11 can't take for an octal one.
 template <class Whole>
 std::string check_whole(std::string& text) {
   const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
@@ -43,7 +43,7 @@ std::string check_whole(std::string& text) {
   return "";
 }
 
-/// What follows each `=` is left to the planner, but for numbers that are none.
+/// Leaves what follows each `=` to the planner, except numbers that are not finite.
 std::string check_planner(const std::string& text) {
   for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
     const std::string value = text.substr(at + 1, text.find(',', at) - at - 1);

@@ -6,15 +6,15 @@ namespace limber {
 
 void RoomFlags::add_to(CLI::App& app) {
   app.add_option("--margin-m", asked_.margin_m,
-                 "Clearance kept from every obstacle; else what the model erred by, at most, in "
+                 "Clearance kept from every obstacle; by default the model's largest error in "
                  "95 % of its unseen runs (limber inspect MODEL)")
       ->check(CLI::Range(0.0, kMaxMarginM));
   app.add_option("--goal-margin-m", asked_.goal_margin_m,
-                 "How far inside the goal's rim plans end; else what the model erred by at the "
+                 "How far inside the goal's rim plans end; by default the model's error at the "
                  "end of 95 % of those runs")
       ->check(CLI::Range(0.0, kMaxMarginM));
   app.add_option("--goal-margin-rad", asked_.goal_margin_rad,
-                 "The same of the goal's heading, where it asks for one")
+                 "The same for the goal's heading, if it asks for one")
       ->check(CLI::Range(0.0, kMaxMarginM));
 }
 

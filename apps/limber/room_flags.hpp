@@ -7,15 +7,15 @@
 
 namespace limber {
 
-/// What plans keep in hand for the model's error, as flags ask for it.
+/// The room that plans keep for the model's error, as asked for by flags.
 class RoomFlags {
  public:
   /// --margin-m, --goal-margin-m and --goal-margin-rad.
   void add_to(CLI::App& app);
 
   const AskedRoom& asked() const { return asked_; }
-  /// With what the model says where flags ask for nothing; says on standard error where that is no
-  /// measured amount.
+  /// The amounts asked for; the model's own where no flag asks. Says on standard error if those are
+  /// not measured.
   ErrorRoom room(const ForwardModel& model, const CommonFlags& flags) const;
 
  private:

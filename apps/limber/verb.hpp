@@ -21,7 +21,7 @@ struct CommonFlags {
   bool json = false;
   bool quiet = false;
   bool force = false;
-  int jobs = 0;  ///< 0: one a core
+  int jobs = 0;  ///< 0: one per core
   std::uint64_t seed = 1;
 
   Progress::Mode progress() const {
@@ -51,23 +51,23 @@ void say(const CommonFlags& flags, fmt::format_string<Arguments...> format,
   }
 }
 
-/// Why a verb ends with another code than 0, on standard error, quiet or not.
+/// Prints to standard error, quiet or not, why a verb ends with another code than 0.
 void print_error(const std::string& message);
 
-/// The verb's result on standard output: the JSON object with --json, otherwise `text` where there
-/// is any.
+/// Prints the verb's result to standard output: the JSON object with --json, otherwise `text`,
+/// unless it is empty.
 void print_result(const CommonFlags& flags, const nlohmann::ordered_json& result,
                   const std::string& text);
 
-/// An arm file: the path given, or the name of one of limber's own ("three_segment") found in arms/
-/// beside the program or in its installed data folder.
+/// Path of an arm file: the path given, or the name of one of limber's own ("three_segment"), found
+/// in arms/ beside the program or in its installed data folder.
 std::string find_arm_file(const std::string& name_or_path);
 
 /// The arm of that file, with what the file says of the virtual arm checked too.
 ArmDescription load_asked_arm(const std::string& name_or_path,
                               PolynomialsOf polynomials = PolynomialsOf::model);
 
-/// An environment file, found the same way ("01_pillar" in environments/).
+/// Path of an environment file, found the same way ("01_pillar" in environments/).
 std::string find_environment_file(const std::string& name_or_path);
 
 }  // namespace limber

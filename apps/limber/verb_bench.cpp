@@ -19,7 +19,7 @@ class BenchVerb final : public Verb {
  public:
   const char* name() const override { return "bench"; }
   const char* summary() const override {
-    return "Forward model queries per second, beside peers and the machine's limit";
+    return "Forward model queries per second, compared with peers and the machine's limit";
   }
   const char* example() const override {
     return "limber bench --arm three_segment --quick --plot speed.svg";
@@ -28,27 +28,28 @@ class BenchVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
-    app.add_option("--model", model_, "Network to measure beside the paper's shape");
-    auto* queries = app.add_option("--queries", queries_, "Queries of each measurement")
+    app.add_option("--model", model_, "Network to measure in addition to the paper's shape");
+    auto* queries = app.add_option("--queries", queries_, "Queries per measurement")
                         ->check(CLI::Range(std::int64_t{1'000}, std::int64_t{1'000'000'000}))
                         ->capture_default_str();
-    app.add_flag("--quick", quick_, fmt::format("{} queries a measurement", kQuickQueries))
+    app.add_flag("--quick", quick_, fmt::format("{} queries per measurement", kQuickQueries))
         ->excludes(queries);
     app.add_option("--plot", plot_, "Bar chart to write, SVG");
     auto* training = app.add_option("--training", training_,
-                                    "Recording: time the epochs of training on it instead");
-    app.add_option("--preset", preset_, "Training preset to time: paper or best, else both")
+                                    "Recording: instead, time the epochs of training on it");
+    app.add_option("--preset", preset_, "Training preset to time: paper or best; both by default")
         ->check(CLI::IsMember({"paper", "best"}))
         ->needs(training);
     app.add_option("--ensemble", ensemble_, "Networks trained together")
         ->check(CLI::Range(1, 64))
         ->needs(training);
-    app.add_option("--epochs", epochs_, "Epochs timed of each stage")
+    app.add_option("--epochs", epochs_, "Epochs to time per stage")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str()
         ->needs(training);
-    app.add_option("--tables", tables_,
-                   "File (safetensors) for what the first epoch starts from, for a peer")
+    app.add_option(
+           "--tables", tables_,
+           "File (safetensors) for the weights that the first epoch starts from, for a peer")
         ->needs(training)
         ->needs("--preset");
   }

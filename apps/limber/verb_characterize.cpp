@@ -24,7 +24,7 @@ constexpr const char* kCsvHelp =
     "Fit your own bench data: a CSV file with the header pressure_kpa,strain and optionally "
     "segment (0 is the base). Strain is the change of a side's length over its length at rest, "
     "negative in contraction, measured on one whole free segment: a bare actuator contracts about "
-    "a third more, and a model fitted to that errs half as much again";
+    "a third more, and the error of a model fitted to that is half as large again";
 
 nlohmann::ordered_json to_json(const StrainFit& fit, const std::vector<BenchPoint>& points) {
   nlohmann::ordered_json json;
@@ -50,16 +50,16 @@ std::string to_text(int segment, const StrainFit& fit) {
       "  e = {:g} p {:+g} p^2 {:+g} p^3 {:+g} p^4   (p in kPa)\n",
       segment_name(segment), fit.points, fit.full_strain, 100.0 * fit.rms_residual,
       100.0 * fit.max_residual,
-      fit.refitted ? "; the plain fit fell somewhere, its slope is held at 0 or above" : "",
-      fit.kept ? "; the arm file says the same, its numbers stay" : "", c[0], c[1], c[2], c[3]);
+      fit.refitted ? "; the plain fit fell somewhere, so its slope is held at 0 or above" : "",
+      fit.kept ? "; the arm file agrees, so its numbers stay" : "", c[0], c[1], c[2], c[3]);
 }
 
 class CharacterizeVerb final : public Verb {
  public:
   const char* name() const override { return "characterize"; }
   const char* summary() const override {
-    return "Bench test of one free segment, or a fit of your bench data, for the no-load model; or "
-           "the valves of a recording";
+    return "Fit the no-load model to a bench test of one free segment, the virtual arm's or yours; "
+           "or identify the valves of a recording";
   }
   const char* example() const override {
     return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg";
@@ -73,11 +73,12 @@ class CharacterizeVerb final : public Verb {
         ->capture_default_str()
         ->check(CLI::Range(4, 1000));
     auto* plot = app.add_option("--plot", plot_, "Draw points and curves to this SVG file");
-    auto* valves = app.add_option("--valves", valves_,
-                                  "Identify the valves between this recording's set points and "
-                                  "measured pressures instead (docs/valves.md)")
-                       ->excludes(csv)
-                       ->excludes(plot);
+    auto* valves =
+        app.add_option("--valves", valves_,
+                       "Instead, identify the valves between this recording's set points "
+                       "and measured pressures (docs/valves.md)")
+            ->excludes(csv)
+            ->excludes(plot);
     app.add_option("--plots", plots_, "Folder for valves.svg: a motion that was not fitted to")
         ->needs(valves);
     app.add_option("--out", out_,

@@ -27,22 +27,24 @@ class CollectVerb final : public Verb {
             {"transitions", ScheduleKind::transitions}, {"random", ScheduleKind::random}}))
         ->default_str("transitions");
     app.add_option("--count", schedule_.count,
-                   "Motions of each random episode; or how many transitions, all by default");
+                   "Motions per random episode; or how many transitions, all by default");
     app.add_option("--episodes", schedule_.episodes,
                    "Unbroken runs: 16 for transitions and 1 for random by default");
     app.add_option("--approach", schedule_.approach,
                    "step: set points jump; straight: they move together along a straight line at "
-                   "the arm's rate limit, as a plan's do")
+                   "the arm's rate limit, as those of a plan do")
         ->transform(CLI::CheckedTransformer(std::map<std::string, Approach>{
             {"step", Approach::step}, {"straight", Approach::straight}}))
         ->default_str("step");
-    app.add_option("--hold-s", schedule_.hold_s,
-                   "Seconds that a motion's final set point is commanded; longer until reached")
+    app.add_option(
+           "--hold-s", schedule_.hold_s,
+           "Seconds that a motion's final set point is commanded, or longer until it is reached")
         ->capture_default_str();
     app.add_option("--hold-min-s", schedule_.hold_min_s,
                    "Draw each hold between this and --hold-s, reached or not");
-    app.add_option("--driver", driver_, "What moves: virtual")->capture_default_str();
-    app.add_option("--noise-m", options_.noise_m, "Noise of measured positions, std deviation");
+    app.add_option("--driver", driver_, "The arm that moves: virtual")->capture_default_str();
+    app.add_option("--noise-m", options_.noise_m,
+                   "Noise of measured positions, standard deviation");
     app.add_option("--noise-rad", options_.noise_rad, "Noise of measured headings");
     app.add_option("--noise-kpa", options_.noise_kpa, "Noise of measured pressures");
     app.add_option("--drop-rate", options_.drop_rate, "Probability that a frame has no backbone");
@@ -65,7 +67,8 @@ class CollectVerb final : public Verb {
     const CollectionResult result =
         collect(arm, settings, virtual_arm_factory(arm, options_), out_);
     if (result.foreign_files > 0) {
-      say(flags, "{}.parts: {} files are not collect's and stay", out_, result.foreign_files);
+      say(flags, "{}.parts: {} files were not written by collect and stay", out_,
+          result.foreign_files);
     }
     report(flags, arm, result);
     return kExitDone;

@@ -11,10 +11,10 @@ std::string mean(const nlohmann::ordered_json& errors, const char* unit) {
   return fmt::format("{:.2f} {}", errors.at("mean").get<double>(), unit);
 }
 
-/// Where no plan was found, or none executed, there is no distance.
+/// If no plan was found, or none executed, there is no distance.
 std::string distance(const nlohmann::ordered_json& plans) {
   const nlohmann::ordered_json& mean_cm = plans.at("mean_distance_to_goal_cm");
-  return mean_cm.is_null() ? "nothing to tell" : fmt::format("{:.1f} cm", mean_cm.get<double>());
+  return mean_cm.is_null() ? "none executed" : fmt::format("{:.1f} cm", mean_cm.get<double>());
 }
 
 std::string to_text(const nlohmann::ordered_json& summary, const std::string& folder) {
@@ -40,12 +40,12 @@ class DemoVerb final : public Verb {
 
   void add_flags(CLI::App& app) override {
     app.add_option("--out", out_,
-                   "Folder for every result; one that limber demo made itself is replaced")
+                   "Folder for all results; a folder that limber demo made itself is replaced")
         ->capture_default_str();
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
         ->capture_default_str();
     app.add_flag("--quick", quick_,
-                 "Little data and a short training: under a minute, worse figures");
+                 "Little data and a short training: under a minute, with worse figures");
   }
 
   int run(const CommonFlags& flags) override {
@@ -63,7 +63,7 @@ class DemoVerb final : public Verb {
     try {
       summary = run_demo(settings);
     } catch (const Interrupted&) {
-      // Its stages may say how they go on; the demo as a whole begins with the first again.
+      // The stages may say how to resume them; the demo itself starts from the first one again.
       throw Interrupted("stopped on request; the next limber demo starts from the beginning");
     }
     print_result(flags, summary, to_text(summary, out_));

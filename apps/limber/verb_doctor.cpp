@@ -20,7 +20,7 @@ namespace limber {
 
 namespace {
 
-/// A program that limber's results can be used with, but that limber does without.
+/// A program that can use limber's results; limber itself does not need it.
 struct OptionalProgram {
   const char* name;
   const char* use;

@@ -30,7 +30,8 @@ class EnvironmentVerb final : public Verb {
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("action", words_, "check FILE: start free, goal in reach and free?")
+    app.add_option("action", words_,
+                   "check FILE: is the start free, and the goal in reach and free?")
         ->expected(0, 2)
         ->option_text("[check FILE]");
     app.add_flag("--random", random_, "Draw environments by the rules of limber's own eight");
@@ -41,12 +42,12 @@ class EnvironmentVerb final : public Verb {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
         ->capture_default_str();
     app.add_option("--model", model_,
-                   "Network model that says what is in reach; the no-load model where not given");
+                   "Network model that says what is in reach; by default the no-load model");
     valves_.add_valves_to(app);
-    app.add_option("--margin-m", margin_m_, "Clearance that a check asks for")
+    app.add_option("--margin-m", margin_m_, "Clearance that the check asks for")
         ->check(CLI::Range(0.0, kMaxMarginM))
         ->capture_default_str();
-    app.add_option("--svg", svg_, "Draw the environment that is checked here");
+    app.add_option("--svg", svg_, "Draw the checked environment here");
   }
 
   int run(const CommonFlags& flags) override {

@@ -28,10 +28,10 @@ class EvaluateVerb final : public Verb {
         ->capture_default_str();
     CLI::Option* model =
         app.add_option("--model", model_, "Network model; without it, the no-load model alone");
-    app.add_option("--data", data_, "Recording that was not trained on")->required();
+    app.add_option("--data", data_, "Recording that the model was not trained on")->required();
     app.add_option("--out", out_,
-                   "Write the model here, the error on this recording stored in it: what plans "
-                   "then keep clear of obstacles")
+                   "Write the model here, with its error on this recording: plans then keep "
+                   "this distance from obstacles")
         ->needs(model);
     app.add_option("--plots", plots_, "Folder for error_over_time.svg and other pictures");
   }
@@ -51,7 +51,7 @@ class EvaluateVerb final : public Verb {
     if (!model_.empty()) {
       network.emplace(arm, read_model(model_));
     }
-    const std::string data_hash = content_hash(read_file(data_));  // says why it can't be read
+    const std::string data_hash = content_hash(read_file(data_));  // names why it can't be read
     const Recording recording = read_recording(data_);
     require_recording_of(recording, arm, data_);
     if (network && was_trained_on(network->compensation(), data_hash)) {
@@ -113,7 +113,7 @@ class EvaluateVerb final : public Verb {
     return found != model.training.end() && found->second.find(data_hash) != std::string::npos;
   }
 
-  /// @throws InputError that names both files where the prediction runs off to infinity.
+  /// @throws InputError that names both files if the prediction diverges to infinity.
   Evaluation compare(const ForwardModel& no_load, const ForwardModel* network,
                      const Recording& recording, int jobs) const {
     try {

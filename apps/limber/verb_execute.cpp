@@ -28,9 +28,9 @@ class ExecuteVerb final : public Verb {
     app.add_option("--environment", environment_,
                    "Environment that the plan was made for; or the name of one of limber's own")
         ->required();
-    app.add_option("--driver", driver_, "What moves: virtual")->capture_default_str();
+    app.add_option("--driver", driver_, "The arm that moves: virtual")->capture_default_str();
     app.add_option("--hold-s", settings_.hold_s,
-                   "Seconds that the last set point is held in all before the goal is judged")
+                   "Seconds in all that the last set point is held before the goal is judged")
         ->capture_default_str();
     app.add_flag("--replan", replan_,
                  "Closed loop: plan again, with --model, from where the arm is measured, until it "
@@ -44,10 +44,10 @@ class ExecuteVerb final : public Verb {
     model_.add_to(app, " that the plan was made with; for --replan");
     room_.add_to(app);
     app.add_option("--out", out_, "Recording of the run to write");
-    app.add_option("--svg", svg_, "Picture of the run to write, beside the prediction");
+    app.add_option("--svg", svg_, "Picture to write: the run and its prediction");
     app.add_option("--pressures-svg", pressures_svg_,
-                   "Set points, predicted and measured pressures over time");
-    app.add_option("--animation", animation_, "The same as a page (HTML) in which the arm moves");
+                   "Picture to write: set points, predicted and measured pressures over time");
+    app.add_option("--animation", animation_, "Page (HTML) to write, in which the arm moves");
   }
 
   int run(const CommonFlags& flags) override {

@@ -33,10 +33,11 @@ class ExperimentVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
-    app.add_option("--model", settings_.model_file, "Network model to set beside the no-load model")
+    app.add_option("--model", settings_.model_file,
+                   "Network model to compare with the no-load model")
         ->required();
     app.add_option("--environments", environments_,
-                   "Folder of environment files; limber's own eight where not given");
+                   "Folder of environment files; limber's own eight by default");
     app.add_option("--trials", settings_.trials, "Plans of each model in each environment")
         ->capture_default_str();
     app.add_option("--planner", settings_.planners,
@@ -45,7 +46,7 @@ class ExperimentVerb final : public Verb {
         ->take_all()
         ->capture_default_str();
     app.add_option("--planner-jobs", settings_.planner_jobs,
-                   "Threads of each planner, 0 for one a core; --jobs trials run side by side")
+                   "Threads of each planner, 0 for one per core; --jobs trials run side by side")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     app.add_flag("--network-only", network_only_, "Leave the no-load model out");
@@ -59,7 +60,7 @@ class ExperimentVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan");
     app.add_option("--cost-threshold-kpa", settings_.limits.cost_threshold_kpa,
-                   "Stop at a plan this cheap; a large number stops at the first");
+                   "Stop at a plan this cheap; with a large number, stop at the first plan");
     app.add_flag("--replan", settings_.replan,
                  "Execute closed loop: plan again from where the arm is measured");
     room_.add_to(app);
@@ -68,7 +69,7 @@ class ExperimentVerb final : public Verb {
     app.add_option("--out", settings_.folder, "Folder for tables, figures, trials and plans")
         ->capture_default_str();
     app.add_flag("--resume", settings_.resume,
-                 "Keep the trials in --out that are finished; more --trials may be asked for");
+                 "Keep the finished trials in --out; you may ask for more --trials");
   }
 
   int run(const CommonFlags& flags) override {
@@ -107,7 +108,7 @@ class ExperimentVerb final : public Verb {
   }
 
  private:
-  /// For all environments: a trial refuses it where one starts differently.
+  /// For all environments: a trial refuses the forest if its environment starts differently.
   std::optional<Forest> forest(const MotionModel& network, const CommonFlags& flags) const {
     const std::string model_file = settings_.model_file.string();
     const ArmStart start = start_state(settings_.environments.front().environment, settings_.arm);

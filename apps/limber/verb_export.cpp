@@ -40,14 +40,15 @@ class ExportVerb final : public Verb {
                    "model's reference queries");
     app.add_option(
         "--motive", motive_,
-        "Folder for a recording as OptiTrack Motive would have logged it, pressures apart");
+        "Folder for a recording as OptiTrack Motive would have logged it, with pressures in a log "
+        "of their own");
     app.add_option("--onnx", onnx_, "File for a model's network with its normalisation");
     app.add_option("--mjcf", mjcf_, "File for an arm's chain as MuJoCo's XML");
     app.add_option("--arm", arm_,
-                   "With a plan: arm that its set points are held against, limits and steps; "
+                   "For a plan: the arm whose limits and steps its set points are checked against; "
                    "needed for a plan without a certificate");
     const char* group = "With --motive";
-    app.add_option("--rate-hz", settings_.rate_hz, "Rows a second; the recording's by default")
+    app.add_option("--rate-hz", settings_.rate_hz, "Rows per second; the recording's by default")
         ->group(group);
     app.add_option("--time-offset-s", settings_.time_offset_s,
                    "What import has to add to the pressure log's times")
@@ -55,12 +56,13 @@ class ExportVerb final : public Verb {
     app.add_option("--noise-m", settings_.noise_m, "Noise of positions, standard deviation")
         ->group(group);
     app.add_option("--noise-rad", settings_.noise_rad, "Noise of headings")->group(group);
-    app.add_option("--occlusions", settings_.occlusions, "Times in each episode a plate is hidden")
+    app.add_option("--occlusions", settings_.occlusions,
+                   "How often a plate is hidden in each episode")
         ->group(group);
     app.add_option("--occlusion-s", settings_.occlusion_s, "For how long")
         ->group(group)
         ->capture_default_str();
-    app.add_flag("--markers", settings_.markers, "Two markers a plate instead of rigid bodies")
+    app.add_flag("--markers", settings_.markers, "Two markers per plate instead of rigid bodies")
         ->group(group);
   }
 
@@ -175,14 +177,14 @@ class ExportVerb final : public Verb {
     add({setpoints, shapes});
   }
 
-  /// Set points go to valves, which take whatever they are told.
+  /// Set points go to valves, which follow whatever they are given.
   void require_safe_to_command(const Plan& plan) const {
     if (!arm_.empty()) {
       require_plan_of(plan, load_asked_arm(arm_), file_);
     } else if (!plan.certified) {
       throw InputError(fmt::format(
           "{}: certificate: missing, so nothing says that its set points keep to the limits of arm "
-          "'{}'. Give --arm ARM.yaml, and they are held against it, or plan again",
+          "'{}'. Give --arm ARM.yaml to check them against it, or plan again",
           file_, plan.arm_name));
     }
   }

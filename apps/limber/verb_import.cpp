@@ -16,7 +16,7 @@ class ImportVerb final : public Verb {
  public:
   const char* name() const override { return "import"; }
   const char* summary() const override {
-    return "A recording from motion-capture and pressure logs";
+    return "Make a recording of motion-capture and pressure logs";
   }
   const char* example() const override {
     return "limber import motive take1.csv --pressures pressures1.csv --arm mine.yaml --out "
@@ -28,17 +28,18 @@ class ImportVerb final : public Verb {
     app.add_option("format", format_, "motive: OptiTrack's export; csv: any table, with --mapping")
         ->required()
         ->check(CLI::IsMember({"motive", "csv"}));
-    app.add_option("logs", logs_, "Motion logs, one a recording")->required();
+    app.add_option("logs", logs_, "Motion logs, one per recording")->required();
     app.add_option("--pressures", command_logs_,
                    "Log of pressures (or the arm's other commands) on its own clock; one for each "
                    "motion log, in the same order")
         ->allow_extra_args(false);
-    app.add_option("--mapping", mapping_,
-                   "Which column or object is which plate, units, axes (docs/importing.md)");
+    app.add_option(
+        "--mapping", mapping_,
+        "File that says which column or object is which plate, units, axes (docs/importing.md)");
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
     app.add_option("--time-offset-s", time_offset_s_,
-                   "What to add to the pressure log's times; without it, found by correlation")
+                   "What to add to the pressure log's times; by default found by correlation")
         ->check(CLI::Range(-kMaxOffsetS, kMaxOffsetS));
     app.add_option("--out", out_, "Recording to write");
     app.add_flag("--dry-run", dry_run_, "Report what would be dropped and changed; write nothing");

@@ -125,7 +125,7 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
                      const std::optional<ArmDescription>& arm) {
   if (content.find("schema") == std::string::npos) {
     throw InputError(fmt::format(
-        "{}: none of limber's files; expected a recording (HDF5), a model or forest (safetensors), "
+        "{}: not a limber file; expected a recording (HDF5), a model or forest (safetensors), "
         "a plan (JSON), or an arm, an environment or valves (YAML with a line 'schema: limber/…')",
         file));
   }
@@ -146,7 +146,7 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
       schema.found()));
 }
 
-/// How far the model errs, and what its recordings held.
+/// How large the model's error is, and what its recordings held.
 void add_what_is_known(const CompensationModel& model, Finding& finding) {
   if (model.prediction_error) {
     finding.json["prediction_error"] = to_json(*model.prediction_error);
@@ -159,12 +159,12 @@ void add_what_is_known(const CompensationModel& model, Finding& finding) {
                                 ? Command{}
                                 : read_arm_keys(model.arm_description, "the model's arm").command;
     finding.json["learnt"] = to_json(*model.learnt, command);
-    finding.text += "\n  learnt from";
+    finding.text += "\n  trained on";
     for (const std::string& line : learnt_region_lines(*model.learnt, command)) {
       finding.text += "\n    " + line;
     }
   } else {
-    finding.text += "\n  what it learnt from is not stored";
+    finding.text += "\n  what it was trained on is not stored";
   }
 }
 

@@ -33,7 +33,7 @@ int exit_code(PlanStatus status) {
   }
 }
 
-/// Bar over the time limit where there is one, else over the iterations or queries.
+/// Progress over the time limit if there is one, else over the iterations or queries.
 class PlanProgress {
  public:
   PlanProgress(const PlannerLimits& limits, const std::string& command_unit, Progress::Mode mode)
@@ -89,32 +89,34 @@ class PlanVerb final : public Verb {
                    "--build-forest alone");
     app.add_option(
            "--planner", planner_,
-           "default: several backbones for like pressures, plans then improved; paper: RRT* in "
-           "pressure space; paper-steer-all: the same, simulating from every near node; ompl:NAME: "
-           "one of OMPL's, with settings as ompl:SST,pruning_radius=0.1; the default's go as "
+           "default: keeps several backbones for similar pressures, then improves plans; paper: "
+           "RRT* in pressure space; paper-steer-all: the same, simulating from every near node; "
+           "ompl:NAME: one of OMPL's. Settings follow the name: ompl:SST,pruning_radius=0.1 or "
            "default,goal_steering_share=0.2")
         ->capture_default_str();
-    app.add_option("--time-limit-s", limits_.time_s,
-                   fmt::format("Stop after so many seconds; {} where no limit is given",
-                               kDefaultTimeLimitS))
+    app.add_option(
+           "--time-limit-s", limits_.time_s,
+           fmt::format("Stop after so many seconds; {} if no limit is given", kDefaultTimeLimitS))
         ->check(CLI::PositiveNumber);
     app.add_option("--max-iterations", limits_.iterations,
-                   "Stop after so many samples; with this limit alone a run can be repeated")
+                   "Stop after so many samples; with only this limit, a run can be repeated")
         ->check(CLI::PositiveNumber);
     app.add_option("--max-queries", limits_.queries, "Stop after so many queries of the model")
         ->check(CLI::PositiveNumber);
-    app.add_option("--max-memory-mb", limits_.memory_mb, "Stop when the tree takes so much");
+    app.add_option("--max-memory-mb", limits_.memory_mb,
+                   "Stop when the tree takes so many megabytes");
     app.add_option("--cost-threshold-kpa", limits_.cost_threshold_kpa,
-                   "Stop at a plan this cheap; a large number stops at the first");
+                   "Stop at a plan this cheap; with a large number, stop at the first plan");
     room_.add_to(app);
-    app.add_flag("--stay-recorded", stay_recorded_,
-                 "Only set points, rates and shapes like those in the model's recordings");
+    app.add_flag(
+        "--stay-recorded", stay_recorded_,
+        "Plan only with set points, rates and shapes like those in the model's recordings");
     forest_.add_to(app);
     app.add_option("--out", out_, "Write the plan here (JSON); not written without a solution");
-    app.add_option("--csv", csv_, "Write its set points here, for a valve controller");
+    app.add_option("--csv", csv_, "Write the plan's set points here, for a valve controller");
     app.add_option("--svg", svg_, "Draw arm, plan, tree and obstacles here");
     app.add_option("--pressures-svg", pressures_svg_,
-                   "Draw its set points and the pressures predicted from them over time here");
+                   "Draw the plan's set points and predicted pressures over time here");
     app.add_option("--animation", animation_, "Write a page (HTML) here in which the arm moves");
   }
 
@@ -205,14 +207,14 @@ class PlanVerb final : public Verb {
     }
     if (!forward.has_network() || !forward.compensation().learnt) {
       throw InputError(
-          "--stay-recorded: the model does not say what its recordings held; limber train stores "
+          "--stay-recorded: the model does not store what its recordings held; limber train stores "
           "it");
     }
     return std::optional<RecordedRegion>(std::in_place, *forward.compensation().learnt,
                                          arm.frame_rate_hz);
   }
 
-  /// Where a plan asks of the model what it has never seen.
+  /// Warns where a plan asks for something that the model has never seen.
   static void warn_beyond_recordings(const ForwardModel& forward, const ArmDescription& arm,
                                      PlanResult& result) {
     if (!result.plan || !forward.has_network() || !forward.compensation().learnt) {
@@ -221,7 +223,7 @@ class PlanVerb final : public Verb {
     const std::vector<std::string> excursions =
         excursions_beyond(*forward.compensation().learnt, *result.plan, arm.command.unit);
     for (const std::string& excursion : excursions) {
-      result.warnings.push_back(excursion + "; --stay-recorded plans without");
+      result.warnings.push_back(excursion + "; --stay-recorded avoids this");
     }
   }
 
@@ -233,8 +235,8 @@ class PlanVerb final : public Verb {
     if (result.plan && !csv_.empty()) {
       write_setpoints_csv(csv_, *result.plan);
     }
-    // Of a problem that can't be planned in there is nothing to draw: `environment check --svg`
-    // does.
+    // If planning can't begin there is nothing to draw here; `environment check --svg` draws the
+    // environment.
     if (!svg_.empty() && exit_code(result.status) != kExitBadInput) {
       write_file_atomically(svg_, plan_picture(arm, environment, result));
     }

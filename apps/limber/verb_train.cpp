@@ -41,48 +41,47 @@ class TrainVerb final : public Verb {
     app.add_option("--validation", validation_,
                    "Recording that chooses the best epoch; else whole episodes are held back");
     app.add_option("--unseen", unseen_,
-                   "Recording that neither trains nor chooses: the model's error is measured on "
-                   "it; else whole episodes are held back");
+                   "Recording for measuring the model's error, used neither for training nor for "
+                   "choosing; else whole episodes are held back");
     app.add_option("--preset", preset_, "paper: as published; best: the default")
         ->check(CLI::IsMember({"paper", "best"}))
         ->capture_default_str();
     auto* from = app.add_option("--from", from_, "Model to go on from (fine-tuning)");
-    app.add_option(
-           "--old-data", old_data_,
-           "Recording of what --from has learnt: its errors there are shown before and after, "
-           "and it is replayed; repeat for more")
+    app.add_option("--old-data", old_data_,
+                   "Recording that --from was trained on: errors on it are shown before and after, "
+                   "and it is replayed; repeat for more")
         ->needs(from);
-    app.add_option("--replay", replay_share_,
-                   fmt::format("Share of each epoch's windows that --old-data gives, 0 to 0.95; "
-                               "else {}",
-                               TrainingSettings().replay_share))
+    app.add_option(
+           "--replay", replay_share_,
+           fmt::format("Share of each epoch's windows that come from --old-data, 0 to 0.95; "
+                       "else {}",
+                       TrainingSettings().replay_share))
         ->check(CLI::Range(0.0, 0.95))
         ->needs("--old-data");
     app.add_option("--epochs", epochs_, "Epochs in all, in the preset's proportions")
         ->check(CLI::Range(1, 10'000'000));
     app.add_option("--time-limit-s", time_limit_s_,
-                   "Fixes the number of epochs at the start to what fits")
+                   "Fix the number of epochs, at the start, to what fits in this time")
         ->check(CLI::PositiveNumber)
         ->excludes("--epochs");
-    app.add_option(
-           "--windows", windows_,
-           "Frames that each stage rolls the network over, instead of the preset's: 32 alone does "
-           "better than best's 2 8 32 where there are the 729 transitions and no more")
+    app.add_option("--windows", windows_,
+                   "Frames per window of each stage, instead of the preset's: 32 alone does better "
+                   "than best's 2 8 32 if the data are the 729 transitions and no more")
         ->check(CLI::Range(1, 1000));
-    app.add_option("--learning-rate", learning_rate_, "Instead of the preset's")
+    app.add_option("--learning-rate", learning_rate_, "Learning rate, instead of the preset's")
         ->check(CLI::PositiveNumber);
     app.add_option("--hidden", hidden_, "Units of each hidden layer, such as --hidden 100 100 100")
         ->check(CLI::Range(1, 4096));
     app.add_option("--ensemble", ensemble_,
-                   "Networks to train together; their spread says how sure they are")
+                   "Networks to train together; their spread says how certain they are")
         ->check(CLI::Range(1, 64));
     app.add_option("--checkpoint-interval-s", checkpoint_interval_s_,
-                   "Seconds between checkpoints: what a killed run loses at most")
+                   "Seconds between checkpoints: the most that a killed run loses")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     app.add_flag("--resume", resume_,
                  "Go on from the checkpoint that a stopped run left beside --out");
-    app.add_option("--out", out_, "Model to write; the learning curve goes beside it")
+    app.add_option("--out", out_, "Model to write; the learning curve is written beside it")
         ->capture_default_str();
   }
 
@@ -98,7 +97,7 @@ class TrainVerb final : public Verb {
     if (!resume_ && !flags.force && fs::exists(checkpoint_path())) {
       throw InputError(
           fmt::format("{}: a run that was stopped; --resume goes on with it, --force "
-                      "starts anew",
+                      "starts over",
                       checkpoint_path().string()));
     }
     const ArmDescription arm = load_asked_arm(arm_);
@@ -123,7 +122,7 @@ class TrainVerb final : public Verb {
         start ? fine_tune(arm, data, settings, *start) : train(arm, data, settings);
     if (result.status == TrainingStatus::diverged) {
       print_error(result.message);
-      remove_checkpoint();  // --resume would end here again
+      remove_checkpoint();  // --resume would only end here again
     }
     if (result.best_epoch == 0) {
       const std::string why = "no epoch was validated before training ended; no model was written";
@@ -160,7 +159,7 @@ class TrainVerb final : public Verb {
   }
 
  private:
-  /// A model brings its shape along; flags that ask for another one are a mistake.
+  /// A model keeps its shape; flags that ask for another shape are a mistake.
   void require_no_contradiction(const CompensationModel& start) const {
     std::vector<int> units;
     for (std::size_t layer = 0; layer + 1 < start.layers.size(); ++layer) {
@@ -266,11 +265,11 @@ class TrainVerb final : public Verb {
   }
 
   void remove_checkpoint() const {
-    std::error_code ignored;  // a checkpoint that stays behind harms nobody
+    std::error_code ignored;  // a checkpoint that stays behind does no harm
     fs::remove(checkpoint_path(), ignored);
   }
 
-  /// What the new data tell of the valves; where they don't, a model to go on from keeps its own.
+  /// The valves that the new data show; if they show none, the model to go on from keeps its own.
   static void keep_known_valves(const CommonFlags& flags, const ArmDescription& arm,
                                 const std::optional<CompensationModel>& start,
                                 IdentifiedValves& valves) {
@@ -346,13 +345,13 @@ class TrainVerb final : public Verb {
                     changes ? "\n" + to_text(*changes) : ""));
   }
 
-  /// How far the model errs on motions that it has not seen, or why that is not known.
+  /// How large the model's error is on motions that it has not seen, or why that is not known.
   static std::string error_line(const CompensationModel& model, bool has_unseen) {
     if (model.prediction_error) {
       return prediction_error_to_text(*model.prediction_error);
     }
-    return has_unseen ? "the model's error could not be measured: its predictions run off, or the "
-                        "arm was seen too little"
+    return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
+                        "arm was not tracked often enough"
                       : "no motions were left to measure the model's error on; give --unseen "
                         "RECORDING";
   }

@@ -52,7 +52,7 @@ class VerifyVerb final : public Verb {
   }
 
  private:
-  /// What the judge knows of the valves; the plan itself is never asked.
+  /// The valves that the certificate uses; they never come from the plan itself.
   ValveParameters valves_of(const Plan& plan, const ArmDescription& arm,
                             const CompensationModel* network) const {
     if (plan.is_older_than_valves) {
@@ -60,13 +60,13 @@ class VerifyVerb final : public Verb {
     }
     ValveParameters valves = model_.valves(arm, network);
     if (valves.is_ideal() && !plan.valves_hash.empty()) {
-      throw InputError(fmt::format(
-          "{}: made with valves (hash {}): give --valves FILE, those that it was made with", plan_,
-          plan.valves_hash));
+      throw InputError(
+          fmt::format("{}: made with valves (hash {}): give --valves FILE with the same valves",
+                      plan_, plan.valves_hash));
     }
     if (!valves.is_ideal() && plan.valves_hash.empty()) {
       throw InputError(
-          fmt::format("{}: made without valves: give --no-valves to judge it so", plan_));
+          fmt::format("{}: made without valves: give --no-valves to check it so", plan_));
     }
     return valves;
   }
@@ -82,8 +82,8 @@ class VerifyVerb final : public Verb {
       return std::nullopt;
     }
     const std::string hash = content_hash(read_file(model_.model_file()));
-    // Plans made through the library may not say which file their model came from. Whether they hold
-    // with this one is what the certificate finds out.
+    // Plans made through the library may not say which file their model came from. The certificate
+    // finds out whether they hold with this one.
     if (plan.model == "network" && !plan.model_hash.empty() && plan.model_hash != hash) {
       throw InputError(fmt::format("{}: made with another model (hash {}; {} has {})", plan_,
                                    plan.model_hash, model_.model_file(), hash));

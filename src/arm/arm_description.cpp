@@ -66,7 +66,7 @@ class SegmentReader {
     Segment segment;
     segment.length_m = node.at("length_m").positive("a length in metres");
     segment.width_m = node.at("width_m").positive("a length in metres");
-    segment.gaps = node.at("gaps").integer("a number of gaps between plates", 1, kMaxGaps);
+    segment.gaps = node.at("gaps").integer("the number of gaps between plates", 1, kMaxGaps);
     if (!general_limit_) {
       segment.pressure_limit_kpa =
           node.at("pressure_limit_kpa").positive("a gauge pressure in kPa");
@@ -176,7 +176,7 @@ bool is_plain(const ArmDescription& arm) {
 void read_command_and_rate(const YamlReader& root, ArmDescription& arm) {
   if (root.has("pressure_rate_limit_kpa_per_s")) {
     root.at("pressure_rate_limit_kpa_per_s")
-        .refuse("an arm with 'command' has its rate there: command.rate_limit_per_s");
+        .refuse("an arm with 'command' has its rate in command.rate_limit_per_s");
   }
   const YamlReader node = root.at("command");
   arm.command = read_command(node);
@@ -271,7 +271,7 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   if (arm.name.empty()) {
     root.at("name").refuse("an empty text found; expected a name");
   }
-  arm.frame_rate_hz = root.at("frame_rate_hz").number("frames a second", 1.0, 1000.0);
+  arm.frame_rate_hz = root.at("frame_rate_hz").number("frames per second", 1.0, 1000.0);
   arm.no_load = read_no_load(root);
   if (root.has("command")) {
     read_command_and_rate(root, arm);

@@ -103,8 +103,8 @@ std::string why_another_arm(const ArmIdentity& made_for, const ArmDescription& a
     return {};
   }
   if (made_for.description.empty()) {
-    return "what differs is not known, as an earlier limber wrote the file and kept only a hash; "
-           "the arm file of a demo is arm.yaml in its folder";
+    return "what differs is not known, because an earlier limber wrote the file and kept only a "
+           "hash; the arm file of a demo is arm.yaml in its folder";
   }
   const ArmDescription there = read_arm_keys(made_for.description, file + ": arm_description");
   std::vector<std::string> differences = arm_differences(there, arm);

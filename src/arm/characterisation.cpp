@@ -92,7 +92,7 @@ void require_coverage(const std::vector<BenchPoint>& points, double limit_kpa) {
   if (moment >= 0.0) {
     throw InputError(
         "the bench strain is positive: the side would lengthen under pressure. Expected "
-        "contraction as a negative strain, (length - l0)/l0; where the data hold the amount of "
+        "contraction as a negative strain, (length - l0)/l0; if the data hold the amount of "
         "contraction, change their sign");
   }
 }
@@ -137,8 +137,9 @@ void add_warnings(std::size_t given, StrainFit& fit) {
   if (fit.full_strain > kBareActuatorStrain) {
     fit.warnings.push_back(fmt::format(
         "full strain is {:.2f}. Was a bare actuator measured? It contracts about a third more than "
-        "the side of a whole segment, whose elasticity holds it back; the no-load model then errs "
-        "by 27 cm instead of 16 on limber's virtual arm. Measure one whole, free segment",
+        "the side of a whole segment, whose elasticity holds it back; the error of the no-load "
+        "model is then 27 cm instead of 16 on limber's virtual arm. Measure one whole, free "
+        "segment",
         fit.full_strain));
   }
 }
@@ -155,10 +156,10 @@ StrainPolynomial never_falling(const MonotoneFit& problem, double limit_kpa) {
     }
     held = std::max(2.0 * held, kMinHeldSlope * fit.sum());  // Σ a_k = e(1), the mean slope
   }
-  throw InputError(
-      fmt::format("no polynomial of 7 digits that never falls was found in {} turns. Look for "
-                  "readings far off the others and take them out, or read at more pressures",
-                  kHoldingTurns));
+  throw InputError(fmt::format(
+      "no polynomial of 7 digits that never falls was found in {} rounds. Remove readings that are "
+      "far off the others, or measure at more pressures",
+      kHoldingTurns));
 }
 
 }  // namespace

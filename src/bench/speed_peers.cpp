@@ -26,7 +26,7 @@ constexpr KnownPeer kKnownPeers[] = {
     {"torch", "LibTorch", "apt install libtorch-dev and build limber again"},
 };
 
-// Null where limber was built without the peer, or its library is not there any more. Modules stay
+// Null if limber was built without the peer, or its library is not there any more. Modules stay
 // loaded: their libraries' threads may outlive a measurement.
 MakeNetworkPeer load_maker(const std::string& name) {
   namespace fs = std::filesystem;

@@ -57,7 +57,7 @@ class Certifier::Certification {
     check();
     if (give_up_.is_given_up()) {
       result_.unfinished = true;
-      fail("unfinished", -1, "the certificate was not finished in the time that was left");
+      fail("unfinished", -1, "the certificate was not finished in the time left");
     }
     return result_;
   }
@@ -153,7 +153,7 @@ class Certifier::Certification {
   }
 
   /// Open loop from the start, and each step from the stored backbone before it beside that.
-  /// @return false where it gave up
+  /// @return false if it gave up
   bool simulate() {
     ExactNetwork::Workspace workspace;
     simulated_.reserve(plan_.frames.size());
@@ -195,14 +195,17 @@ class Certifier::Certification {
 
   void fail_model(int frame, const Deviation& found) {
     const bool is_rounding = result_.max_step_deviation_m <= kRoundingM;
-    fail("model", frame,
-         fmt::format("{} is {:.4g} mm and {:.4g} rad from where the model puts it; allowed: "
-                     "{} mm and {} rad{}",
-                     plate_name(found.plate), found.apart_m * 1e3, found.turned_rad,
-                     Certificate::kDeviationM * 1e3, Certificate::kHeadingDeviationRad,
-                     is_rounding ? "; every single step agrees, so the model amplifies rounding "
-                                   "along this plan, and does not say where the arm goes"
-                                 : ""));
+    fail(
+        "model", frame,
+        fmt::format(
+            "{} is {:.4g} mm and {:.4g} rad from where the model puts it; allowed: "
+            "{} mm and {} rad{}",
+            plate_name(found.plate), found.apart_m * 1e3, found.turned_rad,
+            Certificate::kDeviationM * 1e3, Certificate::kHeadingDeviationRad,
+            is_rounding
+                ? "; every single step agrees, so the model amplifies rounding along this plan and "
+                  "can't say where the arm goes"
+                : ""));
   }
 
   bool check_shapes() {
@@ -215,7 +218,7 @@ class Certifier::Certification {
     return true;
   }
 
-  /// @return false where it gave up
+  /// @return false if it gave up
   bool check_collision() {
     if (give_up_.now()) {
       return false;

@@ -14,7 +14,7 @@ double dot(Complex a, Complex b) {
   return a.real() * b.real() + a.imag() * b.imag();
 }
 
-/// > 0 where b points to the left of a.
+/// > 0 if b points to the left of a.
 double cross(Complex a, Complex b) {
   return a.real() * b.imag() - a.imag() * b.real();
 }

@@ -20,7 +20,7 @@ struct CoveringBox {
   void cover(const CoveringBox& other);
   /// Of a point, negative inside. No point of what the box covers is nearer, nor farther inside.
   double distance_m(std::complex<double> p) const;
-  /// Squared distance between two boxes, 0 where they share a point.
+  /// Squared distance between two boxes, 0 if they share a point.
   double squared_distance(const CoveringBox& other) const;
 };
 

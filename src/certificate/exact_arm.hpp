@@ -16,7 +16,7 @@ namespace limber {
 /// it. Threads: constant after construction.
 class ExactArm {
  public:
-  using Shape = std::vector<Pose>;  // one a plate, base first
+  using Shape = std::vector<Pose>;  // one per plate, base first
 
   /// @param network  null: the no-load model. Copied, while the arm is borrowed.
   ExactArm(const ArmDescription& arm, const CompensationModel* network);

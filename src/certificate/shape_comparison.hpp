@@ -17,7 +17,7 @@ struct Deviation {
   int plate = 0;
 };
 
-/// A coordinate that is no number counts as any distance: comparisons with it are false.
+/// A coordinate that is not a number counts as any distance: comparisons with it are false.
 Deviation deviation(const ExactArm::Shape& own, const ExactArm::Shape& stored);
 
 }  // namespace limber

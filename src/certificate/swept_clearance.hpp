@@ -37,7 +37,7 @@ class SweptClearance {
   /// Over the motion from each shape to the next; a single shape stands still. @pre no gap turns by
   /// more than half a turn, and every number is finite.
   /// @param give_up  asked every few dozen microseconds whether to stop
-  /// @throws Interrupted where a signal comes meanwhile.
+  /// @throws Interrupted if a signal comes meanwhile.
   Result over(const std::vector<ExactArm::Shape>& shapes,
               const std::function<bool()>& give_up = {}) const;
 
@@ -46,7 +46,7 @@ class SweptClearance {
   class Search;
 
   double tolerance_m_;
-  std::vector<double> radius_m_;  // one a gap
+  std::vector<double> radius_m_;  // one per gap
   double max_radius_m_ = 0.0;
   std::vector<CoveredObstacle> obstacles_;
 };

@@ -210,7 +210,7 @@ void refuse_to_overwrite(const fs::path& path, bool force) {
   const fs::file_status status = fs::symlink_status(path, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     throw InputError(
-        fmt::format("{}: exists and is no plain file; it is never replaced", path.string()));
+        fmt::format("{}: exists and is not a plain file; it is never replaced", path.string()));
   }
   if (!force && fs::exists(status)) {
     throw InputError(fmt::format("{}: exists already; --force replaces it", path.string()));

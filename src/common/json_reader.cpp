@@ -39,8 +39,7 @@ Json parse_json_object(std::string_view text, const std::string& where) {
         event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
     if (opens && depth >= kMaxJsonLevels) {
       throw InputError(
-          fmt::format("{}: lists and objects more than {} deep in each other; none of "
-                      "limber's files has so many",
+          fmt::format("{}: lists and objects nested more than {} deep; no limber file has so many",
                       where, kMaxJsonLevels));
     }
     return true;

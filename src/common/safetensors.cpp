@@ -48,9 +48,10 @@ std::string_view header_of(std::string_view bytes, const std::string& where) {
   std::uint64_t length = 0;
   std::memcpy(&length, bytes.data(), kLengthBytes);
   if (length > kMaxHeader || length > bytes.size() - kLengthBytes) {
-    refuse(where, fmt::format("header length is {} bytes, but {} follow it: truncated, or no "
-                              "safetensors file",
-                              length, bytes.size() - kLengthBytes));
+    refuse(where,
+           fmt::format(
+               "header length is {} bytes, but {} follow it: truncated, or not a safetensors file",
+               length, bytes.size() - kLengthBytes));
   }
   return bytes.substr(kLengthBytes, static_cast<std::size_t>(length));
 }
@@ -154,7 +155,7 @@ void require_contiguous(std::vector<Range> ranges, std::size_t size, const std::
 
 std::map<std::string, std::string> read_metadata(const Json& metadata, const std::string& where) {
   if (!metadata.is_object()) {
-    refuse(where, "__metadata__ is no JSON object");
+    refuse(where, "__metadata__ is not a JSON object");
   }
   std::map<std::string, std::string> strings;
   for (const auto& [key, value] : metadata.items()) {

@@ -48,7 +48,7 @@ std::string host() {
   return fmt::format("{}-{}", text, space);
 }
 
-/// When a process began, in the kernel's ticks since boot; none where that can't be read.
+/// When a process began, in the kernel's ticks since boot; none if that can't be read.
 std::optional<std::string> start_of(const std::string& process) {
   constexpr int kFieldsBefore =
       20;  // proc(5): the start is field 22; the name, field 2, ends at ')'

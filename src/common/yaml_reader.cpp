@@ -68,7 +68,7 @@ YamlReader YamlReader::from_file(const std::filesystem::path& path) {
 
 YamlReader YamlReader::from_text(const std::string& text, const std::string& name) {
   if (const std::size_t at = find_invalid_utf8(text); at != std::string::npos) {
-    throw InputError(fmt::format("{}:{}: a byte that is no UTF-8; save the file as UTF-8", name,
+    throw InputError(fmt::format("{}:{}: a byte that is not UTF-8; save the file as UTF-8", name,
                                  1 + std::count(text.begin(), text.begin() + long(at), '\n')));
   }
   try {

@@ -20,7 +20,7 @@ namespace {
 constexpr double kBasePosition_m = 0.002;  // trackers are better than that
 constexpr double kBaseHeading_rad = 0.01;  // 7 mm at the end of a 0.7 m arm
 // Median distance of two plates over their gap at rest. A gap that stretches by half or bends by
-// 3.8 rad is no arm that we know; another unit or another arm is off by more.
+// 3.8 rad is not an arm that we know; another unit or another arm is off by more.
 constexpr double kLongestGap = 1.5;
 constexpr double kShortestGap = 0.5;
 // Standard deviation of the end's place over the arm's length, 1.4 mm at 0.7 m: more than a
@@ -77,7 +77,7 @@ void require_motion(const Episode& episode, const ArmDescription& arm, const std
     const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
     if (range > kMovingCommand * limit) {
       throw InputError(fmt::format(
-          "{}: the arm's end stands still (its place spreads by {:.2g} mm; expected at least "
+          "{}: the arm's end stands still (its position spreads by {:.2g} mm; expected at least "
           "{:.2g} mm) while the {} of {} changes by {:.4g} {}. Was the tracker running, and do "
           "both logs belong together? Record it again, or leave the episode out",
           where, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, segment_name(i),
@@ -150,7 +150,7 @@ std::string base_warning(const Recording& recording) {
       return fmt::format(
           "the base plate does not lie at the origin of the arm's frame but at {} ({}, on average; "
           "2 mm and 0.01 rad are allowed). A network of plate-relative poses can't know that, and "
-          "errs by as much. Import the logs again with 'alignment: base' in the mapping",
+          "its error is as large. Import the logs again with 'alignment: base' in the mapping",
           offset, episode_path(e));
     }
   }

@@ -203,7 +203,7 @@ void require_sizes_of(const Recording& recording, const ArmDescription& arm,
   }
   constexpr double kRateTolerance = 1e-6;  // relative; a rate is written once and copied
   if (std::abs(recording.rate_hz - arm.frame_rate_hz) > kRateTolerance * arm.frame_rate_hz) {
-    refuse(fmt::format("{} frames a second", recording.rate_hz),
+    refuse(fmt::format("{} frames per second", recording.rate_hz),
            fmt::format("{}", arm.frame_rate_hz));
   }
 }
@@ -256,7 +256,7 @@ void require_recording_of(const Recording& recording, const ArmDescription& arm,
   if (recording.frame_count() > 0 && recording.untracked_count() == recording.frame_count()) {
     throw InputError(fmt::format(
         "{}: the arm was tracked in none of its {} frames: there is nothing to learn from or to "
-        "compare with. Record it again with the tracker in view",
+        "compare with. Record it again with the arm in the tracker's view",
         file, recording.frame_count()));
   }
   require_backbones_of(recording, arm, file);

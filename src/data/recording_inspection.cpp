@@ -95,7 +95,7 @@ class EpisodeInspector {
         const auto first = episode_.backbone.row(0).head<2>();
         const double base_m = (now.head<2>() - first).norm();
         if (base_m > kBaseMotion_m) {
-          suspicions_.add("a base that is not where it was at the episode's start", index_, t,
+          suspicions_.add("a base that has moved since the episode's start", index_, t,
                           fmt::format("{:.3f} m away", base_m));
         }
       }

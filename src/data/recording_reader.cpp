@@ -108,7 +108,7 @@ class Reader {
     std::string value;
     found.read(type, value);
     if (!is_utf8(value)) {
-      refuse(where, "not a text in UTF-8; expected one");
+      refuse(where, "not a text in UTF-8; expected a text in UTF-8");
     }
     return value;
   }
@@ -117,7 +117,7 @@ class Reader {
   void require_single(const H5::Attribute& found, const std::string& where) const {
     const hssize_t count = found.getSpace().getSimpleExtentNpoints();
     if (count != 1) {
-      refuse(where, fmt::format("{} values found; expected a single one", count));
+      refuse(where, fmt::format("{} values found; expected a single value", count));
     }
   }
 
@@ -156,7 +156,7 @@ class Reader {
     H5L_info_t link{};
     if (H5Lget_info(file_.getId(), path.c_str(), &link, H5P_DEFAULT) < 0 ||
         link.type != H5L_TYPE_HARD) {
-      refuse(path, "a link to another place; expected the data themselves");
+      refuse(path, "a link to other data; expected the data themselves");
     }
     return true;
   }
@@ -220,9 +220,12 @@ class Reader {
     const hsize_t bytes = numbers * found.getDataType().getSize();
     const hsize_t stored = found.getStorageSize();
     if (numbers > 0 && (stored == 0 || (bytes > kSmallData && bytes / kMaxCompression > stored))) {
-      refuse(path, fmt::format("{} numbers by its shape, but {} bytes in the file: they were never "
-                               "written, or the file is damaged",
-                               numbers, stored));
+      refuse(
+          path,
+          fmt::format(
+              "its shape says {} numbers, but the file holds {} bytes: they were never written, or "
+              "the file is damaged",
+              numbers, stored));
     }
   }
 
@@ -282,7 +285,7 @@ class Reader {
                fmt::format("{} × {} × 3: frames × points × [x_m, y_m, theta_rad]", frames, m),
                "m, m, rad");
 
-    const std::string each = fmt::format("{}: one a frame", frames);
+    const std::string each = fmt::format("{}: one per frame", frames);
     const std::string motion_path = group + "/motion_index";
     episode.motion_index.resize(frames);
     read_into(motion_path, data_set(motion_path, {frames}, each.c_str(), "1"),

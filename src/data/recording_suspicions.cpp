@@ -47,7 +47,7 @@ void look_at_constant_commands(const Recording& recording, const ArmDescription*
         arm != nullptr ? arm->segments[static_cast<std::size_t>(i)].pressure_limit_kpa : 1.0;
     if (double(highest) - double(lowest) < kConstant * limit) {
       suspicions.add("a segment whose " + recording.command.name +
-                         " never changes: nothing can be learnt of it",
+                         " never changes: nothing can be learnt about it",
                      0, 0,
                      fmt::format("{}: {:.4g} … {:.4g} {}", segment_name(i), double(lowest),
                                  double(highest), recording.command.unit));

@@ -31,7 +31,7 @@ class Suspicions {
 /// What shows only in a recording as a whole, or in an episode: another arm, commands that never
 /// change, episodes too short or never tracked, frames at another rate, a base away from the
 /// origin, distances between plates that are not the arm's.
-/// @param arm  null where none was given.
+/// @param arm  null if none was given.
 void look_at_whole(const Recording& recording, const ArmDescription* arm, Suspicions& suspicions);
 
 }  // namespace limber

@@ -15,7 +15,7 @@ struct Corner {
   bool reached = false;
 };
 
-/// None where a set point is neither off nor full.
+/// None if a set point is neither off nor full.
 std::optional<Corner> corner_at(const Episode& episode, Eigen::Index frame,
                                 const std::vector<double>& limits_kpa) {
   Corner corner;

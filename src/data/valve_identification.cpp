@@ -164,7 +164,7 @@ class Identification {
     const std::string& what = recording_.command.name;
     if (setpoints_are_measured(recording_.episodes)) {
       return fmt::format(
-          "the set points are the measured numbers ({}): an import without a log of set points "
+          "the set points equal the measured numbers ({}): an import without a log of set points "
           "writes them so, or the recording holds no lag",
           what);
     }
@@ -184,7 +184,7 @@ class Identification {
                          kMinChanges);
     }
     if (split_.fitted.empty() || split_.held_back.empty()) {
-      return "the episodes are too short to fit valves to a part and judge them by the rest";
+      return "the episodes are too short to fit valves to one part and check them on the rest";
     }
     return {};
   }
@@ -221,7 +221,7 @@ class Identification {
     const ValveErrors& held_back = result.findings.held_back;
     if (held_back.frames == 0) {
       result.findings.warnings.push_back(
-          "no set point changes in what is held back: the errors are unknown");
+          "no set point changes in the held-back data: the errors are unknown");
       return;
     }
     if (int(told_.size()) < recording_.segment_count) {
@@ -233,8 +233,8 @@ class Identification {
       return;
     }
     result.findings.warnings.push_back(fmt::format(
-        "the valve model errs by {:.3g} {} on average where set points change, more than {:.0f} % "
-        "of {:.4g} {}: look for a supply pressure that is too low, a leak, a sensor that drifts, "
+        "the valve model's error is {:.3g} {} on average where set points change, more than {:.0f} "
+        "% of {:.4g} {}: look for a supply pressure that is too low, a leak, a sensor that drifts, "
         "set points and measurements whose clocks are not aligned, or set points logged late",
         held_back.mean_kpa, unit, 100.0 * kSuspiciousMean, scale(), unit));
     look_for_late_setpoints(result);

@@ -111,7 +111,7 @@ void OutputFolder::require_usable(Start start, bool has_manifest) const {
   const bool foreign = !has_manifest && fs::is_directory(folder_) && !fs::is_empty(folder_);
   if (foreign && start != Start::forced) {
     throw InputError(fmt::format(
-        "{}: holds files, and no list of those that limber {} wrote (older versions kept none); "
+        "{}: holds files, but no list of those that limber {} wrote (older versions kept none); "
         "choose another folder with --out, or write into this one with --force, which removes "
         "nothing",
         folder_.string(), verb_));
@@ -216,8 +216,8 @@ std::string OutputFolder::about_left() const {
     names += (i == 0 ? "" : ", ") + left_[i];
   }
   return fmt::format(
-      "{}: left as they are, not written by limber {} or changed since: {}{}", folder_.string(),
-      verb_, names,
+      "{}: left as they are, because limber {} did not write them or they have changed since: {}{}",
+      folder_.string(), verb_, names,
       left_.size() > kMaxNamed ? fmt::format(" and {} more", left_.size() - kMaxNamed) : "");
 }
 
@@ -225,8 +225,8 @@ void OutputFolder::require_free(const std::vector<std::string>& names) const {
   for (const std::string& name : names) {
     if (holds_foreign(name)) {
       throw InputError(fmt::format(
-          "{}: limber {} did not write this file, or it was changed since; a result of that name "
-          "is to be written: move it away, or choose another --out",
+          "{}: limber {} did not write this file, or it has changed since, and a result needs its "
+          "name: move it away, or choose another --out",
           (folder_ / name).string(), verb_));
     }
   }

@@ -204,8 +204,8 @@ class Experiment {
       }
     }
     if (open.size() < tasks_.size()) {
-      settings_.say(fmt::format("{} of {} trials were finished before", tasks_.size() - open.size(),
-                                tasks_.size()));
+      settings_.say(fmt::format("{} of {} trials were already finished",
+                                tasks_.size() - open.size(), tasks_.size()));
     }
     PlanTrialSettings trial;
     trial.limits = settings_.limits;
@@ -256,8 +256,8 @@ class Experiment {
     const Json table = to_json(rows);
     output_->write("table.json", table.dump(1) + "\n");
     const std::string title =
-        fmt::format("Planning and execution, arm {}, {} trials a cell, seed {}", settings_.arm.name,
-                    settings_.trials, settings_.seed);
+        fmt::format("Planning and execution, arm {}, {} trials per cell, seed {}",
+                    settings_.arm.name, settings_.trials, settings_.seed);
     const std::vector<ReportTable> tables = planning_tables(rows);
     output_->write("table.md", tables_to_markdown(title, tables));
     write_report(title, tables, rows, trials);

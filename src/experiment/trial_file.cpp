@@ -76,7 +76,7 @@ Backbone read_backbone(const JsonReader& field, const ArmDescription& arm) {
   constexpr double kFarthest = 1e6;  // [m, rad]; nothing real comes near
   const std::vector<JsonReader> rows = field.elements("a list of poses [x_m, y_m, theta_rad]");
   if (rows.size() != static_cast<std::size_t>(arm.point_count())) {
-    field.refuse(fmt::format("{} poses found; expected {}, one a plate of arm '{}'", rows.size(),
+    field.refuse(fmt::format("{} poses found; expected {}, one per plate of arm '{}'", rows.size(),
                              arm.point_count(), arm.name));
   }
   Backbone backbone(arm.point_count(), 3);

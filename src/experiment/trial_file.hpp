@@ -34,7 +34,7 @@ std::vector<std::string> trial_files(const std::string& id);
 
 /// What tables and figures need of a trial: names, status, first solution, plan, and of the
 /// execution its status, errors and final shape.
-/// @throws InputError naming file and field, and what to do, where the trial is damaged or another
+/// @throws InputError naming file and field, and what to do, if the trial is damaged or another
 /// experiment's: where its key differs, or its plan is not the one that was written with it,
 /// certified, for this arm.
 PlanTrial read_trial(const std::filesystem::path& folder, const TrialKey& key,

@@ -31,7 +31,7 @@ EnsembleForward::Prediction EnsembleForward::rollout(
   const int size = 3 * members_.front().point_count();
   if (pressures_kpa.rows() != segments || pressures_kpa.cols() < 1 || first.size() != size) {
     throw InputError(fmt::format(
-        "an ensemble's rollout got {} pressures a frame, {} frames and a backbone of {} numbers; "
+        "an ensemble's rollout got {} pressures per frame, {} frames and a backbone of {} numbers; "
         "expected {}, at least 1 and {}",
         pressures_kpa.rows(), pressures_kpa.cols(), first.size(), segments, size));
   }

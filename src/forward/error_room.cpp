@@ -10,20 +10,23 @@ namespace {
 
 ErrorRoom default_room(const ForwardModel& model) {
   if (!model.has_network()) {
-    return {0.0,
-            {},
-            true,
-            "the no-load model's error is not known, and no clearance is kept for it: its plans "
-            "mostly miss, and may collide; --margin-m keeps some"};
+    return {
+        0.0,
+        {},
+        true,
+        "the no-load model's error is not known, so no clearance is kept for it: its plans mostly "
+        "miss and may collide; --margin-m asks for a clearance"};
   }
   const std::optional<PredictionError>& error = model.compensation().prediction_error;
   if (!error) {
-    return {kUnknownErrorM,
-            {kUnknownErrorM, 0.0},
-            true,
-            fmt::format("the model does not say how far it errs: {:.1f} cm of clearance are kept, "
-                        "and as much to the goal's rim; limber train measures it",
-                        kUnknownErrorM * kCmPerM)};
+    return {
+        kUnknownErrorM,
+        {kUnknownErrorM, 0.0},
+        true,
+        fmt::format(
+            "the model's error was not measured: {:.1f} cm of clearance are kept, and as much to "
+            "the goal's rim; limber train measures the error",
+            kUnknownErrorM * kCmPerM)};
   }
   return {error->off_path_m, {error->end_position_m, error->end_orientation_rad}, true, ""};
 }

@@ -171,7 +171,7 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
   }
 }
 
-// Of B̃ there is one gap pose a segment; every gap of it gets its own.
+// Of B̃ there is one gap pose per segment; every gap of it gets its own.
 void ForwardPipeline::spread_over_gaps(const float* no_load, float* gaps) const {
   for (std::size_t g = 0; g < segment_of_gap_.size(); ++g) {
     std::copy_n(no_load + 3 * segment_of_gap_[g], 3, gaps + 3 * g);
@@ -188,7 +188,7 @@ void ForwardPipeline::compose(int count, const float* previous, const float* no_
   }
 }
 
-// The same gap by gap: of B̃ there is one gap pose a segment.
+// The same gap by gap: of B̃ there is one gap pose per segment.
 void ForwardPipeline::compose_gaps(int stride, const float* previous, const float* no_load,
                                    const float* output, float* next) const {
   const float* gates = output + layout_.backbone_size() * stride;

@@ -52,7 +52,7 @@ void add_rates(const LearntRegion& learnt, const Plan& plan, Eigen::Index i,
                float(plan.frame_rate_hz));
   }
   const auto add = [&](const char* direction, float value, float recorded) {
-    found.push_back(fmt::format("{} {} by {:.1f} {} a second; recorded up to {:.1f}",
+    found.push_back(fmt::format("{} {} by {:.1f} {} per second; recorded up to {:.1f}",
                                 segment_name(i), direction, value, unit, recorded));
   };
   if (-rate.low > kRateSlack * learnt.steepest_fall_kpa_per_s[i]) {
@@ -77,8 +77,8 @@ void add_novelty(const LearntRegion& learnt, const Plan& plan, std::vector<std::
   }
   if (beyond > 0) {
     found.push_back(fmt::format(
-        "in {} of {} frames pressures and shape together are beyond what was recorded, most in "
-        "frame {}: novelty {:.2f}, where 1 is the border",
+        "in {} of {} frames pressures and shape together are beyond what was recorded, farthest in "
+        "frame {}: novelty {:.2f}; 1 is the border",
         beyond, plan.frames.size() - 1, worst, most));
   }
 }

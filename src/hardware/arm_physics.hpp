@@ -23,7 +23,7 @@ class ArmPhysics {
   ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& parameters, double time_step_s);
 
   /// One step toward `setpoint_kpa` (signed, size n). @param vent  as Pneumatics::step's `exact`.
-  /// @returns what went wrong, empty where all is well.
+  /// @returns what went wrong, empty if all is well.
   [[nodiscard]] std::string step(const std::vector<double>& setpoint_kpa, bool vent);
 
   /// The simulator's part of the state.

@@ -139,13 +139,13 @@ std::vector<std::optional<Episode>> prepare(const CollectionSettings& settings,
   } else {
     throw InputError(
         fmt::format("{}: left by a collection that did not finish; --resume goes on from "
-                    "it, --force starts anew",
+                    "it, --force starts over",
                     parts.folder().string()));
   }
   return done;
 }
 
-/// @throws InputError where the file is another recording, or the parts hold other episodes.
+/// @throws InputError if the file is another recording, or the parts hold other episodes.
 Recording read_finished(const CollectionParts& parts, const fs::path& path, std::size_t episodes) {
   Recording finished = read_recording(path);
   parts.require_same_origin(finished, path.string());

@@ -18,7 +18,7 @@ bool same_values(const Episode& a, const Episode& b);
 class CollectionParts {
  public:
   /// @param identity  the recording they will make, without episodes.
-  /// @throws InputError where something else has the folder's name.
+  /// @throws InputError if something else has the folder's name.
   CollectionParts(const std::filesystem::path& path, Recording identity);
 
   const std::filesystem::path& folder() const { return folder_; }
@@ -28,7 +28,7 @@ class CollectionParts {
 
   void write(std::size_t index, const Episode& episode) const;
 
-  /// @throws InputError where the part is damaged or of other settings.
+  /// @throws InputError if the part is damaged or of other settings.
   std::optional<Episode> read(std::size_t index) const;
 
   /// @throws InputError that names what differs.

@@ -16,13 +16,13 @@ class EpisodeRecorder {
  public:
   explicit EpisodeRecorder(const ArmDescription& arm);
 
-  /// @throws SystemFault where the state has other sizes than the arm, or a number that is not
+  /// @throws SystemFault if the state has other sizes than the arm, or a number that is not
   /// finite: a driver's fault, kept out of the recording.
   void add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index);
 
   int frame_count() const { return static_cast<int>(time_s_.size()); }
 
-  /// The episode; the recorder is empty afterwards. @throws SystemFault where no frame had a
+  /// The episode; the recorder is empty afterwards. @throws SystemFault if no frame had a
   /// backbone.
   Episode finish();
 

@@ -161,7 +161,7 @@ class Execution {
     see();
   }
 
-  /// Takes in the arm's shape of this frame, where there is one.
+  /// Takes in the arm's shape of this frame, if there is one.
   void see() {
     if (std::optional<BackboneD> measured = look_()) {
       watch_.observe(driver_.state().time_s, *measured);

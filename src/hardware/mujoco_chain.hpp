@@ -16,7 +16,7 @@ namespace limber {
 /// Threads: one object, one thread.
 class MujocoChain {
  public:
-  /// @throws SystemFault where MuJoCo refuses the model.
+  /// @throws SystemFault if MuJoCo refuses the model.
   MujocoChain(const ArmDescription& arm, double time_step_s);
 
   int size() const { return model_->nv; }
@@ -31,7 +31,7 @@ class MujocoChain {
   double* applied_force() { return data_->qfrc_applied; }
 
   /// One step; the joints' damping is implicit.
-  /// @returns what MuJoCo complained of, empty where all is well. After a complaint the state is
+  /// @returns what MuJoCo complained of, empty if all is well. After a complaint the state is
   /// lost: MuJoCo resets it.
   [[nodiscard]] std::string step();
 

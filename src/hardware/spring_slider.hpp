@@ -17,7 +17,7 @@ struct SpringSlider {
   double damping = 0.0;    ///< ≥ 0
   double limit = 0.0;      ///< ≥ 0; may change from step to step
 
-  /// Force on the body at `position` moving with `velocity`. Moves `anchor`: call once a step.
+  /// Force on the body at `position` moving with `velocity`. Moves `anchor`: call once per step.
   double force(double position, double velocity, double& anchor) const {
     const double reach = limit / stiffness;
     anchor = std::clamp(anchor, position - reach, position + reach);

@@ -36,7 +36,7 @@ void check_options(const VirtualArmOptions& options) {
   check_option("latency_s", options.latency_s, kLongestLatencyS);
 }
 
-/// Simulator steps a frame: the fewest that keep the step within the arm's `time_step_s`.
+/// Simulator steps per frame: the fewest that keep the step within the arm's `time_step_s`.
 int steps_per_frame(const ArmDescription& arm, const VirtualArmParameters& parameters) {
   constexpr double kRounding = 1e-9;  // so that 0.05 s of 0.001 s are 50 steps, not 51
   return std::max(
@@ -144,7 +144,7 @@ class VirtualArm::Simulation {
   void set_observer(StepObserver observer) { observer_ = std::move(observer); }
 
  private:
-  /// Set points within the arm's limits. Changes nothing where it throws.
+  /// Set points within the arm's limits. Changes nothing if it throws.
   std::vector<double> checked(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
     if (setpoint_kpa.size() != arm_.segment_count()) {
       throw InputError(fmt::format("{} set points; arm '{}' has {} segments", setpoint_kpa.size(),

@@ -80,10 +80,10 @@ RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTrac
     report.points.push_back(
         {name, tracks.plates[std::size_t(i)], 1.0 - double(missing) / double(rows)});
     if (missing == rows) {
-      throw InputError(
-          fmt::format("{}: point '{}' ({}) is never seen: all of its cells are empty. Leave it out "
-                      "of the mapping to have its plate put between its neighbours, or track it",
-                      log, name, plate_name(tracks.plates[std::size_t(i)])));
+      throw InputError(fmt::format(
+          "{}: point '{}' ({}) is never tracked: all of its cells are empty. Leave it out of the "
+          "mapping, and its plate is put between its neighbours; or track it",
+          log, name, plate_name(tracks.plates[std::size_t(i)])));
     }
   }
   const auto filled = std::count(state.bridged.begin(), state.bridged.end(), true);
@@ -100,7 +100,7 @@ RowState fill_short_gaps(const std::string& log, double longest_gap_s, PointTrac
   }
   if (lost == rows) {
     throw InputError(fmt::format(
-        "{}: in none of the {} rows are all points seen, nor for less than {} s unseen. Leave "
+        "{}: in none of the {} rows are all points tracked, or hidden for less than {} s. Leave "
         "points that are often hidden out of the mapping",
         log, rows, longest_gap_s));
   }

@@ -189,7 +189,7 @@ void settle_base(const std::vector<bool>& tracked, PointTracks& tracks, RunRepor
   report.base_scatter_m = percentile(std::move(distances), kScatterPercentile);
   if (report.base_scatter_m > kBaseStandsStill_m) {
     report.note(
-        "the base moves by more than 5 mm: left as it was seen",
+        "the base moves by more than 5 mm: left as it was tracked",
         fmt::format("95 % of the rows have it within {:.1f} mm", 1e3 * report.base_scatter_m));
     return;
   }

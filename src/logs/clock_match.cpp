@@ -25,7 +25,7 @@ constexpr double kLongestLag_s = 0.4;
 constexpr double kLagStep_s = 0.02;
 constexpr double kClearlyBetter = 1e-4;  // of correlations
 
-/// How fast each segment turns, on an even grid: one column a segment, zero where unknown.
+/// How fast each segment turns, on an even grid: one column per segment, zero where unknown.
 struct TurnRates {
   double start_s = 0.0;
   Eigen::MatrixXd values;
@@ -34,7 +34,7 @@ struct TurnRates {
 /// A log's turns at its own times, on its own clock.
 struct Turns {
   const std::vector<double>& time_s;
-  Eigen::MatrixXd values;  // T×n, NaN where unknown
+  Eigen::MatrixXd values;  // T×n, NaN if unknown
 };
 
 TurnRates rates_of(const Turns& turns, double start_s, Eigen::Index count) {
@@ -168,7 +168,7 @@ std::vector<double> energy_before(const Eigen::MatrixXd& values) {
   return sums;
 }
 
-/// Normalised correlation at every shift; NaN where the overlap is too short.
+/// Normalised correlation at every shift; NaN if the overlap is too short.
 Eigen::VectorXd normalised_correlation(const TurnRates& a, const TurnRates& b, bool signed_turns) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(a.values.rows() + b.values.rows() - 1);
   for (Eigen::Index i = 0; i < a.values.cols(); ++i) {

@@ -13,7 +13,7 @@ struct ClockMatch {
   double correlation = 0.0;  ///< there, in [−1, 1]
   double lag_s = 0.0;        ///< by which the arm follows its commands, each of two stages
   double runner_up = 0.0;    ///< the largest farther than a second from there
-  double opposite = 0.0;     ///< the smallest anywhere: near −1 where signs are turned
+  double opposite = 0.0;     ///< the smallest anywhere: near −1 if signs are turned
 };
 
 /// Compares how fast each segment turns with how fast the no-load model would turn it under the
@@ -26,7 +26,7 @@ struct ClockMatch {
 ClockMatch match_clocks(const BackboneTrack& motion, const CommandTrack& commands,
                         const ArmDescription& arm);
 
-/// The correlation of each segment, n numbers, where the clocks are `offset_s` apart; 0 where
+/// The correlation of each segment, n numbers, where the clocks are `offset_s` apart; 0 if
 /// nothing moves.
 std::vector<double> segment_correlations(const BackboneTrack& motion, const CommandTrack& commands,
                                          const ArmDescription& arm, double offset_s);

@@ -105,7 +105,7 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
     max_ratio = std::max(max_ratio, facts.sizes.back() / limit);
     if (facts.highest - facts.lowest < kConstant * limit) {
       ++constant;
-      report.note("a command that never changes: nothing can be learnt of its segment",
+      report.note("a command that never changes: nothing can be learnt about its segment",
                   fmt::format("'{}' ({}) stays within {:.4g} … {:.4g} {}", name, segment_name(i),
                               facts.lowest, facts.highest, unit));
     }

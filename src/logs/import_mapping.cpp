@@ -36,7 +36,7 @@ TimeColumn read_time(const YamlReader& node) {
     time.unit = node.at("unit").text();
   }
   if (time.unit == "frame") {
-    time.seconds_per_unit = 1.0 / node.at("rate_hz").positive("frames a second");
+    time.seconds_per_unit = 1.0 / node.at("rate_hz").positive("frames per second");
   } else {
     time.seconds_per_unit = node.has("unit") ? factor_to(node.at("unit"), "s") : 1.0;
   }
@@ -73,7 +73,7 @@ CommandColumns read_commands(const YamlReader& node, const ArmDescription& arm,
   if (node.has("columns") == (node.has("right") && node.has("left"))) {
     node.refuse(
         "expected either 'columns', signed, positive to the right, or both 'right' and "
-        "'left', one column a side");
+        "'left', one column per side");
   }
   if (node.has("columns")) {
     commands.measured = read_names(node.at("columns"), n, each);

@@ -24,7 +24,7 @@ constexpr double kSilenceAllowed_s = 60.0;  // however short the log
 constexpr double kMinOfMotion = 0.1;        // of the motion log's length
 constexpr double kLongestLog_s = 86400.0;   // clocks are compared over the whole of it, at 100 Hz
 
-/// The unit in which the times would be those of a log of this arm; empty where there is none.
+/// The unit in which the times would be those of a log of this arm; empty if there is none.
 std::string unit_guess(const TimeColumn& time, double rate_hz, double lowest_hz) {
   std::string guess;
   double guessed_hz = kPlausibleLog_hz;
@@ -58,7 +58,7 @@ std::string advice(const TimeColumn& time, double rate_hz, double lowest_hz) {
 }
 
 std::string found(const std::string& log, const TimeColumn& time, double rate_hz) {
-  return fmt::format("{}: column '{}', read in {}, gives {:.4g} rows a second", log, time.column,
+  return fmt::format("{}: column '{}', read in {}, gives {:.4g} rows per second", log, time.column,
                      time.unit, rate_hz);
 }
 
@@ -91,8 +91,8 @@ void check_clock(const std::string& log, const TimeColumn& time, const std::vect
   const double lowest_hz = kSlowerThanArm * arm.frame_rate_hz;
   if (!(rate_hz >= lowest_hz)) {
     throw InputError(fmt::format(
-        "{}; expected {:.4g} to {}: arm '{}' works at {} frames a second, and what lies between "
-        "rows is not invented. {}",
+        "{}; expected {:.4g} to {}: arm '{}' works at {} frames per second, and frames between "
+        "rows are not invented. {}",
         found(log, time, rate_hz), lowest_hz, kFastestLog_hz, arm.name, arm.frame_rate_hz,
         advice(time, rate_hz, lowest_hz)));
   }

@@ -9,8 +9,9 @@
 namespace limber {
 
 /// Refuses times that can't be a log's of this arm, before anything is allocated by them: fewer
-/// rows a second than the arm has frames, more than any logger gives, or gaps that make up most of
-/// the log. Such times are mostly in another unit than the mapping says; the message guesses which.
+/// rows per second than the arm has frames, more than any logger gives, or gaps that make up most
+/// of the log. Such times are mostly in another unit than the mapping says; the message guesses
+/// which.
 /// @param time_s  increasing, at least 2.
 /// @throws InputError naming the log, the column, what was found and what is allowed.
 void check_clock(const std::string& log, const TimeColumn& time, const std::vector<double>& time_s,

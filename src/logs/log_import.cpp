@@ -44,8 +44,8 @@ void check_clocks(const std::string& log, const std::string& command_log,
 [[noreturn]] void refuse_turned_signs(const std::string& log, const ArmDescription& arm,
                                       double correlation) {
   throw InputError(fmt::format(
-      "{}: the arm bends to the other side than its {}s say (correlation {:.2f}): positive bends "
-      "{}. Put a '-' before the columns' names in the mapping, or swap right and left",
+      "{}: the arm bends to the opposite side of what its {}s say (correlation {:.2f}): positive "
+      "bends {}. Put a '-' before the columns' names in the mapping, or swap right and left",
       log, arm.command.name, correlation,
       arm.no_load == NoLoadKind::curvature ? "to the side of curvature_per_unit's sign, left for +"
                                            : "right, towards -y"));
@@ -67,7 +67,7 @@ void bring_clocks_together(const std::string& log, const std::string& command_lo
       throw InputError(fmt::format(
           "{} and {}: how far apart their clocks are can't be told from the motion: the best "
           "correlation is {:.2f}, the next best {:.2f}. Do they belong together, and are the "
-          "columns in the segments' order? Give the difference with --time-offset-s (what is to be "
+          "columns in the segments' order? Give the offset with --time-offset-s (the time to be "
           "added to the {} log's times), or record something that does not repeat itself",
           log, command_log, match.correlation, match.runner_up, arm.command.name));
     }
@@ -182,7 +182,7 @@ ImportResult import_csv(const std::vector<fs::path>& logs, const ImportOptions& 
     if (!inside && runs.size() > 1) {
       throw InputError(
           fmt::format("{}: {} recordings in one log, and commands in another file; "
-                      "expected one recording a file",
+                      "expected one recording per file",
                       log.string(), runs.size()));
     }
     if (!inside) {

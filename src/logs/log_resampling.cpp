@@ -259,7 +259,7 @@ std::vector<Episode> resample(const std::string& log, const BackboneTrack& motio
                     commands.time_s.back(), longest_gap_s));
   }
   if (commands.setpoint.size() == 0) {
-    report.note("no set points logged: the measured commands stand for them");
+    report.note("no set points logged: the measured commands take their place");
   }
   for (const Episode& episode : episodes) {
     ++report.episodes;

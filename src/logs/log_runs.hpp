@@ -20,7 +20,7 @@ struct LogRun {
 };
 
 /// The recordings of one generic CSV, as its mapping says.
-/// @param with_commands  false where the commands come from another file.
+/// @param with_commands  false if the commands come from another file.
 /// @throws InputError naming file, line and column.
 std::vector<LogRun> read_csv_runs(const std::filesystem::path& path, const ImportMapping& mapping,
                                   const ArmDescription& arm, bool with_commands);
@@ -31,7 +31,7 @@ CommandTrack read_command_log(const std::filesystem::path& path, const ImportMap
 
 /// Brings rows into the order of time: rows without a time and repeated times are left out, single
 /// rows out of order are sorted, each noted.
-/// @throws InputError where time is no time of one recording: shuffled, starting anew, standing
+/// @throws InputError if time is no time of one recording: shuffled, starting again, standing
 /// still.
 void put_in_order(const std::string& log, PointTracks& tracks, RunReport& report);
 void put_in_order(const std::string& log, CommandTrack& track, RunReport& report);

@@ -50,7 +50,7 @@ class LogFile {
 
   const std::vector<std::string>& names() const { return names_; }
 
-  /// Index of a column. @throws InputError where it is missing or there twice.
+  /// Index of a column. @throws InputError if it is missing or there twice.
   std::size_t find(const std::string& name) const {
     const auto first = std::find(names_.begin(), names_.end(), name);
     if (first == names_.end()) {
@@ -150,7 +150,7 @@ std::vector<Column> columns_of(const LogFile& file, const WantedColumns& wanted)
   return columns;
 }
 
-/// Why a row can't be read; empty where it was.
+/// Why a row can't be read; empty if it was.
 std::string read_row(const LogFile& file, const std::vector<CsvCell>& row,
                      const std::vector<Column>& columns, std::vector<double>& values) {
   values.clear();
@@ -163,7 +163,7 @@ std::string read_row(const LogFile& file, const std::vector<CsvCell>& row,
       }
       const CsvCell& cell = row[column.index];
       if (!is_missing(cell.text) && !file.parse(cell.text, value)) {
-        return fmt::format("line {}, column '{}': '{}' is no number", file.csv().line(),
+        return fmt::format("line {}, column '{}': '{}' is not a number", file.csv().line(),
                            file.names()[column.index], cell.text);
       }
     }

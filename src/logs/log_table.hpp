@@ -12,9 +12,9 @@ namespace limber {
 /// Columns of a text log as numbers.
 struct LogTable {
   std::string file;
-  std::vector<std::vector<double>> columns;  ///< as asked for; NaN where a cell is empty
+  std::vector<std::vector<double>> columns;  ///< as asked for; NaN if a cell is empty
   std::vector<std::size_t> lines;            ///< of each row, for messages
-  std::vector<std::string> labels;           ///< of each row; empty where none was asked for
+  std::vector<std::string> labels;           ///< of each row; empty if none was asked for
 
   std::size_t row_count() const { return lines.size(); }
 };

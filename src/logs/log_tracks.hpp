@@ -18,7 +18,7 @@ struct PointTracks {
   std::vector<double> time_s;      ///< T
   Eigen::MatrixXd x_m;             ///< T×k
   Eigen::MatrixXd y_m;             ///< T×k
-  Eigen::MatrixXd theta_rad;       ///< T×k, wrapped or not; 0×0 where only positions were logged
+  Eigen::MatrixXd theta_rad;       ///< T×k, wrapped or not; 0×0 if only positions were logged
 
   int point_count() const { return static_cast<int>(plates.size()); }
   Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
@@ -30,7 +30,7 @@ struct PointTracks {
 struct CommandTrack {
   std::vector<double> time_s;  ///< T
   Eigen::MatrixXd measured;    ///< T×n, signed
-  Eigen::MatrixXd setpoint;    ///< T×n, or 0×0 where none were logged
+  Eigen::MatrixXd setpoint;    ///< T×n, or 0×0 if none were logged
   std::vector<double> motion;  ///< T numbers of motions, or empty
 
   Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }
@@ -40,7 +40,7 @@ struct CommandTrack {
 struct BackboneTrack {
   std::vector<double> time_s;  ///< T, increasing
   Eigen::MatrixXd poses;       ///< T×3m: x_m, y_m, theta_rad of each plate; θ unwrapped
-  std::vector<bool> tracked;   ///< T; false where a point was missing for too long: poses are NaN
+  std::vector<bool> tracked;   ///< T; false if a point was missing for too long: poses are NaN
   std::vector<bool> bridged;   ///< T; a point of this row was put between its neighbours in time
 
   Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }

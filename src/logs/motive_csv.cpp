@@ -124,10 +124,10 @@ class MotiveFile {
     read_length_unit(value("Length Units"));
     const std::string space = value("Coordinate Space");
     if (!space.empty() && space != "Global" && space != "World") {
-      refuse(
-          fmt::format("'Coordinate Space' is {}; expected Global: bones' poses about their "
-                      "parents are no poses in one plane. {}",
-                      space, kHowToExport));
+      refuse(fmt::format(
+          "'Coordinate Space' is {}; expected Global: bones' poses relative to their parents do "
+          "not lie in one plane. {}",
+          space, kHowToExport));
     }
   }
 
@@ -292,7 +292,7 @@ class MotiveFile {
   std::string read_row(const Texts& row) {
     double time_s = 0.0;
     if (!parse_number(cell(row, time_column_), time_s)) {
-      return fmt::format("'{}' is no time", cell(row, time_column_));
+      return fmt::format("'{}' is not a time", cell(row, time_column_));
     }
     std::vector<double> numbers;
     for (const auto& [column, meaning] : columns_) {
@@ -300,7 +300,7 @@ class MotiveFile {
       const std::string& text = cell(row, column);
       if (!text.empty() && !parse_number(text, value)) {
         if (text != "nan" && text != "NaN") {
-          return fmt::format("column {}: '{}' is no number", column + 1, text);
+          return fmt::format("column {}: '{}' is not a number", column + 1, text);
         }
         value = kNan;
       }

@@ -14,8 +14,8 @@ namespace limber {
 struct MotiveObject {
   std::string type;            ///< as the file has it: "Rigid Body", "Marker", …
   std::string name;            ///< without quotes: "Plate01", "Plate01:Marker1"
-  Eigen::MatrixXd position_m;  ///< T×3 in the file's axes, NaN where the cell is blank
-  Eigen::MatrixXd rotation;    ///< T×4 unit quaternion x, y, z, w; 0×0 where the type has none
+  Eigen::MatrixXd position_m;  ///< T×3 in the file's axes, NaN if the cell is blank
+  Eigen::MatrixXd rotation;    ///< T×4 unit quaternion x, y, z, w; 0×0 if the type has none
 };
 
 /// An OptiTrack Motive take, as its CSV export has it. The file's own axes (y up unless the export
@@ -24,7 +24,7 @@ struct MotiveTake {
   std::string name;
   std::string format_version;
   std::string rotation_type;    ///< "Quaternion" or the order of the Euler angles, "XYZ" …
-  double export_rate_hz = 0.0;  ///< as the header says; 0 where it does not
+  double export_rate_hz = 0.0;  ///< as the header says; 0 if it does not
   std::vector<double> time_s;
   std::vector<MotiveObject> objects;
 };

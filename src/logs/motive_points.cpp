@@ -226,7 +226,7 @@ void require_plane(const std::string& log, const std::vector<Eigen::MatrixXd>& p
 struct PointSeries {
   std::string name;
   Eigen::MatrixXd position_m;   // T×3
-  Eigen::VectorXd heading_rad;  // empty where none
+  Eigen::VectorXd heading_rad;  // empty if none
 };
 
 PointSeries series_of(const PointSource& point, const PlateFinder& finder, const Plane& plane) {

@@ -10,7 +10,7 @@
 namespace limber {
 
 /// The plates of an arm among what Motive tracked, in the plane that `mapping.up` leaves: by the
-/// mapping's points, or, without any, all rigid bodies (markers, where there are none) in the order
+/// mapping's points, or, without any, all rigid bodies (markers, if there are none) in the order
 /// of their names, if there are as many as plates.
 /// @throws InputError, its message beginning with `log`, where an object is missing (with what is
 /// there), or where the motion leaves that plane.

@@ -12,7 +12,7 @@ namespace limber {
 /// `rotation`, T×4 quaternions x, y, z, w as `csv` has them, with their length made 1. Rows with
 /// NaN stay.
 /// @param time_s  T times, for the message.
-/// @throws InputError naming file, object and time where a length is not 1 up to rounding.
+/// @throws InputError naming file, object and time if a length is not 1 up to rounding.
 Eigen::MatrixXd unit_quaternions(const CsvReader& csv, const std::string& object,
                                  const std::vector<double>& time_s, Eigen::MatrixXd rotation);
 

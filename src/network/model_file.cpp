@@ -86,7 +86,7 @@ class TensorReader {
 
   void require_all_taken() const {
     if (!content_.tensors.empty() || !content_.shorts.empty()) {
-      refuse(where_, fmt::format("tensor {} does not belong into a model file",
+      refuse(where_, fmt::format("tensor {} does not belong in a model file",
                                  content_.tensors.empty() ? content_.shorts.begin()->first
                                                           : content_.tensors.begin()->first));
     }

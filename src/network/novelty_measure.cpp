@@ -12,7 +12,7 @@ int padded(int count, int lanes) {
   return (count + lanes - 1) / lanes * lanes;
 }
 
-// Each plate's pose about the plate before it, three numbers a gap. Four headings at a time:
+// Each plate's pose about the plate before it, three numbers per gap. Four headings at a time:
 // `headings`, `sines` and `cosines` hold whole vectors.
 void write_gap_poses(const float* backbone, int gaps, int padded_gaps, float* headings,
                      float* poses) {

@@ -13,7 +13,7 @@ Eigen::MatrixXd rounded_to_half(const Eigen::MatrixXd& weight) {
   return rounded.allFinite() ? rounded : weight;
 }
 
-// Bits of the weights, or nothing where one of them is no half-precision number.
+// Bits of the weights, or nothing if one of them is no half-precision number.
 AlignedHalves half_bits(const AlignedFloats& weights) {
   AlignedHalves bits;
   bits.reserve(weights.size());

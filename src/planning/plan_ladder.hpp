@@ -24,7 +24,7 @@ class PlanLadder {
 
   /// A plan that is better than all that stand. @param waypoints_kpa  start first
   /// @param merit_kpa  the less, the better; its cost, where nothing else counts
-  /// @return whether it may be built upon: false where it was judged and refused
+  /// @return whether it may be built upon: false if it was judged and refused
   bool offer(const std::vector<Pressures>& waypoints_kpa, double merit_kpa, std::uint64_t queries);
 
   /// Of the best that was offered and not refused; none: there is none.

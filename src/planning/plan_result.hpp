@@ -21,7 +21,7 @@ struct SearchEnd {
   std::vector<Pressures> nearest_kpa;  ///< waypoints of the motion that came nearest to the goal
 };
 
-/// Finishes a search: the plan that holds, or else the motion that came nearest, simulated anew
+/// Finishes a search: the plan that holds, or else the motion that came nearest, simulated again
 /// from the start, with the reason why the search ended and the problem's warnings: nobody waits
 /// for them before a first plan.
 /// @param result  its statistics of iterations and nodes are filled in

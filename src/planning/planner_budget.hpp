@@ -11,15 +11,15 @@ namespace limber {
 /// Watches a planner's limits and calls its callback now and then.
 class PlannerBudget {
  public:
-  /// @throws InputError where no limit is set or one is not positive.
+  /// @throws InputError if no limit is set or one is not positive.
   PlannerBudget(const PlannerLimits& limits, const PlannerCallback& callback);
 
   double elapsed_s() const;
 
-  /// True where the time is up or the callback has asked to stop; looked at inside long steps.
+  /// True if the time is up or the callback has asked to stop; looked at inside long steps.
   bool out_of_time() const;
 
-  /// True where the time limit has passed by more than an ending may take.
+  /// True if the time limit has passed by more than an ending may take.
   bool is_overdue() const;
 
   /// The last plan's certificate takes about so long: the search ends that much earlier.
@@ -37,7 +37,7 @@ class PlannerBudget {
   /// The limit that ended the search, if one did.
   std::optional<PlanLimit> limit() const { return limit_; }
   bool stopped_by_callback() const { return stopped_; }
-  /// True where the best cost is at or below the threshold asked for.
+  /// True if the best cost is at or below the threshold asked for.
   bool good_enough(const std::optional<double>& cost_kpa) const {
     return cost_kpa && limits_.cost_threshold_kpa && *cost_kpa <= *limits_.cost_threshold_kpa;
   }

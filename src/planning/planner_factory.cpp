@@ -41,7 +41,7 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs, const F
     return make_certified_planner(make_default_planner(settings, name));
   }
   if (forest != nullptr) {
-    throw InputError(fmt::format("planner '{}' uses no forest; 'default' does", name));
+    throw InputError(fmt::format("planner '{}' uses no forest; only 'default' does", name));
   }
   if (PlannerName parsed = PlannerName::parse(name);
       parsed.name == "paper" || parsed.name == "paper-steer-all") {

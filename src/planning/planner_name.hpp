@@ -6,7 +6,8 @@
 
 namespace limber {
 
-/// A planner as people name it: "NAME" or "NAME,key=value,key=value". Names of before are understood.
+/// A planner as people name it: "NAME" or "NAME,key=value,key=value". Names of before are
+/// understood.
 struct PlannerName {
   std::string name;
   std::map<std::string, std::string> settings;  ///< as they were typed
@@ -16,7 +17,7 @@ struct PlannerName {
   static PlannerName parse(const std::string& text);
 
   /// The number of a setting, which is then no longer there; `fallback` where it was not given.
-  /// @throws InputError where it is no number from `low` to `high`.
+  /// @throws InputError if it is not a number from `low` to `high`.
   double take(const std::string& key, double low, double high, double fallback);
 };
 

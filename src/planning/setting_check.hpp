@@ -6,7 +6,7 @@
 
 namespace limber {
 
-/// @throws InputError where a planner's setting is out of range.
+/// @throws InputError if a planner's setting is out of range.
 inline void require_between(const char* name, double value, double low, double high) {
   if (!(value >= low && value <= high)) {
     throw InputError(

@@ -15,7 +15,7 @@ struct Spread {
 Spread spread_of(std::vector<double> values);
 
 /// Density at even steps from the lowest to the highest value, the largest being 1: a Gaussian
-/// kernel, bandwidth by Silverman's rule (1986, 3.31). One step of density 1 where all are equal.
+/// kernel, bandwidth by Silverman's rule (1986, 3.31). One step of density 1 if all are equal.
 struct DensityOutline {
   std::vector<double> at;
   std::vector<double> density;  ///< in [0, 1]

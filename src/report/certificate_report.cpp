@@ -70,8 +70,8 @@ std::string certificate_to_text(const Certificate& certificate, const ArmDescrip
                                   ? fmt::format(" and {:.3f} rad", certificate.goal_orientation_rad)
                                   : "";
   return fmt::format(
-      "certified: {} frames; {}; plates within {:.2g} mm of the own simulation; ends {:.3f} cm{} "
-      "from the goal; cost {:.2f} {unit}, at most {:.3g} {unit} a frame",
+      "certified: {} frames; {}; plates within {:.2g} mm of an independent simulation; ends {:.3f} "
+      "cm{} from the goal; cost {:.2f} {unit}, at most {:.3g} {unit} per frame",
       certificate.frames, where, certificate.max_deviation_m * 1e3,
       certificate.goal_distance_m * kCmPerM, heading, certificate.cost_kpa,
       certificate.max_step_kpa, fmt::arg("unit", arm.command.unit));

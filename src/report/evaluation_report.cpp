@@ -98,11 +98,11 @@ std::string evaluation_to_text(const Evaluation& evaluation) {
       "worst: the mean over the worst motion; moving: over frames in which the tip moves; -: there "
       "are none\n";
   if (evaluation.network) {
-    text += fmt::format("open loop, the network's errors are smaller by {:.1f} % and {:.1f} %\n",
+    text += fmt::format("open loop, the network's errors are {:.1f} % and {:.1f} % smaller\n",
                         evaluation.position_reduction_percent,
                         evaluation.orientation_reduction_percent);
     const LongRollout& rollout = evaluation.long_rollout;
-    text += fmt::format("{} frames without correction: {}, no plate farther than {:.2f} m\n",
+    text += fmt::format("{} frames without correction: {}, no plate is farther than {:.2f} m\n",
                         rollout.frames, rollout.bounded ? "bounded" : "NOT BOUNDED",
                         rollout.max_distance_m);
   }

@@ -60,7 +60,7 @@ void draw_prediction(SvgDrawing& drawing, const ArmDescription& arm, const Plan&
   const ShapeStyle end{.fill = color, .stroke = "none", .opacity = 0.4};
   draw_arm(drawing, arm, plan.frames.back().backbone, end);
   drawing.polyline(tips, {.stroke = color, .width_px = 2.0, .dashed = true});
-  drawing.legend(fmt::format("end that the {} model predicts; dashed: its tip's way",
+  drawing.legend(fmt::format("end that the {} model predicts; dashed: its tip's path",
                              network ? "network" : "no-load"),
                  end);
 }
@@ -93,7 +93,7 @@ std::string execution_picture(const ArmDescription& arm, const Environment& envi
   if (result.final_backbone) {
     const ShapeStyle executed{.fill = truth, .stroke = truth, .width_px = 1.5, .opacity = 0.6};
     draw_arm(drawing, arm, *result.final_backbone, executed);
-    drawing.legend("the arm's end, and the way of its tip", executed);
+    drawing.legend("the arm's end, and the path of its tip", executed);
   }
   return drawing.svg();
 }

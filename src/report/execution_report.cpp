@@ -86,7 +86,7 @@ std::string execution_to_text(const ExecutionResult& result, const Environment& 
                           kCmPerM * result.open_loop_goal_error->position_m, result.replans);
     }
   } else {
-    text += "\n  nothing saw the arm: distance to the goal and collisions are unknown";
+    text += "\n  the arm was not tracked: distance to the goal and collisions are unknown";
   }
   if (result.first_collision) {
     text += "\n  collided with " + place(*result.first_collision, environment);

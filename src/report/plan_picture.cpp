@@ -213,7 +213,7 @@ std::string plan_picture(const ArmDescription& arm, const Environment& environme
     draw_plan(drawing, arm, *result.plan);
     drawing.legend("the plan's last shape, as predicted",
                    {.fill = plan_color(*result.plan), .stroke = "#222222", .width_px = 1.0});
-    drawing.legend("way of its tip", {.stroke = "#222222", .width_px = 1.5});
+    drawing.legend("path of its tip", {.stroke = "#222222", .width_px = 1.5});
   } else if (result.best_partial) {
     const ShapeStyle nearest{
         .fill = plan_color(*result.best_partial), .stroke = "none", .opacity = 0.4};

@@ -108,7 +108,7 @@ std::string plan_result_to_text(const PlanResult& result, const Command& command
              "goal, "
              "clearance {:.2f} cm, both as the {} model predicts\n"
              "first certified plan after {:.4f} s ({:.1f} {}); {} nodes, {} rewires of {} tried, "
-             "{} model queries in {:.2f} s ({:.0f} a second); {}",
+             "{} model queries in {:.2f} s ({:.0f} per second); {}",
              plan.frame_count(), plan.duration_s(), plan.cost_kpa, command.unit, psi,
              plan.goal_distance_m * kCmPerM, plan.clearance_m * kCmPerM, plan.model,
              result.first_solution->time_s, result.first_solution->cost_kpa, command.unit,

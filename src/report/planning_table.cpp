@@ -104,8 +104,8 @@ std::string with_error(const SampleFigures& figures, int digits) {
 ReportTable all_plans_table(const std::vector<PlanningRow>& rows) {
   ReportTable table;
   table.caption =
-      "Table I, every plan executed. Mean ± standard error; distance and orientation with runs "
-      "that collided / without them";
+      "Table I, every plan executed. Mean ± standard error; distance and orientation with / "
+      "without runs that collided";
   table.header = {"Environment",
                   "Model",
                   "Solved",
@@ -130,7 +130,7 @@ ReportTable all_plans_table(const std::vector<PlanningRow>& rows) {
 ReportTable one_plan_table(const std::vector<PlanningRow>& rows) {
   ReportTable table;
   table.caption =
-      "Table I the paper's way: one plan a cell (of the first trial solved) executed; N/A where it "
+      "Table I as in the paper: one plan per cell (of the first trial solved) executed; N/A if it "
       "collided";
   table.header = {
       "Environment",     "Model",     "Successful plans",      "Plan time (s)",
@@ -176,7 +176,7 @@ ReportTable spread_table(const std::vector<PlanningRow>& rows) {
 
 ReportTable findings_table(const std::vector<PlanningRow>& rows) {
   ReportTable table;
-  table.caption = "What the paper found of its two models, and what was found here";
+  table.caption = "What the paper found about its two models, and what was found here";
   table.header = {"Network plans against no-load plans", "The paper", "Here", "Verdict"};
   for (const PaperFinding& finding : compare_with_paper(rows)) {
     table.rows.push_back({finding.what, finding.paper, finding.here, finding.verdict});

@@ -61,7 +61,7 @@ std::string element(std::string_view tag, std::string_view text, std::string_vie
   return fmt::format("<{0}{1}>{2}</{0}>\n", tag, attributes, escape_xml(text));
 }
 
-/// Width that the picture asks for, 0 where it does not say.
+/// Width that the picture asks for, 0 if it does not say.
 int picture_width_px(const std::string& svg) {
   const std::string_view key = " width=\"";
   const std::size_t found = svg.substr(0, svg.find('>')).find(key);

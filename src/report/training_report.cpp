@@ -78,7 +78,7 @@ std::string to_text(const TrainingSpeed& speed) {
       speed.networks > 1 ? fmt::format(", {} networks", speed.networks) : std::string());
   for (const StageSpeed& stage : speed.stages) {
     text += fmt::format(
-        "  windows of {:>2} frames, batches of {:>4}: {:7.1f} ms an epoch, {:6.1f} GMAC/s, {:.1f} "
+        "  windows of {:>2} frames, batches of {:>4}: {:7.1f} ms per epoch, {:6.1f} GMAC/s, {:.1f} "
         "% of the FMA peak of {:.1f} ({:.0f} % apart)\n",
         stage.window_frames, stage.windows_per_batch, 1e3 * stage.epoch_s,
         stage.multiply_adds / stage.epoch_s / 1e9, 100.0 * stage.fraction_of_fma_peak,

@@ -16,14 +16,14 @@ namespace limber {
 class BatchGradient {
  public:
   /// @param tables  must outlive this object.
-  /// @param jobs    threads, 0: one a core.
+  /// @param jobs    threads, 0: one per core.
   /// @param networks  N ≥ 1.
   BatchGradient(const TrainingTables& tables, const ParameterLayout& layout, int window_frames,
                 int windows_per_batch, int jobs, int networks = 1);
   ~BatchGradient();
 
-  /// Sums over the windows of their errors, one a network; their gradients go to `gradient`. Valid
-  /// until the next call. It allocates nothing of its own.
+  /// Sums over the windows of their errors, one per network; their gradients go to `gradient`.
+  /// Valid until the next call. It allocates nothing of its own.
   /// @param parameters  N·P, one network after the other; so is `gradient`, resized where it must.
   /// @param noise       standard deviation added to the first backbones, normalised; 0: none.
   /// @param seed,stream of that noise; chunk i of the batch draws from stream + i.

@@ -65,7 +65,7 @@ class CheckpointReader {
     if (text("identity") != identity) {
       throw InputError(
           fmt::format("{}: the checkpoint of a run with other data or settings; give the same, or "
-                      "leave out --resume to start anew",
+                      "leave out --resume to start over",
                       where_));
     }
     const Json numbers = parse_json_object(text("state"), where_ + ": state");

@@ -17,7 +17,7 @@ namespace limber {
 struct TrainingState {
   int epochs_done = 0;
   Eigen::VectorXf parameters;  ///< N·P
-  Eigen::VectorXf average;     ///< moving average of the parameters; empty where it is off
+  Eigen::VectorXf average;     ///< moving average of the parameters; empty if it is off
   OptimiserState optimiser;
   Eigen::VectorXf best;                  ///< parameters with the least validation error so far
   double best_error_m = 0.0;             ///< of the mean of the networks' predictions

@@ -54,17 +54,17 @@ TipErrorSeries errors_over(const std::vector<FrameMatrix>& predicted,
   return all;
 }
 
-/// @throws InputError where a prediction within the pieces is not finite.
+/// @throws InputError if a prediction within the pieces is not finite.
 void require_finite(const std::vector<FrameMatrix>& predicted,
                     const std::vector<RolloutPiece>& pieces) {
   for (const RolloutPiece& piece : pieces) {
     const FrameMatrix& frames = predicted[static_cast<std::size_t>(piece.episode)];
     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
       if (!frames.row(t).allFinite()) {
-        throw InputError(
-            fmt::format("the model's prediction of episode {} is not finite from frame {} on: "
-                        "weights, or numbers of the recording, are too large for it",
-                        piece.episode, t));
+        throw InputError(fmt::format(
+            "the model's prediction of episode {} is not finite from frame {} on: its weights or "
+            "the recording's numbers are too large",
+            piece.episode, t));
       }
     }
   }
@@ -142,8 +142,8 @@ std::int64_t counted_frames(const std::vector<Episode>& episodes) {
   }
   if (frames == 0) {
     throw InputError(
-        "the recording can't be evaluated on: the arm was tracked in none of the frames after the "
-        "first of an episode");
+        "the recording can't be used for evaluation: the arm was tracked in none of the frames "
+        "after the first of an episode");
   }
   return frames;
 }
@@ -176,7 +176,7 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
   }
   if (episodes.empty()) {
     throw InputError(
-        fmt::format("the recording is too short to evaluate on: {} frames in {} episodes; expected "
+        fmt::format("the recording is too short for evaluation: {} frames in {} episodes; expected "
                     "an episode of at least {} frames",
                     frames, all_episodes.size(), kMinFrames));
   }

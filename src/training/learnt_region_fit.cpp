@@ -28,7 +28,7 @@ constexpr int kBlockFrames = 200;        // 10 s: two blocks have little to do w
 constexpr double kAllowedBeyond = 0.03;  // share of frames; what is asked for is 0.05
 constexpr double kMaxWidening = 1.0;
 
-/// Joint vectors of the frames in which the arm was seen, one a column.
+/// Joint vectors of the frames in which the arm was seen, one per column.
 Eigen::MatrixXd joint_vectors(const Episode& episode) {
   std::vector<int> tracked;
   for (int t = 0; t < episode.frame_count(); ++t) {
@@ -43,7 +43,7 @@ Eigen::MatrixXd joint_vectors(const Episode& episode) {
   return joint;
 }
 
-/// All frames' joint vectors. @throws InputError where there is none.
+/// All frames' joint vectors. @throws InputError if there is none.
 Eigen::MatrixXd joint_vectors(const std::vector<Episode>& episodes) {
   std::vector<Eigen::MatrixXd> parts;
   Eigen::Index frames = 0;
@@ -52,7 +52,7 @@ Eigen::MatrixXd joint_vectors(const std::vector<Episode>& episodes) {
     frames += parts.back().cols();
   }
   if (frames == 0) {
-    throw InputError("the arm was seen in no frame of the recordings to learn from");
+    throw InputError("the arm was tracked in no frame of the recordings to learn from");
   }
   Eigen::MatrixXd all(parts.front().rows(), frames);
   Eigen::Index at = 0;
@@ -93,7 +93,7 @@ void forget_ranges(LearntRegion& region, Eigen::Index segments) {
   region.axis_high = Eigen::VectorXf::Constant(region.axes.rows(), -kNone);
 }
 
-/// The frames along the axes of `region`, one a column.
+/// The frames along the axes of `region`, one per column.
 Eigen::MatrixXd along_axes(const LearntRegion& region, const Eigen::MatrixXd& joint) {
   return region.axes.cast<double>() * (region.joint_scale.cast<double>().asDiagonal() *
                                        (joint.colwise() - region.joint_offset.cast<double>()));

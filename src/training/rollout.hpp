@@ -29,7 +29,7 @@ enum class OnInterrupt { finish, stop };
 /// Predicted backbones of every episode (T×3m), fed with its measured pressures. A piece's first
 /// frame is given, not predicted: frames that no piece predicts are NaN. Pieces are rolled out side
 /// by side, in batches and over `jobs` threads (0: one per core); the result does not depend on
-/// their number. @throws Interrupted where Ctrl-C is to stop it.
+/// their number. @throws Interrupted if Ctrl-C is to stop it.
 std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<Episode>& episodes,
                                   std::vector<RolloutPiece> pieces, int jobs,
                                   OnInterrupt on_interrupt = OnInterrupt::finish);
@@ -38,7 +38,7 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
 std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted);
 
 /// Mean distance of the predicted tips from the recorded ones over those of the pieces' frames in
-/// which the arm was seen; NaN where there are none.
+/// which the arm was seen; NaN if there are none.
 double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
                         const std::vector<Episode>& episodes,
                         const std::vector<RolloutPiece>& pieces);

@@ -27,7 +27,7 @@ struct WindowKernels {
                           int x_block, Scalar* gradient);
   /// gradient += Σ_blocks Σ_windows dy, m numbers.
   void (*bias_gradient)(int blocks, int stride, int m, const Scalar* dy, Scalar* gradient);
-  /// gradient = 0 where activation ≤ 0.
+  /// gradient = 0 if activation ≤ 0.
   void (*relu_gradient)(int count, const Scalar* activation, Scalar* gradient);
 
   /// rows[r·stride + j] = columns[index[j]·ld + r], r < row_count, j < stride.

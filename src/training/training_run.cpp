@@ -52,7 +52,7 @@ bool same_stages(const std::vector<TrainingStage>& a, const std::vector<Training
 std::string in_words(const std::vector<TrainingStage>& stages) {
   std::string text;
   for (const TrainingStage& stage : stages) {
-    text += fmt::format("{}{} epochs of {}-frame windows, {} a batch", text.empty() ? "" : ", ",
+    text += fmt::format("{}{} epochs of {}-frame windows, {} per batch", text.empty() ? "" : ", ",
                         stage.epochs, stage.window_frames, stage.windows_per_batch);
   }
   return text;
@@ -231,7 +231,7 @@ void TrainingRun::resume() {
   if (!same) {
     throw InputError(fmt::format(
         "{}: the checkpoint of a run of {}; this one is to be {}. Give the --epochs or "
-        "--time-limit-s that it was begun with, or leave out --resume to start anew",
+        "--time-limit-s that it was started with, or leave out --resume to start over",
         settings_.checkpoint.string(), in_words(checkpoint.stages), in_words(settings_.stages)));
   }
   settings_.stages = std::move(checkpoint.stages);
@@ -319,8 +319,8 @@ TrainingResult TrainingRun::run() {
     // Not stored: resuming it would end here again.
     return result(
         TrainingStatus::diverged,
-        "in no epoch was the validation error a finite number, so there is no best epoch "
-        "to keep; try a smaller --learning-rate, or look at the data with limber inspect");
+        "the validation error was finite in no epoch, so there is no best epoch to keep; try a "
+        "smaller --learning-rate, or look at the data with limber inspect");
   }
   store(true);
   return result(TrainingStatus::finished, "");

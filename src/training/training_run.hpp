@@ -24,7 +24,7 @@ class TrainingRun {
   std::string identity() const;
   void resume();
   void store(bool now);
-  /// Trains epochs of one stage up to its last, from where the state is. Empty where it finished.
+  /// Trains epochs of one stage up to its last, from where the state is. Empty if it finished.
   std::optional<TrainingResult> run_stage(const TrainingStage& stage, int last_epoch,
                                           Progress& progress);
   void validate(LearningCurvePoint& point);

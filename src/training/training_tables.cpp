@@ -207,8 +207,8 @@ void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa) {
   const auto range = pressure_kpa.rowwise().maxCoeff() - pressure_kpa.rowwise().minCoeff();
   if (range.maxCoeff() <= kConstantSpread) {
     throw InputError(fmt::format(
-        "no pressure changes in the training data ({} frames); expected recordings of an arm that "
-        "moves, such as 'limber collect --schedule transitions' makes",
+        "no pressure changes in the training data ({} frames); expected recordings of a moving "
+        "arm, such as those of 'limber collect --schedule transitions'",
         pressure_kpa.cols()));
   }
 }

@@ -35,7 +35,7 @@ class SimplePaths {
         checker_(problem.arm, problem.environment.obstacles),
         simulator_(problem.arm, problem.model, checker_) {}
 
-  /// True where the motion along the waypoints stays free and ends, after the hold, in the goal.
+  /// True if the motion along the waypoints stays free and ends, after the hold, in the goal.
   bool solves(const std::vector<Pressures>& waypoints_kpa) {
     MotionState at = simulator_.start(start_);
     MotionState end;

@@ -56,7 +56,7 @@ double ray_distance(const std::vector<ObstacleShape>& shapes, const Vector2d& p,
   return nearest;
 }
 
-/// Moves straight to `to_kpa` and holds; none where that collides.
+/// Moves straight to `to_kpa` and holds; none if that collides.
 std::optional<Backbone> end_of_straight_line(const PlanningProblem& problem,
                                              MotionSimulator& simulator, const Pressures& to_kpa) {
   MotionState there;

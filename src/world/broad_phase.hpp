@@ -31,7 +31,7 @@ class BroadPhase {
   };
 
   std::vector<FloatBox> obstacles_;
-  std::vector<float> radius_m_;  // one a gap
+  std::vector<float> radius_m_;  // one per gap
 };
 
 }  // namespace limber

@@ -106,7 +106,7 @@ void visit_pieces(const GapArc& arc, double bulge, Visit&& visit) {
   }
 }
 
-/// True where an arc thickened by `radius` touches an obstacle; never false where it does.
+/// True if an arc thickened by `radius` touches an obstacle; never false if it does.
 bool arc_touches(const std::vector<ObstacleShape>& shapes, const GapArc& arc, double radius) {
   const double bulge = bulge_m((arc.end - arc.start).norm(), arc.turn_rad);
   const double reach = radius + bulge;
@@ -167,7 +167,7 @@ void lower_by_arc(const std::vector<ObstacleShape>& shapes, const GapArc& arc, d
   }
 }
 
-/// True where the gap stays free between the fractions `low` and `high` of its motion.
+/// True if the gap stays free between the fractions `low` and `high` of its motion.
 /// @param travel  bound on the way of any of its points over the whole motion
 bool motion_is_free(const std::vector<ObstacleShape>& shapes, const GapMotion& motion,
                     double radius, double travel, double low, double high) {

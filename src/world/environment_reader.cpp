@@ -202,7 +202,7 @@ void require_start_fits(const YamlReader& root, const ArmStart& start, const Arm
   const YamlReader pressures = root.at("start").at("pressures_kpa");
   const YamlReader backbone = root.at("start").at("backbone");
   if (start.pressures_kpa.size() != arm.segment_count()) {
-    pressures.refuse(fmt::format("{} pressures found; expected {}, one a segment of arm '{}'",
+    pressures.refuse(fmt::format("{} pressures found; expected {}, one per segment of arm '{}'",
                                  start.pressures_kpa.size(), arm.segment_count(), arm.name));
   }
   for (int i = 0; i < arm.segment_count(); ++i) {
@@ -214,7 +214,7 @@ void require_start_fits(const YamlReader& root, const ArmStart& start, const Arm
     }
   }
   if (start.backbone.rows() != arm.point_count()) {
-    backbone.refuse(fmt::format("{} poses found; expected {}, one a plate of arm '{}'",
+    backbone.refuse(fmt::format("{} poses found; expected {}, one per plate of arm '{}'",
                                 start.backbone.rows(), arm.point_count(), arm.name));
   }
   if (const std::optional<StartFault> fault = find_start_fault(start.backbone, arm)) {

@@ -39,7 +39,7 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
         file, plan.arm_name, plan.arm_hash, arm.name, arm.hash(), why));
   }
   if (plan.frame_rate_hz != arm.frame_rate_hz) {
-    throw InputError(fmt::format("{}: frame_rate_hz: {} found; arm '{}' takes {} frames a second",
+    throw InputError(fmt::format("{}: frame_rate_hz: {} found; arm '{}' takes {} frames per second",
                                  file, plan.frame_rate_hz, arm.name, arm.frame_rate_hz));
   }
   const int n = arm.segment_count();

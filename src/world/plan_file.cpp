@@ -282,7 +282,7 @@ Plan read_plan(const std::filesystem::path& path) {
     fields.at("certificate")
         .refuse(
             "the plan was changed since it was certified; 'limber verify' says whether it "
-            "still holds: plan again, or remove the key 'certificate' to use it all the same");
+            "still holds: plan again, or remove the key 'certificate' to use it anyway");
   }
   return plan;
 }

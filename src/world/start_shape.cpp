@@ -71,7 +71,7 @@ std::string gap_fault(const ArmDescription& arm, const NoLoadModel& model, const
   if (!(std::abs(turn_rad) <= limit_rad)) {
     return fmt::format(
         "the heading turns by {:.4g} rad from {} to {}; expected at most {:.4g} rad in "
-        "a gap of {} (headings run on, without jumps of a full turn)",
+        "a gap of {} (headings are continuous, without jumps of a full turn)",
         turn_rad, plate_name(row - 1), plate_name(row), limit_rad, segment_name(segment));
   }
   const double skew_rad =
@@ -89,7 +89,7 @@ std::string gap_fault(const ArmDescription& arm, const NoLoadModel& model, const
 
 std::optional<StartFault> find_start_fault(const Backbone& backbone, const ArmDescription& arm) {
   if (backbone.rows() != arm.point_count()) {
-    return StartFault{0, fmt::format("{} poses found; expected {}, one a plate of arm '{}'",
+    return StartFault{0, fmt::format("{} poses found; expected {}, one per plate of arm '{}'",
                                      backbone.rows(), arm.point_count(), arm.name)};
   }
   const BackboneD b = backbone.cast<double>();

@@ -299,7 +299,7 @@ TEST(ArmOfAnotherCommand, NamesWhatDoesNotBelong) {
     EXPECT_THAT([&] { read(text); }, ThrowsMessage<InputError>(HasSubstr(message))) << message;
   };
   refuses("frame_rate_hz: 20", "frame_rate_hz: 20\npressure_rate_limit_kpa_per_s: 100",
-          "has its rate there: command.rate_limit_per_s");
+          "has its rate in command.rate_limit_per_s");
   refuses("limit: 1.2", "pressure_limit_kpa: 1.2",
           "unknown key; allowed here: length_m, width_m, gaps, limit, curvature_per_unit");
   refuses("curvature_per_unit: 4}", "curvature_per_unit: 0}", "or 'no_load: straight'");

@@ -210,8 +210,7 @@ TEST(Certifier, GivesUpWhenAskedTo) {
     EXPECT_TRUE(certificate.unfinished);
     EXPECT_FALSE(certificate.certified());
     ASSERT_THAT(failed_checks(certificate), ElementsAre("unfinished")) << when;
-    EXPECT_THAT(certificate.failures.front().message,
-                HasSubstr("not finished in the time that was left"));
+    EXPECT_THAT(certificate.failures.front().message, HasSubstr("not finished in the time left"));
     EXPECT_EQ(left, 0) << "asked again after it gave up";
   }
 }

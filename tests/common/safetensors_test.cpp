@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenFile{"metadata_number", file_of(R"({"__metadata__":{"epochs":3}})", 0),
                    "__metadata__ epochs is 3; expected a string"},
         BrokenFile{"metadata_list", file_of(R"({"__metadata__":[]})", 0),
-                   "__metadata__ is no JSON object"}),
+                   "__metadata__ is not a JSON object"}),
     [](const auto& file) { return std::string(file.param.name); });
 
 }  // namespace

@@ -143,7 +143,7 @@ TEST(RecordingInspection, FindsWrappedHeadings) {
 TEST(RecordingInspection, FindsABaseThatMoves) {
   const Suspicion moved =
       only_suspicion([](Episode& e) { e.backbone.bottomRows(4).col(1).array() += 0.02F; });
-  EXPECT_THAT(moved.what, HasSubstr("a base that is not where it was"));
+  EXPECT_THAT(moved.what, HasSubstr("a base that has moved"));
   EXPECT_EQ(moved.count, 4);
 }
 

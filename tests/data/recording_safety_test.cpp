@@ -31,14 +31,14 @@ TEST_F(RecordingFile, RefusesTextsThatAreNotASingleOne) {
           const std::vector<const char*> texts(count, "x");
           f.createAttribute(name, type, H5::DataSpace(1, &count)).write(type, texts.data());
         },
-        {std::string("attribute '") + name + "': 3000 values found; expected a single one"});
+        {std::string("attribute '") + name + "': 3000 values found; expected a single value"});
     write_recording(path_, test_recording());
     expect_refusal(
         [&](H5::H5File& f) {
           f.removeAttr(name);
           f.createAttribute(name, type, H5::DataSpace(H5S_NULL));
         },
-        {std::string("attribute '") + name + "': 0 values found; expected a single one"});
+        {std::string("attribute '") + name + "': 0 values found; expected a single value"});
   }
   write_recording(path_, test_recording());
   expect_refusal(
@@ -49,7 +49,7 @@ TEST_F(RecordingFile, RefusesTextsThatAreNotASingleOne) {
         const std::vector<const char*> texts(count, "m, m, rad");
         data_set.createAttribute("unit", type, H5::DataSpace(1, &count)).write(type, texts.data());
       },
-      {"episodes/000000/backbone, attribute 'unit': 2 values found; expected a single one"});
+      {"episodes/000000/backbone, attribute 'unit': 2 values found; expected a single value"});
   write_recording(path_, test_recording());
   expect_refusal(
       [&](H5::H5File& f) {
@@ -91,13 +91,13 @@ TEST_F(RecordingFile, RefusesDataThatWereNeverWritten) {
         unwritten(f, "time_s", H5::PredType::NATIVE_DOUBLE, {kFrames});
         unwritten(f, "backbone", H5::PredType::NATIVE_FLOAT, {kFrames, 4, 3});
       },
-      {"episodes/000000/time_s: 268435456 numbers by its shape, but 0 bytes in the file"});
+      {"episodes/000000/time_s: its shape says 268435456 numbers, but the file holds 0 bytes"});
   write_recording(path_, test_recording());
   expect_refusal(
       [&](H5::H5File& f) {
         replace_data_set(f, "episodes/000000/backbone", H5::PredType::NATIVE_FLOAT, {5, 4, 3});
       },
-      {"episodes/000000/backbone: 60 numbers by its shape, but 0 bytes in the file"});
+      {"episodes/000000/backbone: its shape says 60 numbers, but the file holds 0 bytes"});
 }
 
 TEST_F(RecordingFile, RefusesDataInOtherFiles) {

@@ -163,7 +163,7 @@ TEST(RequireRecordingOf, RefusesAnArmThatStandsStillUnderChangingPressures) {
   }
   EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
               ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("a.h5: episodes/000001: the arm's end stands still (its place "
+                  AllOf(HasSubstr("a.h5: episodes/000001: the arm's end stands still (its position "
                                   "spreads by 0.14 mm; expected at least 0.8 mm)"),
                         HasSubstr("the pressure of segment 0 changes by 180 kPa"))));
   still.pressure_kpa.setConstant(30.0F);

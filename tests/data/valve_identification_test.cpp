@@ -186,7 +186,7 @@ TEST(ValveIdentificationOf, SetpointsThatCopyThePressuresTellNothing) {
   }
   const IdentifiedValves found = identify_valves(recording);
   EXPECT_TRUE(found.parameters.is_ideal());
-  EXPECT_THAT(found.findings.reason, HasSubstr("the set points are the measured numbers"));
+  EXPECT_THAT(found.findings.reason, HasSubstr("the set points equal the measured numbers"));
 }
 
 TEST(ValveIdentificationOf, SetpointsThatHardlyChangeTellNothing) {

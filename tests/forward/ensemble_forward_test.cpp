@@ -83,7 +83,7 @@ TEST(EnsembleForward, RefusesOtherSizes) {
   const ArmDescription arm = sample_arm(3);
   const EnsembleForward forward(arm, ensemble(arm, 2));
   EXPECT_THAT([&] { (void)forward.rollout(ramp(2, 4), Eigen::VectorXf::Zero(48)); },
-              ThrowsMessage<InputError>(HasSubstr("got 2 pressures a frame, 4 frames and a "
+              ThrowsMessage<InputError>(HasSubstr("got 2 pressures per frame, 4 frames and a "
                                                   "backbone of 48 numbers; expected 3")));
 }
 

@@ -77,7 +77,7 @@ TEST_F(LogClock, RefusesTimesInAnotherUnitWithAGuess) {
       for (const std::optional<double> offset_s : {std::optional<double>(), {0.0}}) {
         expect_refused(
             pressures(in_unit(per_second, epoch_s)), offset_s,
-            {fmt::format("p.csv: column 'time_s', read in s, gives {} rows a second", rate),
+            {fmt::format("p.csv: column 'time_s', read in s, gives {} rows per second", rate),
              "expected 19 to 20000", fmt::format("Are its times in {}?", unit),
              fmt::format("{{column: time_s, unit: {}}}", unit)});
       }
@@ -107,8 +107,8 @@ TEST_F(LogClock, RefusesNumbersNoClockHas) {
   const auto huge = [](double time_s) { return fmt::format("{:.4e}", 1e300 * (1.0 + time_s)); };
   const auto steep = [](double time_s) { return fmt::format("{:.0f}", 1e18 + time_s * 5e16); };
   for (const std::optional<double> offset_s : {std::optional<double>(), {0.0}}) {
-    expect_refused(pressures(huge), offset_s, {"rows a second", "Is it the column of times?"});
-    expect_refused(pressures(steep), offset_s, {"1e-15 rows a second"});
+    expect_refused(pressures(huge), offset_s, {"rows per second", "Is it the column of times?"});
+    expect_refused(pressures(steep), offset_s, {"1e-15 rows per second"});
   }
 }
 
@@ -116,10 +116,11 @@ TEST_F(LogClock, RefusesAClockThatJumps) {
   const auto jumps = [](double time_s) {
     return fmt::format("{:.3f}", time_s < 10.0 ? time_s : kEpoch_s + time_s);
   };
-  expect_refused(pressures(jumps), 0.0,
-                 {"p.csv: column 'time_s', read in s, gives 50 rows a second, so its 1000 rows are "
-                  "20 s long, but they reach over 1.7e+09 s",
-                  "9.98 s is followed by 1700000010 s"});
+  expect_refused(
+      pressures(jumps), 0.0,
+      {"p.csv: column 'time_s', read in s, gives 50 rows per second, so its 1000 rows are "
+       "20 s long, but they reach over 1.7e+09 s",
+       "9.98 s is followed by 1700000010 s"});
   // The same in a log of both.
   std::string text = log();
   text += fmt::format("1e300{}{}\n", truth_.pressure_cells(20.0), pose_cells(20.0));

@@ -33,7 +33,7 @@ TEST_F(LogImportFaults, FindsThreeFrames) {
 
 TEST_F(LogImportFaults, FindsMarkersThatWereNeverSeen) {
   expect_refusal(hidden(log(), 4 + 3 * 9, 0, rows_), mapping(),
-                 {"'x9' (plate 9) is never seen", "Leave it out of the mapping"});
+                 {"'x9' (plate 9) is never tracked", "Leave it out of the mapping"});
 }
 
 TEST_F(LogImportFaults, FindsDuplicatedColumns) {
@@ -77,7 +77,7 @@ TEST_F(LogImportFaults, FindsALogSlowerThanTheArm) {
 
 TEST_F(LogImportFaults, FindsTurnedSigns) {
   pressure_scale_ = -1.0;
-  expect_refusal(log(), mapping(), {"bends to the other side", "Put a '-' before"});
+  expect_refusal(log(), mapping(), {"bends to the opposite side", "Put a '-' before"});
 }
 
 TEST_F(LogImportFaults, NotesASegmentThatDoesNotFollow) {

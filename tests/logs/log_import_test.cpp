@@ -258,7 +258,7 @@ TEST_F(CsvImport, LeavesOutSingleBrokenRowsAndSaysSo) {
   const ImportNote* found = note(result, "can't be read");
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(found->count, 2);
-  EXPECT_THAT(found->first, AllOf(HasSubstr("line 252"), HasSubstr("'ERROR' is no number")));
+  EXPECT_THAT(found->first, AllOf(HasSubstr("line 252"), HasSubstr("'ERROR' is not a number")));
 }
 
 TEST_F(CsvImport, SortsSingleRowsAndDropsRepeatedTimes) {

@@ -268,10 +268,10 @@ TEST(Forest, OfAnotherArmOrStartIsRefused) {
   refusal("pressures beyond the arm's limits");
   forest.setpoints_kpa.conservativeResize(2, Eigen::NoChange);
   forest.complete();
-  refusal("2 pressures a node; arm 'three_segment' has 3 segments");
+  refusal("2 pressures per node; arm 'three_segment' has 3 segments");
   forest = s.grow();
   forest.shapes.conservativeResize(42, Eigen::NoChange);
-  refusal("42 numbers a shape; arm 'three_segment' needs 45");
+  refusal("42 numbers per shape; arm 'three_segment' needs 45");
   ArmDescription longer = s.arm;
   longer.segments[1].length_m = 0.3;
   forest.key.arm_hash = longer.hash();
@@ -291,7 +291,7 @@ TEST(Forest, OfAModelThatRunsOffIsRefused) {
   const ForwardModel wild(s.arm, model);
   EXPECT_THAT(
       [&] { (void)grow_forest(s.arm, wild, forest_key(s.arm, "wild", {}, s.start), s.start); },
-      ThrowsMessage<InputError>(HasSubstr("runs off to infinity")));
+      ThrowsMessage<InputError>(HasSubstr("diverges")));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 """Checks the project's Markdown: every relative link leads to a file, every document in docs/ is
-listed in docs/README.md, and every public header in docs/library.md, which says who it is for. With a program given, every verb of it is named in the README."""
+listed in docs/README.md, every public header in docs/library.md and says who it is for, no sentence of
+the README is long, and no page uses words that plain English has others for. With a program given,
+every verb of it is named in the README."""
 
 import pathlib
 import re
@@ -8,6 +10,17 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+MAX_SENTENCE_WORDS = 30
+# What a page must not say, and what it says instead.
+BANNED_WORDS = {
+    r"\banew\b": "again",
+    r"\bof late\b": "recently",
+    r"\bthere where\b": "where",
+    r"\berr(s|ed)? by\b": "the error is",
+    r"(?<!\bon )(?<!\bof )(?<!\bfrom )(?<!\bfor )\ba core\b": "per core",
+    r"\b(queries|frames|rows|multiply-adds|motions|times) a second\b": "per second",
+    r"\b(ns|ms|multiply-adds|times) (a|an) (query|epoch|motion|frame)\b": "per",
+}
 
 
 def documents():
@@ -46,6 +59,34 @@ def unlisted_headers():
             yield f"{name} does not say in its second line who it is for"
 
 
+def prose(path):
+    """Paragraphs, list items and table cells, on one line each and without code, tags and link targets."""
+    text = path.read_text(encoding="utf-8")
+    text = re.sub(r"```.*?```|<!--.*?-->|<[a-z/][^>]*>", "", text, flags=re.S)
+    text = re.sub(r"`[^`]*`", "code", text)
+    text = LINK.sub(lambda link: link.group(0)[1:].split("](")[0], text)
+    for block in re.split(r"\n\s*\n|\n(?=\s*(?:[-*|]|\d+\.) |#|\|)", text):
+        yield " ".join(block.split())
+
+
+def long_sentences(path):
+    for block in prose(path):
+        if block.startswith(("|", "#")):
+            continue
+        for sentence in re.split(r"(?<=[.?!])\W*\s", block):
+            words = [word for word in sentence.split() if re.search(r"\w", word)]
+            if len(words) > MAX_SENTENCE_WORDS:
+                yield f"{path.relative_to(ROOT)}: {len(words)} words in \"{sentence[:70]} …\""
+
+
+def banned_words(path):
+    for block in prose(path):
+        for pattern, instead in BANNED_WORDS.items():
+            for found in re.finditer(pattern, block):
+                around = block[max(0, found.start() - 30) : found.end() + 30]
+                yield f"{path.relative_to(ROOT)}: \"… {around} …\"; say \"{instead}\""
+
+
 def unnamed_verbs(program):
     help_text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True)
     verbs = re.findall(r"^  ([a-z]+) ", help_text.stdout.split("Subcommands:")[1], flags=re.M)
@@ -61,6 +102,9 @@ def main():
     problems = [problem for path in documents() for problem in broken_links(path)]
     problems += unlisted_documents()
     problems += unlisted_headers()
+    problems += long_sentences(ROOT / "README.md")
+    for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        problems += banned_words(path)
     if len(sys.argv) > 1:
         problems += unnamed_verbs(sys.argv[1])
     print("\n".join(problems) or "documents are whole")

@@ -31,7 +31,7 @@ TEST(PlanPicture, ShowsThePlanWithItsModelAndCost) {
   const PlanResult result = make_planner("paper")->plan({arm, model, e}, limits, 1);
   ASSERT_TRUE(result.plan);
   const std::string svg = plan_picture(arm, e, result);
-  EXPECT_THAT(svg, AllOf(HasSubstr("a &amp; b, no-load model: "), HasSubstr("way of its tip"),
+  EXPECT_THAT(svg, AllOf(HasSubstr("a &amp; b, no-load model: "), HasSubstr("path of its tip"),
                          HasSubstr("tips of the search tree"), Not(HasSubstr("no plan"))));
 }
 

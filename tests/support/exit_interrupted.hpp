@@ -9,7 +9,7 @@
 
 namespace limber {
 
-/// For EXPECT_EXIT: the process ends with 0 where `work` heeds a Ctrl-C that has come, with 1 where
+/// For EXPECT_EXIT: the process ends with 0 if `work` heeds a Ctrl-C that has come, with 1 if
 /// it runs to its end.
 template <class Work>
 [[noreturn]] void exit_interrupted(const Work& work) {

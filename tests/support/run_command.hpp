@@ -9,7 +9,7 @@
 namespace limber {
 
 struct CommandResult {
-  int code = -1;       ///< exit code, −1 where a signal ended it
+  int code = -1;       ///< exit code, −1 if a signal ended it
   std::string output;  ///< standard output and error together
 };
 

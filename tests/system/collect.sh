@@ -56,7 +56,7 @@ head -c 5000 one.h5 >cut.h5
 expect 2 "cut.h5: an HDF5 file that can't be opened: damaged or cut short" inspect cut.h5
 expect 2 "has 2 segments; arm 'three_segment' has 3" inspect one.h5 --arm three_segment
 echo "# notes" >notes.md
-expect 2 "notes.md: none of limber's files; expected a recording" inspect notes.md
+expect 2 "notes.md: not a limber file; expected a recording" inspect notes.md
 printf 'schema: limber/arm/2\n' >later.yaml
 expect 2 "later.yaml:1: schema: 'limber/arm/2' found" inspect later.yaml
 [ ! -e none.h5 ] || fail "a refused run wrote a recording"

@@ -75,7 +75,7 @@ class Plan(InFolder):
         path = self.plan_file(PILLAR)
         found = self.run_limber("plan", *ARM, *BUDGET, "--environment", path, "--stay-recorded",
                                 code=2)
-        self.assertIn("--stay-recorded: the model does not say", found.stderr)
+        self.assertIn("--stay-recorded: the model does not store", found.stderr)
 
     def test_a_byte_order_mark_changes_nothing(self):
         self.plan(PILLAR, "--out", "p.json")
@@ -96,15 +96,15 @@ class Plan(InFolder):
         grown = (self.folder / "f").read_bytes()
         self.assertNotIn("motions", said("--environment", rest))
         self.assertEqual((self.folder / "f").read_bytes(), grown)
-        self.assertIn("asked for; growing it anew", said("--build-forest"))
+        self.assertIn("growing it again, as asked for", said("--build-forest"))
         self.assertEqual((self.folder / "f").read_bytes(), grown, "same seed, same forest")
         other = self.run_limber("plan", "--arm", "three_segment", "--no-load", *forest,
                                 "--build-forest")
-        self.assertIn("growing it anew", other.stderr)
-        self.assertIn("grown for another arm, model, valves or start; growing it anew",
+        self.assertIn("growing it again", other.stderr)
+        self.assertIn("grown for another arm, model, valves or start; growing it again",
                       said("--environment", rest))
 
-    def test_a_forest_of_another_form_is_grown_anew_where_asked_for(self):
+    def test_a_forest_of_another_form_is_grown_again_where_asked_for(self):
         rest = self.plan_file(PILLAR, "rest.yaml")
         forest = ("--forest", "f", "--forest-nodes", 2000)
         plan = ("plan", *ARM, *BUDGET, *forest, "--environment", rest)
@@ -113,7 +113,7 @@ class Plan(InFolder):
         (self.folder / "f").write_bytes(grown.replace(b"limber/forest/3", b"limber/forest/1"))
         refused = self.run_limber(*plan, code=2)
         self.assertIn("f: schema 'limber/forest/1'; expected limber/forest/3: --build-forest grows "
-                      "it anew", refused.stderr)
+                      "it again", refused.stderr)
         self.run_limber(*plan, "--build-forest")
         self.assertEqual((self.folder / "f").read_bytes(), grown)
 

@@ -95,7 +95,7 @@ class Train(InFolder):
         self.killed("--epochs", "3000", "--checkpoint-interval-s", "0")
         message = self.refused("--epochs", 600, "--resume")
         self.assertIn("the checkpoint of a run of 1000 epochs of 2-frame windows", message)
-        self.assertIn("leave out --resume to start anew", message)
+        self.assertIn("leave out --resume to start over", message)
         self.assertIn("a run that was stopped; --resume goes on", self.refused("--epochs", 3000))
         self.assertIn("other data or settings", self.refused("--epochs", 3000, "--resume", "--ensemble", 2))
 
@@ -164,7 +164,7 @@ class Train(InFolder):
         twice = ("characterize", *ARM, "--out", "arm.yaml", "--plot", "./arm.yaml")
         message = self.run_limber(*twice, code=2).stderr
         self.assertIn("is the file that", message)
-        self.assertIn("writes as well", message)
+        self.assertIn("also writes", message)
 
     def test_another_arms_recording_is_refused(self):
         message = self.run_limber(

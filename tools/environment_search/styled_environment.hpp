@@ -35,7 +35,7 @@ struct StyledEnvironment {
 
 /// Draws a motion from rest, makes the pose where `model` says it ends the goal, and sets obstacles
 /// close about the motion but clear of it, so that the straight line in pressure to the same end
-/// collides. Depends on its arguments alone; none where this draw came to nothing (try the next
+/// collides. Depends on its arguments alone; none if this draw came to nothing (try the next
 /// number).
 std::optional<StyledEnvironment> draw_styled(const ArmDescription& arm, const MotionModel& model,
                                              const StyleSettings& settings, std::uint64_t seed,

@@ -146,7 +146,7 @@ double ring_down_s(const ArmDescription& arm) {
   constexpr double kNear = 0.01;
   VirtualArm virtual_arm(arm);
   virtual_arm.settle(uniform(arm, 1.0), 4.0);
-  std::vector<Eigen::Vector2d> tips;  // one a frame
+  std::vector<Eigen::Vector2d> tips;  // one per frame
   for (int frame = 0; frame < 400; ++frame) {
     virtual_arm.command(uniform(arm, 0.0));
     tips.push_back(tip(virtual_arm.true_backbone()));

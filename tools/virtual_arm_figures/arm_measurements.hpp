@@ -45,7 +45,7 @@ double drift_m(const ArmDescription& arm, int trials);
 /// Largest tip distance between runs of whole and of half time steps, 60 s of random motions.
 double half_step_distance_m(const ArmDescription& arm, std::uint64_t seed);
 
-/// Runs random commands; returns simulated seconds. @throws SystemFault where it blows up.
+/// Runs random commands; returns simulated seconds. @throws SystemFault if it blows up.
 double random_run_s(const ArmDescription& arm, std::uint64_t seed, double seconds);
 
 /// Simulated over processor time of one thread.

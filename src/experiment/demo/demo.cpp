@@ -22,7 +22,7 @@ constexpr Stage kStages[] = {
     {"collect", "the virtual arm moves and is recorded", collect_stage},
     {"train", "the network learns what the simple model misses", train_stage},
     {"evaluate", "both models against a recording never trained on", evaluate_stage},
-    {"bench", "forward-model queries a second", bench_stage},
+    {"bench", "forward-model queries per second", bench_stage},
     {"plan", "motions through obstacles with both models", plan_stage},
     {"execute", "the plans on the virtual arm", execute_stage},
 };

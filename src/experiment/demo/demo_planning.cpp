@@ -39,10 +39,9 @@ std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
         results.arm(), results.motion_model(*results.network),
         derived_seed(results.settings->seed, kEnvironmentSeed), std::uint64_t(k));
     if (!drawn) {
-      throw InputError(
-          fmt::format("arm '{}': no random environment was found in which it has to "
-                      "go round an obstacle",
-                      results.arm().name));
+      throw InputError(fmt::format(
+          "arm '{}': no random environment was found in which it has to go around an obstacle",
+          results.arm().name));
     }
     cases.push_back({fmt::format("random_{}", k), std::move(*drawn)});
   }

@@ -20,7 +20,7 @@ std::string mean_std(const ErrorStatistics& error, int digits) {
   return fmt::format("{:.{}f} ± {:.{}f}", error.mean, digits, error.std, digits);
 }
 
-/// A mean in the unit that `factor` leads to; a dash where there is none.
+/// A mean in the unit that `factor` leads to; a dash if there is none.
 std::string show(const std::optional<double>& mean, double factor, int digits) {
   return mean ? fmt::format("{:.{}f}", *mean * factor, digits) : "–";
 }
@@ -52,7 +52,7 @@ void opening(ReportPage& page, const DemoResults& results) {
        {"error taken away", fmt::format("{:.0f} %", evaluation.position_reduction_percent),
         fmt::format("orientation {:.0f} %; the paper 62 and 73",
                     evaluation.orientation_reduction_percent)},
-       {"network queries a second", rate(results.speed.paper_shape.single.queries_per_s),
+       {"network queries per second", rate(results.speed.paper_shape.single.queries_per_s),
         "the paper's shape, one at a time, one core; the paper 510"}});
   if (results.settings->quick) {
     page.remark(
@@ -61,9 +61,10 @@ void opening(ReportPage& page, const DemoResults& results) {
   }
   page.remark(
       "The arm is simulated. Its friction, damping and plate weight were chosen so that the "
-      "no-load model errs on it as it did on the paper's hardware and so that it stays bent after "
-      "inflating and venting, as in the paper's Fig. 1; the rest is compared, not fitted. Nothing "
-      "here was measured on a real arm, so no figure is an improvement over the paper's.");
+      "no-load model's error on it is that on the paper's hardware, and so that it stays bent "
+      "after inflating and venting, as in the paper's Fig. 1; the rest is compared, not fitted. "
+      "Nothing here was measured on a real arm, so no figure shows an improvement over the "
+      "paper's.");
 }
 
 void what_was_done(ReportPage& page, const DemoResults& results) {
@@ -85,14 +86,15 @@ void what_was_done(ReportPage& page, const DemoResults& results) {
                       training.wall_time_s, training.best_epoch),
           "Evaluate: both models on the test, from one step ahead to the whole episode "
           "uncorrected.",
-          fmt::format("Plan and execute: {} environments, {} plans of each model, {:.3g} s each; "
-                      "every plan run open loop on the arm. Plans of the network keep {:.1f} mm "
-                      "from obstacles and end {:.1f} mm inside the goal's rim, as much as the "
-                      "network erred by in 95 % of the runs it had not seen; of the no-load model "
-                      "no error is known, and its plans keep nothing.",
-                      results.environments.size(), results.recipe.plans_per_environment,
-                      results.recipe.planning_time_limit_s, 10.0 * kCmPerM * room.margin_m,
-                      10.0 * kCmPerM * room.goal_margin.position_m),
+          fmt::format(
+              "Plan and execute: {} environments, {} plans of each model, {:.3g} s each; "
+              "every plan run open loop on the arm. Plans of the network keep {:.1f} mm "
+              "from obstacles and end {:.1f} mm inside the goal's rim, the network's error in 95 % "
+              "of the runs it had not seen. The no-load model's error is not known, so its plans "
+              "keep no distance.",
+              results.environments.size(), results.recipe.plans_per_environment,
+              results.recipe.planning_time_limit_s, 10.0 * kCmPerM * room.margin_m,
+              10.0 * kCmPerM * room.goal_margin.position_m),
       });
 }
 
@@ -129,8 +131,8 @@ void learning(ReportPage& page, const DemoResults& results) {
                "Contraction of the inflated side over its pressure, each segment alone"})
       .heading("Why it is not enough")
       .paragraph(
-          "All right sides inflated fully, then vented: the model says the arm lies straight "
-          "again. Friction holds it elsewhere. The paper shows the same in its Fig. 1.")
+          "All right sides inflated fully, then vented: the model says that the arm is straight "
+          "again, but friction keeps it bent. The paper shows the same in its Fig. 1.")
       .figure({results.inflate_deflate_svg, "After inflating the right side fully and venting it"})
       .heading("Between set points and pressures")
       .paragraph(
@@ -143,7 +145,7 @@ void learning(ReportPage& page, const DemoResults& results) {
       .heading("Learning")
       .figure({learning_curve_svg(results.training.curve),
                "Training loss, and tip error over validation rollouts"})
-      .heading("Accuracy, beside the paper's")
+      .heading("Accuracy, compared with the paper's")
       .table(paper_table(results))
       .paragraph(
           "One step alone says little: holding the last pose is already good at it. Open loop "
@@ -158,7 +160,7 @@ void learning(ReportPage& page, const DemoResults& results) {
 
 ReportTable trial_table(const DemoResults& results) {
   ReportTable table;
-  table.caption = "Plans and their execution; distances are means, runs that collided included";
+  table.caption = "Plans and their execution; distances are means, including runs that collided";
   table.header = {"environment", "model",         "solved",        "reached",
                   "collided",    "distance [cm]", "heading [rad]", "first certified plan [s]",
                   "cost [psi]"};
@@ -186,12 +188,12 @@ ReportTable trial_table(const DemoResults& results) {
 }
 
 void planning(ReportPage& page, const DemoResults& results) {
-  page.heading("Plans, and what became of them")
+  page.heading("Plans and their outcomes")
       .paragraph(
           "The same planner with either model. A plan is a list of set points, executed as it "
           "stands; distance and heading are taken after the last one was held for a second. "
           "Reached means within the goal's tolerances, 2 cm (and 0.3 rad where a heading is asked "
-          "for), without collision. Environments were chosen where the simple model errs "
+          "for), without collision. Environments were chosen where the simple model is wrong "
           "(docs/environments.md). The paper's plans ended 3.3–14.9 cm off with one collision (no "
           "load), 1.0–6.4 cm with none (network).")
       .table(trial_table(results))
@@ -200,7 +202,7 @@ void planning(ReportPage& page, const DemoResults& results) {
 
 ReportTable speed_table(const SpeedReport& speed) {
   ReportTable table;
-  table.caption = fmt::format("Forward-model queries a second on {}", speed.cpu);
+  table.caption = fmt::format("Forward-model queries per second on {}", speed.cpu);
   table.header = {"model", "one at a time", "in batches", "batch"};
   const auto add = [&](const std::string& name, const QueryRate& single, const QueryRate& batch) {
     table.rows.push_back({name, rate(single.queries_per_s), rate(batch.queries_per_s),
@@ -219,7 +221,7 @@ ReportTable speed_table(const SpeedReport& speed) {
 void times(ReportPage& page, const DemoResults& results) {
   page.heading("Speed")
       .table(speed_table(results.speed))
-      .figure({speed_chart(results.speed).svg(), "Forward-model queries a second, one core"})
+      .figure({speed_chart(results.speed).svg(), "Forward-model queries per second, one core"})
       .heading("Time");
   ReportTable table;
   table.header = {"stage", "time"};
@@ -233,7 +235,9 @@ void times(ReportPage& page, const DemoResults& results) {
 
 void whats_next(ReportPage& page) {
   page.heading("With your own arm")
-      .paragraph("Each stage works alone, through plain files; limber VERB --help has an example.")
+      .paragraph(
+          "Each stage works on its own, and reads and writes plain files; limber VERB --help has "
+          "an example.")
       .code(
           "limber characterize --arm my_arm.yaml --csv bench.csv --out my_arm_fitted.yaml\n"
           "limber inspect my_recording.h5\n"

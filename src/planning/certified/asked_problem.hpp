@@ -15,7 +15,7 @@ class AskedProblem {
   explicit AskedProblem(const PlanningProblem& problem) : problem_(problem) {}
 
   const Certifier& certifier();
-  /// Worked out without a certifier, which takes longer to make, where there is none yet.
+  /// Worked out without a certifier, which takes longer to make, if there is none yet.
   const std::string& environment_hash();
 
  private:

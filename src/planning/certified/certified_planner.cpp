@@ -77,8 +77,8 @@ class CertifiedPlanner final : public Planner {
       return;  // nothing is near, or it starts in an obstacle, which is refused
     }
     notes.push_back(fmt::format(
-        "the arm starts {:.2f} cm from {}: plans keep that, instead of the {:.2f} cm that the "
-        "model erred by",
+        "the arm starts {:.2f} cm from {}: plans keep that distance instead of the model's error, "
+        "{:.2f} cm",
         at_start.value_m * kCmPerM, obstacle_name(problem.environment, at_start.obstacle),
         problem.margin_m * kCmPerM));
     problem.margin_m = kYield * max_m;

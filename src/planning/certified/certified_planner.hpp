@@ -17,7 +17,7 @@ enum class Valves { as_given, left_out };
 /// (PlanJudge), so a plan that is refused takes no other along; where every plan is refused the
 /// status is `not_certified`, and the cheapest is kept as `best_partial`.
 ///
-/// The goal's margin is taken off its tolerances, down to half of them, and where there is one the
+/// The goal's margin is taken off its tolerances, down to half of them, and if there is one the
 /// inner quarter is aimed at. Where nothing keeps the clearance asked for, the last tenth of the
 /// limits (at most a second) goes to smaller ones, and the reason names the largest that gave a
 /// plan.

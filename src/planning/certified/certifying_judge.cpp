@@ -74,8 +74,8 @@ void CertifyingJudge::report(PlanResult& result) {
     const CertificateFailure& first = refused_->failures.front();
     result.reason = fmt::format(
         "every plan that planner '{}' found is refused by its certificate, the cheapest for this: "
-        "{}: frame {}: {}; if it is not the model's fault it is the planner's: please report it "
-        "with arm, model, environment and seed {}",
+        "{}: frame {}: {}; if the model is not at fault, the planner is: please report it with "
+        "arm, model, environment and seed {}",
         result.best_partial->planner, first.check, first.frame, first.message,
         result.best_partial->seed);
   }

@@ -93,7 +93,7 @@ class Grower {
     batch_.assign(1, {start, {start.setpoint_kpa()}});
     paths_.run(batch_, outcomes_, [] { return false; });
     if (!outcomes_.front().held_tip) {
-      throw InputError("the model runs off to infinity where the arm stands still at its start");
+      throw InputError("the model diverges while the arm stands still at its start");
     }
     note_tip(outcomes_.front());
   }
@@ -172,10 +172,10 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
   }
   const Pressures limits_kpa = pressure_limits_kpa(arm);
   const auto refuse = [](const std::string& what) {
-    throw InputError(fmt::format("the forest holds {}: it is broken; grow it anew", what));
+    throw InputError(fmt::format("the forest holds {}: it is broken; grow it again", what));
   };
   if (forest.max_kpa.size() != limits_kpa.size()) {
-    refuse(fmt::format("{} pressures a node; arm '{}' has {} segments", forest.max_kpa.size(),
+    refuse(fmt::format("{} pressures per node; arm '{}' has {} segments", forest.max_kpa.size(),
                        arm.name, limits_kpa.size()));
   }
   if ((forest.max_kpa.array() > limits_kpa.array()).any()) {
@@ -183,7 +183,7 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
   }
   const Eigen::Index numbers = 3 * (arm.point_count() - 1);
   if (forest.shapes.rows() != numbers) {
-    refuse(fmt::format("{} numbers a shape; arm '{}' needs {}", forest.shapes.rows(), arm.name,
+    refuse(fmt::format("{} numbers per shape; arm '{}' needs {}", forest.shapes.rows(), arm.name,
                        numbers));
   }
 }

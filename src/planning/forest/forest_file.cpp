@@ -32,7 +32,7 @@ class ForestReader {
   explicit ForestReader(const std::filesystem::path& path)
       : where_(path.string()), content_(parse_safetensors(read_file(path), where_)) {
     if (text("schema") != kSchema) {
-      refuse(where_, fmt::format("schema '{}'; expected {}: --build-forest grows it anew",
+      refuse(where_, fmt::format("schema '{}'; expected {}: --build-forest grows it again",
                                  shortened(text("schema")), kSchema));
     }
   }
@@ -78,7 +78,8 @@ class ForestReader {
     const TensorOf<Number>& tensor = found->second;
     if (tensor.shape.size() != rank || tensor.values.empty() ||
         (nodes_ != 0 && tensor.shape[0] != nodes_)) {
-      refuse(where_, fmt::format("tensor {} has not one row for each of the forest's nodes", name));
+      refuse(where_,
+             fmt::format("tensor {} does not have one row for each of the forest's nodes", name));
     }
     if (tensor.shape[0] > static_cast<std::size_t>(Forest::kMaxNodes)) {
       refuse(where_, fmt::format("tensor {} has {} rows; expected at most {}", name,
@@ -143,7 +144,7 @@ Forest read_forest(const std::filesystem::path& path) {
       setpoints.values.data(), segments, static_cast<Eigen::Index>(forest.size()));
   const Tensor& tips = reader.tensor("held_tips", 2);
   if (tips.shape[1] != 3) {
-    refuse(reader.where(), "tensor held_tips has not 3 columns (x_m, y_m, theta_rad)");
+    refuse(reader.where(), "tensor held_tips does not have 3 columns (x_m, y_m, theta_rad)");
   }
   for (std::size_t i = 0; i < tips.values.size(); ++i) {
     if (std::abs(tips.values[i]) > kFarthest) {

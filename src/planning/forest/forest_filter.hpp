@@ -10,7 +10,7 @@
 namespace limber {
 
 /// Says which motions of a forest an environment is likely to leave free, from the stored shapes
-/// alone: no query of the model, some microseconds an edge. What it says is a guess either way.
+/// alone: no query of the model, some microseconds per edge. What it says is a guess either way.
 /// Everything given is borrowed.
 class ForestFilter {
  public:

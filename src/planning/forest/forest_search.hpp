@@ -16,7 +16,7 @@
 namespace limber {
 
 /// Looks through a forest for motions that an environment leaves free, and grafts them into a
-/// search: those that end in the goal, the cheapest first; where there are none, those that end
+/// search: those that end in the goal, the cheapest first; if there are none, those that end
 /// near it, with a Newton step toward it at their end. Only what the filter takes for free is
 /// simulated, and a motion in collision rules out all that go on from it. Everything given is
 /// borrowed.
@@ -26,7 +26,7 @@ class ForestSearch {
   ForestSearch(const Forest& forest, const PlanningProblem& problem,
                const CollisionChecker& checker, PathSimulator& simulator, BatchSearch& search);
 
-  /// Tries a batch of motions. False where there is nothing more worth trying.
+  /// Tries a batch of motions. False if there is nothing more worth trying.
   bool round(const std::function<bool()>& give_up);
 
  private:

@@ -222,7 +222,7 @@ class OmplPlanner final : public Planner {
     PlannerName parsed = PlannerName::parse(text);
     name_ = parsed.name;
     if (kPlanners.count(name_) == 0) {
-      throw InputError(fmt::format("planner '{}'; of OMPL's there are {}", name_,
+      throw InputError(fmt::format("planner '{}'; the planners of OMPL are {}", name_,
                                    fmt::join(ompl_planner_names(), ", ")));
     }
     settings_ = take_settings(parsed);

@@ -27,7 +27,7 @@ class PrunedSst final : public CountedSst {
 
  private:
   void add_starts();
-  /// Takes the new node into the tree where no cheaper one is near. @return null where one is.
+  /// Takes the new node into the tree where no cheaper one is near. @return null if one is.
   Motion* accept(Motion* reached, Motion* from, unsigned int frames);
   void prune(Motion* dominated);
   void keep_solution(const Motion* end);

@@ -24,14 +24,14 @@ struct PressureRrtStarSettings {
 /// pressures. A new configuration is reached
 /// from the cheapest of the near nodes whose motion is free; a node is rewired only where the new
 /// way ends at the same pressures and the same backbone, and everything downstream, simulated
-/// anew, stays free.
+/// again, stays free.
 enum class ParentRule {
   lazy,      ///< sorts near nodes by the cost, known beforehand, and simulates from the cheapest
   steer_all  ///< as written: simulates from all near nodes, then sorts; the same tree, slower
 };
 
 /// @param name  what plans say that they were made by; empty: "paper" or "paper-steer-all"
-/// @throws InputError where a setting is out of range.
+/// @throws InputError if a setting is out of range.
 std::unique_ptr<Planner> make_pressure_rrt_star(
     ParentRule rule, const PressureRrtStarSettings& settings = PressureRrtStarSettings(),
     std::string name = "");

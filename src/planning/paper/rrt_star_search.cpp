@@ -144,7 +144,7 @@ bool RrtStarSearch::matches(const MotionState& end, int node) const {
          (apart.col(2).array().abs() <= static_cast<float>(settings_.match_orientation_rad)).all();
 }
 
-/// Simulates all below changed_[0] anew, into changed_. False, the tree untouched, where it
+/// Simulates all below changed_[0] again, into changed_. False, the tree untouched, where it
 /// collides.
 bool RrtStarSearch::simulate_below(const PlannerBudget& budget) {
   MotionState end;

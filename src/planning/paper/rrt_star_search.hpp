@@ -39,7 +39,7 @@ class RrtStarSearch {
     int node;
     int column;  // in the batch of all near nodes
   };
-  /// A node below a rewired one, simulated anew.
+  /// A node below a rewired one, simulated again.
   struct Changed {
     int node;
     double cost_kpa;
@@ -48,10 +48,10 @@ class RrtStarSearch {
 
   Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const;
   Pressures sample();
-  /// False where the sample falls on a node.
+  /// False if the sample falls on a node.
   bool steer(const Pressures& sample, int nearest);
   void find_near(int nearest);
-  /// The new node, −1 where no near node has a free way.
+  /// The new node, −1 if no near node has a free way.
   int connect();
   bool edge_is_free(const Candidate& candidate);
   void simulate_all_candidates();
@@ -78,7 +78,7 @@ class RrtStarSearch {
 
   PressureTree tree_;
   PressureIndex index_;
-  std::vector<char> in_goal_;  // one a node
+  std::vector<char> in_goal_;  // one per node
   std::optional<double> best_cost_kpa_;
   std::vector<Pressures> best_waypoints_kpa_;
   int nearest_node_ = 0;

@@ -168,7 +168,7 @@ class Run {
     return opinions_.agree(waypoints_kpa) && (!is_best || note_plan(waypoints_kpa, merit_kpa(one)));
   }
 
-  /// A batch of changes of all plans in work. False where there is none.
+  /// A batch of changes of all plans in work. False if there is none.
   bool improve() {
     batch_.clear();
     std::vector<std::size_t> first;

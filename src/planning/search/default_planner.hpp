@@ -31,7 +31,7 @@ struct DefaultPlannerSettings {
   double improvement_queries_without_room = 10'000;  ///< where the goal leaves none for the error
   double hold_position_m = 0.05;  ///< paths that end this near the goal are held and judged
   double hold_orientation_rad = 0.5;
-  int jobs = 0;  ///< threads, 0 for one a core; the plan does not depend on it
+  int jobs = 0;  ///< threads, 0 for one per core; the plan does not depend on it
   /// Grown for the arm, model and start of every problem, and looked through in turns with the
   /// search, first; borrowed. None: everything is searched.
   const Forest* forest = nullptr;
@@ -42,7 +42,7 @@ struct DefaultPlannerSettings {
 /// accepted only after exact simulation and collision check of everything behind the change. One
 /// plan is improved as far as it goes while others from the tree challenge it.
 /// @param name  what plans say that they were made by
-/// @throws InputError where a setting is out of range.
+/// @throws InputError if a setting is out of range.
 std::unique_ptr<Planner> make_default_planner(
     const DefaultPlannerSettings& settings = DefaultPlannerSettings(),
     std::string name = "default");

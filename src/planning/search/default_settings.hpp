@@ -9,7 +9,7 @@ namespace limber {
 void require_valid(const DefaultPlannerSettings& settings);
 
 /// The settings behind a planner's name, the others by default.
-/// @throws InputError where one is unknown or out of range.
+/// @throws InputError if one is unknown or out of range.
 DefaultPlannerSettings default_settings_of(PlannerName name);
 
 }  // namespace limber

@@ -41,7 +41,7 @@ struct HoldRange {
 /// caller at a time. What it is made from is borrowed.
 class PathSimulator {
  public:
-  /// @param jobs  threads to use, 0 for one a core
+  /// @param jobs  threads to use, 0 for one per core
   PathSimulator(const PlanningProblem& problem, const CollisionChecker& checker, HoldRange range,
                 int jobs);
   ~PathSimulator();

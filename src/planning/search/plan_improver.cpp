@@ -205,7 +205,7 @@ void PlanImprover::add_candidate(std::vector<Path>& paths) {
          candidate_kpa_[same] == waypoints_kpa_[same]) {
     ++same;
   }
-  same = std::min(same, candidate_kpa_.size() - 1);  // the last motion's hold is simulated anew
+  same = std::min(same, candidate_kpa_.size() - 1);  // the last motion's hold is simulated again
   paths.push_back(
       {states_[same - 1],
        {candidate_kpa_.begin() + static_cast<std::ptrdiff_t>(same), candidate_kpa_.end()}});

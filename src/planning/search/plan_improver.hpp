@@ -11,7 +11,7 @@ namespace limber {
 
 /// Makes a plan cheaper: leaves out, straightens, splits and shifts waypoints at random, some ways
 /// at once; what is cheaper and ends beside the goal, or beyond its aim, is shifted back into it. A
-/// change counts only after everything behind it has been simulated anew, found free, and ends in
+/// change counts only after everything behind it has been simulated again, found free, and ends in
 /// the goal after the hold: elsewhere friction would make the plan another one. Several improvers
 /// share a batch of the simulator: each proposes its paths, then all settle. Everything given is
 /// borrowed. What it does depends on the seed, the stream and the number of rounds alone.
@@ -56,7 +56,7 @@ class PlanImprover {
     Pose held_tip;
   };
 
-  /// Changes candidate_kpa_; false where this plan cannot be changed so.
+  /// Changes candidate_kpa_; false if this plan cannot be changed so.
   bool leave_out(RandomStream& random);
   bool straighten(RandomStream& random);
   void shift_one(RandomStream& random);

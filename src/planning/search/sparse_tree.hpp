@@ -30,7 +30,7 @@ class SparseTree {
   SparseTree(const ArmDescription& arm, const MotionModel& model, const StateCells& cells,
              const MotionState& root);
 
-  /// The new node; none where a state like it is there already and costs no more.
+  /// The new node; none if a state like it is there already and costs no more.
   /// @param always  adds it all the same
   std::optional<int> add(const MotionState& state, int parent, double cost_kpa,
                          bool always = false);

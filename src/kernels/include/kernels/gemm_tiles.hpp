@@ -68,7 +68,7 @@ void multiply_tile(const Product& p, Tile t) {
   for (int k = 0; k < p.k; ++k, a += p.lda, b += p.b_step_k) {
     if constexpr (kVectors > kTileVectors) {
       // Every row is loaded once, by itself: as an operand of each product, and still on its way
-      // from the second cache, it would be asked for once a column.
+      // from the second cache, it would be asked for once per column.
       Vector columns[kColumns];
 #pragma GCC unroll 12
       for (int j = 0; j < kColumns; ++j) {

@@ -9,8 +9,8 @@
 
 namespace limber {
 
-/// `--jobs`: a oneTBB arena of that many threads, 0 for one a core, more than there are cores where
-/// that is asked for.
+/// `--jobs`: a oneTBB arena of that many threads, 0 for one per core, more than there are cores
+/// where that is asked for.
 class JobArena {
  public:
   explicit JobArena(int jobs)

@@ -14,9 +14,8 @@ class YamlReader;
 /// An arm of more segments is refused; sizes the stack storage of solvers.
 inline constexpr int kMaxSegments = 64;
 
-/// What a segment is told, one signed number, and the unit it comes in. Of any other command than a
-/// pressure, names that end in `_kpa` hold numbers in that command's unit; messages and files name
-/// it.
+/// What a segment is given, one signed number, and its unit. If the command is not a pressure,
+/// names that end in `_kpa` hold numbers in the command's unit; messages and files name it.
 struct Command {
   std::string name = "pressure";
   std::string unit = "kPa";
@@ -69,7 +68,7 @@ struct ArmDescription {
   int point_count() const;
   double length_m() const;
   double frame_period_s() const { return 1.0 / frame_rate_hz; }
-  /// Fewest frames that take at least so long.
+  /// The smallest number of frames that take at least so long.
   int frames_in(double seconds) const;
   /// Largest change of a set point within one frame.
   double pressure_step_limit_kpa() const { return pressure_rate_limit_kpa_per_s / frame_rate_hz; }
@@ -85,8 +84,8 @@ struct ArmDescription {
 void require_pressure_driven(const ArmDescription& arm, const std::string& what);
 
 /// Whether an arm file must hold strain polynomials that a model can use. Only characterisation,
-/// which is about to fit them, does without: there the key may be missing, empty or outdated, and
-/// the polynomial is then zero.
+/// which is about to fit them, does not need them: there the key may be missing, empty or outdated,
+/// and the polynomial is then zero.
 enum class PolynomialsOf { model, characterisation };
 
 /// Reads and validates an arm file. @throws InputError naming file, line, field, what was found and
@@ -98,16 +97,17 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials = Poly
 /// The arm as YAML, readable by `load_arm`; floating-point values survive the round trip exactly.
 std::string arm_to_yaml(const ArmDescription& arm);
 
-/// The same without schema and `virtual_arm`: the keys that `hash` stands for, and the name. Other
-/// files hold it as a text.
+/// The same without schema and `virtual_arm`: the keys that `hash` covers, and the name. Other
+/// files hold it as text.
 std::string arm_keys_to_yaml(const ArmDescription& arm);
 
-/// The way back. @param name  stands for the file in messages. @throws InputError as `read_arm`.
+/// The inverse. @param name  stands for the file in messages. @throws InputError as `read_arm`.
 ArmDescription read_arm_keys(const std::string& keys, const std::string& name);
 
-/// `yaml`, the text of the arm's file, with the arm's strain polynomials in place of the old ones:
-/// everything else, comments too, stays as it is. Where the text has a form that cannot be edited
-/// in place, or differs from `arm` in more, `arm_to_yaml`. @throws InputError if it is no arm file.
+/// `yaml`, the text of the arm's file, with the arm's strain polynomials in place of the old ones.
+/// Everything else, comments too, stays as it is. If the text cannot be edited in place, or differs
+/// from `arm` in anything else, the result is `arm_to_yaml`. @throws InputError if it is not an arm
+/// file.
 std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm);
 
 /// Distance along the arm at rest from the base to each plate, m numbers.

@@ -11,8 +11,8 @@ namespace limber {
 /// What a model, plan, forest or recording keeps of the arm that it was made for, so that another
 /// machine can tell whether an arm file is the same arm.
 ///
-/// Hashes alone do not say so: two CPUs fit strain polynomials that differ in the last digit, and a
-/// length typed as 0.2350001 is no other arm. Where the hashes differ, the keys are compared.
+/// Hashes alone do not tell this: two CPUs fit strain polynomials that differ in the last digit,
+/// and a length typed as 0.2350001 is not another arm. If the hashes differ, the keys are compared.
 struct ArmIdentity {
   std::string name;
   std::string hash;         ///< ArmDescription::hash()
@@ -25,15 +25,15 @@ ArmIdentity identity_of(const ArmDescription& arm);
 inline constexpr double kSameNumber = 1e-6;
 
 /// Keys in which the arms differ with both values, "segments[0].length_m: 0.235 there, 0.24 here";
-/// empty where they are the same arm. Names and virtual-arm parameters do not count. Strain
+/// empty if they are the same arm. Names and virtual-arm parameters do not count. Strain
 /// polynomials agree where their strains do, within kSameStrain over the pressure range.
 std::vector<std::string> arm_differences(const ArmDescription& there, const ArmDescription& here);
 
 /// Why `arm` is not the one that a file was made for, as the end of a sentence that names both;
-/// empty where it is: equal hashes, or keys without a difference. A file that holds a hash alone is
+/// empty if it is: equal hashes, or keys without a difference. A file that holds a hash alone is
 /// of that arm only where the hashes are equal.
 /// @param file  names the file in messages.
-/// @throws InputError where the file's description is no arm.
+/// @throws InputError if the file's description is not an arm.
 std::string why_another_arm(const ArmIdentity& made_for, const ArmDescription& arm,
                             const std::string& file);
 

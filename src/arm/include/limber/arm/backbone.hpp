@@ -13,7 +13,7 @@ using BackboneOf = Eigen::Matrix<Scalar, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Backbone = BackboneOf<float>;
 using BackboneD = BackboneOf<double>;
 
-/// One number a segment, gauge, signed: positive pressurises the right side and bends toward −y.
+/// One number per segment, gauge, signed: positive pressurises the right side and bends toward −y.
 using Pressures = Eigen::VectorXf;
 
 /// A pose in the plane.

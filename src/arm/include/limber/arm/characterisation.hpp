@@ -14,9 +14,9 @@ inline constexpr double kBenchNoiseAroundZero = 0.01;
 
 /// One settled reading of a bench test: a segment free of load and friction, one side inflated.
 ///
-/// The strain is that of the side as mounted in its segment, change of length over l0, so it holds
-/// the segment's own elasticity. A bare actuator on the bench contracts about a third more; a model
-/// fitted to that errs half as much again.
+/// The strain is that of the side as mounted in its segment, change of length over l0, so it
+/// includes the segment's own elasticity. A bare actuator on the bench contracts about a third
+/// more; the error of a model fitted to that is half as large again.
 struct BenchPoint {
   double pressure_kpa = 0.0;  ///< gauge, of the inflated side, ≥ 0
   double strain = 0.0;        ///< ε, negative where the side contracts
@@ -40,10 +40,10 @@ struct StrainFit {
 
 /// Least-squares fit of (9) over [0, p_max].
 ///
-/// Where the plain fit is not monotone, the least-squares fit among all quartics without constant
-/// term whose slope is ≥ 0 on [0, p_max] (docs/model.md (10)); exact, not a restriction of it.
+/// If the plain fit is not monotone, the result is the least-squares fit among all quartics without
+/// constant term whose slope is ≥ 0 on [0, p_max] (docs/model.md (10)); exact, not a restriction.
 /// Pressures down to −1 % of the limit count as 0; those above 1.05 p_max are left out.
-/// @throws InputError where a value is not finite, a pressure is negative, fewer than 5 pressures
+/// @throws InputError if a value is not finite, a pressure is negative, fewer than 5 pressures
 /// are distinct, they do not cover the range up to p_max, the strain extends instead of contracting
 /// or exceeds 1, or the monotone fit leaves a residual above 10 % of full strain.
 StrainFit fit_strain_polynomial(const std::vector<BenchPoint>& points, double pressure_limit_kpa);
@@ -54,13 +54,13 @@ struct CharacterisedArm {
   std::vector<StrainFit> fits;
 };
 
-/// @throws InputError where there is nothing to fit: another command than pressures in kPa, or
+/// @throws InputError if there is nothing to fit: another command than pressures in kPa, or
 /// another no-load model. To be asked before the bench test.
 void require_characterisable(const ArmDescription& arm);
 
-/// Fits every segment. Where the arm's own polynomial agrees with the fit within kSameStrain, it
-/// stays: characterising the same arm again, or elsewhere, does not make it another. @throws
-/// InputError as above, with the segment's number before the message.
+/// Fits every segment. If the arm's own polynomial agrees with the fit within kSameStrain, it
+/// stays: characterising the same arm again, or on another machine, does not make it another arm.
+/// @throws InputError as above, with the segment's number before the message.
 CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench);
 
 /// Bench data from a CSV file: a header line naming the columns `pressure_kpa` and `strain`, and

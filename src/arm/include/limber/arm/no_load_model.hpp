@@ -18,7 +18,7 @@ struct SegmentShape {
 struct SegmentPressure {
   double pressure_kpa = 0.0;  ///< within ± the segment's limit
   bool reachable =
-      false;  ///< false where more than the limit would be needed; the pressure is then the limit
+      false;  ///< false if more than the limit would be needed; the pressure is then the limit
 };
 
 /// Shape of the unloaded, frictionless arm at given pressures: docs/model.md, (3), (4), (11) and
@@ -38,8 +38,8 @@ class NoLoadModel {
   NoLoadKind kind() const { return kind_; }
   const Command& command() const { return command_; }
 
-  /// Backbone B̃ at `pressures_kpa` (size n), written to `backbone` (m×3). Above its limit a
-  /// pressure strains on along the end slope of the polynomial, so that a measured overshoot stays
+  /// Backbone B̃ at `pressures_kpa` (size n), written to `backbone` (m×3). Above a pressure's limit
+  /// the strain continues along the end slope of the polynomial, so that a measured overshoot is
   /// continuous.
   void backbone(const Eigen::Ref<const Eigen::VectorXf>& pressures_kpa,
                 Eigen::Ref<Backbone> backbone) const;
@@ -50,8 +50,8 @@ class NoLoadModel {
   SegmentShape segment_shape(int segment, double pressure_kpa) const;
   /// Contraction strain e = P(|p|) ≥ 0. @pre kind() is strain_polynomial.
   double strain(int segment, double pressure_kpa) const;
-  /// Inverse of (3), (11): e = 2t|κ|/(2 + t|κ|), p = −sign(κ) P⁻¹(e); or of (17). Where nothing
-  /// bends the unloaded arm, (18), 0.
+  /// Inverse of (3), (11): e = 2t|κ|/(2 + t|κ|), p = −sign(κ) P⁻¹(e); or of (17). With (18), where
+  /// nothing bends the unloaded arm, 0.
   SegmentPressure pressure_for_curvature(int segment, double curvature_per_m) const;
   /// Length that goes with a curvature, l = 2 l0/(2 + t|κ|), (3) in (4); l0 by (17) and (18).
   double length_for_curvature(int segment, double curvature_per_m) const;

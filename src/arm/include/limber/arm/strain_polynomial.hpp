@@ -28,12 +28,12 @@ struct LeastSlope {
   double slope_per_kpa = 0.0;
 };
 
-/// Exact: the ends and the two places where the slope's own derivative vanishes.
+/// Exact: it looks at the ends and at the two points where the slope's own derivative vanishes.
 LeastSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa);
 
-/// Strains this close over the whole pressure range are those of the same segment: ten times what
-/// two machines' rounding makes of one bench test, and too little for a certificate to tell (5e-6
-/// in every segment of a long, thin arm moves its tip by 0.05 mm).
+/// Strains this close over the whole pressure range are those of the same segment. This is ten
+/// times the rounding difference between two machines for one bench test, and too little for a
+/// certificate to notice (5e-6 in every segment of a long, thin arm moves its tip by 0.05 mm).
 inline constexpr double kSameStrain = 5e-6;
 
 /// Where two polynomials are farthest apart, and how far.
@@ -47,7 +47,7 @@ StrainDifference max_strain_difference(const StrainPolynomial& a, const StrainPo
                                        double pressure_limit_kpa);
 
 /// Why no model can use the polynomial up to its pressure limit: it falls somewhere, or its full
-/// strain is not between 0 and 1. Empty where it is fine.
+/// strain is not between 0 and 1. Empty if it is fine.
 std::string why_unusable(const StrainPolynomial& c, double pressure_limit_kpa);
 
 }  // namespace limber

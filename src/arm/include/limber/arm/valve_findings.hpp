@@ -22,8 +22,8 @@ struct ValveErrors {
 struct ValveFindings {
   std::string source;          ///< the recordings
   ValveErrors held_back;       ///< on motions that the fit has not seen
-  ValveErrors from_setpoints;  ///< on the same motions, had the set points been taken for pressures
-  std::string reason;          ///< why there are no parameters; empty where there are
+  ValveErrors from_setpoints;  ///< on the same motions, if set points were taken for pressures
+  std::string reason;          ///< why there are no parameters; empty if there are
   std::vector<std::string> warnings;  ///< what is suspicious about the recordings
 };
 

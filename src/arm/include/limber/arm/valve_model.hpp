@@ -15,10 +15,10 @@ namespace limber {
 /// Set points to pressures, frame by frame: docs/valves.md. A continuous map, so that float and
 /// double agree.
 ///
-/// What the future depends on is a *valve state* of one column: the pressures (n), then the last
-/// set points (n), then the ones before, as many as may still be under way through the dead time.
-/// The last set points are always there, also for ideal valves, so that a state says what was
-/// commanded and what came of it.
+/// The future depends on a *valve state* of one column: the pressures (n), then the last set points
+/// (n), then the ones before, as many as the dead time may still delay. The last set points are
+/// always there, also for ideal valves, so that a state says what was commanded and what came of
+/// it.
 ///
 /// Threads: constant after construction; share it freely. Allocates nothing in `step`.
 class ValveModel {
@@ -27,7 +27,7 @@ class ValveModel {
   explicit ValveModel(const ArmDescription& arm);
   /// The same of an arm of so many segments.
   static ValveModel ideal(int segment_count);
-  /// @throws InputError where the parameters do not fit the arm or are out of range.
+  /// @throws InputError if the parameters do not fit the arm or are out of range.
   ValveModel(const ArmDescription& arm, ValveParameters parameters);
 
   bool is_ideal() const { return parameters_.is_ideal(); }
@@ -38,7 +38,7 @@ class ValveModel {
   /// n (1 + setpoint_count()).
   int state_size() const { return segment_count_ * (1 + setpoint_count_); }
 
-  /// The state of an arm that has stood at these set points for ever, at the same pressures.
+  /// The settled state of an arm at these set points: the pressures equal them.
   Eigen::VectorXf settled_state(const Eigen::Ref<const Pressures>& kpa) const;
 
   /// One frame at `setpoint_kpa` (n): `state` (state_size()) is overwritten with what follows it.

@@ -9,8 +9,8 @@
 namespace limber {
 
 /// One segment's pressure over one frame in closed form: docs/valves.md, (P1) to (P4). Continuous
-/// in pressure and set points. In double precision also for states in float, which so differ from
-/// states in double by no more than their own rounding.
+/// in pressure and set points. Computed in double precision also for states in float, so that these
+/// differ from states in double by no more than their own rounding.
 ///
 /// Threads: constant after construction; share it freely. Allocates nothing.
 class ValveMotion {
@@ -18,7 +18,7 @@ class ValveMotion {
   /// @pre the parameters are usable (`why_unusable`); frame_period_s > 0.
   ValveMotion(const SegmentValves& valves, bool has_sides, double frame_period_s)
       : has_sides_(has_sides), dead_band_(valves.dead_band_kpa) {
-    // A part shorter than this of a frame is none: 0.15 s at 20 Hz are three frames.
+    // Parts of a frame shorter than this are dropped: 0.15 s at 20 Hz are three frames.
     constexpr double kRounding = 1e-6;
     const double frames = valves.dead_time_s / frame_period_s;
     frames_late_ = static_cast<int>(std::floor(frames + kRounding));
@@ -32,7 +32,7 @@ class ValveMotion {
   /// j and whether f > 0, of a dead time of (j + f) frames, 0 ≤ f < 1.
   int frames_late() const { return frames_late_; }
   bool splits() const { return splits_; }
-  /// Set points before the current one that may still be under way.
+  /// Number of set points before the current one that may still be delayed.
   int pending_setpoints() const { return frames_late_ + (splits_ ? 1 : 0); }
 
   /// Pressure after one frame: toward `older`, the set point of j + 1 frames ago, until the delayed

@@ -34,7 +34,7 @@ struct ValveParameters {
   std::vector<SegmentValves> segments;  ///< empty: ideal valves, pressures are the set points
 
   bool is_ideal() const { return segments.empty(); }
-  /// Of everything that a prediction depends on; empty for ideal valves.
+  /// Hash of everything that a prediction depends on; empty for ideal valves.
   std::string hash() const;
   bool operator==(const ValveParameters&) const = default;
 };
@@ -42,7 +42,7 @@ struct ValveParameters {
 /// Longest dead time that a model accepts.
 inline constexpr double kLongestDeadTimeS = 5.0;
 
-/// Empty where a valve model of `arm` can use the parameters, else what is wrong with them:
+/// Empty if a valve model of `arm` can use the parameters, else what is wrong with them:
 /// "segment 1: dead_time_s = -1; expected …".
 std::string why_unusable(const ValveParameters& parameters, const ArmDescription& arm);
 /// The same without the arm: numbers out of range, or another number of segments.

@@ -7,7 +7,7 @@
 
 namespace limber {
 
-/// 3×n, one column a segment; storage is inside the object, so that solvers allocate nothing.
+/// 3×n, one column per segment; storage is inside the object, so that solvers allocate nothing.
 using PlanarJacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMaxSegments>;
 /// n numbers, stored inside the object.
 using SegmentVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSegments, 1>;

@@ -43,7 +43,7 @@ struct SpeedReport {
   std::string cpu_level;
   int threads = 1;                   ///< that the largest batches were split over
   int lanes = 1;                     ///< floats in a vector register
-  double clock_ghz = 0.0;            ///< from a chain of operations, one a cycle
+  double clock_ghz = 0.0;            ///< from a chain of operations, one per cycle
   double fma_peak_gmac_per_s = 0.0;  ///< one core, registers only: mean of before and after
   double fma_peak_difference = 0.0;  ///< relative, of before and after; small on a quiet machine
   std::int64_t queries = 0;          ///< asked in each measurement of one query at a time
@@ -56,7 +56,7 @@ struct SpeedReport {
 
 struct SpeedSettings {
   std::int64_t queries = 1'000'000;  ///< of each measurement of single queries; batches as many
-  int jobs = 0;                      ///< threads for the largest batches, 0: one a core
+  int jobs = 0;                      ///< threads for the largest batches, 0: one per core
   std::uint64_t seed = 1;            ///< of inputs and of untrained weights
   bool optional_peers = true;        ///< also those of bench/speed_peers.hpp
   Progress::Mode progress = Progress::Mode::quiet;
@@ -68,7 +68,7 @@ struct SpeedSettings {
 SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* model,
                           const SpeedSettings& settings);
 
-/// What the paper's implementation answers, queries a second.
+/// What the paper's implementation answers, queries per second.
 inline constexpr double kPaperNoLoadQueriesPerS = 978.0;
 inline constexpr double kPaperNetworkQueriesPerS = 510.0;
 

@@ -19,15 +19,15 @@ namespace limber {
 struct CertificateFailure {
   std::string check;  ///< "limits", "rate", "start", "waypoints", "cost", "hold", "valves",
                       ///< "model", "collision", "goal", "claims", "seal", "sizes" or "unfinished"
-  int frame = -1;     ///< the first one that fails; −1 where no frame is to blame
+  int frame = -1;     ///< the first one that fails; −1 if no frame is to blame
   std::string message;
 };
 
-/// What an independent second look at a plan found (docs/planning.md, Certificate).
+/// Result of an independent second check of a plan (docs/planning.md, Certificate).
 struct Certificate {
   std::vector<CertificateFailure> failures;  ///< empty: certified
-  /// Smallest distance of the moving arm from an obstacle, from below and at most
-  /// kClearanceToleranceM below the true one; +∞ without obstacles.
+  /// Lower bound of the moving arm's distance from an obstacle, at most kClearanceToleranceM below
+  /// the true distance; +∞ without obstacles.
   double clearance_m = std::numeric_limits<double>::quiet_NaN();
   int clearance_frame = -1;  ///< the frame that the motion there leads to, 0 the start; −1: none
   int clearance_gap = -1;    ///< between plates gap and gap + 1, from 0 at the base
@@ -35,9 +35,9 @@ struct Certificate {
   double max_deviation_m = 0.0;  ///< of a plate, own simulation against the stored backbone
   int deviation_frame = -1;
   double max_heading_deviation_rad = 0.0;
-  /// The same as max_deviation_m, but each frame simulated from the stored one before it. Where
-  /// this is rounding and the other is not, the plan is no mistake: the model amplifies rounding
-  /// along it, and nothing can be said of where the arm ends.
+  /// The same as max_deviation_m, but with each frame simulated from the stored one before it. If
+  /// this is rounding and the other is not, the plan is not at fault: the model amplifies rounding
+  /// along it, and nothing can be said about where the arm ends.
   double max_step_deviation_m = 0.0;
   /// Of a predicted pressure, own simulation of the valves against the stored one.
   double max_pressure_deviation_kpa = 0.0;
@@ -45,10 +45,10 @@ struct Certificate {
   double max_step_kpa = 0.0;  ///< of a pressure in one frame
   double goal_distance_m =
       std::numeric_limits<double>::quiet_NaN();  ///< of the own simulation's last tip
-  double goal_orientation_rad = 0.0;             ///< 0 where the goal asks for none
+  double goal_orientation_rad = 0.0;             ///< 0 if the goal asks for none
   int frames = 0;
-  /// Given up before all was looked at; then "unfinished" is the last of the failures. What was
-  /// found until then stands, and what was not looked at has no figure.
+  /// True if it was given up before everything was checked; then "unfinished" is the last of the
+  /// failures. What was found until then is valid, and what was not checked has no figure.
   bool unfinished = false;
 
   bool certified() const { return failures.empty(); }
@@ -61,35 +61,35 @@ struct Certificate {
   static constexpr double kClearanceToleranceM = 2e-5;
 };
 
-/// Certifies plans for one problem with nothing of the planner's: own valves and an own forward
-/// model in double precision, run open loop from the environment's start through the stored set
-/// points; an own swept distance (branch and bound over time and arc length); limits, rate, frame
-/// rule, cost, hold and goal checked from their definitions. Collision and goal are judged on the
-/// own simulation.
+/// Certifies plans for one problem without any of the planner's code. It has its own valves and its
+/// own forward model in double precision, run open loop from the environment's start through the
+/// stored set points, and its own swept distance (branch and bound over time and arc length). It
+/// checks limits, rate, frame rule, cost, hold and goal from their definitions, and judges
+/// collision and goal on its own simulation.
 ///
 /// Threads: constant after construction; share it freely.
 class Certifier {
  public:
-  /// Borrows all it gets. Hashes, weights and obstacles are prepared here, so they must not change.
+  /// Borrows all its arguments. Hashes, weights and obstacles are prepared here, so they must not
+  /// change.
   /// @param network  the plans' model; null: the no-load model alone
-  /// @param valves   what lies between set points and pressures, by the judge's knowledge: never
-  ///                 taken from a plan; ideal ones for plans without valves
+  /// @param valves   the valves between set points and pressures, never taken from a plan; ideal
+  ///                 ones for plans without valves
   Certifier(const ArmDescription& arm, const CompensationModel* network,
             const ValveParameters& valves, const Environment& environment);
   Certifier(Certifier&&) noexcept;
   Certifier& operator=(Certifier&&) noexcept;
   ~Certifier();
 
-  /// @param give_up  asked often enough for the certificate to end within 5 ms of its turning true
-  ///                 in any environment; the result is then `unfinished`. Empty: never
-  /// @throws InputError where the plan was made for another arm, other valves or another
+  /// @param give_up  called so often that the certificate ends within 5 ms after it turns true, in
+  ///                 any environment; the result is then `unfinished`. Empty: never
+  /// @throws InputError if the plan was made for another arm, other valves or another
   /// environment (hashes in the message), or the network is of another arm. Everything else is a
   /// failure in the result.
-  /// @throws Interrupted where a signal comes while it looks for collisions.
+  /// @throws Interrupted if a signal comes while it looks for collisions.
   Certificate certify(const Plan& plan, const std::function<bool()>& give_up = {}) const;
 
-  /// Of the environment: what plans have to state. Not free to work out where obstacles have many
-  /// corners.
+  /// Hash of the environment, which plans have to state. Expensive if obstacles have many corners.
   const std::string& environment_hash() const;
 
  private:
@@ -101,7 +101,7 @@ class Certifier {
   std::unique_ptr<const Problem> problem_;
 };
 
-/// One plan, by a Certifier of its own. @throws InputError as Certifier::certify.
+/// Certifies one plan with a Certifier of its own. @throws InputError as Certifier::certify.
 Certificate certify(const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
                     const ValveParameters& valves, const Environment& environment);
 

@@ -18,25 +18,26 @@ inline constexpr std::uintmax_t kMaxFile = std::uintmax_t{1} << 32U;
 /// is untouched then, and no other one is left.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
-/// The whole file. @throws InputError where it is missing, may not be read, is no plain file (a
+/// The whole file. @throws InputError if it is missing, may not be read, is no plain file (a
 /// pipe would block, a device has no end) or is larger than kMaxFile; SystemFault where the
 /// disk fails.
 std::string read_file(const std::filesystem::path& path);
 
-/// What read_file refuses before it reads, for libraries that read a path themselves.
+/// Makes the checks that read_file makes before it reads, for libraries that read a path
+/// themselves.
 void require_plain_file(const std::filesystem::path& path);
 
-/// To be asked before the work begins, of every file that it will write: refuses to replace an
-/// existing file unless `force`, and anything that is no plain file (a folder, a device, a link)
-/// always; refuses a path that names no file ("", "results/") and one where none can be made.
-/// Leaves nothing behind. @throws InputError that names --force, or the system's reason;
-/// SystemFault where the disk is full.
+/// Call this before the work begins, for every file that it will write. Refuses to replace an
+/// existing file unless `force`, and always refuses to replace anything that is not a plain file (a
+/// folder, a device, a link). Refuses a path that names no file ("", "results/") or where no file
+/// can be made. Leaves nothing behind. @throws InputError that names --force, or the system's
+/// reason; SystemFault if the disk is full.
 void refuse_to_overwrite(const std::filesystem::path& path, bool force);
 
 /// The same for a folder that will be made or filled.
 void require_writable_folder(const std::filesystem::path& folder);
 
-/// Removes the temporary files that write_file_atomically left in `folder` where its process was
+/// Removes the temporary files that write_file_atomically left in `folder` because its process was
 /// killed: those of this host whose process has ended.
 void remove_abandoned_files(const std::filesystem::path& folder);
 

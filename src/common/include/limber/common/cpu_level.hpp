@@ -6,10 +6,10 @@
 
 namespace limber {
 
-/// Instruction sets that limber's kernels are compiled for. The program itself runs on the plainest
-/// CPU of its architecture; kernels of a higher level are chosen at run time.
+/// Instruction sets that limber's kernels are compiled for. The program itself runs on any CPU of
+/// its architecture; kernels of a higher level are chosen at run time.
 enum class CpuLevel {
-  baseline,  ///< SSE2 on x86-64, 4 floats a vector; NEON on arm64
+  baseline,  ///< SSE2 on x86-64, 4 floats per vector; NEON on arm64
   avx2,      ///< AVX2, FMA and F16C, 8 floats
   avx512,    ///< AVX-512 F and VL, 16 floats
 };
@@ -18,10 +18,10 @@ enum class CpuLevel {
 const char* to_string(CpuLevel level);
 
 /// The highest level this CPU runs. The environment variable LIMBER_CPU forces a lower one; it is
-/// read once. @throws InputError where LIMBER_CPU names no level, or one that this CPU lacks.
+/// read once. @throws InputError if LIMBER_CPU names no level, or one that this CPU lacks.
 CpuLevel cpu_level();
 
-/// What `cpu_level` would choose with LIMBER_CPU=`forced`; empty for no choice.
+/// The level that `cpu_level` would choose with LIMBER_CPU=`forced`; empty for no choice.
 CpuLevel cpu_level_for(const std::string& forced);
 
 /// Every level this CPU runs, lowest first.

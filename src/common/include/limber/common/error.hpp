@@ -6,8 +6,8 @@
 
 namespace limber {
 
-/// The caller's or a file's mistake: what was found, where, what is allowed. The program exits
-/// with 2.
+/// A mistake of the caller or in a file. The message says what was found, where, and what is
+/// allowed. The program exits with 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -8,15 +8,15 @@
 
 namespace limber {
 
-/// Progress of one long task on standard error: a bar with rate and time left on a terminal,
-/// otherwise a line now and then, nothing when quiet.
+/// Progress of one long task on standard error: on a terminal a bar with rate and time left,
+/// otherwise an occasional line, nothing when quiet.
 ///
 /// Threads: `advance` and `update` may be called from several at once.
 class Progress {
  public:
   enum class Mode { automatic, quiet };
 
-  /// @param total  units of work, 0 where unknown.
+  /// @param total  units of work, 0 if unknown.
   Progress(std::string task, std::string unit, std::uint64_t total, Mode mode = Mode::automatic);
   ~Progress();
   Progress(const Progress&) = delete;

@@ -29,7 +29,7 @@ class RandomStream {
   /// Uniform in {0, …, count − 1}. @pre count > 0.
   std::uint32_t index(std::uint32_t count);
 
-  /// Draws made so far; the stream continues from the same place with `seek(position())`.
+  /// Number of draws made so far; `seek(position())` continues the stream from the same point.
   std::uint64_t position() const { return position_; }
   void seek(std::uint64_t position);
 

@@ -22,13 +22,13 @@ struct CsvCell {
 /// Threads: one.
 class CsvReader {
  public:
-  /// @throws InputError where the file can't be read, or is UTF-16 (as some spreadsheets save).
+  /// @throws InputError if the file can't be read, or is UTF-16 (as some spreadsheets save).
   static CsvReader from_file(const std::filesystem::path& path, char separator = ',');
   /// @param name  stands for the file in messages.
   CsvReader(std::string text, std::string name, char separator = ',');
 
   /// The next row, blank ones included (a single empty cell); false at the end of the file.
-  /// @throws InputError where a quote is never closed.
+  /// @throws InputError if a quote is never closed.
   bool next(std::vector<CsvCell>& row);
 
   /// Line on which the last row began, from 1; 1 before the first.
@@ -39,7 +39,7 @@ class CsvReader {
   [[noreturn]] void refuse(std::size_t column, const std::string& message) const;
 
   /// The cell as a finite number with a decimal point. @throws InputError that says what was
-  /// `expected`, and names the decimal comma where there is one.
+  /// `expected`, and names the decimal comma if there is one.
   double number(const CsvCell& cell, const std::string& expected) const;
 
  private:
@@ -64,7 +64,7 @@ std::string_view trimmed(std::string_view text);
 /// Whether a row holds nothing.
 bool is_blank(const std::vector<CsvCell>& row);
 
-/// The whole of `text` as a number ("1e-3", "+2.5", ".5"); false where it is none or not finite.
+/// The whole of `text` as a number ("1e-3", "+2.5", ".5"); false if it is none or not finite.
 bool parse_number(std::string_view text, double& value);
 
 }  // namespace limber

@@ -21,7 +21,7 @@ inline constexpr int kMaxJsonLevels = 32;
 /// @throws InputError
 nlohmann::json parse_json_object(std::string_view text, const std::string& where);
 
-/// The same of a whole file. @throws InputError naming it, also where it can't be read.
+/// The same of a whole file. @throws InputError naming it, also if it can't be read.
 nlohmann::json read_json_object(const std::filesystem::path& path);
 
 /// A value in a few words, for messages: "'text'", "3", "a list of 200"; long texts shortened.
@@ -37,7 +37,7 @@ class JsonReader {
   /// @param field  path of the value in the file; empty for the root
   JsonReader(const nlohmann::json& value, std::string file, std::string field = "");
 
-  /// The value at `key`. @throws InputError where it is missing or this is no object.
+  /// The value at `key`. @throws InputError if it is missing or this is no object.
   JsonReader at(const char* key) const;
   bool has(const char* key) const;
   /// @param expected  words the message: "a list of frames"
@@ -56,7 +56,7 @@ class JsonReader {
   std::vector<double> numbers(std::size_t size, const char* what, double low = -kMaxNumber,
                               double high = kMaxNumber) const;
 
-  /// @throws InputError where the text `schema` is another than `expected`.
+  /// @throws InputError if the text `schema` is another than `expected`.
   void require_schema(const std::string& expected) const;
 
   const nlohmann::json& value() const { return value_; }

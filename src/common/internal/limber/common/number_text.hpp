@@ -6,8 +6,8 @@
 
 namespace limber {
 
-/// The number that the whole of `text` is, with a decimal point whatever the locale; "inf" and "nan"
-/// are numbers here. None where it is no number, or holds anything else.
+/// The number that the whole of `text` is, with a decimal point whatever the locale; "inf" and
+/// "nan" are numbers here. None if it is not a number, or holds anything else.
 template <class Number = double>
 std::optional<Number> number_in(std::string_view text) {
   Number value{};

@@ -14,18 +14,18 @@ namespace limber {
 /// what was found and what is allowed. Numbers that are not finite are refused everywhere.
 class YamlReader {
  public:
-  /// @throws InputError where the file is missing, empty or no YAML (with line and column).
+  /// @throws InputError if the file is missing, empty or no YAML (with line and column).
   static YamlReader from_file(const std::filesystem::path& path);
   /// @param name  stands for the file in messages.
   static YamlReader from_text(const std::string& text, const std::string& name);
 
   bool has(const std::string& key) const;
   bool is_mapping() const { return node_.IsMap(); }
-  /// The value at `key`. @throws InputError where it is missing or this is no mapping.
+  /// The value at `key`. @throws InputError if it is missing or this is no mapping.
   YamlReader at(const std::string& key) const;
-  /// The elements of a sequence. @throws InputError where this is no sequence.
+  /// The elements of a sequence. @throws InputError if this is no sequence.
   std::vector<YamlReader> elements() const;
-  /// Keys of a mapping in the file's order. @throws InputError where this is no mapping.
+  /// Keys of a mapping in the file's order. @throws InputError if this is no mapping.
   std::vector<std::string> keys() const;
   /// Refuses keys that are not in `allowed` (a misspelt key would otherwise be a silent default).
   void refuse_unknown_keys(std::initializer_list<const char*> allowed) const;
@@ -40,7 +40,7 @@ class YamlReader {
   int integer(const std::string& what, int low, int high) const;
   std::vector<double> numbers(const std::string& unit) const;
 
-  /// The schema line of the file: @throws InputError where it is another than `expected`.
+  /// The schema line of the file: @throws InputError if it is another than `expected`.
   void require_schema(const std::string& expected) const;
 
   /// @throws InputError "file:line: field: message".

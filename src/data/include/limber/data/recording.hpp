@@ -26,18 +26,18 @@ struct Episode {
       backbone;  ///< T×3m, poses (x_m, y_m, theta_rad) of the points, base first, θ unwrapped
   std::vector<int> motion_index;  ///< T, number of the commanded motion a frame belongs to, from 0
 
-  /// T, 1 where the backbone was seen, 0 where the frame was dropped and its backbone is filled in
-  /// between the neighbours that were; empty: all were seen. `read_recording` never leaves it
-  /// empty.
+  /// T, 1 if the backbone was tracked, 0 if it was not and is filled in between its tracked
+  /// neighbours; empty: all were tracked. `read_recording` never leaves it empty.
   std::vector<std::uint8_t> tracked;
 
   int frame_count() const { return static_cast<int>(time_s.size()); }
   int untracked_count() const;
-  /// Whether the backbone of frame `t` was seen. @pre 0 ≤ t < frame_count()
+  /// Whether the backbone of frame `t` was tracked. @pre 0 ≤ t < frame_count()
   bool was_tracked(int t) const {
     return tracked.empty() || tracked[static_cast<std::size_t>(t)] != 0;
   }
-  /// The first tracked frame from `t` on and before `end`; else `end`. @pre end ≤ frame_count()
+  /// The first tracked frame at or after `t` and before `end`; `end` if there is none. @pre end ≤
+  /// frame_count()
   int next_tracked(int t, int end) const {
     while (t < end && !was_tracked(t)) {
       ++t;
@@ -78,7 +78,7 @@ Recording make_recording(const ArmDescription& arm, const std::string& source, s
 void validate(const Recording& recording, const std::string& file);
 
 /// Writes atomically, after `validate`. Threads: any; HDF5 itself is entered by one at a time.
-/// @throws InputError as `validate`; SystemFault where the disk refuses.
+/// @throws InputError as `validate`; SystemFault if the disk refuses.
 void write_recording(const std::filesystem::path& path, const Recording& recording);
 
 /// Reads and validates. Threads: any; HDF5 itself is entered by one at a time.
@@ -86,14 +86,14 @@ void write_recording(const std::filesystem::path& path, const Recording& recordi
 /// and what is allowed: also where the file is no HDF5, damaged or cut short.
 Recording read_recording(const std::filesystem::path& path);
 
-/// @throws InputError where the recording's segments, points, rate or command are not the arm's.
+/// @throws InputError if the recording's segments, points, rate or command are not the arm's.
 void require_sizes_of(const Recording& recording, const ArmDescription& arm,
                       const std::string& file);
 
-/// What learning and comparing ask for. @throws InputError as `require_sizes_of`; where it is
-/// another arm by its name and by its keys (why_another_arm; one alone may differ: a recording
-/// outlives small edits of the arm file); where commands lie far beyond the arm's limits; where
-/// nothing was ever tracked; where the plates' distances are not the arm's or its end stands still
+/// Requires what training and evaluation need. @throws InputError as `require_sizes_of`; if it is
+/// another arm by its name and by its keys (why_another_arm; one alone may differ, because a
+/// recording outlives small edits of the arm file); if commands lie far beyond the arm's limits; if
+/// nothing was ever tracked; if the plates' distances are not the arm's or its end stands still
 /// while commands change.
 void require_recording_of(const Recording& recording, const ArmDescription& arm,
                           const std::string& file);

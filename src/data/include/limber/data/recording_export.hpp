@@ -9,13 +9,13 @@
 
 namespace limber {
 
-/// How logs written from a recording differ from it: what real logs suffer from.
+/// The faults of real logs that logs written from a recording get.
 struct LogExportSettings {
   double rate_hz = 0.0;  ///< of the motion log, between frames on straight lines; 0: as recorded
   double time_offset_s = 0.0;  ///< to be added to the pressure log's times to get the motion log's
   double noise_m = 0.0;        ///< standard deviation of each position coordinate
   double noise_rad = 0.0;      ///< of each heading
-  int occlusions = 0;          ///< in each episode: a plate out of sight, at a random time …
+  int occlusions = 0;          ///< in each episode: a plate is hidden, at a random time …
   double occlusion_s = 0.1;    ///< … for this long
   bool markers = false;        ///< Motive: a marker on each side of a plate instead of rigid bodies
   std::uint64_t seed = 1;      ///< of noise and occlusions; episode e draws from stream e

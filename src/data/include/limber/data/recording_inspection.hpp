@@ -37,9 +37,9 @@ struct Suspicion {
   std::string first;  ///< the numbers of the first one
 };
 
-/// What a recording holds and what is odd about it, though it is valid.
+/// What a recording holds, and what is odd about it although it is valid.
 struct RecordingInspection {
-  std::vector<PressureRange> pressures;  ///< one a segment
+  std::vector<PressureRange> pressures;  ///< one per segment
   std::vector<double> limits_kpa;        ///< that coverage was judged by
   bool limits_known = false;             ///< from an arm file, not guessed from the set points
   TransitionCoverage transitions;
@@ -47,14 +47,14 @@ struct RecordingInspection {
   IdentifiedValves valves;  ///< between its set points and its pressures
 };
 
-/// @param arm  whose limits count; null: the largest set point of each segment stands for its
+/// @param arm  gives the limits; null: the largest set point of each segment stands for its
 /// limit.
-/// @throws InputError where the recording does not fit `arm`.
+/// @throws InputError if the recording does not fit `arm`.
 RecordingInspection inspect(const Recording& recording, const ArmDescription* arm,
                             const std::string& file);
 
-/// A sentence where the base plate of an episode does not lie at the origin of frame B, on average
-/// farther than 2 mm or turned by more than 0.01 rad; empty where every one does.
+/// A sentence if the base plate of an episode does not lie at the origin of frame B: on average
+/// farther than 2 mm away or turned by more than 0.01 rad. Empty if every one does.
 std::string base_warning(const Recording& recording);
 
 TransitionCoverage transition_coverage(const Recording& recording,

@@ -16,11 +16,11 @@ struct FrameRange {
   int count = 0;
 };
 
-/// Whether the set points are no more than the measured pressures, as an import writes them that
-/// found none in the log.
+/// Whether the set points are merely the measured pressures, as written by an import that found no
+/// set points in the log.
 bool setpoints_are_measured(const std::vector<Episode>& episodes);
 
-/// What valves are fitted to, and what they are then judged by: every fifth episode where there
+/// What valves are fitted to, and what is held back to judge them: every fifth episode if there
 /// are five or more, else the last fifth of each.
 struct ValveSplit {
   std::vector<FrameRange> fitted;
@@ -28,18 +28,18 @@ struct ValveSplit {
 };
 ValveSplit split_for_valves(const std::vector<Episode>& episodes);
 
-/// |simulated − measured| over `ranges`, each begun at its first measured pressure and never
-/// corrected; a frame of a segment counts where that segment's set point has changed within the
-/// last 0.5 s. Ideal valves: the errors of taking set points for pressures.
+/// |simulated − measured| over `ranges`, each started at its first measured pressure and never
+/// corrected. A frame of a segment counts if that segment's set point has changed within the
+/// last 0.5 s. For ideal valves these are the errors of taking set points for pressures.
 ValveErrors valve_errors(const ValveParameters& valves, const Recording& recording,
                          const std::vector<FrameRange>& ranges);
 
 /// Identifies the valves between set points and measured pressures of `recording`: docs/valves.md.
-/// The same for all segments where that is as good on what is held back, else for each its own;
-/// segments whose set points hardly change take those of the others. Where the recording does not
-/// tell, the findings say why and the parameters are ideal. Deterministic; seconds for any length.
-/// @param limits_kpa  largest commands, one a segment; empty: the largest set points.
-/// @throws InputError where `limits_kpa` has another size.
+/// All segments share parameters if those are as good on the held-back data, else each has its own;
+/// segments whose set points hardly change take those of the others. If the recording does not show
+/// them, the findings say why and the parameters are ideal. Deterministic; seconds for any length.
+/// @param limits_kpa  largest commands, one per segment; empty: the largest set points.
+/// @throws InputError if `limits_kpa` has another size.
 IdentifiedValves identify_valves(const Recording& recording, std::vector<double> limits_kpa = {});
 
 /// The same for an arm's recordings taken together. @pre they fit the arm.

@@ -7,7 +7,7 @@ namespace limber {
 
 /// How many `to` make one `from`: 1 for equal units of any kind; otherwise both must be known
 /// lengths (m, cm, mm, in), angles (rad, deg), times (s, ms, us, min) or pressures (kPa, Pa, hPa,
-/// mbar, bar, MPa, psi). None where they are not of one kind, or unknown.
+/// mbar, bar, MPa, psi). None if they are not of one kind, or unknown.
 std::optional<double> unit_factor(const std::string& from, const std::string& to);
 
 /// A question for a value that is `ratio` times what it should be: "is it in mm?" where a wrong

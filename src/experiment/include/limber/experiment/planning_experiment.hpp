@@ -21,28 +21,28 @@ struct ExperimentSettings {
   std::filesystem::path folder = "experiment";
   ArmDescription arm;
   std::filesystem::path model_file;  ///< network; the no-load model is always the other one
-  /// Of every prediction, whatever its model; ideal ones: pressures are the set points.
+  /// Valves in every prediction, whatever its model; with ideal ones, pressures are the set points.
   ValveParameters valves;
   std::vector<EnvironmentCase> environments;
   int trials = 20;  ///< of each environment and model, ≥ 1; trial k has the same seed everywhere
   std::vector<std::string> planners = {"default"};
   bool with_no_load = true;  ///< false: the network alone, to compare planners
-  /// Grown for the network from the start of every environment; for the default planner's trials of
-  /// the network. None: everything is searched.
+  /// Forest for the network, grown from the start of every environment; used by the default
+  /// planner's trials with the network. None: everything is searched.
   std::optional<Forest> forest;
   PlannerLimits limits;
   bool replan = false;  ///< executed closed loop: planned again from where the arm is measured
-  AskedRoom room;  ///< where nothing is asked for, what each model says of its error
+  AskedRoom room;  ///< if nothing is asked for, each model's own error
   std::uint64_t seed = 1;
   int planner_jobs = 1;  ///< threads of each planner
-  int jobs = 0;          ///< trials at once, 0: one a core
+  int jobs = 0;          ///< trials at once, 0: one per core
   bool resume = false;   ///< keep finished trials of the same experiment
   bool force = false;    ///< replace a folder that limber experiment did not make
   Progress::Mode progress = Progress::Mode::automatic;
   std::function<void(const std::string&)> say = [](const std::string&) {};
 };
 
-/// What can be refused before any work: planners, folder, number of trials.
+/// Refuses what can be refused before any work: planners, folder, number of trials.
 /// @throws InputError
 void require_usable(const ExperimentSettings& settings);
 
@@ -57,9 +57,9 @@ void require_usable(const ExperimentSettings& settings);
 ///   report.html             tables and figures on one page
 ///   planner_arena/*.log     OMPL's benchmark logs, one for each environment
 ///
-/// and returns the table. Trials are spread over threads; where no clock limits them, results do
-/// not depend on `jobs`. What the table says is read from the files, resumed or not.
-/// @throws InputError where settings are out of range, or differ from those being resumed;
+/// and returns the table. Trials are spread over threads; if no clock limits them, results do not
+/// depend on `jobs`. The table is read from the files, whether they are new or resumed.
+/// @throws InputError if settings are out of range, or differ from those being resumed;
 /// Interrupted after Ctrl-C: finished trials are kept.
 nlohmann::ordered_json run_experiment(const ExperimentSettings& settings);
 

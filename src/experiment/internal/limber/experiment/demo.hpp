@@ -18,7 +18,7 @@ struct DemoSettings {
   bool quick = false;
   bool force = false;  ///< replace a folder that limber demo did not make
   std::uint64_t seed = 1;
-  int jobs = 0;  ///< threads, 0: one a core; never changes a result that the clock does not limit
+  int jobs = 0;  ///< threads, 0: one per core; never changes a result that the clock does not limit
   Progress::Mode progress = Progress::Mode::automatic;
   std::function<void(const std::string&)> say = [](const std::string&) {};
 };

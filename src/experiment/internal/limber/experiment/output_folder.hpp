@@ -30,7 +30,7 @@ class OutputFolder {
 
   /// Makes the folder, or removes the last run's files.
   /// @param inputs  files and folders that the run reads: none may lie in it
-  /// @throws InputError naming the folder and what is wrong with it; SystemFault where it can't be
+  /// @throws InputError naming the folder and what is wrong with it; SystemFault if it can't be
   /// made or cleared.
   OutputFolder(std::filesystem::path folder, std::string verb, Start start,
                const std::vector<std::filesystem::path>& inputs = {});
@@ -40,15 +40,15 @@ class OutputFolder {
   /// What stayed of a folder that was cleared, because it is somebody else's: names relative to the
   /// folder, sorted.
   const std::vector<std::string>& left() const { return left_; }
-  /// A sentence about it; empty where nothing stayed.
+  /// A sentence about it; empty if nothing stayed.
   std::string about_left() const;
 
-  /// To be asked before the work begins. @throws InputError where somebody else's file has one of
+  /// To be asked before the work begins. @throws InputError if somebody else's file has one of
   /// these names.
   void require_free(const std::vector<std::string>& names) const;
 
   /// Writes a file, atomically. @param name  relative to the folder: "plots/a.svg"
-  /// @throws InputError where somebody else's file has that name; SystemFault.
+  /// @throws InputError if somebody else's file has that name; SystemFault.
   void write(const std::string& name, std::string_view content);
   /// The same for files that `write_them` writes to path() / name by itself.
   void write_with(const std::vector<std::string>& names, const std::function<void()>& write_them);

@@ -7,13 +7,13 @@
 
 namespace limber {
 
-/// Mean and spread of an ensemble's predictions: networks trained together, each from weights of
-/// its own. Each member carries its own backbone, so members that have drifted apart stay apart:
-/// the spread grows along a rollout as the members' doubts do. Where a pure function of one
-/// backbone is wanted (planning, execution), ForwardModel on the same file is the member that
-/// validated best.
+/// Mean and spread of an ensemble's predictions: networks trained together, each from its own
+/// initial weights. Each member carries its own backbone, so members that have drifted apart stay
+/// apart, and the spread grows along a rollout as the uncertainty does. Where a pure function of
+/// one backbone is needed (planning, execution), ForwardModel on the same file is the member with
+/// the smallest validation error.
 ///
-/// Sizes: N members, n segments, m backbone points; k queries, one a column.
+/// Sizes: N members, n segments, m backbone points; k queries, one per column.
 /// Threads: constant after construction; each thread brings its own Workspace.
 class EnsembleForward {
  public:
@@ -38,7 +38,7 @@ class EnsembleForward {
   };
 
   /// Feeds every member's own output back along a motion: pressures n×(T + 1), `first` 3m numbers
-  /// in row order. @throws InputError where a size is wrong or a number not finite.
+  /// in row order. @throws InputError if a size is wrong or a number not finite.
   Prediction rollout(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
                      const Eigen::Ref<const Eigen::VectorXf>& first) const;
 

@@ -9,27 +9,27 @@
 
 namespace limber {
 
-/// What plans keep in hand, since the arm will not be quite where the model says: clearance from
-/// obstacles, and way to the goal's rim.
+/// The room that plans keep because the arm will not be quite where the model says: clearance from
+/// obstacles, and distance to the goal's rim.
 struct ErrorRoom {
   double margin_m = 0.0;
   PoseError goal_margin;
-  /// PlanningProblem::margin_yields_to_start: nobody has asked for this very amount.
+  /// PlanningProblem::margin_yields_to_start: true if no flag asked for this amount.
   bool margin_yields_to_start = true;
-  /// Where the amounts are no measured ones, why, and what to do about it.
+  /// If the amounts were not measured: why, and what to do about it.
   std::string note;
 };
 
-/// Amounts that somebody asks for instead.
+/// Amounts that the user asks for instead.
 struct AskedRoom {
   std::optional<double> margin_m;
   std::optional<double> goal_margin_m;
   std::optional<double> goal_margin_rad;
 };
 
-/// Of a network that knows its error on motions it has not seen (PredictionError): that error. Of
-/// one that does not, kUnknownErrorM. Of the no-load model none: it errs by far more than any plan
-/// could keep.
+/// For a network that stores its error on unseen motions (PredictionError), the room is that error.
+/// For a network that does not, it is kUnknownErrorM. For the no-load model it is none: its error
+/// is far larger than any room that a plan could keep.
 ErrorRoom error_room(const ForwardModel& model, const AskedRoom& asked = {});
 
 inline constexpr double kUnknownErrorM = 0.005;

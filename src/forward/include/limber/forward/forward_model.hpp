@@ -17,17 +17,17 @@ namespace limber {
 class ForwardPipeline;
 
 /// The forward model B_t = F(q_{t−1}, q_t, B_{t−1}) (docs/model.md, (1) and (5)): the no-load
-/// model, or the no-load model compensated by a network. A pure function: the whole state is in its
-/// arguments.
+/// model, or the no-load model compensated by a network. It is a pure function: the whole state is
+/// in its arguments.
 ///
-/// Sizes:   n segments, m backbone points; batches of k queries, one a column, a backbone's 3m
+/// Sizes:   n segments, m backbone points; batches of k queries, one per column, a backbone's 3m
 ///          numbers in row order.
 /// Threads: constant after construction; it moves but is not copied; each thread brings its own
 /// Workspace.
 class ForwardModel {
  public:
-  /// Scratch of one thread. Grows when it first meets a model; after that, batches of any size
-  /// allocate nothing. What it holds never reaches a result.
+  /// Scratch of one thread. It grows when a model first uses it; after that, batches of any size
+  /// allocate nothing. Its content never affects a result.
   class Workspace {
    private:
     friend class ForwardModel;
@@ -36,7 +36,7 @@ class ForwardModel {
 
   /// The no-load model alone.
   explicit ForwardModel(const ArmDescription& arm, CpuLevel level = cpu_level());
-  /// @throws InputError where the network is not valid or was trained for another arm (both names
+  /// @throws InputError if the network is not valid or was trained for another arm (both names
   /// and hashes in the message).
   ForwardModel(const ArmDescription& arm, CompensationModel compensation,
                CpuLevel level = cpu_level(), WeightPrecision precision = WeightPrecision::single);
@@ -58,14 +58,14 @@ class ForwardModel {
             const Eigen::Ref<const Backbone>& previous, Eigen::Ref<Backbone> next,
             Workspace& workspace) const;
 
-  /// k queries: pressures n×k, backbones 3m×k; unchecked like `step`. Column j of `next` is to the
-  /// bit what `step` gives for column j of the inputs. `next` may be `previous`.
+  /// k queries: pressures n×k, backbones 3m×k; unchecked like `step`. Column j of `next` equals, to
+  /// the bit, what `step` gives for column j of the inputs. `next` may be `previous`.
   void step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
                   const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
                   const Eigen::Ref<const Eigen::MatrixXf>& previous,
                   Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const;
 
-  /// One query, checked. @throws InputError where a size is wrong, a number not finite or a
+  /// One query, checked. @throws InputError if a size is wrong, a number not finite or a
   /// pressure beyond its limit (by more than 5 %: a measured pressure overshoots).
   Backbone checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
                         const Backbone& previous) const;

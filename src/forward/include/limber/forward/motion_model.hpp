@@ -9,8 +9,8 @@
 
 namespace limber {
 
-/// Everything that decides an arm's future under set points: what the valves hold (set points,
-/// pressures, set points still under way; arm/valve_model.hpp) and the backbone.
+/// Everything that decides an arm's future under set points: the valve state (set points,
+/// pressures, delayed set points; arm/valve_model.hpp) and the backbone.
 struct MotionState {
   Eigen::Index segments = 0;  ///< n
   Eigen::VectorXf valves;     ///< a valve state: pressures, last set points, those before
@@ -23,9 +23,9 @@ struct MotionState {
   }
 };
 
-/// Set points to backbones, frame by frame: the valves V and behind them the forward model F
-/// (docs/valves.md), p_t = V(p_{t−1}, set points), B_t = F(p_{t−1}, p_t, B_{t−1}). The one
-/// function that every prediction of a motion goes through. A pure function of its state.
+/// Set points to backbones, frame by frame: the valves V and after them the forward model F
+/// (docs/valves.md), p_t = V(p_{t−1}, set points), B_t = F(p_{t−1}, p_t, B_{t−1}). Every prediction
+/// of a motion goes through this one function. It is a pure function of its state.
 ///
 /// Borrows the forward model, holds the valves. Threads: constant after construction; each thread
 /// brings its own Workspace.
@@ -33,8 +33,8 @@ class MotionModel {
  public:
   using Workspace = ForwardModel::Workspace;
 
-  /// Ideal valves: pressures are the set points. Implicit, as a forward model is what most motions
-  /// begin with.
+  /// Ideal valves: pressures are the set points. Implicit, because most callers start with a
+  /// forward model.
   MotionModel(const ForwardModel& forward);  // NOLINT(google-explicit-constructor)
   MotionModel(ForwardModel&& forward) = delete;
   /// @pre the valves are those of an arm with as many segments
@@ -53,7 +53,7 @@ class MotionModel {
   /// @pre has_network()
   const CompensationModel& compensation() const { return forward_->compensation(); }
 
-  /// The state of an arm that has long stood at `kpa` with this backbone.
+  /// The state of an arm at rest at `kpa` with this backbone.
   MotionState settled_state(const Eigen::Ref<const Pressures>& kpa,
                             const Eigen::Ref<const Backbone>& backbone) const;
 
@@ -62,10 +62,10 @@ class MotionModel {
   void step(const Eigen::Ref<const Pressures>& setpoint_kpa, MotionState& state,
             Workspace& workspace) const;
 
-  /// Where the tip of a moving arm comes to rest at its last set points, about: each segment turns
-  /// about its middle, and grows, by what the no-load model says of the pressure still to come.
-  /// Exactly the tip where nothing is to come. No query. Of arms whose no-load model knows no
-  /// bending the tip as it is.
+  /// Estimate of where the tip of a moving arm comes to rest at its last set points: each segment
+  /// is turned about its middle, and lengthened, by what the no-load model says of the pressure
+  /// change still to come. Exactly the tip if none is to come, or if the no-load model never bends.
+  /// Takes no query.
   Pose settled_tip(const Eigen::Ref<const Eigen::VectorXf>& valves,
                    const Eigen::Ref<const Backbone>& backbone) const;
 

@@ -25,7 +25,7 @@ inline Pose tip_pose(const BackboneRef& backbone) {
   return {double(last[0]), double(last[1]), double(last[2])};
 }
 
-/// The state at the end of a plan's first frames; before the first the arm has long stood there.
+/// The state at the end of a plan's first frames; before them the arm was at rest.
 MotionState state_after(const std::vector<PlanFrame>& frames, const MotionModel& model);
 
 /// Runs motions along straight lines of set points through the motion model, frame by frame, and
@@ -36,11 +36,11 @@ class MotionSimulator {
   MotionSimulator(const ArmDescription& arm, const MotionModel& model,
                   const CollisionChecker& checker);
 
-  /// Moves on from a state to `to_kpa`. Returns false at the first frame that collides, or that is
-  /// reached through a collision; `end` is then the frame's.
+  /// Moves from a state to `to_kpa`. Returns false at the first frame that collides, or that is
+  /// reached through a collision; `end` is then that frame's state.
   [[nodiscard]] bool move(const MotionState& from, const PressuresRef& to_kpa, MotionState& end);
 
-  /// The same without looking at obstacles.
+  /// The same without checking for collisions.
   void move_unchecked(const MotionState& from, const PressuresRef& to_kpa, MotionState& end);
 
   /// Holds the set points for `frames` frames; otherwise as `move`.
@@ -79,7 +79,7 @@ class MotionSimulator {
   MotionState state_;
 };
 
-/// Straight motions simulated side by side without looking at obstacles, with every frame kept.
+/// Straight motions simulated side by side without checking for collisions; every frame is kept.
 /// Threads: as MotionSimulator.
 class MotionBatch {
  public:
@@ -103,7 +103,7 @@ class MotionBatch {
  private:
   MotionSimulator& simulator_;
   RolloutBatch rollouts_;
-  std::vector<Eigen::MatrixXf> frames_;  // one a motion, 3m × (frames + 1)
+  std::vector<Eigen::MatrixXf> frames_;  // one per motion, 3m × (frames + 1)
   std::vector<MotionState> ends_;
 };
 

@@ -13,7 +13,7 @@ namespace limber {
 /// there are. Threads: one caller at a time.
 class ParallelForward {
  public:
-  /// @param jobs  threads to use, 0 for one a core.
+  /// @param jobs  threads to use, 0 for one per core.
   explicit ParallelForward(int jobs);
   ~ParallelForward();
   ParallelForward(ParallelForward&&) noexcept;

@@ -11,7 +11,7 @@
 
 namespace limber {
 
-/// Judges frames of motions: whether they stay within what the model's recordings held, in
+/// Checks frames of motions: whether they stay within what the model's recordings held, in
 /// pressures, their rates, and pressures and shape together. Threads: constant after construction;
 /// each thread brings its own Workspace.
 class RecordedRegion {

@@ -12,13 +12,12 @@ namespace limber {
 
 /// Motions along straight lines of set points, each of its own length, simulated side by side
 /// through valves and forward model: one step moves all of them by a frame in one batch. A motion
-/// that has ended, or that nobody wants to go on with, is removed, and the last column takes its
-/// place, so that every batch is full of work.
+/// that has ended, or is no longer wanted, is removed, and the last column takes its place, so that
+/// every column of a batch does useful work.
 ///
-/// A motion's states are to the bit those of MotionModel::step, whatever runs beside it.
+/// A motion's states equal those of MotionModel::step to the bit, whatever runs beside it.
 /// Threads: one batch, one thread. Borrows what the model borrows.
-/// Allocates where it grows beyond its largest
-/// size so far.
+/// Allocates only when it grows beyond its largest size so far.
 class RolloutBatch {
  public:
   explicit RolloutBatch(const MotionModel& model);

@@ -9,11 +9,11 @@
 
 namespace limber {
 
-/// What is known of the arm at one frame.
+/// What is known about the arm at one frame.
 struct ArmState {
   double time_s = 0.0;
   Pressures pressure_kpa;            ///< measured, size n
-  std::optional<Backbone> backbone;  ///< m×3; none where nothing tracks it or the frame was dropped
+  std::optional<Backbone> backbone;  ///< m×3; none if nothing tracks it or the frame was dropped
 };
 
 /// An arm that takes set points frame by frame: the virtual one, or the user's behind an external
@@ -31,9 +31,9 @@ class ArmDriver {
 
   /// Commands set points (size n, kPa, signed), lets one frame period pass and returns the state
   /// after it.
-  /// @throws InputError where a set point is not finite or beyond its segment's limit (the arm is
-  /// left as it was).
-  /// @throws SystemFault where the arm fails; it has been vented.
+  /// @throws InputError if a set point is not finite or beyond its segment's limit (the arm stays
+  /// as it was).
+  /// @throws SystemFault if the arm fails; it has been vented.
   virtual const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) = 0;
 
   /// Opens every vent valve; safe to call at any time, more than once.

@@ -7,12 +7,12 @@
 
 namespace limber {
 
-/// The characterisation experiment (docs/model.md (9)) on the virtual arm: segment `segment` alone
-/// on a frictionless table, without braid hysteresis, every actuator of nominal strength; one side
-/// is pressurised from 0 to the segment's limit in `steps` equal steps, each held until the segment
-/// stands still. The strain so includes the segment's own elasticity.
+/// The characterisation experiment (docs/model.md (9)) on the virtual arm. Segment `segment` lies
+/// alone on a frictionless table, without braid hysteresis, with every actuator of nominal
+/// strength. One side is pressurised from 0 to the segment's limit in `steps` equal steps, each
+/// held until the segment stands still. So the strain includes the segment's own elasticity.
 /// @param steps  ≥ 4, so that a quartic can be fitted; `steps` + 1 points come back.
-/// @throws InputError where `segment` or `steps` is out of range, SystemFault where the simulation
+/// @throws InputError if `segment` or `steps` is out of range, SystemFault if the simulation
 /// blows up or does not come to rest.
 std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int steps = 20);
 

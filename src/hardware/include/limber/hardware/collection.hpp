@@ -15,8 +15,8 @@
 
 namespace limber {
 
-/// A fresh arm at rest for episode `index`. Its randomness depends on the index alone, never on who
-/// asks or when. Called from several threads at once.
+/// A fresh arm at rest for episode `index`. Its random numbers depend on the index alone, never on
+/// the caller or the time. Called from several threads at once.
 using DriverFactory = std::function<std::unique_ptr<ArmDriver>(int index)>;
 
 struct CollectionSettings {
@@ -25,7 +25,7 @@ struct CollectionSettings {
   std::string source = "virtual arm";
   std::string driver;  ///< everything else that decides the data (noise, parameters), in words
   double hold_limit_s = 15.0;  ///< a set point not reached by then is a fault; ≥ hold_s
-  int jobs = 0;                ///< threads, 0: one a core; never changes a result
+  int jobs = 0;                ///< threads, 0: one per core; never changes a result
   bool resume = false;         ///< go on from the parts of an interrupted run
   bool force = false;          ///< replace the file, and (unless `resume`) the parts
   Progress::Mode progress = Progress::Mode::automatic;
@@ -34,13 +34,13 @@ struct CollectionSettings {
 struct CollectionResult {
   Recording recording;
   int kept_episodes = 0;          ///< found finished by `resume`
-  std::size_t foreign_files = 0;  ///< left in `path`.parts, as collect did not make them
+  std::size_t foreign_files = 0;  ///< left in `path`.parts, because collect did not make them
   double wall_time_s = 0.0;       ///< of this run
 };
 
 /// One unbroken run: leads the arm to the schedule's first configuration (unrecorded), then records
-/// from there. Frame 0 is the arm before the first motion, under the set point it was led to.
-/// @throws SystemFault where a set point is not reached within `hold_limit_s`, or the arm fails.
+/// from there. Frame 0 is the arm before the first motion, at the set point that it was led to.
+/// @throws SystemFault if a set point is not reached within `hold_limit_s`, or the arm fails.
 /// The arm is vented in every case.
 Episode record_episode(const ArmDescription& arm, ArmDriver& driver,
                        const EpisodeSchedule& schedule, const CollectionSettings& settings,
@@ -50,7 +50,7 @@ Episode record_episode(const ArmDescription& arm, ArmDriver& driver,
 /// `path`.parts/NNNNNN.h5 until all are joined and the file was read back; then they are removed.
 /// With `resume`, a file that is whole already is returned, and parts that equal it are removed.
 /// @throws Interrupted after Ctrl-C, saying how to go on; the parts are valid.
-/// @throws InputError where `path` exists, or parts of an earlier run are there and neither
+/// @throws InputError if `path` exists, or parts of an earlier run are there and neither
 /// `resume` nor `force` is set, or they are of other settings (which is named).
 CollectionResult collect(const ArmDescription& arm, const CollectionSettings& settings,
                          const DriverFactory& make_driver, const std::filesystem::path& path);

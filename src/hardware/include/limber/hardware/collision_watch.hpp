@@ -17,22 +17,22 @@ struct Contact {
 };
 
 /// Watches a moving arm: its smallest clearance so far and its first collision. Obstacles exert no
-/// force: the arm moves on through them, and so can be watched to the end.
+/// force: the arm moves on through them, so it can be watched to the end.
 class CollisionWatch {
  public:
   CollisionWatch(const ArmDescription& arm, const Environment& environment);
 
   /// Takes in the backbone (m×3) at a time; times don't decrease. Most calls cost a few dozen
-  /// subtractions: the checker is asked only where the arm may have come closer than ever, or have
-  /// touched an obstacle, since it was asked last.
+  /// subtractions: the checker is called only if, since its last call, the arm may have come closer
+  /// than ever before, or may have touched an obstacle.
   void observe(double time_s, const Eigen::Ref<const BackboneD>& backbone);
 
-  /// Where the arm came closest, the first of several moments; none without obstacles or
-  /// observations.
+  /// The moment at which the arm came closest, the first if there are several; none without
+  /// obstacles or observations.
   const std::optional<Contact>& closest() const { return closest_; }
   /// The first moment with a clearance < 0.
   const std::optional<Contact>& first_collision() const { return first_collision_; }
-  /// How often the checker was asked.
+  /// How often the checker was called.
   int checks() const { return checks_; }
 
  private:

@@ -38,8 +38,8 @@ class PlanSource {
 };
 
 struct ExecutionSettings {
-  /// The last set point is held this long in all, the plan's own hold counted (and never cut); then
-  /// the goal is judged. [s], ≥ 0.
+  /// The last set point is held this long in all, including the plan's own hold (which is never
+  /// cut); then the goal is judged. [s], ≥ 0.
   double hold_s = 1.0;
   /// Asked for more plans; borrowed. None: the plan is executed open loop.
   PlanSource* replanner = nullptr;
@@ -57,43 +57,44 @@ struct ExecutionResult {
   ExecutionStatus status = ExecutionStatus::done;
   std::string message;  ///< of a fault or stop; empty otherwise
   int frames = 0;       ///< set points commanded, those of the hold included
-  /// Largest distance of a plate from where the plan starts, before the first set point.
+  /// Before the first set point: largest distance of a plate from where the plan starts.
   double start_error_m = 0.0;
 
   bool collided = false;
   std::optional<Contact> first_collision;
-  /// Where the arm came closest; none without obstacles, or where nothing was seen of the arm.
+  /// Where the arm came closest; none without obstacles, or if the arm was never tracked.
   std::optional<Contact> closest;
 
   std::optional<Backbone> final_backbone;  ///< after the hold, or at the fault; none if untracked
   PoseError goal_error;                    ///< of it; meaningless without `final_backbone`
   bool goal_reached = false;
-  std::optional<ExecutedError> prediction;  ///< none where nothing was tracked
+  std::optional<ExecutedError> prediction;  ///< none if nothing was tracked
 
   int replans = 0;  ///< plans after the first
   int halts = 0;    ///< plans that were left before their end, since the arm strayed
   /// Where the first plan's hold ended, if more plans followed.
   std::optional<PoseError> open_loop_goal_error;
 
-  /// What was commanded and measured, time 0 being the start; no frames where nothing was tracked.
-  /// A motion is one edge of the plan, the hold belongs to the last.
+  /// What was commanded and measured, time 0 being the start; no frames if nothing was tracked.
+  /// A motion is one edge of the plan, the hold belongs to the last one.
   Episode episode;
 };
 
 /// Commands a plan's frames as they stand, one frame period each, then holds; open loop, unless the
-/// settings name a source of more plans. Whatever
-/// happens (end, fault, Ctrl-C, exception), the arm is vented before this returns. A start under
-/// pressure is approached first, straight in pressure space and held 3 s, unrecorded.
+/// settings name a source of more plans. Whatever happens (end, fault, Ctrl-C, exception), the arm is
+/// vented before this returns. If the plan starts under pressure, the arm is led there first, straight
+/// in pressure space, and held 3 s, unrecorded.
 ///
-/// Collision: the backbones that the driver returns, once a frame.
-/// @throws InputError where plan, environment and arm don't belong together (hashes in the
+/// Collision is judged on the backbones that the driver returns, once per frame.
+/// @throws InputError if plan, environment and arm don't belong together (hashes in the
 /// message).
 [[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
                                       const Plan& plan, ArmDriver& driver,
                                       const ExecutionSettings& settings = {});
 
-/// The same; collision and clearance of the true backbone at every simulator step, and the true
-/// backbone for goal and prediction, whatever noise the driver adds to measured ones.
+/// The same, but collision and clearance are judged on the true backbone at every simulator step,
+/// and goal and prediction on the true backbone too, whatever noise the driver adds to measured
+/// ones.
 [[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
                                       const Plan& plan, VirtualArm& driver,
                                       const ExecutionSettings& settings = {});

@@ -19,8 +19,8 @@ enum class ScheduleKind {
 /// How set points go from one configuration to the next.
 enum class Approach {
   step,     ///< they jump; each valve ramps its own segment at its own rate, as in the paper
-  straight  ///< all move together along the straight line in pressure space, the fastest at the
-            ///< arm's step limit per frame: what a plan's edges look like to the arm
+  straight  ///< all move together along the straight line in pressure space, as fast as the
+            ///< arm's step limit per frame allows: as a plan's edges do
 };
 
 struct ScheduleSettings {
@@ -30,8 +30,8 @@ struct ScheduleSettings {
                      ///< on the number of threads
   Approach approach = Approach::step;
   double hold_s = 3.0;  ///< how long a motion's final set point is commanded, > 0
-  /// With it each hold is drawn uniformly from [hold_min_s, hold_s], and motions may be cut short
-  /// as a plan's are. Without, a motion also lasts until its measured pressures have arrived.
+  /// If set, each hold is drawn uniformly from [hold_min_s, hold_s], and motions may be cut short
+  /// as those of a plan are. If not, a motion also lasts until its measured pressures have arrived.
   std::optional<double> hold_min_s;
 };
 
@@ -41,17 +41,18 @@ struct Motion {
   bool until_reached = false;  ///< and until the measured pressures are there
 };
 
-/// One unbroken run. Before it, unrecorded, the arm is led from rest to `first_kpa`.
+/// One unbroken run. Before it, the arm is led from rest to `first_kpa`; this is not recorded.
 struct EpisodeSchedule {
   Pressures first_kpa;  ///< zero: from rest, nothing to lead to
   std::vector<Motion> motions;
 };
 
 /// Transitions: all (3^n)² ordered ones, each exactly once, as an Eulerian walk of the complete
-/// directed graph with self-loops, its order drawn by `seed`, cut into episodes; with `count` the
-/// first ones of that walk (above 6 segments, where the walk would be huge, a random walk).
+/// directed graph with self-loops. `seed` decides its order, and it is cut into episodes. With
+/// `count`, the first ones of that walk (above 6 segments, where the walk would be huge, a random
+/// walk).
 /// Random: `count` motions in each of `episodes` episodes, from rest.
-/// @throws InputError where a number is out of its range, or where n > 3 and no count is given
+/// @throws InputError if a number is out of its range, or where n > 3 and no count is given
 /// (with the time that all transitions would take).
 std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
                                            const ScheduleSettings& settings, std::uint64_t seed);

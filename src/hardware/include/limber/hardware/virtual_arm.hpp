@@ -31,18 +31,18 @@ struct PendingSetpoint {
   std::vector<double> setpoint_kpa;
 };
 
-/// Everything of a virtual arm that changes with time, exact to the bit: restoring it repeats the
-/// same motion on any VirtualArm of the same arm and options. Copy it freely; its members are the
-/// simulator's business.
+/// Everything in a virtual arm that changes with time, exact to the bit: restoring it repeats the
+/// same motion on any VirtualArm of the same arm and options. Copy it freely; only the simulator
+/// should use its members.
 struct VirtualArmState {
   std::int64_t step = 0;               ///< simulator steps since rest
   std::vector<double> position;        ///< MuJoCo's qpos: slide [m] and hinge [rad] of each gap
   std::vector<double> velocity;        ///< qvel
   std::vector<double> warm_start;      ///< qacc_warmstart
-  std::vector<double> pressure_kpa;    ///< true, signed, one a segment
+  std::vector<double> pressure_kpa;    ///< true, signed, one per segment
   std::vector<double> flow_kpa_per_s;  ///< what the valves let through
-  std::vector<double> setpoint_kpa;    ///< what the pressure controller goes by
-  std::deque<PendingSetpoint> pending_setpoints;  ///< commanded, but not there yet (dead time)
+  std::vector<double> setpoint_kpa;    ///< set points that the pressure controller follows
+  std::deque<PendingSetpoint> pending_setpoints;  ///< commanded, but still delayed (dead time)
   bool vented = false;                            ///< `vent` was the last command
   std::vector<double> braid_anchor_m;  ///< spring-sliders of the braids, left and right of each gap
   std::vector<double> creep_m;         ///< relaxed part of each side's stretch, left and right
@@ -67,7 +67,7 @@ using StepObserver = std::function<void(double time_s, const BackboneD& backbone
 class VirtualArm final : public ArmDriver {
  public:
   /// At rest: straight, vented, at time 0.
-  /// @throws InputError where an option or a parameter is out of its range.
+  /// @throws InputError if an option or a parameter is out of its range.
   explicit VirtualArm(const ArmDescription& arm, const VirtualArmOptions& options = {});
   ~VirtualArm() override;
   VirtualArm(VirtualArm&&) noexcept;
@@ -76,34 +76,34 @@ class VirtualArm final : public ArmDriver {
   const ArmState& state() const override;
 
   /// As ArmDriver::command. Set points up to 1e-3 kPa beyond a limit (rounding) are clamped.
-  /// @throws SystemFault where the simulation blows up, naming time and pressures.
+  /// @throws SystemFault if the simulation blows up, naming time and pressures.
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override;
 
   /// Opens every vent valve: all set points zero, no dead band, until the next `command` arrives.
-  /// At once: a dead time is the controller's, not the safety valve's.
+  /// Acts at once: the controller has a dead time, the safety valve has none.
   void vent() noexcept override;
 
   /// Commands the same set points for at least `seconds`; returns the state at the end.
   const ArmState& settle(const Eigen::Ref<const Pressures>& setpoint_kpa, double seconds);
 
   VirtualArmState save() const;
-  /// @throws InputError where the state is another arm's (sizes differ).
+  /// @throws InputError if the state is another arm's (sizes differ).
   void restore(const VirtualArmState& state);
 
-  /// Whoever must see every simulator step (collision with obstacles). Not part of the state; an
-  /// empty function ends it.
+  /// Sets the function that is called after every simulator step (to watch for collisions). It is
+  /// not part of the state; an empty function ends it.
   void set_observer(StepObserver observer);
 
   /// m×3, without noise, drops or latency.
   BackboneD true_backbone() const;
-  /// Signed, one a segment, without noise or latency.
+  /// Signed, one per segment, without noise or latency.
   Eigen::VectorXd true_pressure_kpa() const;
   /// Change of a side's length over its unpressurised length, negative where it has contracted.
   /// @pre 0 ≤ segment < n.
   double left_strain(int segment) const;
   double right_strain(int segment) const;
-  /// Kinetic plus elastic energy [J], of the springs of friction and hysteresis too. Grows only by
-  /// the work of pressurised actuators.
+  /// Kinetic plus elastic energy [J], including that of the springs of friction and hysteresis.
+  /// Only the work of pressurised actuators increases it.
   double energy_j() const;
   double time_step_s() const;
 

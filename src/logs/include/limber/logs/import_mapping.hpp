@@ -18,14 +18,14 @@ struct TimeColumn {
   std::string unit = "s";  ///< as the mapping has it; "frame" with a rate
 };
 
-/// Where a log holds commands: either `measured`, signed, or one column a side.
+/// Where a log holds commands: either `measured`, signed, or one column per side.
 struct CommandColumns {
   TimeColumn time;
   std::vector<std::string> measured;  ///< n; a '-' before a name turns its sign
   std::vector<std::string> right;     ///< n; the side that a positive pressure inflates
   std::vector<std::string> left;      ///< n
   std::vector<std::string> setpoint;  ///< n, or none
-  bool setpoint_optional = false;     ///< left out where the log has no such columns
+  bool setpoint_optional = false;     ///< left out if the log has no such columns
   std::string unit = "kPa";
   double factor = 1.0;  ///< to the arm's unit
 };
@@ -77,11 +77,11 @@ struct ImportMapping {
 /// Reads a mapping for `arm`. @throws InputError naming file, line and field.
 ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDescription& arm);
 
-/// Where no mapping is given: time_s, and pressure_0_kpa … (command_0 … for another command), one a
-/// segment, with setpoint_0_kpa … where they are there.
+/// The mapping if none is given: time_s, and pressure_0_kpa … (command_0 … for another command),
+/// one per segment, with setpoint_0_kpa … if there are such columns.
 ImportMapping default_import_mapping(const ArmDescription& arm);
 
-/// Default columns as a log counts them: from 0, or from 1 where it has no column 0, as limber
+/// Default columns as a log counts them: from 0, or from 1 if it has no column 0, as limber
 /// wrote them before. @param names  the log's columns
 CommandColumns as_counted_in(const std::vector<std::string>& names, CommandColumns commands,
                              const ArmDescription& arm);

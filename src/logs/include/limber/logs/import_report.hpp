@@ -19,7 +19,7 @@ struct ImportNote {
   std::string first;
 };
 
-/// How well one point was seen.
+/// How well one point was tracked.
 struct PointReport {
   std::string name;
   int plate = 0;
@@ -45,7 +45,7 @@ struct RunReport {
   Pose base;                    ///< pose of frame B in the log's plane; zero: left as it was
   double base_scatter_m = 0.0;  ///< 95th percentile of the base's distance from where it is put
   double length_ratio = 1.0;    ///< length measured along the points over the arm file's
-  std::optional<ClockReport> clock;  ///< none where pressures come on the motion log's clock
+  std::optional<ClockReport> clock;  ///< none if pressures come on the motion log's clock
   std::vector<ImportNote> notes;
   std::int64_t episodes = 0;
   std::int64_t frames = 0;

@@ -17,7 +17,7 @@ struct ImportOptions {
   /// Commands on a clock of their own, one log for each motion log; empty: they stand in the motion
   /// logs (generic CSV only).
   std::vector<std::filesystem::path> command_logs;
-  /// Added to the commands' times; none: found by correlation where they have a clock of their own.
+  /// Added to the commands' times; none: found by correlation if they have a clock of their own.
   std::optional<double> time_offset_s;
 };
 
@@ -27,7 +27,7 @@ struct ImportResult {
 };
 
 /// A recording from generic CSV logs (docs/importing.md); each file is one recording, or several
-/// where the mapping names a column that tells them apart.
+/// if the mapping names a column that tells them apart.
 /// @throws InputError naming file and place, what was found, what is allowed and what to do.
 ImportResult import_csv(const std::vector<std::filesystem::path>& logs,
                         const ImportOptions& options, const ArmDescription& arm);

@@ -49,16 +49,17 @@ struct Layer {
   Eigen::VectorXf bias;    ///< out
 };
 
-/// The network Φ of (5) or (16) with everything needed to use it: inputs (q_{t−1}, q_t, B_{t−1},
-/// B̃_t), normalised by `input`; its result, in the coordinates of `layout`, is the compensation
-/// B_t − B̃_t normalised by `output`, or a change normalised by `output` (which scales, but never
-/// shifts it: no change stays none) and the gates' arguments, not normalised. Plain values.
+/// The network Φ of (5) or (16) with everything needed to use it. Its inputs (q_{t−1}, q_t,
+/// B_{t−1}, B̃_t) are normalised by `input`. Its result is in the coordinates of `layout`: the
+/// compensation B_t − B̃_t normalised by `output`; or a change normalised by `output` (which scales
+/// but never shifts it, so that no change stays no change) and the gates' arguments, not
+/// normalised. Plain values.
 struct CompensationModel {
   BackboneLayout layout = BackboneLayout::gap_poses;
   OutputForm form = OutputForm::compensation;
   std::vector<Layer> layers;
   /// An ensemble's other networks, of the same shape and normalisation, in the order of their
-  /// validation errors: `layers` is the best. Whoever wants one prediction reads `layers` alone.
+  /// validation errors: `layers` is the best. For a single prediction, `layers` is enough.
   std::vector<std::vector<Layer>> more_members;
   Normalisation input;
   Normalisation output;
@@ -70,11 +71,12 @@ struct CompensationModel {
   std::string preset;  ///< "paper" or "best"
   /// Record of the training: data files and hashes, seed, epochs, losses, seconds.
   std::map<std::string, std::string> training;
-  /// What lies between set points and pressures of the recordings (docs/valves.md); none where
-  /// they did not tell, for the reason that the findings give.
+  /// The valves between set points and pressures of the recordings (docs/valves.md); none if the
+  /// recordings did not show them, for the reason that the findings give.
   std::optional<ValveParameters> valves;
   ValveFindings valve_findings;
-  /// Of `layers` on motions that neither trained nor chose it; none where none were left for it.
+  /// Error of `layers` on motions used neither for its training nor for its choice; none if no such
+  /// motions were left.
   std::optional<PredictionError> prediction_error;
   /// What the training recordings held; none in files of before it was kept.
   std::optional<LearntRegion> learnt;

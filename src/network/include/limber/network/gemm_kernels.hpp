@@ -5,12 +5,12 @@
 
 namespace limber {
 
-/// Single-precision matrix kernels for one level of CPU features, chosen once at run time: the
-/// program itself is compiled for the plainest CPU of its architecture.
+/// Single-precision matrix kernels for one level of CPU features, chosen once at run time; the
+/// program itself is compiled for any CPU of its architecture.
 ///
 /// Matrices are column-major with a leading dimension; no pointer needs alignment. C must not
 /// overlap A or B. Every sum runs over k in ascending order in one accumulator, so an element of C
-/// depends on its row of A and column of B alone: not on the other sizes, nor on its place.
+/// depends on its row of A and column of B alone: not on the other sizes or on its position.
 /// Threads: pure functions, single-threaded, no allocation.
 struct GemmKernels {
   int lanes;  ///< floats in a vector register: 4, 8 or 16

@@ -19,7 +19,7 @@ struct Command;
 /// What the recordings held that a model was trained on (docs/training.md). Plain values.
 ///
 /// The joint vector z of a frame is its pressures (n), then each plate's pose about the plate
-/// before it (3(m − 1)). Standardised, x = (z − joint_offset)·joint_scale, it is looked at along k
+/// before it (3(m − 1)). It is standardised, x = (z − joint_offset)·joint_scale, and projected on k
 /// principal axes: a = axes · x.
 struct LearntRegion {
   Pressures low_kpa;   ///< n, lowest measured pressure or set point
@@ -37,8 +37,8 @@ struct LearntRegion {
   int point_count() const { return static_cast<int>(axes.cols() - low_kpa.size()) / 3 + 1; }
 
   /// How far (pressures, backbone) lies from the middle of what was recorded: 1 on the border,
-  /// less inside, growing linearly outside. The largest of |a − middle| / half range over the axes,
-  /// and of the same over the pressures. In double precision; NoveltyMeasure is the fast one.
+  /// less inside, growing linearly outside. It is the largest of |a − middle| / half range over the
+  /// axes, and of the same over the pressures. In double precision; NoveltyMeasure is the fast one.
   /// @param pressures_kpa  n
   /// @param backbone       m×3
   double novelty(const Eigen::Ref<const Pressures>& pressures_kpa,
@@ -49,8 +49,8 @@ struct LearntRegion {
   }
 };
 
-/// Measured pressures may exceed the recorded range by this share of its half before they are
-/// beyond it: noise, and the rounding of a set point on the border.
+/// Measured pressures count as beyond the recorded range only if they exceed it by more than this
+/// share of its half: this allows for noise, and for the rounding of a set point on the border.
 inline constexpr double kPressureSlack = 0.01;
 
 /// `LearntRegion::novelty` for inner loops: one matrix-vector product in float, no allocation.

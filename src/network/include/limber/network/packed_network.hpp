@@ -13,20 +13,21 @@ namespace limber {
 /// How a network's weights are rounded before they are used.
 enum class WeightPrecision {
   single,
-  /// All but the last layer's in half precision, and read as such by single queries, which wait for
-  /// weights most of the time. docs/benchmarks.md has what it gains and what it costs.
+  /// All weights but the last layer's are in half precision, and single queries, which wait for
+  /// weights most of the time, read them as such. docs/benchmarks.md says what this gains and
+  /// costs.
   half,
 };
 
 /// The model's layers with its normalisations folded into the first and the last one (in double
 /// precision): from numbers in the layout's units to numbers in the layout's units. With
 /// WeightPrecision::half every weight but the last layer's is one that half precision can hold, and
-/// the first bias makes up for what rounding did to the offset. @pre valid
+/// the first bias corrects for the effect of rounding on the offset. @pre valid
 std::vector<Layer> folded_layers(const CompensationModel& model,
                                  WeightPrecision precision = WeightPrecision::single);
 
-/// A network ready to be asked: normalisation folded into the first and last layers (in double
-/// precision), weights padded and stored once for single queries and once for batches.
+/// A network ready for queries: normalisation is folded into the first and last layers (in double
+/// precision), and weights are padded and stored once for single queries and once for batches.
 ///
 /// Input and output are in the units of the backbone's layout, not normalised. A query's result is
 /// the same to the bit alone or in a batch. Threads: constant after construction.
@@ -56,11 +57,11 @@ class PackedNetwork {
   const float* evaluate_columns(int queries, const float* input, int ld, float* scratch) const;
 
   /// Many queries along the rows: `input` input_size rows of `queries` numbers, row after row;
-  /// `scratch` 2·padded_width·queries. Returns output_size such rows, somewhere in `scratch`. Best
-  /// where `queries` is a multiple of the vector's lanes.
+  /// `scratch` 2·padded_width·queries. Returns output_size such rows, somewhere in `scratch`.
+  /// Fastest if `queries` is a multiple of the vector's lanes.
   const float* evaluate_rows(int queries, const float* input, float* scratch) const;
 
-  /// The first `count` layers of `evaluate_rows` alone, to be timed.
+  /// The first `count` layers of `evaluate_rows` alone, for timing.
   const float* evaluate_layers_of_rows(int count, int queries, const float* input,
                                        float* scratch) const;
 

@@ -10,16 +10,16 @@ namespace limber {
 
 class YamlReader;
 
-/// How far predictions were from the arm on motions that neither trained nor chose the model: open
-/// loop from set points, through the model's valves and its (leading) network, in runs that start
-/// from what was measured (docs/training.md).
+/// How far predictions were from the arm on motions used neither for training nor for choosing the
+/// model. Predictions are open loop from set points, through the model's valves and its (leading)
+/// network, in runs that start from measured states (docs/training.md).
 struct PredictionError {
-  int runs = 0;        ///< that it was measured over, ≥ 1
+  int runs = 0;        ///< number of runs, ≥ 1
   double run_s = 0.0;  ///< their mean length, > 0
-  /// Of each run the largest distance of any plate in any frame: not exceeded by kShare of them.
+  /// The largest distance of any plate in any frame of a run: kShare of the runs do not exceed it.
   double max_position_m = 0.0;
-  /// Of each run the farthest that the arm came off the predicted motion, whenever it was predicted
-  /// to be there: how much clearance the motion would have needed. At most the above.
+  /// The farthest that the arm came off the predicted path in a run, early or late: the clearance
+  /// that the motion would have needed. At most the above.
   double off_path_m = 0.0;
   double end_position_m = 0.0;       ///< the same of the tip's distance at the run's end
   double end_orientation_rad = 0.0;  ///< the same of the tip's heading at the run's end
@@ -27,8 +27,9 @@ struct PredictionError {
   bool operator==(const PredictionError&) const = default;
 };
 
-/// What the next value stays below with probability `share`, where it is drawn as `values` were
-/// (split conformal): the ⌈(n + 1)·share⌉-th smallest of n, the largest where there are too few.
+/// The bound that the next value stays below with probability `share`, if it is sampled as `values`
+/// were (split conformal): the ⌈(n + 1)·share⌉-th smallest of n, or the largest if there are too
+/// few.
 /// @pre values not empty; 0 < share < 1
 double conformal_quantile(std::vector<double> values, double share = PredictionError::kShare);
 

@@ -32,9 +32,9 @@ struct ForestKey {
 ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
                      const ValveParameters& valves, const ArmStart& start);
 
-/// Motions that a model can make from one start where nothing is in the way, to be looked through
-/// for those that an environment leaves free (docs/planning.md). Node 0 is the start; a node comes
-/// after its parent. Constant after construction; share it freely.
+/// Motions that a model can make from one start without obstacles; a search looks for those that an
+/// environment leaves free (docs/planning.md). Node 0 is the start; a node comes after its parent.
+/// Constant after construction; share it freely.
 struct Forest {
   ForestKey key;
   std::string arm_description;        ///< arm_keys_to_yaml(); empty in files of before it was kept
@@ -58,24 +58,24 @@ struct Forest {
 /// Whether the forest was grown for the arm (why_another_arm) and everything else of `key`.
 bool is_grown_for(const Forest& forest, const ArmDescription& arm, const ForestKey& key);
 
-/// @throws InputError where the forest was grown for another arm, other valves or another start, or
-/// does not fit them. Of the model only the caller knows whose it is.
+/// @throws InputError if the forest was grown for another arm, other valves or another start, or
+/// does not fit them. Only the caller can check the model.
 void require_forest_of(const Forest& forest, const ArmDescription& arm,
                        const ValveParameters& valves, const ArmStart& start);
 
 struct ForestSettings {
   int nodes = 200'000;  ///< 1 to Forest::kMaxNodes
   std::uint64_t seed = 1;
-  int jobs = 0;  ///< threads, 0 for one a core; the forest does not depend on it
+  int jobs = 0;  ///< threads, 0 for one per core; the forest does not depend on it
 };
 
-/// Called now and then with the nodes that there are. False asks to stop.
+/// Called now and then with the number of nodes so far. False asks to stop.
 using ForestCallback = std::function<bool(int nodes)>;
 
-/// Grows a forest by the default planner's rules for exploring. Takes about 35 queries of the model
-/// a node.
-/// @return none where the callback asked to stop
-/// @throws InputError where settings are out of range, or the model runs off to infinity.
+/// Grows a forest by the default planner's rules for exploring. Takes about 35 model queries per
+/// node.
+/// @return none if the callback asked to stop
+/// @throws InputError if settings are out of range, or if the model diverges.
 std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& model,
                                   const ForestKey& key, const ArmStart& start,
                                   const ForestSettings& settings = ForestSettings(),
@@ -84,7 +84,7 @@ std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& 
 /// Writes a forest as a safetensors file (docs/formats.md, schema limber/forest/3), atomically.
 void write_forest(const std::filesystem::path& path, const Forest& forest);
 
-/// @throws InputError naming file and tensor where it is no forest, or a broken one.
+/// @throws InputError naming file and tensor if it is not a forest, or a broken one.
 Forest read_forest(const std::filesystem::path& path);
 
 }  // namespace limber

@@ -21,7 +21,7 @@ namespace limber {
 
 class PlanJudge;
 
-/// What is to be solved. Borrowed: everything outlives the call that gets it.
+/// The problem to solve. Borrowed: everything outlives the call that gets it.
 struct PlanningProblem {
   const ArmDescription& arm;
   MotionModel model;  ///< of a forward model alone: ideal valves
@@ -29,22 +29,22 @@ struct PlanningProblem {
   double margin_m = 0.0;  ///< clearance kept from every obstacle, ≥ 0
   /// How far inside the goal's tolerances plans end, ≥ 0: room for the model's error.
   PoseError goal_margin = {};
-  /// Of the goal's pose: plans that end nearer than that are alike, and preferred to cheaper ones
-  /// that end farther away. None: all that end in the goal are alike.
+  /// Distance from the goal's pose: plans that end nearer than that are preferred to cheaper plans
+  /// that end farther away. None: the end matters only as far as it is in the goal.
   std::optional<PoseError> aim = std::nullopt;
-  /// Plans stay in there; borrowed. None: anywhere within the arm's limits.
+  /// Plans stay in this region; borrowed. None: anywhere within the arm's limits.
   const RecordedRegion* stay_within = nullptr;
-  /// Asked of every plan before it counts as one; borrowed. None: all count.
+  /// Asked about every plan before it counts; borrowed. None: all plans count.
   PlanJudge* judge = nullptr;
-  /// Whether an arm that starts nearer to an obstacle than the margin keeps what it starts with: it
-  /// is known to be where it starts.
+  /// Whether an arm that starts nearer to an obstacle than the margin keeps only the clearance that
+  /// it starts with. Its position at the start is known.
   bool margin_yields_to_start = false;
-  /// Whether the goal leaves room for the model's error; where not, little is gained by improving
-  /// plans for long.
+  /// Whether the goal leaves room for the model's error. If not, improving plans for long gains
+  /// little.
   bool goal_has_room = true;
 };
 
-/// The state that the environment starts with; the arm has long stood there.
+/// The state that the environment starts with; the arm is at rest there.
 MotionState start_of(const PlanningProblem& problem);
 /// Set points that a plan may use.
 PressureBox setpoints_of(const PlanningProblem& problem);
@@ -84,16 +84,16 @@ struct PlannerProgress {
   std::optional<double> best_cost_kpa;  ///< none before the first solution
 };
 
-/// Called about ten times a second, on the planner's own thread. False asks the planner to stop.
+/// Called about ten times per second, on the planner's own thread. False asks the planner to stop.
 using PlannerCallback = std::function<bool(const PlannerProgress&)>;
 
-/// The first plan that held before its judge.
+/// The first plan that its judge accepted.
 struct FirstSolution {
-  double time_s = 0.0;  ///< when the judge had said so
+  double time_s = 0.0;  ///< when the judge had accepted it
   double cost_kpa = 0.0;
   std::uint64_t queries = 0;   ///< of the forward model, until it was found
   double candidate_s = 0.0;    ///< when it was found
-  double certificate_s = 0.0;  ///< that it then took to build and to judge it
+  double certificate_s = 0.0;  ///< time that it then took to build and to judge it
 };
 
 struct PlannerStatistics {
@@ -118,15 +118,15 @@ struct PlanResult {
   std::vector<std::string> warnings;
   std::optional<PlanLimit> limit;  ///< the limit that ended the search; none at the cost threshold
   std::optional<Plan> plan;        ///< set if and only if solved
-  /// The motion that came nearest to the goal, where there is no plan. Free of collision, but not
-  /// in the goal: never to be executed as a solution. Its clearance is not measured.
+  /// If there is no plan, the motion that came nearest to the goal. It is free of collision but
+  /// does not end in the goal: never execute it as a solution. Its clearance is not measured.
   std::optional<Plan> best_partial;
   std::optional<Certificate> certificate;  ///< of the plan that was found
-  /// Where nothing keeps the clearance asked for: what a plan keeps that was found with less.
+  /// If no plan keeps the clearance asked for: the clearance of a plan that was found with less.
   std::optional<double> max_clearance_m;
   std::optional<FirstSolution> first_solution;
-  /// How the search went: the first plan, each that costs over half a per cent less than the one
-  /// noted before, and the end. Empty without a plan.
+  /// How the search went: the first plan, each plan that costs over half a per cent less than the
+  /// one noted before, and the end. Empty without a plan.
   std::vector<PlannerProgress> events;
   PlannerStatistics statistics;
   std::vector<TreeEdge> tree;  ///< at most kMaxTreeEdges, the oldest
@@ -136,16 +136,16 @@ struct PlanResult {
 
 /// A planner in pressure space.
 ///
-/// Laws: a plan is simulated anew from the start, frame by frame, before it is returned, and every
-/// frame and the motion between frames is free; its last frame, after the hold, is in the goal. The
-/// cost never rises with the budget. Runs limited by iterations or queries alone depend on the seed
-/// and nothing else, not even the number of threads; the time limit is kept to 50 ms. Threads: one
-/// planner, one caller at a time.
+/// Laws: before a plan is returned it is simulated again from the start, frame by frame. Every
+/// frame and the motion between frames is free, and the last frame, after the hold, is in the goal.
+/// The cost never rises with the budget. Runs limited by iterations or queries alone depend on the
+/// seed and nothing else, not even the number of threads. The time limit is kept to 50 ms. Threads:
+/// one planner, one caller at a time.
 class Planner {
  public:
   virtual ~Planner() = default;
   virtual const char* name() const = 0;
-  /// @throws InputError where no limit is set or one is not positive.
+  /// @throws InputError if no limit is set or one is not positive.
   [[nodiscard]] virtual PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits,
                                         std::uint64_t seed,
                                         const PlannerCallback& callback = {}) = 0;

@@ -16,18 +16,18 @@ std::vector<std::string> planner_names();
 
 /// Its plans are certified (docs/planning.md, Certificate).
 /// @param name    one of those; settings may follow it: "default,improved_plans=0"
-/// @param jobs    threads to use where the planner uses several, 0 for one a core
+/// @param jobs    threads to use if the planner uses several, 0 for one per core
 /// @param forest  of the arm, model and start to plan for, for the default planner; borrowed
-/// @throws InputError naming the planners there are, or the one that can't use a forest.
+/// @throws InputError naming the known planners, or the one that can't use a forest.
 std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0,
                                       const Forest* forest = nullptr);
 
-/// A sentence for each name of before in `name`, which is understood, and today's name.
-/// @throws InputError where the settings are no key=value.
+/// A sentence for each old name in `name`, which is still understood, with its new name.
+/// @throws InputError if the settings are no key=value.
 std::vector<std::string> planner_name_notes(const std::string& name);
 
 /// Whether that is the default planner, with settings or without.
-/// @throws InputError where the settings are no key=value.
+/// @throws InputError if the settings are no key=value.
 bool is_default_planner(const std::string& name);
 
 }  // namespace limber

@@ -9,8 +9,8 @@
 
 namespace limber {
 
-/// Poses of tips, and what it cost to get there, in square cells, to look at those near a place and
-/// at few others. Constant after construction.
+/// Poses of tips, and the cost to get there, in square cells, to find those near a point quickly.
+/// Constant after construction.
 class TipGrid {
  public:
   struct Tip {
@@ -26,8 +26,8 @@ class TipGrid {
   /// @param costs_kpa  size N
   TipGrid(const Eigen::Matrix3Xf& tips, const std::vector<float>& costs_kpa);
 
-  /// Calls visit(tip) for every tip at most `radius_m` from a place (rounding apart), by cells, in
-  /// a cell by node.
+  /// Calls visit(tip) for every tip at most `radius_m` from a point (apart from rounding), in the
+  /// order of cells, and in a cell in the order of nodes.
   template <class Visit>
   void visit_near(const Eigen::Vector2f& point_m, float radius_m, Visit&& visit) const {
     if (tips_.empty()) {

@@ -10,7 +10,7 @@ namespace limber {
 
 /// Planners of the Open Motion Planning Library on limber's forward model and collision checks, to
 /// compare with (docs/planning.md, OMPL): "ompl:RRT", "ompl:SST", "ompl:SST-pruned",
-/// "ompl:KPIECE1", "ompl:EST", "ompl:PDST". Empty where limber was built without OMPL.
+/// "ompl:KPIECE1", "ompl:EST", "ompl:PDST". Empty if limber was built without OMPL.
 std::vector<std::string> ompl_planner_names();
 
 /// @param name  one of the names, and settings behind it: "ompl:SST,pruning_radius=0.05,frames=5".
@@ -25,7 +25,7 @@ std::vector<std::string> ompl_planner_names();
 /// motion; those on iterations and memory are refused, since OMPL counts neither. Seeds are good
 /// for limber's part (samples, controls), and for OMPL's own draws only in the first plan of a
 /// process. Without an asymptotically optimal planner (SST) the first solution is the last.
-/// @throws InputError where the name or a setting is unknown, or limber was built without OMPL.
+/// @throws InputError if the name or a setting is unknown, or limber was built without OMPL.
 std::unique_ptr<Planner> make_ompl_planner(const std::string& name);
 
 }  // namespace limber

@@ -35,16 +35,16 @@ struct ChartSettings {
 /// apart by colour-blind readers (palette of Okabe and Ito, 2008); its white background also serves
 /// pages in dark mode.
 ///
-/// Values that can't be drawn (not finite; not positive on a logarithmic axis) are left out, a line
-/// breaks there, and the chart says underneath how many there were. Lines of more points than
-/// pixels keep the first, lowest, highest and last point of each pixel column.
+/// Values that can't be drawn (not finite, or not positive on a logarithmic axis) are left out.
+/// Lines break there, and the chart says underneath how many there were. Lines with more points
+/// than pixels keep the first, lowest, highest and last point of each pixel column.
 ///
 ///   Chart chart("Error over time");
 ///   chart.x_axis("time [s]").y_axis("position error [cm]");
 ///   chart.line("no-load", time_s, no_load_cm).line("network", time_s, network_cm);
 ///   write_file_atomically("error.svg", chart.svg());
 ///
-/// Series functions throw InputError where vectors that belong together differ in size.
+/// Series functions throw InputError if vectors that belong together differ in size.
 class Chart {
  public:
   explicit Chart(std::string title);
@@ -55,7 +55,7 @@ class Chart {
   Chart& x_range(double low, double high);
   Chart& y_range(double low, double high);
   Chart& logarithmic_y();
-  /// A unit of x is as long as a unit of y; the ranges grow to fill the area.
+  /// Makes a unit of x as long as a unit of y; the ranges grow to fill the area.
   Chart& equal_aspect();
   Chart& size_px(int width_px, int height_px);
   Chart& without_legend();
@@ -90,7 +90,7 @@ class Chart {
   const std::vector<Series>& series() const { return series_; }
 
  private:
-  /// Gives the series the next colour of the palette where it has none, and stores it.
+  /// Gives the series the next colour of the palette if it has none, and stores it.
   template <typename SeriesType>
   Chart& add(SeriesType series);
 

@@ -40,8 +40,8 @@ struct BandSeries {
 /// One bar in each of the chart's categories; several series stand side by side in a category.
 struct BarSeries {
   std::string label;
-  std::vector<double> values;  ///< one a category
-  std::vector<double> errors;  ///< half lengths of the error bars: one a category, or none
+  std::vector<double> values;  ///< one per category
+  std::vector<double> errors;  ///< half lengths of the error bars: one per category, or none
   SeriesStyle style;
 };
 

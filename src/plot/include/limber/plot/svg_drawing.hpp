@@ -23,11 +23,11 @@ struct WorldBox {
   double y_min_m = 0.0, y_max_m = 1.0;
 };
 
-/// A picture in world metres, y up, both axes to one scale: arms, obstacles, trees, goals. Shapes
-/// are drawn in the order of the calls; what leaves the box is cut off at its edge.
+/// A picture in world metres, y up, with both axes to the same scale: arms, obstacles, trees,
+/// goals. Shapes are drawn in the order of the calls, and clipped at the edge of the box.
 ///
 /// A shape with a coordinate or size that is not finite is left out and counted, and the picture
-/// says so; polylines break there instead. Coordinates are rounded to 0.01 px.
+/// says so. Polylines break there instead. Coordinates are rounded to 0.01 px.
 ///
 ///   SvgDrawing drawing({-0.2, 0.8, -0.6, 0.6});
 ///   drawing.axes();
@@ -45,11 +45,11 @@ class SvgDrawing {
   /// Sides width_m along the direction angle_rad, height_m across it.
   void rectangle(WorldPoint center, double width_m, double height_m, double angle_rad,
                  const ShapeStyle& style = {});
-  /// Many short strokes of one look, such as the edges of a tree: points 0–1, 2–3, … are joined.
+  /// Many short strokes of one style, such as the edges of a tree: points 0–1, 2–3, … are joined.
   void segments(std::span<const WorldPoint> end_points, const ShapeStyle& style = {});
   /// A thick body: gap i, from point i to i + 1, is a capsule of radius radii_m[i]. Filled with
   /// style.fill as one shape (opacity does not add up where capsules overlap), outlined where
-  /// style.stroke is not "none". @throws InputError where the sizes do not fit.
+  /// style.stroke is not "none". @throws InputError if the sizes do not fit.
   void capsule_chain(std::span<const WorldPoint> points, std::span<const double> radii_m,
                      const ShapeStyle& style);
   /// Five-pointed, the first point upwards.

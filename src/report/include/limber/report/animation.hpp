@@ -10,16 +10,16 @@
 
 namespace limber {
 
-/// One arm that moves through an animation, a shape a frame.
+/// One arm that moves through an animation, one shape per frame.
 struct AnimationTrack {
   std::string label;  ///< "predicted", "executed"
   std::string color;  ///< CSS
   std::vector<Backbone> shapes;
 };
 
-/// One self-contained HTML page, nothing loaded from elsewhere, in which arms move through an
+/// One self-contained HTML page, which loads nothing else, in which arms move through an
 /// environment: play, pause, speed, a slider over time, and set points and pressures of each frame.
-/// @param setpoints_kpa  one a frame; may be shorter than the tracks
+/// @param setpoints_kpa  one per frame; may be shorter than the tracks
 /// @param pressures_kpa  the same: as predicted, or as measured
 std::string animation_page(const ArmDescription& arm, const Environment& environment,
                            const std::string& title, const std::vector<AnimationTrack>& tracks,

@@ -7,14 +7,15 @@
 
 namespace limber {
 
-/// One run as an SVG file's text: obstacles and goal; where the plan predicts the arm to end, and
-/// shapes that it really took, the last one full (at the fault, where there was one); the way of
-/// both tips; the shape at the first collision, in red. Shapes are those that were recorded.
+/// One run as the text of an SVG file. It shows obstacles and goal; where the plan predicts the arm
+/// to end, and shapes that it really took, the last one in full colour (at the fault, if there was
+/// one); the paths of both tips; and the shape at the first collision, in red. Shapes are the
+/// recorded ones.
 std::string execution_picture(const ArmDescription& arm, const Environment& environment,
                               const Plan& plan, const ExecutionResult& result);
 
-/// The same as a page in which the arm moves (report/animation.hpp): as the model predicts it,
-/// and as it was measured where something was.
+/// The same as a page in which the arm moves (report/animation.hpp): as predicted by the model and,
+/// if anything was measured, as measured.
 std::string execution_animation(const ArmDescription& arm, const Environment& environment,
                                 const Plan& plan, const ExecutionResult& result);
 

@@ -11,7 +11,7 @@
 
 namespace limber {
 
-/// The part of the world that an arm and an environment take, with room about it.
+/// The part of the world that an arm and an environment take up, with space around it.
 WorldBox picture_box(const ArmDescription& arm, const Environment& environment);
 
 /// Obstacles, and the goal as a star in its tolerance circle; an arrow shows a wanted heading.
@@ -24,20 +24,20 @@ void draw_arm(SvgDrawing& drawing, const ArmDescription& arm, const Backbone& ba
 /// Tips of a search tree, an edge from each node's parent.
 void draw_tree(SvgDrawing& drawing, const std::vector<TreeEdge>& tree);
 
-/// The arm along a plan, early shapes faint, the last one full, with the way of its tip.
+/// The arm along a plan, early shapes faint, the last one in full colour, with the path of its tip.
 void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan);
 
 /// The environment with the arm at its start, as an SVG file's text.
 std::string environment_picture(const ArmDescription& arm, const Environment& environment);
 
-/// All of it: environment, tree and plan (or the nearest motion, drawn dashed, where there is no
-/// plan) as an SVG file's text.
+/// All of it as the text of an SVG file: environment, tree and plan (or, if there is no plan, the
+/// nearest motion, drawn dashed).
 std::string plan_picture(const ArmDescription& arm, const Environment& environment,
                          const PlanResult& result);
 
-/// Set points, the pressures predicted from them and, where given, the measured ones over time, one
-/// chart for all segments, as an SVG file's text.
-/// @param measured_kpa  one row a frame, the plan's frames first; may be empty
+/// Set points, the pressures predicted from them and, if given, the measured ones over time, in one
+/// chart for all segments, as the text of an SVG file.
+/// @param measured_kpa  one row per frame, the plan's frames first; may be empty
 std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
                              const std::vector<Pressures>& measured_kpa = {});
 

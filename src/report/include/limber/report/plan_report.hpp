@@ -10,13 +10,13 @@
 
 namespace limber {
 
-/// The object of `limber plan --json`; what there is none of is null.
+/// The object of `limber plan --json`; missing values are null.
 /// @param planner, model  their names; @param seed  that the planner was given
 nlohmann::ordered_json to_json(const PlanResult& result, const Command& command,
                                const PoseGoal& goal, const std::string& planner,
                                const std::string& model, std::uint64_t seed);
 
-/// The same in a few lines for people; `command` is what the arm's segments are told.
+/// The same in a few lines for people; `command` is what the arm's segments are given.
 std::string plan_result_to_text(const PlanResult& result, const Command& command = {});
 
 }  // namespace limber

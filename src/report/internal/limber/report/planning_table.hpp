@@ -40,7 +40,7 @@ struct PlanningRow {
   SampleFigures distance_free_cm;  ///< without them
   SampleFigures orientation_rad;   ///< where the goal asks for a heading
   SampleFigures orientation_free_rad;
-  /// The paper's way, one plan a cell: the first trial that was solved.
+  /// The paper's way, one plan per cell: the first trial that was solved.
   const PlanTrial* one_plan = nullptr;
 };
 
@@ -59,10 +59,10 @@ struct PaperFinding {
 /// Over the environments where the first row's planner planned with both models.
 std::vector<PaperFinding> compare_with_paper(const std::vector<PlanningRow>& rows);
 
-/// table.json: a list with one object a row.
+/// table.json: a list with one object per row.
 nlohmann::ordered_json to_json(const std::vector<PlanningRow>& rows);
 
-/// Table I with all plans executed; Table I with the paper's one plan a cell; times; the
+/// Table I with all plans executed; Table I with the paper's one plan per cell; times; the
 /// comparison.
 std::vector<ReportTable> planning_tables(const std::vector<PlanningRow>& rows);
 

@@ -48,7 +48,7 @@ class ReportPage {
   /// Fixed-width text with its line breaks, such as commands.
   ReportPage& code(std::string_view text);
   ReportPage& key_figures(const std::vector<KeyFigure>& figures);
-  /// Wide tables scroll sideways on their own. @throws InputError where a row does not fit the
+  /// Wide tables scroll sideways on their own. @throws InputError if a row does not fit the
   /// header.
   ReportPage& table(const ReportTable& table);
   ReportPage& figure(const ReportFigure& figure);

@@ -9,20 +9,20 @@
 
 namespace limber {
 
-/// Whether an ensemble knows how wrong it is. A frame's spread is the root of the members' mean
-/// squared distance from their mean tip; its error is that mean tip's distance from the recorded
-/// one. NaN where there is no frame.
+/// How well an ensemble's spread predicts its error. A frame's spread is the root of the members'
+/// mean squared distance from their mean tip; its error is that mean tip's distance from the
+/// recorded one. NaN if there is no frame.
 struct SpreadStatistics {
   double mean_cm = 0.0;
-  /// Spearman's, between spread and error over frames: 1 where a larger spread always means a
-  /// larger error, 0 where it says nothing; NaN where one of them never varies.
+  /// Spearman's, between spread and error over frames: 1 if a larger spread always means a
+  /// larger error, 0 if it says nothing; NaN if one of them never varies.
   double rank_correlation = 0.0;
   double covered_by_two = 0.0;  ///< share of frames whose error is at most twice the spread
   double factor_for_95 = 0.0;   ///< 95 % of the errors are at most this many times the spread
 };
 
-/// Errors of the mean of the members' predictions, each member rolled out by itself, and what their
-/// spread says about them.
+/// Errors of the mean of the members' predictions, each member rolled out by itself, and how well
+/// their spread predicts these errors.
 struct EnsembleErrors {
   TipErrors mean;
   SpreadStatistics spread;
@@ -36,11 +36,11 @@ struct EnsembleEvaluation {
   EnsembleErrors open_loop;
 };
 
-/// @throws InputError where a prediction is not finite.
+/// @throws InputError if a prediction is not finite.
 EnsembleEvaluation evaluate_ensemble(const EnsembleForward& ensemble,
                                      const std::vector<Episode>& episodes, int jobs = 0);
 
-/// Spearman's rank correlation; equal values share the mean of their ranks. NaN where one side
+/// Spearman's rank correlation; equal values share the mean of their ranks. NaN if one side
 /// never varies. @pre equal sizes
 double rank_correlation(const std::vector<double>& a, const std::vector<double>& b);
 

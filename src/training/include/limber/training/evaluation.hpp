@@ -29,9 +29,9 @@ struct RolloutErrors {
   TipErrors window_32;
   TipErrors per_motion;
   TipErrors open_loop;
-  /// Open loop too, and fed with the pressures that the model's valves make of the recording's set
-  /// points: what a plan's prediction is worth. None where the model has no valves, or the
-  /// recording no set points of its own.
+  /// Open loop too, with the pressures that the model's valves make of the recording's set points:
+  /// this is how good a plan's prediction is. None if the model has no valves, or the recording no
+  /// set points of its own.
   std::optional<TipErrors> open_loop_from_setpoints;
 };
 
@@ -41,7 +41,7 @@ struct Evaluation {
   std::int64_t frames = 0;  ///< tracked ones after the first of each episode: those that count
   TipErrors no_load_open_loop;
   std::optional<RolloutErrors> network;
-  LongRollout long_rollout;  ///< of the network, where there is one
+  LongRollout long_rollout;  ///< of the network, if there is one
   TipErrors hold_one_step;   ///< B_t = B_{t−1}
   TipErrors hold_one_step_moving;
   TipErrors constant_velocity_one_step;  ///< B_t = 2 B_{t−1} − B_{t−2}
@@ -50,21 +50,21 @@ struct Evaluation {
   double orientation_reduction_percent = 0.0;
 };
 
-/// Predicted backbones of an episode (T×3m), fed with its measured pressures. The state before the
+/// Predicted backbones of an episode (T×3m) from its measured pressures. The state before the
 /// first prediction and before every restart is the recorded one; a restart waits for the next
-/// frame in which the arm was seen. The no-load model needs no start. Frames that are not predicted
-/// are NaN: the first, and those that are only a start. Batched over restarts, and over `jobs`
-/// threads; the result does not depend on their number.
+/// tracked frame. The no-load model needs no start. Frames that are not predicted are NaN: the
+/// first, and those that are only a start. Batched over restarts, and over `jobs` threads; the
+/// result does not depend on their number.
 FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart,
                     int jobs = 0);
 
 /// The same for several episodes, side by side.
-/// @throws InputError where a prediction is not finite.
+/// @throws InputError if a prediction is not finite.
 std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
                                  Restart restart, int jobs = 0);
 
 /// @param network  null: no-load model only.
-/// @throws InputError where the recording has no episode of at least three frames.
+/// @throws InputError if the recording has no episode of at least three frames.
 Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     const std::vector<Episode>& episodes, int jobs = 0);
 

@@ -10,13 +10,15 @@
 
 namespace limber {
 
-/// The settings with which a model that has learnt already is trained on: those of `preset` with
-/// its last stage alone, since what short windows teach is known, half of that stage's epochs and a
-/// tenth of the rate, so that it is not first thrown away (docs/training.md has the figures).
+/// The settings for training a trained model further: those of `preset` with its last stage alone,
+/// because the model knows already what short windows teach, and with half of that stage's epochs
+/// and a tenth of the rate, so that nothing learnt is lost first (docs/training.md has the
+/// figures).
 TrainingSettings fine_tuning_of(TrainingSettings preset);
 
-/// Errors of a model before and after it was tuned, on episodes that neither run learnt from. Those
-/// of the new data chose the best epoch: a test recording is needed to be sure (`evaluate`).
+/// Errors of a model before and after tuning, on episodes that neither run was trained on. The
+/// errors on the new data chose the best epoch, so only a test recording gives certainty
+/// (`evaluate`).
 struct FineTuningReport {
   struct Change {
     RolloutErrors before;
@@ -26,7 +28,7 @@ struct FineTuningReport {
   std::optional<Change> old_data;
 };
 
-/// Of an ensemble, the first members are compared. Empty or too short recordings are left out.
+/// For an ensemble, the first members are compared. Empty or too short recordings are left out.
 FineTuningReport compare_models(const ArmDescription& arm, const CompensationModel& before,
                                 const CompensationModel& after,
                                 const std::vector<Episode>& new_data,

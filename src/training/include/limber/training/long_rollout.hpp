@@ -8,7 +8,7 @@
 
 namespace limber {
 
-/// How far a model strays when it is never corrected.
+/// How far a model drifts if it is never corrected.
 struct LongRollout {
   int frames = 0;                ///< rolled out
   double max_distance_m = 0.0;   ///< of a plate from the base; of finite frames
@@ -19,11 +19,10 @@ struct LongRollout {
 /// Frames of the check: a quarter of an hour at 20 Hz.
 inline constexpr int kLongRolloutFrames = 20'000;
 
-/// Rolls `model` out over the measured pressures of the longest episode, there and back again until
-/// `frames` are done, from the first backbone that was tracked. Error that feeds on itself shows
-/// within some hundred frames; what stays within twice the arm's length for a quarter of an hour
-/// will stay.
-/// Zero frames, and bounded, where no frame follows one that was tracked.
+/// Rolls `model` out over the measured pressures of the longest episode, forward and back again
+/// until `frames` are done, from the first tracked backbone. Errors that amplify themselves show
+/// within some hundred frames; a model that stays within twice the arm's length for a quarter of an
+/// hour will stay there. Zero frames, and bounded, if no frame follows a tracked one.
 LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>& episodes,
                           int frames = kLongRolloutFrames);
 

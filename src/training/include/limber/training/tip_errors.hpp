@@ -8,7 +8,7 @@
 namespace limber {
 
 /// Over frames: mean, standard deviation (of the population) and 95th percentile; and the largest
-/// mean over the frames of one commanded motion. NaN where there is no frame.
+/// mean over the frames of one commanded motion. NaN if there is no frame.
 struct ErrorStatistics {
   double mean = 0.0;
   double std = 0.0;
@@ -22,7 +22,8 @@ struct TipErrors {
   ErrorStatistics orientation_rad;
 };
 
-/// Errors of predicted tips, one per frame; NaN where the arm was not seen or nothing predicted.
+/// Errors of predicted tips, one per frame; NaN if the arm was not tracked or nothing was
+/// predicted.
 struct TipErrorSeries {
   std::vector<double> position_cm;
   std::vector<double> orientation_rad;
@@ -31,13 +32,13 @@ struct TipErrorSeries {
                              ///< before
 };
 
-/// 4 cm/s at 20 Hz: an arm at rest is slower, one on its way is faster.
+/// 4 cm/s at 20 Hz: an arm at rest is slower, a moving arm is faster.
 inline constexpr double kMovingTip_m = 0.002;
 
 /// Frames `first` and later of `predicted` (T×3m) against those recorded. @pre first ≥ 1
 TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first);
 
-/// Appends the frames of another episode; their motions are counted on.
+/// Appends the frames of another episode; the numbering of motions continues.
 void append(TipErrorSeries& series, const TipErrorSeries& more);
 
 /// The frames in which the arm moved.

@@ -16,8 +16,8 @@ enum class Optimiser {
   adam,  ///< Kingma & Ba 2015
 };
 
-/// How the errors of a batch's windows become one number. Adam hardly notices; SGD does: its step
-/// grows with the sum (docs/training.md).
+/// How the errors of a batch's windows become one number. This hardly matters for Adam, but does
+/// for SGD, whose step grows with the sum (docs/training.md).
 enum class LossReduction { sum_over_batch, mean_over_batch };
 
 /// What the network's numbers are scaled to over the training data; a constant column keeps
@@ -43,32 +43,32 @@ struct TrainingSettings {
   double first_gate_bias = -4.5;  ///< of (16)'s gates, before training: they start at 1.1 %
   std::vector<int> hidden_units = {100, 100, 100};
   Scaling scaling = Scaling::unit_spread;
-  /// Frame errors are taken over poses about the base, whatever the layout; otherwise over the
-  /// network's own numbers. The same thing for base_poses.
+  /// If true, frame errors are taken over poses about the base, whatever the layout; otherwise over
+  /// the network's own numbers. The two are the same for base_poses.
   bool error_in_base_poses = true;
   LossReduction reduction = LossReduction::mean_over_batch;
   std::vector<TrainingStage> stages;
 
   Optimiser optimiser = Optimiser::adam;
-  double learning_rate = 3e-3;     ///< 6e-3 learns faster, and now and then diverges
+  double learning_rate = 3e-3;     ///< 6e-3 learns faster, but sometimes diverges
   bool cosine_decay = true;        ///< towards zero over the whole run, otherwise constant
   double gradient_norm_limit = 0;  ///< longer gradients are shortened to this; 0: never
   double average_decay = 0;        ///< of the exponential moving average of the weights; 0: none
   double input_noise = 0;     ///< standard deviation added to a window's first backbone, normalised
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset
 
-  int ensemble = 1;            ///< networks trained together, 1 to 64, each from weights of its own
+  int ensemble = 1;            ///< networks trained together, 1 to 64, each from its own weights
   double replay_share = 0.25;  ///< of an epoch's windows, from what is replayed; [0, 0.95]
 
   std::uint64_t seed = 1;
-  int jobs = 0;  ///< threads, 0: one a core; never changes a result
+  int jobs = 0;  ///< threads, 0: one per core; never changes a result
   /// > 0: the epochs of every stage are scaled to about this, once, at the start.
   double time_limit_s = 0;
   int validation_interval = 1;  ///< epochs between validations
   Progress::Mode progress = Progress::Mode::quiet;
 
-  /// File that the run is stored in now and then, when it is interrupted and when it has finished;
-  /// whoever stores the result removes it then. Empty: none.
+  /// File in which the run is stored now and then, when it is interrupted and when it has finished.
+  /// The code that stores the result removes this file. Empty: none.
   std::filesystem::path checkpoint;
   double checkpoint_interval_s = 20.0;  ///< between storing, at least
   int stop_after_epochs = 0;            ///< > 0: stop there as if interrupted
@@ -86,16 +86,16 @@ TrainingSettings paper_preset();
 /// 2 → 8 → 32.
 TrainingSettings best_preset();
 
-/// @throws InputError naming the presets there are.
+/// @throws InputError naming the known presets.
 TrainingSettings training_preset(const std::string& name);
 
 /// Scales the stages to `epochs` in all, keeping their proportions; each keeps at least one.
-/// @throws InputError where there are fewer epochs than stages.
+/// @throws InputError if there are fewer epochs than stages.
 void set_epoch_count(TrainingSettings& settings, int epochs);
 
-/// Stages of windows of these lengths instead, in this order, that share the epochs there are.
-/// @param window_frames  one a stage, each ≥ 1
-/// @throws InputError where there is none, one is < 1, or there are fewer epochs than stages.
+/// Replaces the stages by windows of these lengths, in this order, which share the epochs.
+/// @param window_frames  one per stage, each ≥ 1
+/// @throws InputError if there is none, one is < 1, or there are fewer epochs than stages.
 void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames);
 
 /// @throws InputError naming the setting, what it is and what is allowed.

@@ -10,30 +10,29 @@
 
 namespace limber {
 
-/// Longest run that prediction errors are measured over: plans last some seconds.
+/// Longest run for measuring prediction errors: plans last some seconds.
 inline constexpr double kLongestErrorRun_s = 5.0;
 
-/// Error of the leading network on `unseen`, which must neither have trained nor chosen it: what a
-/// plan's prediction is worth, from set points through the model's valves and the network, never
-/// corrected.
+/// Error of the leading network on `unseen`, which must have been used neither for its training nor
+/// for its choice. This is how good a plan's prediction is: from set points through the model's
+/// valves and the network, never corrected.
 ///
-/// A run is a motion as it was recorded, its hold included, cut where it is longer than
-/// kLongestErrorRun_s; what moves no set point does not count, and where there are 19 that begin
-/// with the arm at rest, as plans do, only those count. It starts from the measured pressures and
-/// backbone of its first frame, in which the arm was seen; set points of before it are known to the
-/// valves. Where no valves are known, set points count as pressures, as in plans; where the
-/// recording holds no set points of its own, measured pressures are used. Frames in which the arm
-/// was not seen don't count; a run ends with the last one in which it was. None where there is no
-/// run, or a prediction is not finite. The same for any `jobs`.
+/// A run is a motion as it was recorded, including its hold, cut after kLongestErrorRun_s. Motions
+/// that move no set point do not count. If at least 19 runs begin with the arm at rest, as plans
+/// do, only those count. A run starts from the measured pressures and backbone of its first frame,
+/// which is tracked; the valves know the set points before it. Without a valve model, set points
+/// count as pressures, as in plans. If the recording holds no set points of its own, measured
+/// pressures are used. Untracked frames don't count; a run ends with its last tracked frame. None
+/// if there is no run, or a prediction is not finite. The same for any `jobs`.
 std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,
                                                         const CompensationModel& model,
                                                         const std::vector<Episode>& unseen,
                                                         int jobs = 0);
 
-/// Measures the error of a finished model and stores it (none where it can't be measured), and
-/// widens what the model counts as learnt, where it says so, by its own predictions along the same
-/// runs: networks draw shapes that are a little off those of an arm, and whoever asks about
-/// predicted shapes should not be told of that.
+/// Measures the error of a finished model and stores it (none if it can't be measured). Also widens
+/// the region that the model stores as learnt, if any, by its own predictions along the same runs:
+/// networks predict shapes that are a little off those of an arm, and such shapes should not count
+/// as beyond the region.
 void note_unseen(const ArmDescription& arm, CompensationModel& model,
                  const std::vector<Episode>& unseen, int jobs = 0);
 

@@ -33,7 +33,7 @@ class ParameterLayout {
 
 /// Weights uniform within ± √(6 / inputs) (He et al. 2015, for ReLU), biases zero; the last layer a
 /// tenth of that, so that training starts near the no-load model. Draws from the streams
-/// `first_stream`, `first_stream` + 1, … of `seed`, one a layer.
+/// `first_stream`, `first_stream` + 1, … of `seed`, one per layer.
 Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t seed,
                                    std::uint64_t first_stream = 0);
 

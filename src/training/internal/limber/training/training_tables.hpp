@@ -29,7 +29,7 @@ struct TrainingTables {
 /// Converts backbones to the settings' layout, measures ranges (constant columns get scale 1) and
 /// normalises.
 /// Frames in which the arm was not tracked tell nothing about ranges.
-/// @throws InputError where there is no frame, none was tracked, or no pressure ever changes.
+/// @throws InputError if there is no frame, none was tracked, or no pressure ever changes.
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings);
 

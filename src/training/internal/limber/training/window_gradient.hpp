@@ -12,8 +12,8 @@
 
 namespace limber {
 
-/// Training data as the network sees them, one column a frame, normalised. n segments, D numbers a
-/// backbone, N numbers of the unloaded backbone among the inputs (network/backbone_layout.hpp).
+/// Training data as the network sees them, one column per frame, normalised. n segments, D numbers
+/// a backbone, N numbers of the unloaded backbone among the inputs (network/backbone_layout.hpp).
 template <class Scalar>
 struct FrameTable {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -22,7 +22,7 @@ struct FrameTable {
   Matrix uncompensated;               ///< D×F, the state that a network output of zero would give
   Matrix state;                       ///< D×F, recorded backbones
   Matrix target;                      ///< D×F, what the frame error compares with; empty: `state`
-  std::vector<std::uint8_t> tracked;  ///< F, 0 where the backbone was not tracked; empty: always
+  std::vector<std::uint8_t> tracked;  ///< F, 0 if the backbone was not tracked; empty: always
 
   const Matrix& targets() const { return target.size() > 0 ? target : state; }
 };

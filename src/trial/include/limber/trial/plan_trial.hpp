@@ -15,13 +15,13 @@
 
 namespace limber {
 
-/// An environment and the short name that files and tables know it by, "03_gap_in_a_wall".
+/// An environment and its short name in files and tables, "03_gap_in_a_wall".
 struct EnvironmentCase {
   std::string id;
   Environment environment;
 };
 
-/// One plan and what became of it on the virtual arm.
+/// One plan and its outcome on the virtual arm.
 struct PlanTrial {
   std::string environment;  ///< EnvironmentCase::id
   std::string model;        ///< "no_load" or "network"
@@ -38,7 +38,7 @@ struct PlanTrialSettings {
   std::string planner = "default";
   int planner_jobs = 1;  ///< threads of the planner; trials themselves run side by side
   PlannerLimits limits;
-  AskedRoom room;                  ///< where nothing is asked for, what the model says of its error
+  AskedRoom room;                  ///< if nothing is asked for, the model's own error
   const Forest* forest = nullptr;  ///< for the default planner; borrowed
   std::string model_hash;          ///< goes into the plan of a network; docs/formats.md
 };
@@ -67,7 +67,7 @@ struct TrialSummary {
   int reached = 0;  ///< ended within the goal's tolerances, without collision
   std::optional<double> first_solution_s;  ///< over solved trials
   std::optional<double> cost_kpa;          ///< over solved trials
-  std::optional<double> distance_m;        ///< executed, runs that collided included
+  std::optional<double> distance_m;        ///< executed, including runs that collided
   std::optional<double> distance_free_m;   ///< executed without collision
   std::optional<double> orientation_rad;   ///< executed, where the goal asks for a heading
 };
@@ -75,7 +75,7 @@ struct TrialSummary {
 TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
                        const std::string& model);
 
-/// The cheapest solved trial; null where there is none. @param environment, model  empty: any.
+/// The cheapest solved trial; null if there is none. @param environment, model  empty: any.
 const PlanTrial* cheapest_plan(const std::vector<PlanTrial>& trials, const std::string& environment,
                                const std::string& model);
 

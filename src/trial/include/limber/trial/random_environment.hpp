@@ -24,12 +24,12 @@ struct RandomEnvironment {
   std::vector<Pressures> witness_kpa;  ///< waypoints, start first
 };
 
-/// Draws an environment by the rules of limber's own eight: the arm starts straight and free; a
+/// Draws an environment by the rules of limber's own eight. The arm starts straight and free. A
 /// motion through random waypoints, simulated with `model`, stays clear of every obstacle, and the
-/// goal is where its tip ends after the hold; the straight motion in pressure to the same end
-/// collides, and none to an inverse-kinematics solution solves it.
-/// @param number  of the environment among those of `seed`; names it, too
-/// @return none where `attempts` did not give one
+/// goal is where its tip ends after the hold. The straight motion in pressure to the same end
+/// collides, and no straight motion to an inverse-kinematics solution solves the environment.
+/// @param number  of the environment among those of `seed`; part of its name
+/// @return none if `attempts` did not give one
 std::optional<RandomEnvironment> random_environment(
     const ArmDescription& arm, const MotionModel& model, std::uint64_t seed, std::uint64_t number,
     const RandomEnvironmentSettings& settings = RandomEnvironmentSettings());

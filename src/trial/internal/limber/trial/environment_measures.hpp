@@ -26,12 +26,12 @@ struct Passage {
 
 /// The passage, narrowest against the arm's width, that a motion leads the arm through: at each
 /// plate of each frame the obstacles are sought along the normal on both sides, up to the arm's
-/// length away. None where no plate ever has obstacles on both sides.
+/// length away. None if no plate ever has obstacles on both sides.
 std::optional<Passage> narrowest_passage(const ArmDescription& arm, const Environment& environment,
                                          const std::vector<PlanFrame>& frames);
 
 /// How much of a motion's cost takes pressures back: Σ|Δp| over the frames, less the straight
-/// motion's. 0 where every pressure only rises or only falls.
+/// motion's. 0 if every pressure only rises or only falls.
 double reversal_kpa(const std::vector<PlanFrame>& frames);
 
 }  // namespace limber

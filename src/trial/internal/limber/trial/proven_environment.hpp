@@ -12,7 +12,7 @@ namespace limber {
 /// motion that it was drawn around, executed on the virtual arm, reaches it without collision. The
 /// nearer `model` is to the arm, the fewer draws it takes. Depends on its arguments alone.
 /// @param number  of the environment among those of `seed`
-/// @return none where a hundred draws did not give one
+/// @return none if a hundred draws did not give one
 std::optional<Environment> sample_proven_environment(const ArmDescription& arm,
                                                      const MotionModel& model, std::uint64_t seed,
                                                      std::uint64_t number);

@@ -25,10 +25,9 @@ struct Clearance {
 
 /// Collision of a thick backbone with the obstacles of an environment (docs/planning.md).
 ///
-/// Shape:   the gap between two successive plates is the arc of constant curvature through both
-/// that
-///          turns by the difference of their headings (at most half a turn), thickened on all sides
-///          by half the width of its segment + the arm's actuator radius + a margin. The base
+/// Shape:   between two successive plates, the arc of constant curvature through both that turns
+///          by the difference of their headings (at most half a turn), thickened on all sides by
+///          half the width of its segment + the arm's actuator radius + a margin. The base
 ///          counts; the arm's collision with itself does not.
 /// Bounds:  never misses; a reported value is at most kTolerance below the true one.
 /// Threads: constant after construction; share it freely. Nothing allocates after construction.
@@ -47,17 +46,17 @@ class CollisionChecker {
   Clearance clearance(const Eigen::Ref<const Backbone>& backbone) const;
   Clearance clearance(const Eigen::Ref<const BackboneD>& backbone) const;
 
-  /// True where no obstacle touches the arm; stops at the first that does.
+  /// True if no obstacle touches the arm; stops at the first that does.
   bool is_free(const Eigen::Ref<const Backbone>& backbone) const;
   bool is_free(const Eigen::Ref<const BackboneD>& backbone) const;
 
-  /// True where the arm stays free while every plate moves straight, and turns evenly, from `from`
+  /// True if the arm stays free while every plate moves straight, and turns evenly, from `from`
   /// to `to`, both ends included.
   bool is_motion_free(const Eigen::Ref<const Backbone>& from,
                       const Eigen::Ref<const Backbone>& to) const;
 
-  /// Smallest clearance along that motion, or `below_m` where it is not less than that: the less
-  /// is asked, the sooner there is an answer.
+  /// Smallest clearance along that motion, or `below_m` if it is not less than that. A smaller
+  /// `below_m` gives an answer sooner.
   Clearance motion_clearance(const Eigen::Ref<const Backbone>& from,
                              const Eigen::Ref<const Backbone>& to,
                              double below_m = std::numeric_limits<double>::infinity()) const;
@@ -69,7 +68,7 @@ class CollisionChecker {
 
  private:
   std::vector<ObstacleShape> obstacles_;  // nearest to the base first
-  std::vector<double> radius_m_;          // one a gap
+  std::vector<double> radius_m_;          // one per gap
   std::unique_ptr<const BroadPhase> broad_;
 };
 

@@ -70,7 +70,7 @@ Environment load_environment(const std::filesystem::path& path);
 Environment read_environment(const YamlReader& root);
 
 /// The same, and refuses a start that does not fit the arm: sizes, pressure limits, and a backbone
-/// that is no shape of the arm (world/start_shape.hpp).
+/// that is not a shape of the arm (world/start_shape.hpp).
 Environment load_environment(const std::filesystem::path& path, const ArmDescription& arm);
 Environment read_environment(const YamlReader& root, const ArmDescription& arm);
 

@@ -8,14 +8,14 @@
 
 namespace limber {
 
-/// Frames of the hold behind a motion that ends in the valve state `valves`: kHoldS, or as long as
-/// the pressures take to come, and stay, within 1 % of their limits of the set points (within the
-/// valves' dead band, where that is wider), up to kLongestHoldS.
+/// Frames of the hold after a motion that ends in the valve state `valves`: kHoldS, or until the
+/// pressures come, and stay, within 1 % of their limits of the set points (or within the valves'
+/// dead band, if that is wider), up to kLongestHoldS.
 int hold_frame_count(const ArmDescription& arm, const ValveModel& valves,
                      const Eigen::Ref<const Eigen::VectorXf>& state);
 
-/// Time that the arm holds its last set points at least, before the goal is judged; execution does
-/// the same.
+/// Shortest time that the arm holds its last set points before the goal is judged, in planning and
+/// in execution.
 inline constexpr double kHoldS = 1.0;
 inline constexpr double kLongestHoldS = 60.0;
 

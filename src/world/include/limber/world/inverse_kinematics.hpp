@@ -17,7 +17,7 @@ class RandomStream;
 struct InverseKinematicsSettings {
   int starts = 40;                     ///< random configurations Newton starts from, ≥ 1
   int max_solutions = 8;               ///< stops early at this many distinct ones, ≥ 1
-  int iterations = 60;                 ///< Newton steps a start, ≥ 1
+  int iterations = 60;                 ///< Newton steps per start, ≥ 1
   double convergence_m = 1e-10;        ///< a start is done at this residual, > 0
   double distinct_pressure_kpa = 1.0;  ///< solutions differ by more than this in some segment
 };
@@ -27,12 +27,12 @@ struct InverseKinematicsResult {
   /// Size n each, gauge, signed, within the limits; their no-load tips lie in the goal's region.
   /// In the order found.
   std::vector<Eigen::VectorXd> pressures_kpa;
-  /// The nearest configuration of all starts, and its errors: how far the goal is out of reach
-  /// where `pressures_kpa` is empty.
+  /// The nearest configuration of all starts, and its errors: they say how far the goal is out of
+  /// reach if `pressures_kpa` is empty.
   Eigen::VectorXd best_pressures_kpa;
   PoseError best_error;
   int starts_used = 0;
-  std::string reason;  ///< why there is no solution, with amounts; empty where there is one
+  std::string reason;  ///< why there is no solution, with amounts; empty if there is one
 
   bool reachable() const { return !pressures_kpa.empty(); }
 };
@@ -42,10 +42,10 @@ struct InverseKinematicsResult {
 ///
 /// Steps use the damped pseudo-inverse, J⁺ = Jᵀ (J Jᵀ + λI)⁻¹, on two rows for a position and three
 /// for a pose; the damping vanishes as the steps succeed. A segment at its limit that the step
-/// would push on is held. Steps go straight across κ = 0, where J jumps: the residual is
+/// would push further is held. Steps go straight across κ = 0, where J jumps: the residual is
 /// continuous there, and a step counts only if it lowers it.
 ///
-/// Incomplete by nature: no solution found is no proof that there is none.
+/// Not complete: if no solution is found, there may still be one.
 /// Threads: reads the model only; draws from `random`, starts × n numbers at most.
 /// @throws InputError if the goal or a setting is not finite or out of range.
 [[nodiscard]] InverseKinematicsResult solve_inverse_kinematics(

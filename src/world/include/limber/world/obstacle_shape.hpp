@@ -23,20 +23,20 @@ struct Box {
   }
 };
 
-/// Squared distance between two boxes, 0 where they touch.
+/// Squared distance between two boxes, 0 if they touch.
 double squared_distance(const Box& a, const Box& b);
 
-/// An obstacle made ready for distance queries: a circle, or a simple polygon (rectangles too).
+/// An obstacle prepared for distance queries: a circle, or a simple polygon (rectangles too).
 struct ObstacleShape {
   int index = -1;                                    ///< in the environment's list
   std::vector<Eigen::Vector2d> vertices;             ///< empty for a circle
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< circle only
   double radius_m = 0.0;                             ///< circle only
   Box box;
-  /// Around kEdgesPerBox edges each, from the one that ends in vertices[0] on: what is far from a box
-  /// is far from its edges.
+  /// Boxes around kEdgesPerBox edges each, beginning with the edge that ends in vertices[0]. What
+  /// is far from a box is far from its edges.
   std::vector<Box> edge_boxes;
-  double base_distance_m = 0.0;  ///< from the origin of B; 0 where it lies inside
+  double base_distance_m = 0.0;  ///< from the origin of B; 0 if it lies inside
 
   bool is_circle() const { return vertices.empty(); }
 
@@ -52,11 +52,11 @@ double squared_distance(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
 /// Distance from a point to the obstacle's outline, negative inside. Exact.
 double signed_distance(const ObstacleShape& shape, const Eigen::Vector2d& p);
 
-/// Distance between the closed segment a–b and the obstacle, 0 where they share a point. Exact.
+/// Distance between the closed segment a–b and the obstacle, 0 if they share a point. Exact.
 double outside_distance(const ObstacleShape& shape, const Eigen::Vector2d& a,
                         const Eigen::Vector2d& b);
 
-/// The same, and where they share a point minus the depth of the segment's deepest point: exact for
+/// The same, but if they share a point, minus the depth of the segment's deepest point: exact for
 /// circles, within 0.1 mm (on the deep side) for polygons.
 double signed_distance(const ObstacleShape& shape, const Eigen::Vector2d& a,
                        const Eigen::Vector2d& b);

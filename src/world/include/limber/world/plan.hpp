@@ -21,17 +21,17 @@ struct PlanFrame {
   Backbone backbone;       ///< m×3, predicted
 };
 
-/// What its certificate (certificate/certificate.hpp) said of a plan before it was written.
+/// Figures of a plan's certificate (certificate/certificate.hpp), taken before it was written.
 struct CertifiedFigures {
   double clearance_m = 0.0;      ///< +∞ without obstacles
   double max_deviation_m = 0.0;  ///< of a plate from where the plan has it
-  /// Set by the reader: false where anything in the file was changed since.
+  /// Set by the reader: false if anything in the file has changed since.
   bool seal_is_intact = true;
 };
 
 /// A motion in pressure space (docs/formats.md, schema limber/plan/2). Frames are part of it: the
-/// arm's shape depends on how the pressures were reached, so they are executed as they stand, never
-/// resampled.
+/// arm's shape depends on how the pressures were reached, so frames are executed as they stand,
+/// never resampled.
 ///
 /// `frames[0]` is the start (time 0, nothing to command); the last `hold_frame_count` frames repeat
 /// the final set point while the arm settles, after which the goal is judged.
@@ -43,7 +43,7 @@ struct Plan {
   std::string model;            ///< "no_load" or "network"
   std::string model_hash;       ///< content hash of the model file; empty for "no_load"
   std::string valves_hash;      ///< ValveParameters::hash(); empty: planned without valves
-  /// Read from schema limber/plan/1, which knew none.
+  /// Read from schema limber/plan/1, which had no valves.
   bool is_older_than_valves = false;
   std::string environment_name;
   std::string environment_hash;  ///< environment_hash()
@@ -59,7 +59,7 @@ struct Plan {
   double cost_kpa = 0.0;         ///< (2): Σ|Δp| over all segments and frames
   double clearance_m = 0.0;      ///< smallest predicted, between frames too; +∞ without obstacles
   double goal_distance_m = 0.0;  ///< predicted, after the hold
-  double goal_orientation_rad = 0.0;  ///< the same; 0 where the goal asks for none
+  double goal_orientation_rad = 0.0;  ///< the same; 0 if the goal asks for none
   std::string program_version;
   std::optional<CertifiedFigures> certified;  ///< none: not certified yet
 
@@ -83,12 +83,13 @@ void write_plan(const std::filesystem::path& path, const Plan& plan);
 /// @throws InputError naming file and field.
 Plan read_plan(const std::filesystem::path& path);
 
-/// Reads what `certify` is to judge: types and finite numbers are checked, what they say is not.
+/// Reads a plan for `certify` to judge: checks types and that numbers are finite, but not what they
+/// say.
 /// @throws InputError naming file and field.
 Plan read_plan_unjudged(const std::filesystem::path& path);
 
-/// @throws InputError where the plan was made for another arm (hashes and keys in the message), or
-/// breaks the arm's pressure limits or rate.
+/// @throws InputError if the plan was made for another arm (hashes and keys in the message), or
+/// violates the arm's pressure limits or rate.
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file);
 
 /// Set points for a valve controller, and the pressures predicted for the end of their frame:
@@ -96,7 +97,8 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
 /// anything else), one row per frame, time at which the frame's set points are to be commanded.
 void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan);
 
-/// Predicted shapes: `time_s,x_0_m,y_0_m,theta_0_rad,…`, one row a frame, its time the frame's end.
+/// Predicted shapes: `time_s,x_0_m,y_0_m,theta_0_rad,…`, one row per frame, its time the frame's
+/// end.
 void write_backbones_csv(const std::filesystem::path& path, const Plan& plan);
 
 }  // namespace limber

@@ -20,7 +20,7 @@ struct PoseGoal {
 /// How far a pose is from a goal's centre.
 struct PoseError {
   double position_m = 0.0;
-  double orientation_rad = 0.0;  ///< in [0, π]; 0 where the goal has no orientation
+  double orientation_rad = 0.0;  ///< in [0, π]; 0 if the goal has no orientation
 };
 
 PoseError pose_error(const PoseGoal& goal, const Pose& pose);

@@ -7,16 +7,16 @@
 
 namespace limber {
 
-/// Set points that a search may use: each between a lowest and a highest one.
+/// Set points that a search may use: each lies between a lowest and a highest one.
 struct PressureBox {
   Pressures low_kpa;   ///< size n
   Pressures high_kpa;  ///< size n, ≥ low_kpa
 
   /// The nearest set points inside.
   Pressures limited(const Pressures& kpa) const { return kpa.cwiseMax(low_kpa).cwiseMin(high_kpa); }
-  /// Evenly distributed.
+  /// A uniform sample.
   Pressures sample(RandomStream& random) const;
-  /// What lies in both. @pre that is not empty
+  /// The intersection of both. @pre not empty
   PressureBox within(const PressureBox& other) const;
 };
 

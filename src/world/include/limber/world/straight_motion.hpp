@@ -12,8 +12,8 @@ namespace limber {
 
 using PressuresRef = Eigen::Ref<const Pressures>;
 
-/// The frame rule: a straight motion in pressure takes the fewest frames in which no segment moves
-/// faster than the arm's rate limit, ⌈max |Δp| / step⌉, at least one.
+/// The frame rule: a straight motion in pressure takes the smallest number of frames in which no
+/// segment moves faster than the arm's rate limit, ⌈max |Δp| / step⌉, at least one.
 /// @param step_limit_kpa  largest change of a pressure in one frame, > 0
 int motion_frame_count(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
                        double step_limit_kpa);
@@ -31,8 +31,7 @@ void motion_setpoint(const Eigen::Ref<const Pressures>& from_kpa,
                      Eigen::Ref<Pressures> setpoint_kpa);
 
 /// Set points of the frames from `from` to `to`, `to` included and `from` not: evenly along the
-/// straight line, as few as let no segment move by more than the arm's step limit a frame: the
-/// frame rule above.
+/// straight line, as many as the frame rule above says.
 std::vector<Pressures> straight_frames(const ArmDescription& arm, const Pressures& from,
                                        const Pressures& to);
 

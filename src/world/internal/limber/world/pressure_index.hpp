@@ -16,7 +16,7 @@ class PressureIndex {
   /// Adds a point; its number is the count of points before. @param point size `dimension`, finite
   void add(const Eigen::Ref<const Eigen::VectorXf>& point);
 
-  /// Number of the nearest point, −1 where there is none.
+  /// Number of the nearest point, −1 if there is none.
   int nearest(const Eigen::Ref<const Eigen::VectorXf>& query) const;
 
   /// Numbers of all points within `radius` (closed), ascending, written to `found`.

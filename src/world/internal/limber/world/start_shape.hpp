@@ -8,7 +8,7 @@
 
 namespace limber {
 
-/// Why a backbone is no shape that the arm can start with.
+/// Why a backbone is not a shape that the arm can start with.
 struct StartFault {
   int row = 0;          ///< of the backbone, 0 the base
   std::string message;  ///< what was found, and what is allowed
