@@ -12,6 +12,7 @@
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/report/execution_picture.hpp"
 #include "limber/world/straight_motion.hpp"
+#include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
@@ -21,35 +22,6 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
-
-/// Bends both segments to the right by 80 kPa, predicted by the no-load model.
-Plan bending_plan(const ArmDescription& arm, const Environment& environment) {
-  const NoLoadModel model(arm);
-  const auto frame = [&](const Pressures& setpoint_kpa) {
-    PlanFrame result{setpoint_kpa, setpoint_kpa, Backbone(arm.point_count(), 3)};
-    model.backbone(Eigen::Ref<const Eigen::VectorXf>(setpoint_kpa),
-                   Eigen::Ref<Backbone>(result.backbone));
-    return result;
-  };
-  Plan plan;
-  plan.arm_name = arm.name;
-  plan.arm_hash = arm.hash();
-  plan.environment_name = environment.name;
-  plan.environment_hash = environment_hash(environment);
-  plan.frame_rate_hz = arm.frame_rate_hz;
-  Pressures first = Pressures::Zero(2);
-  first[0] = 80.0F;
-  plan.waypoints_kpa = {Pressures::Zero(2), first, Pressures::Constant(2, 80.0F)};
-  plan.frames.push_back(frame(Pressures::Zero(2)));
-  for (std::size_t w = 1; w < plan.waypoints_kpa.size(); ++w) {
-    for (const Pressures& setpoint_kpa :
-         straight_frames(arm, plan.waypoints_kpa[w - 1], plan.waypoints_kpa[w])) {
-      plan.frames.push_back(frame(setpoint_kpa));
-    }
-  }
-  plan.cost_kpa = path_cost_kpa(plan.frames);
-  return plan;
-}
 
 class Executor : public ::testing::Test {
  protected:

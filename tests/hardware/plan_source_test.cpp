@@ -1,0 +1,76 @@
+#include <functional>
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "limber/hardware/executor.hpp"
+#include "support/bending_plan.hpp"
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
+
+/// Halts once, in frame 3, and goes on with one more plan.
+class HaltOnce final : public PlanSource {
+ public:
+  explicit HaltOnce(std::function<Plan(const Pressures&)> plan_from)
+      : plan_from_(std::move(plan_from)) {}
+  bool may_go_on(const Plan&, std::size_t frame, const ArmState&) override {
+    return halted_ || frame < 3;
+  }
+  std::optional<Plan> next(const Pressures& setpoint_kpa, const ArmState&) override {
+    if (halted_) {
+      return std::nullopt;
+    }
+    halted_ = true;
+    return plan_from_(setpoint_kpa);
+  }
+
+ private:
+  std::function<Plan(const Pressures&)> plan_from_;
+  bool halted_ = false;
+};
+
+TEST(PlanSource, HoldsWhereItHaltsAndGoesOnFromThere) {
+  const ArmDescription arm = small_arm();
+  const Environment environment;
+  const Plan plan = bending_plan(arm, environment);
+  HaltOnce source([&](const Pressures& setpoint_kpa) {
+    EXPECT_EQ(setpoint_kpa, plan.frames[3].setpoint_kpa);
+    Plan rest = plan;
+    rest.frames.erase(rest.frames.begin(), rest.frames.begin() + 3);
+    return rest;
+  });
+  ExecutionSettings settings;
+  settings.replanner = &source;
+  settings.hold_s = 0.5;
+  FakeArm driver(arm, kInstant_s);
+  const ExecutionResult result = execute(arm, environment, plan, driver, settings);
+  EXPECT_EQ(result.halts, 1);
+  EXPECT_EQ(result.replans, 1);
+  EXPECT_EQ(result.frames, plan.frame_count() - 1 + 2 * arm.frames_in(0.5));
+  EXPECT_EQ(result.episode.setpoint_kpa.row(3 + arm.frames_in(0.5)),
+            plan.frames[3].setpoint_kpa.transpose());
+}
+
+TEST(PlanSource, RefusesANextPlanThatStartsElsewhereAndVents) {
+  const ArmDescription arm = small_arm();
+  const Environment environment;
+  const Plan plan = bending_plan(arm, environment);
+  HaltOnce source([&](const Pressures&) { return plan; });
+  ExecutionSettings settings;
+  settings.replanner = &source;
+  int vents = 0;
+  FakeArm driver(arm, kInstant_s, {}, &vents);
+  EXPECT_THAT([&] { (void)execute(arm, environment, plan, driver, settings); },
+              ThrowsMessage<InputError>(HasSubstr("does not start at the set points")));
+  EXPECT_GE(vents, 1);
+}
+
+}  // namespace
+}  // namespace limber

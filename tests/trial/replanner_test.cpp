@@ -1,0 +1,132 @@
+#include "limber/trial/replanner.hpp"
+
+#include <gtest/gtest.h>
+
+#include "limber/hardware/virtual_arm.hpp"
+#include "limber/planning/planner_factory.hpp"
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
+
+/// The fake arm bends by its own no-load model, limber's knows a weaker one: open loop, plans end
+/// off the goal.
+class ReplannerTest : public ::testing::Test {
+ protected:
+  ReplannerTest() {
+    environment_.name = "a goal to the right";
+    const Pressures setpoint_kpa = Pressures::Constant(2, 50.0F);
+    Backbone there(arm_.point_count(), 3);
+    NoLoadModel(arm_).backbone(Eigen::Ref<const Eigen::VectorXf>(setpoint_kpa),
+                               Eigen::Ref<Backbone>(there));
+    const Pose goal = tip_pose(there);
+    environment_.goal = {goal.x_m, goal.y_m, std::nullopt, 0.02, 0.1};
+  }
+
+  static ArmDescription weaker(ArmDescription arm) {
+    for (Segment& segment : arm.segments) {
+      segment.strain_polynomial[0] *= 0.8;
+    }
+    return arm;
+  }
+
+  Plan open_loop_plan() const {
+    PlannerLimits limits;
+    limits.queries = 20000;
+    const PlanResult result =
+        make_planner("default", 1)->plan({known_, model_, environment_, 0.0}, limits, 1);
+    EXPECT_TRUE(result.plan.has_value()) << result.reason;
+    return result.plan.value_or(Plan{});
+  }
+
+  ExecutionResult run(FakeArm& driver, PlanSource* replanner) {
+    ExecutionSettings settings;
+    settings.replanner = replanner;
+    return execute(known_, environment_, open_loop_plan(), driver, settings);
+  }
+
+  Replanner replanner(const ReplannerSettings& settings = {}) {
+    return Replanner(known_, model_, environment_, ErrorRoom{}, settings, 1);
+  }
+
+  const ArmDescription arm_ = small_arm();
+  const ArmDescription known_ = weaker(arm_);
+  const ForwardModel forward_{known_};
+  const MotionModel model_{forward_};
+  Environment environment_;
+};
+
+TEST_F(ReplannerTest, EndsNearTheGoalWhereTheModelMissesIt) {
+  FakeArm blind(arm_, kInstant_s);
+  const ExecutionResult open_loop = run(blind, nullptr);
+  ASSERT_GT(open_loop.goal_error.position_m, 0.03);
+  EXPECT_EQ(open_loop.replans, 0);
+
+  FakeArm driver(arm_, kInstant_s);
+  Replanner source = replanner();
+  const ExecutionResult result = run(driver, &source);
+  EXPECT_TRUE(result.goal_reached);
+  EXPECT_LT(result.goal_error.position_m, 0.003);
+  EXPECT_GT(result.replans, 0);
+  ASSERT_TRUE(result.open_loop_goal_error.has_value());
+  EXPECT_DOUBLE_EQ(result.open_loop_goal_error->position_m, open_loop.goal_error.position_m);
+}
+
+TEST_F(ReplannerTest, NoSetPointIsBeyondTheLimitsOrTheRate) {
+  FakeArm driver(arm_, kInstant_s);
+  Replanner source = replanner();
+  const ExecutionResult result = run(driver, &source);
+  const auto& setpoints = result.episode.setpoint_kpa;
+  ASSERT_GT(setpoints.rows(), 10);
+  EXPECT_LE(setpoints.cwiseAbs().maxCoeff(), 100.0F);
+  const Eigen::Index last = setpoints.rows() - 1;
+  EXPECT_LE((setpoints.bottomRows(last) - setpoints.topRows(last)).cwiseAbs().maxCoeff(),
+            float(known_.pressure_step_limit_kpa()) + 1e-3F);
+}
+
+TEST_F(ReplannerTest, AsksForNothingWhereNobodySeesTheArm) {
+  FakeFaults faults;
+  faults.drop_every = 1;
+  FakeArm driver(arm_, kInstant_s, faults);
+  Replanner source = replanner();
+  const ExecutionResult result = run(driver, &source);
+  EXPECT_EQ(result.status, ExecutionStatus::done);
+  EXPECT_EQ(result.replans, 0);
+}
+
+TEST_F(ReplannerTest, EndsAfterAsManyPlansAsAllowed) {
+  ReplannerSettings settings;
+  settings.max_replans = 1;
+  FakeArm driver(arm_, kInstant_s);
+  Replanner source = replanner(settings);
+  EXPECT_EQ(run(driver, &source).replans, 1);
+}
+
+TEST_F(ReplannerTest, SameSeedSameRun) {
+  std::vector<double> ends;
+  for (int k = 0; k < 2; ++k) {
+    FakeArm driver(arm_, kInstant_s);
+    Replanner source = replanner();
+    ends.push_back(run(driver, &source).goal_error.position_m);
+  }
+  EXPECT_EQ(ends[0], ends[1]);
+}
+
+TEST_F(ReplannerTest, HaltsWhereTheArmIsFartherOffThanThePlanIsFromObstacles) {
+  Plan plan = open_loop_plan();
+  plan.clearance_m = 0.02;
+  ArmState state{0.0, plan.frames[1].pressure_kpa, plan.frames[1].backbone};
+  Replanner source = replanner();
+  EXPECT_TRUE(source.may_go_on(plan, 1, state));
+  state.backbone->col(1).array() += 0.019F;
+  EXPECT_TRUE(source.may_go_on(plan, 1, state));
+  state.backbone->col(1).array() += 0.002F;
+  EXPECT_FALSE(source.may_go_on(plan, 1, state));
+  state.backbone.reset();
+  EXPECT_TRUE(source.may_go_on(plan, 1, state)) << "nobody sees it";
+}
+
+}  // namespace
+}  // namespace limber
