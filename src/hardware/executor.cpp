@@ -1,8 +1,10 @@
 #include "limber/hardware/executor.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
+#include <future>
 #include <list>
 
 #include <fmt/format.h>
@@ -102,7 +104,7 @@ class Execution {
     for (int k = 0; k < longest && !driver_.state().backbone; ++k) {
       command(setpoint_kpa_);
     }
-    std::optional<Plan> next = settings_.replanner->next(setpoint_kpa_, driver_.state());
+    std::optional<Plan> next = ask_for_next();
     if (!next) {
       return false;
     }
@@ -117,6 +119,22 @@ class Execution {
     plan_ = &more_plans_.back();
     first_motion_ = ++motion_;
     return true;
+  }
+
+  /// A driver in real time gets its set points while the next plan is searched for; simulated time
+  /// stands still meanwhile, so that runs can be repeated.
+  std::optional<Plan> ask_for_next() {
+    if (!driver_.is_real_time()) {
+      return settings_.replanner->next(setpoint_kpa_, driver_.state());
+    }
+    std::future<std::optional<Plan>> next =
+        std::async(std::launch::async, [this, state = driver_.state()] {
+          return settings_.replanner->next(setpoint_kpa_, state);
+        });
+    while (next.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+      command(setpoint_kpa_);
+    }
+    return next.get();
   }
 
   /// Unrecorded: from rest to where the plan starts. The plan takes the arm to have long stood
