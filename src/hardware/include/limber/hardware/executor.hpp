@@ -1,6 +1,7 @@
 #pragma once
 // For those who move an arm, real or virtual.
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -29,6 +30,8 @@ struct ExecutionSettings {
   /// The last set point is held this long in all, the plan's own hold counted (and never cut); then
   /// the goal is judged. [s], ≥ 0.
   double hold_s = 1.0;
+  /// Asked before every set point; true stops the execution as Ctrl-C does. Empty: never.
+  std::function<bool()> should_stop = {};
 };
 
 /// Distance between predicted and executed tip over the plan's frames.
