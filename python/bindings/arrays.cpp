@@ -1,5 +1,7 @@
 #include "arrays.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -6,6 +6,7 @@
 
 #include "bindings.hpp"
 #include "caller_thread.hpp"
+#include "limber/common/error.hpp"
 #include "limber/hardware/virtual_arm_factory.hpp"
 #include "python_driver.hpp"
 #include "record.hpp"

@@ -1,7 +1,6 @@
 #include "limber/world/environment.hpp"
 
 #include <fmt/format.h>
-#include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 

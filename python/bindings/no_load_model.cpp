@@ -1,5 +1,7 @@
 #include "limber/arm/no_load_model.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 

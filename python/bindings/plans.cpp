@@ -1,5 +1,7 @@
 #include "limber/world/plan.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
