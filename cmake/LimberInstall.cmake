@@ -28,4 +28,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What the library's headers include, for those who build on it.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libfmt-dev, libhdf5-dev, libmujoco-dev, \
 librandom123-dev, libtbb-dev, libxxhash-dev, libyaml-cpp-dev, nlohmann-json3-dev")
+if(LIMBER_BUILD_PYTHON)
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3-numpy")
+endif()
 include(CPack)

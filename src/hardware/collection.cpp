@@ -25,6 +25,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+void throw_if_stopped(const CollectionSettings& settings) {
+  throw_if_interrupted();
+  if (settings.should_stop && settings.should_stop()) {
+    throw Interrupted("stopped on request");
+  }
+}
+
 /// Drives one arm along one schedule.
 class EpisodeRun {
  public:
@@ -76,7 +83,7 @@ class EpisodeRun {
   }
 
   void command(const Pressures& setpoint_kpa) {
-    throw_if_interrupted();
+    throw_if_stopped(settings_);
     const ArmState& state = driver_.command(setpoint_kpa);
     if (recording_) {
       recorder_.add(state, setpoint_kpa, motion_index_);
@@ -208,7 +215,7 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
     if (done[i]) {
       return;
     }
-    throw_if_interrupted();
+    throw_if_stopped(settings);
     try {
       const std::unique_ptr<ArmDriver> driver = make_driver(static_cast<int>(i));
       done[i] = record_episode(arm, *driver, schedule[i], settings, [&] { progress.advance(); });

@@ -148,12 +148,13 @@ class Execution {
     constexpr double kLongestSettlingS = 60.0;
     for (const Pressures& setpoint_kpa :
          straight_frames(arm_, Pressures::Zero(arm_.segment_count()), start_kpa)) {
+      throw_if_stopped();
       driver_.command(setpoint_kpa);
     }
     const int least = arm_.frames_in(kSettlingS);
     const int most = arm_.frames_in(kLongestSettlingS);
     for (int k = 0; k < least || (k < most && !has_arrived(start_kpa)); ++k) {
-      throw_if_interrupted();
+      throw_if_stopped();
       driver_.command(start_kpa);
     }
   }
@@ -170,8 +171,15 @@ class Execution {
     return true;
   }
 
-  void command(const Pressures& setpoint_kpa) {
+  void throw_if_stopped() const {
     throw_if_interrupted();
+    if (settings_.should_stop && settings_.should_stop()) {
+      throw Interrupted("stopped on request");
+    }
+  }
+
+  void command(const Pressures& setpoint_kpa) {
+    throw_if_stopped();
     const ArmState& state = driver_.command(setpoint_kpa);
     ++result_.frames;
     recorder_.add(state, setpoint_kpa, motion_);

@@ -145,13 +145,19 @@ void EpochTrainer::step(double loss_scale, double rate) {
   }
 }
 
-EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage) {
+EpochLoss EpochTrainer::train_epoch(const TrainingStage& stage,
+                                    const std::function<bool()>& should_stop) {
   BatchGradient& gradient = gradient_for(stage);
   const std::vector<int> starts = shuffled_starts(stage);
   const auto batch = static_cast<std::size_t>(stage.windows_per_batch);
   const bool summed = settings_.reduction == LossReduction::sum_over_batch;
   std::vector<double> sums(static_cast<std::size_t>(members_), 0.0);
   for (std::size_t first = 0; first < starts.size(); first += batch) {
+    if (should_stop && should_stop()) {
+      EpochLoss stopped;
+      stopped.stopped = true;
+      return stopped;
+    }
     const std::size_t count = std::min(batch, starts.size() - first);
     const auto step_number = static_cast<std::uint64_t>(state_.optimiser.step);
     const std::span<const double> losses = gradient.compute(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct EpochLoss {
   double mean = 0.0;  ///< over windows and networks
   int diverged = -1;  ///< a network that left every sensible region; −1: none
   double diverged_loss = 0.0;
+  bool stopped = false;  ///< in the middle: the state is that of no epoch
 };
 
 /// Trains N networks of one shape together, batch by batch: each batch is gathered once.
@@ -49,7 +51,8 @@ class EpochTrainer {
   const TrainingState& state() const { return state_; }
 
   /// The next epoch of `stage`. What a stage needs is made at its first epoch and kept.
-  EpochLoss train_epoch(const TrainingStage& stage);
+  /// @param should_stop  asked before every batch; may be empty
+  EpochLoss train_epoch(const TrainingStage& stage, const std::function<bool()>& should_stop = {});
   /// To be called where a stage ends: its first loss is forgotten.
   void end_stage() { state_.stage_first_loss.clear(); }
 

@@ -101,14 +101,15 @@ void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
 }
 
 TrainingResult train(const ArmDescription& arm, const TrainingData& data,
-                     const TrainingSettings& settings) {
-  return TrainingRun(arm, data, settings, nullptr).run();
+                     const TrainingSettings& settings, const TrainingHooks& hooks) {
+  return TrainingRun(arm, data, settings, nullptr, hooks).run();
 }
 
 TrainingResult fine_tune(const ArmDescription& arm, const TrainingData& data,
-                         const TrainingSettings& settings, const CompensationModel& start) {
+                         const TrainingSettings& settings, const CompensationModel& start,
+                         const TrainingHooks& hooks) {
   require_model_of(start, arm, "the model to start from");
-  return TrainingRun(arm, data, settings, &start).run();
+  return TrainingRun(arm, data, settings, &start, hooks).run();
 }
 
 void write_learning_curve_csv(const std::filesystem::path& path,

@@ -61,10 +61,12 @@ std::string in_words(const std::vector<TrainingStage>& stages) {
 }  // namespace
 
 TrainingRun::TrainingRun(const ArmDescription& arm, const TrainingData& data,
-                         TrainingSettings settings, const CompensationModel* start)
+                         TrainingSettings settings, const CompensationModel* start,
+                         const TrainingHooks& hooks)
     : arm_(arm),
       data_(data),
       settings_(usable(std::move(settings), start)),
+      hooks_(hooks),
       trainer_(arm, data, settings_, start),
       begin_(std::chrono::steady_clock::now()) {}
 
@@ -270,7 +272,10 @@ std::optional<TrainingResult> TrainingRun::run_stage(const TrainingStage& stage,
     point.epoch = state.epochs_done + 1;
     point.window_frames = stage.window_frames;
     point.learning_rate = trainer_.learning_rate(state.epochs_done);
-    const EpochLoss loss = trainer_.train_epoch(stage);
+    const EpochLoss loss = trainer_.train_epoch(stage, hooks_.should_stop);
+    if (loss.stopped) {
+      return result(TrainingStatus::interrupted, "stopped by the user");
+    }
     if (loss.diverged >= 0) {
       return result(TrainingStatus::diverged, divergence_message(point.epoch, loss));
     }
@@ -288,6 +293,9 @@ std::optional<TrainingResult> TrainingRun::run_stage(const TrainingStage& stage,
     state.curve.push_back(point);
     progress.update(static_cast<std::uint64_t>(point.epoch), progress_note(point));
     store(false);
+    if (hooks_.on_epoch) {
+      hooks_.on_epoch(point);
+    }
   }
   return std::nullopt;
 }

@@ -14,7 +14,7 @@ class TrainingRun {
  public:
   /// @param start  networks to begin with; null: drawn from the seed.
   TrainingRun(const ArmDescription& arm, const TrainingData& data, TrainingSettings settings,
-              const CompensationModel* start);
+              const CompensationModel* start, const TrainingHooks& hooks);
 
   TrainingResult run();
 
@@ -36,6 +36,7 @@ class TrainingRun {
   const ArmDescription& arm_;
   const TrainingData& data_;
   TrainingSettings settings_;
+  const TrainingHooks& hooks_;
   EpochTrainer trainer_;
   std::string identity_;  ///< of the checkpoint, where one is asked for
   std::chrono::steady_clock::time_point begin_;

@@ -178,6 +178,18 @@ TEST_F(Executor, VentsAndStopsOnCtrlC) {
       ::testing::ExitedWithCode(0), "stopped on request after 0 frames; the arm was vented");
 }
 
+TEST_F(Executor, VentsAndStopsWhereItsCallerAsksTo) {
+  int vents = 0;
+  FakeArm driver(arm_, kInstant_s, {}, &vents);
+  int asked = 0;
+  ExecutionSettings settings;
+  settings.should_stop = [&] { return ++asked > 5; };
+  const ExecutionResult result = execute(arm_, environment_, plan(), driver, settings);
+  EXPECT_EQ(result.status, ExecutionStatus::stopped);
+  EXPECT_EQ(result.frames, 5);
+  EXPECT_GE(vents, 1);
+}
+
 TEST_F(Executor, TreatsNumbersThatAreNotFiniteAsAFault) {
   FakeFaults faults;
   faults.returns_nan_at_s = 0.3;

@@ -79,6 +79,16 @@ TEST_F(StoppedCollection, ReplacesWhatWasThereWhereItIsForced) {
   EXPECT_EQ(read_recording(path_).episodes.size(), 5U);
 }
 
+TEST_F(StoppedCollection, StopsWhereItsCallerAsksToAndGoesOn) {
+  int asked = 0;
+  settings_.should_stop = [&] { return ++asked > 3; };
+  EXPECT_THAT([&] { collect(arm_, settings_, factory(), path_); },
+              ThrowsMessage<Interrupted>(HasSubstr("3 of 5 episodes are kept")));
+  EXPECT_FALSE(fs::exists(path_));
+  settings_.should_stop = {};
+  EXPECT_EQ(collect(arm_, settings_, factory(), path_).kept_episodes, 3);
+}
+
 TEST_F(StoppedCollection, NeverRemovesFilesThatAreNotItsOwn) {
   const std::vector<std::string> foreign = {"my_notes.txt", "000000.h5.bak", "12.h5", "a.h5"};
   for (const std::string& name : foreign) {

@@ -26,6 +26,13 @@ for file in usr/bin/limber usr/share/limber/arms/three_segment.yaml \
     exit 1
   }
 done
+# The Python module, where it was built.
+if [ -d "$LIMBER_BUILD_DIR/python" ]; then
+  PYTHONPATH=$folder/root/usr/lib/python3/dist-packages python3 -c "
+import limber
+assert limber.__file__.startswith('$folder'), limber.__file__
+print(limber.load_arm(limber.data_folder() / 'arms' / 'three_segment.yaml'))"
+fi
 cd -- "$folder"
 root/usr/bin/limber collect --arm two_segment --schedule random --count 1 --out x.h5 --quiet
 [ -s x.h5 ]

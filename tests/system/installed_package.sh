@@ -29,6 +29,14 @@ fi
 python3 "$root/tests/python/describe_xml.py" arm.svg >described.txt
 grep -q 'text: three_segment' described.txt
 
+# The Python module, where it was built.
+if [ -d "$LIMBER_BUILD_DIR/python" ]; then
+  PYTHONPATH=$prefix/lib/python3/dist-packages python3 -c "
+import limber
+assert limber.__file__.startswith('$prefix'), limber.__file__
+assert str(limber.data_folder()) == '$prefix/share/limber', limber.data_folder()"
+fi
+
 # Every header for users, alone and with nothing of the source tree.
 (cd "$prefix/include" && find limber -name '*.hpp') | sed 's|.*|#include "&"|' >all.cpp
 c++ -std=c++20 -fsyntax-only -I"$prefix/include" -I/usr/include/eigen3 all.cpp

@@ -186,6 +186,41 @@ TEST_P(TrainEnsembleOf, ResumesWithTheBitsOfAnUnbrokenRun) {
   EXPECT_TRUE(same_weights(train(arm, toy_data(arm), settings).model, unbroken.model));
 }
 
+TEST(Train, TellsItsCallerOfEveryEpoch) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = small_settings();
+  settings.stages = {{2, 64, 2}, {8, 32, 3}};
+  std::vector<double> losses;
+  TrainingHooks hooks;
+  hooks.on_epoch = [&](const LearningCurvePoint& point) { losses.push_back(point.loss); };
+  const TrainingResult result = train(arm, toy_data(arm), settings, hooks);
+  ASSERT_EQ(losses.size(), 5U);
+  for (std::size_t i = 0; i < losses.size(); ++i) {
+    EXPECT_EQ(losses[i], result.curve[i].loss);
+  }
+}
+
+// The epoch that was begun is dropped: the checkpoint is that of the epoch before.
+TEST(Train, StopsInTheMiddleOfAnEpochAndGoesOnToTheSameBits) {
+  const ArmDescription arm = three_segment_arm();
+  const TemporaryFolder folder;
+  TrainingSettings settings = small_settings();
+  settings.stages = {{2, 64, 6}};
+  const TrainingResult unbroken = train(arm, toy_data(arm), settings);
+  settings.checkpoint = folder.path() / "checkpoint";
+  settings.checkpoint_interval_s = 0.0;
+  int epochs = 0;
+  int batches = 0;
+  TrainingHooks hooks;
+  hooks.on_epoch = [&](const LearningCurvePoint&) { ++epochs; };
+  hooks.should_stop = [&] { return epochs == 3 && ++batches > 2; };
+  const TrainingResult stopped = train(arm, toy_data(arm), settings, hooks);
+  EXPECT_EQ(stopped.status, TrainingStatus::interrupted);
+  EXPECT_EQ(stopped.curve.size(), 3U);
+  settings.resume = true;
+  EXPECT_TRUE(same_weights(train(arm, toy_data(arm), settings).model, unbroken.model));
+}
+
 TEST(Train, RefusesTheCheckpointOfAnotherRun) {
   const ArmDescription arm = three_segment_arm();
   const TemporaryFolder folder;

@@ -53,14 +53,19 @@ class CertifiedPlanner final : public Planner {
       patient.patience =
           limits.time_s ? std::max(kPatience, 1.0 - kMaxForSmallerS / *limits.time_s) : kPatience;
     }
-    PlanResult result = certified_search(*planner_, problem, shared, patient, seed, callback);
+    bool stopped = false;  // then nobody waits for explanations
+    const PlannerCallback watched = [&](const PlannerProgress& now) {
+      stopped = stopped || (callback && !callback(now));
+      return !stopped;
+    };
+    PlanResult result = certified_search(*planner_, problem, shared, patient, seed, watched);
     result.warnings.insert(result.warnings.begin(), notes.begin(), notes.end());
-    if (!result.plan) {
+    if (!result.plan && !stopped) {
       explain(
           problem, seed, [&] { return limits.time_s && seconds_since(start) > *limits.time_s; },
           result);
       if (may_keep_less && result.status != PlanStatus::not_certified) {
-        try_smaller_clearances(problem, shared, limits, start, seed, callback, result);
+        try_smaller_clearances(problem, shared, limits, start, seed, watched, result);
       }
     }
     result.statistics.time_s = seconds_since(start);

@@ -29,6 +29,9 @@ struct CollectionSettings {
   bool resume = false;         ///< go on from the parts of an interrupted run
   bool force = false;          ///< replace the file, and (unless `resume`) the parts
   Progress::Mode progress = Progress::Mode::automatic;
+  /// Asked before every set point, from several threads at once; true stops the collection as
+  /// Ctrl-C does. Empty: never.
+  std::function<bool()> should_stop = {};
 };
 
 struct CollectionResult {

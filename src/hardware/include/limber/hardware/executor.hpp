@@ -1,6 +1,7 @@
 #pragma once
 // For those who move an arm, real or virtual.
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -43,6 +44,8 @@ struct ExecutionSettings {
   double hold_s = 1.0;
   /// Asked for more plans; borrowed. None: the plan is executed open loop.
   PlanSource* replanner = nullptr;
+  /// Asked before every set point; true stops the execution as Ctrl-C does. Empty: never.
+  std::function<bool()> should_stop = {};
 };
 
 /// Distance between predicted and executed tip over the plan's frames.

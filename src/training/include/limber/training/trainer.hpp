@@ -2,6 +2,7 @@
 // For those who train and evaluate models.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,15 @@ struct LearningCurvePoint {
   double elapsed_s = 0.0;
 };
 
+/// What a caller is told of a run, and asked. Both are called on the thread that trains.
+struct TrainingHooks {
+  /// After every epoch.
+  std::function<void(const LearningCurvePoint&)> on_epoch = {};
+  /// Before every batch; true stops the run as Ctrl-C does. An epoch that was begun is dropped, so
+  /// that a checkpoint goes on from the last one stored. Empty: never.
+  std::function<bool()> should_stop = {};
+};
+
 enum class TrainingStatus { finished, interrupted, diverged };
 
 struct TrainingResult {
@@ -68,13 +78,15 @@ struct TrainingResult {
 /// predictions, each member rolled out by itself. Untracked frames don't count.
 /// @throws InputError if the data don't fit the arm, or are too short for one window.
 [[nodiscard]] TrainingResult train(const ArmDescription& arm, const TrainingData& data,
-                                   const TrainingSettings& settings);
+                                   const TrainingSettings& settings,
+                                   const TrainingHooks& hooks = {});
 
 /// The same, from the weights of `start` (fine-tuning): its layout, hidden units, members and
 /// normalisation are kept. @throws InputError if it is another arm's.
 [[nodiscard]] TrainingResult fine_tune(const ArmDescription& arm, const TrainingData& data,
                                        const TrainingSettings& settings,
-                                       const CompensationModel& start);
+                                       const CompensationModel& start,
+                                       const TrainingHooks& hooks = {});
 
 /// Columns epoch, window_frames, learning_rate, loss, validation_position_error_cm, elapsed_s.
 void write_learning_curve_csv(const std::filesystem::path& path,

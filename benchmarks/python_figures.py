@@ -1,0 +1,163 @@
+"""Figures of docs/python.md: rates from Python beside C++, overhead of one query, time to import,
+threads beside each other, and how soon Ctrl-C ends a plan.
+
+    PYTHONPATH=build/release/python benchmarks/python_figures.py build/release/bin/limber
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+import numpy as np
+
+import limber
+
+BATCHES = (256, 4096)
+REPEATS = 5
+SECONDS = 0.5  # each measurement
+
+
+def rate(function, units):
+    """Best units per second of some repeats."""
+    best = 0.0
+    for _ in range(REPEATS):
+        count, begin = 0, time.perf_counter()
+        while time.perf_counter() - begin < SECONDS:
+            function()
+            count += 1
+        best = max(best, count * units / (time.perf_counter() - begin))
+    return best
+
+
+def queries(arm, count):
+    random = np.random.default_rng(1)
+    limits = arm.pressure_limits_kpa
+    before, after = (random.uniform(-limits, limits, (count, len(limits))).astype(np.float32)
+                     for _ in range(2))
+    return before, after, limber.NoLoadModel(arm).backbone(before)
+
+
+def speed(program, arm_file, model_file):
+    """Queries per second in batches and one by one, from Python and from the program."""
+    bench = json.loads(subprocess.run(
+        [program, "bench", "--arm", arm_file, "--model", model_file, "--jobs", "1", "--json"],
+        capture_output=True, check=True).stdout)
+    network = bench.get("model", bench["network"])
+    arm = limber.load_arm(arm_file)
+    model = limber.ForwardModel(arm, limber.read_model(model_file))
+    sizes = {row["size"]: row["queries_per_s"] for row in network["batches"]
+             if row.get("threads", 1) == 1}
+    for size in BATCHES:
+        before, after, backbones = queries(arm, size)
+        out = np.empty_like(backbones)
+        own = rate(lambda: model.step_batch(before, after, backbones, out), size)
+        theirs = sizes.get(size, network["batch"]["queries_per_s"])
+        print(f"batch of {size}: {own:,.0f} queries/s in Python, {theirs:,.0f} in C++: "
+              f"{100 * own / theirs:.0f} %")
+    before, after, backbones = (array[0] for array in queries(arm, 1))
+    out = np.empty_like(backbones)
+    alone = 1 / rate(lambda: model.step(before, after, backbones, out), 1)
+    program_alone = 1 / network["single"]["queries_per_s"]
+    print(f"one query: {alone * 1e6:.2f} us in Python, {program_alone * 1e6:.2f} us in C++: "
+          f"{(alone - program_alone) * 1e6:.2f} us more")
+
+
+def import_time():
+    def seconds(code):
+        times = []
+        for _ in range(REPEATS):
+            begin = time.perf_counter()
+            subprocess.run([sys.executable, "-c", code], check=True)
+            times.append(time.perf_counter() - begin)
+        return statistics.median(times)
+    bare, numpy, whole = seconds("pass"), seconds("import numpy"), seconds("import limber")
+    print(f"import limber: {whole - bare:.3f} s, of which NumPy {numpy - bare:.3f} s")
+
+
+def threads(problem):
+    """Two threads that plan beside each other, and a third that ticks every millisecond."""
+    limits = limber.PlannerLimits(queries=200_000)
+
+    def plan():
+        limber.make_planner("default,improved_plans=1000", jobs=1).plan(problem, limits, 1)
+
+    def timed(count):
+        workers = [threading.Thread(target=plan) for _ in range(count)]
+        begin = time.perf_counter()
+        for worker in workers:
+            worker.start()
+        for worker in workers:
+            worker.join()
+        return time.perf_counter() - begin
+    late, ended = [], threading.Event()
+
+    def tick():
+        while not ended.is_set():
+            before = time.perf_counter()
+            time.sleep(0.001)
+            late.append(time.perf_counter() - before - 0.001)
+    one = min(timed(1) for _ in range(3))
+    two = min(timed(2) for _ in range(3))
+    ticker = threading.Thread(target=tick)
+    ticker.start()
+    timed(2)
+    ended.set()
+    ticker.join()
+    print(f"plans of 200 000 queries: one thread {one:.2f} s, two threads {two:.2f} s: "
+          f"{two / one:.2f} times; a 1 ms ticker beside them at most {1000 * max(late):.1f} ms "
+          f"late, 99 % within {1000 * np.quantile(late, 0.99):.1f} ms")
+
+
+def interrupt(problem):
+    seconds = []
+    for _ in range(REPEATS):
+        sent = []
+
+        def send():
+            sent.append(time.perf_counter())
+            os.kill(os.getpid(), signal.SIGINT)
+        threading.Timer(0.3, send).start()
+        try:
+            limber.make_planner().plan(problem, limber.PlannerLimits(iterations=10**9), 1)
+        except KeyboardInterrupt:
+            seconds.append(time.perf_counter() - sent[0])
+    print(f"Ctrl-C ends a plan within {1000 * max(seconds):.0f} ms ({len(seconds)} times)")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", type=pathlib.Path)
+    arguments = parser.parse_args()
+    arm_file = limber.data_folder() / "arms" / "three_segment.yaml"
+    with tempfile.TemporaryDirectory() as folder:
+        recording, model_file = f"{folder}/train.h5", f"{folder}/model.safetensors"
+        for command in (["collect", "--arm", arm_file, "--schedule", "random", "--count", "20",
+                         "--out", recording],
+                        ["train", "--arm", arm_file, "--preset", "paper", "--data", recording,
+                         "--epochs", "2", "--out", model_file]):
+            subprocess.run([arguments.program, *map(str, command), "--quiet"], check=True,
+                           stdout=subprocess.DEVNULL)
+        speed(arguments.program, arm_file, model_file)
+    import_time()
+    arm = limber.load_arm(arm_file)
+    forward = limber.ForwardModel(arm)
+    behind = limber.Environment("out of reach but for the model",
+                                [limber.Circle(x_m=0.35, y_m=0.3, radius_m=0.05)],
+                                limber.PoseGoal(x_m=0.1, y_m=0.3, theta_rad=3.0,
+                                                position_tolerance_m=0.0005,
+                                                orientation_tolerance_rad=0.002))
+    problem = limber.PlanningProblem(arm, limber.MotionModel(forward), behind)
+    threads(problem)
+    interrupt(problem)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,21 @@
+# The Python module, where pybind11 and Python's headers are found (Debian: pybind11-dev, python3-dev).
+# Debian's own python3 is taken first, since another one on the PATH may lack NumPy.
+find_program(LIMBER_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_program(LIMBER_PYTHON NAMES python3)
+option(LIMBER_BUILD_PYTHON "Build the Python module where pybind11 is found" ON)
+
+if(LIMBER_BUILD_PYTHON AND LIMBER_PYTHON AND NOT LIMBER_SANITIZE)
+  if(NOT DEFINED Python_EXECUTABLE)
+    set(Python_EXECUTABLE "${LIMBER_PYTHON}")
+  endif()
+  find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module)
+  if(Python_Development.Module_FOUND)
+    find_package(pybind11 2.10 QUIET)
+  endif()
+endif()
+if(NOT pybind11_FOUND)
+  if(LIMBER_BUILD_PYTHON)
+    message(STATUS "Python module left out: it needs pybind11-dev and python3-dev, and no sanitizer")
+  endif()
+  set(LIMBER_BUILD_PYTHON OFF)
+endif()

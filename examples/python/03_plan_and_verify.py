@@ -1,0 +1,40 @@
+"""A plan with a network of one's own, and a second opinion on it.
+
+    03_plan_and_verify.py MODEL.safetensors ENVIRONMENT.yaml PLAN.json
+                                            (in C++: 04_plan_and_verify)
+"""
+
+import sys
+
+import limber
+
+
+def main() -> int:
+    arm = limber.load_arm(limber.data_folder() / "arms" / "three_segment.yaml")
+    environment = limber.load_environment(sys.argv[2], arm)
+    network = limber.read_model(sys.argv[1])
+    forward = limber.ForwardModel(arm, network)
+    valves = network.valves or limber.ValveParameters()
+    room = limber.error_room(forward)  # what the model says it errs by
+    problem = limber.PlanningProblem(
+        arm, limber.MotionModel(forward, limber.ValveModel(arm, valves)), environment,
+        margin_m=room.margin_m, goal_margin=room.goal_margin)
+    limits = limber.PlannerLimits(time_s=2.0)
+    result = limber.make_planner("default").plan(problem, limits, seed=1)
+    if not result.plan:
+        print(f"no plan: {result.reason}")
+        return 1
+    limber.write_plan(sys.argv[3], result.plan)
+
+    # The planner has asked for it already; this is how you ask yourself, of a file from anywhere.
+    certificate = limber.certify(limber.read_plan_unjudged(sys.argv[3]), arm, network, valves,
+                                 environment)
+    for failure in certificate.failures:
+        print(f"{failure.check}: {failure.message}")
+    print(f"{'certified' if certificate.certified else 'refused'}: {certificate.frames} frames, "
+          f"{certificate.cost_kpa:.1f} kPa, clearance {certificate.clearance_m * 100:.2f} cm")
+    return 0 if certificate.certified else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

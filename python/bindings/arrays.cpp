@@ -1,0 +1,123 @@
+#include "arrays.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber::python {
+
+namespace {
+
+// In integers, so that the compiler makes vectors of it: an exponent of ones is NaN or infinity.
+bool all_finite(const float* values, py::ssize_t count) {
+  constexpr std::uint32_t kExponent = 0x7f800000U;
+  std::uint32_t found = 0;
+  for (py::ssize_t i = 0; i < count; ++i) {
+    found |= static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(values[i]) & kExponent) ==
+                                        kExponent);
+  }
+  return found == 0;
+}
+
+bool all_finite(const double* values, py::ssize_t count) {
+  return Eigen::Map<const Eigen::VectorXd>(values, count).allFinite();
+}
+
+template <class Array>
+void require_all_finite(const Array& array, const char* name) {
+  const auto* values = array.data();
+  if (all_finite(values, array.size())) {
+    return;
+  }
+  py::ssize_t at = 0;
+  while (std::isfinite(values[at])) {
+    ++at;
+  }
+  const float bad = static_cast<float>(values[at]);
+  Shape index(static_cast<std::size_t>(array.ndim()));
+  for (py::ssize_t axis = array.ndim(); axis-- > 0;) {
+    index[static_cast<std::size_t>(axis)] = at % array.shape(axis);
+    at /= array.shape(axis);
+  }
+  throw InputError(
+      fmt::format("{}[{}] = {}; expected finite numbers", name, fmt::join(index, ", "), bad));
+}
+
+}  // namespace
+
+std::string to_text(const Shape& shape) {
+  return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+}
+
+Shape shape_of(const py::array& array) {
+  return {array.shape(), array.shape() + array.ndim()};
+}
+
+void require_shape(const py::array& array, const Shape& expected, const char* name) {
+  bool same = array.ndim() == static_cast<py::ssize_t>(expected.size());
+  for (std::size_t axis = 0; same && axis < expected.size(); ++axis) {
+    same = array.shape(static_cast<py::ssize_t>(axis)) == expected[axis];
+  }
+  if (!same) {
+    throw InputError(fmt::format("{} has shape {}; expected {}", name, to_text(shape_of(array)),
+                                 to_text(expected)));
+  }
+}
+
+void require_finite(const FloatArray& array, const char* name) {
+  require_all_finite(array, name);
+}
+
+void require_finite(const DoubleArray& array, const char* name) {
+  require_all_finite(array, name);
+}
+
+py::array_t<float> result_array(const py::object& out, const Shape& shape) {
+  if (out.is_none()) {
+    return py::array_t<float>(shape);
+  }
+  const bool fits = py::isinstance<py::array_t<float, py::array::c_style>>(out);
+  if (!fits || !py::reinterpret_borrow<py::array>(out).writeable()) {
+    throw InputError(
+        fmt::format("out: expected a writable C-contiguous float32 array of shape {}, found {}",
+                    to_text(shape), std::string(py::str(py::type::of(out).attr("__name__")))));
+  }
+  auto array = py::reinterpret_borrow<py::array_t<float>>(out);
+  require_shape(array, shape, "out");
+  return array;
+}
+
+void require_no_part_of(const py::array& out, const py::array& input, const char* name) {
+  const auto* out_begin = static_cast<const char*>(out.data());
+  const auto* in_begin = static_cast<const char*>(input.data());
+  if (out_begin != in_begin && out_begin < in_begin + input.nbytes() &&
+      in_begin < out_begin + out.nbytes()) {
+    throw InputError(
+        fmt::format("out is a part of {}; expected {} itself, or memory of its own", name, name));
+  }
+}
+
+py::ssize_t batch_size(const py::array& array, const char* name) {
+  if (array.ndim() < 2) {
+    throw InputError(
+        fmt::format("{} has shape {}; expected one row a query", name, to_text(shape_of(array))));
+  }
+  return array.shape(0);
+}
+
+Pressures pressures_from(const FloatArray& array, Eigen::Index n, const char* name) {
+  require_shape(array, {n}, name);
+  require_finite(array, name);
+  return pressures_map(array);
+}
+
+Backbone backbone_from(const FloatArray& array, Eigen::Index m, const char* name) {
+  require_shape(array, {m, 3}, name);
+  require_finite(array, name);
+  return backbone_map(array);
+}
+
+}  // namespace limber::python

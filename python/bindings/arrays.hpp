@@ -1,0 +1,91 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <Eigen/Core>
+
+#include "limber/arm/backbone.hpp"
+
+namespace limber::python {
+
+namespace py = pybind11;
+
+/// What limber computes with. A C-contiguous float32 array is taken as it is; anything else that
+/// NumPy understands is copied once.
+using FloatArray = py::array_t<float, py::array::c_style | py::array::forcecast>;
+using DoubleArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+using Shape = std::vector<py::ssize_t>;
+
+/// "(16, 3)", as NumPy prints it.
+std::string to_text(const Shape& shape);
+Shape shape_of(const py::array& array);
+
+/// @throws InputError "previous_kpa has shape (4,); expected (3,)".
+void require_shape(const py::array& array, const Shape& expected, const char* name);
+/// @throws InputError naming the array and its first number that is not finite.
+void require_finite(const FloatArray& array, const char* name);
+void require_finite(const DoubleArray& array, const char* name);
+
+/// The array that results go to: `out` where one is given, else a fresh one.
+/// @throws InputError unless `out` is None or a writable C-contiguous float32 array of the shape.
+py::array_t<float> result_array(const py::object& out, const Shape& shape);
+/// @throws InputError where `out` shares a part of an input, but does not begin with it.
+void require_no_part_of(const py::array& out, const py::array& input, const char* name);
+
+/// The first axis of a batch: how many queries. @throws InputError where there is none.
+py::ssize_t batch_size(const py::array& array, const char* name);
+
+template <class Scalar, class Matrix>
+py::array_t<Scalar> copy_of(const Matrix& matrix, const Shape& shape) {
+  py::array_t<Scalar> array(shape);
+  Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+      array.mutable_data(), matrix.rows(), matrix.cols()) = matrix;
+  return array;
+}
+
+/// A vector's numbers, shape (n,).
+template <class Vector>
+py::array_t<typename Vector::Scalar> vector_array(const Vector& vector) {
+  return copy_of<typename Vector::Scalar>(vector, {vector.size()});
+}
+
+/// Shape (m, 3).
+template <class Scalar>
+py::array_t<Scalar> backbone_array(const BackboneOf<Scalar>& backbone) {
+  return copy_of<Scalar>(backbone, {backbone.rows(), 3});
+}
+
+/// A view of numbers that `owner` holds: no copy, and `owner` lives as long as the view.
+template <class Scalar>
+py::array_t<Scalar> view_of(const Scalar* data, const Shape& shape, const py::object& owner) {
+  return py::array_t<Scalar>(shape, data, owner);
+}
+
+/// Size n, finite.
+Pressures pressures_from(const FloatArray& array, Eigen::Index n, const char* name);
+/// m×3, finite.
+Backbone backbone_from(const FloatArray& array, Eigen::Index m, const char* name);
+
+/// What limber's functions borrow of an array: no copy.
+inline Eigen::Map<const Pressures> pressures_map(const FloatArray& array) {
+  return {array.data(), array.size()};
+}
+inline Eigen::Map<const Backbone> backbone_map(const FloatArray& array) {
+  return {array.data(), array.size() / 3, 3};
+}
+/// k rows of NumPy are k columns of limber's batches: the same numbers in the same order.
+inline Eigen::Map<const Eigen::MatrixXf> batch_map(const FloatArray& array) {
+  const py::ssize_t k = array.shape(0);
+  return {array.data(), k == 0 ? 0 : array.size() / k, k};
+}
+inline Eigen::Map<Eigen::MatrixXf> batch_map(py::array_t<float>& array) {
+  const py::ssize_t k = array.shape(0);
+  return {array.mutable_data(), k == 0 ? 0 : array.size() / k, k};
+}
+
+}  // namespace limber::python

@@ -1,0 +1,113 @@
+#include "limber/hardware/collection.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "bindings.hpp"
+#include "caller_thread.hpp"
+#include "limber/common/error.hpp"
+#include "limber/hardware/virtual_arm_factory.hpp"
+#include "python_driver.hpp"
+#include "record.hpp"
+
+namespace limber::python {
+
+namespace {
+
+/// Makes a virtual arm an episode.
+struct VirtualArms {
+  DriverFactory make;
+};
+
+CollectionResult collect_with(const ArmDescription& arm, const CollectionSettings& asked,
+                              const py::object& make_driver, const std::filesystem::path& path) {
+  CollectionSettings settings = asked;
+  CallerThread caller;
+  settings.should_stop = [&] { return caller.should_stop(); };
+  DriverFactory factory;
+  if (py::isinstance<VirtualArms>(make_driver)) {
+    factory = make_driver.cast<const VirtualArms&>().make;
+  } else {
+    factory = [&](int index) -> std::unique_ptr<ArmDriver> {
+      std::unique_ptr<ArmDriver> driver;
+      if (!caller.call(
+              [&] { driver = std::make_unique<PythonDriver>(make_driver(index), caller); })) {
+        throw Interrupted("make_driver raised an exception");
+      }
+      return driver;
+    };
+  }
+  return caller.run([&] { return collect(arm, settings, factory, path); });
+}
+
+void bind_schedule(py::module_& module) {
+  py::enum_<ScheduleKind>(module, "ScheduleKind", "Which motions are recorded.")
+      .value("transitions", ScheduleKind::transitions, "between extreme configurations")
+      .value("random", ScheduleKind::random, "uniform within the limits");
+  py::enum_<Approach>(module, "Approach", "How set points go to the next configuration.")
+      .value("step", Approach::step, "they jump")
+      .value("straight", Approach::straight, "together, along a straight line, as a plan's do");
+  Record<ScheduleSettings>(module, "ScheduleSettings", "What motions are recorded.")
+      .field("kind", &ScheduleSettings::kind, "ScheduleKind.")
+      .field("count", &ScheduleSettings::count, "Motions; 0: every transition.")
+      .field("episodes", &ScheduleSettings::episodes, "0: 16 for transitions, 1 for random.")
+      .field("approach", &ScheduleSettings::approach, "Approach.")
+      .field("hold_s", &ScheduleSettings::hold_s, "Of a motion's final set point [s].")
+      .field("hold_min_s", &ScheduleSettings::hold_min_s,
+             "Holds are drawn between this and hold_s [s]; or None.")
+      .keywords()
+      .done();
+}
+
+}  // namespace
+
+void bind_collection(py::module_& module) {
+  bind_schedule(module);
+  py::enum_<Progress::Mode>(module, "ProgressMode", "Whether progress goes to standard error.")
+      .value("automatic", Progress::Mode::automatic)
+      .value("quiet", Progress::Mode::quiet);
+  Record<CollectionSettings>(module, "CollectionSettings", "How an arm is recorded.")
+      .field("schedule", &CollectionSettings::schedule, "ScheduleSettings.")
+      .field("seed", &CollectionSettings::seed, "Of the schedule.")
+      .field("source", &CollectionSettings::source, "What moves, in words.")
+      .field("driver", &CollectionSettings::driver, "Everything else that decides the data.")
+      .field("hold_limit_s", &CollectionSettings::hold_limit_s,
+             "A set point not reached by then is a fault [s].")
+      .field("jobs", &CollectionSettings::jobs, "Threads, 0: one a core.")
+      .field("resume", &CollectionSettings::resume, "Go on from an interrupted run.")
+      .field("force", &CollectionSettings::force, "Replace the file.")
+      .field("progress", &CollectionSettings::progress, "ProgressMode.")
+      .keywords()
+      .done();
+  Record<CollectionResult>(module, "CollectionResult", "What was recorded.")
+      .read_only("recording", &CollectionResult::recording, "The recording, as in the file.")
+      .read_only("kept_episodes", &CollectionResult::kept_episodes, "Found by `resume`.")
+      .read_only("wall_time_s", &CollectionResult::wall_time_s, "Of this run [s].")
+      .done();
+  py::class_<VirtualArms>(module, "DriverFactory", "Makes a virtual arm for each episode.");
+  module.def(
+      "virtual_arm_factory",
+      [](const ArmDescription& arm, const VirtualArmOptions& options) {
+        return VirtualArms{virtual_arm_factory(arm, options)};
+      },
+      py::arg("arm"), py::arg("options") = VirtualArmOptions{}, py::keep_alive<0, 1>(),
+      "A fresh virtual arm an episode, each with noise of its own.");
+  module.def(
+      "virtual_collection",
+      [](const ArmDescription& arm, const ScheduleSettings& schedule,
+         const VirtualArmOptions& options) {
+        CollectionSettings settings = virtual_collection(arm, schedule, options);
+        settings.progress = Progress::Mode::quiet;
+        return settings;
+      },
+      py::arg("arm"), py::arg("schedule"), py::arg("options") = VirtualArmOptions{},
+      "Settings for the virtual arm, with its source, driver and seed.");
+  module.def("collect", &collect_with, py::arg("arm"), py::arg("settings"), py::arg("make_driver"),
+             py::arg("path"),
+             "Records a schedule to `path` (HDF5). make_driver: virtual_arm_factory(...), or a "
+             "function of the episode's index that returns an ArmDriver. Ctrl-C vents the arm and "
+             "raises KeyboardInterrupt; finished episodes stay, for resume=True.");
+}
+
+}  // namespace limber::python

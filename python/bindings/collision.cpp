@@ -1,0 +1,58 @@
+#include "limber/world/collision.hpp"
+
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "record.hpp"
+
+namespace limber::python {
+
+namespace {
+
+FloatArray checked(const CollisionChecker& checker, const FloatArray& backbone, const char* name) {
+  require_shape(backbone, {checker.gap_count() + 1, 3}, name);
+  require_finite(backbone, name);
+  return backbone;
+}
+
+}  // namespace
+
+void bind_collision(py::module_& module) {
+  Record<Clearance>(module, "Clearance", "Smallest distance between the arm and an obstacle.")
+      .read_only("value_m", &Clearance::value_m, "[m]; negative: how deep; inf: no obstacles.")
+      .read_only("gap", &Clearance::gap, "Between plates gap and gap + 1; -1: none.")
+      .read_only("obstacle", &Clearance::obstacle, "Index in the environment's list; -1: none.")
+      .done();
+  py::class_<CollisionChecker>(module, "CollisionChecker",
+                               "Collision of a thick backbone with obstacles. Constant: share it.")
+      .def(py::init([](const ArmDescription& arm, const Environment& environment, double margin_m) {
+             return CollisionChecker(arm, environment.obstacles, margin_m);
+           }),
+           py::arg("arm"), py::arg("environment"), py::arg("margin_m") = 0.0,
+           "The margin is added to the arm's radius everywhere [m].")
+      .def_property_readonly("obstacle_count", &CollisionChecker::obstacle_count, "Obstacles.")
+      .def_property_readonly("gap_count", &CollisionChecker::gap_count, "m - 1.")
+      .def(
+          "clearance",
+          [](const CollisionChecker& checker, const FloatArray& backbone) {
+            return checker.clearance(backbone_map(checked(checker, backbone, "backbone")));
+          },
+          py::arg("backbone"), "Of one backbone, float32 (m, 3), less the margin.")
+      .def(
+          "is_free",
+          [](const CollisionChecker& checker, const FloatArray& backbone) {
+            return checker.is_free(backbone_map(checked(checker, backbone, "backbone")));
+          },
+          py::arg("backbone"), "Whether nothing touches the arm.")
+      .def(
+          "is_motion_free",
+          [](const CollisionChecker& checker, const FloatArray& from, const FloatArray& to) {
+            return checker.is_motion_free(backbone_map(checked(checker, from, "from_backbone")),
+                                          backbone_map(checked(checker, to, "to_backbone")));
+          },
+          py::arg("from_backbone"), py::arg("to_backbone"),
+          "Whether the arm stays free while every plate moves straight from one to the other.");
+}
+
+}  // namespace limber::python

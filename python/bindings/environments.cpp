@@ -1,0 +1,129 @@
+#include "limber/world/environment.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/yaml_reader.hpp"
+#include "pictures.hpp"
+#include "record.hpp"
+
+namespace limber::python {
+
+namespace {
+
+void bind_obstacles(py::module_& module) {
+  Record<Circle>(module, "Circle", "An obstacle.")
+      .field("x_m", &Circle::x_m, "Centre [m].")
+      .field("y_m", &Circle::y_m, "Centre [m].")
+      .field("radius_m", &Circle::radius_m, "[m], > 0.")
+      .keywords()
+      .done();
+  Record<Rectangle>(module, "Rectangle", "An obstacle.")
+      .field("x_m", &Rectangle::x_m, "Centre [m].")
+      .field("y_m", &Rectangle::y_m, "Centre [m].")
+      .field("width_m", &Rectangle::width_m, "Along its own x [m], > 0.")
+      .field("height_m", &Rectangle::height_m, "Along its own y [m], > 0.")
+      .field("angle_rad", &Rectangle::angle_rad, "Counter-clockwise [rad].")
+      .keywords()
+      .done();
+  py::class_<Polygon>(module, "Polygon", "A simple polygon, convex or not; the inside is solid.")
+      .def(py::init([](const DoubleArray& points_m) {
+             require_shape(points_m, {points_m.size() / 2, 2}, "points_m");
+             require_finite(points_m, "points_m");
+             Polygon polygon;
+             const auto rows = points_m.unchecked<2>();
+             for (py::ssize_t i = 0; i < points_m.shape(0); ++i) {
+               polygon.points_m.emplace_back(rows(i, 0), rows(i, 1));
+             }
+             return polygon;
+           }),
+           py::arg("points_m"), "Corners, (k, 2), k >= 3 [m].")
+      .def_property_readonly(
+          "points_m",
+          [](const Polygon& polygon) {
+            py::array_t<double> points({polygon.points_m.size(), std::size_t{2}});
+            for (std::size_t i = 0; i < polygon.points_m.size(); ++i) {
+              points.mutable_at(i, 0) = polygon.points_m[i].x();
+              points.mutable_at(i, 1) = polygon.points_m[i].y();
+            }
+            return points;
+          },
+          "Corners, float64 (k, 2) [m].")
+      .def("__repr__", [](const Polygon& polygon) {
+        return fmt::format("Polygon({} corners)", polygon.points_m.size());
+      });
+}
+
+void bind_start(py::module_& module) {
+  py::class_<ArmStart>(module, "ArmStart", "State of the arm that a motion starts from.")
+      .def(py::init([](const FloatArray& pressures_kpa, const FloatArray& backbone) {
+             return ArmStart{pressures_from(pressures_kpa, pressures_kpa.size(), "pressures_kpa"),
+                             backbone_from(backbone, backbone.size() / 3, "backbone")};
+           }),
+           py::arg("pressures_kpa"), py::arg("backbone"), "(n,) [kPa] and (m, 3).")
+      .def_property_readonly(
+          "pressures_kpa", [](const ArmStart& start) { return vector_array(start.pressures_kpa); },
+          "float32 (n,) [kPa].")
+      .def_property_readonly(
+          "backbone", [](const ArmStart& start) { return backbone_array<float>(start.backbone); },
+          "float32 (m, 3).")
+      .def("__repr__", [](const ArmStart& start) {
+        return fmt::format("ArmStart(segments={}, points={})", start.pressures_kpa.size(),
+                           start.backbone.rows());
+      });
+}
+
+/// Checked as a file is: written as YAML, and read back.
+Environment make_environment(const std::string& name, std::vector<Obstacle> obstacles,
+                             const PoseGoal& goal, std::optional<ArmStart> start) {
+  const Environment environment{name, std::move(obstacles), std::move(start), goal};
+  return read_environment(YamlReader::from_text(environment_to_yaml(environment), "Environment"));
+}
+
+}  // namespace
+
+void bind_environments(py::module_& module) {
+  bind_obstacles(module);
+  bind_start(module);
+  py::class_<Environment>(module, "Environment",
+                          "What a plan is made for: obstacles, start and goal, in frame B. Plans "
+                          "borrow it, so it does not change.")
+      .def(py::init(&make_environment), py::arg("name"), py::arg("obstacles"), py::arg("goal"),
+           py::arg("start") = py::none(), "Checked as a file is. Without start: at rest.")
+      .def_readonly("name", &Environment::name, "Of the file.")
+      .def_readonly("obstacles", &Environment::obstacles, "Circle, Rectangle, Polygon; copies.")
+      .def_property_readonly(
+          "goal", [](const Environment& e) { return e.goal; }, "A copy.")
+      .def_readonly("start", &Environment::start, "ArmStart, or None: at rest.")
+      .def("_repr_svg_", &obstacles_picture)
+      .def("__repr__", [](const Environment& environment) {
+        return fmt::format("Environment(name='{}', obstacles={}, goal=({}, {}))", environment.name,
+                           environment.obstacles.size(), environment.goal.x_m,
+                           environment.goal.y_m);
+      });
+  module.def(
+      "load_environment",
+      [](const std::filesystem::path& path, const ArmDescription* arm) {
+        return arm == nullptr ? load_environment(path) : load_environment(path, *arm);
+      },
+      py::arg("path"), py::arg("arm") = py::none(),
+      "Reads and checks an environment file (YAML); with an arm, that its start fits.");
+  module.def("environment_to_yaml", &environment_to_yaml, py::arg("environment"),
+             "The environment as the text of a file that load_environment reads.");
+  module.def(
+      "write_environment",
+      [](const std::filesystem::path& path, const Environment& environment) {
+        write_file_atomically(path, environment_to_yaml(environment));
+      },
+      py::arg("path"), py::arg("environment"), "Writes such a file.");
+  module.def("environment_hash", &environment_hash, py::arg("environment"),
+             "Of everything that planning depends on.");
+  module.def("start_state", &start_state, py::arg("environment"), py::arg("arm"),
+             "Where the arm starts: as the environment has it, or at rest.");
+}
+
+}  // namespace limber::python

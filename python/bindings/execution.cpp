@@ -1,0 +1,82 @@
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "caller_thread.hpp"
+#include "limber/hardware/executor.hpp"
+#include "python_driver.hpp"
+#include "record.hpp"
+#include "virtual_arm.hpp"
+
+namespace limber::python {
+
+namespace {
+
+ExecutionResult execute_with(const ArmDescription& arm, const Environment& environment,
+                             const Plan& plan, const py::object& driver,
+                             const ExecutionSettings& asked) {
+  ExecutionSettings settings = asked;
+  CallerThread caller;
+  settings.should_stop = [&] { return caller.should_stop(); };
+  if (py::isinstance<SharedVirtualArm>(driver)) {
+    const SharedVirtualArm::Use use(driver.cast<SharedVirtualArm&>());
+    return caller.run([&] { return execute(arm, environment, plan, *use, settings); });
+  }
+  PythonDriver python_driver(driver, caller);
+  return caller.run([&] { return execute(arm, environment, plan, python_driver, settings); });
+}
+
+void bind_findings(py::module_& module) {
+  py::enum_<ExecutionStatus>(module, "ExecutionStatus", "How an execution ended.")
+      .value("done", ExecutionStatus::done, "every frame was commanded")
+      .value("fault", ExecutionStatus::fault, "the arm failed")
+      .value("stopped", ExecutionStatus::stopped, "on request");
+  Record<ExecutionSettings>(module, "ExecutionSettings", "How a plan is executed.")
+      .field("hold_s", &ExecutionSettings::hold_s,
+             "The last set point is held this long, the plan's hold counted [s].")
+      .keywords()
+      .done();
+  Record<ExecutedError>(module, "ExecutedError", "Between predicted and executed tip.")
+      .read_only("mean_m", &ExecutedError::mean_m, "[m]")
+      .read_only("before_hold_m", &ExecutedError::before_hold_m, "Mean while it moves [m].")
+      .read_only("max_m", &ExecutedError::max_m, "[m]")
+      .read_only("final_m", &ExecutedError::final_m, "At the plan's last frame [m].")
+      .done();
+  Record<Contact>(module, "Contact", "The arm near or in an obstacle at one moment.")
+      .read_only("time_s", &Contact::time_s, "[s]")
+      .read_only("clearance", &Contact::clearance, "Clearance.")
+      .done();
+}
+
+}  // namespace
+
+void bind_execution(py::module_& module) {
+  bind_findings(module);
+  Record<ExecutionResult>(module, "ExecutionResult", "What came of executing a plan.")
+      .read_only("status", &ExecutionResult::status, "ExecutionStatus.")
+      .read_only("message", &ExecutionResult::message, "Of a fault; else empty.")
+      .read_only("frames", &ExecutionResult::frames, "Set points commanded.")
+      .read_only("goal_reached", &ExecutionResult::goal_reached, "After the hold.")
+      .read_only("goal_error", &ExecutionResult::goal_error, "PoseError after the hold.")
+      .read_only("collided", &ExecutionResult::collided, "Whether it touched an obstacle.")
+      .read_only("prediction", &ExecutionResult::prediction, "ExecutedError, or None.")
+      .done()
+      .def_readonly("start_error_m", &ExecutionResult::start_error_m,
+                    "Of a plate, before the first set point [m].")
+      .def_readonly("first_collision", &ExecutionResult::first_collision, "Contact, or None.")
+      .def_readonly("closest", &ExecutionResult::closest, "Contact, or None.")
+      .def_property_readonly(
+          "final_backbone",
+          [](const ExecutionResult& result) -> py::object {
+            return result.final_backbone ? py::object(backbone_array<float>(*result.final_backbone))
+                                         : py::none();
+          },
+          "float32 (m, 3) after the hold, or None.")
+      .def_readonly("episode", &ExecutionResult::episode, "What was commanded and measured.");
+  module.def("execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
+             py::arg("driver"), py::arg("settings") = ExecutionSettings{},
+             "Commands a plan's frames as they stand, then holds. The arm is vented before this "
+             "returns, whatever happens; Ctrl-C raises KeyboardInterrupt.");
+}
+
+}  // namespace limber::python

@@ -1,0 +1,167 @@
+#include "limber/forward/forward_model.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "limber/forward/parallel_forward.hpp"
+
+namespace limber::python {
+
+namespace {
+
+/// Scratch of this thread. What it holds never reaches a result.
+ForwardModel::Workspace& workspace() {
+  thread_local ForwardModel::Workspace scratch;
+  return scratch;
+}
+
+/// Sizes and numbers of one query or, with `rows` ≥ 0, of a batch.
+void require_query(const ForwardModel& model, py::ssize_t rows, const FloatArray& previous_kpa,
+                   const FloatArray& current_kpa, const FloatArray& previous) {
+  const py::ssize_t n = model.segment_count();
+  const py::ssize_t m = model.point_count();
+  const bool fits = rows < 0 ? previous_kpa.ndim() == 1 && previous_kpa.shape(0) == n &&
+                                   current_kpa.ndim() == 1 && current_kpa.shape(0) == n &&
+                                   previous.ndim() == 2 && previous.shape(0) == m &&
+                                   previous.shape(1) == 3
+                             : false;
+  if (!fits) {
+    require_shape(previous_kpa, rows < 0 ? Shape{n} : Shape{rows, n}, "previous_kpa");
+    require_shape(current_kpa, rows < 0 ? Shape{n} : Shape{rows, n}, "current_kpa");
+    require_shape(previous, rows < 0 ? Shape{m, 3} : Shape{rows, m, 3}, "previous");
+  }
+  require_finite(previous_kpa, "previous_kpa");
+  require_finite(current_kpa, "current_kpa");
+  require_finite(previous, "previous");
+}
+
+py::array_t<float> step(const ForwardModel& model, const FloatArray& previous_kpa,
+                        const FloatArray& current_kpa, const FloatArray& previous,
+                        const py::object& out) {
+  require_query(model, -1, previous_kpa, current_kpa, previous);
+  py::array_t<float> next = result_array(out, {model.point_count(), 3});
+  model.step(pressures_map(previous_kpa), pressures_map(current_kpa), backbone_map(previous),
+             Eigen::Map<Backbone>(next.mutable_data(), model.point_count(), 3), workspace());
+  return next;
+}
+
+py::array_t<float> checked_step(const ForwardModel& model, const FloatArray& previous_kpa,
+                                const FloatArray& current_kpa, const FloatArray& previous) {
+  require_query(model, -1, previous_kpa, current_kpa, previous);
+  return backbone_array<float>(model.checked_step(
+      pressures_map(previous_kpa), pressures_map(current_kpa), backbone_map(previous)));
+}
+
+/// The batch's results; `query` gets inputs and outputs as limber has them.
+template <class Query>
+py::array_t<float> batch(const ForwardModel& model, const FloatArray& previous_kpa,
+                         const FloatArray& current_kpa, const FloatArray& previous,
+                         const py::object& out, const Query& query) {
+  const py::ssize_t rows = batch_size(previous_kpa, "previous_kpa");
+  require_query(model, rows, previous_kpa, current_kpa, previous);
+  py::array_t<float> next = result_array(out, {rows, model.point_count(), 3});
+  require_no_part_of(next, previous, "previous");
+  require_no_part_of(next, previous_kpa, "previous_kpa");
+  require_no_part_of(next, current_kpa, "current_kpa");
+  const auto from = batch_map(previous_kpa);
+  const auto to = batch_map(current_kpa);
+  const auto before = batch_map(previous);
+  auto after = batch_map(next);
+  const py::gil_scoped_release others_may_run;
+  if (rows > 0) {
+    query(from, to, before, after);
+  }
+  return next;
+}
+
+py::array_t<float> step_batch(const ForwardModel& model, const FloatArray& previous_kpa,
+                              const FloatArray& current_kpa, const FloatArray& previous,
+                              const py::object& out) {
+  return batch(model, previous_kpa, current_kpa, previous, out,
+               [&](const auto& from, const auto& to, const auto& before, auto& after) {
+                 model.step_batch(from, to, before, after, workspace());
+               });
+}
+
+py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressures_kpa,
+                           const FloatArray& first) {
+  const py::ssize_t frames = batch_size(pressures_kpa, "pressures_kpa");
+  require_shape(pressures_kpa, {frames, model.segment_count()}, "pressures_kpa");
+  require_finite(pressures_kpa, "pressures_kpa");
+  require_shape(first, {model.point_count(), 3}, "first");
+  require_finite(first, "first");
+  py::array_t<float> backbones({frames, py::ssize_t{model.point_count()}, py::ssize_t{3}});
+  if (frames == 0) {
+    return backbones;
+  }
+  const auto pressures = batch_map(pressures_kpa);
+  auto result = batch_map(backbones);
+  std::copy_n(first.data(), first.size(), backbones.mutable_data());
+  const py::gil_scoped_release others_may_run;
+  model.rollout(pressures, result, workspace());
+  return backbones;
+}
+
+}  // namespace
+
+void bind_forward_model(py::module_& module) {
+  py::class_<ForwardModel>(
+      module, "ForwardModel",
+      "B_t = F(q_(t-1), q_t, B_(t-1)): the no-load model, or the no-load model compensated by a "
+      "network. A pure function: any number of threads may share it.")
+      .def(py::init([](const ArmDescription& arm, const CompensationModel* compensation) {
+             return compensation == nullptr ? ForwardModel(arm) : ForwardModel(arm, *compensation);
+           }),
+           py::arg("arm"), py::arg("compensation") = py::none(),
+           "Without a network the no-load model alone.")
+      .def_property_readonly("segment_count", &ForwardModel::segment_count, "n.")
+      .def_property_readonly("point_count", &ForwardModel::point_count, "m.")
+      .def_property_readonly("has_network", &ForwardModel::has_network, "Whether there is one.")
+      .def_property_readonly("no_load", &ForwardModel::no_load, "The simple model within.")
+      .def_property_readonly(
+          "compensation",
+          [](const ForwardModel& model) -> const CompensationModel* {
+            return model.has_network() ? &model.compensation() : nullptr;
+          },
+          py::return_value_policy::reference_internal, "The network, or None.")
+      .def("step", &step, py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
+           py::arg("out") = py::none(),
+           "One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3). `out` may be `previous`.")
+      .def("checked_step", &checked_step, py::arg("previous_kpa"), py::arg("current_kpa"),
+           py::arg("previous"), "The same; pressures beyond their limits are refused too.")
+      .def("step_batch", &step_batch, py::arg("previous_kpa"), py::arg("current_kpa"),
+           py::arg("previous"), py::arg("out") = py::none(),
+           "k queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3), each row to the "
+           "bit what step gives. `out` may be `previous`.")
+      .def("rollout", &rollout, py::arg("pressures_kpa"), py::arg("first"),
+           "Feeds its own output back: pressures float32 (T, n) [kPa] from backbone `first` "
+           "(m, 3) give (T, m, 3), row 0 being `first`.")
+      .def("__repr__", [](const ForwardModel& model) {
+        return fmt::format("ForwardModel(segments={}, points={}, network={})",
+                           model.segment_count(), model.point_count(),
+                           model.has_network() ? model.compensation().shape() : "None");
+      });
+  py::class_<ParallelForward>(module, "ParallelForward",
+                              "Large batches over several threads; the answers are the same for "
+                              "any number. One caller at a time.")
+      .def(py::init<int>(), py::arg("jobs") = 0, "0: one a core.")
+      .def_property_readonly("jobs", &ParallelForward::jobs, "Threads.")
+      .def(
+          "step_batch",
+          [](ParallelForward& parallel, const ForwardModel& model, const FloatArray& previous_kpa,
+             const FloatArray& current_kpa, const FloatArray& previous, const py::object& out) {
+            return batch(model, previous_kpa, current_kpa, previous, out,
+                         [&](const auto& from, const auto& to, const auto& before, auto& after) {
+                           parallel.step_batch(model, from, to, before, after);
+                         });
+          },
+          py::arg("model"), py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
+          py::arg("out") = py::none(),
+          "ForwardModel.step_batch, in parts of some hundred queries.");
+}
+
+}  // namespace limber::python

@@ -1,0 +1,62 @@
+#include <pybind11/stl/filesystem.h>
+#include <nlohmann/json.hpp>
+
+#include "bindings.hpp"
+#include "limber/arm/valve_file.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/network/prediction_error.hpp"
+#include "limber/report/certificate_report.hpp"
+#include "limber/report/execution_report.hpp"
+#include "limber/report/plan_report.hpp"
+#include "limber/report/training_report.hpp"
+
+namespace limber::python {
+
+namespace py = pybind11;
+
+namespace {
+
+/// What the program prints with --json, as Python's own dicts and numbers.
+py::object to_python(const nlohmann::ordered_json& json) {
+  return py::module_::import("json").attr("loads")(json.dump());
+}
+
+}  // namespace
+
+void bind_json(py::module_& module) {
+  module.def(
+      "to_json", [](const Evaluation& evaluation) { return to_python(to_json(evaluation)); },
+      py::arg("evaluation"), "The dict of `limber evaluate --json`.");
+  module.def(
+      "to_json",
+      [](const Certificate& certificate, const Environment& environment) {
+        return to_python(to_json(certificate, environment));
+      },
+      py::arg("certificate"), py::arg("environment"), "The dict of `limber verify --json`.");
+  module.def(
+      "to_json",
+      [](const PlanResult& result, const PoseGoal& goal, const std::string& planner,
+         const std::string& model,
+         std::uint64_t seed) { return to_python(to_json(result, goal, planner, model, seed)); },
+      py::arg("result"), py::arg("goal"), py::arg("planner"), py::arg("model"), py::arg("seed"),
+      "The dict of `limber plan --json`.");
+  module.def(
+      "to_json",
+      [](const ExecutionResult& result, const Environment& environment) {
+        return to_python(execution_to_json(result, environment));
+      },
+      py::arg("result"), py::arg("environment"), "The dict of `limber execute --json`.");
+  module.def(
+      "to_json", [](const IdentifiedValves& valves) { return to_python(to_json(valves)); },
+      py::arg("valves"), "Keys as in a valve file.");
+  module.def(
+      "to_json", [](const PredictionError& error) { return to_python(to_json(error)); },
+      py::arg("error"), "The object `prediction_error` of `limber train --json`.");
+  module.def(
+      "content_hash",
+      [](const std::filesystem::path& path) { return content_hash(read_file(path)); },
+      py::arg("path"), "Of a file: what plans and models say of the files they were made with.");
+}
+
+}  // namespace limber::python

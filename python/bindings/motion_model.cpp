@@ -1,0 +1,110 @@
+#include "limber/forward/motion_model.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "limber/common/error.hpp"
+#include "limber/forward/error_room.hpp"
+#include "limber/forward/recorded_region.hpp"
+#include "record.hpp"
+
+namespace limber::python {
+
+namespace {
+
+void step(const MotionModel& model, const FloatArray& setpoint_kpa, MotionState& state) {
+  thread_local MotionModel::Workspace scratch;
+  require_shape(setpoint_kpa, {model.segment_count()}, "setpoint_kpa");
+  require_finite(setpoint_kpa, "setpoint_kpa");
+  if (state.valves.size() != model.valves().state_size() ||
+      state.backbone.rows() != model.point_count()) {
+    throw InputError(
+        "state: of another arm or other valves; settled_state of this model makes one");
+  }
+  model.step(pressures_map(setpoint_kpa), state, scratch);
+}
+
+void bind_error_room(py::module_& module) {
+  Record<ErrorRoom>(module, "ErrorRoom", "What plans keep in hand for the model's error.")
+      .read_only("margin_m", &ErrorRoom::margin_m, "Clearance from obstacles [m].")
+      .read_only("goal_margin", &ErrorRoom::goal_margin, "Way to the goal's rim.")
+      .read_only("margin_yields_to_start", &ErrorRoom::margin_yields_to_start,
+                 "Whether nobody has asked for this very amount.")
+      .read_only("note", &ErrorRoom::note, "Why the amounts are no measured ones.")
+      .done();
+  module.def(
+      "error_room",
+      [](const ForwardModel& model, std::optional<double> margin_m,
+         std::optional<double> goal_margin_m, std::optional<double> goal_margin_rad) {
+        return error_room(model, {margin_m, goal_margin_m, goal_margin_rad});
+      },
+      py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
+      py::arg("goal_margin_rad") = py::none(),
+      "What a model says it errs by, or the amounts that are given instead.");
+}
+
+}  // namespace
+
+void bind_motion_model(py::module_& module) {
+  py::class_<MotionState>(module, "MotionState",
+                          "Everything that decides an arm's future under set points.")
+      .def_property_readonly(
+          "pressure_kpa",
+          [](const MotionState& state) { return vector_array(Pressures(state.pressure_kpa())); },
+          "float32 (n,) [kPa], a copy.")
+      .def_property_readonly(
+          "setpoint_kpa",
+          [](const MotionState& state) { return vector_array(Pressures(state.setpoint_kpa())); },
+          "The last ones, float32 (n,) [kPa], a copy.")
+      .def_property_readonly(
+          "backbone",
+          [](const MotionState& state) { return backbone_array<float>(state.backbone); },
+          "float32 (m, 3), a copy.")
+      .def(
+          "copy", [](const MotionState& state) { return state; }, "Another one like this.")
+      .def("__eq__", [](const MotionState& a, const MotionState& b) { return a == b; })
+      .def("__repr__", [](const MotionState& state) {
+        const Pose tip = tip_pose<float>(state.backbone);
+        return fmt::format("MotionState(tip=({:.4f} m, {:.4f} m, {:.3f} rad))", tip.x_m, tip.y_m,
+                           tip.theta_rad);
+      });
+  py::class_<MotionModel>(module, "MotionModel",
+                          "Set points to backbones, frame by frame: valves, and behind them the "
+                          "forward model. Constant: share it freely.")
+      .def(py::init([](const ForwardModel& forward, const ValveModel* valves) {
+             return valves == nullptr ? MotionModel(forward) : MotionModel(forward, *valves);
+           }),
+           py::arg("forward"), py::arg("valves") = py::none(), py::keep_alive<1, 2>(),
+           "Without valves pressures are the set points.")
+      .def_property_readonly("forward", &MotionModel::forward,
+                             py::return_value_policy::reference_internal, "The forward model.")
+      .def_property_readonly("valves", &MotionModel::valves,
+                             py::return_value_policy::reference_internal, "The valves.")
+      .def_property_readonly("segment_count", &MotionModel::segment_count, "n.")
+      .def_property_readonly("point_count", &MotionModel::point_count, "m.")
+      .def_property_readonly("has_network", &MotionModel::has_network, "Whether there is one.")
+      .def(
+          "settled_state",
+          [](const MotionModel& model, const FloatArray& kpa, const FloatArray& backbone) {
+            return model.settled_state(pressures_from(kpa, model.segment_count(), "kpa"),
+                                       backbone_from(backbone, model.point_count(), "backbone"));
+          },
+          py::arg("kpa"), py::arg("backbone"),
+          "Of an arm that has long stood at (n,) [kPa] with backbone (m, 3).")
+      .def("step", &step, py::arg("setpoint_kpa"), py::arg("state"),
+           "One frame at set points float32 (n,) [kPa]: `state` becomes what follows it.")
+      .def("__repr__", [](const MotionModel& model) {
+        return fmt::format("MotionModel(network={}, valves={})",
+                           model.has_network() ? model.compensation().shape() : "None",
+                           model.valves().is_ideal() ? "ideal" : "identified");
+      });
+  py::class_<RecordedRegion>(module, "RecordedRegion",
+                             "Judges whether motions stay within what the recordings held.")
+      .def(py::init<const LearntRegion&, double>(), py::arg("learnt"), py::arg("frame_rate_hz"),
+           py::keep_alive<1, 2>());
+  bind_error_room(module);
+}
+
+}  // namespace limber::python

@@ -1,0 +1,98 @@
+#include "limber/network/compensation_model.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "record.hpp"
+
+namespace limber::python {
+
+namespace {
+
+void bind_layer(py::module_& module) {
+  py::class_<Layer>(module, "Layer",
+                    "One layer, y = W x + b, with ReLU behind every layer but the last.")
+      .def_property_readonly(
+          "weight",
+          [](const py::object& self) {
+            const Eigen::MatrixXf& weight = self.cast<const Layer&>().weight;
+            const auto item = static_cast<py::ssize_t>(sizeof(float));
+            return py::array_t<float>({weight.rows(), weight.cols()}, {item, item * weight.rows()},
+                                      weight.data(), self);
+          },
+          "float32 (out, in), a view.")
+      .def_property_readonly(
+          "bias",
+          [](const py::object& self) {
+            const Eigen::VectorXf& bias = self.cast<const Layer&>().bias;
+            return view_of(bias.data(), {bias.size()}, self);
+          },
+          "float32 (out,), a view.")
+      .def("__repr__", [](const Layer& layer) {
+        return fmt::format("Layer({} -> {})", layer.weight.cols(), layer.weight.rows());
+      });
+}
+
+}  // namespace
+
+void bind_networks(py::module_& module) {
+  bind_layer(module);
+  Record<PredictionError>(module, "PredictionError",
+                          "How far predictions were from the arm on motions that neither trained "
+                          "nor chose the model; not exceeded by 95 % of the runs.")
+      .read_only("runs", &PredictionError::runs, "That it was measured over.")
+      .read_only("run_s", &PredictionError::run_s, "Their mean length [s].")
+      .read_only("max_position_m", &PredictionError::max_position_m, "Of any plate [m].")
+      .read_only("off_path_m", &PredictionError::off_path_m, "Off the predicted motion [m].")
+      .read_only("end_position_m", &PredictionError::end_position_m, "Of the tip at the end [m].")
+      .read_only("end_orientation_rad", &PredictionError::end_orientation_rad,
+                 "Of its heading [rad].")
+      .done();
+  py::class_<LearntRegion>(
+      module, "LearntRegion",
+      "What the training recordings held: ranges of pressures, rates, shapes.");
+  py::class_<CompensationModel>(module, "CompensationModel",
+                                "The network with everything needed to use it.")
+      .def_property_readonly(
+          "layers",
+          [](const py::object& self) {
+            py::list layers;
+            for (const Layer& layer : self.cast<const CompensationModel&>().layers) {
+              layers.append(py::cast(&layer, py::return_value_policy::reference_internal, self));
+            }
+            return layers;
+          },
+          "Of the leading network; no copies.")
+      .def_property_readonly("member_count", &CompensationModel::member_count,
+                             "Networks of the ensemble, 1 where it is none.")
+      .def_property_readonly("shape", &CompensationModel::shape, "\"102-100-100-100-48\".")
+      .def_readonly("arm_name", &CompensationModel::arm_name, "Of the arm it was trained for.")
+      .def_readonly("arm_hash", &CompensationModel::arm_hash, "ArmDescription.hash() of it.")
+      .def_readonly("preset", &CompensationModel::preset, "\"paper\" or \"best\".")
+      .def_readwrite("training", &CompensationModel::training,
+                     "Record of the training, a dict of texts; assign a whole one.")
+      .def_readwrite("valves", &CompensationModel::valves,
+                     "Between set points and pressures of the recordings, or None.")
+      .def_readonly("valve_findings", &CompensationModel::valve_findings, "How they were found.")
+      .def_readonly("prediction_error", &CompensationModel::prediction_error,
+                    "On motions it has not seen, or None.")
+      .def_readwrite("learnt", &CompensationModel::learnt,
+                     "What the recordings held, or None: see learnt_region_of.")
+      .def("set_valves", &CompensationModel::set_valves, py::arg("identified"),
+           "Stores valves and how they were found.")
+      .def("__repr__", [](const CompensationModel& model) {
+        return fmt::format("CompensationModel(arm='{}', shape='{}', preset='{}', members={})",
+                           model.arm_name, model.shape(), model.preset, model.member_count());
+      });
+  module.def("read_model", &read_model, py::arg("path"), "Reads and checks a model (safetensors).");
+  module.def("write_model", &write_model, py::arg("path"), py::arg("model"),
+             "Writes a model (safetensors), atomically.");
+  module.def("require_model_of", &require_model_of, py::arg("model"), py::arg("arm"),
+             py::arg("where") = "model",
+             "Raises InputError unless the model was trained for the arm.");
+}
+
+}  // namespace limber::python

@@ -1,0 +1,110 @@
+#include "limber/arm/no_load_model.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "record.hpp"
+
+namespace limber::python {
+
+namespace {
+
+/// Shape (m, 3) of (n,), or (k, m, 3) of (k, n).
+py::array_t<float> backbone(const NoLoadModel& model, const FloatArray& pressures_kpa,
+                            const py::object& out) {
+  const py::ssize_t n = model.segment_count();
+  const py::ssize_t m = model.point_count();
+  const bool batch = pressures_kpa.ndim() == 2;
+  const py::ssize_t count = batch ? pressures_kpa.shape(0) : 1;
+  require_shape(pressures_kpa, batch ? Shape{count, n} : Shape{n}, "pressures_kpa");
+  require_finite(pressures_kpa, "pressures_kpa");
+  py::array_t<float> result = result_array(out, batch ? Shape{count, m, 3} : Shape{m, 3});
+  float* to = result.mutable_data();
+  const float* from = pressures_kpa.data();
+  const auto run = [&] {
+    for (py::ssize_t i = 0; i < count; ++i) {
+      model.backbone(Eigen::Map<const Eigen::VectorXf>(from + i * n, n),
+                     Eigen::Map<Backbone>(to + i * 3 * m, m, 3));
+    }
+  };
+  if (batch) {
+    const py::gil_scoped_release others_may_run;
+    run();
+  } else {
+    run();
+  }
+  return result;
+}
+
+void require_segment(const NoLoadModel& model, int segment) {
+  if (segment < 0 || segment >= model.segment_count()) {
+    throw py::index_error(
+        fmt::format("segment {}; expected 0 to {}", segment, model.segment_count() - 1));
+  }
+}
+
+}  // namespace
+
+void bind_no_load_model(py::module_& module) {
+  Record<SegmentShape>(module, "SegmentShape", "Curvature and length of one segment.")
+      .read_only("curvature_per_m", &SegmentShape::curvature_per_m, "Positive bends left [1/m].")
+      .read_only("length_m", &SegmentShape::length_m, "[m]")
+      .done();
+  Record<SegmentPressure>(module, "SegmentPressure", "A pressure that bends a segment as wanted.")
+      .read_only("pressure_kpa", &SegmentPressure::pressure_kpa, "Within the limit [kPa].")
+      .read_only("reachable", &SegmentPressure::reachable,
+                 "False where more than the limit would be needed.")
+      .done();
+  py::class_<NoLoadModel>(
+      module, "NoLoadModel",
+      "Shape of the unloaded, frictionless arm at given pressures. Constant: any number of "
+      "threads may share it.")
+      .def(py::init<const ArmDescription&>(), py::arg("arm"))
+      .def_property_readonly("segment_count", &NoLoadModel::segment_count, "n.")
+      .def_property_readonly("point_count", &NoLoadModel::point_count, "m.")
+      .def("backbone", &backbone, py::arg("pressures_kpa"), py::arg("out") = py::none(),
+           "Backbone at pressures [kPa]: float32 (n,) gives (m, 3), rows x_m, y_m, theta_rad from "
+           "base to tip; (k, n) gives (k, m, 3). Written to `out` where one is given.")
+      .def(
+          "segment_shape",
+          [](const NoLoadModel& model, int segment, double pressure_kpa) {
+            require_segment(model, segment);
+            return model.segment_shape(segment, pressure_kpa);
+          },
+          py::arg("segment"), py::arg("pressure_kpa"), "Equations (3) and (4) of one segment.")
+      .def(
+          "pressure_for_curvature",
+          [](const NoLoadModel& model, int segment, double curvature_per_m) {
+            require_segment(model, segment);
+            return model.pressure_for_curvature(segment, curvature_per_m);
+          },
+          py::arg("segment"), py::arg("curvature_per_m"), "Their inverse, (11).")
+      .def(
+          "curvature_limit_per_m",
+          [](const NoLoadModel& model, int segment) {
+            require_segment(model, segment);
+            return model.curvature_limit_per_m(segment);
+          },
+          py::arg("segment"), "Largest curvature that the pressure limit allows [1/m].")
+      .def("__repr__", [](const NoLoadModel& model) {
+        return fmt::format("NoLoadModel(segments={}, points={})", model.segment_count(),
+                           model.point_count());
+      });
+  module.def(
+      "tip_pose",
+      [](const DoubleArray& backbone) {
+        if (backbone.ndim() != 2 || backbone.shape(1) != 3 || backbone.shape(0) == 0) {
+          require_shape(backbone, {std::max<py::ssize_t>(1, backbone.size() / 3), 3}, "backbone");
+        }
+        const auto rows = backbone.unchecked<2>();
+        const py::ssize_t last = backbone.shape(0) - 1;
+        return Pose{rows(last, 0), rows(last, 1), rows(last, 2)};
+      },
+      py::arg("backbone"), "Pose of the end effector: the last row of (m, 3).");
+}
+
+}  // namespace limber::python

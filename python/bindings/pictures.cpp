@@ -1,0 +1,142 @@
+#include "pictures.hpp"
+
+#include <algorithm>
+
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "limber/hardware/executor.hpp"
+#include "limber/planning/planner.hpp"
+#include "limber/plot/svg_drawing.hpp"
+#include "limber/report/animation.hpp"
+#include "limber/report/execution_picture.hpp"
+#include "limber/report/plan_picture.hpp"
+#include "limber/report/training_report.hpp"
+#include "limber/world/obstacle_shape.hpp"
+
+namespace limber::python {
+
+namespace {
+
+constexpr double kWidthPx = 420.0;  // beside a notebook's text
+constexpr double kRoom = 0.1;       // about a picture's content, of its size
+
+/// Grows to hold a square about a point.
+void hold(WorldBox& box, double x_m, double y_m, double radius_m) {
+  box.x_min_m = std::min(box.x_min_m, x_m - radius_m);
+  box.x_max_m = std::max(box.x_max_m, x_m + radius_m);
+  box.y_min_m = std::min(box.y_min_m, y_m - radius_m);
+  box.y_max_m = std::max(box.y_max_m, y_m + radius_m);
+}
+
+void hold(WorldBox& box, const Obstacle& obstacle) {
+  if (const auto* circle = std::get_if<Circle>(&obstacle)) {
+    hold(box, circle->x_m, circle->y_m, circle->radius_m);
+  } else if (const auto* rectangle = std::get_if<Rectangle>(&obstacle)) {
+    for (const Eigen::Vector2d& corner : rectangle_corners(*rectangle)) {
+      hold(box, corner.x(), corner.y(), 0.0);
+    }
+  } else {
+    for (const Eigen::Vector2d& point : std::get<Polygon>(obstacle).points_m) {
+      hold(box, point.x(), point.y(), 0.0);
+    }
+  }
+}
+
+WorldBox with_room(WorldBox box) {
+  const double room_m =
+      kRoom * std::max(box.x_max_m - box.x_min_m, box.y_max_m - box.y_min_m) + 0.01;
+  return {box.x_min_m - room_m, box.x_max_m + room_m, box.y_min_m - room_m, box.y_max_m + room_m};
+}
+
+WorldBox box_of(const ArmDescription& arm, const Backbone& backbone) {
+  WorldBox box{0.0, 0.0, 0.0, 0.0};
+  double width_m = 0.0;
+  for (const Segment& segment : arm.segments) {
+    width_m = std::max(width_m, segment.width_m);
+  }
+  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+    hold(box, double(backbone(i, 0)), double(backbone(i, 1)), width_m);
+  }
+  return box;
+}
+
+const ShapeStyle& arm_style() {
+  static const ShapeStyle style{.fill = palette_color(kNetworkColor), .stroke = "none"};
+  return style;
+}
+
+}  // namespace
+
+std::string backbone_picture(const ArmDescription& arm, const Backbone& backbone) {
+  SvgDrawing drawing(with_room(box_of(arm, backbone)), kWidthPx, arm.name);
+  drawing.axes();
+  draw_arm(drawing, arm, backbone, arm_style());
+  return drawing.svg();
+}
+
+std::string arm_picture(const ArmDescription& arm) {
+  return backbone_picture(arm, start_state(Environment(), arm).backbone);
+}
+
+std::string obstacles_picture(const Environment& environment) {
+  WorldBox box{0.0, 0.0, 0.0, 0.0};  // the arm's base, whatever else there is
+  for (const Obstacle& obstacle : environment.obstacles) {
+    hold(box, obstacle);
+  }
+  const PoseGoal& goal = environment.goal;
+  hold(box, goal.x_m, goal.y_m, goal.position_tolerance_m);
+  SvgDrawing drawing(with_room(box), kWidthPx, environment.name);
+  drawing.axes();
+  draw_environment(drawing, environment);
+  return drawing.svg();
+}
+
+std::string motion_picture(const Plan& plan) {
+  if (plan.arm_description.empty() || plan.frames.empty()) {
+    return {};
+  }
+  const ArmDescription arm = read_arm_keys(plan.arm_description, "plan");
+  WorldBox box = box_of(arm, plan.frames.front().backbone);
+  for (const PlanFrame& frame : plan.frames) {
+    const WorldBox more = box_of(arm, frame.backbone);
+    hold(box, more.x_min_m, more.y_min_m, 0.0);
+    hold(box, more.x_max_m, more.y_max_m, 0.0);
+  }
+  SvgDrawing drawing(with_room(box), kWidthPx, plan.environment_name);
+  drawing.axes();
+  draw_plan(drawing, arm, plan);
+  return drawing.svg();
+}
+
+void bind_pictures(py::module_& module) {
+  module.def("environment_picture", &environment_picture, py::arg("arm"), py::arg("environment"),
+             "The environment with the arm at its start, as an SVG file's text.");
+  module.def("plan_picture", &plan_picture, py::arg("arm"), py::arg("environment"),
+             py::arg("result"),
+             "Environment, search tree and plan (or the nearest motion, dashed), as SVG text.");
+  module.def("plan_animation", &plan_animation, py::arg("arm"), py::arg("environment"),
+             py::arg("plan"), "One self-contained HTML page in which the arm moves.");
+  module.def(
+      "pressure_picture",
+      [](const ArmDescription& arm, const Plan& plan) { return pressure_picture(arm, plan); },
+      py::arg("arm"), py::arg("plan"),
+      "Set points and the pressures predicted from them over time, as SVG text.");
+  module.def("execution_picture", &execution_picture, py::arg("arm"), py::arg("environment"),
+             py::arg("plan"), py::arg("result"),
+             "One run beside its prediction, as an SVG file's text.");
+  module.def("execution_animation", &execution_animation, py::arg("arm"), py::arg("environment"),
+             py::arg("plan"), py::arg("result"),
+             "A page in which the arm moves, as predicted and as measured.");
+  module.def("learning_curve_svg", &learning_curve_svg, py::arg("curve"),
+             "Loss and validation error over epochs, as SVG text.");
+  module.def(
+      "arm_svg",
+      [](const ArmDescription& arm, const FloatArray& backbone) {
+        return backbone_picture(arm, backbone_from(backbone, arm.point_count(), "backbone"));
+      },
+      py::arg("arm"), py::arg("backbone"), "The arm with this backbone, float32 (m, 3), as SVG.");
+}
+
+}  // namespace limber::python

@@ -1,0 +1,117 @@
+#include "limber/world/plan.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "pictures.hpp"
+#include "record.hpp"
+
+namespace limber::python {
+
+namespace {
+
+/// One row a frame of what `member` names, shape (T, n).
+template <class Frames, class Get>
+py::array_t<float> rows_of(const Frames& frames, const Get& get) {
+  const auto count = static_cast<py::ssize_t>(frames.size());
+  const py::ssize_t n = frames.empty() ? 0 : get(frames.front()).size();
+  py::array_t<float> rows({count, n});
+  float* to = rows.mutable_data();
+  for (const auto& frame : frames) {
+    to = std::copy_n(get(frame).data(), n, to);
+  }
+  return rows;
+}
+
+py::array_t<float> backbones_of(const Plan& plan) {
+  const py::array_t<float> rows = rows_of(
+      plan.frames, [](const PlanFrame& frame) -> const Backbone& { return frame.backbone; });
+  return rows.attr("reshape")(rows.shape(0), -1, 3);
+}
+
+void bind_plan(py::module_& module) {
+  Record<CertifiedFigures>(module, "CertifiedFigures", "What its certificate said of a plan.")
+      .read_only("clearance_m", &CertifiedFigures::clearance_m, "[m]; inf without obstacles.")
+      .read_only("max_deviation_m", &CertifiedFigures::max_deviation_m, "Of a plate [m].")
+      .read_only("seal_is_intact", &CertifiedFigures::seal_is_intact,
+                 "False where the file was changed since.")
+      .done();
+  Record<Plan>(module, "Plan",
+               "A motion in pressure space. Its frames are executed as they stand, never "
+               "resampled.")
+      .read_only("arm_name", &Plan::arm_name, "Of the arm.")
+      .read_only("model", &Plan::model, "\"no_load\" or \"network\".")
+      .read_only("environment_name", &Plan::environment_name, "Of the environment.")
+      .read_only("planner", &Plan::planner, "Its planner.")
+      .read_only("seed", &Plan::seed, "Its seed.")
+      .property("frame_count", &Plan::frame_count, "T, start and hold included.")
+      .property("duration_s", &Plan::duration_s, "Hold included [s].")
+      .read_only("cost_kpa", &Plan::cost_kpa, "Sum of |dp| over segments and frames [kPa].")
+      .read_only("clearance_m", &Plan::clearance_m, "Smallest predicted [m].")
+      .read_only("goal_distance_m", &Plan::goal_distance_m, "Predicted, after the hold [m].")
+      .done()
+      .def_readwrite("model_hash", &Plan::model_hash,
+                     "content_hash of the model's file; empty for the no-load model.")
+      .def_readonly("arm_hash", &Plan::arm_hash, "Of the arm.")
+      .def_readonly("valves_hash", &Plan::valves_hash, "Of its valves; empty: none.")
+      .def_readonly("environment_hash", &Plan::environment_hash, "Of the environment.")
+      .def_readonly("margin_m", &Plan::margin_m, "Clearance asked for [m].")
+      .def_readonly("frame_rate_hz", &Plan::frame_rate_hz, "Frames a second.")
+      .def_readonly("hold_frame_count", &Plan::hold_frame_count,
+                    "The last frames, which repeat the final set point.")
+      .def_readonly("goal_orientation_rad", &Plan::goal_orientation_rad, "Predicted [rad].")
+      .def_readonly("program_version", &Plan::program_version, "That made it.")
+      .def_readonly("certified", &Plan::certified, "CertifiedFigures, or None: not certified.")
+      .def_property_readonly(
+          "waypoints_kpa",
+          [](const Plan& plan) {
+            return rows_of(plan.waypoints_kpa,
+                           [](const Pressures& p) -> const Pressures& { return p; });
+          },
+          "Start first, float32 (w, n) [kPa]; a copy.")
+      .def_property_readonly(
+          "setpoint_kpa",
+          [](const Plan& plan) {
+            return rows_of(plan.frames,
+                           [](const PlanFrame& f) -> const Pressures& { return f.setpoint_kpa; });
+          },
+          "Commanded, float32 (T, n) [kPa]; a copy.")
+      .def_property_readonly(
+          "pressure_kpa",
+          [](const Plan& plan) {
+            return rows_of(plan.frames,
+                           [](const PlanFrame& f) -> const Pressures& { return f.pressure_kpa; });
+          },
+          "Predicted, float32 (T, n) [kPa]; a copy.")
+      .def_property_readonly("backbone", &backbones_of, "Predicted, float32 (T, m, 3); a copy.")
+      .def("_repr_svg_", [](const Plan& plan) -> std::optional<std::string> {
+        std::string picture = motion_picture(plan);
+        return picture.empty() ? std::nullopt : std::optional(std::move(picture));
+      });
+}
+
+}  // namespace
+
+void bind_plans(py::module_& module) {
+  bind_plan(module);
+  module.def("read_plan", &read_plan, py::arg("path"),
+             "Reads and checks a plan (JSON). Raises InputError naming file and field.");
+  module.def("read_plan_unjudged", &read_plan_unjudged, py::arg("path"),
+             "Reads what `certify` is to judge: types and finite numbers alone are checked.");
+  module.def("write_plan", &write_plan, py::arg("path"), py::arg("plan"),
+             "Writes a plan (JSON), atomically, every number exactly.");
+  module.def("write_setpoints_csv", &write_setpoints_csv, py::arg("path"), py::arg("plan"),
+             "Set points for a valve controller, one row a frame.");
+  module.def("write_backbones_csv", &write_backbones_csv, py::arg("path"), py::arg("plan"),
+             "Predicted shapes, one row a frame.");
+  module.def("require_plan_of", &require_plan_of, py::arg("plan"), py::arg("arm"),
+             py::arg("file") = "plan",
+             "Raises InputError where the plan was made for another arm or breaks its limits.");
+}
+
+}  // namespace limber::python

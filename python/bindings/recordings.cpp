@@ -1,0 +1,234 @@
+#include "limber/data/recording.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "episodes.hpp"
+#include "limber/data/recording_export.hpp"
+#include "limber/data/recording_inspection.hpp"
+#include "limber/data/valve_identification.hpp"
+
+namespace limber::python {
+
+namespace {
+
+template <class Array>
+void require_rows(const Array& array, py::ssize_t frames, const char* name) {
+  if (array.ndim() == 0 || array.shape(0) != frames) {
+    throw InputError(fmt::format("{} has shape {}; expected {} frames, as time_s has", name,
+                                 to_text(shape_of(array)), frames));
+  }
+}
+
+FrameMatrix frames_from(const FloatArray& array, py::ssize_t frames, const char* name) {
+  require_rows(array, frames, name);
+  const py::ssize_t columns = frames == 0 ? 0 : array.size() / frames;
+  return Eigen::Map<const FrameMatrix>(array.data(), frames, columns);
+}
+
+template <class Number>
+std::vector<Number> numbers_from(
+    const py::array_t<Number, py::array::c_style | py::array::forcecast>& array, py::ssize_t frames,
+    const char* name) {
+  require_rows(array, frames, name);
+  require_shape(array, {frames}, name);
+  return {array.data(), array.data() + frames};
+}
+
+Episode make_episode(
+    const DoubleArray& time_s, const FloatArray& pressure_kpa, const FloatArray& setpoint_kpa,
+    const FloatArray& backbone,
+    const py::array_t<int, py::array::c_style | py::array::forcecast>& motion_index,
+    const py::object& tracked) {
+  Episode episode;
+  const py::ssize_t frames = time_s.size();
+  require_shape(time_s, {frames}, "time_s");
+  episode.time_s = Eigen::Map<const Eigen::VectorXd>(time_s.data(), frames);
+  episode.pressure_kpa = frames_from(pressure_kpa, frames, "pressure_kpa");
+  episode.setpoint_kpa = frames_from(setpoint_kpa, frames, "setpoint_kpa");
+  if (backbone.ndim() != 3 || backbone.shape(2) != 3) {
+    throw InputError(
+        fmt::format("backbone has shape {}; expected (T, m, 3)", to_text(shape_of(backbone))));
+  }
+  episode.backbone = frames_from(backbone, frames, "backbone");
+  episode.motion_index = numbers_from<int>(motion_index, frames, "motion_index");
+  if (!tracked.is_none()) {
+    using Flags = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
+    episode.tracked = numbers_from<std::uint8_t>(tracked.cast<Flags>(), frames, "tracked");
+  }
+  return episode;
+}
+
+py::array_t<float> view_of_frames(const FrameMatrix& matrix, const py::object& owner) {
+  return view_of(matrix.data(), {matrix.rows(), matrix.cols()}, owner);
+}
+
+void bind_episode(py::module_& module) {
+  py::class_<Episode>(module, "Episode",
+                      "One unbroken run of the arm: T frames, n segments, m plates. Its arrays "
+                      "are views of limber's own memory.")
+      .def(py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
+           py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
+           py::arg("tracked") = py::none(),
+           "Copies its arrays once: (T,), (T, n), (T, n), (T, m, 3), (T,), and (T,) or None.")
+      .def_property_readonly(
+          "time_s",
+          [](const py::object& self) {
+            const auto& episode = self.cast<const Episode&>();
+            return view_of(episode.time_s.data(), {episode.time_s.size()}, self);
+          },
+          "float64 (T,) [s].")
+      .def_property_readonly(
+          "pressure_kpa",
+          [](const py::object& self) {
+            return view_of_frames(self.cast<const Episode&>().pressure_kpa, self);
+          },
+          "Measured, float32 (T, n) [kPa].")
+      .def_property_readonly(
+          "setpoint_kpa",
+          [](const py::object& self) {
+            return view_of_frames(self.cast<const Episode&>().setpoint_kpa, self);
+          },
+          "Commanded, float32 (T, n) [kPa].")
+      .def_property_readonly(
+          "backbone",
+          [](const py::object& self) {
+            const FrameMatrix& rows = self.cast<const Episode&>().backbone;
+            return view_of(rows.data(), {rows.rows(), rows.cols() / 3, 3}, self);
+          },
+          "Poses x_m, y_m, theta_rad of the plates, float32 (T, m, 3).")
+      .def_property_readonly(
+          "motion_index",
+          [](const py::object& self) {
+            const auto& index = self.cast<const Episode&>().motion_index;
+            return view_of(index.data(), {static_cast<py::ssize_t>(index.size())}, self);
+          },
+          "Number of the commanded motion that a frame belongs to, int32 (T,).")
+      .def_property_readonly(
+          "tracked",
+          [](const Episode& episode) {
+            py::array_t<bool> tracked(episode.frame_count());
+            for (int t = 0; t < episode.frame_count(); ++t) {
+              tracked.mutable_at(t) = episode.was_tracked(t);
+            }
+            return tracked;
+          },
+          "Whether the backbone was seen, bool (T,); a copy.")
+      .def_property_readonly("frame_count", &Episode::frame_count, "T.")
+      .def_property_readonly("untracked_count", &Episode::untracked_count,
+                             "Frames without a measured backbone.")
+      .def("__len__", &Episode::frame_count)
+      .def("__repr__", [](const Episode& episode) {
+        return fmt::format("Episode(frames={}, segments={}, points={})", episode.frame_count(),
+                           episode.pressure_kpa.cols(), episode.backbone.cols() / 3);
+      });
+}
+
+void bind_recording(py::module_& module) {
+  py::class_<Recording>(module, "Recording", "Recorded motion of an arm.")
+      .def_readonly("arm_name", &Recording::arm_name, "Of the arm that moved.")
+      .def_readonly("arm_hash", &Recording::arm_hash, "ArmDescription.hash() of it.")
+      .def_readonly("segment_count", &Recording::segment_count, "n.")
+      .def_readonly("point_count", &Recording::point_count, "m.")
+      .def_readonly("rate_hz", &Recording::rate_hz, "Frames a second.")
+      .def_readonly("seed", &Recording::seed, "Of the schedule and of noise.")
+      .def_readonly("source", &Recording::source, "\"virtual arm\", \"motive log.csv\", ...")
+      .def_readwrite("settings", &Recording::settings, "How it was collected, in words.")
+      .def_readonly("program_version", &Recording::program_version, "That wrote the file.")
+      .def_property_readonly(
+          "episodes",
+          [](const py::object& self) {
+            py::list episodes;
+            for (const Episode& episode : self.cast<const Recording&>().episodes) {
+              episodes.append(
+                  py::cast(&episode, py::return_value_policy::reference_internal, self));
+            }
+            return episodes;
+          },
+          "Its runs; no copies.")
+      .def_property_readonly("frame_count", &Recording::frame_count, "Of all episodes.")
+      .def_property_readonly("untracked_count", &Recording::untracked_count,
+                             "Frames without a measured backbone.")
+      .def_property_readonly("duration_s", &Recording::duration_s, "Frames / rate [s].")
+      .def("__repr__", [](const Recording& recording) {
+        return fmt::format("Recording(arm='{}', episodes={}, frames={}, duration_s={:.1f})",
+                           recording.arm_name, recording.episodes.size(), recording.frame_count(),
+                           recording.duration_s());
+      });
+}
+
+void bind_export(py::module_& module) {
+  module.def("export_csv", &export_csv, py::arg("recording"), py::arg("folder"),
+             py::call_guard<py::gil_scoped_release>(),
+             "Each episode as one CSV table, and mapping.yaml to read them back with.");
+  module.def(
+      "inspect",
+      [](const Recording& recording, const ArmDescription* arm, const std::string& file) {
+        std::string text;
+        {
+          const py::gil_scoped_release others_may_run;
+          text = inspection_to_text(recording, inspect(recording, arm, file));
+        }
+        return text;
+      },
+      py::arg("recording"), py::arg("arm") = py::none(), py::arg("file") = "recording",
+      "What a recording holds and what is odd about it, in sentences.");
+  module.def(
+      "identify_valves",
+      [](const py::iterable& episodes, const ArmDescription& arm, const std::string& source) {
+        const std::vector<Episode> copies = episodes_from(episodes);
+        const py::gil_scoped_release others_may_run;
+        return identify_valves(copies, arm, source);
+      },
+      py::arg("episodes"), py::arg("arm"), py::arg("source") = "recordings",
+      "Valves between set points and measured pressures; the findings say how well they fit, or "
+      "why there are none.");
+}
+
+}  // namespace
+
+std::vector<Episode> episodes_from(const py::iterable& episodes) {
+  std::vector<Episode> copies;
+  for (const py::handle& episode : episodes) {
+    copies.push_back(episode.cast<const Episode&>());
+  }
+  return copies;
+}
+
+py::list episodes_to(std::vector<Episode> episodes) {
+  py::list list;
+  for (Episode& episode : episodes) {
+    list.append(py::cast(std::move(episode)));
+  }
+  return list;
+}
+
+void bind_recordings(py::module_& module) {
+  bind_episode(module);
+  bind_recording(module);
+  module.def(
+      "make_recording",
+      [](const ArmDescription& arm, const py::iterable& episodes, const std::string& source,
+         std::uint64_t seed) {
+        Recording recording = make_recording(arm, source, seed);
+        recording.episodes = episodes_from(episodes);
+        validate(recording, "recording");
+        return recording;
+      },
+      py::arg("arm"), py::arg("episodes"), py::arg("source") = "python", py::arg("seed") = 0,
+      "A recording of these episodes (copied), checked: sizes agree, times increase, numbers are "
+      "finite.");
+  module.def("read_recording", &read_recording, py::arg("path"),
+             py::call_guard<py::gil_scoped_release>(), "Reads and checks a recording (HDF5).");
+  module.def("write_recording", &write_recording, py::arg("path"), py::arg("recording"),
+             py::call_guard<py::gil_scoped_release>(), "Writes a recording (HDF5), atomically.");
+  module.def("require_recording_of", &require_recording_of, py::arg("recording"), py::arg("arm"),
+             py::arg("file") = "recording",
+             "Raises InputError where the recording is not one of this arm.");
+  bind_export(module);
+}
+
+}  // namespace limber::python

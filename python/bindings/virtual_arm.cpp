@@ -1,0 +1,109 @@
+#include "virtual_arm.hpp"
+
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "record.hpp"
+
+namespace limber::python {
+
+namespace {
+
+using Use = SharedVirtualArm::Use;
+
+void bind_state(py::module_& module) {
+  py::class_<ArmState>(module, "ArmState", "What is known of the arm at one frame.")
+      .def(py::init([](double time_s, const FloatArray& pressure_kpa, const py::object& backbone) {
+             ArmState state;
+             state.time_s = time_s;
+             state.pressure_kpa = pressures_from(pressure_kpa, pressure_kpa.size(), "pressure_kpa");
+             if (!backbone.is_none()) {
+               const auto rows = backbone.cast<FloatArray>();
+               state.backbone = backbone_from(rows, rows.size() / 3, "backbone");
+             }
+             return state;
+           }),
+           py::arg("time_s"), py::arg("pressure_kpa"), py::arg("backbone") = py::none(),
+           "[s], (n,) [kPa], and (m, 3) or None where nothing tracks it.")
+      .def_readonly("time_s", &ArmState::time_s, "[s]")
+      .def_property_readonly(
+          "pressure_kpa", [](const ArmState& state) { return vector_array(state.pressure_kpa); },
+          "Measured, float32 (n,) [kPa].")
+      .def_property_readonly(
+          "backbone",
+          [](const ArmState& state) -> py::object {
+            return state.backbone ? py::object(backbone_array<float>(*state.backbone)) : py::none();
+          },
+          "float32 (m, 3), or None.")
+      .def("__repr__", [](const ArmState& state) {
+        return "ArmState(time_s=" + std::string(py::repr(py::float_(state.time_s))) +
+               ", pressure_kpa=" +
+               std::string(py::repr(vector_array(state.pressure_kpa).attr("tolist")())) + ")";
+      });
+}
+
+/// One call of the arm, without Python's lock.
+template <class Function>
+auto moved(SharedVirtualArm& arm, const Function& function) {
+  const Use use(arm);
+  const py::gil_scoped_release others_may_run;
+  return function(*use);
+}
+
+}  // namespace
+
+void bind_virtual_arm(py::module_& module) {
+  bind_state(module);
+  Record<VirtualArmOptions>(module, "VirtualArmOptions",
+                            "Faults of a real laboratory, all off by default.")
+      .field("noise_m", &VirtualArmOptions::noise_m, "Of measured x and y [m].")
+      .field("noise_rad", &VirtualArmOptions::noise_rad, "Of measured headings [rad].")
+      .field("noise_kpa", &VirtualArmOptions::noise_kpa, "Of measured pressures [kPa].")
+      .field("drop_rate", &VirtualArmOptions::drop_rate, "Share of frames without a backbone.")
+      .field("latency_s", &VirtualArmOptions::latency_s, "Of everything measured [s].")
+      .field("seed", &VirtualArmOptions::seed, "Of noise and drops.")
+      .field("stream", &VirtualArmOptions::stream, "Unit of work, for noise of its own.")
+      .keywords()
+      .done();
+  py::class_<SharedVirtualArm>(module, "VirtualArm",
+                               "A soft arm lying on a table, simulated; an ArmDriver.")
+      .def(py::init<const ArmDescription&, const VirtualArmOptions&>(), py::arg("arm"),
+           py::arg("options") = VirtualArmOptions{}, "At rest: straight, vented, at time 0.")
+      .def(
+          "state", [](SharedVirtualArm& arm) { return Use(arm)->state(); }, "The latest state.")
+      .def(
+          "command",
+          [](SharedVirtualArm& arm, const FloatArray& setpoint_kpa) {
+            require_shape(setpoint_kpa, {setpoint_kpa.size()}, "setpoint_kpa");
+            const Pressures setpoints = pressures_map(setpoint_kpa);
+            return moved(arm, [&](VirtualArm& moving) { return moving.command(setpoints); });
+          },
+          py::arg("setpoint_kpa"), "One frame at set points (n,) [kPa]; the state after it.")
+      .def(
+          "vent", [](SharedVirtualArm& arm) { Use(arm)->vent(); }, "Opens every vent valve.")
+      .def(
+          "settle",
+          [](SharedVirtualArm& arm, const FloatArray& setpoint_kpa, double seconds) {
+            require_shape(setpoint_kpa, {setpoint_kpa.size()}, "setpoint_kpa");
+            const Pressures setpoints = pressures_map(setpoint_kpa);
+            return moved(arm,
+                         [&](VirtualArm& moving) { return moving.settle(setpoints, seconds); });
+          },
+          py::arg("setpoint_kpa"), py::arg("seconds"),
+          "The same set points for so long; the state after it.")
+      .def(
+          "true_backbone",
+          [](SharedVirtualArm& arm) { return backbone_array<double>(Use(arm)->true_backbone()); },
+          "float64 (m, 3), without noise, drops or latency.")
+      .def(
+          "true_pressure_kpa",
+          [](SharedVirtualArm& arm) { return vector_array(Use(arm)->true_pressure_kpa()); },
+          "float64 (n,) [kPa], without noise or latency.")
+      .def("__repr__", [](SharedVirtualArm& arm) {
+        return "VirtualArm(time_s=" + std::string(py::repr(py::float_(Use(arm)->state().time_s))) +
+               ")";
+      });
+}
+
+}  // namespace limber::python

@@ -1,0 +1,68 @@
+"""limber: learn, simulate and plan the motion of soft pneumatic arms.
+
+Names, units and frames are those of the C++ library. Arrays are NumPy's: a C-contiguous float32
+array is not copied, anything else is copied once. n: segments, m: plates along the backbone,
+k: queries of a batch, T: frames.
+"""
+
+from __future__ import annotations
+
+import os
+import pathlib
+
+from ._limber import *  # noqa: F401,F403
+from ._limber import SystemFault, __version__
+from .arm_driver import ArmDriver
+
+__all__ = [
+    "Approach", "ArmDescription", "ArmDriver", "ArmStart", "ArmState", "BackboneLayout",
+    "BenchPoint", "Certificate", "CertificateFailure", "CertifiedFigures", "Certifier",
+    "CharacterisedArm", "Circle", "Clearance", "CollectionResult", "CollectionSettings",
+    "CollisionChecker", "Command", "CompensationModel", "Contact", "DriverFactory",
+    "Environment", "Episode", "ErrorRoom", "ErrorStatistics", "Evaluation", "ExecutedError",
+    "ExecutionResult", "ExecutionSettings", "ExecutionStatus", "FirstSolution", "ForwardModel",
+    "IdentifiedValves", "ImportResult", "InputError", "Interrupted", "InverseKinematicsResult",
+    "InverseKinematicsSettings", "Layer", "LearningCurvePoint", "LearntRegion", "LossReduction",
+    "MotionModel", "MotionState", "NoLoadKind", "NoLoadModel", "Optimiser", "OutputForm",
+    "ParallelForward", "Plan", "PlanLimit", "PlanResult", "PlanStatus", "Planner",
+    "PlannerLimits", "PlannerProgress", "PlannerStatistics", "PlanningProblem", "Polygon",
+    "Pose", "PoseError", "PoseGoal", "PredictionError", "ProgressMode", "RandomStream",
+    "RecordedRegion", "Recording", "Rectangle", "Restart", "RolloutErrors", "Scaling",
+    "ScheduleKind", "ScheduleSettings", "Segment", "SegmentPressure", "SegmentShape",
+    "SegmentValves", "StrainFit", "SystemFault", "TipErrors", "TrainingData", "TrainingResult",
+    "TrainingSettings", "TrainingStage", "TrainingStages", "TrainingStatus", "ValveDirection",
+    "ValveErrors", "ValveFindings", "ValveModel", "ValveParameters", "VirtualArm",
+    "VirtualArmOptions", "arm_differences", "arm_svg", "arm_to_yaml", "bench_test_all",
+    "best_preset", "certify", "characterise", "collect", "content_hash", "data_folder",
+    "environment_hash", "environment_picture", "environment_to_yaml", "error_room", "evaluate",
+    "execute", "execution_animation", "execution_picture", "export_csv", "fine_tune",
+    "fine_tuning_of", "hold_back_unseen", "hold_back_validation", "identify_valves",
+    "import_csv", "import_motive", "inspect", "is_within", "learning_curve_svg",
+    "learnt_region_of", "load_arm", "load_arm_to_characterise", "load_environment",
+    "make_planner", "make_recording", "note_unseen", "paper_preset", "plan_animation",
+    "plan_picture", "planner_names", "pose_error", "predict", "pressure_picture",
+    "read_bench_csv", "read_model", "read_plan", "read_plan_unjudged", "read_recording",
+    "read_valves", "require_model_of", "require_plan_of", "require_recording_of",
+    "rest_positions_m", "set_epoch_count", "set_window_frames", "solve_inverse_kinematics",
+    "start_state", "tip_pose", "to_json", "train", "training_preset", "virtual_arm_factory",
+    "virtual_collection", "write_arm", "write_backbones_csv", "write_environment",
+    "write_model", "write_plan", "write_recording", "write_setpoints_csv", "write_valves",
+]
+
+
+def data_folder() -> pathlib.Path:
+    """Where the arms and environments lie that limber comes with.
+
+    LIMBER_DATA_DIR where that is set; the package's own, the source tree's, or the installed ones.
+    """
+    chosen = os.environ.get("LIMBER_DATA_DIR")
+    here = pathlib.Path(__file__).resolve().parent
+    candidates = [here / "data", *(parent / "share" / "limber" for parent in here.parents),
+                  *list(here.parents)[:4]]
+    if chosen:
+        candidates = [pathlib.Path(chosen)]
+    for candidate in candidates:
+        if (candidate / "arms").is_dir() and (candidate / "environments").is_dir():
+            return candidate
+    raise SystemFault("limber's arms/ and environments/ were not found in: "
+                      + " ".join(map(str, candidates)) + "; set LIMBER_DATA_DIR")

@@ -1,0 +1,191 @@
+"""Drivers in Python, each in a process of its own (docs/driver.md has the protocol).
+
+    class Mine(limber.driver.Driver):
+        rate_hz, segment_count = 20.0, 3
+        def command(self, setpoint_kpa): ...
+        def vent(self): ...
+
+    if __name__ == "__main__":
+        limber.driver.serve(Mine())
+
+A busy notebook, a breakpoint in it or its end can't hold valves open: the driver vents at the end
+of its input, and when no request came for three frames.
+"""
+
+from __future__ import annotations
+
+import abc
+import contextlib
+import json
+import os
+import selectors
+import signal
+import sys
+import threading
+from collections.abc import Iterator
+from types import FrameType
+from typing import Any, BinaryIO, Optional, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from ._limber import ArmState
+
+__all__ = ["Driver", "serve"]
+
+PROTOCOL = 1
+SILENT_FRAMES = 3  # without a request after a `set`, then it vents
+LONGEST_LINE = 1 << 20  # bytes
+
+
+class Driver(abc.ABC):
+    """What moves an arm. Its attributes are what `hello` says of it."""
+
+    name: str = "limber.driver"
+    device: str = ""  # what the device speaks
+    rate_hz: float = 20.0  # frames per second: the arm's
+    segment_count: int = 0
+    tracked: bool = True  # whether states carry backbones
+    real_time: bool = True  # False for a simulation
+    limit_kpa: Optional[Sequence[float]] = None  # own limits, one a segment
+
+    @abc.abstractmethod
+    def command(self, setpoint_kpa: npt.NDArray[np.float32]) -> ArmState:
+        """Hands set points (n,) [kPa] to the device, and returns its newest sample at once."""
+
+    @abc.abstractmethod
+    def vent(self) -> ArmState:
+        """Opens every vent valve and returns the newest sample; called more than once."""
+
+
+class _Lines:
+    """Lines of a pipe, with a limit to the time that is waited for one."""
+
+    def __init__(self, pipe: BinaryIO) -> None:
+        self._descriptor = pipe.fileno()
+        self._selector = selectors.DefaultSelector()
+        self._selector.register(self._descriptor, selectors.EVENT_READ)
+        self._waiting = b""
+
+    def next(self, timeout_s: Optional[float]) -> Optional[bytes]:
+        """The next line; empty at the end of the input, None where the time is up."""
+        while b"\n" not in self._waiting:
+            if len(self._waiting) > LONGEST_LINE:
+                return b""
+            if not self._selector.select(timeout_s):
+                return None
+            read = os.read(self._descriptor, 1 << 16)
+            if not read:
+                return b""
+            self._waiting += read
+        line, self._waiting = self._waiting.split(b"\n", 1)
+        return line + b"\n"
+
+
+def _numbers(values: npt.ArrayLike) -> Any:
+    array = np.asarray(values, dtype=float)
+    if not np.isfinite(array).all():
+        raise ValueError("the driver returned a number that is not finite")
+    return array.tolist()
+
+
+class _Server:
+    def __init__(self, driver: Driver, output: BinaryIO) -> None:
+        self._driver = driver
+        self._output = output
+        self._frame_s = 1.0 / driver.rate_hz
+
+    def run(self, lines: _Lines) -> None:
+        open_since_set = False
+        while True:
+            line = lines.next(SILENT_FRAMES * self._frame_s if open_since_set else None)
+            if line is None:
+                self._driver.vent()
+                open_since_set = False
+                continue
+            if not line:
+                return
+            message = json.loads(line)
+            kind = message.get("type")
+            if kind == "bye":
+                return
+            open_since_set = kind == "set"
+            try:
+                self._answer(kind, message)
+            except Exception as error:  # the device's failure, whatever it is: vented and told
+                open_since_set = False
+                self._driver.vent()
+                self._say({"type": "fault", "message": f"{type(error).__name__}: {error}"})
+
+    def _answer(self, kind: Optional[str], message: dict[str, Any]) -> None:
+        if kind == "hello":
+            self._say(self._hello())
+        elif kind == "set":
+            setpoint_kpa = np.asarray(message["pressure_kpa"], dtype=np.float32)
+            if setpoint_kpa.shape != (self._driver.segment_count,):
+                raise ValueError(f"{setpoint_kpa.size} set points; the arm has "
+                                 f"{self._driver.segment_count} segments")
+            self._refuse_beyond_limits(setpoint_kpa)
+            self._state(self._driver.command(setpoint_kpa), message)
+        elif kind == "vent":
+            self._state(self._driver.vent(), message)
+
+    def _refuse_beyond_limits(self, setpoint_kpa: npt.NDArray[np.float32]) -> None:
+        limits = self._driver.limit_kpa
+        if limits is not None and (np.abs(setpoint_kpa) > np.asarray(limits) + 1e-3).any():
+            raise ValueError(f"set points {setpoint_kpa.tolist()} kPa are beyond the driver's "
+                             f"limits {list(limits)}")
+
+    def _hello(self) -> dict[str, Any]:
+        driver = self._driver
+        said = {"type": "hello", "protocol": PROTOCOL, "driver": driver.name,
+                "device": driver.device, "rate_hz": driver.rate_hz,
+                "segments": driver.segment_count, "tracked": driver.tracked,
+                "real_time": driver.real_time}
+        if driver.limit_kpa is not None:
+            said["limit_kpa"] = [float(limit) for limit in driver.limit_kpa]
+        return said
+
+    def _state(self, state: ArmState, message: dict[str, Any]) -> None:
+        backbone = state.backbone
+        self._say({"type": "state", "seq": message.get("seq"), "t": state.time_s,
+                   "pressure_kpa": _numbers(state.pressure_kpa),
+                   "backbone": None if backbone is None else _numbers(backbone)})
+
+    def _say(self, message: dict[str, Any]) -> None:
+        self._output.write(json.dumps(message).encode() + b"\n")
+        self._output.flush()
+
+
+@contextlib.contextmanager
+def _ends_on_sigterm() -> Iterator[None]:
+    """SIGTERM ends the program through its `finally`s, so that the arm is vented."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def leave(number: int, frame: Optional[FrameType]) -> None:
+        raise SystemExit(1)
+    before = signal.signal(signal.SIGTERM, leave)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+def serve(driver: Driver, input: Optional[BinaryIO] = None,
+          output: Optional[BinaryIO] = None) -> None:
+    """Answers limber on standard input and output until the input ends; vents however it ends.
+
+    What the driver prints goes to standard error meanwhile.
+    """
+    if driver.segment_count < 1:
+        raise ValueError(f"{type(driver).__name__}.segment_count = {driver.segment_count}; "
+                         "expected the arm's number of segments")
+    lines = _Lines(input or sys.stdin.buffer)
+    server = _Server(driver, output or sys.stdout.buffer)
+    with contextlib.redirect_stdout(sys.stderr), _ends_on_sigterm():
+        try:
+            server.run(lines)
+        finally:
+            driver.vent()

@@ -1,0 +1,130 @@
+"""limber.driver.serve: the protocol's answers, and that valves never stay open."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+import limber.driver
+from chain import ROOT, InFolder
+
+DRIVER = ROOT / "tests" / "python_module" / "logging_driver.py"
+LIMIT_S = 10.0  # a loaded machine
+
+
+class Served(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.log = self.folder / "log.txt"
+        self.process = subprocess.Popen(
+            [sys.executable, str(DRIVER), str(self.log)], stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+        self.addCleanup(self.end)
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate()
+
+    def ask(self, **message):
+        self.process.stdin.write(json.dumps(message) + "\n")
+        self.process.stdin.flush()
+        return json.loads(self.process.stdout.readline())
+
+    def set(self, *pressure_kpa, seq=1):
+        return self.ask(type="set", seq=seq, t=0.0, pressure_kpa=pressure_kpa)
+
+    def logged(self):
+        return self.log.read_text(encoding="utf-8").splitlines() if self.log.exists() else []
+
+    def wait_for_vent(self, since):
+        end = time.monotonic() + LIMIT_S
+        while time.monotonic() < end:
+            if any(line.startswith("vent") for line in self.logged()[since:]):
+                return
+            time.sleep(0.01)
+        self.fail("not vented: " + " ".join(self.logged()))
+
+    def test_hello_says_what_it_is(self):
+        self.assertEqual(self.ask(type="hello", protocol=1), {
+            "type": "hello", "protocol": 1, "driver": "logging_driver 1", "device": "a file",
+            "rate_hz": 20.0, "segments": 2, "tracked": True, "real_time": False,
+            "limit_kpa": [100.0, 80.0]})
+
+    def test_states_are_those_of_the_arm(self):
+        arm = limber.VirtualArm(limber.load_arm(ROOT / "arms" / "two_segment.yaml"))
+        for seq in range(1, 6):
+            state = self.set(10.0, -20.0, seq=seq)
+            expected = arm.command([10.0, -20.0])
+            self.assertEqual((state["type"], state["seq"]), ("state", seq))
+            self.assertAlmostEqual(state["t"], expected.time_s)
+            self.assertEqual(state["pressure_kpa"], expected.pressure_kpa.tolist())
+            self.assertEqual(state["backbone"], expected.backbone.tolist())
+
+    def test_the_end_of_the_input_vents(self):
+        self.set(10.0, 10.0)
+        before = len(self.logged())
+        self.process.stdin.close()
+        self.assertEqual(self.process.wait(LIMIT_S), 0)
+        self.assertIn("vent", self.logged()[before])
+
+    def test_silence_after_a_set_vents_once(self):
+        self.set(10.0, 10.0)
+        before = len(self.logged())
+        self.wait_for_vent(before)
+        time.sleep(0.5)
+        self.assertEqual(len(self.logged()), before + 1)
+        self.assertEqual(self.set(5.0, 5.0, seq=2)["seq"], 2)
+
+    def test_a_killed_caller_vents(self):
+        caller = ("import subprocess, sys, time\n"
+                  "p = subprocess.Popen(sys.argv[1:], stdin=subprocess.PIPE, "
+                  "stdout=subprocess.PIPE)\n"
+                  "p.stdin.write(b'{\"type\": \"set\", \"seq\": 1, \"pressure_kpa\": [9, 9]}\\n')\n"
+                  "p.stdin.flush()\n"
+                  "p.stdout.readline()\n"
+                  "print('open', flush=True)\n"
+                  "time.sleep(60)\n")
+        log = self.folder / "other.txt"
+        with subprocess.Popen([sys.executable, "-c", caller, sys.executable, str(DRIVER), str(log)],
+                              stdout=subprocess.PIPE) as notebook:
+            notebook.stdout.readline()
+            self.log = log
+            before = len(self.logged())
+            os.kill(notebook.pid, signal.SIGKILL)  # a dead kernel
+            self.wait_for_vent(before)
+
+    def test_sigterm_vents(self):
+        self.ask(type="hello", protocol=1)
+        self.process.send_signal(signal.SIGTERM)
+        self.process.wait(LIMIT_S)
+        self.assertIn("vent", self.logged()[-1])
+
+    def test_a_failed_device_is_a_fault_and_vents(self):
+        self.assertEqual(self.set(13.0, 0.0), {"type": "fault",
+                                               "message": "OSError: valve 0 is hot"})
+        self.assertIn("vent", self.logged()[-1])
+
+    def test_own_limits_hold(self):
+        self.assertIn("beyond the driver's limits", self.set(10.0, 90.0)["message"])
+        self.assertIn("the arm has 2 segments", self.set(10.0)["message"])
+        self.assertFalse(any(line.startswith("set") for line in self.logged()))
+
+
+class Refused(unittest.TestCase):
+    def test_a_driver_without_segments_is_refused(self):
+        class Nothing(limber.driver.Driver):
+            def command(self, setpoint_kpa):
+                raise NotImplementedError
+
+            def vent(self):
+                raise NotImplementedError
+        with self.assertRaisesRegex(ValueError, "segment_count = 0"):
+            limber.driver.serve(Nothing())
+
+
+if __name__ == "__main__":
+    unittest.main()

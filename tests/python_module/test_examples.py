@@ -1,0 +1,57 @@
+"""examples/python, from a recording to an executed plan, and the page that lists the names."""
+
+import re
+import unittest
+
+import limber
+from chain import ROOT, InFolder, chain, run_example
+
+PUBLIC = sorted(name for name in vars(limber) if not name.startswith("_")
+                and getattr(getattr(limber, name), "__module__", "").startswith("limber"))
+
+
+class Examples(InFolder):
+    def run_to_end(self, name, *arguments, codes=(0,)):
+        result = run_example(name, *arguments, folder=self.folder)
+        self.assertIn(result.returncode, codes, result.stdout + result.stderr)
+        self.assertNotIn("Traceback", result.stderr)
+        return result.stdout
+
+    def test_the_chain(self):
+        trained = self.run_to_end("02_record_and_train.py", "train.h5", "model.safetensors", 3)
+        self.assertIn("epoch 9: loss", trained)
+        self.assertIn("unseen runs", trained)
+        queried = self.run_to_end("01_query_the_model.py", "model.safetensors", 60)
+        self.assertIn("2 s: tip at", queried)
+        self.assertRegex(queried, "segment 0 at (60|59)")
+        environment = limber.data_folder() / "environments" / "01_pillar.yaml"
+        # A network of nine epochs: its plans may be none, and need not arrive.
+        planned = self.run_to_end("03_plan_and_verify.py", "model.safetensors", environment,
+                                  "plan.json", codes=(0, 1))
+        self.assertRegex(planned, "(?m)^certified: |^no plan: ")
+        if (self.folder / "plan.json").exists():
+            executed = self.run_to_end("04_execute.py", "plan.json", environment, codes=(0, 1))
+            self.assertRegex(executed, "(?m)^done: ")
+
+    def test_an_arm_of_ones_own(self):
+        recording = limber.read_recording(chain().recording)
+        *logs, mapping = limber.export_csv(recording, self.folder / "logs")
+        printed = self.run_to_end("05_bring_your_own_arm.py", ROOT / "arms" / "two_segment.yaml",
+                                  mapping, chain().environment_file, "plan.json", 30, *logs,
+                                  codes=(0, 1))
+        self.assertRegex(printed, r"(?m)^plan.json: \d+ frames|^no plan: ")
+
+
+class Names(unittest.TestCase):
+    def test_the_page_lists_every_public_name(self):
+        page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+        listed = re.findall(r"^\| `(\w+)` \|", page, flags=re.M)
+        self.assertEqual(sorted(listed), PUBLIC)
+
+    def test_every_public_name_says_what_it_is(self):
+        for name in PUBLIC:
+            self.assertTrue(getattr(limber, name).__doc__, name)
+
+
+if __name__ == "__main__":
+    unittest.main()

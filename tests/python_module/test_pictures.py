@@ -1,0 +1,68 @@
+"""What a notebook shows of limber's objects."""
+
+import unittest
+import xml.etree.ElementTree
+
+import limber
+from chain import chain
+
+SVG = "{http://www.w3.org/2000/svg}svg"
+
+
+class Pictures(unittest.TestCase):
+    def setUp(self):
+        self.chain = chain()
+        forward = limber.ForwardModel(self.chain.arm, limber.read_model(self.chain.model))
+        problem = limber.PlanningProblem(self.chain.arm, limber.MotionModel(forward),
+                                         self.chain.environment)
+        self.result = limber.make_planner().plan(problem, limber.PlannerLimits(iterations=200), 5)
+
+    def assert_svg(self, text, *words):
+        root = xml.etree.ElementTree.fromstring(text)
+        self.assertEqual(root.tag, SVG)
+        written = " ".join(root.itertext())
+        for word in words:
+            self.assertIn(word, written)
+
+    def test_arms_environments_and_plans_draw_themselves(self):
+        self.assert_svg(self.chain.arm._repr_svg_(), self.chain.arm.name)
+        self.assert_svg(self.chain.environment._repr_svg_(), "a wall")
+        self.assert_svg(self.result._repr_svg_(), "a wall")
+        self.assert_svg(self.result.plan._repr_svg_(), "a wall")
+
+    def test_learning_curves_draw_themselves(self):
+        data = limber.hold_back_validation(
+            limber.read_recording(self.chain.recording).episodes, 0.1, 1)
+        settings = limber.best_preset()
+        limber.set_epoch_count(settings, 3)
+        self.assert_svg(limber.train(self.chain.arm, data, settings)._repr_svg_())
+
+    def test_whole_pictures(self):
+        arm, environment, plan = self.chain.arm, self.chain.environment, self.result.plan
+        self.assert_svg(limber.plan_picture(arm, environment, self.result))
+        self.assert_svg(limber.environment_picture(arm, environment))
+        self.assert_svg(limber.pressure_picture(arm, plan))
+        self.assertIn("<svg", limber.plan_animation(arm, environment, plan))
+        run = limber.execute(arm, environment, plan, limber.VirtualArm(arm))
+        self.assert_svg(limber.execution_picture(arm, environment, plan, run))
+
+    def test_reprs_name_their_fields(self):
+        self.assertEqual(repr(limber.PlannerLimits(time_s=1.0)),
+                         "PlannerLimits(time_s=1.0, iterations=None, queries=None, memory_mb=None, "
+                         "cost_threshold_kpa=None)")
+        self.assertEqual(repr(limber.Circle(x_m=0.1, y_m=0.2, radius_m=0.3)),
+                         "Circle(x_m=0.1, y_m=0.2, radius_m=0.3)")
+        self.assertIn("name='", repr(self.chain.arm))
+        for name, kind in vars(limber).items():
+            if isinstance(kind, type) and kind.__module__ == "limber._limber":
+                self.assertTrue(kind.__doc__, name)
+
+    def test_fields_that_are_not_there_are_refused(self):
+        with self.assertRaisesRegex(TypeError, "no field 'tim_s'; it has time_s, iterations"):
+            limber.PlannerLimits(tim_s=1.0)
+        with self.assertRaises(TypeError):
+            limber.PlannerLimits(time_s="soon")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,212 @@
+"""The same seed gives the program's bits: what the module makes is compared with what `limber`
+made."""
+
+import json
+import unittest
+
+import numpy as np
+
+import limber
+from chain import TWO_SEGMENT, InFolder, chain, run_json, run_program
+
+HELD_BACK = 0.1  # as `limber train` holds back
+SEED = 5
+
+
+class SameAsProgram(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.chain = chain()
+        self.network = limber.read_model(self.chain.model)
+        self.forward = limber.ForwardModel(self.chain.arm, self.network)
+
+    def assert_same_recording(self, one, other):
+        self.assertEqual(len(one.episodes), len(other.episodes))
+        for a, b in zip(one.episodes, other.episodes):
+            for name in ("time_s", "pressure_kpa", "setpoint_kpa", "backbone", "motion_index",
+                         "tracked"):
+                np.testing.assert_array_equal(getattr(a, name), getattr(b, name), name)
+
+    def test_collected_recordings_are_the_programs(self):
+        schedule = limber.ScheduleSettings(kind=limber.ScheduleKind.random, count=6, episodes=3,
+                                           hold_s=1.0)
+        options = limber.VirtualArmOptions(seed=4)
+        limber.collect(self.chain.arm, limber.virtual_collection(self.chain.arm, schedule, options),
+                       limber.virtual_arm_factory(self.chain.arm, options),
+                       self.folder / "own.h5")
+        own = limber.read_recording(self.folder / "own.h5")
+        program = limber.read_recording(self.chain.recording)
+        self.assert_same_recording(own, program)
+        self.assertEqual((own.settings, own.seed), (program.settings, program.seed))
+
+    def test_trained_models_are_the_programs_to_the_byte(self):
+        recording = limber.read_recording(self.chain.recording)
+        settings = limber.best_preset()
+        limber.set_epoch_count(settings, 30)
+        settings.hidden_units = [16, 16]
+        settings.seed = 3
+        data = limber.hold_back_validation(recording.episodes, HELD_BACK, settings.seed)
+        limber.hold_back_unseen(data, HELD_BACK, settings.seed)
+        epochs = []
+        result = limber.train(self.chain.arm, data, settings,
+                              lambda point: epochs.append(point.epoch))
+        self.assertEqual(epochs, list(range(1, 31)))
+        model = result.model
+        model.training = {**model.training,
+                          "data": f"train.h5 {limber.content_hash(self.chain.recording)}"}
+        model.set_valves(
+            limber.identify_valves(recording.episodes, self.chain.arm, "train.h5"))
+        model.learnt = limber.learnt_region_of(data)
+        limber.note_unseen(self.chain.arm, model, data.unseen)
+        limber.write_model(self.folder / "own.safetensors", model)
+        self.assertEqual((self.folder / "own.safetensors").read_bytes(),
+                         self.chain.model.read_bytes())
+
+    def test_evaluations_are_the_programs(self):
+        theirs = run_json("evaluate", "--arm", TWO_SEGMENT, "--model", self.chain.model, "--data",
+                          self.chain.recording, folder=self.folder)
+        recording = limber.read_recording(self.chain.recording)
+        own = limber.to_json(limber.evaluate(limber.ForwardModel(self.chain.arm), self.forward,
+                                             recording.episodes))
+        self.assertEqual({key: theirs[key] for key in own}, own)
+
+    def problem(self):
+        room = limber.error_room(self.forward)
+        return limber.PlanningProblem(
+            self.chain.arm,
+            limber.MotionModel(self.forward,
+                               limber.ValveModel(self.chain.arm, self.network.valves)),
+            self.chain.environment, room.margin_m, room.goal_margin,
+            margin_yields_to_start=room.margin_yields_to_start)
+
+    def planned(self):
+        """The module's result, and the program's files of the same problem."""
+        theirs = run_json("plan", "--arm", TWO_SEGMENT, "--model", self.chain.model,
+                          "--environment", self.chain.environment_file, "--max-iterations", 300,
+                          "--seed", SEED, "--out", "program.json", folder=self.folder)
+        result = limber.make_planner("default").plan(
+            self.problem(), limber.PlannerLimits(iterations=300), SEED)
+        return result, theirs
+
+    def test_plans_are_the_programs_to_the_byte(self):
+        result, theirs = self.planned()
+        self.assertEqual(result.status, limber.PlanStatus.solved)
+        result.plan.model_hash = limber.content_hash(self.chain.model)
+        limber.write_plan(self.folder / "own.json", result.plan)
+        self.assertEqual((self.folder / "own.json").read_text(encoding="utf-8"),
+                         (self.folder / "program.json").read_text(encoding="utf-8"))
+        own = limber.to_json(result, self.chain.environment.goal, "default", "network", SEED)
+        for key in ("status", "cost_kpa", "queries", "nodes", "frames", "distance_to_goal_cm"):
+            self.assertEqual(own[key], theirs[key], key)
+
+    def test_certificates_and_executions_are_the_programs(self):
+        self.planned()
+        plan = limber.read_plan(self.folder / "program.json")
+        theirs = run_json("verify", "--arm", TWO_SEGMENT, "--model", self.chain.model,
+                          "--environment", self.chain.environment_file, "--plan", "program.json",
+                          folder=self.folder)
+        certificate = limber.certify(plan, self.chain.arm, self.network,
+                                     self.network.valves or limber.ValveParameters(),
+                                     self.chain.environment)
+        own = limber.to_json(certificate, self.chain.environment)
+        self.assertEqual({key: theirs[key] for key in own}, own)
+
+        theirs = run_json("execute", "--arm", TWO_SEGMENT, "--environment",
+                          self.chain.environment_file, "--plan", "program.json", "--out", "run.h5",
+                          folder=self.folder)
+        result = limber.execute(self.chain.arm, self.chain.environment, plan,
+                                limber.VirtualArm(self.chain.arm))
+        own = limber.to_json(result, self.chain.environment)
+        self.assertEqual(theirs, own)
+        run = limber.read_recording(self.folder / "run.h5").episodes[0]
+        np.testing.assert_array_equal(run.backbone, result.episode.backbone)
+
+    def test_errors_have_the_programs_text(self):
+        bad = self.folder / "bad.yaml"
+        bad.write_text(TWO_SEGMENT.read_text(encoding="utf-8").replace("length_m: ", "length_m: -"),
+                       encoding="utf-8")
+        message = run_program("inspect", bad, folder=self.folder, code=2).stderr
+        with self.assertRaises(limber.InputError) as refused:
+            limber.load_arm(bad)
+        self.assertIsInstance(refused.exception, ValueError)
+        self.assertIn(str(refused.exception), message)
+
+    def test_imported_logs_are_the_recording(self):
+        recording = limber.read_recording(self.chain.recording)
+        *logs, mapping = limber.export_csv(recording, self.folder / "logs")
+        imported = limber.import_csv(logs, self.chain.arm, mapping)
+        self.assertEqual(imported.recording.frame_count, recording.frame_count)
+        self.assertIn("frames", imported.report)
+        np.testing.assert_allclose(imported.recording.episodes[0].backbone,
+                                   recording.episodes[0].backbone, atol=1e-5)  # [m]: decimals
+
+    def test_environments_made_here_are_those_of_files(self):
+        again = limber.load_environment(self.chain.environment_file, self.chain.arm)
+        self.assertEqual(limber.environment_hash(again),
+                         limber.environment_hash(self.chain.environment))
+        with self.assertRaisesRegex(limber.InputError, "radius_m"):
+            limber.Environment("x", [limber.Circle(radius_m=-1.0)], limber.PoseGoal(x_m=0.3))
+
+
+class Kinematics(unittest.TestCase):
+    def test_solutions_reach_the_goal_by_the_no_load_model(self):
+        arm = limber.load_arm(TWO_SEGMENT)
+        model = limber.NoLoadModel(arm)
+        goal = limber.PoseGoal(x_m=0.35, y_m=0.15, position_tolerance_m=0.001)
+        found = limber.solve_inverse_kinematics(model, goal, limber.InverseKinematicsSettings(),
+                                                limber.RandomStream(1))
+        self.assertTrue(found.reachable)
+        for pressures in found.pressures_kpa:
+            error = limber.pose_error(goal, limber.tip_pose(model.backbone(pressures)))
+            self.assertLess(error.position_m, 0.001)
+        far = limber.solve_inverse_kinematics(model, limber.PoseGoal(x_m=5.0, y_m=5.0),
+                                              limber.InverseKinematicsSettings(),
+                                              limber.RandomStream(1))
+        self.assertFalse(far.reachable)
+        self.assertTrue(far.reason)
+
+    def test_curvature_and_pressure_are_inverse(self):
+        model = limber.NoLoadModel(limber.load_arm(TWO_SEGMENT))
+        for pressure in (-60.0, -5.0, 3.0, 70.0):
+            shape = model.segment_shape(0, pressure)
+            back = model.pressure_for_curvature(0, shape.curvature_per_m)
+            self.assertAlmostEqual(back.pressure_kpa, pressure, places=6)
+        with self.assertRaises(IndexError):
+            model.segment_shape(2, 0.0)
+
+    def test_valves_follow_a_first_order_lag(self):
+        arm = limber.load_arm(TWO_SEGMENT)
+        lag = limber.SegmentValves(
+            inflating=limber.ValveDirection(time_constant_s=0.2, rate_limit_kpa_per_s=np.inf),
+            venting=limber.ValveDirection(time_constant_s=0.2, rate_limit_kpa_per_s=np.inf))
+        valves = limber.ValveModel(arm, limber.ValveParameters(segments=[lag, lag]))
+        setpoints = np.full((41, 2), 30.0)
+        pressures = valves.run(setpoints, [0.0, 0.0])
+        expected = 30.0 * (1.0 - np.exp(-np.arange(41) / arm.frame_rate_hz / 0.2))
+        np.testing.assert_allclose(pressures[:, 0], expected, atol=1e-6)  # [kPa]
+
+    def test_clearance_of_a_circle_is_the_distance(self):
+        arm = limber.load_arm(TWO_SEGMENT)
+        obstacle = limber.Circle(x_m=0.2, y_m=0.5, radius_m=0.1)
+        environment = limber.Environment("c", [obstacle], limber.PoseGoal(x_m=0.3))
+        checker = limber.CollisionChecker(arm, environment)
+        rest = limber.NoLoadModel(arm).backbone([0, 0])
+        radius = arm.segments[0].width_m / 2 + arm.actuator_radius_m
+        found = checker.clearance(rest)
+        self.assertAlmostEqual(found.value_m, 0.5 - 0.1 - radius, delta=0.001)  # its tolerance
+        self.assertEqual(found.obstacle, 0)
+        self.assertTrue(checker.is_free(rest))
+
+
+class Json(unittest.TestCase):
+    def test_to_json_gives_what_json_writes(self):
+        valves = limber.read_model(chain().model)
+        json.dumps(limber.to_json(limber.identify_valves(
+            limber.read_recording(chain().recording).episodes, chain().arm)))
+        self.assertIsNotNone(valves.prediction_error)
+        self.assertEqual(limber.to_json(valves.prediction_error)["runs"],
+                         valves.prediction_error.runs)
+
+
+if __name__ == "__main__":
+    unittest.main()

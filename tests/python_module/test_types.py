@@ -1,0 +1,46 @@
+"""Stubs agree with the module, and mypy with the examples."""
+
+import importlib.util
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+import limber
+from chain import EXAMPLES, ROOT, InFolder
+
+HAS_MYPY = importlib.util.find_spec("mypy") is not None
+
+
+@unittest.skipUnless(HAS_MYPY, "mypy is not installed: no type was checked")
+class Types(InFolder):
+    def checked(self, *arguments):
+        package = pathlib.Path(limber.__file__).parents[1]
+        result = subprocess.run(
+            [sys.executable, "-m", *map(str, arguments)], cwd=self.folder, capture_output=True,
+            encoding="utf-8", check=False,
+            env={**os.environ, "MYPYPATH": str(package), "MYPY_CACHE_DIR": str(self.folder)})
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_stubs_are_the_modules(self):
+        self.checked("mypy.stubtest", "limber", "--ignore-missing-stub",
+                     "--allowlist", ROOT / "tests" / "python_module" / "stubtest_allowed.txt",
+                     "--ignore-unused-allowlist")
+
+    def test_examples_have_the_types_they_say(self):
+        for example in sorted(EXAMPLES.glob("*.py")):
+            self.checked("mypy", "--strict", "--no-warn-unused-ignores", example)
+
+
+class Stubs(unittest.TestCase):
+    def test_stubs_are_up_to_date(self):
+        result = subprocess.run(
+            [sys.executable, str(ROOT / "tools" / "python_stubs.py"), "--check",
+             str(ROOT / "python" / "limber" / "_limber.pyi")],
+            capture_output=True, encoding="utf-8", check=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
