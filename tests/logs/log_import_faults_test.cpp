@@ -77,7 +77,10 @@ TEST_F(LogImportFaults, FindsALogSlowerThanTheArm) {
 
 TEST_F(LogImportFaults, FindsTurnedSigns) {
   pressure_scale_ = -1.0;
-  expect_refusal(log(), mapping(), {"bends to the other side", "Put a '-' before"});
+  expect_refusal(log(), mapping(),
+                 {"bends to the other side",
+                  "What would fit: 'columns: [-pressure_1_kpa, "
+                  "-pressure_2_kpa, -pressure_3_kpa]'"});
 }
 
 TEST_F(LogImportFaults, NotesASegmentThatDoesNotFollow) {
@@ -95,9 +98,11 @@ TEST_F(LogImportFaults, NotesASegmentThatDoesNotFollow) {
     begin = end;
   }
   const ImportResult imported = import(result, map);
-  const ImportNote* found = note(imported, "hardly follows its command");
-  ASSERT_NE(found, nullptr);
-  EXPECT_THAT(found->first, HasSubstr("segment 1"));
+  const std::vector<SegmentCheck>& segments = imported.report.columns.segments;
+  ASSERT_EQ(segments.size(), 3U);
+  EXPECT_FALSE(segments[0].follows_weakly);
+  EXPECT_TRUE(segments[1].follows_weakly);
+  EXPECT_THAT(to_text(imported.report), HasSubstr("segment 1 hardly follows its command"));
 }
 
 TEST_F(LogImportFaults, NamesColumnsThatAreNotThere) {
@@ -126,8 +131,8 @@ TEST_F(LogImportFaults, RefusesLogsThatDoNotBelongTogether) {
   options.mapping = read_import_mapping(folder_.path() / "map.yaml", truth_.arm());
   options.command_logs = {folder_.path() / "p.csv"};
   EXPECT_THAT([&] { import_csv({folder_.path() / "run.csv"}, options, truth_.arm()); },
-              ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("can't be told from the motion"), HasSubstr("--time-offset-s"))));
+              ThrowsMessage<InputError>(AllOf(HasSubstr("can't be told from the motion"),
+                                              HasSubstr("best candidate is --time-offset-s"))));
 }
 
 }  // namespace
