@@ -25,6 +25,8 @@ constexpr double kSetpointOvershoot = 1.001;
 constexpr int kFrozenFrames = 10;      // exactly equal backbones, while …
 constexpr double kFrozenChange = 0.1;  // … a pressure changes by this part of its limit
 
+constexpr double kMeantTransitions = 0.01;  // of all: fewer were commanded by chance
+
 class EpisodeInspector {
  public:
   EpisodeInspector(const Recording& recording, std::size_t index,
@@ -258,9 +260,12 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
                     range.highest_setpoint_kpa, fmt::arg("unit", recording.command.unit));
   }
   const TransitionCoverage& transitions = inspection.transitions;
-  text += fmt::format("  {} of {:.0f} transitions covered (both ends reached), {} commanded{}\n",
-                      transitions.covered, transitions.possible, transitions.attempted,
-                      inspection.limits_known ? "" : "; limits guessed from the set points");
+  // Who never meant to record them need not hear of them.
+  if (double(transitions.attempted) >= kMeantTransitions * transitions.possible) {
+    text += fmt::format("  {} of {:.0f} transitions covered (both ends reached), {} commanded{}\n",
+                        transitions.covered, transitions.possible, transitions.attempted,
+                        inspection.limits_known ? "" : "; limits guessed from the set points");
+  }
   text += "  " + valves_to_text(inspection.valves, recording.command.unit) + "\n";
   for (const std::string& warning : inspection.valves.findings.warnings) {
     text += "    warning: " + warning + "\n";

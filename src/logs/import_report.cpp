@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@ namespace limber {
 
 namespace {
 
+constexpr std::size_t kFewLogs = 3;     // more of them get a line each
 constexpr double kNoteworthy = 0.9999;  // points seen less often are listed
 
 nlohmann::ordered_json to_json(const RunReport& run) {
@@ -122,6 +124,47 @@ std::string to_text(const ColumnReport& columns) {
   return text + notes + "\n";
 }
 
+std::string one_line(const RunReport& run) {
+  std::string text = fmt::format("{}: {:.4g} Hz, {:.1f} s, {} episodes, {} frames", run.name,
+                                 run.rate_hz, run.duration_s, run.episodes, run.frames);
+  if (run.frames_not_tracked > 0) {
+    text += fmt::format(", {} not tracked", run.frames_not_tracked);
+  }
+  if (run.clock) {
+    text += fmt::format(", clock {:+.4f} s", run.clock->offset_s);
+  }
+  return text;
+}
+
+/// What was noted of many logs, each kind once: in how many, how often, and where first.
+std::string notes_of_all(const std::vector<RunReport>& runs) {
+  struct Joined {
+    std::int64_t logs = 0;
+    std::int64_t count = 0;
+    std::string first;
+  };
+  std::vector<std::string> order;
+  std::map<std::string, Joined> kinds;
+  for (const RunReport& run : runs) {
+    for (const ImportNote& note : run.notes) {
+      const auto [place, is_new] = kinds.try_emplace(note.what);
+      if (is_new) {
+        order.push_back(note.what);
+        place->second.first = run.name + (note.first.empty() ? std::string() : ", " + note.first);
+      }
+      ++place->second.logs;
+      place->second.count += note.count;
+    }
+  }
+  std::string text;
+  for (const std::string& what : order) {
+    const Joined& joined = kinds.at(what);
+    text += fmt::format("{}: {} times in {} of {} logs, first: {}\n", what, joined.count,
+                        joined.logs, runs.size(), joined.first);
+  }
+  return text;
+}
+
 /// What the simple model says of each episode; outliers by the logs that they came from.
 std::string errors_to_text(const ImportReport& report, const EpisodeErrors& errors) {
   std::string text = fmt::format(
@@ -201,9 +244,11 @@ nlohmann::ordered_json to_json(const ImportReport& report) {
 
 std::string to_text(const ImportReport& report) {
   std::string text;
+  const bool many = report.runs.size() > kFewLogs;
   for (const RunReport& run : report.runs) {
-    text += to_text(run) + "\n";
+    text += (many ? one_line(run) : to_text(run)) + "\n";
   }
+  text += many ? notes_of_all(report.runs) : std::string();
   text += to_text(report.columns);
   if (report.episode_errors) {
     text += errors_to_text(report, *report.episode_errors);

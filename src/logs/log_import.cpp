@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +14,7 @@
 #include "command_check.hpp"
 #include "level_correlation.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/data/median_rate.hpp"
 #include "log_clock.hpp"
 #include "log_resampling.hpp"
@@ -131,6 +133,25 @@ void require_log_pairs(const std::vector<fs::path>& logs, const ImportOptions& o
   }
 }
 
+/// Reads every log again for its rate alone, so that one message says what all of them ask for.
+template <class ReadRuns>
+[[noreturn]] void refuse_all_slow_logs(const std::vector<fs::path>& logs, const ArmDescription& arm,
+                                       const ReadRuns& read_runs) {
+  std::vector<std::string> names;
+  std::vector<double> rates_hz;
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    throw_if_interrupted();
+    for (LogRun& run : read_runs(logs[i], i)) {
+      const std::string name = name_of(logs[i], run.report);
+      RunReport unused;
+      put_in_order(name, run.points, unused);
+      names.push_back(name);
+      rates_hz.push_back(median_rate_hz(run.points.time_s));
+    }
+  }
+  refuse_slow_logs(names, rates_hz, arm);
+}
+
 template <class ReadRuns>
 ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions& options,
                          const ArmDescription& arm, const char* kind, const ReadRuns& read_runs) {
@@ -148,11 +169,17 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
         options.command_logs.empty() ? std::string() : options.command_logs[i].string();
     names.push_back(logs[i].filename().string());
     for (LogRun& run : read_runs(logs[i], i)) {
-      LevelTable& own = levels.emplace_back();
-      for (Episode& episode : import_run(logs[i], command_log, options, arm, run, own)) {
-        result.recording.episodes.push_back(std::move(episode));
-      }
       run_names.push_back(name_of(logs[i], run.report));
+      LevelTable& own = levels.emplace_back();
+      try {
+        std::ranges::move(import_run(logs[i], command_log, options, arm, run, own),
+                          std::back_inserter(result.recording.episodes));
+      } catch (const SlowLog&) {
+        if (logs.size() > 1) {
+          refuse_all_slow_logs(logs, arm, read_runs);
+        }
+        throw;
+      }
       result.report.runs.push_back(std::move(run.report));
     }
   }

@@ -139,6 +139,47 @@ TEST(SimpleModelFit, RefusesWhatWasNeverSeen) {
   EXPECT_THROW(fit_simple_model(arm, {episode}), InputError);
 }
 
+// An arm file that says what the arm does leaves nothing to fit.
+TEST(WithSimpleModel, AnArmOfTheFitNeedsNoFurtherFit) {
+  const ArmDescription arm = sample_arm(3);
+  const SimpleModel truth{{{0.8, 0.0, 1.03}, {1.2, 0.0, 0.98}, {0.6, 0.0, 1.0}}, 0.1};
+  const std::vector<Episode> episodes = episodes_of(truth, arm, 8, 0.0);
+  const ArmDescription fitted = fitted_arm(arm, fit_simple_model(arm, episodes), episodes);
+  const SimpleFit again = fit_simple_model(fitted, episodes);
+  for (const SimpleSegment& segment : again.model.segments) {
+    EXPECT_NEAR(segment.gain, 1.0, 0.002);
+    EXPECT_NEAR(segment.length_ratio, 1.0, 0.005);
+  }
+}
+
+TEST(WithSimpleModel, GivesAStraightArmCurvatures) {
+  ArmDescription arm = sample_arm(2);
+  arm.no_load = NoLoadKind::straight;
+  const SimpleModel truth{{{0.012, 0.0, 1.0}, {-0.02, 0.0, 1.0}}, 0.0};
+  const ArmDescription fitted =
+      with_simple_model(arm, fit_simple_model(arm, episodes_of(truth, arm, 6)));
+  EXPECT_EQ(fitted.no_load, NoLoadKind::curvature);
+  EXPECT_NEAR(fitted.segments[0].curvature_per_unit * fitted.segments[0].length_m, 0.012, 2e-4);
+  EXPECT_NEAR(fitted.segments[1].curvature_per_unit * fitted.segments[1].length_m, -0.02, 2e-4);
+}
+
+TEST(WithSimpleModel, RefusesASegmentThatBendsToTheOtherSide) {
+  const ArmDescription arm = sample_arm(2);
+  const SimpleModel turned{{{0.8, 0.0, 1.0}, {-0.9, 0.0, 1.0}}, 0.0};
+  EXPECT_THAT(
+      [&] { (void)with_simple_model(arm, fit_simple_model(arm, episodes_of(turned, arm, 6))); },
+      ::testing::ThrowsMessage<InputError>(::testing::AllOf(
+          ::testing::HasSubstr("segment 1"), ::testing::HasSubstr("bends to the other side"))));
+}
+
+TEST(WithSimpleModel, PutsLinesWhereNothingWasCharacterised) {
+  ArmDescription arm = sample_arm(2);
+  arm.segments[1].strain_polynomial = {};
+  const ArmDescription filled = with_lines_for_missing_polynomials(arm);
+  EXPECT_EQ(filled.segments[0].strain_polynomial, arm.segments[0].strain_polynomial);
+  EXPECT_NEAR(filled.segments[1].strain_polynomial[0], 0.002, 1e-12);
+}
+
 TEST(EpisodeErrors, FlagNothingWhereAllAreAlike) {
   const ArmDescription arm = sample_arm(3);
   const EpisodeErrors errors = episode_errors(arm, episodes_of(some_model(), arm, 40));

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <string>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/data/recording.hpp"
@@ -16,7 +19,7 @@ struct SimpleSegment {
   double length_ratio = 1.0;
 };
 
-/// What four numbers a segment make of commands (docs/model.md, (30)): arcs of constant curvature
+/// What four numbers a segment make of commands (docs/model.md, (19)): arcs of constant curvature
 /// behind one first-order lag. It has no memory of shapes, so no friction.
 struct SimpleModel {
   std::vector<SimpleSegment> segments;
@@ -50,6 +53,24 @@ struct SimpleFit {
 /// episode at a time, or a tenth of a single one.
 /// @throws InputError where no frame was tracked.
 SimpleFit fit_simple_model(const ArmDescription& arm, const std::vector<Episode>& episodes);
+
+/// The arm with the fit's gains and lengths in place of its own: strain polynomials times gain over
+/// length ratio, or curvatures per unit; where its no-load model was straight, it is `curvature`
+/// now. Seven significant digits. Offsets and the lag have no place in an arm file.
+/// @throws InputError where a segment bends to the other side than the arm file says, or a
+/// polynomial would reach a strain of 1.
+ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit);
+
+/// The same for `fit_simple_model`, refined: a strain changes a segment's length too, so lengths are
+/// fitted again to the arm that came out. @throws InputError as both.
+ArmDescription fitted_arm(const ArmDescription& arm, const SimpleFit& fit,
+                          const std::vector<Episode>& episodes);
+
+/// A line in place of a missing strain polynomial, to be scaled by a fit: a fifth at the limit.
+ArmDescription with_lines_for_missing_polynomials(ArmDescription arm);
+
+nlohmann::ordered_json to_json(const SimpleFit& fit);
+std::string to_text(const SimpleFit& fit, const ArmDescription& arm);
 
 /// Backbones that the model expects under an episode's commands, T×3m, base at the origin.
 FrameMatrix predict(const SimpleModel& model, const ArmDescription& arm, const Episode& episode);
