@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 
 #include <fmt/ranges.h>
@@ -8,6 +10,8 @@
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/data/recording_inspection.hpp"
+#include "limber/data/simple_model.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/hardware/bench_test.hpp"
 #include "limber/report/bench_chart.hpp"
@@ -58,11 +62,12 @@ class CharacterizeVerb final : public Verb {
  public:
   const char* name() const override { return "characterize"; }
   const char* summary() const override {
-    return "Fit the no-load model to a bench test of one free segment, the virtual arm's or yours; "
-           "or identify the valves of a recording";
+    return "Bench test of one free segment, or a fit of your bench data, for the no-load model; or "
+           "the simple model, or the valves, of recordings";
   }
   const char* example() const override {
-    return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg";
+    return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg\n"
+           "  limber characterize --arm mine.yaml --recording train.h5 --out fitted.yaml";
   }
 
   void add_flags(CLI::App& app) override {
@@ -73,12 +78,18 @@ class CharacterizeVerb final : public Verb {
         ->capture_default_str()
         ->check(CLI::Range(4, 1000));
     auto* plot = app.add_option("--plot", plot_, "Draw points and curves to this SVG file");
-    auto* valves =
-        app.add_option("--valves", valves_,
-                       "Instead, identify the valves between this recording's set points "
-                       "and measured pressures (docs/valves.md)")
-            ->excludes(csv)
-            ->excludes(plot);
+    auto* valves = app.add_option("--valves", valves_,
+                                  "Identify the valves between this recording's set points and "
+                                  "measured pressures instead (docs/valves.md)")
+                       ->excludes(csv)
+                       ->excludes(plot);
+    app.add_option("--recording", recordings_,
+                   "Fit gains, offsets, lengths and lag of the simple model to these recordings "
+                   "instead: for those who have logs and no bench test (docs/model.md)")
+        ->allow_extra_args(false)
+        ->excludes(csv)
+        ->excludes(plot)
+        ->excludes(valves);
     app.add_option("--plots", plots_, "Folder for valves.svg: a motion that was not fitted to")
         ->needs(valves);
     app.add_option("--out", out_,
@@ -86,6 +97,9 @@ class CharacterizeVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    if (!recordings_.empty()) {
+      return run_recordings(flags);
+    }
     return valves_.empty() ? run_bench(flags) : run_valves(flags);
   }
 
@@ -112,6 +126,39 @@ class CharacterizeVerb final : public Verb {
       write_file_atomically(plot_, svg);
     }
     report(flags, result, bench);
+    return kExitDone;
+  }
+
+  int run_recordings(const CommonFlags& flags) const {
+    if (!out_.empty()) {
+      refuse_to_overwrite(out_, flags.force);
+    }
+    const std::string arm_file = find_arm_file(arm_);
+    const ArmDescription arm =
+        with_lines_for_missing_polynomials(load_arm(arm_file, PolynomialsOf::characterisation));
+    std::vector<Episode> episodes;
+    for (const std::string& path : recordings_) {
+      Recording recording = read_recording(path);
+      require_recording_of(recording, arm, path);
+      std::ranges::move(recording.episodes, std::back_inserter(episodes));
+    }
+    const SimpleFit fit = fit_simple_model(arm, episodes);
+    nlohmann::ordered_json json = to_json(fit);
+    std::string text = to_text(fit, arm);
+    const EpisodeErrors errors = episode_errors(arm, episodes);
+    json["episode_errors"] = to_json(errors);
+    text += fmt::format("\nmiddle error at the tip over {} episodes: {:.2f} cm", episodes.size(),
+                        errors.median_cm);
+    if (const std::string broken = outliers_to_text(errors); !broken.empty()) {
+      say(flags, "warning: broken: {}", broken);
+    }
+    if (!out_.empty()) {
+      write_file_atomically(
+          out_, with_strain_polynomials(read_file(arm_file), fitted_arm(arm, fit, episodes)));
+      json["out"] = out_;
+      text += fmt::format("\narm written to {}", out_);
+    }
+    print_result(flags, json, text);
     return kExitDone;
   }
 
@@ -199,6 +246,7 @@ class CharacterizeVerb final : public Verb {
   std::string out_;
   std::string plot_;
   std::string valves_;
+  std::vector<std::string> recordings_;
   std::string plots_;
   int steps_ = 20;
 };

@@ -1,8 +1,13 @@
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/report/evaluation_plots.hpp"
 #include "limber/report/training_report.hpp"
+#include "limber/report/yardstick_report.hpp"
 #include "limber/training/ensemble_evaluation.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/unseen_error.hpp"
@@ -34,11 +39,24 @@ class EvaluateVerb final : public Verb {
                    "this distance from obstacles")
         ->needs(model);
     app.add_option("--plots", plots_, "Folder for error_over_time.svg and other pictures");
+    app.add_option("--fit", fit_,
+                   "Recordings to fit the yardsticks to, best those that the model learnt from; "
+                   "without them, to --data itself, part by part, what is predicted left out")
+        ->allow_extra_args(false);
+    app.add_option("--predictions", predictions_,
+                   "Folder for tables of what was recorded and predicted, frame by frame: "
+                   "one_step.csv, window_32.csv, per_motion.csv, open_loop.csv");
   }
 
   int run(const CommonFlags& flags) override {
     if (!plots_.empty()) {
       for (const auto& path : evaluation_plot_paths(plots_)) {
+        refuse_to_overwrite(path, flags.force);
+      }
+      refuse_to_overwrite(horizon_plot_path(), flags.force);
+    }
+    if (!predictions_.empty()) {
+      for (const auto& path : prediction_paths(predictions_)) {
         refuse_to_overwrite(path, flags.force);
       }
     }
@@ -64,15 +82,26 @@ class EvaluateVerb final : public Verb {
     }
     const ForwardModel* compared = network ? &*network : nullptr;
     const Evaluation evaluation = compare(no_load, compared, recording, flags.jobs);
+    const YardstickReport yardsticks = measure_yardsticks(
+        arm, no_load, compared, recording.episodes, episodes_to_fit(arm), flags.jobs);
     if (!plots_.empty()) {
       const EvaluationPlots plots =
           plot_evaluation(no_load, compared, recording.episodes, flags.jobs);
       for (const auto& path : write_evaluation_plots(plots_, plots)) {
         say(flags, "wrote {}", path.string());
       }
+      write_file_atomically(horizon_plot_path(), error_over_horizon_svg(yardsticks));
+      say(flags, "wrote {}", horizon_plot_path().string());
+    }
+    if (!predictions_.empty()) {
+      for (const auto& path :
+           write_predictions(predictions_, no_load, compared, recording.episodes, flags.jobs)) {
+        say(flags, "wrote {}", path.string());
+      }
     }
     nlohmann::ordered_json json = to_json(evaluation);
-    std::string text = evaluation_to_text(evaluation);
+    add_to_json(yardsticks, recording.episodes, json);
+    std::string text = evaluation_to_text(evaluation) + yardsticks_to_text(yardsticks);
     if (network && network->compensation().member_count() > 1) {
       const EnsembleForward ensemble(arm, network->compensation());
       const EnsembleEvaluation errors = evaluate_ensemble(ensemble, recording.episodes, flags.jobs);
@@ -96,6 +125,20 @@ class EvaluateVerb final : public Verb {
   }
 
  private:
+  std::filesystem::path horizon_plot_path() const {
+    return std::filesystem::path(plots_) / "error_over_horizon.svg";
+  }
+
+  std::vector<Episode> episodes_to_fit(const ArmDescription& arm) const {
+    std::vector<Episode> episodes;
+    for (const std::string& path : fit_) {
+      Recording recording = read_recording(path);
+      require_recording_of(recording, arm, path);
+      std::ranges::move(recording.episodes, std::back_inserter(episodes));
+    }
+    return episodes;
+  }
+
   void store(const CompensationModel& model) const {
     if (out_.empty()) {
       return;
@@ -129,6 +172,8 @@ class EvaluateVerb final : public Verb {
   std::string data_;
   std::string out_;
   std::string plots_;
+  std::vector<std::string> fit_;
+  std::string predictions_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <fmt/ranges.h>
 
+#include "episode_choice.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
@@ -110,13 +111,15 @@ class TrainVerb final : public Verb {
     const TrainingSettings settings = make_settings(flags, start.has_value());
     std::string sources;
     IdentifiedValves valves;
-    TrainingData data = load_data(flags, arm, settings, sources, valves);
+    EpisodeChoice choice = load_data(flags, arm, settings, sources, valves);
+    TrainingData& data = choice.data;
     const TrainingData old_data = load_old_data(flags, arm, settings, sources);
     data.replay = old_data.training;
     say(flags, "training {} on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
         settings.ensemble > 1 ? fmt::format("{} networks", settings.ensemble) : "a network",
         data.training.size(), data.validation.size(), settings.preset, settings.epoch_count(),
         settings.seed);
+    tell(flags, choice);
     keep_known_valves(flags, arm, start, valves);
     TrainingResult result =
         start ? fine_tune(arm, data, settings, *start) : train(arm, data, settings);
@@ -135,6 +138,7 @@ class TrainVerb final : public Verb {
       return kExitNoSolution;
     }
     result.model.training["data"] = sources;
+    result.model.training["validation"] = fmt::format("{}", fmt::join(choice.validation, "; "));
     result.model.set_valves(valves);
     result.model.learnt =
         learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
@@ -151,7 +155,7 @@ class TrainVerb final : public Verb {
     if (result.status == TrainingStatus::finished) {
       remove_checkpoint();
     }
-    report(flags, arm.command, result, changes, !data.unseen.empty());
+    report(flags, arm.command, result, changes, choice);
     if (result.status == TrainingStatus::interrupted) {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
@@ -216,52 +220,55 @@ class TrainVerb final : public Verb {
     return recording;
   }
 
-  static std::vector<Episode> read_episodes(const CommonFlags& flags, const ArmDescription& arm,
-                                            const std::vector<std::string>& paths,
-                                            std::string& sources) {
-    std::vector<Episode> episodes;
+  static NamedEpisodes read_episodes(const CommonFlags& flags, const ArmDescription& arm,
+                                     const std::vector<std::string>& paths, std::string& sources) {
+    NamedEpisodes all;
     for (const std::string& path : paths) {
-      Recording recording = read_usable(flags, arm, path);
-      sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ",
-                             fs::path(path).filename().string(), content_hash(read_file(path)));
-      std::ranges::move(recording.episodes, std::back_inserter(episodes));
+      const std::string file = fs::path(path).filename().string();
+      all.add(file, read_usable(flags, arm, path).episodes);
+      sources +=
+          fmt::format("{}{} {}", sources.empty() ? "" : ", ", file, content_hash(read_file(path)));
     }
-    return episodes;
+    return all;
   }
 
   /// What is replayed, and what the old errors are measured on.
   TrainingData load_old_data(const CommonFlags& flags, const ArmDescription& arm,
                              const TrainingSettings& settings, std::string& sources) const {
-    std::vector<Episode> episodes = read_episodes(flags, arm, old_data_, sources);
+    std::vector<Episode> episodes = read_episodes(flags, arm, old_data_, sources).episodes;
     return episodes.empty()
                ? TrainingData()
                : hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
   }
 
-  TrainingData load_data(const CommonFlags& flags, const ArmDescription& arm,
-                         const TrainingSettings& settings, std::string& sources,
-                         IdentifiedValves& valves) const {
-    std::vector<Episode> episodes = read_episodes(flags, arm, data_, sources);
-    std::vector<std::string> names;
+  EpisodeChoice load_data(const CommonFlags& flags, const ArmDescription& arm,
+                          const TrainingSettings& settings, std::string& sources,
+                          IdentifiedValves& valves) const {
+    NamedEpisodes all = read_episodes(flags, arm, data_, sources);
+    std::vector<std::string> files;
     for (const std::string& path : data_) {
-      names.push_back(fs::path(path).filename().string());
+      files.push_back(fs::path(path).filename().string());
     }
-    valves = identify_valves(episodes, arm, fmt::format("{}", fmt::join(names, ", ")));
-    TrainingData data;
-    if (validation_.empty()) {
-      data = hold_back_validation(std::move(episodes), kValidationShare, settings.seed);
-    } else {
-      data.training = std::move(episodes);
-    }
-    if (unseen_.empty()) {
-      hold_back_unseen(data, kUnseenShare, settings.seed);
-    } else {
-      data.unseen = read_usable(flags, arm, unseen_).episodes;
-    }
+    valves = identify_valves(all.episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
+    NamedEpisodes validation;
     if (!validation_.empty()) {
-      data.validation = read_usable(flags, arm, validation_).episodes;
+      validation.add(fs::path(validation_).filename().string(),
+                     read_usable(flags, arm, validation_).episodes);
     }
-    return data;
+    const EpisodeShares shares{kValidationShare, unseen_.empty() ? kUnseenShare : 0.0};
+    EpisodeChoice choice =
+        choose_episodes(arm, std::move(all), std::move(validation), shares, settings.seed);
+    if (!unseen_.empty()) {
+      choice.data.unseen = read_usable(flags, arm, unseen_).episodes;
+    }
+    return choice;
+  }
+
+  static void tell(const CommonFlags& flags, const EpisodeChoice& choice) {
+    for (const std::string& broken : choice.broken) {
+      say(flags, "warning: {} is broken by the simple model: leave it out of the data", broken);
+    }
+    say(flags, "validating on {}", fmt::join(choice.validation, "; "));
   }
 
   void remove_checkpoint() const {
@@ -295,7 +302,7 @@ class TrainVerb final : public Verb {
   }
 
   void report(const CommonFlags& flags, const Command& command, const TrainingResult& result,
-              const std::optional<FineTuningReport>& changes, bool has_unseen) const {
+              const std::optional<FineTuningReport>& changes, const EpisodeChoice& choice) const {
     const char* status = result.status == TrainingStatus::finished      ? "finished"
                          : result.status == TrainingStatus::interrupted ? "interrupted"
                                                                         : "diverged";
@@ -311,6 +318,8 @@ class TrainVerb final : public Verb {
     json["best_epoch"] = result.best_epoch;
     json["loss"] = last.loss;
     json["validation_position_error_cm"] = result.best_validation_position_error_cm;
+    json["validation_episodes"] = choice.validation;
+    json["broken_episodes"] = choice.broken;
     json["members"] = result.model.member_count();
     json["valves"] = to_json(result.model.identified_valves());
     if (result.model.member_count() > 1) {
@@ -341,7 +350,7 @@ class TrainVerb final : public Verb {
                         ? fmt::format("{} networks ", result.model.member_count())
                         : "",
                     result.model.shape(), result.model.preset, last.epoch, result.wall_time_s,
-                    status, chosen, error_line(result.model, has_unseen),
+                    status, chosen, error_line(result.model, !choice.data.unseen.empty()),
                     changes ? "\n" + to_text(*changes) : ""));
   }
 

@@ -1,4 +1,5 @@
 #include <optional>
+#include <vector>
 
 #include "limber/certificate/certificate.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -7,6 +8,7 @@
 #include "limber/network/compensation_model.hpp"
 #include "limber/report/certificate_report.hpp"
 #include "model_flags.hpp"
+#include "other_judges.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -20,7 +22,9 @@ class VerifyVerb final : public Verb {
     return "Certify a plan: simulate and check it again with independent code";
   }
   const char* example() const override {
-    return "limber verify --plan plan.json --no-load --environment 01_pillar";
+    return "limber verify --plan plan.json --no-load --environment 01_pillar\n"
+           "  limber verify --plan plan.json --model a.safetensors --environment 01_pillar --also "
+           "b.safetensors --also c.safetensors";
   }
 
   void add_flags(CLI::App& app) override {
@@ -31,6 +35,10 @@ class VerifyVerb final : public Verb {
     app.add_option("--environment", environment_,
                    "Environment that it was made for; or the name of one of limber's own")
         ->required();
+    app.add_option("--also", also_,
+                   "Other networks of the same arm, to run the plan's set points on as well: where "
+                   "they end, and whether they touch anything. One that misses or touches: exit 1")
+        ->allow_extra_args(false);
   }
 
   int run(const CommonFlags& flags) override {
@@ -46,9 +54,17 @@ class VerifyVerb final : public Verb {
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", plan_, error.what()));
     }
-    print_result(flags, to_json(certificate, arm.command, environment),
-                 certificate_to_text(certificate, arm, environment));
-    return certificate.certified() ? kExitDone : kExitNoSolution;
+    nlohmann::ordered_json json = to_json(certificate, arm.command, environment);
+    std::string text = certificate_to_text(certificate, arm, environment);
+    bool agreed = true;
+    for (const std::string& other : also_) {
+      const OtherJudgement judgement = judge_by(other, plan, arm, valves, environment);
+      json["also"].push_back(to_json(judgement));
+      text += "\n" + to_text(judgement);
+      agreed = agreed && judgement.agrees();
+    }
+    print_result(flags, json, text);
+    return certificate.certified() && agreed ? kExitDone : kExitNoSolution;
   }
 
  private:
@@ -95,6 +111,7 @@ class VerifyVerb final : public Verb {
   std::string arm_ = "three_segment";
   ModelFlags model_;
   std::string environment_;
+  std::vector<std::string> also_;
 };
 
 }  // namespace

@@ -25,6 +25,8 @@ constexpr double kSetpointOvershoot = 1.001;
 constexpr int kFrozenFrames = 10;      // exactly equal backbones, while …
 constexpr double kFrozenChange = 0.1;  // … a pressure changes by this part of its limit
 
+constexpr double kMeantTransitions = 0.01;  // of all: fewer were commanded by chance
+
 class EpisodeInspector {
  public:
   EpisodeInspector(const Recording& recording, std::size_t index,
@@ -165,6 +167,17 @@ std::vector<double> limits_of(const ArmDescription* arm,
   return limits_kpa;
 }
 
+/// By the arm file, or by the arm that the recording describes.
+std::optional<EpisodeErrors> errors_of(const Recording& recording, const ArmDescription* arm,
+                                       const std::string& file) {
+  const bool seen = recording.untracked_count() < recording.frame_count();
+  if (!seen || (arm == nullptr && recording.arm_description.empty())) {
+    return std::nullopt;
+  }
+  return episode_errors(arm != nullptr ? *arm : read_arm_keys(recording.arm_description, file),
+                        recording.episodes);
+}
+
 }  // namespace
 
 RecordingInspection inspect(const Recording& recording, const ArmDescription* arm,
@@ -184,6 +197,7 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
   }
   inspection.suspicions = suspicions.take();
   inspection.valves = identify_valves(recording, inspection.limits_kpa);
+  inspection.episode_errors = errors_of(recording, arm, file);
   return inspection;
 }
 
@@ -215,6 +229,8 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
                          {"attempted", inspection.transitions.attempted},
                          {"covered", inspection.transitions.covered}};
   json["valves"] = to_json(inspection.valves);
+  json["episode_errors"] =
+      inspection.episode_errors ? to_json(*inspection.episode_errors) : nlohmann::ordered_json();
   json["suspicions"] = nlohmann::ordered_json::array();
   for (const Suspicion& suspicion : inspection.suspicions) {
     json["suspicions"].push_back({{"what", suspicion.what},
@@ -245,15 +261,32 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
                     range.highest_setpoint_kpa, fmt::arg("unit", recording.command.unit));
   }
   const TransitionCoverage& transitions = inspection.transitions;
-  text += fmt::format("  {} of {:.0f} transitions covered (both ends reached), {} commanded{}\n",
-                      transitions.covered, transitions.possible, transitions.attempted,
-                      inspection.limits_known ? "" : "; limits guessed from the set points");
+  // Who never meant to record them need not hear of them.
+  if (double(transitions.attempted) >= kMeantTransitions * transitions.possible) {
+    text += fmt::format("  {} of {:.0f} transitions covered (both ends reached), {} commanded{}\n",
+                        transitions.covered, transitions.possible, transitions.attempted,
+                        inspection.limits_known ? "" : "; limits guessed from the set points");
+  }
   text += "  " + valves_to_text(inspection.valves, recording.command.unit) + "\n";
   for (const std::string& warning : inspection.valves.findings.warnings) {
     text += "    warning: " + warning + "\n";
   }
-  if (inspection.suspicions.empty()) {
+  std::string outliers;
+  if (inspection.episode_errors) {
+    const EpisodeErrors& errors = *inspection.episode_errors;
+    text += fmt::format(
+        "  the simple model (fitted gains, offsets, lengths, lag) errs by {:.2f} cm at the tip in "
+        "the middle one of the episodes\n",
+        errors.median_cm);
+    outliers = outliers_to_text(errors);
+    text += outliers.empty() ? "" : "  broken: " + outliers + "\n";
+  }
+  if (inspection.suspicions.empty() && outliers.empty()) {
     text += "  nothing suspicious";
+    return text;
+  }
+  if (inspection.suspicions.empty()) {
+    text.pop_back();
     return text;
   }
   text += "  suspicious:";

@@ -1,29 +1,34 @@
 #include "clock_match.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 
 #include <unsupported/Eigen/FFT>
 
-#include "limber/arm/no_load_model.hpp"
 #include "limber/common/interrupt.hpp"
+#include "segment_turns.hpp"
 
 namespace limber {
 
 namespace {
 
 constexpr double kRate_hz = 100.0;
-constexpr double kRounding_s = 1e-6;
-constexpr double kDifference_s = 0.1;
+// Fast motions tell most over short times; slow ones drown there in noise.
+constexpr std::array<double, 3> kDifferences_s = {0.1, 0.5, 2.0};
+constexpr double kActivityDifference_s = 0.5;
 constexpr double kMinOverlap = 0.5;
 constexpr double kMinOverlap_s = 5.0;
 constexpr double kPeakWidth_s = 1.0;
+constexpr double kPeakWidths = 1.5;  // of the difference: differences are alike so far apart
 constexpr double kPeakHalfWidth_s = 0.5;
 constexpr double kTypicalLag_s = 0.1;  // of each stage; limber's virtual arms have 0.08 to 0.13
 constexpr double kLongestLag_s = 0.4;
 constexpr double kLagStep_s = 0.02;
 constexpr double kClearlyBetter = 1e-4;  // of correlations
+constexpr double kMinCorrelation = 0.3;  // below, the logs do not belong together
+constexpr double kAmbiguous = 0.9;       // a runner-up this good could as well be the answer
 
 /// How fast each segment turns, on an even grid: one column per segment, zero where unknown.
 struct TurnRates {
@@ -31,75 +36,26 @@ struct TurnRates {
   Eigen::MatrixXd values;
 };
 
-/// A log's turns at its own times, on its own clock.
-struct Turns {
-  const std::vector<double>& time_s;
-  Eigen::MatrixXd values;  // T×n, NaN if unknown
-};
-
-TurnRates rates_of(const Turns& turns, double start_s, Eigen::Index count) {
+/// Changes over `difference_s` about each time of the grid.
+TurnRates rates_of(const Turns& turns, double difference_s, double start_s, Eigen::Index count) {
   TurnRates rates{start_s, Eigen::MatrixXd::Zero(count, turns.values.cols())};
-  const auto sample = [&](double time_s, Eigen::Index column) {
-    if (std::abs(time_s - turns.time_s.front()) < kRounding_s) {
-      return turns.values(0, column);
-    }
-    if (std::abs(time_s - turns.time_s.back()) < kRounding_s) {
-      return turns.values(turns.values.rows() - 1, column);
-    }
-    const auto after = std::upper_bound(turns.time_s.begin(), turns.time_s.end(), time_s);
-    if (after == turns.time_s.begin() || after == turns.time_s.end()) {
-      return std::nan("");
-    }
-    const auto b = static_cast<Eigen::Index>(after - turns.time_s.begin());
-    const double from = turns.time_s[std::size_t(b - 1)];
-    const double part = (time_s - from) / (turns.time_s[std::size_t(b)] - from);
-    return turns.values(b - 1, column) +
-           part * (turns.values(b, column) - turns.values(b - 1, column));
-  };
   for (Eigen::Index k = 0; k < count; ++k) {
     const double time_s = start_s + double(k) / kRate_hz;
     for (Eigen::Index i = 0; i < turns.values.cols(); ++i) {
       const double change =
-          sample(time_s + 0.5 * kDifference_s, i) - sample(time_s - 0.5 * kDifference_s, i);
+          turns.at(time_s + 0.5 * difference_s, i) - turns.at(time_s - 0.5 * difference_s, i);
       rates.values(k, i) = std::isfinite(change) ? change : 0.0;
     }
   }
   return rates;
 }
 
-TurnRates whole(const Turns& turns) {
+TurnRates whole(const Turns& turns, double difference_s) {
   // From the first difference that the log has to its last.
-  const double start_s = turns.time_s.front() + 0.5 * kDifference_s;
-  const double length_s = turns.time_s.back() - 0.5 * kDifference_s - start_s;
+  const double start_s = turns.time_s.front() + 0.5 * difference_s;
+  const double length_s = turns.time_s.back() - 0.5 * difference_s - start_s;
   const auto count = static_cast<Eigen::Index>(std::max(0.0, length_s) * kRate_hz) + 1;
-  return rates_of(turns, start_s, count);
-}
-
-Turns turns_of(const BackboneTrack& motion, const ArmDescription& arm) {
-  Turns turns{motion.time_s, Eigen::MatrixXd(motion.row_count(), arm.segment_count())};
-  int plate = 0;
-  for (int i = 0; i < arm.segment_count(); ++i) {
-    const int end = plate + arm.segments[std::size_t(i)].gaps;
-    turns.values.col(i) = motion.poses.col(3 * end + 2) - motion.poses.col(3 * plate + 2);
-    plate = end;
-  }
-  return turns;
-}
-
-Turns turns_of(const CommandTrack& commands, const ArmDescription& arm) {
-  Turns turns{commands.time_s, commands.measured};
-  if (arm.no_load == NoLoadKind::straight) {
-    return turns;
-  }
-  const NoLoadModel model(arm);
-  for (int i = 0; i < arm.segment_count(); ++i) {
-    for (Eigen::Index t = 0; t < turns.values.rows(); ++t) {
-      const SegmentShape shape = model.segment_shape(i, turns.values(t, i));
-      turns.values(t, i) =
-          std::isfinite(turns.values(t, i)) ? shape.curvature_per_m * shape.length_m : std::nan("");
-    }
-  }
-  return turns;
+  return rates_of(turns, difference_s, start_s, count);
 }
 
 /// The turns of an arm that follows late: two lags of first order, one behind the other, exact for
@@ -227,59 +183,98 @@ Peak peak_near(Eigen::Index around, const TurnRates& a, const TurnRates& b, bool
   return peak;
 }
 
-}  // namespace
-
-ClockMatch match_clocks(const BackboneTrack& motion, const CommandTrack& commands,
-                        const ArmDescription& arm) {
-  const TurnRates seen = whole(turns_of(motion, arm));
-  const Turns told = turns_of(commands, arm);
-  const bool has_sign = arm.no_load != NoLoadKind::straight;
-  const TurnRates typical = whole(lagging(told, kTypicalLag_s));
+/// How far the clocks are apart by changes over `difference_s`.
+ClockMatch match_by(const Turns& turned, const Turns& told, bool has_sign, double difference_s) {
+  const TurnRates seen = whole(turned, difference_s);
+  const TurnRates typical = whole(lagging(told, kTypicalLag_s), difference_s);
   const Eigen::VectorXd values = normalised_correlation(seen, typical, has_sign);
   ClockMatch match;
   Eigen::Index best = -1;
+  Eigen::Index opposite = 0;
   for (Eigen::Index k = 0; k < values.size(); ++k) {
     if (!std::isnan(values[k])) {
       best = best < 0 || values[k] > values[best] ? k : best;
+      opposite = values[k] < match.opposite ? k : opposite;
       match.opposite = std::min(match.opposite, values[k]);
     }
   }
   if (best < 0) {
     return match;
   }
+  const Eigen::Index no_shift = typical.values.rows() - 1;
+  const auto offset_s = [&](double shift) {
+    return seen.start_s - typical.start_s + shift / kRate_hz;
+  };
+  match.opposite_offset_s = offset_s(double(opposite - no_shift));
+  const double peak_width_s = std::max(kPeakWidth_s, kPeakWidths * difference_s);
   for (Eigen::Index k = 0; k < values.size(); ++k) {
-    if (double(std::abs(k - best)) > kPeakWidth_s * kRate_hz && !std::isnan(values[k])) {
+    if (double(std::abs(k - best)) > peak_width_s * kRate_hz && !std::isnan(values[k])) {
       match.runner_up = std::max(match.runner_up, values[k]);
     }
   }
-  const Eigen::Index around = best - (typical.values.rows() - 1);
   // A lag and an offset look alike to slow motions: no more lag than the data ask for.
   for (int step = 0; step * kLagStep_s <= kLongestLag_s; ++step) {
     throw_if_interrupted();
     const double lag_s = step * kLagStep_s;
-    const Peak peak = peak_near(around, seen, whole(lagging(told, lag_s)), has_sign);
+    const Peak peak =
+        peak_near(best - no_shift, seen, whole(lagging(told, lag_s), difference_s), has_sign);
     if (step == 0 || peak.value > match.correlation + kClearlyBetter) {
       match.correlation = peak.value;
       match.lag_s = lag_s;
-      match.offset_s = seen.start_s - typical.start_s + peak.shift / kRate_hz;
+      match.offset_s = offset_s(peak.shift);
     }
   }
   return match;
 }
 
-std::vector<double> segment_correlations(const BackboneTrack& motion, const CommandTrack& commands,
-                                         const ArmDescription& arm, double offset_s) {
-  const TurnRates seen = whole(turns_of(motion, arm));
-  const TurnRates expected =
-      rates_of(turns_of(commands, arm), seen.start_s - offset_s, seen.values.rows());
-  std::vector<double> correlations;
-  for (Eigen::Index i = 0; i < seen.values.cols(); ++i) {
-    const double energy = seen.values.col(i).norm() * expected.values.col(i).norm();
-    const double value =
-        energy > 0.0 ? seen.values.col(i).dot(expected.values.col(i)) / energy : 0.0;
-    correlations.push_back(arm.no_load == NoLoadKind::straight ? std::abs(value) : value);
+/// How much moves at all, whichever segment and to whichever side: one column.
+TurnRates activity(const Turns& turns) {
+  TurnRates rates = whole(turns, kActivityDifference_s);
+  for (Eigen::Index i = 0; i < rates.values.cols(); ++i) {
+    const double size = rates.values.col(i).norm();
+    rates.values.col(i) /= size > 0.0 ? size : 1.0;
   }
-  return correlations;
+  Eigen::MatrixXd sum = rates.values.rowwise().norm();
+  sum.array() -= sum.mean();
+  return {rates.start_s, std::move(sum)};
+}
+
+}  // namespace
+
+bool ClockMatch::is_decisive() const {
+  return correlation >= kMinCorrelation && runner_up <= kAmbiguous * correlation &&
+         -opposite <= correlation;
+}
+
+ClockMatch match_clocks(const BackboneTrack& motion, const CommandTrack& commands,
+                        const ArmDescription& arm) {
+  const Turns turned = turns_of(motion, arm);
+  const Turns told = turns_of(commands, arm);
+  ClockMatch best;
+  for (const double difference_s : kDifferences_s) {
+    const ClockMatch match =
+        match_by(turned, told, arm.no_load != NoLoadKind::straight, difference_s);
+    if (match.is_decisive()) {
+      return match;
+    }
+    if (match.correlation - match.runner_up > best.correlation - best.runner_up ||
+        best.correlation <= 0.0) {
+      best = match;
+    }
+  }
+  return best;
+}
+
+double offset_by_activity(const BackboneTrack& motion, const CommandTrack& commands,
+                          const ArmDescription& arm) {
+  const TurnRates seen = activity(turns_of(motion, arm));
+  const TurnRates told = activity(turns_of(commands, arm));
+  const Eigen::VectorXd values = normalised_correlation(seen, told, true);
+  Eigen::Index best = told.values.rows() - 1;
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    best = !std::isnan(values[k]) && !(values[k] <= values[best]) ? k : best;
+  }
+  return seen.start_s - told.start_s + double(best - (told.values.rows() - 1)) / kRate_hz;
 }
 
 }  // namespace limber

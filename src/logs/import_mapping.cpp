@@ -71,9 +71,9 @@ CommandColumns read_commands(const YamlReader& node, const ArmDescription& arm,
     commands.factor = factor_to(node.at("unit"), arm.command.unit);
   }
   if (node.has("columns") == (node.has("right") && node.has("left"))) {
-    node.refuse(
-        "expected either 'columns', signed, positive to the right, or both 'right' and "
-        "'left', one column per side");
+    node.refuse(fmt::format(
+        "expected either 'columns', signed{}, or both 'right' and 'left', one column a side",
+        arm.no_load == NoLoadKind::strain_polynomial ? ", positive to the right" : ""));
   }
   if (node.has("columns")) {
     commands.measured = read_names(node.at("columns"), n, each);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@ namespace limber {
 
 namespace {
 
+constexpr std::size_t kFewLogs = 3;     // more of them get a line each
 constexpr double kNoteworthy = 0.9999;  // points seen less often are listed
 
 nlohmann::ordered_json to_json(const RunReport& run) {
@@ -88,7 +90,108 @@ std::string to_text(const RunReport& run) {
                             run.episodes, run.frames, run.frames_not_tracked);
 }
 
+nlohmann::ordered_json to_json(const ColumnReport& columns) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const SegmentCheck& segment : columns.segments) {
+    json.push_back({{"correlation", segment.correlation},
+                    {"follows_weakly", segment.follows_weakly},
+                    {"undecidable", segment.undecidable.empty()
+                                        ? nlohmann::ordered_json()
+                                        : nlohmann::ordered_json(segment.undecidable)}});
+  }
+  return json;
+}
+
+std::string to_text(const ColumnReport& columns) {
+  std::string text = "columns: levels of commands and segments correlate by";
+  std::string notes;
+  for (std::size_t i = 0; i < columns.segments.size(); ++i) {
+    const SegmentCheck& segment = columns.segments[i];
+    const std::string name = segment_name(static_cast<Eigen::Index>(i));
+    text += fmt::format("{} {:.2f}", i == 0 ? "" : ",", segment.correlation);
+    if (segment.follows_weakly) {
+      notes += fmt::format(
+          "\n  {} hardly follows its command (correlation {:.2f}): is it the right column?", name,
+          segment.correlation);
+    }
+    if (!segment.undecidable.empty()) {
+      notes += fmt::format(
+          "\n  {}: whether its column is its own can't be told from these logs: {}. Record a log "
+          "in which every segment moves on its own",
+          name, segment.undecidable);
+    }
+  }
+  return text + notes + "\n";
+}
+
+std::string one_line(const RunReport& run) {
+  std::string text = fmt::format("{}: {:.4g} Hz, {:.1f} s, {} episodes, {} frames", run.name,
+                                 run.rate_hz, run.duration_s, run.episodes, run.frames);
+  if (run.frames_not_tracked > 0) {
+    text += fmt::format(", {} not tracked", run.frames_not_tracked);
+  }
+  if (run.clock) {
+    text += fmt::format(", clock {:+.4f} s", run.clock->offset_s);
+  }
+  return text;
+}
+
+/// What was noted of many logs, each kind once: in how many, how often, and where first.
+std::string notes_of_all(const std::vector<RunReport>& runs) {
+  struct Joined {
+    std::int64_t logs = 0;
+    std::int64_t count = 0;
+    std::string first;
+  };
+  std::vector<std::string> order;
+  std::map<std::string, Joined> kinds;
+  for (const RunReport& run : runs) {
+    for (const ImportNote& note : run.notes) {
+      const auto [place, is_new] = kinds.try_emplace(note.what);
+      if (is_new) {
+        order.push_back(note.what);
+        place->second.first = run.name + (note.first.empty() ? std::string() : ", " + note.first);
+      }
+      ++place->second.logs;
+      place->second.count += note.count;
+    }
+  }
+  std::string text;
+  for (const std::string& what : order) {
+    const Joined& joined = kinds.at(what);
+    text += fmt::format("{}: {} times in {} of {} logs, first: {}\n", what, joined.count,
+                        joined.logs, runs.size(), joined.first);
+  }
+  return text;
+}
+
+/// What the simple model says of each episode; outliers by the logs that they came from.
+std::string errors_to_text(const ImportReport& report, const EpisodeErrors& errors) {
+  std::string text = fmt::format(
+      "simple model: it errs by {:.2f} cm at the tip in the middle one of the episodes\n",
+      errors.median_cm);
+  for (const int number : errors.outliers()) {
+    const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
+    text += fmt::format(
+        "  episode {} ({}) is broken: {:.2f} cm, more than {:.2f} cm; its levels correlate by "
+        "{:.2f}. Leave that log out\n",
+        number, report.log_of(number), episode.tip_cm, errors.limit_cm, episode.correlation);
+  }
+  return text;
+}
+
 }  // namespace
+
+const std::string& ImportReport::log_of(int episode) const {
+  std::int64_t before = 0;
+  for (const RunReport& run : runs) {
+    before += run.episodes;
+    if (episode < before) {
+      return run.name;
+    }
+  }
+  return runs.back().name;
+}
 
 void RunReport::note(const std::string& what, const std::string& first, std::int64_t count) {
   const auto known = std::find_if(notes.begin(), notes.end(),
@@ -133,13 +236,22 @@ nlohmann::ordered_json to_json(const ImportReport& report) {
   for (const RunReport& run : report.runs) {
     json["logs"].push_back(to_json(run));
   }
+  json["columns"] = to_json(report.columns);
+  json["episode_errors"] =
+      report.episode_errors ? to_json(*report.episode_errors) : nlohmann::ordered_json();
   return json;
 }
 
 std::string to_text(const ImportReport& report) {
   std::string text;
+  const bool many = report.runs.size() > kFewLogs;
   for (const RunReport& run : report.runs) {
-    text += to_text(run) + "\n";
+    text += (many ? one_line(run) : to_text(run)) + "\n";
+  }
+  text += many ? notes_of_all(report.runs) : std::string();
+  text += to_text(report.columns);
+  if (report.episode_errors) {
+    text += errors_to_text(report, *report.episode_errors);
   }
   return text + fmt::format("{} episodes, {} frames, {} of them not tracked", report.episodes(),
                             report.frames(), report.frames_not_tracked());

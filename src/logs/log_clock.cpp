@@ -90,17 +90,39 @@ void check_clock(const std::string& log, const TimeColumn& time, const std::vect
   const double rate_hz = median_rate_hz(time_s);
   const double lowest_hz = kSlowerThanArm * arm.frame_rate_hz;
   if (!(rate_hz >= lowest_hz)) {
-    throw InputError(fmt::format(
-        "{}; expected {:.4g} to {}: arm '{}' works at {} frames per second, and frames between "
-        "rows are not invented. {}",
+    const std::string message = fmt::format(
+        "{}; expected {:.4g} to {}: arm '{}' works at {} frames a second, and what lies between "
+        "rows is not invented. {}",
         found(log, time, rate_hz), lowest_hz, kFastestLog_hz, arm.name, arm.frame_rate_hz,
-        advice(time, rate_hz, lowest_hz)));
+        advice(time, rate_hz, lowest_hz));
+    if (rate_hz >= kSlowArm_hz && unit_guess(time, rate_hz, lowest_hz).empty()) {
+      throw SlowLog(message, rate_hz);
+    }
+    throw InputError(message);
   }
   if (rate_hz > kFastestLog_hz) {
     throw InputError(fmt::format("{}; expected {:.4g} to {}. {}", found(log, time, rate_hz),
                                  lowest_hz, kFastestLog_hz, advice(time, rate_hz, lowest_hz)));
   }
   check_silence(log, time, time_s, rate_hz);
+}
+
+void refuse_slow_logs(const std::vector<std::string>& logs, const std::vector<double>& rates_hz,
+                      const ArmDescription& arm) {
+  const double lowest_hz = kSlowerThanArm * arm.frame_rate_hz;
+  const auto slow = std::count_if(rates_hz.begin(), rates_hz.end(),
+                                  [&](double rate_hz) { return rate_hz < lowest_hz; });
+  const auto slowest = std::min_element(rates_hz.begin(), rates_hz.end());
+  // Rounded down: what the message says must be enough.
+  const double enough_hz = std::floor(*slowest / kSlowerThanArm * 100.0) / 100.0;
+  throw InputError(fmt::format(
+      "{} of {} logs are slower than arm '{}', which works at {} frames a second; what lies between "
+      "rows is not invented. The slowest is {} with {:.4g} rows a second, the fastest has {:.4g}. "
+      "How many frames a second a model steps by is yours to choose (docs/importing.md): with "
+      "frame_rate_hz of the arm file at most {:.4g} all of them fit; or leave the slowest out",
+      slow, logs.size(), arm.name, arm.frame_rate_hz,
+      logs[static_cast<std::size_t>(slowest - rates_hz.begin())], *slowest,
+      *std::max_element(rates_hz.begin(), rates_hz.end()), enough_hz));
 }
 
 void check_span(const std::string& log, const TimeColumn& time, const std::vector<double>& time_s,

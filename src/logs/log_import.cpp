@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "backbone_building.hpp"
 #include "clock_match.hpp"
+#include "column_check.hpp"
+#include "column_fit.hpp"
 #include "command_check.hpp"
-#include "limber/arm/names.hpp"
+#include "level_correlation.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/data/median_rate.hpp"
 #include "log_clock.hpp"
 #include "log_resampling.hpp"
@@ -22,10 +26,6 @@
 namespace limber {
 
 namespace {
-
-constexpr double kMinCorrelation = 0.3;  // below, the logs do not belong together
-constexpr double kAmbiguous = 0.9;       // a runner-up this good could as well be the answer
-constexpr double kWeakSegment = 0.2;
 
 namespace fs = std::filesystem;
 
@@ -41,14 +41,42 @@ void check_clocks(const std::string& log, const std::string& command_log,
   }
 }
 
-[[noreturn]] void refuse_turned_signs(const std::string& log, const ArmDescription& arm,
-                                      double correlation) {
+CommandTrack shifted(CommandTrack commands, double offset_s) {
+  for (double& time_s : commands.time_s) {
+    time_s += offset_s;
+  }
+  return commands;
+}
+
+/// Columns of other segments or signs hide the offset, or give a wrong one. At one of the candidates
+/// they then fit far better than those given do where they fit best.
+void refuse_columns_behind_clocks(const std::string& log, const std::string& command_log,
+                                  const ImportMapping& mapping, const ArmDescription& arm,
+                                  const BackboneTrack& motion, const CommandTrack& commands,
+                                  const ClockMatch& match) {
+  const auto fit_at = [&](double offset_s) {
+    const LevelTable levels = levels_of(motion, shifted(commands, offset_s), arm);
+    return fit_columns(correlate_levels(levels, arm), arm, kDecisiveAlone);
+  };
+  const double given = fit_at(match.offset_s).given_evidence;
+  for (const double offset_s :
+       {offset_by_activity(motion, commands, arm), match.opposite_offset_s}) {
+    const ColumnFit fit = fit_at(offset_s);
+    if (!fit.belongs && fit.best_evidence > given + kDecisiveAlone) {
+      refuse_columns(fmt::format("{} and {}, --time-offset-s {:.3f}", log, command_log, offset_s),
+                     fit, mapping, arm);
+    }
+  }
+}
+
+[[noreturn]] void refuse_clocks(const std::string& log, const std::string& command_log,
+                                const ArmDescription& arm, const ClockMatch& match) {
   throw InputError(fmt::format(
-      "{}: the arm bends to the opposite side of what its {}s say (correlation {:.2f}): positive "
-      "bends {}. Put a '-' before the columns' names in the mapping, or swap right and left",
-      log, arm.command.name, correlation,
-      arm.no_load == NoLoadKind::curvature ? "to the side of curvature_per_unit's sign, left for +"
-                                           : "right, towards -y"));
+      "{} and {}: how far apart their clocks are can't be told from the motion for certain. The "
+      "best candidate is --time-offset-s {:.3f} (correlation {:.2f}; the next best elsewhere is "
+      "{:.2f}). Do they belong together? If they do, give what is to be added to the {} log's "
+      "times, or record something that does not repeat itself",
+      log, command_log, match.offset_s, match.correlation, match.runner_up, arm.command.name));
 }
 
 /// Adds the offset, given or found, to the commands' times.
@@ -60,44 +88,26 @@ void bring_clocks_together(const std::string& log, const std::string& command_lo
     clock.offset_s = *options.time_offset_s;
   } else {
     const ClockMatch match = match_clocks(motion, run.commands, arm);
-    if (-match.opposite > std::max(match.correlation, kMinCorrelation)) {
-      refuse_turned_signs(log, arm, match.opposite);
-    }
-    if (match.correlation < kMinCorrelation || match.runner_up > kAmbiguous * match.correlation) {
-      throw InputError(fmt::format(
-          "{} and {}: how far apart their clocks are can't be told from the motion: the best "
-          "correlation is {:.2f}, the next best {:.2f}. Do they belong together, and are the "
-          "columns in the segments' order? Give the offset with --time-offset-s (the time to be "
-          "added to the {} log's times), or record something that does not repeat itself",
-          log, command_log, match.correlation, match.runner_up, arm.command.name));
+    refuse_columns_behind_clocks(log, command_log, options.mapping, arm, motion, run.commands,
+                                 match);
+    if (!match.is_decisive()) {
+      refuse_clocks(log, command_log, arm, match);
     }
     clock = {match.offset_s, true, match.correlation, match.lag_s, match.runner_up};
   }
-  for (double& time_s : run.commands.time_s) {
-    time_s += clock.offset_s;
-  }
+  run.commands = shifted(std::move(run.commands), clock.offset_s);
   run.report.clock = clock;
 }
 
-void check_signs(const std::string& log, const ArmDescription& arm, const BackboneTrack& motion,
-                 const CommandTrack& commands, RunReport& report) {
-  const std::vector<double> correlations = segment_correlations(motion, commands, arm, 0.0);
-  for (std::size_t i = 0; i < correlations.size(); ++i) {
-    if (correlations[i] < -kMinCorrelation) {
-      refuse_turned_signs(fmt::format("{}: {}", log, segment_name(i)), arm, correlations[i]);
-    }
-    if (correlations[i] < kWeakSegment) {
-      report.note("a segment that hardly follows its command: is it the right column?",
-                  fmt::format("{}: correlation {:.2f}", segment_name(i), correlations[i]));
-    }
-  }
+/// What messages call a run.
+std::string name_of(const fs::path& log, const RunReport& report) {
+  return log.parent_path().empty() ? report.name : (log.parent_path() / report.name).string();
 }
 
 std::vector<Episode> import_run(const fs::path& log, const std::string& command_log,
                                 const ImportOptions& options, const ArmDescription& arm,
-                                LogRun& run) {
-  const std::string name =
-      log.parent_path().empty() ? run.report.name : (log.parent_path() / run.report.name).string();
+                                LogRun& run, LevelTable& levels) {
+  const std::string name = name_of(log, run.report);
   put_in_order(name, run.points, run.report);
   const std::string& commands_from = command_log.empty() ? name : command_log;
   // On one clock the same rows would be noted twice.
@@ -110,7 +120,7 @@ std::vector<Episode> import_run(const fs::path& log, const std::string& command_
   if (!run.one_clock || options.time_offset_s) {
     bring_clocks_together(name, commands_from, options, arm, motion, run);
   }
-  check_signs(name, arm, motion, run.commands, run.report);
+  levels = levels_of(motion, run.commands, arm);
   return resample(name, motion, run.commands, arm, options.mapping.longest_gap_s, run.report);
 }
 
@@ -123,6 +133,25 @@ void require_log_pairs(const std::vector<fs::path>& logs, const ImportOptions& o
   }
 }
 
+/// Reads every log again for its rate alone, so that one message says what all of them ask for.
+template <class ReadRuns>
+[[noreturn]] void refuse_all_slow_logs(const std::vector<fs::path>& logs, const ArmDescription& arm,
+                                       const ReadRuns& read_runs) {
+  std::vector<std::string> names;
+  std::vector<double> rates_hz;
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    throw_if_interrupted();
+    for (LogRun& run : read_runs(logs[i], i)) {
+      const std::string name = name_of(logs[i], run.report);
+      RunReport unused;
+      put_in_order(name, run.points, unused);
+      names.push_back(name);
+      rates_hz.push_back(median_rate_hz(run.points.time_s));
+    }
+  }
+  refuse_slow_logs(names, rates_hz, arm);
+}
+
 template <class ReadRuns>
 ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions& options,
                          const ArmDescription& arm, const char* kind, const ReadRuns& read_runs) {
@@ -133,16 +162,30 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
   }
   ImportResult result{make_recording(arm, "", 0), {}};
   std::vector<std::string> names;
+  std::vector<std::string> run_names;
+  std::vector<LevelTable> levels;
   for (std::size_t i = 0; i < logs.size(); ++i) {
     const std::string command_log =
         options.command_logs.empty() ? std::string() : options.command_logs[i].string();
     names.push_back(logs[i].filename().string());
     for (LogRun& run : read_runs(logs[i], i)) {
-      for (Episode& episode : import_run(logs[i], command_log, options, arm, run)) {
-        result.recording.episodes.push_back(std::move(episode));
+      run_names.push_back(name_of(logs[i], run.report));
+      LevelTable& own = levels.emplace_back();
+      try {
+        std::ranges::move(import_run(logs[i], command_log, options, arm, run, own),
+                          std::back_inserter(result.recording.episodes));
+      } catch (const SlowLog&) {
+        if (logs.size() > 1) {
+          refuse_all_slow_logs(logs, arm, read_runs);
+        }
+        throw;
       }
       result.report.runs.push_back(std::move(run.report));
     }
+  }
+  check_columns(run_names, levels, options.mapping, arm, result.report.columns);
+  if (result.recording.untracked_count() < result.recording.frame_count()) {
+    result.report.episode_errors = episode_errors(arm, result.recording.episodes);
   }
   result.recording.source = fmt::format("{} {}", kind, fmt::join(names, ", "));
   std::string clocks;

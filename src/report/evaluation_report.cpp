@@ -39,7 +39,8 @@ std::string row(const char* name, const TipErrors& errors) {
 
 Json to_json(const TipErrors& value) {
   return {{"position_error_cm", to_json(value.position_cm)},
-          {"orientation_error_rad", to_json(value.orientation_rad)}};
+          {"orientation_error_rad", to_json(value.orientation_rad)},
+          {"plates_error_cm", to_json(value.plates_cm)}};
 }
 
 Json to_json(const Evaluation& evaluation) {

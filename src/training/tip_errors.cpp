@@ -55,6 +55,19 @@ ErrorStatistics statistics(std::vector<double> values, const std::vector<int>& m
 
 }  // namespace
 
+namespace {
+
+/// Mean distance of the plates, the base left out: it stands still.
+double plates_m(const FrameMatrix& predicted, const FrameMatrix& recorded, Eigen::Index t) {
+  double sum = 0.0;
+  for (Eigen::Index column = 3; column < recorded.cols(); column += 3) {
+    sum += double((predicted.row(t) - recorded.row(t)).segment<2>(column).norm());
+  }
+  return sum / double(recorded.cols() / 3 - 1);
+}
+
+}  // namespace
+
 TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, int first) {
   assert(first >= 1);
   TipErrorSeries errors;
@@ -67,6 +80,7 @@ TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, 
     const double nan = std::numeric_limits<double>::quiet_NaN();
     errors.position_cm.push_back(tracked ? kCmPerM * difference.head<2>().norm() : nan);
     errors.orientation_rad.push_back(tracked ? std::abs(difference[2]) : nan);
+    errors.plates_cm.push_back(tracked ? kCmPerM * plates_m(predicted, recorded, t) : nan);
     errors.motion.push_back(episode.motion_index[static_cast<std::size_t>(t)]);
     const auto step = (recorded.row(t) - recorded.row(t - 1)).segment<2>(tip).cast<double>();
     errors.moving.push_back(episode.was_tracked(t - 1) && step.norm() >= kMovingTip_m);
@@ -80,6 +94,7 @@ void append(TipErrorSeries& series, const TipErrorSeries& more) {
   };
   add(series.position_cm, more.position_cm);
   add(series.orientation_rad, more.orientation_rad);
+  add(series.plates_cm, more.plates_cm);
   add(series.moving, more.moving);
   const int next = series.motion.empty() ? 0 : series.motion.back() + 1;
   std::ranges::transform(more.motion, std::back_inserter(series.motion),
@@ -92,6 +107,7 @@ TipErrorSeries moving_frames(const TipErrorSeries& series) {
     if (series.moving[i]) {
       result.position_cm.push_back(series.position_cm[i]);
       result.orientation_rad.push_back(series.orientation_rad[i]);
+      result.plates_cm.push_back(series.plates_cm[i]);
       result.motion.push_back(series.motion[i]);
       result.moving.push_back(true);
     }
@@ -101,7 +117,8 @@ TipErrorSeries moving_frames(const TipErrorSeries& series) {
 
 TipErrors summarise(const TipErrorSeries& series) {
   return {statistics(series.position_cm, series.motion),
-          statistics(series.orientation_rad, series.motion)};
+          statistics(series.orientation_rad, series.motion),
+          statistics(series.plates_cm, series.motion)};
 }
 
 }  // namespace limber

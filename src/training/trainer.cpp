@@ -1,6 +1,7 @@
 #include "limber/training/trainer.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -30,9 +31,10 @@ std::int64_t frame_count(const std::vector<Episode>& episodes) {
 }
 
 /// Moves whole episodes from `from` to `to`, in an order drawn by (seed, stream), until `frames`
-/// would be exceeded: one at least goes, and one at least stays. @pre two episodes or more
-void hold_back(std::vector<Episode>& from, std::vector<Episode>& to, double frames,
-               std::uint64_t seed, std::uint64_t stream) {
+/// would be exceeded: one at least goes, and one at least stays. Gives the numbers of those that
+/// went. @pre two episodes or more
+std::vector<int> hold_back(std::vector<Episode>& from, std::vector<Episode>& to, double frames,
+                           std::uint64_t seed, std::uint64_t stream) {
   std::vector<std::size_t> order(from.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   RandomStream random(seed, stream);
@@ -50,10 +52,15 @@ void hold_back(std::vector<Episode>& from, std::vector<Episode>& to, double fram
     held += count;
   }
   std::vector<Episode> kept;
+  std::vector<int> numbers;
   for (std::size_t i = 0; i < from.size(); ++i) {
     (is_held[i] ? to : kept).push_back(std::move(from[i]));
+    if (is_held[i]) {
+      numbers.push_back(static_cast<int>(i));
+    }
   }
   from = std::move(kept);
+  return numbers;
 }
 
 }  // namespace
@@ -72,15 +79,33 @@ TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction
     }
     data.training.push_back(slice(whole, 0, whole.frame_count() - held));
     data.validation.push_back(slice(whole, whole.frame_count() - held, held));
+    data.held_back = {0};
     return data;
   }
   const double frames = fraction * static_cast<double>(frame_count(episodes));
   data.training = std::move(episodes);
-  hold_back(data.training, data.validation, frames, seed, kValidationStream);
+  data.held_back = hold_back(data.training, data.validation, frames, seed, kValidationStream);
   return data;
 }
 
+void leave_out_broken(TrainingData& data, const std::vector<bool>& broken) {
+  assert(broken.size() == data.validation.size());
+  if (std::ranges::find(broken, false) == broken.end()) {
+    return;
+  }
+  std::vector<Episode> kept;
+  for (std::size_t i = 0; i < broken.size(); ++i) {
+    if (!broken[i]) {
+      kept.push_back(std::move(data.validation[i]));
+    }
+  }
+  data.validation = std::move(kept);
+}
+
 void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
+  if (!(fraction > 0.0)) {
+    return;
+  }
   const double frames =
       fraction * static_cast<double>(frame_count(data.training) + frame_count(data.validation));
   const int wanted = static_cast<int>(std::lround(frames));

@@ -75,9 +75,46 @@ TEST_F(LogImportFaults, FindsALogSlowerThanTheArm) {
                   "set frame_rate_hz of the arm file to at most 10"});
 }
 
+TEST_F(LogImportFaults, NamesTheSlowestOfAllLogsAtOnce) {
+  const auto written = [&](const char* name, double rate_hz) {
+    rate_hz_ = rate_hz;
+    write_file_atomically(folder_.path() / name, log());
+    return folder_.path() / name;
+  };
+  const std::vector<std::filesystem::path> logs = {written("a.csv", 30.0), written("b.csv", 12.0),
+                                                   written("c.csv", 9.0), written("d.csv", 15.0)};
+  write_file_atomically(folder_.path() / "map.yaml", mapping());
+  ImportOptions options;
+  options.mapping = read_import_mapping(folder_.path() / "map.yaml", truth_.arm());
+  EXPECT_THAT([&] { import_csv(logs, options, truth_.arm()); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("3 of 4 logs are slower than arm"), HasSubstr("slowest is"),
+                        HasSubstr("c.csv with 9 rows a second"), HasSubstr("at most 9.47"))));
+  ArmDescription slower = truth_.arm();
+  slower.frame_rate_hz = 9.47;
+  EXPECT_NO_THROW(import_csv(logs, options, slower)) << "what the message says is enough";
+}
+
+TEST_F(LogImportFaults, ManyLogsGetALineEach) {
+  write_file_atomically(folder_.path() / "map.yaml", mapping());
+  headings_ = false;
+  write_file_atomically(folder_.path() / "run.csv", log());
+  std::string map = mapping();
+  write_file_atomically(folder_.path() / "map.yaml", map);
+  ImportOptions options;
+  options.mapping = read_import_mapping(folder_.path() / "map.yaml", truth_.arm());
+  const std::vector<std::filesystem::path> logs(12, folder_.path() / "run.csv");
+  const std::string text = to_text(import_csv(logs, options, truth_.arm()).report);
+  EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 20);
+  EXPECT_THAT(text, HasSubstr("12 times in 12 of 12 logs, first: run.csv"));
+}
+
 TEST_F(LogImportFaults, FindsTurnedSigns) {
   pressure_scale_ = -1.0;
-  expect_refusal(log(), mapping(), {"bends to the opposite side", "Put a '-' before"});
+  expect_refusal(log(), mapping(),
+                 {"bends to the other side",
+                  "What would fit: 'columns: [-pressure_1_kpa, "
+                  "-pressure_2_kpa, -pressure_3_kpa]'"});
 }
 
 TEST_F(LogImportFaults, NotesASegmentThatDoesNotFollow) {
@@ -95,9 +132,11 @@ TEST_F(LogImportFaults, NotesASegmentThatDoesNotFollow) {
     begin = end;
   }
   const ImportResult imported = import(result, map);
-  const ImportNote* found = note(imported, "hardly follows its command");
-  ASSERT_NE(found, nullptr);
-  EXPECT_THAT(found->first, HasSubstr("segment 1"));
+  const std::vector<SegmentCheck>& segments = imported.report.columns.segments;
+  ASSERT_EQ(segments.size(), 3U);
+  EXPECT_FALSE(segments[0].follows_weakly);
+  EXPECT_TRUE(segments[1].follows_weakly);
+  EXPECT_THAT(to_text(imported.report), HasSubstr("segment 1 hardly follows its command"));
 }
 
 TEST_F(LogImportFaults, NamesColumnsThatAreNotThere) {
@@ -126,8 +165,8 @@ TEST_F(LogImportFaults, RefusesLogsThatDoNotBelongTogether) {
   options.mapping = read_import_mapping(folder_.path() / "map.yaml", truth_.arm());
   options.command_logs = {folder_.path() / "p.csv"};
   EXPECT_THAT([&] { import_csv({folder_.path() / "run.csv"}, options, truth_.arm()); },
-              ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("can't be told from the motion"), HasSubstr("--time-offset-s"))));
+              ThrowsMessage<InputError>(AllOf(HasSubstr("can't be told from the motion"),
+                                              HasSubstr("best candidate is --time-offset-s"))));
 }
 
 }  // namespace

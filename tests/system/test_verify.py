@@ -87,6 +87,29 @@ class Verify(InFolder):
         )
         self.assertIn("certificate: the plan was changed since it was certified", error)
 
+    def test_another_model_judges_the_same_set_points(self):
+        self.run_limber("collect", "--arm", "two_segment", "--schedule", "random", "--count", 20,
+                        "--seed", 3, "--out", "train.h5")
+        for seed in (1, 2):
+            self.run_limber("train", "--arm", "two_segment", "--data", "train.h5", "--hidden", 8,
+                            "--epochs", 3, "--seed", seed, "--out", f"m{seed}.safetensors")
+        result = self.run_limber("verify", *ARM, "--plan", "p.json", "--environment",
+                                 self.environment, "--also", "m1.safetensors", "--also",
+                                 "m2.safetensors", "--json", code=None)
+        self.assertIn(result.returncode, (0, 1))
+        found = json.loads(result.stdout)
+        self.assertEqual(found["status"], "certified", "the plan's own model is its judge as ever")
+        self.assertEqual([j["model"] for j in found["also"]], ["m1.safetensors", "m2.safetensors"])
+        self.assertEqual(result.returncode, 0 if all(j["agrees"] for j in found["also"]) else 1)
+        ends = [judgement["distance_to_goal_cm"] for judgement in found["also"]]
+        self.assertNotEqual(ends[0], ends[1])
+        for judgement in found["also"]:
+            # Nothing stored helps here: what departs is the other model's own rollout.
+            self.assertGreater(judgement["largest_departure_cm"], 0.1)
+        error = self.error("verify", *ARM, "--plan", "p.json", "--environment", self.environment,
+                           "--also", "nowhere.safetensors")
+        self.assertIn("nowhere.safetensors", error)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -119,11 +119,12 @@ TEST(Evaluate, MovingFramesAreThoseInWhichTheTipMoves) {
 
 TEST(TipErrorSeries, MotionsOfAnotherEpisodeAreOtherMotions) {
   TipErrorSeries series;
-  append(series, {{1.0, 3.0}, {0.0, 0.0}, {0, 1}, {true, false}});
-  append(series, {{5.0, 7.0}, {0.0, 0.0}, {0, 0}, {false, true}});
+  append(series, {{1.0, 3.0}, {0.0, 0.0}, {0, 1}, {true, false}, {0.5, 1.5}});
+  append(series, {{5.0, 7.0}, {0.0, 0.0}, {0, 0}, {false, true}, {2.5, 3.5}});
   EXPECT_THAT(series.motion, ElementsAre(0, 1, 2, 2));
   EXPECT_EQ(summarise(series).position_cm.worst_motion, 6.0);
   EXPECT_THAT(moving_frames(series).position_cm, ElementsAre(1.0, 7.0));
+  EXPECT_THAT(moving_frames(series).plates_cm, ElementsAre(0.5, 3.5));
 }
 
 TEST(LongRollout, TellsADriftFromAModelThatStays) {

@@ -294,6 +294,34 @@ TEST(HoldBackValidation, HoldsBackWholeEpisodes) {
   EXPECT_LE(held, 0.2 * 1310);
 }
 
+TEST(HoldBackValidation, SaysWhichEpisodesItHeldBack) {
+  const ArmDescription arm = three_segment_arm();
+  std::vector<Episode> episodes;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    episodes.push_back(toy_episode(arm, 3, 20, seed));
+  }
+  const TrainingData data = hold_back_validation(episodes, 0.3, 3);
+  ASSERT_EQ(data.held_back.size(), data.validation.size());
+  for (std::size_t i = 0; i < data.held_back.size(); ++i) {
+    const auto number = static_cast<std::size_t>(data.held_back[i]);
+    EXPECT_TRUE(data.validation[i].backbone == episodes[number].backbone);
+  }
+}
+
+TEST(LeaveOutBroken, TakesThemOutOfValidationUnlessAllAre) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingData data;
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    data.validation.push_back(toy_episode(arm, 3, 20, seed));
+  }
+  const Eigen::MatrixXf last = data.validation[2].backbone;
+  leave_out_broken(data, {true, true, true});
+  EXPECT_EQ(data.validation.size(), 3U);
+  leave_out_broken(data, {true, true, false});
+  ASSERT_EQ(data.validation.size(), 1U);
+  EXPECT_TRUE(data.validation[0].backbone == last);
+}
+
 TEST(HoldBackValidation, CutsASingleEpisode) {
   const ArmDescription arm = three_segment_arm();
   const TrainingData data = hold_back_validation({toy_episode(arm, 5, 20, 1)}, 0.2, 1);

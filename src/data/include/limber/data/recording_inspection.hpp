@@ -2,6 +2,7 @@
 // For those who read or write recordings.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,31 @@ struct Suspicion {
   std::string first;  ///< the numbers of the first one
 };
 
-/// What a recording holds, and what is odd about it although it is valid.
+/// How far the tip is from where the simple model, fitted to all episodes, expects it.
+struct EpisodeError {
+  double tip_cm = 0.0;       ///< mean over the tracked frames; NaN where there are none
+  double correlation = 0.0;  ///< of levels: turns with what the commands say, mean over segments
+  bool is_outlier = false;
+};
+
+/// The simple model's error in every episode. One that is far above the others' was broken: a log of
+/// another trial, a tracker that lost its bodies, a tube that came off.
+struct EpisodeErrors {
+  std::vector<EpisodeError> episodes;
+  double median_cm = 0.0;
+  double limit_cm = 0.0;  ///< above it an episode is an outlier; infinite for fewer than 5 episodes
+
+  /// Numbers of the outliers, rising.
+  std::vector<int> outliers() const;
+};
+
+/// @throws InputError where nothing was tracked.
+EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episode>& episodes);
+
+/// "episode 7: 12.3 cm (correlation 0.30)" of every outlier, and what is usual; empty without one.
+std::string outliers_to_text(const EpisodeErrors& errors);
+
+/// What a recording holds and what is odd about it, though it is valid.
 struct RecordingInspection {
   std::vector<PressureRange> pressures;  ///< one per segment
   std::vector<double> limits_kpa;        ///< that coverage was judged by
@@ -45,6 +70,8 @@ struct RecordingInspection {
   TransitionCoverage transitions;
   std::vector<Suspicion> suspicions;
   IdentifiedValves valves;  ///< between its set points and its pressures
+  /// None where neither `arm` nor the recording says what the arm is, or nothing was tracked.
+  std::optional<EpisodeErrors> episode_errors;
 };
 
 /// @param arm  gives the limits; null: the largest set point of each segment stands for its
@@ -60,6 +87,7 @@ std::string base_warning(const Recording& recording);
 TransitionCoverage transition_coverage(const Recording& recording,
                                        const std::vector<double>& limits_kpa);
 
+nlohmann::ordered_json to_json(const EpisodeErrors& errors);
 nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspection& inspection);
 std::string inspection_to_text(const Recording& recording, const RecordingInspection& inspection);
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/backbone.hpp"
+#include "limber/data/recording_inspection.hpp"
 
 namespace limber {
 
@@ -55,9 +56,28 @@ struct RunReport {
   void note(const std::string& what, const std::string& first = {}, std::int64_t count = 1);
 };
 
+/// Whether a segment's column is its own, by all logs together.
+struct SegmentCheck {
+  double correlation = 0.0;     ///< of levels: what its column says with what it turned by
+  bool follows_weakly = false;  ///< it moved often, and hardly as its column says
+  std::string undecidable;      ///< why these logs can't tell; empty: they can
+};
+
+/// One for each segment, base first.
+struct ColumnReport {
+  std::vector<SegmentCheck> segments;
+};
+
 /// Everything that an import did to its logs.
 struct ImportReport {
   std::vector<RunReport> runs;
+  ColumnReport columns;
+  /// The simple model's error in every episode, in the recording's order; none where nothing was
+  /// seen.
+  std::optional<EpisodeErrors> episode_errors;
+
+  /// The log that an episode of the recording came from.
+  const std::string& log_of(int episode) const;
   std::int64_t episodes() const;
   std::int64_t frames() const;
   std::int64_t frames_not_tracked() const;

@@ -16,10 +16,11 @@ struct ErrorStatistics {
   double worst_motion = 0.0;
 };
 
-/// Errors of the end effector.
+/// Errors of the end effector, and of all plates but the base, mean over them.
 struct TipErrors {
   ErrorStatistics position_cm;
   ErrorStatistics orientation_rad;
+  ErrorStatistics plates_cm;
 };
 
 /// Errors of predicted tips, one per frame; NaN if the arm was not tracked or nothing was
@@ -30,6 +31,7 @@ struct TipErrorSeries {
   std::vector<int> motion;   ///< which commanded motion the frame belongs to, falling nowhere
   std::vector<bool> moving;  ///< the recorded tip moved by at least kMovingTip_m since the frame
                              ///< before
+  std::vector<double> plates_cm;  ///< mean over all plates but the base
 };
 
 /// 4 cm/s at 20 Hz: an arm at rest is slower, a moving arm is faster.

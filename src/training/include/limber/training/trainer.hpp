@@ -22,6 +22,9 @@ struct TrainingData {
   std::vector<Episode> replay = {};
   /// The finished model's error is measured on these data; `train` never uses them.
   std::vector<Episode> unseen = {};
+  /// Which of the episodes given to `hold_back_validation` validate, rising; empty where none were
+  /// held back.
+  std::vector<int> held_back = {};
 };
 
 /// Holds back whole episodes for validation, chosen by `seed`: about `fraction` of the frames, at
@@ -29,6 +32,10 @@ struct TrainingData {
 /// @throws InputError if nothing would be left to learn from.
 TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction,
                                   std::uint64_t seed);
+
+/// Takes broken episodes (EpisodeErrors::outliers) out of `data.validation`, so that none of them
+/// chooses the epoch; where all are broken, none. @param broken  one for each of them
+void leave_out_broken(TrainingData& data, const std::vector<bool>& broken);
 
 /// Then holds back for `data.unseen` about `fraction` of the frames of training and validation:
 /// whole training episodes, chosen by `seed`, of which one stays; or the end of the longest one,

@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/units.hpp"
+#include "limber/data/recording_inspection.hpp"
+#include "limber/data/simple_model.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::size_t kMinEpisodes = 5;    // fewer don't say what is usual
+constexpr double kDeviations = 4.0;        // of log errors; robust ones
+constexpr double kScaleOfMedian = 1.4826;  // standard deviation over median |x|, normal
+constexpr double kMinRatio = 1.75;         // of the middle error, however alike the others are
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
+  const Eigen::Index tip = expected.cols() - 3;
+  double sum = 0.0;
+  int count = 0;
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    if (episode.was_tracked(t)) {
+      sum += double((expected.row(t) - episode.backbone.row(t)).segment<2>(tip).norm());
+      ++count;
+    }
+  }
+  return count > 0 ? kCmPerM * sum / count : std::nan("");
+}
+
+/// Of the segments' turns with the expected ones, mean over those that moved.
+double mean_correlation(const ArmDescription& arm, const FrameMatrix& expected,
+                        const Episode& episode) {
+  double sum = 0.0;
+  int moved = 0;
+  Eigen::Index column = 2;
+  for (const Segment& segment : arm.segments) {
+    const Eigen::Index end = column + 3 * segment.gaps;
+    const auto turn = [&](const FrameMatrix& poses) {
+      const Eigen::VectorXd own = (poses.col(end) - poses.col(column)).cast<double>();
+      return Eigen::VectorXd(own.array() - own.mean());
+    };
+    const Eigen::VectorXd seen = turn(episode.backbone);
+    const Eigen::VectorXd told = turn(expected);
+    const double size = seen.norm() * told.norm();
+    sum += size > 0.0 ? seen.dot(told) / size : 0.0;
+    moved += size > 0.0 ? 1 : 0;
+    column = end;
+  }
+  return moved > 0 ? sum / moved : 0.0;
+}
+
+nlohmann::ordered_json number(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+}
+
+}  // namespace
+
+std::vector<int> EpisodeErrors::outliers() const {
+  std::vector<int> numbers;
+  for (std::size_t i = 0; i < episodes.size(); ++i) {
+    if (episodes[i].is_outlier) {
+      numbers.push_back(static_cast<int>(i));
+    }
+  }
+  return numbers;
+}
+
+EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  const SimpleModel model = fit_simple_model(arm, episodes).model;
+  EpisodeErrors errors;
+  std::vector<double> known;
+  for (const Episode& episode : episodes) {
+    const FrameMatrix expected = predict(model, arm, episode);
+    errors.episodes.push_back(
+        {mean_tip_error_cm(expected, episode), mean_correlation(arm, expected, episode), false});
+    if (errors.episodes.back().tip_cm > 0.0) {
+      known.push_back(std::log(errors.episodes.back().tip_cm));
+    }
+  }
+  errors.limit_cm = std::numeric_limits<double>::infinity();
+  if (known.empty()) {
+    return errors;
+  }
+  const double middle = median(known);
+  errors.median_cm = std::exp(middle);
+  if (known.size() >= kMinEpisodes) {
+    std::vector<double> deviations;
+    for (const double one : known) {
+      deviations.push_back(std::abs(one - middle));
+    }
+    const double spread = kDeviations * kScaleOfMedian * median(std::move(deviations));
+    errors.limit_cm = std::exp(middle + std::max(spread, std::log(kMinRatio)));
+  }
+  for (EpisodeError& episode : errors.episodes) {
+    episode.is_outlier = episode.tip_cm > errors.limit_cm;
+  }
+  return errors;
+}
+
+std::string outliers_to_text(const EpisodeErrors& errors) {
+  std::vector<std::string> parts;
+  for (const int number : errors.outliers()) {
+    const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
+    parts.push_back(fmt::format("episode {}: {:.1f} cm (correlation {:.2f})", number,
+                                episode.tip_cm, episode.correlation));
+  }
+  return parts.empty() ? std::string()
+                       : fmt::format("{}; the others' middle is {:.1f} cm: leave such logs out",
+                                     fmt::join(parts, ", "), errors.median_cm);
+}
+
+nlohmann::ordered_json to_json(const EpisodeErrors& errors) {
+  nlohmann::ordered_json json;
+  json["median_cm"] = number(errors.median_cm);
+  json["limit_cm"] = number(errors.limit_cm);
+  json["outliers"] = errors.outliers();
+  json["episodes"] = nlohmann::ordered_json::array();
+  for (const EpisodeError& episode : errors.episodes) {
+    json["episodes"].push_back({{"tip_error_cm", number(episode.tip_cm)},
+                                {"correlation", number(episode.correlation)},
+                                {"outlier", episode.is_outlier}});
+  }
+  return json;
+}
+
+}  // namespace limber

@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "limber/arm/no_load_model.hpp"
+#include "limber/common/error.hpp"
+#include "limber/data/simple_model.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kMaxRows = 20000;  // of a fit; frames between are left out, evenly
+constexpr double kLongestLag_s = 1.0;
+constexpr double kLagStep_s = 0.05;
+constexpr double kClearlyBetter = 0.002;  // of the loss: no lag for less than that
+constexpr int kIterations = 20;
+constexpr double kHuber = 1.345;           // of the scale: 95 % efficient without outliers
+constexpr double kScaleOfMedian = 1.4826;  // standard deviation over median |x|, normal
+constexpr double kMinSpread = 0.01;        // of the limit: a command that changed by less
+constexpr int kBlocksOfOne = 10;
+constexpr int kMaxBlocks = 50;
+constexpr double kTwoSided95 = 1.96;
+constexpr double kTiny_rad = 1e-9;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// A frame that is fitted to, and the piece that the jackknife leaves out with it.
+struct FrameOf {
+  int episode = 0;
+  int frame = 0;
+  int block = 0;
+};
+
+int block_count(const std::vector<Episode>& episodes) {
+  return episodes.size() > 1 ? std::min(static_cast<int>(episodes.size()), kMaxBlocks)
+                             : kBlocksOfOne;
+}
+
+/// Frames in which the arm was seen, thinned evenly.
+std::vector<FrameOf> frames_of(const std::vector<Episode>& episodes) {
+  const int blocks = block_count(episodes);
+  const auto count = static_cast<int>(episodes.size());
+  std::vector<FrameOf> seen;
+  for (std::size_t e = 0; e < episodes.size(); ++e) {
+    const int frames = episodes[e].frame_count();
+    for (int t = 0; t < frames; ++t) {
+      if (episodes[e].was_tracked(t)) {
+        const int block = count > 1 ? int(e) * blocks / count : t * blocks / frames;
+        seen.push_back({int(e), t, block});
+      }
+    }
+  }
+  const std::size_t step = seen.size() / kMaxRows + 1;
+  std::vector<FrameOf> kept;
+  for (std::size_t k = 0; k < seen.size(); k += step) {
+    kept.push_back(seen[k]);
+  }
+  return kept;
+}
+
+/// Heading of each segment's last plate less that of its first, and its length along the arcs
+/// between its plates.
+struct Shapes {
+  Eigen::MatrixXd turn_rad;  // rows × n
+  Eigen::MatrixXd length_m;
+};
+
+Shapes shapes_of(const ArmDescription& arm, const std::vector<Episode>& episodes,
+                 const std::vector<FrameOf>& frames) {
+  const auto rows = static_cast<Eigen::Index>(frames.size());
+  Shapes shapes{Eigen::MatrixXd(rows, arm.segment_count()),
+                Eigen::MatrixXd::Zero(rows, arm.segment_count())};
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    const FrameOf& at = frames[static_cast<std::size_t>(r)];
+    const Eigen::RowVectorXd poses =
+        episodes[static_cast<std::size_t>(at.episode)].backbone.row(at.frame).cast<double>();
+    Eigen::Index column = 0;
+    for (int i = 0; i < arm.segment_count(); ++i) {
+      const double first_rad = poses[column + 2];
+      for (int gap = 0; gap < arm.segments[static_cast<std::size_t>(i)].gaps; ++gap, column += 3) {
+        const double half_rad = 0.5 * (poses[column + 5] - poses[column + 2]);
+        const double chord_m = (poses.segment<2>(column + 3) - poses.segment<2>(column)).norm();
+        const double share = std::abs(half_rad) < kTiny_rad ? 1.0 : std::sin(half_rad) / half_rad;
+        shapes.length_m(r, i) += chord_m / std::max(share, 0.1);
+      }
+      shapes.turn_rad(r, i) = poses[column + 2] - first_rad;
+    }
+  }
+  return shapes;
+}
+
+struct Line {
+  double slope = 0.0;
+  double offset = 0.0;
+};
+
+/// Weighted sums of a straight line's fit.
+struct Sums {
+  double weight = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+
+  void add(double w, double one_x, double one_y) {
+    weight += w;
+    x += w * one_x;
+    y += w * one_y;
+    xx += w * one_x * one_x;
+    xy += w * one_x * one_y;
+  }
+  void add(const Sums& part) {
+    weight += part.weight;
+    x += part.x;
+    y += part.y;
+    xx += part.xx;
+    xy += part.xy;
+  }
+  Sums without(const Sums& part) const {
+    return {weight - part.weight, x - part.x, y - part.y, xx - part.xx, xy - part.xy};
+  }
+  /// @param slope  held there where `free` is false.
+  Line line(double slope, bool free) const {
+    const double spread = xx * weight - x * x;
+    if (free && spread > 0.0) {
+      slope = (xy * weight - x * y) / spread;
+    }
+    return {slope, weight > 0.0 ? (y - slope * x) / weight : 0.0};
+  }
+};
+
+/// Huber's line through (x, y), and the sums of each block at its weights.
+struct RobustLine {
+  Line line;
+  double loss = 0.0;  // median |residual|
+  std::vector<Sums> blocks;
+};
+
+RobustLine fit_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
+                    const std::vector<FrameOf>& frames, double slope, bool free, int blocks) {
+  RobustLine fit;
+  double scale = 0.0;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    fit.blocks.assign(static_cast<std::size_t>(blocks), {});
+    Sums all;
+    for (Eigen::Index r = 0; r < x.size(); ++r) {
+      const double residual = std::abs(y[r] - fit.line.slope * x[r] - fit.line.offset);
+      const double weight =
+          iteration == 0 || residual <= kHuber * scale ? 1.0 : kHuber * scale / residual;
+      all.add(weight, x[r], y[r]);
+      fit.blocks[static_cast<std::size_t>(frames[static_cast<std::size_t>(r)].block)].add(
+          weight, x[r], y[r]);
+    }
+    fit.line = all.line(slope, free);
+    std::vector<double> sizes(static_cast<std::size_t>(x.size()));
+    for (Eigen::Index r = 0; r < x.size(); ++r) {
+      sizes[static_cast<std::size_t>(r)] = std::abs(y[r] - fit.line.slope * x[r] - fit.line.offset);
+    }
+    fit.loss = median(std::move(sizes));
+    scale = std::max(kScaleOfMedian * fit.loss, kTiny_rad);
+  }
+  return fit;
+}
+
+/// 95 % interval about `value` from its leave-one-out values.
+Interval jackknife(double value, const std::vector<double>& left_out) {
+  const double count = double(left_out.size());
+  if (left_out.size() < 2) {
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
+  const double mean = std::accumulate(left_out.begin(), left_out.end(), 0.0) / count;
+  double squares = 0.0;
+  for (const double one : left_out) {
+    squares += (one - mean) * (one - mean);
+  }
+  const double half = kTwoSided95 * std::sqrt((count - 1.0) / count * squares);
+  return {value - half, value + half};
+}
+
+class SimpleFitter {
+ public:
+  SimpleFitter(const ArmDescription& arm, const std::vector<Episode>& episodes)
+      : arm_(arm), episodes_(episodes), frames_(frames_of(episodes)) {
+    if (frames_.empty()) {
+      throw InputError(
+          "the simple model can't be fitted: the arm was tracked in none of the frames");
+    }
+    seen_ = shapes_of(arm, episodes, frames_);
+    blocks_ = block_count(episodes);
+  }
+
+  SimpleFit run() {
+    double best_loss = 0.0;
+    std::vector<RobustLine> best;
+    SimpleFit fit;
+    for (int step = 0; step * kLagStep_s <= kLongestLag_s; ++step) {
+      const double lag_s = step * kLagStep_s;
+      Eigen::MatrixXd expected = rows_of(lag_s);
+      std::vector<RobustLine> lines;
+      double loss = 0.0;
+      for (int i = 0; i < arm_.segment_count(); ++i) {
+        lines.push_back(fit_line(expected.col(i), seen_.turn_rad.col(i), frames_, held_slope(),
+                                 moved(i), blocks_));
+        loss += lines.back().loss;
+      }
+      if (step == 0 || loss < (1.0 - kClearlyBetter) * best_loss) {
+        best_loss = loss;
+        best = std::move(lines);
+        expected_ = std::move(expected);
+        fit.model.lag_s = lag_s;
+      }
+    }
+    fit.blocks = blocks_;
+    for (int i = 0; i < arm_.segment_count(); ++i) {
+      add_segment(i, best[static_cast<std::size_t>(i)], fit);
+    }
+    return fit;
+  }
+
+ private:
+  /// Of a segment whose command tells nothing: as the arm file has it.
+  double held_slope() const { return arm_.no_load == NoLoadKind::straight ? 0.0 : 1.0; }
+
+  bool moved(int segment) const {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    for (const Episode& episode : episodes_) {
+      lowest = std::min(lowest, double(episode.pressure_kpa.col(segment).minCoeff()));
+      highest = std::max(highest, double(episode.pressure_kpa.col(segment).maxCoeff()));
+    }
+    const double limit = arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
+    return highest - lowest > kMinSpread * limit;
+  }
+
+  Eigen::MatrixXd rows_of(double lag_s) const {
+    std::vector<Eigen::MatrixXd> turns;
+    for (const Episode& episode : episodes_) {
+      turns.push_back(lagged_turns(arm_, episode, lag_s));
+    }
+    Eigen::MatrixXd rows(static_cast<Eigen::Index>(frames_.size()), arm_.segment_count());
+    for (Eigen::Index r = 0; r < rows.rows(); ++r) {
+      const FrameOf& at = frames_[static_cast<std::size_t>(r)];
+      rows.row(r) = turns[static_cast<std::size_t>(at.episode)].row(at.frame);
+    }
+    return rows;
+  }
+
+  /// Measured lengths over what the no-load model expects.
+  std::vector<double> length_ratios(int i, int without_block) const {
+    const NoLoadModel no_load(arm_);
+    std::vector<double> ratios;
+    for (std::size_t r = 0; r < frames_.size(); ++r) {
+      if (frames_[r].block == without_block) {
+        continue;
+      }
+      const FrameOf& at = frames_[r];
+      const double command =
+          double(episodes_[static_cast<std::size_t>(at.episode)].pressure_kpa(at.frame, i));
+      const double expected_m = arm_.no_load == NoLoadKind::straight
+                                    ? arm_.segments[static_cast<std::size_t>(i)].length_m
+                                    : no_load.segment_shape(i, command).length_m;
+      ratios.push_back(seen_.length_m(static_cast<Eigen::Index>(r), i) / expected_m);
+    }
+    return ratios;
+  }
+
+  void add_segment(int i, const RobustLine& robust, SimpleFit& fit) const {
+    SimpleSegment segment{robust.line.slope, robust.line.offset, median(length_ratios(i, -1))};
+    Sums all;
+    for (const Sums& block : robust.blocks) {
+      all.add(block);
+    }
+    std::vector<double> gains;
+    std::vector<double> offsets;
+    std::vector<double> ratios;
+    for (std::size_t b = 0; b < robust.blocks.size(); ++b) {
+      if (robust.blocks[b].weight > 0.0 && robust.blocks[b].weight < all.weight) {
+        const Line line = all.without(robust.blocks[b]).line(held_slope(), moved(i));
+        gains.push_back(line.slope);
+        offsets.push_back(line.offset);
+        ratios.push_back(median(length_ratios(i, static_cast<int>(b))));
+      }
+    }
+    const Eigen::VectorXd x = expected_.col(i).array() - expected_.col(i).mean();
+    const Eigen::VectorXd y = seen_.turn_rad.col(i).array() - seen_.turn_rad.col(i).mean();
+    const double size = x.norm() * y.norm();
+    fit.model.segments.push_back(segment);
+    fit.segments.push_back({jackknife(segment.gain, gains), jackknife(segment.offset_rad, offsets),
+                            jackknife(segment.length_ratio, ratios), robust.loss,
+                            size > 0.0 ? x.dot(y) / size : 0.0, moved(i)});
+  }
+
+  const ArmDescription& arm_;
+  const std::vector<Episode>& episodes_;
+  std::vector<FrameOf> frames_;
+  Shapes seen_;
+  Eigen::MatrixXd expected_;
+  int blocks_ = 0;
+};
+
+}  // namespace
+
+SimpleFit fit_simple_model(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  return SimpleFitter(arm, episodes).run();
+}
+
+}  // namespace limber

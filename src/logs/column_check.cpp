@@ -1,0 +1,154 @@
+#include "column_check.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "column_fit.hpp"
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kNothing = 0.2;  // of correlations: nothing follows its column
+
+/// A column's name with the other sign.
+std::string other_sign(const std::string& name) {
+  return name.starts_with('-') ? name.substr(1) : "-" + name;
+}
+
+/// "right: [a, b], left: [c, d]" or "columns: [a, -b]", as a mapping would have to say it.
+std::string fitting_mapping(const ColumnFit& fit, const CommandColumns& commands) {
+  std::vector<std::string> first;
+  std::vector<std::string> second;
+  for (const FittedColumn& segment : fit.segments) {
+    const auto at = static_cast<std::size_t>(segment.column);
+    if (!commands.measured.empty()) {
+      const std::string& name = commands.measured[at];
+      first.push_back(segment.turned ? other_sign(name) : name);
+    } else {
+      first.push_back(segment.turned ? commands.left[at] : commands.right[at]);
+      second.push_back(segment.turned ? commands.right[at] : commands.left[at]);
+    }
+  }
+  return second.empty() ? fmt::format("columns: [{}]", fmt::join(first, ", "))
+                        : fmt::format("right: [{}], left: [{}]", fmt::join(first, ", "),
+                                      fmt::join(second, ", "));
+}
+
+/// "segment 0 0.95 (as given -0.12), segment 1 …"
+std::string correlations_text(const ColumnFit& fit) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < fit.segments.size(); ++i) {
+    const FittedColumn& segment = fit.segments[i];
+    parts.push_back(segment.undecidable == Undecidable::no || segment.follows_weakly
+                        ? fmt::format("{} {:.2f} (as given {:.2f})", segment_name(Eigen::Index(i)),
+                                      segment.correlation, segment.as_given)
+                        : fmt::format("{} can't be told", segment_name(Eigen::Index(i))));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string positive_side(const ArmDescription& arm) {
+  return arm.no_load == NoLoadKind::curvature
+             ? "to the side of curvature_per_unit's sign, left for +"
+             : "right, towards -y";
+}
+
+std::string refusal(const std::string& log, const ColumnFit& fit, const ImportMapping& mapping,
+                    const ArmDescription& arm) {
+  bool permuted = false;
+  bool all_turned = true;
+  bool turned = false;
+  for (std::size_t i = 0; i < fit.segments.size(); ++i) {
+    const FittedColumn& segment = fit.segments[i];
+    permuted = permuted || segment.column != static_cast<Eigen::Index>(i);
+    turned = turned || segment.turned;
+    all_turned = all_turned && (segment.turned || segment.undecidable != Undecidable::no);
+  }
+  std::string what;
+  if (permuted) {
+    what = fmt::format("the {}s' columns are not in the segments' order{}", arm.command.name,
+                       turned ? ", and some have the other sign" : "");
+  } else {
+    what = fmt::format("{} bends to the other side than its {} says: positive bends {}",
+                       all_turned ? "the arm" : "a segment", arm.command.name, positive_side(arm));
+  }
+  return fmt::format(
+      "{}: {}. What would fit: '{}'. Correlations of levels then: {}. Change the mapping{}", log,
+      what, fitting_mapping(fit, mapping.commands), correlations_text(fit),
+      all_turned && turned ? "; or the plane is seen from the other side: turn y (or 'up')" : "");
+}
+
+std::string why(const FittedColumn& segment) {
+  switch (segment.undecidable) {
+    case Undecidable::turned_little:
+      return "it hardly turned";
+    case Undecidable::told_little:
+      return "its column hardly changed";
+    case Undecidable::moved_seldom:
+      return "it moved too seldom";
+    case Undecidable::told_alike:
+      return fmt::format("it was told much the same as {}", segment_name(segment.alike));
+    case Undecidable::no:
+      break;
+  }
+  return {};
+}
+
+/// Whether every segment that moved often follows nothing of what its column says.
+bool follows_nothing(const ColumnFit& fit) {
+  bool any = false;
+  for (const FittedColumn& segment : fit.segments) {
+    if (segment.undecidable == Undecidable::no) {
+      any = true;
+      if (!segment.follows_weakly || segment.as_given > kNothing) {
+        return false;
+      }
+    }
+  }
+  return any;
+}
+
+std::string all_of(const std::vector<std::string>& logs) {
+  return logs.size() == 1 ? logs.front()
+                          : fmt::format("{} and {} more", logs.front(), logs.size() - 1);
+}
+
+}  // namespace
+
+void refuse_columns(const std::string& log, const ColumnFit& fit, const ImportMapping& mapping,
+                    const ArmDescription& arm) {
+  throw InputError(refusal(log, fit, mapping, arm));
+}
+
+void check_columns(const std::vector<std::string>& logs, const std::vector<LevelTable>& levels,
+                   const ImportMapping& mapping, const ArmDescription& arm, ColumnReport& checks) {
+  LevelTable all = levels.front();
+  for (std::size_t run = 1; run < levels.size(); ++run) {
+    append(all, levels[run]);
+  }
+  const ColumnFit fit = fit_columns(correlate_levels(all, arm), arm);
+  if (!fit.belongs) {
+    refuse_columns(all_of(logs), fit, mapping, arm);
+  }
+  for (std::size_t run = 0; run < levels.size() && levels.size() > 1; ++run) {
+    const ColumnFit own = fit_columns(correlate_levels(levels[run], arm), arm, kDecisiveAlone);
+    if (!own.belongs) {
+      refuse_columns(logs[run] + " (the other logs fit the mapping)", own, mapping, arm);
+    }
+  }
+  if (follows_nothing(fit)) {
+    throw InputError(fmt::format(
+        "{}: the arm does not do what its {}s say: correlations of levels are {}. Do the columns, "
+        "the logs and the arm belong together, and are their times on one clock?",
+        all_of(logs), arm.command.name, correlations_text(fit)));
+  }
+  for (std::size_t i = 0; i < fit.segments.size(); ++i) {
+    const FittedColumn& segment = fit.segments[i];
+    checks.segments.push_back({segment.as_given, segment.follows_weakly, why(segment)});
+  }
+}
+
+}  // namespace limber

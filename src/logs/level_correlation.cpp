@@ -1,0 +1,143 @@
+#include "level_correlation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include <unsupported/Eigen/FFT>
+
+#include "segment_turns.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kRate_hz = 10.0;
+constexpr double kMinTurn_rad = 0.02;  // standard deviation; markers 50 mm apart see 0.01 in noise
+constexpr double kMinChange = 0.02;    // of the limit, from lowest to highest
+constexpr double kForgotten = 0.05;    // of an autocorrelation; what follows is noise
+constexpr double kMaxExplained = 0.9999;  // of a variance: a model's own copy is no more than that
+constexpr double kFreeNumbers = 3.0;      // slope, offset and one for the width of r
+
+/// Without the mean over all runs.
+Eigen::MatrixXd centred(const Eigen::MatrixXd& values) {
+  return values.rowwise() - values.colwise().mean();
+}
+
+/// Autocorrelation of a column whose runs don't go on into each other, from 1 at lag 0.
+Eigen::VectorXd autocorrelation(const Eigen::VectorXd& values,
+                                const std::vector<Eigen::Index>& run_ends) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(values.size());
+  Eigen::Index begin = 0;
+  for (const Eigen::Index end : run_ends) {
+    const Eigen::Index count = end - begin;
+    std::size_t size = 1;
+    while (size < 2 * static_cast<std::size_t>(count)) {
+      size *= 2;
+    }
+    std::vector<double> padded(size, 0.0);
+    std::copy(values.data() + begin, values.data() + end, padded.begin());
+    std::vector<std::complex<double>> spectrum;
+    Eigen::FFT<double> transform;
+    transform.fwd(spectrum, padded);
+    for (std::complex<double>& value : spectrum) {
+      value = std::norm(value);
+    }
+    std::vector<double> circular;
+    transform.inv(circular, spectrum);
+    for (Eigen::Index lag = 0; lag < count; ++lag) {
+      sum[lag] += circular[static_cast<std::size_t>(lag)];
+    }
+    begin = end;
+  }
+  return sum.size() > 0 && sum[0] > 0.0 ? Eigen::VectorXd(sum / sum[0]) : sum;
+}
+
+/// Bartlett: two series are as good as T / (1 + 2 Σ ρ_a ρ_b) independent pairs.
+double independent_rows(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  double sum = 1.0;
+  for (Eigen::Index lag = 1; lag < a.size() && a[lag] > kForgotten && b[lag] > kForgotten; ++lag) {
+    sum += 2.0 * a[lag] * b[lag];
+  }
+  return double(a.size()) / sum;
+}
+
+}  // namespace
+
+LevelTable levels_of(const BackboneTrack& motion, const CommandTrack& commands,
+                     const ArmDescription& arm) {
+  const Turns seen = turns_of(motion, arm);
+  const Turns told{commands.time_s, commands.measured};
+  const double start_s = std::max(motion.time_s.front(), commands.time_s.front());
+  const double end_s = std::min(motion.time_s.back(), commands.time_s.back());
+  const auto most = static_cast<Eigen::Index>(std::max(0.0, end_s - start_s) * kRate_hz) + 1;
+  const Eigen::Index n = arm.segment_count();
+  LevelTable levels{Eigen::MatrixXd(most, n), Eigen::MatrixXd(most, n), {}};
+  Eigen::Index rows = 0;
+  for (Eigen::Index k = 0; k < most; ++k) {
+    const double time_s = start_s + double(k) / kRate_hz;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      levels.turn_rad(rows, i) = seen.at(time_s, i);
+      levels.command(rows, i) = told.at(time_s, i);
+    }
+    const bool known =
+        levels.turn_rad.row(rows).allFinite() && levels.command.row(rows).allFinite();
+    rows += known ? 1 : 0;
+  }
+  levels.turn_rad.conservativeResize(rows, n);
+  levels.command.conservativeResize(rows, n);
+  levels.run_ends = {rows};
+  return levels;
+}
+
+void append(LevelTable& levels, const LevelTable& more) {
+  const Eigen::Index before = levels.row_count();
+  const Eigen::Index columns = more.turn_rad.cols();
+  levels.turn_rad.conservativeResize(before + more.row_count(), columns);
+  levels.command.conservativeResize(before + more.row_count(), columns);
+  levels.turn_rad.bottomRows(more.row_count()) = more.turn_rad;
+  levels.command.bottomRows(more.row_count()) = more.command;
+  for (const Eigen::Index end : more.run_ends) {
+    levels.run_ends.push_back(before + end);
+  }
+}
+
+LevelCorrelations correlate_levels(const LevelTable& levels, const ArmDescription& arm) {
+  const Eigen::Index n = arm.segment_count();
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
+  const std::vector<bool> nowhere(static_cast<std::size_t>(n), false);
+  LevelCorrelations result{none, none, none, nowhere, nowhere};
+  if (levels.row_count() == 0) {
+    return result;
+  }
+  const Eigen::MatrixXd turn = centred(levels.turn_rad);
+  const Eigen::MatrixXd command = centred(levels.command);
+  std::vector<Eigen::VectorXd> turn_memory;
+  std::vector<Eigen::VectorXd> command_memory;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    result.turned[at] = turn.col(i).norm() > kMinTurn_rad * std::sqrt(double(turn.rows()));
+    result.changed[at] = command.col(i).maxCoeff() - command.col(i).minCoeff() >
+                         kMinChange * arm.segments[at].pressure_limit_kpa;
+    turn_memory.push_back(autocorrelation(turn.col(i), levels.run_ends));
+    command_memory.push_back(autocorrelation(command.col(i), levels.run_ends));
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      if (!result.turned[std::size_t(i)] || !result.changed[std::size_t(j)]) {
+        continue;
+      }
+      const double r =
+          turn.col(i).dot(command.col(j)) / (turn.col(i).norm() * command.col(j).norm());
+      const double rows =
+          independent_rows(turn_memory[std::size_t(i)], command_memory[std::size_t(j)]);
+      result.correlation(i, j) = r;
+      result.independent_rows(i, j) = rows;
+      result.evidence(i, j) = -0.5 * std::max(rows - kFreeNumbers, 0.0) *
+                              std::log(1.0 - std::min(r * r, kMaxExplained));
+    }
+  }
+  return result;
+}
+
+}  // namespace limber

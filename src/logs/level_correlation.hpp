@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "log_tracks.hpp"
+
+namespace limber {
+
+/// What a log's segments turned by and what its columns said, on one clock, at 10 Hz. Levels, not
+/// rates: friction and lag change how a segment gets somewhere more than where it gets.
+struct LevelTable {
+  Eigen::MatrixXd turn_rad;            ///< T×n, positive to the left
+  Eigen::MatrixXd command;             ///< T×n, as the log has it, in the arm's unit
+  std::vector<Eigen::Index> run_ends;  ///< row behind the last of each run; rows don't go on there
+
+  Eigen::Index row_count() const { return turn_rad.rows(); }
+};
+
+/// Rows in which everything is known, where both tracks reach.
+LevelTable levels_of(const BackboneTrack& motion, const CommandTrack& commands,
+                     const ArmDescription& arm);
+
+/// Puts the rows of another run behind those that are there.
+void append(LevelTable& levels, const LevelTable& more);
+
+/// How the levels of every segment go with every column.
+struct LevelCorrelations {
+  Eigen::MatrixXd correlation;  ///< n×n, segment × column, in [−1, 1]; 0 where one stands still
+  /// n×n [nats], ≥ 0: how much better a line in the column explains the segment's turn than a
+  /// constant does, −½ (N − 3) log(1 − r²). N counts independent rows: T over the time in which
+  /// both forget where they were (Bartlett).
+  Eigen::MatrixXd evidence;
+  Eigen::MatrixXd independent_rows;  ///< n×n, that N; 0 where one stands still
+  std::vector<bool> turned;          ///< n: the segment turned by more than a tracker's noise
+  std::vector<bool> changed;  ///< n: the column changed by more than 2 % of the segment's limit
+};
+
+LevelCorrelations correlate_levels(const LevelTable& levels, const ArmDescription& arm);
+
+}  // namespace limber
