@@ -123,24 +123,24 @@ class Execution {
   void see() {
     if (std::optional<BackboneD> measured = look_()) {
       watch_.observe(driver_.state().time_s, *measured);
-      measured_ = std::move(measured);
-      measured_frame_ = result_.frames;
+      shape_ = std::move(measured);
+      shape_frame_ = result_.frames;
     }
   }
 
   void note_start() {
     see();
-    if (measured_) {
+    if (shape_) {
       const BackboneD planned = plan_.frames.front().backbone.cast<double>();
-      result_.start_error_m = (*measured_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
+      result_.start_error_m = (*shape_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
     }
   }
 
   void compare_with_prediction(std::size_t frame) {
-    if (!measured_ || measured_frame_ != result_.frames) {
+    if (!shape_ || shape_frame_ != result_.frames) {
       return;
     }
-    const double distance_m = tip_distance_m(plan_.frames[frame].backbone, *measured_);
+    const double distance_m = tip_distance_m(plan_.frames[frame].backbone, *shape_);
     prediction_.max_m = std::max(prediction_.max_m, distance_m);
     prediction_.final_m = distance_m;
     prediction_sum_m_ += distance_m;
@@ -159,9 +159,9 @@ class Execution {
   }
 
   void judge() {
-    if (measured_) {
-      result_.final_backbone = measured_->cast<float>();
-      result_.goal_error = pose_error(environment_.goal, tip_pose(*measured_));
+    if (shape_) {
+      result_.final_backbone = shape_->cast<float>();
+      result_.goal_error = pose_error(environment_.goal, tip_pose(*shape_));
       result_.goal_reached = result_.status == ExecutionStatus::done &&
                              is_within(environment_.goal, result_.goal_error);
       result_.episode = measured_ ? recorder_.finish() : Episode{};
@@ -190,8 +190,8 @@ class Execution {
   CollisionWatch watch_;
   EpisodeRecorder recorder_;
   ExecutionResult result_;
-  std::optional<BackboneD> measured_;
-  int measured_frame_ = -1;
+  std::optional<BackboneD> shape_;
+  int shape_frame_ = -1;
   bool started_ = false;
   bool measured_ =
       false;  // in some frame; a virtual arm knows its shape even where none was delivered
