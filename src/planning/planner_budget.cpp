@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,8 +28,13 @@ void require_positive(const std::optional<Number>& limit, const char* name) {
 
 }  // namespace
 
-PlannerBudget::PlannerBudget(const PlannerLimits& limits, const PlannerCallback& callback)
-    : limits_(limits), callback_(callback), start_(Clock::now()), reserve_s_(kReserveS) {
+PlannerBudget::PlannerBudget(const PlannerLimits& limits, const PlannerCallback& callback,
+                             std::function<Clock::time_point()> now)
+    : limits_(limits),
+      callback_(callback),
+      now_(std::move(now)),
+      start_(now_()),
+      reserve_s_(kReserveS) {
   if (!limits.time_s && !limits.iterations && !limits.queries) {
     throw InputError("a planner needs a limit of time, iterations or queries; none is set");
   }
@@ -40,7 +46,7 @@ PlannerBudget::PlannerBudget(const PlannerLimits& limits, const PlannerCallback&
 }
 
 double PlannerBudget::elapsed_s() const {
-  return std::chrono::duration<double>(Clock::now() - start_).count();
+  return std::chrono::duration<double>(now_() - start_).count();
 }
 
 bool PlannerBudget::out_of_time() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,8 +12,12 @@ namespace limber {
 /// Watches a planner's limits and calls its callback now and then.
 class PlannerBudget {
  public:
-  /// @throws InputError if no limit is set or one is not positive.
-  PlannerBudget(const PlannerLimits& limits, const PlannerCallback& callback);
+  using Clock = std::chrono::steady_clock;
+
+  /// @param now  the time, for tests that bring their own
+  /// @throws InputError where no limit is set or one is not positive.
+  PlannerBudget(const PlannerLimits& limits, const PlannerCallback& callback,
+                std::function<Clock::time_point()> now = &Clock::now);
 
   double elapsed_s() const;
 
@@ -45,13 +50,12 @@ class PlannerBudget {
   std::string reason() const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   /// Of the limits, that the search may have as it stands.
   double share() const { return has_plan_ ? 1.0 : limits_.patience; }
 
   PlannerLimits limits_;
   PlannerCallback callback_;
+  std::function<Clock::time_point()> now_;
   Clock::time_point start_;
   double next_call_s_ = 0.0;
   double reserve_s_;

@@ -82,20 +82,5 @@ TEST(GoalMargin, WhereTheGoalIsSmallerItsCentreIsAimedAt) {
               HasSubstr("2.00 cm leaves little room for the model's error, 5.00"));
 }
 
-TEST(Clearance, WhereNothingKeepsItTheLargestThatGaveAPlanIsNamed) {
-  Setting s(false);
-  constexpr double kTooMuchM = 0.08;
-  PlannerLimits limits;
-  limits.iterations = 4000;
-  const PlanResult result =
-      make_planner("default")->plan({s.arm, s.model, s.environment, kTooMuchM}, limits, 3);
-  ASSERT_FALSE(result.plan);
-  ASSERT_TRUE(result.max_clearance_m) << result.reason;
-  EXPECT_LT(*result.max_clearance_m, kTooMuchM);
-  EXPECT_GT(*result.max_clearance_m, 0.0);
-  EXPECT_THAT(result.reason, HasSubstr("with less clearance than the 8.00 cm asked for"));
-  EXPECT_LE(result.statistics.iterations, 4000U);
-}
-
 }  // namespace
 }  // namespace limber

@@ -21,9 +21,7 @@ struct Setting {
   std::vector<PathOutcome> run(const std::vector<Path>& paths, int jobs = 1) const {
     const PlanningProblem problem{arm, model, environment};
     PathSimulator simulator(problem, checker, {0.05, 0.5}, jobs);
-    std::vector<PathOutcome> outcomes;
-    simulator.run(paths, outcomes, kNever);
-    return outcomes;
+    return simulator.run(paths, kNever);
   }
 
   Path path(std::vector<Pressures> to_kpa, bool hold = false) const {

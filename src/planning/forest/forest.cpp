@@ -45,20 +45,20 @@ class Grower {
   int size() const { return tree_.size(); }
 
   void round() {
-    edges_.clear();
-    batch_.clear();
+    std::vector<Edge> edges;
+    std::vector<Path> batch;
     for (std::size_t k = 0; k < kBatch; ++k) {
       RandomStream random(settings_.seed, kGrowStream + proposals_++);
       const Pressures target = tree_.random_configuration(random);
       const int parent = tree_.parent_near(target, kRandomParent, random);
       const Pressures to =
           random.uniform() < kFarShare ? target : tree_.stepped(parent, target, kStep);
-      batch_.push_back({tree_.states().state(parent), {to}});
-      edges_.push_back({parent, to});
+      batch.push_back({tree_.states().state(parent), {to}});
+      edges.push_back({parent, to});
     }
-    paths_.run(batch_, outcomes_, [] { return false; });
-    for (std::size_t k = 0; k < edges_.size() && tree_.size() < settings_.nodes; ++k) {
-      add(edges_[k], outcomes_[k]);
+    const std::vector<PathOutcome> outcomes = paths_.run(batch, [] { return false; });
+    for (std::size_t k = 0; k < edges.size() && tree_.size() < settings_.nodes; ++k) {
+      add(edges[k], outcomes[k]);
     }
   }
 
@@ -90,12 +90,12 @@ class Grower {
 
   void hold_start() {
     const MotionState start = start_of(problem_);
-    batch_.assign(1, {start, {start.setpoint_kpa()}});
-    paths_.run(batch_, outcomes_, [] { return false; });
-    if (!outcomes_.front().held_tip) {
-      throw InputError("the model diverges while the arm stands still at its start");
+    const std::vector<PathOutcome> outcomes =
+        paths_.run({{start, {start.setpoint_kpa()}}}, [] { return false; });
+    if (!outcomes.front().held_tip) {
+      throw InputError("the model runs off to infinity where the arm stands still at its start");
     }
-    note_tip(outcomes_.front());
+    note_tip(outcomes.front());
   }
 
   void note_tip(const PathOutcome& outcome) {
@@ -123,9 +123,6 @@ class Grower {
   SparseTree tree_;
   std::vector<Eigen::Vector3f> held_tips_;
   std::uint64_t proposals_ = 0;
-  std::vector<Edge> edges_;
-  std::vector<Path> batch_;
-  std::vector<PathOutcome> outcomes_;
 };
 
 /// A forest keeps no name.

@@ -22,69 +22,64 @@ ForestFilter::ForestFilter(const Forest& forest, const PlanningProblem& problem,
     : forest_(forest),
       checker_(checker),
       arm_length_m_(problem.arm.length_m()),
-      before_(start_state(problem.environment, problem.arm).backbone),
-      after_(before_),
-      between_(before_) {
+      start_(start_state(problem.environment, problem.arm).backbone) {
   known_[0] = true;
 }
 
 bool ForestFilter::leaves_free(int node) {
   // The end first: one look rules out most, and all that goes on from there.
-  if (known_.count(node) == 0 && !stands_free(node)) {
+  if (known_.count(node) == 0 && !checker_.is_free(shape_at(node))) {
     known_[node] = false;
   }
   return leaves_path_free(node) && leaves_hold_free(node);
 }
 
-bool ForestFilter::stands_free(int node) {
-  blend(node, node, 0.0F, after_);
-  return checker_.is_free(after_);
-}
-
 bool ForestFilter::leaves_path_free(int node) {
-  path_.clear();
+  std::vector<int> path;
   for (int i = node; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
-    path_.push_back(i);
+    path.push_back(i);
   }
-  for (auto step = path_.rbegin(); step != path_.rend(); ++step) {
+  for (auto step = path.rbegin(); step != path.rend(); ++step) {
     const int parent = forest_.parents[static_cast<std::size_t>(*step)];
     known_[*step] = known_.at(parent) && leaves_edge_free(*step);
   }
   return known_.at(node);
 }
 
-bool ForestFilter::leaves_edge_free(int node) {
+bool ForestFilter::leaves_edge_free(int node) const {
   const int parent = forest_.parents[static_cast<std::size_t>(node)];
-  if (!stands_free(node)) {
+  const Backbone end = shape_at(node);
+  if (!checker_.is_free(end)) {
     return false;
   }
-  blend(parent, parent, 0.0F, before_);
   const int looks =
-      std::min(kMaxLooks, static_cast<int>(std::ceil(travel_m(before_, after_) / kLookM)));
+      std::min(kMaxLooks, static_cast<int>(std::ceil(travel_m(shape_at(parent), end) / kLookM)));
   for (int k = 1; k < looks; ++k) {
-    blend(parent, node, static_cast<float>(k) / static_cast<float>(looks), between_);
-    if (!checker_.is_free(between_)) {
+    if (!checker_.is_free(
+            shape_between(parent, node, static_cast<float>(k) / static_cast<float>(looks)))) {
       return false;
     }
   }
   return true;
 }
 
-bool ForestFilter::leaves_hold_free(int node) {
-  blend(node, node, 0.0F, between_);
-  after_ = between_;
+bool ForestFilter::leaves_hold_free(int node) const {
+  const Backbone end = shape_at(node);
+  Backbone held = end;
   // Of the held shape the tip alone is stored: every plate does its part of what the tip does.
-  const Eigen::Index last = after_.rows() - 1;
-  const Eigen::RowVector3f shift = forest_.held_tips.col(node).transpose() - after_.row(last);
+  const Eigen::Index last = held.rows() - 1;
+  const Eigen::RowVector3f shift = forest_.held_tips.col(node).transpose() - held.row(last);
   for (Eigen::Index plate = 1; plate <= last; ++plate) {
     const float part = static_cast<float>(plate) / static_cast<float>(last);
-    after_.row(plate) += part * part * shift;
+    held.row(plate) += part * part * shift;
   }
-  return checker_.is_motion_free(between_, after_);
+  return checker_.is_motion_free(end, held);
 }
 
-void ForestFilter::blend(int from, int to, float fraction, Backbone& backbone) const {
-  blend_shapes(forest_.shapes.col(from), forest_.shapes.col(to), fraction, arm_length_m_, backbone);
+Backbone ForestFilter::shape_between(int from, int to, float fraction) const {
+  Backbone shape = start_;
+  blend_shapes(forest_.shapes.col(from), forest_.shapes.col(to), fraction, arm_length_m_, shape);
+  return shape;
 }
 
 }  // namespace limber

@@ -23,23 +23,20 @@ class ForestFilter {
   bool leaves_free(int node);
 
  private:
-  /// At the end of the motion to it, which is left in after_.
-  bool stands_free(int node);
   bool leaves_path_free(int node);
   /// The same of the motion from its parent alone, its end included.
-  bool leaves_edge_free(int node);
+  bool leaves_edge_free(int node) const;
   /// The same of the hold: the arm has followed late, and its tip goes on to where it is held.
-  bool leaves_hold_free(int node);
-  void blend(int from, int to, float fraction, Backbone& backbone) const;
+  bool leaves_hold_free(int node) const;
+  /// The stored shape at a node, or a fraction of the way between two.
+  Backbone shape_at(int node) const { return shape_between(node, node, 0.0F); }
+  Backbone shape_between(int from, int to, float fraction) const;
 
   const Forest& forest_;
   const CollisionChecker& checker_;
   double arm_length_m_;
+  Backbone start_;                       // whose base all shapes share
   std::unordered_map<int, bool> known_;  // of nodes asked for, and those on the way there
-  std::vector<int> path_;
-  Backbone before_;
-  Backbone after_;
-  Backbone between_;
 };
 
 }  // namespace limber

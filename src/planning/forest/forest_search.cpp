@@ -39,13 +39,13 @@ ForestSearch::ForestSearch(const Forest& forest, const PlanningProblem& problem,
       simulator_(simulator),
       search_(search),
       filter_(forest, problem, checker),
+      in_goal_(those_in_goal()),
       near_left_(kMaxNear) {
   grafted_[0] = 0;
   known_[0] = start_of(problem);
-  find_those_in_goal();
 }
 
-void ForestSearch::find_those_in_goal() {
+ForestSearch::Ranking ForestSearch::those_in_goal() const {
   const PoseGoal& goal = problem_.environment.goal;
   std::vector<Ranked> found;
   forest_.tips.visit_near(point_m(goal), static_cast<float>(goal.position_tolerance_m),
@@ -54,10 +54,10 @@ void ForestSearch::find_those_in_goal() {
                               found.emplace_back(double(tip.cost_kpa), tip.node);
                             }
                           });
-  in_goal_ = Ranking({}, std::move(found));
+  return Ranking({}, std::move(found));
 }
 
-void ForestSearch::find_those_near() {
+ForestSearch::Ranking ForestSearch::those_near() const {
   const PoseGoal& goal = problem_.environment.goal;
   std::vector<Ranked> found;
   forest_.tips.visit_near(point_m(goal), static_cast<float>(goal.position_tolerance_m + kNearM),
@@ -68,7 +68,7 @@ void ForestSearch::find_those_near() {
     std::nth_element(found.begin(), found.begin() + kMaxNearLookedAt, found.end());
     found.resize(static_cast<std::size_t>(kMaxNearLookedAt));
   }
-  near_.emplace(Ranking({}, std::move(found)));
+  return Ranking({}, std::move(found));
 }
 
 std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool step) {
@@ -94,80 +94,91 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
   return found;
 }
 
-void ForestSearch::collect(Ranking& nodes, std::size_t wanted, bool step,
-                           const std::function<bool()>& give_up) {
-  for (int looks = 1; looks <= kMaxLooks && !nodes.empty() && paths_.size() < wanted; ++looks) {
+Path ForestSearch::path_of(const Candidate& candidate) const {
+  const int from = forest_.parents[static_cast<std::size_t>(candidate.path.front())];
+  Path path{known_.at(from), {}};
+  path.hold = true;  // the forest knows where that leads, however far it goes
+  for (const int passed : candidate.path) {
+    path.to_kpa.emplace_back(forest_.setpoints_kpa.col(passed));
+  }
+  if (candidate.step_kpa) {
+    path.to_kpa.push_back(*candidate.step_kpa);
+  }
+  return path;
+}
+
+ForestSearch::Batch ForestSearch::collect(Ranking& nodes, std::size_t wanted, bool step,
+                                          const std::function<bool()>& give_up) {
+  Batch batch;
+  for (int looks = 1; looks <= kMaxLooks && !nodes.empty() && batch.paths.size() < wanted;
+       ++looks) {
     if (looks % kLooksAtOnce == 0 && give_up()) {
-      return;
+      break;
     }
     const int node = nodes.top().second;
     nodes.pop();
-    std::optional<Candidate> found = candidate(node, step);
-    if (!found) {
-      continue;
+    if (std::optional<Candidate> found = candidate(node, step)) {
+      batch.paths.push_back(path_of(*found));
+      batch.candidates.push_back(std::move(*found));
     }
-    const int from = forest_.parents[static_cast<std::size_t>(found->path.front())];
-    Path path{known_.at(from), {}};
-    path.hold = true;  // the forest knows where that leads, however far it goes
-    for (const int passed : found->path) {
-      path.to_kpa.emplace_back(forest_.setpoints_kpa.col(passed));
-    }
-    if (found->step_kpa) {
-      path.to_kpa.push_back(*found->step_kpa);
-    }
-    paths_.push_back(std::move(path));
-    candidates_.push_back(std::move(*found));
   }
+  return batch;
 }
 
-bool ForestSearch::round(const std::function<bool()>& give_up) {
-  const bool has_plan = !search_.solutions().empty();
-  if (has_plan && ++rounds_since_plan_ > kRoundsWithPlan) {
-    return false;
-  }
+/// Those that end in the goal; once there are none, and still no plan, those near it.
+ForestSearch::Batch ForestSearch::next_batch(const std::function<bool()>& give_up) {
   const auto wanted = [this](std::size_t first) {
     return std::min(first << std::min(rounds_, 8), kMaxBatch);
   };
-  paths_.clear();
-  candidates_.clear();
-  collect(in_goal_, wanted(kFirstBatch), false, give_up);
-  if (in_goal_.empty() && paths_.empty() && !has_plan) {
+  Batch batch = collect(in_goal_, wanted(kFirstBatch), false, give_up);
+  if (in_goal_.empty() && batch.paths.empty() && search_.solutions().empty()) {
     if (!near_) {
-      find_those_near();
+      near_.emplace(those_near());
     }
-    collect(*near_, std::min(wanted(kFirstNear), near_left_), true, give_up);
-    near_left_ -= paths_.size();
+    batch = collect(*near_, std::min(wanted(kFirstNear), near_left_), true, give_up);
+    near_left_ -= batch.paths.size();
   }
   ++rounds_;
-  if (paths_.empty()) {
-    return !in_goal_.empty() || (near_ && !near_->empty() && near_left_ > 0);
-  }
-  simulator_.run(paths_, outcomes_, give_up);
-  // Once time is up some are wrongly ruled out, which nobody asks for any more.
-  for (std::size_t k = 0; k < paths_.size(); ++k) {
-    settle(candidates_[k], outcomes_[k]);
-  }
-  return true;
+  return batch;
 }
 
-void ForestSearch::settle(const Candidate& tried, const PathOutcome& outcome) {
+ForestSearch::Round ForestSearch::round(const std::function<bool()>& give_up) {
+  if (!search_.solutions().empty() && ++rounds_since_plan_ > kRoundsWithPlan) {
+    return {};
+  }
+  const Batch batch = next_batch(give_up);
+  if (batch.paths.empty()) {
+    return {!in_goal_.empty() || (near_ && !near_->empty() && near_left_ > 0), {}};
+  }
+  const std::vector<PathOutcome> outcomes = simulator_.run(batch.paths, give_up);
+  // Once time is up some are wrongly ruled out, which nobody asks for any more.
+  Round result{true, {}};
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    if (const auto solution = settle(batch.candidates[k], outcomes[k])) {
+      result.found.push_back(*solution);
+    }
+  }
+  return result;
+}
+
+std::optional<BatchSearch::Solution> ForestSearch::settle(const Candidate& tried,
+                                                          const PathOutcome& outcome) {
   for (std::size_t i = 0; i < tried.path.size(); ++i) {
     if (i >= outcome.at.size()) {
       known_.try_emplace(tried.path[i]);
-      return;
+      return std::nullopt;
     }
     known_.try_emplace(tried.path[i], outcome.at[i]);
   }
   int node = graft(tried.node);
   if (!outcome.free) {
-    return;  // the step collides, not the way to it
+    return std::nullopt;  // the step collides, not the way to it
   }
   if (tried.step_kpa) {
     node = search_.graft(node, outcome.at.back());
   }
-  if (outcome.in_goal) {
-    search_.note_solution(node, *outcome.held_tip);
-  }
+  return outcome.in_goal ? std::optional(search_.note_solution(node, *outcome.held_tip))
+                         : std::nullopt;
 }
 
 int ForestSearch::graft(int node) {

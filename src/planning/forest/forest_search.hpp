@@ -26,8 +26,13 @@ class ForestSearch {
   ForestSearch(const Forest& forest, const PlanningProblem& problem,
                const CollisionChecker& checker, PathSimulator& simulator, BatchSearch& search);
 
-  /// Tries a batch of motions. False if there is nothing more worth trying.
-  bool round(const std::function<bool()>& give_up);
+  struct Round {
+    bool more = false;                         ///< there may be more worth trying
+    std::vector<BatchSearch::Solution> found;  ///< that the search now has
+  };
+
+  /// Tries a batch of motions.
+  Round round(const std::function<bool()>& give_up);
 
  private:
   /// Nodes, those with the smallest numbers first. A heap: mostly few of them are asked for.
@@ -40,14 +45,21 @@ class ForestSearch {
     std::vector<int> path;  // nodes behind the last state known on the way, the node included
     std::optional<Pressures> step_kpa;
   };
+  struct Batch {
+    std::vector<Candidate> candidates;
+    std::vector<Path> paths;  // one per candidate
+  };
 
-  void find_those_in_goal();
-  void find_those_near();
+  Ranking those_in_goal() const;
+  Ranking those_near() const;
+  Batch next_batch(const std::function<bool()>& give_up);
   /// Of the first of `nodes`, which are taken out, at most `wanted` that may be free. @param step
   /// toward the goal
-  void collect(Ranking& nodes, std::size_t wanted, bool step, const std::function<bool()>& give_up);
+  Batch collect(Ranking& nodes, std::size_t wanted, bool step,
+                const std::function<bool()>& give_up);
   std::optional<Candidate> candidate(int node, bool step);
-  void settle(const Candidate& tried, const PathOutcome& outcome);
+  Path path_of(const Candidate& candidate) const;
+  std::optional<BatchSearch::Solution> settle(const Candidate& tried, const PathOutcome& outcome);
   /// Hands the whole motion to the search. @return the search's node
   int graft(int node);
 
@@ -64,9 +76,6 @@ class ForestSearch {
   std::unordered_map<int, MotionState> known_;  // at nodes that are free; empty: ruled out
   std::unordered_set<int> tried_;
   std::unordered_map<int, int> grafted_;  // node of the forest → node of the search
-  std::vector<Candidate> candidates_;     // of a round
-  std::vector<Path> paths_;
-  std::vector<PathOutcome> outcomes_;
 };
 
 }  // namespace limber

@@ -24,30 +24,23 @@ void require_valid(const PressureRrtStarSettings& s) {
 /// One run.
 class Run {
  public:
-  Run(const PlanningProblem& problem, const PlannerLimits& limits, const PlannerCallback& callback,
-      ParentRule rule, const PressureRrtStarSettings& settings, const char* planner,
-      std::uint64_t seed)
+  Run(const PlanningProblem& problem, const CollisionChecker& checker, ParentRule rule,
+      const PressureRrtStarSettings& settings, const char* planner, std::uint64_t seed,
+      PlannerBudget& budget)
       : problem_(problem),
-        budget_(limits, callback),
-        checker_(problem.arm, problem.environment.obstacles, problem.margin_m),
-        simulator_(problem.arm, problem.model, checker_),
+        budget_(budget),
+        simulator_(problem.arm, problem.model, checker),
         search_(problem, simulator_, rule, settings, seed),
-        ladder_(problem, simulator_, budget_, planner, seed),
-        planner_(planner),
-        seed_(seed) {}
+        ladder_(problem, simulator_, budget, planner, seed) {}
 
-  PlanResult run() {
-    if (is_refused(problem_, checker_, result_)) {
-      return std::move(result_);
-    }
-    note_plan();
+  PlanResult run(const char* planner, std::uint64_t seed) {
+    std::optional<double> offered_kpa = offer_cheaper(std::nullopt);
     while (!budget_.good_enough(ladder_.best_cost_kpa()) &&
            !budget_.spent(progress(), search_.bytes())) {
       search_.iterate(budget_);
-      note_plan();
+      offered_kpa = offer_cheaper(offered_kpa);
     }
-    finish();
-    return std::move(result_);
+    return result(planner, seed);
   }
 
  private:
@@ -58,36 +51,35 @@ class Run {
             ladder_.best_cost_kpa()};
   }
 
-  /// Where the search has a cheaper one. One that is refused stays the search's own best: the
-  /// paper's rule knows no judge.
-  void note_plan() {
+  /// Where the search has a cheaper plan than `offered_kpa`, the cost of the last. One that is
+  /// refused stays the search's own best: the paper's rule knows no judge.
+  /// @return the cost of the last plan offered now
+  std::optional<double> offer_cheaper(const std::optional<double>& offered_kpa) {
     const std::optional<double> cost_kpa = search_.best_cost_kpa();
-    if (cost_kpa && (!offered_kpa_ || *cost_kpa < *offered_kpa_)) {
-      offered_kpa_ = cost_kpa;
-      (void)ladder_.offer(search_.best_waypoints_kpa(), *cost_kpa, simulator_.queries());
+    if (!cost_kpa || (offered_kpa && *cost_kpa >= *offered_kpa)) {
+      return offered_kpa;
     }
+    (void)ladder_.offer(search_.best_waypoints_kpa(), *cost_kpa, simulator_.queries());
+    return cost_kpa;
   }
 
-  void finish() {
-    search_.fill(result_.statistics);
+  PlanResult result(const char* planner, std::uint64_t seed) {
+    PlanResult result;
+    search_.fill(result.statistics);
     const PlannerProgress end = progress();
     finish_search(problem_, simulator_, budget_,
-                  {ladder_, simulator_.queries(), search_.nearest_waypoints_kpa()}, planner_, seed_,
-                  result_);
-    result_.statistics.queries = simulator_.queries();
-    close_search(budget_, search_.tree(), end, result_);
+                  {ladder_, simulator_.queries(), search_.nearest_waypoints_kpa()}, planner, seed,
+                  result);
+    result.statistics.queries = simulator_.queries();
+    close_search(budget_, search_.tree(), end, result);
+    return result;
   }
 
   const PlanningProblem& problem_;
-  PlannerBudget budget_;
-  CollisionChecker checker_;
+  PlannerBudget& budget_;
   MotionSimulator simulator_;
   RrtStarSearch search_;
   PlanLadder ladder_;
-  std::optional<double> offered_kpa_;
-  const char* planner_;
-  std::uint64_t seed_;
-  PlanResult result_;
 };
 
 class PressureRrtStar final : public Planner {
@@ -101,7 +93,13 @@ class PressureRrtStar final : public Planner {
 
   PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
-    return Run(problem, limits, callback, rule_, settings_, name(), seed).run();
+    PlannerBudget budget(limits, callback);
+    const CollisionChecker checker(problem.arm, problem.environment.obstacles, problem.margin_m);
+    PlanResult refused;
+    if (is_refused(problem, checker, refused)) {
+      return refused;
+    }
+    return Run(problem, checker, rule_, settings_, name(), seed, budget).run(name(), seed);
   }
 
  private:

@@ -36,7 +36,6 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
       near_gain_(settings.near_factor * min_near_gain(problem.arm.segment_count())),
       tree_(problem.model),
       index_(problem.arm.segment_count()),
-      new_kpa_(problem.arm.segment_count()),
       batch_(simulator) {
   const MotionState start = start_of(problem);
   tree_.add(start, -1, 0.0);
@@ -66,69 +65,78 @@ Pressures RrtStarSearch::sample() {
   return q;
 }
 
-bool RrtStarSearch::steer(const Pressures& sample, int nearest) {
+std::optional<Pressures> RrtStarSearch::steer(const Pressures& sample, int nearest) const {
   const auto from = tree_.setpoint_kpa(nearest);
   const float distance = scaled(sample - from).norm();
   if (distance <= kSamePoint) {
-    return false;
+    return std::nullopt;
   }
   const float step = static_cast<float>(settings_.step_size);
-  new_kpa_ = distance <= step ? sample : Pressures(from + (sample - from) * (step / distance));
-  new_kpa_ = new_kpa_.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
-  return true;
+  const Pressures kpa =
+      distance <= step ? sample : Pressures(from + (sample - from) * (step / distance));
+  return Pressures(kpa.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_));
 }
 
-void RrtStarSearch::find_near(int nearest) {
+RrtStarSearch::Nodes RrtStarSearch::near(const Pressures& kpa, int nearest) const {
   const double count = tree_.size() + 1.0;
   const double radius =
       std::min(near_gain_ * std::pow(std::log(count) / count, 1.0 / double(limit_kpa_.size())),
                settings_.step_size);
-  index_.within(scaled(new_kpa_), static_cast<float>(radius), near_);
-  if (!std::binary_search(near_.begin(), near_.end(), nearest)) {
-    near_.insert(std::lower_bound(near_.begin(), near_.end(), nearest), nearest);
+  Nodes nodes;
+  index_.within(scaled(kpa), static_cast<float>(radius), nodes);
+  if (!std::binary_search(nodes.begin(), nodes.end(), nearest)) {
+    nodes.insert(std::lower_bound(nodes.begin(), nodes.end(), nearest), nearest);
   }
+  return nodes;
 }
 
-void RrtStarSearch::simulate_all_candidates() {
-  batch_from_.clear();
-  for (const int node : near_) {
-    batch_from_.push_back(tree_.state(node));
+void RrtStarSearch::simulate_from(const Nodes& nodes, const Pressures& kpa) {
+  std::vector<MotionState> from;
+  for (const int node : nodes) {
+    from.push_back(tree_.state(node));
   }
-  batch_to_kpa_ = new_kpa_.replicate(1, std::ssize(near_));
-  batch_.run(batch_from_, batch_to_kpa_);
+  batch_.run(from, kpa.replicate(1, std::ssize(nodes)));
 }
 
-bool RrtStarSearch::edge_is_free(const Candidate& candidate) {
+std::optional<MotionState> RrtStarSearch::free_end(const Candidate& candidate,
+                                                   const Pressures& kpa) {
   if (rule_ == ParentRule::lazy) {
-    return simulator_.move(tree_.state(candidate.node), new_kpa_, new_state_);
+    MotionState end;
+    return simulator_.move(tree_.state(candidate.node), kpa, end) ? std::optional(std::move(end))
+                                                                  : std::nullopt;
   }
-  new_state_ = batch_.end(candidate.column);
-  return batch_.is_free(candidate.column, simulator_.checker());
+  return batch_.is_free(candidate.column, simulator_.checker())
+             ? std::optional(batch_.end(candidate.column))
+             : std::nullopt;
 }
 
-int RrtStarSearch::connect() {
-  if (rule_ == ParentRule::steer_all) {
-    simulate_all_candidates();
+std::vector<RrtStarSearch::Candidate> RrtStarSearch::by_cost(const Pressures& kpa,
+                                                             const Nodes& near) const {
+  std::vector<Candidate> candidates;
+  for (std::size_t c = 0; c < near.size(); ++c) {
+    const int node = near[c];
+    candidates.push_back({tree_.cost_kpa(node) + motion_cost_kpa(tree_.setpoint_kpa(node), kpa),
+                          node, static_cast<int>(c)});
   }
-  candidates_.clear();
-  for (std::size_t c = 0; c < near_.size(); ++c) {
-    const int node = near_[c];
-    candidates_.push_back(
-        {tree_.cost_kpa(node) + motion_cost_kpa(tree_.setpoint_kpa(node), new_kpa_), node,
-         static_cast<int>(c)});
-  }
-  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.cost_kpa < b.cost_kpa || (a.cost_kpa == b.cost_kpa && a.node < b.node);
   });
-  for (const Candidate& candidate : candidates_) {
-    if (edge_is_free(candidate)) {
-      const int node = tree_.add(new_state_, candidate.node, candidate.cost_kpa);
-      index_.add(scaled(new_kpa_));
+  return candidates;
+}
+
+std::optional<int> RrtStarSearch::connect(const Pressures& kpa, const Nodes& near) {
+  if (rule_ == ParentRule::steer_all) {
+    simulate_from(near, kpa);
+  }
+  for (const Candidate& candidate : by_cost(kpa, near)) {
+    if (const std::optional<MotionState> end = free_end(candidate, kpa)) {
+      const int node = tree_.add(*end, candidate.node, candidate.cost_kpa);
+      index_.add(scaled(kpa));
       in_goal_.push_back(0);
       return node;
     }
   }
-  return -1;
+  return std::nullopt;
 }
 
 bool RrtStarSearch::matches(const MotionState& end, int node) const {
@@ -144,45 +152,44 @@ bool RrtStarSearch::matches(const MotionState& end, int node) const {
          (apart.col(2).array().abs() <= static_cast<float>(settings_.match_orientation_rad)).all();
 }
 
-/// Simulates all below changed_[0] again, into changed_. False, the tree untouched, where it
-/// collides.
-bool RrtStarSearch::simulate_below(const PlannerBudget& budget) {
-  MotionState end;
-  for (std::size_t k = 0; k < changed_.size(); ++k) {
+std::optional<std::vector<RrtStarSearch::Changed>> RrtStarSearch::simulate_below(
+    Changed root, const PlannerBudget& budget) {
+  std::vector<Changed> changed{std::move(root)};
+  for (std::size_t k = 0; k < changed.size(); ++k) {
     if (budget.out_of_time()) {
-      return false;
+      return std::nullopt;
     }
-    const int node = changed_[k].node;
+    const int node = changed[k].node;
     bool is_free = true;
     tree_.visit_children(node, [&](int child) {
-      const double cost = changed_[k].cost_kpa +
+      const double cost = changed[k].cost_kpa +
                           motion_cost_kpa(tree_.setpoint_kpa(node), tree_.setpoint_kpa(child));
-      if (!is_free || !changed_[k].state) {
-        changed_.push_back({child, cost, std::nullopt});  // the same state: the same below
+      if (!is_free || !changed[k].state) {
+        changed.push_back({child, cost, std::nullopt});  // the same state: the same below
         return;
       }
-      is_free = simulator_.move(*changed_[k].state, tree_.setpoint_kpa(child), end);
+      MotionState end;
+      is_free = simulator_.move(*changed[k].state, tree_.setpoint_kpa(child), end);
       const bool as_before = end == tree_.state(child);
-      changed_.push_back({child, cost, as_before ? std::nullopt : std::optional(end)});
+      changed.push_back({child, cost, as_before ? std::nullopt : std::optional(std::move(end))});
     });
     if (!is_free) {
-      return false;
+      return std::nullopt;
     }
   }
-  return true;
+  return changed;
 }
 
-void RrtStarSearch::simulate_rewirings(int from) {
-  const auto count = static_cast<Eigen::Index>(rewirings_.size());
-  batch_from_.assign(rewirings_.size(), tree_.state(from));
-  batch_to_kpa_.resize(limit_kpa_.size(), count);
-  for (Eigen::Index c = 0; c < count; ++c) {
-    batch_to_kpa_.col(c) = tree_.setpoint_kpa(rewirings_[static_cast<std::size_t>(c)]);
+void RrtStarSearch::simulate_to(const Nodes& nodes, int from) {
+  const std::vector<MotionState> states(nodes.size(), tree_.state(from));
+  Eigen::MatrixXf to_kpa(limit_kpa_.size(), std::ssize(nodes));
+  for (std::size_t c = 0; c < nodes.size(); ++c) {
+    to_kpa.col(static_cast<Eigen::Index>(c)) = tree_.setpoint_kpa(nodes[c]);
   }
-  batch_.run(batch_from_, batch_to_kpa_);
+  batch_.run(states, to_kpa);
 }
 
-void RrtStarSearch::rewire(int from, const PlannerBudget& budget) {
+void RrtStarSearch::rewire(int from, const Nodes& near, const PlannerBudget& budget) {
   const auto cost_through = [&](int node) {
     return tree_.cost_kpa(from) +
            motion_cost_kpa(tree_.setpoint_kpa(from), tree_.setpoint_kpa(node));
@@ -190,14 +197,14 @@ void RrtStarSearch::rewire(int from, const PlannerBudget& budget) {
   const auto is_cheaper = [&](int node) {
     return cost_through(node) < tree_.cost_kpa(node) - kImprovementKpa;
   };
-  rewirings_.clear();
-  std::copy_if(near_.begin(), near_.end(), std::back_inserter(rewirings_), is_cheaper);
-  if (rewirings_.empty() || budget.out_of_time()) {
+  Nodes nodes;
+  std::copy_if(near.begin(), near.end(), std::back_inserter(nodes), is_cheaper);
+  if (nodes.empty() || budget.out_of_time()) {
     return;
   }
-  simulate_rewirings(from);
-  for (std::size_t c = 0; c < rewirings_.size(); ++c) {
-    const int node = rewirings_[c];
+  simulate_to(nodes, from);
+  for (std::size_t c = 0; c < nodes.size(); ++c) {
+    const int node = nodes[c];
     if (!is_cheaper(node)) {
       continue;  // an earlier rewiring has made it so
     }
@@ -207,25 +214,26 @@ void RrtStarSearch::rewire(int from, const PlannerBudget& budget) {
     if (!matches(end, node) || !batch_.is_free(motion, simulator_.checker())) {
       continue;
     }
-    changed_.clear();
     const bool as_before = end == tree_.state(node);
-    changed_.push_back({node, cost_through(node), as_before ? std::nullopt : std::optional(end)});
-    if (simulate_below(budget)) {
-      accept_rewiring(node, from);
+    const auto changed = simulate_below(
+        {node, cost_through(node), as_before ? std::nullopt : std::optional(end)}, budget);
+    if (changed) {
+      accept_rewiring(*changed, from);
     }
   }
 }
 
-void RrtStarSearch::accept_rewiring(int node, int from) {
+/// @param changed  the rewired node first
+void RrtStarSearch::accept_rewiring(const std::vector<Changed>& changed, int from) {
   ++statistics_.rewires_accepted;
-  tree_.set_parent(node, from);
-  for (const Changed& change : changed_) {
+  tree_.set_parent(changed.front().node, from);
+  for (const Changed& change : changed) {
     tree_.set_cost_kpa(change.node, change.cost_kpa);
     if (change.state) {
       tree_.set_state(change.node, *change.state);
     }
   }
-  for (const Changed& change : changed_) {
+  for (const Changed& change : changed) {
     change.state ? judge(change.node) : consider_best(change.node);
   }
 }
@@ -269,15 +277,16 @@ void RrtStarSearch::iterate(const PlannerBudget& budget) {
   ++statistics_.iterations;
   const Pressures target = sample();
   const int nearest = index_.nearest(scaled(target));
-  if (!steer(target, nearest)) {
+  const std::optional<Pressures> kpa = steer(target, nearest);
+  if (!kpa) {
     return;
   }
-  find_near(nearest);
-  const int node = connect();
-  if (node >= 0) {
-    judge(node);
+  const Nodes nodes = near(*kpa, nearest);
+  const std::optional<int> node = connect(*kpa, nodes);
+  if (node) {
+    judge(*node);
     if (settings_.rewire) {
-      rewire(node, budget);
+      rewire(*node, nodes, budget);
     }
   }
 }

@@ -39,7 +39,8 @@ class RrtStarSearch {
     int node;
     int column;  // in the batch of all near nodes
   };
-  /// A node below a rewired one, simulated again.
+  using Nodes = std::vector<int>;
+  /// A node below a rewired one, simulated anew.
   struct Changed {
     int node;
     double cost_kpa;
@@ -48,18 +49,23 @@ class RrtStarSearch {
 
   Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const;
   Pressures sample();
-  /// False if the sample falls on a node.
-  bool steer(const Pressures& sample, int nearest);
-  void find_near(int nearest);
-  /// The new node, −1 if no near node has a free way.
-  int connect();
-  bool edge_is_free(const Candidate& candidate);
-  void simulate_all_candidates();
-  /// Simulates from `from` to all of rewirings_ at once.
-  void simulate_rewirings(int from);
-  void rewire(int from, const PlannerBudget& budget);
-  void accept_rewiring(int node, int from);
-  bool simulate_below(const PlannerBudget& budget);
+  /// None where the sample falls on a node.
+  std::optional<Pressures> steer(const Pressures& sample, int nearest) const;
+  /// Nodes whose way to `kpa` is tried, ascending; the nearest is among them.
+  Nodes near(const Pressures& kpa, int nearest) const;
+  /// The new node at `kpa`; none where no near node has a free way.
+  std::optional<int> connect(const Pressures& kpa, const Nodes& near);
+  std::vector<Candidate> by_cost(const Pressures& kpa, const Nodes& near) const;
+  /// Where the motion to `kpa` ends; none where it collides.
+  std::optional<MotionState> free_end(const Candidate& candidate, const Pressures& kpa);
+  /// Simulates from all of these nodes to `kpa` at once.
+  void simulate_from(const Nodes& nodes, const Pressures& kpa);
+  /// Simulates from one node to all of these at once.
+  void simulate_to(const Nodes& nodes, int from);
+  void rewire(int from, const Nodes& near, const PlannerBudget& budget);
+  void accept_rewiring(const std::vector<Changed>& changed, int from);
+  /// What comes of `changed` and of all below it, simulated again; none where that collides.
+  std::optional<std::vector<Changed>> simulate_below(Changed changed, const PlannerBudget& budget);
   /// Whether `end` may stand for what the tree has at `node`: the same set points, pressures and
   /// backbone, within the settings.
   bool matches(const MotionState& end, int node) const;
@@ -84,17 +90,7 @@ class RrtStarSearch {
   int nearest_node_ = 0;
   double nearest_error_ = 0.0;
   PlannerStatistics statistics_;
-
-  // Scratch.
-  Pressures new_kpa_;
-  MotionState new_state_;
-  std::vector<int> near_;
-  std::vector<Candidate> candidates_;
-  std::vector<int> rewirings_;  // nodes that would be cheaper through the new one
-  std::vector<Changed> changed_;
   MotionBatch batch_;
-  std::vector<MotionState> batch_from_;
-  Eigen::MatrixXf batch_to_kpa_;
 };
 
 }  // namespace limber

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace limber {
 
@@ -102,45 +103,60 @@ BatchSearch::Proposal BatchSearch::propose(RandomStream& random) {
   return exploration(random);
 }
 
-void BatchSearch::round(const std::optional<double>& best_cost_kpa,
-                        const std::function<bool()>& give_up) {
+std::vector<BatchSearch::Edge> BatchSearch::propose_batch(
+    const std::optional<double>& best_cost_kpa) {
   const std::size_t wanted =
       std::clamp(static_cast<std::size_t>(tree_.size()) / 4, kMinEdges, kMaxEdges);
   goal_sampler_.draw_at_most(std::min(settings_.goal_configurations, 1 + rounds_++ / 2));
-  batch_.clear();
-  costs_kpa_.clear();
-  paths_.clear();
+  std::vector<Edge> edges;
   for (std::size_t k = 0; k < wanted; ++k) {
     RandomStream random(seed_, kSearchStream + proposals_++);
-    Proposal edge = propose(random);
-    const auto from = tree().setpoint_kpa(edge.parent);
-    const double cost = tree().cost_kpa(edge.parent) + motion_cost_kpa(from, edge.to_kpa);
-    if (tree_.scaled(edge.to_kpa - from).norm() <= kSamePoint ||
+    Proposal proposal = propose(random);
+    const auto from = tree().setpoint_kpa(proposal.parent);
+    const double cost = tree().cost_kpa(proposal.parent) + motion_cost_kpa(from, proposal.to_kpa);
+    if (tree_.scaled(proposal.to_kpa - from).norm() <= kSamePoint ||
         (best_cost_kpa && cost >= settings_.max_cost_ratio * *best_cost_kpa)) {
       continue;
     }
-    paths_.push_back({tree().state(edge.parent), {edge.to_kpa}});
-    costs_kpa_.push_back(cost);
-    batch_.push_back(std::move(edge));
+    edges.push_back({proposal.parent, std::move(proposal.to_kpa), cost});
   }
-  simulator_.run(paths_, outcomes_, give_up);
-  for (std::size_t k = 0; k < batch_.size(); ++k) {
-    if (outcomes_[k].free) {
-      add(batch_[k], costs_kpa_[k], outcomes_[k]);
-    }
-  }
+  return edges;
 }
 
-void BatchSearch::add(const Proposal& edge, double cost_kpa, const PathOutcome& outcome) {
+std::vector<BatchSearch::Solution> BatchSearch::round(const std::optional<double>& best_cost_kpa,
+                                                      const std::function<bool()>& give_up) {
+  const std::vector<Edge> edges = propose_batch(best_cost_kpa);
+  std::vector<Path> paths;
+  for (const Edge& edge : edges) {
+    paths.push_back({tree().state(edge.parent), {edge.to_kpa}});
+  }
+  const std::vector<PathOutcome> outcomes = simulator_.run(paths, give_up);
+  std::vector<Solution> found;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (!outcomes[k].free) {
+      continue;
+    }
+    if (const std::optional<Solution> solution = add(edges[k], outcomes[k])) {
+      found.push_back(*solution);
+    }
+  }
+  return found;
+}
+
+std::optional<BatchSearch::Solution> BatchSearch::add(const Edge& edge,
+                                                      const PathOutcome& outcome) {
   const std::optional<int> node =
-      tree_.add(outcome.at.front(), edge.parent, cost_kpa, outcome.in_goal);
+      tree_.add(outcome.at.front(), edge.parent, edge.cost_kpa, outcome.in_goal);
   if (!node) {
-    return;
+    return std::nullopt;
   }
   note_error(*node);
-  if (outcome.in_goal) {
-    note_solution(*node, *outcome.held_tip);
-  }
+  return outcome.in_goal ? std::optional(note_solution(*node, *outcome.held_tip)) : std::nullopt;
+}
+
+BatchSearch::Solution BatchSearch::note_solution(int node, const Pose& held_tip) {
+  solutions_.push_back({node, tree().cost_kpa(node), held_tip});
+  return solutions_.back();
 }
 
 int BatchSearch::graft(int parent, const MotionState& state) {

@@ -26,15 +26,15 @@ class BatchSearch {
 
   /// Proposes a batch of edges, simulates them, adds what is free and new.
   /// @param best_cost_kpa  of any plan known: edges dearer than some multiple are not tried
-  void round(const std::optional<double>& best_cost_kpa, const std::function<bool()>& give_up);
+  /// @return the new nodes in the goal, in the order found
+  std::vector<Solution> round(const std::optional<double>& best_cost_kpa,
+                              const std::function<bool()>& give_up);
 
   /// Adds a state that someone else has reached from `parent`, free of collision.
   /// @return its node
   int graft(int parent, const MotionState& state);
   /// Someone else has found that a node is in the goal after the hold.
-  void note_solution(int node, const Pose& held_tip) {
-    solutions_.push_back({node, tree().cost_kpa(node), held_tip});
-  }
+  Solution note_solution(int node, const Pose& held_tip);
 
   Pressures limited(const Pressures& pressures_kpa) const { return tree_.limited(pressures_kpa); }
 
@@ -54,18 +54,26 @@ class BatchSearch {
     int parent;
     Pressures to_kpa;
   };
+  /// A proposal worth simulating.
+  struct Edge {
+    int parent;
+    Pressures to_kpa;
+    double cost_kpa;  // from the root
+  };
   struct Elite {
     double error;
     int node;
   };
 
+  std::vector<Edge> propose_batch(const std::optional<double>& best_cost_kpa);
   Proposal propose(RandomStream& random);
   Proposal shot_at_goal(RandomStream& random);
   Proposal toward_goal_configuration(RandomStream& random);
   Proposal exploration(RandomStream& random);
   Pressures scattered(const Pressures& about_kpa, double spread, RandomStream& random) const;
   double error_of(int node) const;
-  void add(const Proposal& edge, double cost_kpa, const PathOutcome& outcome);
+  /// @return where the edge ends, if that is new and in the goal
+  std::optional<Solution> add(const Edge& edge, const PathOutcome& outcome);
   void note_error(int node);
 
   const PlanningProblem& problem_;
@@ -78,10 +86,6 @@ class BatchSearch {
   std::vector<Solution> solutions_;
   int rounds_ = 0;
   std::uint64_t proposals_ = 0;
-  std::vector<Proposal> batch_;
-  std::vector<double> costs_kpa_;
-  std::vector<Path> paths_;
-  std::vector<PathOutcome> outcomes_;
 };
 
 }  // namespace limber

@@ -169,9 +169,9 @@ PathSimulator::PathSimulator(const PlanningProblem& problem, const CollisionChec
 
 PathSimulator::~PathSimulator() = default;
 
-void PathSimulator::run(const std::vector<Path>& paths, std::vector<PathOutcome>& outcomes,
-                        const std::function<bool()>& give_up) {
-  outcomes.assign(paths.size(), {});
+std::vector<PathOutcome> PathSimulator::run(const std::vector<Path>& paths,
+                                            const std::function<bool()>& give_up) {
+  std::vector<PathOutcome> outcomes(paths.size());
   Queue queue(paths, outcomes);
   const std::size_t threads = std::clamp(paths.size() / kMinWidth, std::size_t{1},
                                          static_cast<std::size_t>(threads_->arena.jobs()));
@@ -191,6 +191,7 @@ void PathSimulator::run(const std::vector<Path>& paths, std::vector<PathOutcome>
   for (const PathOutcome& outcome : outcomes) {
     queries_ += outcome.queries;
   }
+  return outcomes;
 }
 
 }  // namespace limber

@@ -46,10 +46,11 @@ class PathSimulator {
                 int jobs);
   ~PathSimulator();
 
-  /// `outcomes` gets one a path. @param give_up  asked now and then, on any thread; once it says
-  /// so, paths not yet finished count as not free.
-  void run(const std::vector<Path>& paths, std::vector<PathOutcome>& outcomes,
-           const std::function<bool()>& give_up);
+  /// @param give_up  asked now and then, on any thread; once it says so, paths not yet finished
+  /// count as not free
+  /// @return one outcome per path
+  [[nodiscard]] std::vector<PathOutcome> run(const std::vector<Path>& paths,
+                                             const std::function<bool()>& give_up);
 
   /// Of the forward model, by all runs.
   std::uint64_t queries() const { return queries_; }

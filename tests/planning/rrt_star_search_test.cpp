@@ -1,0 +1,106 @@
+#include "src/planning/paper/rrt_star_search.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "limber/world/collision.hpp"
+#include "planning/planner_setting.hpp"
+#include "planning/walk.hpp"
+
+namespace limber {
+namespace {
+
+/// Grows a tree and checks what must hold of every node after any number of rewirings.
+void expect_sound_tree(const Setting& s, int iterations, std::uint64_t* accepted) {
+  const PlanningProblem problem{s.arm, s.model, s.environment};
+  const CollisionChecker checker(s.arm, s.environment.obstacles);
+  MotionSimulator simulator(s.arm, s.model, checker);
+  RrtStarSearch search(problem, simulator, ParentRule::lazy, PressureRrtStarSettings(), 5);
+  PlannerLimits limits;
+  limits.iterations = static_cast<std::uint64_t>(iterations);
+  const PlannerBudget budget(limits, {});
+  for (int k = 0; k < iterations; ++k) {
+    search.iterate(budget);
+  }
+  const PressureTree& tree = search.tree();
+  MotionState end;
+  for (int i = 1; i < tree.size(); ++i) {
+    const int parent = tree.parent(i);
+    constexpr double kSumKpa = 1e-9;
+    EXPECT_NEAR(
+        tree.cost_kpa(i),
+        tree.cost_kpa(parent) + motion_cost_kpa(tree.setpoint_kpa(parent), tree.setpoint_kpa(i)),
+        kSumKpa);
+    ASSERT_TRUE(simulator.move(tree.state(parent), tree.setpoint_kpa(i), end));
+    ASSERT_TRUE(end == tree.state(i)) << "node " << i;
+  }
+  PlannerStatistics statistics;
+  search.fill(statistics);
+  *accepted = statistics.rewires_accepted;
+  EXPECT_GT(statistics.rewires_tried, statistics.rewires_accepted);
+}
+
+TEST(RrtStarSearch, EveryNodeIsWhatItsParentLeadsToAfterAnyRewiring) {
+  std::uint64_t without_memory = 0;
+  std::uint64_t with_memory = 0;
+  expect_sound_tree(Setting(false), 600, &without_memory);
+  expect_sound_tree(Setting(true), 1500, &with_memory);
+  EXPECT_GT(without_memory, 20U);
+  EXPECT_GT(with_memory, 0U) << "the test should hold rewirings that change shapes downstream";
+}
+
+/// A search, and a budget that is never spent.
+struct Grown {
+  Grown(const Setting& s, ParentRule rule, int iterations)
+      : problem{s.arm, s.model, s.environment},
+        checker(s.arm, s.environment.obstacles),
+        simulator(s.arm, s.model, checker),
+        search(problem, simulator, rule, PressureRrtStarSettings(), 5) {
+    PlannerLimits limits;
+    limits.iterations = 1;
+    const PlannerBudget budget(limits, {});
+    for (int k = 0; k < iterations; ++k) {
+      const std::optional<double> before_kpa = search.best_cost_kpa();
+      search.iterate(budget);
+      EXPECT_TRUE(!before_kpa || *search.best_cost_kpa() <= *before_kpa);
+    }
+  }
+
+  PlanningProblem problem;
+  CollisionChecker checker;
+  MotionSimulator simulator;
+  RrtStarSearch search;
+};
+
+TEST(RrtStarSearch, ItsBestIsTheCheapestOfItsNodesThatEndInTheGoal) {
+  const Setting s(true);
+  const Grown grown(s, ParentRule::lazy, 1500);
+  const PressureTree& tree = grown.search.tree();
+  double best_kpa = std::numeric_limits<double>::infinity();
+  double nearest = std::numeric_limits<double>::infinity();
+  std::uint64_t in_goal = 0;
+  for (int i = 0; i < tree.size(); ++i) {
+    nearest = std::min(nearest, goal_error(s.environment.goal, tree.settled_tip(i)));
+    if (ends_in_goal(grown.problem, walk(grown.problem, grown.checker, tree.path_to(i)))) {
+      ++in_goal;
+      best_kpa = std::min(best_kpa, tree.cost_kpa(i));
+    }
+  }
+  PlannerStatistics statistics;
+  grown.search.fill(statistics);
+  EXPECT_EQ(statistics.goal_nodes, in_goal);
+  ASSERT_TRUE(grown.search.best_cost_kpa());
+  constexpr double kImprovementKpa = 1e-5;
+  EXPECT_NEAR(*grown.search.best_cost_kpa(), best_kpa, kImprovementKpa);
+  EXPECT_NEAR(path_cost_kpa(grown.search.best_waypoints_kpa()), best_kpa, 1e-3);
+  const Walk to_nearest = walk(grown.problem, grown.checker, grown.search.nearest_waypoints_kpa());
+  EXPECT_TRUE(to_nearest.is_free);
+  EXPECT_LE(goal_error(s.environment.goal,
+                       grown.problem.model.settled_tip(to_nearest.states.back().valves,
+                                                       to_nearest.states.back().backbone)),
+            nearest + 1e-6);
+}
+
+}  // namespace
+}  // namespace limber

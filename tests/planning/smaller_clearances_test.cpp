@@ -1,0 +1,79 @@
+#include "src/planning/certified/smaller_clearances.hpp"
+
+#include <gmock/gmock.h>
+
+#include "planning/planner_setting.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+
+class SmallerClearances : public ::testing::Test {
+ protected:
+  PlanResult try_with(const PlannerLimits& limits, const PlannerStatistics& spent) {
+    PlanResult result;
+    result.statistics = spent;
+    result.reason = "nothing was found";
+    AskedProblem asked(problem_);
+    try_smaller_clearances(problem_, asked, limits, std::chrono::steady_clock::now(), 3, {},
+                           result);
+    return result;
+  }
+
+  Setting setting_{false};
+  PlanningProblem problem_{setting_.arm, setting_.model, setting_.environment, 0.08};
+};
+
+TEST_F(SmallerClearances, WhereNothingKeepsItTheLargestThatGaveAPlanIsNamed) {
+  constexpr double kTooMuchM = 0.08;
+  PlannerLimits limits;
+  limits.iterations = 4000;
+  const PlanResult result = make_planner("default")->plan(
+      {setting_.arm, setting_.model, setting_.environment, kTooMuchM}, limits, 3);
+  ASSERT_FALSE(result.plan);
+  ASSERT_TRUE(result.max_clearance_m) << result.reason;
+  EXPECT_LT(*result.max_clearance_m, kTooMuchM);
+  EXPECT_GT(*result.max_clearance_m, 0.0);
+  EXPECT_THAT(result.reason, HasSubstr("with less clearance than the 8.00 cm asked for"));
+  EXPECT_LE(result.statistics.iterations, 4000U);
+}
+
+TEST_F(SmallerClearances, SpendNoMoreThanWhatIsLeft) {
+  PlannerLimits limits;
+  limits.iterations = 1000;
+  PlannerStatistics spent;
+  spent.iterations = 1000;
+  spent.queries = 77;
+  const PlanResult nothing_left = try_with(limits, spent);
+  EXPECT_EQ(nothing_left.statistics.queries, 77U);
+  EXPECT_EQ(nothing_left.reason, "nothing was found");
+  EXPECT_FALSE(nothing_left.max_clearance_m);
+  spent.iterations = 100;
+  limits.queries = 300;
+  const PlanResult hardly_any = try_with(limits, spent);
+  EXPECT_GT(hardly_any.statistics.queries, 77U) << "what tries take is added";
+}
+
+// What is named is no promise: a search that asks for a little less finds a plan.
+TEST_F(SmallerClearances, TheOneNamedIsKeptByAPlan) {
+  PlannerLimits limits;
+  limits.iterations = 8000;
+  const PlanResult result = try_with(limits, {});
+  ASSERT_TRUE(result.max_clearance_m) << result.reason;
+  EXPECT_THAT(result.reason, HasSubstr("nothing was found; with less clearance than the 8.00 cm"));
+  EXPECT_FALSE(result.plan) << "nobody asked for less";
+  PlannerLimits whole;
+  whole.iterations = 2000;
+  const double kept_m = *result.max_clearance_m;
+  const auto plan_with = [&](double margin_m) {
+    return make_planner("default")->plan(
+        {setting_.arm, setting_.model, setting_.environment, margin_m}, whole, 3);
+  };
+  const PlanResult with_that = plan_with(0.9 * kept_m);
+  ASSERT_TRUE(with_that.plan) << with_that.reason;
+  expect_lawful(setting_, *with_that.plan);
+}
+
+}  // namespace
+}  // namespace limber
