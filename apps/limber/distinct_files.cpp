@@ -19,9 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // Every option by which a verb names a file or folder to write …
-constexpr std::array kOutputs = {"--out",       "--svg",    "--plot",         "--plots",
-                                 "--tables",    "--onnx",   "--mjcf",         "--motive",
-                                 "--animation", "--forest", "--pressures-svg"};
+constexpr std::array kOutputs = {"--out",       "--svg",    "--plot",          "--plots",
+                                 "--tables",    "--onnx",   "--mjcf",          "--motive",
+                                 "--animation", "--forest", "--pressures-svg", "--driver-log",
+                                 "--device-log"};
 // … and the verbs that write one which others read.
 constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
 // Fills in the arm file that it reads, where --force says so.

@@ -26,8 +26,8 @@ struct Pipe {
   Pipe() {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-      throw SystemFault(fmt::format("no pipe to the driver: {}",
-                                    std::generic_category().message(errno)));
+      throw SystemFault(
+          fmt::format("no pipe to the driver: {}", std::generic_category().message(errno)));
     }
     read_end = ends[0];
     write_end = ends[1];
@@ -97,8 +97,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& words, std::size_t ma
   }
 }
 
-void ChildProcess::start(const std::vector<std::string>& words, int child_input,
-                         int child_output) {
+void ChildProcess::start(const std::vector<std::string>& words, int child_input, int child_output) {
   const SpawnRules rules(child_input, child_output);
   std::vector<char*> arguments;
   for (const std::string& word : words) {

@@ -33,7 +33,8 @@ std::vector<std::string> command_words(const std::string& command) {
       word.emplace();
     }
     const char next = i + 1 < command.size() ? command[i + 1] : '\0';
-    if (c == '\\' && next != '\0' && (quote == 0 || (quote == '"' && (next == '"' || next == '\\')))) {
+    if (c == '\\' && next != '\0' &&
+        (quote == 0 || (quote == '"' && (next == '"' || next == '\\')))) {
       *word += next;
       ++i;
     } else if (quote == 0 && (c == '\'' || c == '"')) {

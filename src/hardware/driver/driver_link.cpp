@@ -13,11 +13,11 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr auto kHelloTime = milliseconds(10000);   // a board that resets when its port is opened
-constexpr auto kUntilKilled = milliseconds(500);   // after its input was closed
-constexpr auto kLastWords = milliseconds(20);      // for `vent` and `bye` to a driver in trouble
-constexpr double kMaxStepFrames = 20.0;            // between two samples by the driver's clock
-constexpr std::size_t kQuoted = 80;                // bytes of a wrong line in a message
+constexpr auto kHelloTime = milliseconds(10000);  // a board that resets when its port is opened
+constexpr auto kUntilKilled = milliseconds(500);  // after its input was closed
+constexpr auto kLastWords = milliseconds(20);     // for `vent` and `bye` to a driver in trouble
+constexpr double kMaxStepFrames = 20.0;           // between two samples by the driver's clock
+constexpr std::size_t kQuoted = 80;               // bytes of a wrong line in a message
 
 }  // namespace
 
@@ -101,9 +101,9 @@ void DriverLink::require_order(const DriverReply& reply) const {
                     reply.state.time_s, *sample_s_));
   }
   if (paced_ && step_s > kMaxStepFrames * period_s_) {
-    throw BrokenDriver(
-        fmt::format("sent a sample {} s after the one before; a frame lasts {} s. `t` is in seconds",
-                    step_s, period_s_));
+    throw BrokenDriver(fmt::format(
+        "sent a sample {} s after the one before; a frame lasts {} s. `t` is in seconds", step_s,
+        period_s_));
   }
 }
 
@@ -130,8 +130,8 @@ void DriverLink::wait_quietly(Time until) {
     return;
   }
   const std::string line = next_line(Clock::now(), fmt::format("request {}", seq_));
-  throw BrokenDriver(fmt::format("sent more than one answer to request {}: {}", seq_,
-                                 line.substr(0, kQuoted)));
+  throw BrokenDriver(
+      fmt::format("sent more than one answer to request {}: {}", seq_, line.substr(0, kQuoted)));
 }
 
 std::optional<ArmState> DriverLink::vent_and_close(Time until) {

@@ -33,13 +33,9 @@ DriverLog::DriverLog(const std::filesystem::path& path, std::string_view command
   if (path.empty()) {
     return;
   }
-  file_.reset(std::fopen(path.c_str(), "wxe"));
-  if (!file_ && errno == EEXIST && std::filesystem::remove(path)) {
-    file_.reset(std::fopen(path.c_str(), "wxe"));
-  }
+  file_.reset(std::fopen(path.c_str(), "we"));
   if (!file_) {
-    throw SystemFault(
-        fmt::format("{}: {}", path.string(), std::generic_category().message(errno)));
+    throw SystemFault(fmt::format("{}: {}", path.string(), std::generic_category().message(errno)));
   }
   const nlohmann::ordered_json first = {
       {"schema", "limber/driver_log/1"},
@@ -62,8 +58,7 @@ void DriverLog::write(const char* key, std::string_view line) {
   }
   const double at_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const std::string body =
-      nlohmann::json::accept(line) ? std::string(line) : as_text(line);
+  const std::string body = nlohmann::json::accept(line) ? std::string(line) : as_text(line);
   const std::string text = fmt::format("{{\"at_s\": {:.6f}, \"{}\": {}}}\n", at_s, key, body);
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
       std::fflush(file_.get()) != 0) {

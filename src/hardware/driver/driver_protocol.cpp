@@ -46,9 +46,8 @@ std::optional<Backbone> backbone(const JsonReader& root, int points) {
   }
   Backbone result(points, 3);
   for (int i = 0; i < points; ++i) {
-    const std::vector<double> pose =
-        rows[static_cast<std::size_t>(i)].numbers(3, "numbers: x, y and theta", -kMaxAngleRad,
-                                                  kMaxAngleRad);
+    const std::vector<double> pose = rows[static_cast<std::size_t>(i)].numbers(
+        3, "numbers: x, y and theta", -kMaxAngleRad, kMaxAngleRad);
     if (std::abs(pose[0]) > kMaxLengthM || std::abs(pose[1]) > kMaxLengthM) {
       rows[static_cast<std::size_t>(i)].refuse_found("expected x and y in metres");
     }
@@ -87,8 +86,7 @@ void require_type(const JsonReader& root, const char* expected) {
 
 void require_protocol(const JsonReader& root) {
   if (root.at("protocol").integer(0, 1 << 20) != kDriverProtocol) {
-    root.at("protocol").refuse_found(
-        fmt::format("this limber speaks version {}", kDriverProtocol));
+    root.at("protocol").refuse_found(fmt::format("this limber speaks version {}", kDriverProtocol));
   }
 }
 
@@ -114,10 +112,10 @@ std::string to_line(const HostHello& hello) {
 }
 
 std::string to_line(const DriverHello& hello) {
-  Json json = {{"type", "hello"},           {"protocol", hello.protocol},
-               {"driver", hello.driver},    {"device", hello.device},
-               {"rate_hz", hello.rate_hz},  {"segments", hello.segments},
-               {"tracked", hello.tracked},  {"real_time", hello.real_time}};
+  Json json = {{"type", "hello"},          {"protocol", hello.protocol},
+               {"driver", hello.driver},   {"device", hello.device},
+               {"rate_hz", hello.rate_hz}, {"segments", hello.segments},
+               {"tracked", hello.tracked}, {"real_time", hello.real_time}};
   if (!hello.limit_kpa.empty()) {
     json["limit_kpa"] = hello.limit_kpa;
   }
@@ -157,8 +155,8 @@ std::string state_line(std::int64_t seq, const ArmState& state) {
 }
 
 std::string fault_line(const std::string& message) {
-  return Json{{"type", "fault"}, {"message", message}}.dump(
-      -1, ' ', false, Json::error_handler_t::replace);
+  return Json{{"type", "fault"}, {"message", message}}.dump(-1, ' ', false,
+                                                            Json::error_handler_t::replace);
 }
 
 DriverHello parse_driver_hello(std::string_view line, const HostHello& expected) {
@@ -176,8 +174,8 @@ DriverHello parse_driver_hello(std::string_view line, const HostHello& expected)
   }
   hello.segments = root.at("segments").integer(0, 1 << 20);
   if (hello.segments != expected.segments) {
-    root.at("segments").refuse_found(
-        fmt::format("arm '{}' has {} segments", expected.arm, expected.segments));
+    root.at("segments")
+        .refuse_found(fmt::format("arm '{}' has {} segments", expected.arm, expected.segments));
   }
   hello.tracked = optional_flag(root, "tracked", true);
   hello.real_time = optional_flag(root, "real_time", true);

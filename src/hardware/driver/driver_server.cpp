@@ -24,7 +24,7 @@ namespace {
 using Clock = LineReader::Clock;
 using Kind = ServerFaultKind;
 
-constexpr int kSilentFrames = 3;    // without a request: the deadman vents
+constexpr int kSilentFrames = 3;       // without a request: the deadman vents
 constexpr double kFastSilenceS = 2.0;  // the same of a server that keeps no frames
 constexpr int kLateFrames = 4;
 constexpr float kOverLimit = 1.2F;

@@ -56,8 +56,8 @@ bool LineReader::has_input(Clock::time_point deadline) const {
 
 bool wait_for_descriptor(int descriptor, short events, LineReader::Clock::time_point deadline) {
   for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(
-        deadline - LineReader::Clock::now());
+    const auto left =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(deadline - LineReader::Clock::now());
     const std::int64_t ns = std::max<std::int64_t>(0, left.count());
     constexpr std::int64_t kNsPerS = 1'000'000'000;
     const timespec timeout{ns / kNsPerS, ns % kNsPerS};

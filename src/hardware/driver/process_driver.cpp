@@ -24,12 +24,12 @@ using std::chrono::milliseconds;
 constexpr auto kFirstReplyTime = milliseconds(2000);
 constexpr auto kSimulatedReplyTime = milliseconds(10000);  // of a driver that keeps no frames
 constexpr auto kLastWordsTime = milliseconds(500);         // of a broken driver, until it is killed
-constexpr double kReplyFrames = 2.0;           // a state that takes longer is late
-constexpr double kSilenceFrames = 3.0;         // without a `set`: the driver has vented by itself
-constexpr std::size_t kSetpointsKept = 5;      // any of them may be in force
-constexpr double kSetpointRoundingKpa = 1.0;   // of a device that counts in steps
-constexpr double kAmbientLowKpa = 80.0;        // what an absolute sensor reads of a vented arm …
-constexpr double kAmbientHighKpa = 110.0;      // … from high mountains to the sea
+constexpr double kReplyFrames = 2.0;                       // a state that takes longer is late
+constexpr double kSilenceFrames = 3.0;        // without a `set`: the driver has vented by itself
+constexpr std::size_t kSetpointsKept = 5;     // any of them may be in force
+constexpr double kSetpointRoundingKpa = 1.0;  // of a device that counts in steps
+constexpr double kAmbientLowKpa = 80.0;       // what an absolute sensor reads of a vented arm …
+constexpr double kAmbientHighKpa = 110.0;     // … from high mountains to the sea
 
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -116,6 +116,25 @@ class ProcessDriver::Session {
     }
   }
 
+  ArmState read_after_silence(double silence_s) {
+    try {
+      link_.forget_pace();
+      link_.wait_quietly(Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                            std::chrono::duration<double>(silence_s)));
+      ArmState state = link_.vent(reply_time());
+      vent();
+      return state;
+    } catch (const BrokenDriver& broken) {
+      stop_broken(broken.what());
+    }
+  }
+
+  void abandon() {
+    fault_ = "the driver was abandoned";
+    link_.end();
+  }
+
+  const ArmState& first_state() const { return first_state_; }
   const ArmState& state() const { return state_; }
   const DriverHello& hello() const { return link_.hello(); }
   const DriverTiming& timing() const { return timing_; }
@@ -203,6 +222,9 @@ class ProcessDriver::Session {
     link_.wait_quietly(start);
     state_ = link_.vent(first_reply_time);
     const Pressures first = state_.pressure_kpa;
+    if (!started_) {
+      first_state_ = state_;
+    }
     std::string rising;
     Time slot = Clock::now();
     for (int frame = 0;; ++frame) {
@@ -240,12 +262,11 @@ class ProcessDriver::Session {
   void report_vent(const std::string& rising) {
     Eigen::Index worst = 0;
     state_.pressure_kpa.cwiseAbs().maxCoeff(&worst);
-    vent_.message =
-        vent_.confirmed
-            ? fmt::format("vented: {:.1f} kPa after {:.1f} s{}", vent_.pressure_kpa, vent_.after_s,
-                          rising)
-            : fmt::format("VENT NOT CONFIRMED: {} at {:.0f} kPa, shut off the supply{}",
-                          segment_name(worst), state_.pressure_kpa[worst], rising);
+    vent_.message = vent_.confirmed
+                        ? fmt::format("vented: {:.1f} kPa after {:.1f} s{}", vent_.pressure_kpa,
+                                      vent_.after_s, rising)
+                        : fmt::format("VENT NOT CONFIRMED: {} at {:.0f} kPa, shut off the supply{}",
+                                      segment_name(worst), state_.pressure_kpa[worst], rising);
     if (started_ || !vent_.confirmed) {  // before the first run nothing was to be vented
       say(vent_.message);
     }
@@ -311,6 +332,7 @@ class ProcessDriver::Session {
   std::vector<double> limits_kpa_;
   std::optional<SafetyGate> gate_;
   ArmState state_;
+  ArmState first_state_;
   DriverTiming timing_;
   VentResult vent_;
   std::deque<Pressures> setpoints_kpa_;  // the last ones sent, newest first
@@ -335,6 +357,18 @@ const ArmState& ProcessDriver::command(const Eigen::Ref<const Pressures>& setpoi
 
 void ProcessDriver::vent() noexcept {
   session_->vent();
+}
+
+ArmState ProcessDriver::read_after_silence(double seconds) {
+  return session_->read_after_silence(seconds);
+}
+
+void ProcessDriver::abandon() {
+  session_->abandon();
+}
+
+const ArmState& ProcessDriver::first_state() const {
+  return session_->first_state();
 }
 
 const DriverHello& ProcessDriver::hello() const {

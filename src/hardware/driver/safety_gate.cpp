@@ -66,8 +66,9 @@ std::string SafetyGate::over_limit(const ArmState& state) const {
     const double own_kpa = arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
     const double excess_kpa = settings_.over_limit_percent / 100.0 * own_kpa;
     if (std::abs(static_cast<double>(state.pressure_kpa[s])) > limit_kpa(s) + excess_kpa) {
-      return fmt::format("{} is at {:.1f} kPa; its limit is {:.1f} kPa, with {:.1f} kPa allowed beyond",
-                         segment_name(s), state.pressure_kpa[s], limit_kpa(s), excess_kpa);
+      return fmt::format(
+          "{} is at {:.1f} kPa; its limit is {:.1f} kPa, with {:.1f} kPa allowed beyond",
+          segment_name(s), state.pressure_kpa[s], limit_kpa(s), excess_kpa);
     }
   }
   return "";
@@ -83,9 +84,8 @@ std::string SafetyGate::check_shape(const ArmState& state) {
   for (Eigen::Index i = 0; i < now.rows(); ++i) {
     const double x_m = now(i, 0);
     const double y_m = now(i, 1);
-    if (settings_.fence &&
-        !(x_m >= settings_.fence->x_min_m && x_m <= settings_.fence->x_max_m &&
-          y_m >= settings_.fence->y_min_m && y_m <= settings_.fence->y_max_m)) {
+    if (settings_.fence && !(x_m >= settings_.fence->x_min_m && x_m <= settings_.fence->x_max_m &&
+                             y_m >= settings_.fence->y_min_m && y_m <= settings_.fence->y_max_m)) {
       return fmt::format("plate {} is at ({:.3f}, {:.3f}) m, outside of the fence", i, x_m, y_m);
     }
     if (backbone_) {
@@ -106,17 +106,17 @@ std::string SafetyGate::check_shape(const ArmState& state) {
 
 std::string SafetyGate::following(const ArmState& state) {
   const auto step = static_cast<float>(arm_.pressure_step_limit_kpa());
-  reference_kpa_ +=
-      (setpoint_kpa_ - reference_kpa_).cwiseMax(Pressures::Constant(reference_kpa_.size(), -step))
-          .cwiseMin(Pressures::Constant(reference_kpa_.size(), step));
+  reference_kpa_ += (setpoint_kpa_ - reference_kpa_)
+                        .cwiseMax(Pressures::Constant(reference_kpa_.size(), -step))
+                        .cwiseMin(Pressures::Constant(reference_kpa_.size(), step));
   history_.push_back({reference_kpa_, state.pressure_kpa});
   const auto window = static_cast<std::size_t>(arm_.frames_in(kStuckWindowS));
   while (history_.size() > window) {
     history_.pop_front();
   }
   // Valves lag: a pressure may be where it should have been at any time of the last half second.
-  const auto recent = std::min(history_.size(),
-                               static_cast<std::size_t>(arm_.frames_in(settings_.following_time_s)));
+  const auto recent = std::min(
+      history_.size(), static_cast<std::size_t>(arm_.frames_in(settings_.following_time_s)));
   for (int s = 0; s < arm_.segment_count(); ++s) {
     float low = reference_kpa_[s];
     float high = low;

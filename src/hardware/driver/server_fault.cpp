@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "limber/common/error.hpp"
 #include "limber/common/csv_reader.hpp"
+#include "limber/common/error.hpp"
 #include "limber/hardware/driver_server.hpp"
 
 namespace limber {
@@ -17,12 +17,24 @@ namespace {
 using Kind = ServerFaultKind;
 
 constexpr std::array<std::pair<const char*, Kind>, 18> kKinds = {{
-    {"late", Kind::late},     {"repeat", Kind::repeat}, {"old", Kind::old},
-    {"half", Kind::half},     {"huge", Kind::huge},     {"nan", Kind::nan},
-    {"size", Kind::size},     {"clock", Kind::clock},   {"die", Kind::die},
-    {"hang", Kind::hang},     {"flood", Kind::flood},   {"hello", Kind::hello},
-    {"over", Kind::over},     {"stuck", Kind::stuck},   {"jump", Kind::jump},
-    {"sealed", Kind::sealed}, {"rise", Kind::rise},     {"release", Kind::release},
+    {"late", Kind::late},
+    {"repeat", Kind::repeat},
+    {"old", Kind::old},
+    {"half", Kind::half},
+    {"huge", Kind::huge},
+    {"nan", Kind::nan},
+    {"size", Kind::size},
+    {"clock", Kind::clock},
+    {"die", Kind::die},
+    {"hang", Kind::hang},
+    {"flood", Kind::flood},
+    {"hello", Kind::hello},
+    {"over", Kind::over},
+    {"stuck", Kind::stuck},
+    {"jump", Kind::jump},
+    {"sealed", Kind::sealed},
+    {"rise", Kind::rise},
+    {"release", Kind::release},
 }};
 
 }  // namespace

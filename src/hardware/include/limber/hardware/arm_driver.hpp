@@ -12,7 +12,7 @@ namespace limber {
 /// What is known of the arm at one frame.
 struct ArmState {
   double time_s = 0.0;
-  Pressures pressure_kpa;            ///< measured, size n
+  Pressures pressure_kpa;  ///< measured, size n
   /// In force when this was measured, where the arm says so; else the one last commanded.
   std::optional<Pressures> setpoint_kpa;
   std::optional<Backbone> backbone;  ///< m×3; none where nothing tracks it or the frame was dropped

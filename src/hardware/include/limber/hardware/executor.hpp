@@ -29,6 +29,8 @@ struct ExecutionSettings {
   /// The last set point is held this long in all, the plan's own hold counted (and never cut); then
   /// the goal is judged. [s], ≥ 0.
   double hold_s = 1.0;
+  /// A start whose plates are seen farther than that from the plan's is refused; none: any start.
+  std::optional<double> max_start_error_m;
 };
 
 /// Distance between predicted and executed tip over the plan's frames.
@@ -67,7 +69,7 @@ struct ExecutionResult {
 ///
 /// Collision: the backbones that the driver returns, once a frame.
 /// @throws InputError where plan, environment and arm don't belong together (hashes in the
-/// message).
+/// message), or the arm is too far from where the plan starts.
 [[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
                                       const Plan& plan, ArmDriver& driver,
                                       const ExecutionSettings& settings = {});

@@ -45,7 +45,7 @@ ServerFault parse_server_fault(const std::string& text);
 const char* to_string(ServerFaultKind kind);
 
 struct ServerSettings {
-  bool fast = false;                ///< answer as fast as possible, without frames of wall time
+  bool fast = false;  ///< answer as fast as possible, without frames of wall time
   std::optional<ServerFault> fault;
   std::filesystem::path device_log;  ///< what the simulated device was told, and when; empty: none
   VirtualArmOptions arm;

@@ -28,13 +28,13 @@ struct ProcessDriverSettings {
 struct DriverTiming {
   std::vector<double> late_s;        ///< of every `set`: after its slot
   std::vector<double> round_trip_s;  ///< of every `set`, until its state was there
-  int skipped_slots = 0;             ///< frames in which no `set` was sent, as the one before took so long
-  int frames_unseen = 0;             ///< states without a backbone, of a driver that tracks
+  int skipped_slots = 0;  ///< frames in which no `set` was sent, as the one before took so long
+  int frames_unseen = 0;  ///< states without a backbone, of a driver that tracks
 };
 
 /// What came of the last vent.
 struct VentResult {
-  bool confirmed = false;  ///< every measured pressure came down
+  bool confirmed = false;     ///< every measured pressure came down
   double pressure_kpa = 0.0;  ///< the largest, when last measured
   double after_s = 0.0;       ///< the vent
   std::string message;        ///< the same in words; empty before the first vent
@@ -64,6 +64,14 @@ class ProcessDriver final : public ArmDriver {
 
   /// Watches the measured pressures until all are down, 5 s at most; says what came of it.
   void vent() noexcept override;
+
+  /// For `limber driver check`: sends nothing for `seconds`, then vents. @return what the driver
+  /// then answers first. @throws SystemFault
+  ArmState read_after_silence(double seconds);
+  /// The same: closes the driver's input without a vent or a word. The driver is ended.
+  void abandon();
+  /// What the driver answered to its first vent, before that could act.
+  const ArmState& first_state() const;
 
   const DriverHello& hello() const;
   const DriverTiming& timing() const;
