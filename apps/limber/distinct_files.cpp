@@ -18,11 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every option that names a file or folder to write …
-constexpr std::array kOutputs = {"--out",       "--svg",    "--plot",         "--plots",
-                                 "--tables",    "--onnx",   "--mjcf",         "--motive",
-                                 "--animation", "--forest", "--pressures-svg"};
-// … and the verbs that write what --csv names; other verbs read it.
+// Every option by which a verb names a file or folder to write …
+constexpr std::array kOutputs = {"--out",       "--svg",    "--plot",          "--plots",
+                                 "--tables",    "--onnx",   "--mjcf",          "--motive",
+                                 "--animation", "--forest", "--pressures-svg", "--driver-log",
+                                 "--device-log"};
+// … and the verbs that write one which others read.
 constexpr std::array<std::string_view, 2> kWritersOfCsv = {"plan", "export"};
 // With --force, this verb fills in the arm file that it reads.
 constexpr std::string_view kRewriter = "characterize";

@@ -1,5 +1,8 @@
+#include "driver_flags.hpp"
 #include "limber/arm/arm_description.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/arm/valve_file.hpp"
+#include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/hardware/virtual_arm_factory.hpp"
@@ -42,9 +45,8 @@ class CollectVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--hold-min-s", schedule_.hold_min_s,
                    "Draw each hold between this and --hold-s, reached or not");
-    app.add_option("--driver", driver_, "The arm that moves: virtual")->capture_default_str();
-    app.add_option("--noise-m", options_.noise_m,
-                   "Noise of measured positions, standard deviation");
+    driver_.add_to(app);
+    app.add_option("--noise-m", options_.noise_m, "Noise of measured positions, std deviation");
     app.add_option("--noise-rad", options_.noise_rad, "Noise of measured headings");
     app.add_option("--noise-kpa", options_.noise_kpa, "Noise of measured pressures");
     app.add_option("--drop-rate", options_.drop_rate, "Probability that a frame has no backbone");
@@ -54,18 +56,30 @@ class CollectVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    if (driver_ != "virtual") {
-      throw InputError(fmt::format("--driver {}: expected virtual", driver_));
-    }
+    driver_.check();
+    const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_asked_arm(arm_);
     options_.seed = flags.seed;
+    schedule_.limit_scale = driver_.limit_scale();
     CollectionSettings settings = virtual_collection(arm, schedule_, options_);
     settings.jobs = flags.jobs;
     settings.resume = resume_;
     settings.force = flags.force;
     settings.progress = flags.progress();
+    if (driver_.is_dry_run()) {
+      return print_dry_run(arm, settings, flags);
+    }
+    if (!driver_.is_virtual()) {
+      return run_on_driver(arm, arm_file, settings, flags);
+    }
     const CollectionResult result =
         collect(arm, settings, virtual_arm_factory(arm, options_), out_);
+    return finish(flags, arm, result);
+  }
+
+ private:
+  int finish(const CommonFlags& flags, const ArmDescription& arm,
+             const CollectionResult& result) const {
     if (result.foreign_files > 0) {
       say(flags, "{}.parts: {} files were not written by collect and stay", out_,
           result.foreign_files);
@@ -74,7 +88,47 @@ class CollectVerb final : public Verb {
     return kExitDone;
   }
 
- private:
+  static int print_dry_run(const ArmDescription& arm, const CollectionSettings& settings,
+                           const CommonFlags& flags) {
+    return DriverFlags::print_dry_run(arm, flags, [&](ArmDriver& driver) {
+      for (const EpisodeSchedule& schedule : make_schedule(arm, settings.schedule, settings.seed)) {
+        (void)record_episode(arm, driver, schedule, settings);
+      }
+    });
+  }
+
+  /// One process for all episodes, one after the other.
+  int run_on_driver(const ArmDescription& arm, const std::string& arm_file,
+                    CollectionSettings settings, const CommonFlags& flags) {
+    if (describe(arm, options_) != describe(arm, VirtualArmOptions{})) {
+      throw InputError("--noise-m and the like are the virtual arm's; drop them with exec:");
+    }
+    if (!resume_) {
+      refuse_to_overwrite(out_, flags.force);
+    }
+    const bool straight = schedule_.approach == Approach::straight;
+    const std::unique_ptr<ProcessDriver> driver =
+        driver_.start(arm, arm_file, out_, straight, flags);
+    const std::vector<double>& allowed = driver->limits_kpa();
+    for (std::size_t s = 0; s < allowed.size(); ++s) {
+      const double wanted = schedule_.limit_scale * arm.segments[s].pressure_limit_kpa;
+      if (allowed[s] < wanted) {
+        throw InputError(
+            fmt::format("the driver allows {:.1f} kPa in {}, and the schedule asks for {:.1f} kPa; "
+                        "--limit-scale {:.2g} stays within",
+                        allowed[s], segment_name(static_cast<Eigen::Index>(s)), wanted,
+                        schedule_.limit_scale * allowed[s] / wanted));
+      }
+    }
+    settings.source = describe(*driver);
+    settings.driver = "on an arm, by its driver";
+    settings.jobs = 1;
+    settings.partial = std::filesystem::path(out_).replace_extension(".partial.h5");
+    const CollectionResult result = collect(arm, settings, on_one_driver(*driver), out_);
+    const int code = finish(flags, arm, result);
+    return driver->last_vent().confirmed ? code : kExitFault;
+  }
+
   void report(const CommonFlags& flags, const ArmDescription& arm,
               const CollectionResult& result) const {
     const Recording& recording = result.recording;
@@ -106,7 +160,7 @@ class CollectVerb final : public Verb {
   }
 
   std::string arm_ = "three_segment";
-  std::string driver_ = "virtual";
+  DriverFlags driver_;
   std::string out_;
   ScheduleSettings schedule_;
   VirtualArmOptions options_;

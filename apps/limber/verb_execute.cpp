@@ -1,3 +1,4 @@
+#include "driver_flags.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/virtual_arm.hpp"
@@ -28,10 +29,13 @@ class ExecuteVerb final : public Verb {
     app.add_option("--environment", environment_,
                    "Environment that the plan was made for; or the name of one of limber's own")
         ->required();
-    app.add_option("--driver", driver_, "The arm that moves: virtual")->capture_default_str();
+    driver_.add_to(app);
     app.add_option("--hold-s", settings_.hold_s,
                    "Seconds in all that the last set point is held before the goal is judged")
         ->capture_default_str();
+    app.add_option("--max-start-error-m", max_start_error_m_,
+                   "Largest distance of a plate from where the plan starts, with exec: only; by "
+                   "default the plan's margin, which is what its model errs by, or 1 cm");
     app.add_flag("--replan", replan_,
                  "Closed loop: plan again, with --model, from where the arm is measured, until it "
                  "comes no nearer to the goal's centre");
@@ -51,40 +55,38 @@ class ExecuteVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    if (driver_ != "virtual") {
-      throw InputError(fmt::format("--driver {}: expected virtual", driver_));
-    }
+    driver_.check();
+    const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_asked_arm(arm_);
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
+    require_within(plan, host_hello(with_scaled_limits(arm, driver_.limit_scale())).limit_kpa,
+                   plan_, fmt::format("--limit-scale {}", driver_.limit_scale()));
+    if (driver_.is_dry_run()) {
+      return DriverFlags::print_dry_run(arm, flags, [&](ArmDriver& driver) {
+        (void)execute(arm, environment, plan, driver, settings_);
+      });
+    }
+    out_ = driver_.recording_or_default(out_, flags);
     for (const std::string& file : {out_, svg_, pressures_svg_, animation_}) {
       if (!file.empty()) {
         refuse_to_overwrite(file, flags.force);
       }
     }
+    if (!driver_.is_virtual()) {
+      const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, out_, true, flags);
+      require_within(plan, driver->limits_kpa(), plan_, "the driver");
+      constexpr double kMeasured_m = 0.01;  // what trackers and a base's frame are off by
+      settings_.max_start_error_m =
+          max_start_error_m_.value_or(std::max(plan.margin_m, kMeasured_m));
+      replanning_.limits_kpa = driver->limits_kpa();
+      const ExecutionResult result = run_plan(arm, environment, plan, *driver, flags);
+      return finish(arm, environment, plan, result, driver.get(), flags);
+    }
     VirtualArm driver(arm);
     const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
-    write_run(arm, plan, result);
-    if (!svg_.empty()) {
-      write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
-    }
-    if (!pressures_svg_.empty()) {
-      write_file_atomically(pressures_svg_, pressure_picture(arm, plan, measured_in(result)));
-    }
-    if (!animation_.empty()) {
-      write_file_atomically(animation_, execution_animation(arm, environment, plan, result));
-    }
-    print_result(flags, execution_to_json(result, environment),
-                 execution_to_text(result, environment));
-    switch (result.status) {
-      case ExecutionStatus::done:
-        return kExitDone;
-      case ExecutionStatus::fault:
-        return kExitFault;
-      default:
-        return kExitNoSolution;
-    }
+    return finish(arm, environment, plan, result, nullptr, flags);
   }
 
  private:
@@ -104,6 +106,41 @@ class ExecuteVerb final : public Verb {
     return execute(arm, environment, plan, driver, closed_loop);
   }
 
+  /// Writes what was asked for and says what came of it. @param driver  null on the virtual arm.
+  int finish(const ArmDescription& arm, const Environment& environment, const Plan& plan,
+             const ExecutionResult& result, const ProcessDriver* driver,
+             const CommonFlags& flags) const {
+    write_run(arm, plan, result, driver);
+    if (!svg_.empty()) {
+      write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
+    }
+    if (!pressures_svg_.empty()) {
+      write_file_atomically(pressures_svg_, pressure_picture(arm, plan, measured_in(result)));
+    }
+    if (!animation_.empty()) {
+      write_file_atomically(animation_, execution_animation(arm, environment, plan, result));
+    }
+    nlohmann::ordered_json json = execution_to_json(result, environment);
+    if (driver != nullptr) {
+      json["driver"] = to_json(*driver);
+      if (result.status == ExecutionStatus::fault) {
+        print_error(result.message);
+      }
+    }
+    print_result(flags, json, execution_to_text(result, environment));
+    if (driver != nullptr && !driver->last_vent().confirmed) {
+      return kExitFault;
+    }
+    switch (result.status) {
+      case ExecutionStatus::done:
+        return kExitDone;
+      case ExecutionStatus::fault:
+        return kExitFault;
+      default:
+        return kExitNoSolution;
+    }
+  }
+
   static std::vector<Pressures> measured_in(const ExecutionResult& result) {
     std::vector<Pressures> rows;
     for (int t = 0; t < result.episode.frame_count(); ++t) {
@@ -112,11 +149,13 @@ class ExecuteVerb final : public Verb {
     return rows;
   }
 
-  void write_run(const ArmDescription& arm, const Plan& plan, const ExecutionResult& result) const {
+  void write_run(const ArmDescription& arm, const Plan& plan, const ExecutionResult& result,
+                 const ProcessDriver* driver) const {
     if (out_.empty() || result.episode.frame_count() == 0) {
       return;
     }
-    Recording recording = make_recording(arm, "virtual arm", plan.seed);
+    Recording recording =
+        make_recording(arm, driver != nullptr ? describe(*driver) : "virtual arm", plan.seed);
     recording.settings =
         fmt::format("executed plan, environment '{}', model {}, planner {}, {}",
                     plan.environment_name, plan.model, plan.planner, to_string(result.status));
@@ -127,11 +166,12 @@ class ExecuteVerb final : public Verb {
   std::string plan_;
   std::string arm_ = "three_segment";
   std::string environment_;
-  std::string driver_ = "virtual";
+  DriverFlags driver_;
   std::string out_;
   std::string svg_;
   std::string pressures_svg_;
   std::string animation_;
+  std::optional<double> max_start_error_m_;
   ExecutionSettings settings_;
   bool replan_ = false;
   ModelFlags model_;

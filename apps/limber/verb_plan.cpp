@@ -1,9 +1,11 @@
+#include "driver_flags.hpp"
 #include "forest_flags.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/yaml_reader.hpp"
 #include "limber/forward/recorded_region.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/planning/planner_factory.hpp"
@@ -112,6 +114,9 @@ class PlanVerb final : public Verb {
         "--stay-recorded", stay_recorded_,
         "Plan only with set points, rates and shapes like those in the model's recordings");
     forest_.add_to(app);
+    app.add_option("--start-from-driver", start_driver_,
+                   "exec:COMMAND: start where its driver sees the vented arm. The environment with "
+                   "that start is written beside --out, for verify and execute");
     app.add_option("--out", out_, "Write the plan here (JSON); not written without a solution");
     app.add_option("--csv", csv_, "Write the plan's set points here, for a valve controller");
     app.add_option("--svg", svg_, "Draw arm, plan, tree and obstacles here");
@@ -121,6 +126,7 @@ class PlanVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_asked_arm(arm_);
     const ForwardModel forward = model_.forward_model(arm);
     const MotionModel model = model_.motion_model(arm, forward);
@@ -128,7 +134,7 @@ class PlanVerb final : public Verb {
     if (environment_.empty()) {
       return build_forest_alone(arm, model, flags);
     }
-    const Environment environment = load_environment(find_environment_file(environment_), arm);
+    const Environment environment = environment_from(arm, arm_file, flags);
     for (const std::string& path : {out_, csv_, svg_, pressures_svg_, animation_}) {
       if (!path.empty()) {
         refuse_to_overwrite(path, flags.force);
@@ -162,6 +168,26 @@ class PlanVerb final : public Verb {
   }
 
  private:
+  /// As the file has it, or with the arm's measured shape as its start.
+  Environment environment_from(const ArmDescription& arm, const std::string& arm_file,
+                               const CommonFlags& flags) const {
+    Environment environment = load_environment(find_environment_file(environment_), arm);
+    if (start_driver_.empty()) {
+      return environment;
+    }
+    if (out_.empty()) {
+      throw InputError("--start-from-driver: needs --out, beside which the environment is written");
+    }
+    const auto file = std::filesystem::path(out_).replace_extension(".environment.yaml");
+    refuse_to_overwrite(file, flags.force);
+    environment.start = measured_start(arm, arm_file, start_driver_);
+    const std::string yaml = environment_to_yaml(environment);
+    (void)read_environment(YamlReader::from_text(yaml, "the measured start"), arm);
+    write_file_atomically(file, yaml);
+    say(flags, "{}: the environment, starting where the arm lies", file.string());
+    return environment;
+  }
+
   int build_forest_alone(const ArmDescription& arm, const MotionModel& model,
                          const CommonFlags& flags) const {
     if (!forest_.builds()) {
@@ -256,6 +282,7 @@ class PlanVerb final : public Verb {
   ForestFlags forest_;
   RoomFlags room_;
   bool stay_recorded_ = false;
+  std::string start_driver_;
   std::string out_;
   std::string csv_;
   std::string svg_;

@@ -25,5 +25,7 @@ std::unique_ptr<Verb> make_export_verb();
 std::unique_ptr<Verb> make_import_verb();
 std::unique_ptr<Verb> make_inspect_verb();
 std::unique_ptr<Verb> make_characterize_verb();
+std::unique_ptr<Verb> make_driver_verb();
+std::unique_ptr<Verb> make_virtual_arm_verb();
 
 }  // namespace limber

@@ -265,7 +265,7 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   root.require_schema(kSchema);
   root.refuse_unknown_keys({"schema", "name", "command", "no_load", "frame_rate_hz",
                             "pressure_rate_limit_kpa_per_s", "actuator_radius_m", "segments",
-                            "virtual_arm"});
+                            "virtual_arm", "safety"});
   ArmDescription arm;
   arm.name = root.at("name").text();
   if (arm.name.empty()) {

@@ -2,6 +2,7 @@
 
 #include <csignal>
 
+#include "limber/common/arm_signals.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -14,16 +15,30 @@ void handle_signal(int /*number*/) {
   requested = 1;
 }
 
-}  // namespace
-
-void install_interrupt_handler() {
+/// Without SA_RESTART, a call that blocks comes back; and the second signal has its usual effect.
+void request_stop_at(int number) {
   struct sigaction action {};
   action.sa_handler = handle_signal;
   sigemptyset(&action.sa_mask);
-  // Without SA_RESTART, a call that blocks comes back; and the second signal kills.
   action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  sigaction(number, &action, nullptr);
+}
+
+}  // namespace
+
+void install_interrupt_handler() {
+  request_stop_at(SIGINT);
+  request_stop_at(SIGTERM);
+}
+
+void install_arm_signals() {
+  install_interrupt_handler();
+  request_stop_at(SIGTSTP);
+  struct sigaction hangup {};
+  sigaction(SIGHUP, nullptr, &hangup);
+  if (hangup.sa_handler != SIG_IGN) {  // as nohup has it
+    request_stop_at(SIGHUP);
+  }
 }
 
 bool interrupt_requested() {

@@ -38,6 +38,14 @@ class EpisodeRun {
   EpisodeRun(const ArmDescription& arm, ArmDriver& driver, const CollectionSettings& settings)
       : arm_(arm), driver_(driver), settings_(settings), recorder_(arm) {}
 
+  /// What was recorded so far; none where nothing saw the arm.
+  std::optional<Episode> unfinished() {
+    if (recorder_.tracked_count() == 0) {
+      return std::nullopt;
+    }
+    return recorder_.finish();
+  }
+
   Episode run(const EpisodeSchedule& schedule, const std::function<void()>& motion_done) {
     lead_to(schedule.first_kpa);
     recorder_.add(driver_.state(), schedule.first_kpa, 0);
@@ -57,7 +65,7 @@ class EpisodeRun {
  private:
   void lead_to(const Pressures& first_kpa) {
     if (!first_kpa.isZero()) {
-      hold({first_kpa, settings_.schedule.hold_s, true});
+      move(Pressures::Zero(first_kpa.size()), {first_kpa, settings_.schedule.hold_s, true});
     }
   }
 
@@ -205,6 +213,42 @@ std::uint64_t motions_left(const std::vector<EpisodeSchedule>& schedule,
   return motions;
 }
 
+/// What the finished episodes and the frames of an unfinished one make, as `settings.partial`.
+void write_partial(const CollectionSettings& settings, const Recording& identity,
+                   const std::vector<std::optional<Episode>>& done,
+                   std::optional<Episode> unfinished) {
+  Recording recording = identity;
+  recording.settings += "; not finished";
+  for (const std::optional<Episode>& episode : done) {
+    if (episode) {
+      recording.episodes.push_back(*episode);
+    }
+  }
+  if (unfinished) {
+    recording.episodes.push_back(std::move(*unfinished));
+  }
+  if (!recording.episodes.empty()) {
+    write_recording(settings.partial, recording);
+  }
+}
+
+Episode record_or_keep_a_part(const ArmDescription& arm, ArmDriver& driver,
+                              const EpisodeSchedule& schedule, const CollectionSettings& settings,
+                              const Recording& identity,
+                              const std::vector<std::optional<Episode>>& done,
+                              const std::function<void()>& motion_done) {
+  EpisodeRun run(arm, driver, settings);
+  try {
+    const VentGuard vent_at_the_end(driver);
+    return run.run(schedule, motion_done);
+  } catch (const std::runtime_error&) {
+    if (!settings.partial.empty()) {
+      write_partial(settings, identity, done, run.unfinished());
+    }
+    throw;
+  }
+}
+
 /// Records what is not done yet, in parallel over episodes.
 void record_missing(const ArmDescription& arm, const CollectionSettings& settings,
                     const DriverFactory& make_driver, const std::vector<EpisodeSchedule>& schedule,
@@ -218,7 +262,8 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
     throw_if_stopped(settings);
     try {
       const std::unique_ptr<ArmDriver> driver = make_driver(static_cast<int>(i));
-      done[i] = record_episode(arm, *driver, schedule[i], settings, [&] { progress.advance(); });
+      done[i] = record_or_keep_a_part(arm, *driver, schedule[i], settings, parts.identity(), done,
+                                      [&] { progress.advance(); });
     } catch (const SystemFault& fault) {
       throw SystemFault(fmt::format("episode {}: {}", i, fault.what()));
     }

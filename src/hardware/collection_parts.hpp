@@ -22,6 +22,7 @@ class CollectionParts {
   CollectionParts(const std::filesystem::path& path, Recording identity);
 
   const std::filesystem::path& folder() const { return folder_; }
+  const Recording& identity() const { return identity_; }
 
   /// Whether there is one at least.
   bool exist() const { return !own_files().empty(); }

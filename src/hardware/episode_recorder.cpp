@@ -27,7 +27,8 @@ void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, 
   }
   time_s_.push_back(state.time_s);
   pressure_kpa_.insert(pressure_kpa_.end(), state.pressure_kpa.begin(), state.pressure_kpa.end());
-  setpoint_kpa_.insert(setpoint_kpa_.end(), setpoint_kpa.begin(), setpoint_kpa.end());
+  const Pressures& in_force_kpa = state.setpoint_kpa ? *state.setpoint_kpa : setpoint_kpa;
+  setpoint_kpa_.insert(setpoint_kpa_.end(), in_force_kpa.begin(), in_force_kpa.end());
   if (state.backbone) {
     backbone_.insert(backbone_.end(), state.backbone->data(),
                      state.backbone->data() + state.backbone->size());

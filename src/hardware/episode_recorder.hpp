@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
@@ -21,6 +22,10 @@ class EpisodeRecorder {
   void add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index);
 
   int frame_count() const { return static_cast<int>(time_s_.size()); }
+  /// Frames that had a backbone.
+  int tracked_count() const {
+    return static_cast<int>(std::count(tracked_.begin(), tracked_.end(), 1));
+  }
 
   /// The episode; the recorder is empty afterwards. @throws SystemFault if no frame had a
   /// backbone.

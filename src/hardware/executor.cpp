@@ -12,6 +12,7 @@
 #include "episode_recorder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/units.hpp"
 #include "limber/hardware/schedule.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/world/straight_motion.hpp"
@@ -58,6 +59,7 @@ class Execution {
       started_ = true;
       start_time_s_ = driver_.state().time_s;
       note_start();
+      require_start();
       recorder_.add(driver_.state(), plan_->frames.front().setpoint_kpa, 0);
       measured_ = driver_.state().backbone.has_value();
       follow();
@@ -201,6 +203,15 @@ class Execution {
     if (shape_) {
       const BackboneD planned = plan_->frames.front().backbone.cast<double>();
       result_.start_error_m = (*shape_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
+    }
+  }
+
+  void require_start() const {
+    if (settings_.max_start_error_m && result_.start_error_m > *settings_.max_start_error_m) {
+      throw InputError(fmt::format(
+          "the arm is {:.1f} cm from where the plan starts; at most {:.1f} cm are allowed. Plan from "
+          "where it is (`start` in the environment file), or allow more (--max-start-error-m)",
+          kCmPerM * result_.start_error_m, kCmPerM * *settings_.max_start_error_m));
     }
   }
 

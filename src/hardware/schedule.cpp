@@ -8,6 +8,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/hardware/safety_settings.hpp"
 
 namespace limber {
 
@@ -160,8 +161,9 @@ std::vector<EpisodeSchedule> random_schedule(const ArmDescription& arm,
 std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
                                            const ScheduleSettings& settings, std::uint64_t seed) {
   check(settings);
-  return settings.kind == ScheduleKind::transitions ? transition_schedule(arm, settings, seed)
-                                                    : random_schedule(arm, settings, seed);
+  const ArmDescription scaled = with_scaled_limits(arm, settings.limit_scale);
+  return settings.kind == ScheduleKind::transitions ? transition_schedule(scaled, settings, seed)
+                                                    : random_schedule(scaled, settings, seed);
 }
 
 std::string describe(const ScheduleSettings& settings) {
@@ -177,6 +179,9 @@ std::string describe(const ScheduleSettings& settings) {
   text += settings.hold_min_s
               ? fmt::format(", holds from {} to {} s", *settings.hold_min_s, settings.hold_s)
               : fmt::format(", hold {} s and until reached", settings.hold_s);
+  if (settings.limit_scale != 1.0) {
+    text += fmt::format(", limits times {}", settings.limit_scale);
+  }
   return text;
 }
 

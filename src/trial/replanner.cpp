@@ -69,6 +69,17 @@ bool Replanner::has_more_to_gain(double error_m) {
   return small_gains_ < 2;
 }
 
+bool Replanner::is_within_limits(const Plan& plan) const {
+  for (std::size_t i = 0; i < settings_.limits_kpa.size(); ++i) {
+    for (const Pressures& waypoint : plan.waypoints_kpa) {
+      if (std::abs(double(waypoint[static_cast<Eigen::Index>(i)])) > settings_.limits_kpa[i]) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 std::optional<Plan> Replanner::search(const Environment& from_here, double margin_m) {
   PlanningProblem problem{arm_, model_, from_here, margin_m};
   problem.margin_yields_to_start = true;
@@ -96,7 +107,8 @@ std::optional<Plan> Replanner::next(const Pressures& setpoint_kpa, const ArmStat
     from_here.goal = environment_.goal;
     from_here.goal.position_tolerance_m *= asked.tolerance;
     from_here.goal.orientation_tolerance_rad *= asked.tolerance;
-    if (std::optional<Plan> plan = search(from_here, asked.margin * room_.margin_m)) {
+    std::optional<Plan> plan = search(from_here, asked.margin * room_.margin_m);
+    if (plan && is_within_limits(*plan)) {
       ++replans_;
       return plan;
     }

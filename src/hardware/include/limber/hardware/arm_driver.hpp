@@ -12,16 +12,18 @@ namespace limber {
 /// What is known about the arm at one frame.
 struct ArmState {
   double time_s = 0.0;
-  Pressures pressure_kpa;            ///< measured, size n
-  std::optional<Backbone> backbone;  ///< m×3; none if nothing tracks it or the frame was dropped
+  Pressures pressure_kpa;  ///< measured, size n
+  /// In force when this was measured, where the arm says so; else the one last commanded.
+  std::optional<Pressures> setpoint_kpa;
+  std::optional<Backbone> backbone;  ///< m×3; none where nothing tracks it or the frame was dropped
 };
 
 /// An arm that takes set points frame by frame: the virtual one, or the user's behind an external
 /// program.
 ///
-/// Laws: `state().time_s` grows by one frame period with each `command`; no driver passes on a set
-/// point beyond the arm's limits; after `vent` every set point is zero. Threads: one driver, one
-/// thread.
+/// Laws: `state().time_s` grows with each `command`, by about a frame period; no driver passes on a
+/// set point beyond the arm's limits; after `vent` every set point is zero. Threads: one driver, one
+/// thread at a time.
 class ArmDriver {
  public:
   virtual ~ArmDriver() = default;

@@ -28,6 +28,9 @@ struct CollectionSettings {
   int jobs = 0;                ///< threads, 0: one per core; never changes a result
   bool resume = false;         ///< go on from the parts of an interrupted run
   bool force = false;          ///< replace the file, and (unless `resume`) the parts
+  /// Where the arm fails or the run is stopped, this recording gets the finished episodes and the
+  /// frames of the unfinished one. Empty: they are not kept. Asks for `jobs` = 1.
+  std::filesystem::path partial;
   Progress::Mode progress = Progress::Mode::automatic;
   /// Asked before every set point, from several threads at once; true stops the collection as
   /// Ctrl-C does. Empty: never.

@@ -46,6 +46,8 @@ struct ExecutionSettings {
   PlanSource* replanner = nullptr;
   /// Asked before every set point; true stops the execution as Ctrl-C does. Empty: never.
   std::function<bool()> should_stop = {};
+  /// A start whose plates are seen farther than that from the plan's is refused; none: any start.
+  std::optional<double> max_start_error_m;
 };
 
 /// Distance between predicted and executed tip over the plan's frames.
@@ -90,7 +92,7 @@ struct ExecutionResult {
 ///
 /// Collision is judged on the backbones that the driver returns, once per frame.
 /// @throws InputError if plan, environment and arm don't belong together (hashes in the
-/// message).
+/// message), or the arm is too far from where the plan starts.
 [[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
                                       const Plan& plan, ArmDriver& driver,
                                       const ExecutionSettings& settings = {});

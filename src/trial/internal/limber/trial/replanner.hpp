@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/motion_model.hpp"
@@ -19,6 +20,9 @@ struct ReplannerSettings {
   /// about what the tracker's noise hides. [m], > 0.
   double min_gain_m = 0.001;
   int planner_jobs = 1;
+  /// Of set points, where they are narrower than the arm's, [kPa]; empty: the arm's. A plan beyond
+  /// them is none.
+  std::vector<double> limits_kpa;
 };
 
 /// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
@@ -39,6 +43,7 @@ class Replanner final : public PlanSource {
 
  private:
   bool has_more_to_gain(double error_m);
+  bool is_within_limits(const Plan& plan) const;
   std::optional<Plan> search(const Environment& from_here, double margin_m);
 
   const ArmDescription& arm_;

@@ -1,0 +1,177 @@
+#include "driver_flags.hpp"
+
+#include <cmath>
+#include <ctime>
+
+#include <fmt/chrono.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/hardware/dry_run_driver.hpp"
+#include "limber/hardware/run_origin.hpp"
+#include "limber/report/driver_report.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kExec = "exec:";
+constexpr double kRoundingKpa = 1e-3;  // of float32 set points
+
+class BorrowedDriver final : public ArmDriver {
+ public:
+  explicit BorrowedDriver(ArmDriver& driver) : driver_(driver) {}
+  const ArmState& state() const override { return driver_.state(); }
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
+    return driver_.command(setpoint_kpa);
+  }
+  void vent() noexcept override { driver_.vent(); }
+
+ private:
+  ArmDriver& driver_;
+};
+
+}  // namespace
+
+void DriverFlags::add_to(CLI::App& app) {
+  app.add_option("--driver", driver_,
+                 "What moves: virtual; or exec:COMMAND, a program that speaks limber's protocol "
+                 "(docs/driver.md), started without a shell")
+      ->capture_default_str();
+  app.add_option("--limit-scale", limit_scale_,
+                 "Pressure limits are this times the arm's, over 0 and at most 1")
+      ->capture_default_str();
+  app.add_option("--driver-log", log_,
+                 "What limber and the driver said to each other, a JSON object a line; by default "
+                 "beside the recording");
+  app.add_flag("--dry-run", dry_run_, "Print the requests that a driver would get; move nothing");
+}
+
+void DriverFlags::check() const {
+  if (!is_virtual() && !driver_.starts_with(kExec)) {
+    throw InputError(
+        fmt::format("--driver {}: expected virtual or exec:COMMAND, as in "
+                    "--driver \"exec:python3 my_driver.py\"",
+                    driver_));
+  }
+  if (!(limit_scale_ > 0.0 && limit_scale_ <= 1.0)) {
+    throw InputError(
+        fmt::format("--limit-scale {}: expected a number over 0, at most 1", limit_scale_));
+  }
+  if (is_virtual() && !log_.empty()) {
+    throw InputError("--driver-log: the virtual arm has none; it goes with --driver exec:COMMAND");
+  }
+}
+
+std::string DriverFlags::recording_or_default(const std::string& out,
+                                              const CommonFlags& flags) const {
+  if (!out.empty() || is_virtual() || dry_run_) {
+    return out;
+  }
+  std::string name = fmt::format("run_{:%Y%m%d_%H%M%S}.h5", fmt::gmtime(std::time(nullptr)));
+  say(flags, "{}: every run on an arm is recorded; --out names the file", name);
+  return name;
+}
+
+std::unique_ptr<ProcessDriver> DriverFlags::start(const ArmDescription& arm,
+                                                  const std::string& arm_file,
+                                                  const std::string& out, bool check_rate,
+                                                  const CommonFlags& flags) const {
+  ProcessDriverSettings settings;
+  settings.command = driver_.substr(kExec.size());
+  settings.limit_scale = limit_scale_;
+  settings.check_rate = check_rate;
+  settings.safety = load_safety(arm_file);
+  settings.log = log_.empty() ? out + ".driver.jsonl" : log_;
+  refuse_to_overwrite(settings.log, flags.force);
+  const bool quiet = flags.quiet;
+  settings.say = [quiet](const std::string& message) {
+    if (!quiet || message.starts_with("VENT")) {
+      print_to_stderr(printable(message) + "\n");
+    }
+  };
+  return std::make_unique<ProcessDriver>(arm, settings);
+}
+
+int DriverFlags::print_dry_run(const ArmDescription& arm, const CommonFlags& flags,
+                               const std::function<void(ArmDriver&)>& move) {
+  std::vector<std::string> lines;
+  {
+    DryRunDriver driver(arm, [&](const std::string& line) { lines.push_back(line); });
+    move(driver);
+  }
+  Json json = {{"dry_run", true}, {"requests", Json::array()}};
+  if (flags.json) {
+    for (const std::string& line : lines) {
+      json["requests"].push_back(Json::parse(line));
+    }
+  }
+  print_result(flags, json, fmt::format("{}", fmt::join(lines, "\n")));
+  return kExitDone;
+}
+
+void require_within(const Plan& plan, const std::vector<double>& limits_kpa,
+                    const std::string& file, const std::string& whose) {
+  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
+    for (Eigen::Index s = 0; s < plan.frames[k].setpoint_kpa.size(); ++s) {
+      const double value = plan.frames[k].setpoint_kpa[s];
+      const double limit = limits_kpa[static_cast<std::size_t>(s)];
+      if (std::abs(value) > limit + kRoundingKpa) {
+        throw InputError(fmt::format(
+            "{}: frame {}: set point of {} is {:.1f} kPa; {} allows {:.1f} kPa. Nothing was moved; "
+            "plan with lower limits",
+            file, k, segment_name(s), value, whose, limit));
+      }
+    }
+  }
+}
+
+ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
+                        const std::string& driver) {
+  if (!driver.starts_with(kExec)) {
+    throw InputError(
+        fmt::format("--start-from-driver {}: expected exec:COMMAND (docs/driver.md)", driver));
+  }
+  ProcessDriverSettings settings;
+  settings.command = driver.substr(kExec.size());
+  settings.safety = load_safety(arm_file);
+  const ProcessDriver started(arm, settings);
+  if (!started.state().backbone) {
+    throw SystemFault(
+        "--start-from-driver: the driver's state has no backbone: nothing tracks the "
+        "arm, so where it lies is not known");
+  }
+  return {Pressures::Zero(arm.segment_count()), *started.state().backbone};
+}
+
+DriverFactory on_one_driver(ArmDriver& driver) {
+  return [&driver](int /*index*/) { return std::make_unique<BorrowedDriver>(driver); };
+}
+
+std::string describe(const ProcessDriver& driver) {
+  const DriverHello& hello = driver.hello();
+  const auto or_unnamed = [](const std::string& text) { return text.empty() ? "unnamed" : text; };
+  return fmt::format("driver {} (device: {}), started by {}", or_unnamed(hello.driver),
+                     or_unnamed(hello.device), who_started_this());
+}
+
+Json to_json(const ProcessDriver& driver) {
+  const VentResult& vent = driver.last_vent();
+  const DriverTiming& timing = driver.timing();
+  return {{"driver", driver.hello().driver},
+          {"device", driver.hello().device},
+          {"late_ms", times_in_ms(timing.late_s)},
+          {"round_trip_ms", times_in_ms(timing.round_trip_s)},
+          {"skipped_slots", timing.skipped_slots},
+          {"frames_without_backbone", timing.frames_unseen},
+          {"vent",
+           {{"confirmed", vent.confirmed},
+            {"pressure_kpa", vent.pressure_kpa},
+            {"after_s", vent.after_s},
+            {"message", vent.message}}}};
+}
+
+}  // namespace limber

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "limber/hardware/collection.hpp"
+#include "limber/hardware/process_driver.hpp"
+#include "limber/world/environment.hpp"
+#include "limber/world/plan.hpp"
+#include "verb.hpp"
+
+namespace limber {
+
+/// What moves the arm, and how far: flags of every verb that moves one.
+class DriverFlags {
+ public:
+  void add_to(CLI::App& app);
+
+  /// @throws InputError where --driver is neither virtual nor exec:COMMAND, or a flag does not fit.
+  void check() const;
+  bool is_virtual() const { return driver_ == "virtual"; }
+  bool is_dry_run() const { return dry_run_; }
+  double limit_scale() const { return limit_scale_; }
+
+  /// Where a run on a driver is recorded if --out is not given: named by the time, and said.
+  std::string recording_or_default(const std::string& out, const CommonFlags& flags) const;
+
+  /// Starts the program of exec:COMMAND. Its log lies beside the recording `out`.
+  /// @param arm_file    its mapping `safety` says what is watched
+  /// @param check_rate  as in ProcessDriverSettings
+  std::unique_ptr<ProcessDriver> start(const ArmDescription& arm, const std::string& arm_file,
+                                       const std::string& out, bool check_rate,
+                                       const CommonFlags& flags) const;
+
+  /// Prints every line that `move` would send.
+  static int print_dry_run(const ArmDescription& arm, const CommonFlags& flags,
+                           const std::function<void(ArmDriver&)>& move);
+
+ private:
+  std::string driver_ = "virtual";
+  std::string log_;
+  double limit_scale_ = 1.0;
+  bool dry_run_ = false;
+};
+
+/// @throws InputError naming frame and segment where the plan goes beyond `limits_kpa`.
+void require_within(const Plan& plan, const std::vector<double>& limits_kpa,
+                    const std::string& file, const std::string& whose);
+
+/// Where the vented arm lies: one look through the driver of `exec:COMMAND`.
+/// @throws SystemFault where nothing tracks the arm.
+ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
+                        const std::string& driver);
+
+/// Every episode on the same driver, which has to outlive the factory.
+DriverFactory on_one_driver(ArmDriver& driver);
+
+/// "limber virtual-arm 1.0 (a simulated arm), started by user@host".
+std::string describe(const ProcessDriver& driver);
+
+/// How the driver kept to the frames, and its last vent.
+nlohmann::ordered_json to_json(const ProcessDriver& driver);
+
+}  // namespace limber

@@ -1,0 +1,102 @@
+#include "driver_flags.hpp"
+#include "limber/arm/names.hpp"
+#include "limber/arm/valve_file.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/data/valve_identification.hpp"
+#include "limber/hardware/driver_check.hpp"
+#include "limber/report/driver_report.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class DriverVerb final : public Verb {
+ public:
+  const char* name() const override { return "driver"; }
+  const char* summary() const override { return "Check a driver: timing, units, valves, deadmen"; }
+  const char* example() const override {
+    return "limber driver check --driver \"exec:limber virtual-arm --serve\" --out checked";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("action", action_, "check")->option_text("check")->required();
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_option("--driver", driver_, "exec:COMMAND, the program to check (docs/driver.md)")
+        ->required();
+    app.add_option("--limit-scale", limit_scale_,
+                   "Pressure limits are this times the arm's, over 0 and at most 1")
+        ->capture_default_str();
+    app.add_option("--out", out_,
+                   "Folder for check.json, report.html, valves.yaml and the driver's log")
+        ->required();
+  }
+
+  int run(const CommonFlags& flags) override {
+    constexpr std::string_view kExec = "exec:";
+    if (action_ != "check") {
+      throw InputError(fmt::format("limber driver {}: expected 'limber driver check'", action_));
+    }
+    if (!driver_.starts_with(kExec)) {
+      throw InputError(fmt::format("--driver {}: expected exec:COMMAND", driver_));
+    }
+    const std::string arm_file = find_arm_file(arm_);
+    const ArmDescription arm = load_arm(arm_file);
+    const fs::path folder = out_;
+    require_writable_folder(folder);
+    for (const char* file : {"check.json", "report.html", "valves.yaml", "check.driver.jsonl"}) {
+      refuse_to_overwrite(folder / file, flags.force);
+    }
+    fs::create_directories(folder);
+    ProcessDriverSettings settings;
+    settings.command = driver_.substr(kExec.size());
+    settings.limit_scale = limit_scale_;
+    settings.safety = load_safety(arm_file);
+    settings.log = folder / "check.driver.jsonl";
+    settings.say = [&](const std::string& message) { print_to_stderr(printable(message) + "\n"); };
+    say(flags, "checking the driver: the arm moves for about a minute");
+    const DriverCheck check = check_driver(arm, settings);
+    return report(arm, check, flags);
+  }
+
+ private:
+  int report(const ArmDescription& arm, const DriverCheck& check, const CommonFlags& flags) const {
+    const fs::path folder = out_;
+    const IdentifiedValves valves = identify_valves({check.episode}, arm, "driver check");
+    const nlohmann::ordered_json json = to_json(check, valves);
+    write_file_atomically(folder / "check.json", json.dump(2) + "\n");
+    write_file_atomically(folder / "report.html", driver_check_to_html(check, valves));
+    if (!valves.parameters.is_ideal()) {
+      write_valves(folder / "valves.yaml", valves);
+    }
+    print_result(flags, json,
+                 driver_check_to_text(check) + "\n  " + valves_to_text(valves) +
+                     fmt::format("\n{}: report.html{}", out_,
+                                 valves.parameters.is_ideal()
+                                     ? ""
+                                     : ", and valves.yaml for `limber plan --valves`"));
+    if (!check.complaints.empty()) {
+      print_error(check.complaints.front());
+      return kExitNoSolution;
+    }
+    return kExitDone;
+  }
+
+  std::string action_;
+  std::string arm_ = "three_segment";
+  std::string driver_;
+  std::string out_;
+  double limit_scale_ = 1.0;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_driver_verb() {
+  return std::make_unique<DriverVerb>();
+}
+
+}  // namespace limber

@@ -1,0 +1,70 @@
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/hardware/driver_server.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+class VirtualArmVerb final : public Verb {
+ public:
+  const char* name() const override { return "virtual-arm"; }
+  const char* summary() const override {
+    return "Serve the virtual arm behind the driver protocol";
+  }
+  const char* example() const override {
+    return "limber collect --schedule random --count 2 --driver \"exec:limber virtual-arm --serve "
+           "--fast\" --out served.h5";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_flag("--serve", serve_,
+                 "Speak the protocol (docs/driver.md) on standard input and output");
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_flag("--fast", settings_.fast,
+                 "Answer as fast as possible, instead of keeping frames of wall time");
+    app.add_option("--fault", fault_,
+                   "Go wrong from a frame on, as in die@12; an unknown kind lists all of them");
+    app.add_option("--device-log", settings_.device_log,
+                   "What the simulated device was told, with times of the monotonic clock");
+    app.add_option("--noise-m", settings_.arm.noise_m,
+                   "Noise of measured positions, std deviation");
+    app.add_option("--noise-kpa", settings_.arm.noise_kpa, "Noise of measured pressures");
+    app.add_option("--drop-rate", settings_.arm.drop_rate,
+                   "Probability that a frame has no backbone");
+    app.add_option("--latency-s", settings_.arm.latency_s, "Delay of everything measured");
+  }
+
+  int run(const CommonFlags& flags) override {
+    if (!serve_) {
+      throw InputError(
+          "expected --serve: 'limber virtual-arm --serve' speaks the driver protocol on standard "
+          "input and output");
+    }
+    if (!fault_.empty()) {
+      settings_.fault = parse_server_fault(fault_);
+    }
+    if (!settings_.device_log.empty()) {
+      refuse_to_overwrite(settings_.device_log, flags.force);
+    }
+    settings_.arm.seed = flags.seed;
+    serve_virtual_arm(load_arm(find_arm_file(arm_)), settings_);
+    return kExitDone;
+  }
+
+ private:
+  std::string arm_ = "three_segment";
+  std::string fault_;
+  bool serve_ = false;
+  ServerSettings settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_virtual_arm_verb() {
+  return std::make_unique<VirtualArmVerb>();
+}
+
+}  // namespace limber

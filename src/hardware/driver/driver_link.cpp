@@ -1,0 +1,191 @@
+#include "driver_link.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "command_words.hpp"
+#include "limber/common/interrupt.hpp"
+
+namespace limber {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr auto kHelloTime = milliseconds(10000);  // a board that resets when its port is opened
+constexpr auto kUntilKilled = milliseconds(500);  // after its input was closed
+constexpr auto kLastWords = milliseconds(20);     // for `vent` and `bye` to a driver in trouble
+constexpr double kMaxStepFrames = 20.0;           // between two samples by the driver's clock
+constexpr std::size_t kQuoted = 80;               // bytes of a wrong line in a message
+
+}  // namespace
+
+DriverLink::DriverLink(const ArmDescription& arm, const std::string& command,
+                       const std::filesystem::path& log)
+    : host_(host_hello(arm)),
+      period_s_(arm.frame_period_s()),
+      log_(log, command),
+      child_(command_words(command), kMaxDriverLine) {}
+
+const DriverHello& DriverLink::exchange_hellos() {
+  try_to_send(to_line(host_));
+  const Time deadline = Clock::now() + kHelloTime;
+  while (!child_.output().has_input(std::min(deadline, Clock::now() + milliseconds(100)))) {
+    if (interrupt_requested()) {
+      end();
+      throw Interrupted("stopped on request, before the driver had answered");
+    }
+    if (Clock::now() >= deadline) {
+      break;
+    }
+  }
+  const std::string line = next_line(deadline, "hello");
+  try {
+    hello_ = parse_driver_hello(line, host_);
+  } catch (const InputError& error) {
+    throw BrokenDriver(fmt::format("does not fit: {}", error.what()));
+  }
+  return hello_;
+}
+
+ArmState DriverLink::set(const Pressures& setpoint_kpa, Clock::duration reply_time) {
+  ++seq_;
+  ArmState state = exchange(set_line(seq_, since_start_s(), setpoint_kpa), reply_time);
+  paced_ = true;
+  return state;
+}
+
+ArmState DriverLink::vent(Clock::duration reply_time) {
+  ++seq_;
+  return exchange(vent_line(seq_, since_start_s()), reply_time);
+}
+
+ArmState DriverLink::exchange(const std::string& line, Clock::duration reply_time) {
+  const Time deadline = Clock::now() + reply_time;
+  log_.sent(line);
+  if (!child_.write_line(line, deadline)) {
+    say_why_it_is_silent("does not read its input");
+  }
+  return receive(deadline);
+}
+
+ArmState DriverLink::receive(Time deadline) {
+  const std::string line = next_line(deadline, fmt::format("request {}", seq_));
+  DriverReply reply;
+  try {
+    reply = parse_state(line, host_);
+  } catch (const InputError& error) {
+    throw BrokenDriver(fmt::format("answered request {} wrongly: {}", seq_, error.what()));
+  } catch (const SystemFault& fault) {
+    throw BrokenDriver(fault.what());
+  }
+  require_order(reply);
+  sample_s_ = reply.state.time_s;
+  return std::move(reply.state);
+}
+
+void DriverLink::require_order(const DriverReply& reply) const {
+  if (reply.seq != seq_) {
+    throw BrokenDriver(
+        fmt::format("answered request {} with the state of request {}: {}", seq_, reply.seq,
+                    reply.seq < seq_ ? "late, repeated or out of order" : "nobody asked for it"));
+  }
+  if (!sample_s_) {
+    return;
+  }
+  const double step_s = reply.state.time_s - *sample_s_;
+  if (!(step_s > 0.0)) {
+    throw BrokenDriver(
+        fmt::format("sent a sample of {} s after one of {} s; by its own clock, time has to go on",
+                    reply.state.time_s, *sample_s_));
+  }
+  if (paced_ && step_s > kMaxStepFrames * period_s_) {
+    throw BrokenDriver(fmt::format(
+        "sent a sample {} s after the one before; a frame lasts {} s. `t` is in seconds", step_s,
+        period_s_));
+  }
+}
+
+std::string DriverLink::next_line(Time deadline, const std::string& what) {
+  std::string line;
+  switch (child_.output().read_line(line, deadline)) {
+    case LineReader::Read::line:
+      log_.received(line);
+      return line;
+    case LineReader::Read::timeout:
+      throw BrokenDriver(child_.output().has_part_of_line()
+                             ? fmt::format("sent only part of a line in answer to {}", what)
+                             : fmt::format("did not answer {} in time", what));
+    case LineReader::Read::too_long:
+      throw BrokenDriver(
+          fmt::format("sent a line of more than {} bytes after {}", kMaxDriverLine, what));
+    default:
+      say_why_it_is_silent("closed its output");
+  }
+}
+
+void DriverLink::wait_quietly(Time until) {
+  if (!child_.output().has_input(until)) {
+    return;
+  }
+  const std::string line = next_line(Clock::now(), fmt::format("request {}", seq_));
+  throw BrokenDriver(
+      fmt::format("sent more than one answer to request {}: {}", seq_, line.substr(0, kQuoted)));
+}
+
+std::optional<ArmState> DriverLink::vent_and_close(Time until) {
+  ++seq_;
+  try_to_send(vent_line(seq_, since_start_s()));
+  close_input();
+  std::string line;
+  while (Clock::now() < until && child_.output().read_line(line, until) == LineReader::Read::line) {
+    try {
+      DriverReply reply = parse_state(line, host_);
+      if (reply.seq == seq_) {
+        log_.received(line);
+        return std::move(reply.state);
+      }
+    } catch (const std::runtime_error&) {
+      continue;  // that it is broken is known
+    }
+  }
+  return std::nullopt;
+}
+
+void DriverLink::try_to_send(const std::string& line) {
+  log_.sent(line);
+  (void)child_.write_line(line, Clock::now() + kLastWords);
+}
+
+void DriverLink::say_bye() {
+  try_to_send(bye_line());
+}
+
+void DriverLink::end() {
+  if (!open_) {
+    return;
+  }
+  open_ = false;
+  close_input();
+  (void)child_.wait_for_end(*closed_at_ + kUntilKilled);
+  child_.kill_group();
+}
+
+void DriverLink::close_input() {
+  child_.close_input();
+  if (!closed_at_) {
+    closed_at_ = Clock::now();
+  }
+}
+
+void DriverLink::say_why_it_is_silent(const std::string& otherwise) {
+  const bool ended = child_.wait_for_end(Clock::now() + kLastWords);
+  throw BrokenDriver(ended ? child_.how_it_ended() : otherwise);
+}
+
+double DriverLink::since_start_s() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+}  // namespace limber

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "child_process.hpp"
+#include "driver_log.hpp"
+#include "limber/common/error.hpp"
+#include "limber/hardware/driver_protocol.hpp"
+
+namespace limber {
+
+/// The driver broke the protocol, or does not answer: nothing that it says counts any more.
+class BrokenDriver : public SystemFault {
+ public:
+  using SystemFault::SystemFault;
+};
+
+/// The protocol's rules over a running program: one state for each request, with its number, in
+/// time, and samples whose time goes on. Every rule that the driver breaks is a BrokenDriver.
+/// Threads: one at a time.
+class DriverLink {
+ public:
+  using Clock = ChildProcess::Clock;
+  using Time = Clock::time_point;
+
+  /// Starts the program. @throws InputError where that can't be done.
+  DriverLink(const ArmDescription& arm, const std::string& command,
+             const std::filesystem::path& log);
+
+  /// @throws BrokenDriver, Interrupted.
+  const DriverHello& exchange_hellos();
+  const DriverHello& hello() const { return hello_; }
+
+  /// One request and its state, which has to come before `reply_time` has passed.
+  ArmState set(const Pressures& setpoint_kpa, Clock::duration reply_time);
+  ArmState vent(Clock::duration reply_time);
+
+  /// Waits until `until`, in which time the driver has nothing to say.
+  void wait_quietly(Time until);
+
+  /// Another run of frames begins: its first sample may be any time after the last one.
+  void forget_pace() { paced_ = false; }
+
+  /// Vents without trusting any answer, closes the driver's input and reads on until `until`.
+  /// @return the state that answers the vent, if it comes.
+  std::optional<ArmState> vent_and_close(Time until);
+
+  void say_bye();
+
+  /// Closes its input, waits until it ends, for 0.5 s at most, and kills its process group.
+  void end();
+  bool is_open() const { return open_; }
+
+  DriverLog& log() { return log_; }
+
+ private:
+  ArmState exchange(const std::string& line, Clock::duration reply_time);
+  ArmState receive(Time deadline);
+  void require_order(const DriverReply& reply) const;
+  std::string next_line(Time deadline, const std::string& what);
+  void try_to_send(const std::string& line);
+  void close_input();
+  [[noreturn]] void say_why_it_is_silent(const std::string& otherwise);
+  double since_start_s() const;
+
+  HostHello host_;
+  double period_s_;
+  DriverLog log_;
+  ChildProcess child_;
+  DriverHello hello_;
+  Time start_ = Clock::now();
+  std::int64_t seq_ = 0;
+  std::optional<double> sample_s_;  // of the last state, by the driver's clock
+  bool paced_ = false;              // the next sample is about a frame after it
+  std::optional<Time> closed_at_;   // its input
+  bool open_ = true;
+};
+
+}  // namespace limber

@@ -1,0 +1,234 @@
+#include "limber/hardware/driver_protocol.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/error.hpp"
+#include "limber/common/json_reader.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMaxKpa = 1e5;      // 1000 bar: no soft arm comes near
+constexpr double kMaxLengthM = 1e3;  // of a coordinate
+constexpr double kMaxAngleRad = 1e4;
+constexpr double kMaxTimeS = 1e12;
+constexpr std::uint64_t kMaxSeq = std::uint64_t{1} << 53U;  // what a double holds exactly
+constexpr double kRateTolerance = 0.01;                     // of the arm's frame rate
+
+Json list(const Eigen::Ref<const Pressures>& values) {
+  Json json = Json::array();
+  for (const float value : values) {
+    json.push_back(static_cast<double>(value));
+  }
+  return json;
+}
+
+Pressures pressures(const JsonReader& reader, int segments) {
+  const std::vector<double> values =
+      reader.numbers(static_cast<std::size_t>(segments), "pressures in kPa", -kMaxKpa, kMaxKpa);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), segments).cast<float>();
+}
+
+std::optional<Backbone> backbone(const JsonReader& root, int points) {
+  if (!root.has("backbone") || root.at("backbone").is_null()) {
+    return std::nullopt;
+  }
+  const JsonReader reader = root.at("backbone");
+  const std::vector<JsonReader> rows = reader.elements("a list of [x, y, theta], or null");
+  if (rows.size() != static_cast<std::size_t>(points)) {
+    reader.refuse(fmt::format("{} poses found; the arm has {} plates", rows.size(), points));
+  }
+  Backbone result(points, 3);
+  for (int i = 0; i < points; ++i) {
+    const std::vector<double> pose = rows[static_cast<std::size_t>(i)].numbers(
+        3, "numbers: x, y and theta", -kMaxAngleRad, kMaxAngleRad);
+    if (std::abs(pose[0]) > kMaxLengthM || std::abs(pose[1]) > kMaxLengthM) {
+      rows[static_cast<std::size_t>(i)].refuse_found("expected x and y in metres");
+    }
+    result.row(i) << static_cast<float>(pose[0]), static_cast<float>(pose[1]),
+        static_cast<float>(pose[2]);
+  }
+  return result;
+}
+
+double rate(const JsonReader& root) {
+  constexpr double kMaxRateHz = 1e4;
+  return root.at("rate_hz").number(1e-3, kMaxRateHz);
+}
+
+std::vector<double> limits(const JsonReader& root, int segments) {
+  if (!root.has("limit_kpa")) {
+    return {};
+  }
+  return root.at("limit_kpa")
+      .numbers(static_cast<std::size_t>(segments), "limits in kPa", 0.0, kMaxKpa);
+}
+
+std::string optional_text(const JsonReader& root, const char* key) {
+  return root.has(key) ? root.at(key).text() : "";
+}
+
+bool optional_flag(const JsonReader& root, const char* key, bool otherwise) {
+  return root.has(key) ? root.at(key).boolean() : otherwise;
+}
+
+void require_type(const JsonReader& root, const char* expected) {
+  if (root.at("type").text() != expected) {
+    root.at("type").refuse_found(fmt::format("expected '{}'", expected));
+  }
+}
+
+void require_protocol(const JsonReader& root) {
+  if (root.at("protocol").integer(0, 1 << 20) != kDriverProtocol) {
+    root.at("protocol").refuse_found(fmt::format("this limber speaks version {}", kDriverProtocol));
+  }
+}
+
+}  // namespace
+
+HostHello host_hello(const ArmDescription& arm) {
+  HostHello hello{arm.name, arm.segment_count(), arm.point_count(), arm.frame_rate_hz, {}};
+  for (const Segment& segment : arm.segments) {
+    hello.limit_kpa.push_back(segment.pressure_limit_kpa);
+  }
+  return hello;
+}
+
+std::string to_line(const HostHello& hello) {
+  return Json{{"type", "hello"},
+              {"protocol", kDriverProtocol},
+              {"arm", hello.arm},
+              {"segments", hello.segments},
+              {"points", hello.points},
+              {"rate_hz", hello.rate_hz},
+              {"limit_kpa", hello.limit_kpa}}
+      .dump();
+}
+
+std::string to_line(const DriverHello& hello) {
+  Json json = {{"type", "hello"},          {"protocol", hello.protocol},
+               {"driver", hello.driver},   {"device", hello.device},
+               {"rate_hz", hello.rate_hz}, {"segments", hello.segments},
+               {"tracked", hello.tracked}, {"real_time", hello.real_time}};
+  if (!hello.limit_kpa.empty()) {
+    json["limit_kpa"] = hello.limit_kpa;
+  }
+  return json.dump();
+}
+
+std::string set_line(std::int64_t seq, double time_s, const Pressures& setpoint_kpa) {
+  return Json{{"type", "set"}, {"seq", seq}, {"t", time_s}, {"pressure_kpa", list(setpoint_kpa)}}
+      .dump();
+}
+
+std::string vent_line(std::int64_t seq, double time_s) {
+  return Json{{"type", "vent"}, {"seq", seq}, {"t", time_s}}.dump();
+}
+
+std::string bye_line() {
+  return Json{{"type", "bye"}}.dump();
+}
+
+std::string state_line(std::int64_t seq, const ArmState& state) {
+  Json json = {{"type", "state"},
+               {"seq", seq},
+               {"t", state.time_s},
+               {"pressure_kpa", list(state.pressure_kpa)}};
+  if (state.setpoint_kpa) {
+    json["setpoint_kpa"] = list(*state.setpoint_kpa);
+  }
+  json["backbone"] = nullptr;
+  if (state.backbone) {
+    Json rows = Json::array();
+    for (const auto& pose : state.backbone->rowwise()) {
+      rows.push_back({double(pose[0]), double(pose[1]), double(pose[2])});
+    }
+    json["backbone"] = std::move(rows);
+  }
+  return json.dump();
+}
+
+std::string fault_line(const std::string& message) {
+  return Json{{"type", "fault"}, {"message", message}}.dump(-1, ' ', false,
+                                                            Json::error_handler_t::replace);
+}
+
+DriverHello parse_driver_hello(std::string_view line, const HostHello& expected) {
+  const nlohmann::json json = parse_json_object(line, "hello");
+  const JsonReader root(json, "hello");
+  require_type(root, "hello");
+  require_protocol(root);
+  DriverHello hello;
+  hello.driver = optional_text(root, "driver");
+  hello.device = optional_text(root, "device");
+  hello.rate_hz = rate(root);
+  if (!(std::abs(hello.rate_hz - expected.rate_hz) <= kRateTolerance * expected.rate_hz)) {
+    root.at("rate_hz").refuse_found(
+        fmt::format("arm '{}' runs at {} Hz", expected.arm, expected.rate_hz));
+  }
+  hello.segments = root.at("segments").integer(0, 1 << 20);
+  if (hello.segments != expected.segments) {
+    root.at("segments")
+        .refuse_found(fmt::format("arm '{}' has {} segments", expected.arm, expected.segments));
+  }
+  hello.tracked = optional_flag(root, "tracked", true);
+  hello.real_time = optional_flag(root, "real_time", true);
+  hello.limit_kpa = limits(root, hello.segments);
+  return hello;
+}
+
+DriverReply parse_state(std::string_view line, const HostHello& arm) {
+  const nlohmann::json json = parse_json_object(line, "state");
+  const JsonReader root(json, "state");
+  if (root.at("type").text() == "fault") {
+    throw SystemFault(fmt::format("it reports a fault: {}", optional_text(root, "message")));
+  }
+  require_type(root, "state");
+  DriverReply reply;
+  reply.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
+  reply.state.time_s = root.at("t").number(-kMaxTimeS, kMaxTimeS);
+  reply.state.pressure_kpa = pressures(root.at("pressure_kpa"), arm.segments);
+  if (root.has("setpoint_kpa") && !root.at("setpoint_kpa").is_null()) {
+    reply.state.setpoint_kpa = pressures(root.at("setpoint_kpa"), arm.segments);
+  }
+  reply.state.backbone = backbone(root, arm.points);
+  return reply;
+}
+
+DriverRequest parse_request(std::string_view line, const HostHello& arm) {
+  const nlohmann::json json = parse_json_object(line, "request");
+  const JsonReader root(json, "request");
+  const std::string type = root.at("type").text();
+  DriverRequest request;
+  if (type == "bye") {
+    return request;
+  }
+  if (type == "hello") {
+    require_protocol(root);
+    request.kind = RequestKind::hello;
+    request.hello.arm = optional_text(root, "arm");
+    request.hello.segments = root.at("segments").integer(1, kMaxSegments);
+    request.hello.points = root.at("points").integer(2, 1 << 20);
+    request.hello.rate_hz = rate(root);
+    request.hello.limit_kpa = limits(root, request.hello.segments);
+    return request;
+  }
+  if (type != "set" && type != "vent") {
+    root.at("type").refuse_found("expected hello, set, vent or bye");
+  }
+  request.kind = type == "set" ? RequestKind::set : RequestKind::vent;
+  request.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
+  request.time_s = root.at("t").number(-kMaxTimeS, kMaxTimeS);
+  if (request.kind == RequestKind::set) {
+    request.setpoint_kpa = pressures(root.at("pressure_kpa"), arm.segments);
+  }
+  return request;
+}
+
+}  // namespace limber

@@ -1,0 +1,394 @@
+#include "limber/hardware/process_driver.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "driver_link.hpp"
+#include "limber/arm/names.hpp"
+#include "limber/common/arm_signals.hpp"
+#include "limber/common/error.hpp"
+#include "limber/hardware/safety_gate.hpp"
+
+namespace limber {
+
+namespace {
+
+using Clock = DriverLink::Clock;
+using Time = DriverLink::Time;
+using std::chrono::milliseconds;
+
+constexpr auto kFirstReplyTime = milliseconds(2000);
+constexpr auto kSimulatedReplyTime = milliseconds(10000);  // of a driver that keeps no frames
+constexpr auto kLastWordsTime = milliseconds(500);         // of a broken driver, until it is killed
+constexpr double kReplyFrames = 2.0;                       // a state that takes longer is late
+constexpr double kSilenceFrames = 3.0;        // without a `set`: the driver has vented by itself
+constexpr std::size_t kSetpointsKept = 5;     // any of them may be in force
+constexpr double kSetpointRoundingKpa = 1.0;  // of a device that counts in steps
+constexpr double kAmbientLowKpa = 80.0;       // what an absolute sensor reads of a vented arm …
+constexpr double kAmbientHighKpa = 110.0;     // … from high mountains to the sea
+
+double seconds(Clock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+std::vector<double> limits_in_force(const ArmDescription& arm, double scale,
+                                    const DriverHello& hello) {
+  std::vector<double> limits = host_hello(with_scaled_limits(arm, scale)).limit_kpa;
+  for (std::size_t s = 0; s < hello.limit_kpa.size(); ++s) {
+    limits[s] = std::min(limits[s], hello.limit_kpa[s]);
+  }
+  return limits;
+}
+
+void refuse(const std::string& wrong) {
+  if (!wrong.empty()) {
+    throw SystemFault(wrong);
+  }
+}
+
+}  // namespace
+
+/// One driver from its start to its end.
+class ProcessDriver::Session {
+ public:
+  Session(const ArmDescription& arm, const ProcessDriverSettings& settings)
+      : arm_(arm), settings_(settings), link_((prepare(arm), arm), settings.command, settings.log) {
+    try {
+      limits_kpa_ = limits_in_force(arm_, settings.limit_scale, link_.exchange_hellos());
+      gate_.emplace(arm_, limits_kpa_, settings.check_rate, settings.safety);
+      watch_vent(kFirstReplyTime);
+      require_vented();
+    } catch (const BrokenDriver& broken) {
+      stop_broken(broken.what());
+    }
+  }
+
+  ~Session() {
+    vent();
+    if (link_.is_open()) {
+      link_.say_bye();
+      link_.end();
+    }
+  }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
+    if (!fault_.empty()) {
+      throw SystemFault(fault_);
+    }
+    require_size(setpoint_kpa);
+    try {
+      refuse(gate_->check_command(setpoint_kpa));
+      wait_for_slot();
+      resting_ = false;
+      exchange(setpoint_kpa);
+      require_setpoint_in_force();
+      refuse(gate_->check_state(state_));
+    } catch (const BrokenDriver& broken) {
+      stop_broken(broken.what());
+    } catch (const SystemFault& fault) {
+      fault_ = fault.what();
+      link_.log().note(fault_);
+      vent();
+      throw;
+    }
+    return state_;
+  }
+
+  void vent() noexcept {
+    if (!link_.is_open() || resting_) {
+      return;
+    }
+    try {
+      try {
+        watch_vent(reply_time());
+      } catch (const BrokenDriver& broken) {
+        stop_broken(broken.what());
+      }
+    } catch (const std::exception& error) {
+      say(error.what());
+      link_.end();
+    }
+  }
+
+  ArmState read_after_silence(double silence_s) {
+    try {
+      link_.forget_pace();
+      link_.wait_quietly(Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                            std::chrono::duration<double>(silence_s)));
+      ArmState state = link_.vent(reply_time());
+      vent();
+      return state;
+    } catch (const BrokenDriver& broken) {
+      stop_broken(broken.what());
+    }
+  }
+
+  void abandon() {
+    fault_ = "the driver was abandoned";
+    link_.end();
+  }
+
+  const ArmState& first_state() const { return first_state_; }
+  const ArmState& state() const { return state_; }
+  const DriverHello& hello() const { return link_.hello(); }
+  const DriverTiming& timing() const { return timing_; }
+  const VentResult& last_vent() const { return vent_; }
+  const std::vector<double>& limits_kpa() const { return limits_kpa_; }
+
+ private:
+  static void prepare(const ArmDescription& arm) {
+    require_pressure_driven(arm, "a driver");
+    install_arm_signals();
+  }
+
+  bool real_time() const { return link_.hello().real_time; }
+
+  Clock::duration frames(double count) const {
+    return std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(count * arm_.frame_period_s()));
+  }
+
+  Clock::duration reply_time() const {
+    return real_time() ? frames(kReplyFrames)
+                       : std::chrono::duration_cast<Clock::duration>(kSimulatedReplyTime);
+  }
+
+  void require_size(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
+    if (setpoint_kpa.size() != arm_.segment_count()) {
+      throw InputError(fmt::format("{} set points; arm '{}' has {} segments", setpoint_kpa.size(),
+                                   arm_.name, arm_.segment_count()));
+    }
+  }
+
+  void wait_for_slot() {
+    const Time now = Clock::now();
+    if (!running_ || !real_time()) {
+      running_ = true;
+      slot_ = now;
+    } else {
+      slot_ += frames(1.0);
+      if (now - slot_ > frames(kSilenceFrames - 1.0)) {
+        throw SystemFault(
+            fmt::format("limber sent no set point for {:.2f} s, as it was stopped or the machine "
+                        "too busy: by now the driver has vented by itself",
+                        seconds(now - slot_ + frames(1.0))));
+      }
+      while (slot_ + frames(1.0) <= now) {
+        slot_ += frames(1.0);
+        ++timing_.skipped_slots;
+      }
+    }
+    link_.wait_quietly(slot_);
+    timing_.late_s.push_back(seconds(Clock::now() - slot_));
+  }
+
+  void exchange(const Eigen::Ref<const Pressures>& setpoint_kpa) {
+    setpoints_kpa_.push_front(setpoint_kpa);
+    if (setpoints_kpa_.size() > kSetpointsKept) {
+      setpoints_kpa_.pop_back();
+    }
+    const Time sent = Clock::now();
+    state_ = link_.set(setpoint_kpa, reply_time());
+    timing_.round_trip_s.push_back(seconds(Clock::now() - sent));
+    timing_.frames_unseen += hello().tracked && !state_.backbone ? 1 : 0;
+  }
+
+  /// A driver that is at zero though nothing of late was zero has vented by its own deadman.
+  void require_setpoint_in_force() const {
+    if (!state_.setpoint_kpa || !state_.setpoint_kpa->isZero() ||
+        setpoints_kpa_.size() < kSetpointsKept) {
+      return;
+    }
+    for (const Pressures& sent : setpoints_kpa_) {
+      if (sent.cwiseAbs().maxCoeff() <= kSetpointRoundingKpa) {
+        return;
+      }
+    }
+    throw SystemFault("the driver has vented by itself: its set point in force is zero");
+  }
+
+  /// Vents, and watches the pressures come down.
+  void watch_vent(Clock::duration first_reply_time) {
+    const Time start = Clock::now();
+    running_ = false;
+    setpoints_kpa_.clear();
+    link_.forget_pace();
+    link_.wait_quietly(start);
+    state_ = link_.vent(first_reply_time);
+    const Pressures first = state_.pressure_kpa;
+    if (!started_) {
+      first_state_ = state_;
+    }
+    std::string rising;
+    Time slot = Clock::now();
+    for (int frame = 0;; ++frame) {
+      // Simulated time counts where the driver runs as fast as it is asked.
+      note_pressures(real_time() ? seconds(Clock::now() - start) : frame * arm_.frame_period_s());
+      rising = rising.empty() ? what_rose(first) : rising;
+      if (vent_.confirmed || vent_.after_s >= settings_.safety.vent_time_s) {
+        break;
+      }
+      slot = real_time() ? slot + frames(1.0) : Clock::now();
+      link_.wait_quietly(slot);
+      state_ = link_.vent(reply_time());
+    }
+    resting_ = true;
+    gate_->note_vented(state_);
+    report_vent(rising);
+  }
+
+  void note_pressures(double after_s) {
+    vent_.pressure_kpa = state_.pressure_kpa.cwiseAbs().maxCoeff();
+    vent_.after_s = after_s;
+    vent_.confirmed = vent_.pressure_kpa <= settings_.safety.vented_kpa;
+  }
+
+  std::string what_rose(const Pressures& first) const {
+    for (int s = 0; s < arm_.segment_count(); ++s) {
+      const double rise_kpa = std::abs(double(state_.pressure_kpa[s])) - std::abs(double(first[s]));
+      if (rise_kpa > settings_.safety.rise_kpa) {
+        return fmt::format("; {} rose by {:.1f} kPa while venting", segment_name(s), rise_kpa);
+      }
+    }
+    return "";
+  }
+
+  void report_vent(const std::string& rising) {
+    Eigen::Index worst = 0;
+    state_.pressure_kpa.cwiseAbs().maxCoeff(&worst);
+    vent_.message = vent_.confirmed
+                        ? fmt::format("vented: {:.1f} kPa after {:.1f} s{}", vent_.pressure_kpa,
+                                      vent_.after_s, rising)
+                        : fmt::format("VENT NOT CONFIRMED: {} at {:.0f} kPa, shut off the supply{}",
+                                      segment_name(worst), state_.pressure_kpa[worst], rising);
+    if (started_ || !vent_.confirmed) {  // before the first run nothing was to be vented
+      say(vent_.message);
+    }
+  }
+
+  /// After the first vent: what a vented arm reads says whether the driver's unit is right.
+  void require_vented() {
+    started_ = true;
+    if (vent_.confirmed) {
+      return;
+    }
+    const bool ambient =
+        vent_.pressure_kpa > kAmbientLowKpa && vent_.pressure_kpa < kAmbientHighKpa;
+    link_.say_bye();
+    link_.end();
+    throw SystemFault(fmt::format(
+        "the vented arm reads {:.1f} kPa; expected at most {} kPa. {}", vent_.pressure_kpa,
+        settings_.safety.vented_kpa,
+        ambient ? "Pressures on the wire are gauge, not absolute: the driver has to subtract the "
+                  "ambient pressure"
+                : "Check supply, valves, the sensors' zero and the driver's unit (kPa)"));
+  }
+
+  void say(const std::string& message) {
+    link_.log().note(message);
+    if (settings_.say) {
+      settings_.say(message);
+    }
+  }
+
+  /// Vents a driver whose answers can't be trusted, ends it and throws.
+  [[noreturn]] void stop_broken(const std::string& why) {
+    fault_ = fmt::format("driver '{}' {}", settings_.command, why);
+    link_.log().note(fault_);
+    if (link_.is_open()) {
+      const Time start = Clock::now();
+      const std::optional<ArmState> last = link_.vent_and_close(start + kLastWordsTime);
+      if (last) {
+        state_ = *last;
+        note_pressures(seconds(Clock::now() - start));
+      }
+      link_.end();
+      if (started_ && !resting_) {
+        report_last(last.has_value());
+      }
+    }
+    throw SystemFault(fault_);
+  }
+
+  void report_last(bool answered) {
+    if (answered) {
+      report_vent("");
+      return;
+    }
+    vent_.confirmed = false;
+    vent_.message = "VENT NOT CONFIRMED: the driver does not answer, shut off the supply";
+    say(vent_.message);
+  }
+
+  ArmDescription arm_;
+  ProcessDriverSettings settings_;
+  DriverLink link_;
+  std::vector<double> limits_kpa_;
+  std::optional<SafetyGate> gate_;
+  ArmState state_;
+  ArmState first_state_;
+  DriverTiming timing_;
+  VentResult vent_;
+  std::deque<Pressures> setpoints_kpa_;  // the last ones sent, newest first
+  std::string fault_;
+  Time slot_;
+  bool running_ = false;  // slots are counted since the last vent
+  bool resting_ = false;  // vented, and nothing commanded since
+  bool started_ = false;  // the first vent is over
+};
+
+ProcessDriver::ProcessDriver(const ArmDescription& arm, const ProcessDriverSettings& settings)
+    : session_(std::make_unique<Session>(arm, settings)) {}
+ProcessDriver::~ProcessDriver() = default;
+
+const ArmState& ProcessDriver::state() const {
+  return session_->state();
+}
+
+const ArmState& ProcessDriver::command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
+  return session_->command(setpoint_kpa);
+}
+
+bool ProcessDriver::is_real_time() const {
+  return session_->hello().real_time;
+}
+
+void ProcessDriver::vent() noexcept {
+  session_->vent();
+}
+
+ArmState ProcessDriver::read_after_silence(double seconds) {
+  return session_->read_after_silence(seconds);
+}
+
+void ProcessDriver::abandon() {
+  session_->abandon();
+}
+
+const ArmState& ProcessDriver::first_state() const {
+  return session_->first_state();
+}
+
+const DriverHello& ProcessDriver::hello() const {
+  return session_->hello();
+}
+
+const DriverTiming& ProcessDriver::timing() const {
+  return session_->timing();
+}
+
+const VentResult& ProcessDriver::last_vent() const {
+  return session_->last_vent();
+}
+
+const std::vector<double>& ProcessDriver::limits_kpa() const {
+  return session_->limits_kpa();
+}
+
+}  // namespace limber

@@ -1,0 +1,173 @@
+#include "limber/hardware/safety_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kRoundingKpa = 1e-3;  // of float32 set points, beside a limit
+constexpr double kStuckWindowS = 1.0;  // a reading that stands still for so long …
+constexpr double kStuckDelayS = 0.5;   // … though the set point had moved so long before
+constexpr double kStuckShare = 0.02;   // of the set point's change: less is none
+
+}  // namespace
+
+SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<double> limits_kpa, bool check_rate,
+                       const SafetySettings& settings)
+    : arm_(arm),
+      limits_kpa_(std::move(limits_kpa)),
+      check_rate_(check_rate),
+      settings_(settings),
+      setpoint_kpa_(Pressures::Zero(arm.segment_count())),
+      reference_kpa_(Pressures::Zero(arm.segment_count())),
+      frames_off_(arm.segments.size(), 0) {}
+
+std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
+  const double step_kpa = arm_.pressure_step_limit_kpa();
+  for (int s = 0; s < arm_.segment_count(); ++s) {
+    const double value = setpoint_kpa[s];
+    if (!(std::abs(value) <= limit_kpa(s) + kRoundingKpa)) {
+      return fmt::format("set point of {} is {:.2f} kPa; its limit is {:.2f} kPa. It was not sent",
+                         segment_name(s), value, limit_kpa(s));
+    }
+    const double change_kpa = value - static_cast<double>(setpoint_kpa_[s]);
+    if (check_rate_ && !(std::abs(change_kpa) <= step_kpa + kRoundingKpa)) {
+      return fmt::format(
+          "set point of {} goes from {:.2f} to {:.2f} kPa in a frame; the arm's rate limit allows "
+          "{:.2f} kPa. It was not sent",
+          segment_name(s), setpoint_kpa_[s], value, step_kpa);
+    }
+  }
+  setpoint_kpa_ = setpoint_kpa;
+  return "";
+}
+
+std::string SafetyGate::check_state(const ArmState& state) {
+  std::string wrong = check_shape(state);
+  return wrong.empty() ? following(state) : wrong;
+}
+
+void SafetyGate::note_vented(const ArmState& state) {
+  setpoint_kpa_.setZero();
+  reference_kpa_ = state.pressure_kpa;
+  std::fill(frames_off_.begin(), frames_off_.end(), 0);
+  history_.clear();
+}
+
+std::string SafetyGate::over_limit(const ArmState& state) const {
+  for (int s = 0; s < arm_.segment_count(); ++s) {
+    const double own_kpa = arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+    const double excess_kpa = settings_.over_limit_percent / 100.0 * own_kpa;
+    if (std::abs(static_cast<double>(state.pressure_kpa[s])) > limit_kpa(s) + excess_kpa) {
+      return fmt::format(
+          "{} is at {:.1f} kPa; its limit is {:.1f} kPa, with {:.1f} kPa allowed beyond",
+          segment_name(s), state.pressure_kpa[s], limit_kpa(s), excess_kpa);
+    }
+  }
+  return "";
+}
+
+std::string SafetyGate::check_shape(const ArmState& state) {
+  std::string wrong = over_limit(state);
+  ++frames_unseen_;
+  if (!wrong.empty() || !state.backbone) {
+    return wrong;
+  }
+  const Backbone& now = *state.backbone;
+  for (Eigen::Index i = 0; i < now.rows(); ++i) {
+    const double x_m = now(i, 0);
+    const double y_m = now(i, 1);
+    if (settings_.fence && !(x_m >= settings_.fence->x_min_m && x_m <= settings_.fence->x_max_m &&
+                             y_m >= settings_.fence->y_min_m && y_m <= settings_.fence->y_max_m)) {
+      return fmt::format("plate {} is at ({:.3f}, {:.3f}) m, outside of the fence", i, x_m, y_m);
+    }
+    if (backbone_) {
+      const double moved_m = (now.row(i) - backbone_->row(i)).head<2>().norm();
+      if (moved_m > settings_.jump_m * frames_unseen_) {
+        return fmt::format(
+            "plate {} jumped by {:.1f} cm within {} frame{}; more than {:.1f} cm a frame is no "
+            "motion of an arm",
+            i, kCmPerM * moved_m, frames_unseen_, frames_unseen_ == 1 ? "" : "s",
+            kCmPerM * settings_.jump_m);
+      }
+    }
+  }
+  backbone_ = now;
+  frames_unseen_ = 0;
+  return "";
+}
+
+std::string SafetyGate::following(const ArmState& state) {
+  const auto step = static_cast<float>(arm_.pressure_step_limit_kpa());
+  reference_kpa_ += (setpoint_kpa_ - reference_kpa_)
+                        .cwiseMax(Pressures::Constant(reference_kpa_.size(), -step))
+                        .cwiseMin(Pressures::Constant(reference_kpa_.size(), step));
+  history_.push_back({reference_kpa_, state.pressure_kpa});
+  const auto window = static_cast<std::size_t>(arm_.frames_in(kStuckWindowS));
+  while (history_.size() > window) {
+    history_.pop_front();
+  }
+  // Valves lag: a pressure may be where it should have been at any time of the last half second.
+  const auto recent = std::min(
+      history_.size(), static_cast<std::size_t>(arm_.frames_in(settings_.following_time_s)));
+  for (int s = 0; s < arm_.segment_count(); ++s) {
+    float low = reference_kpa_[s];
+    float high = low;
+    for (std::size_t k = history_.size() - recent; k < history_.size(); ++k) {
+      low = std::min(low, history_[k].reference_kpa[s]);
+      high = std::max(high, history_[k].reference_kpa[s]);
+    }
+    const float measured = state.pressure_kpa[s];
+    const double off_kpa = std::max({low - measured, measured - high, 0.0F});
+    int& frames = frames_off_[static_cast<std::size_t>(s)];
+    frames = off_kpa > settings_.following_error_kpa ? frames + 1 : 0;
+    std::string wrong = stuck(s);
+    if (wrong.empty() && frames > arm_.frames_in(settings_.following_time_s)) {
+      wrong = fmt::format(
+          "{} is at {:.1f} kPa, {:.1f} kPa off where its set point of {:.1f} kPa has led since "
+          "{:.2g} s. Check supply pressure, hoses and leaks",
+          segment_name(s), measured, off_kpa, setpoint_kpa_[s], settings_.following_time_s);
+    }
+    if (!wrong.empty()) {
+      return wrong;
+    }
+  }
+  return "";
+}
+
+std::string SafetyGate::stuck(int segment) const {
+  if (history_.size() < static_cast<std::size_t>(arm_.frames_in(kStuckWindowS))) {
+    return "";
+  }
+  const auto until = history_.size() - static_cast<std::size_t>(arm_.frames_in(kStuckDelayS));
+  float low = history_.front().reference_kpa[segment];
+  float high = low;
+  float measured_low = history_.front().measured_kpa[segment];
+  float measured_high = measured_low;
+  for (std::size_t k = 0; k < history_.size(); ++k) {
+    if (k < until) {
+      low = std::min(low, history_[k].reference_kpa[segment]);
+      high = std::max(high, history_[k].reference_kpa[segment]);
+    }
+    measured_low = std::min(measured_low, history_[k].measured_kpa[segment]);
+    measured_high = std::max(measured_high, history_[k].measured_kpa[segment]);
+  }
+  const double commanded_kpa = high - low;
+  const double changed_kpa = measured_high - measured_low;
+  if (commanded_kpa < settings_.stuck_change_kpa || changed_kpa > kStuckShare * commanded_kpa) {
+    return "";
+  }
+  return fmt::format(
+      "{} stands still at {:.2f} kPa though its set point moved by {:.1f} kPa: a channel is stuck, "
+      "or its sensor",
+      segment_name(segment), history_.back().measured_kpa[segment], commanded_kpa);
+}
+
+}  // namespace limber

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/hardware/arm_driver.hpp"
+#include "limber/hardware/driver_protocol.hpp"
+#include "limber/hardware/safety_settings.hpp"
+
+namespace limber {
+
+struct ProcessDriverSettings {
+  std::string command;       ///< what follows `exec:`; no shell sees it
+  double limit_scale = 1.0;  ///< limits in force are so many times the arm's, in (0, 1]
+  bool check_rate = true;    ///< false where a schedule jumps and the valves ramp by themselves
+  SafetySettings safety;
+  /// Told what becomes of the arm at a vent, "vented: 0.8 kPa after 0.6 s"; may be empty.
+  std::function<void(const std::string&)> say;
+  std::filesystem::path log;  ///< every line of both sides with its time; empty: none
+};
+
+/// How well both sides kept to the frames.
+struct DriverTiming {
+  std::vector<double> late_s;        ///< of every `set`: after its slot
+  std::vector<double> round_trip_s;  ///< of every `set`, until its state was there
+  int skipped_slots = 0;  ///< frames in which no `set` was sent, as the one before took so long
+  int frames_unseen = 0;  ///< states without a backbone, of a driver that tracks
+};
+
+/// What came of the last vent.
+struct VentResult {
+  bool confirmed = false;     ///< every measured pressure came down
+  double pressure_kpa = 0.0;  ///< the largest, when last measured
+  double after_s = 0.0;       ///< the vent
+  std::string message;        ///< the same in words; empty before the first vent
+};
+
+/// The user's valve controller behind a program of theirs that speaks limber's protocol
+/// (docs/driver.md), in a process of its own. One `set` goes out in each frame slot, unless the
+/// driver says that it simulates. Every set point and every state passes the SafetyGate.
+///
+/// Whatever goes wrong: `vent` is sent, the driver's input is closed, and after 0.5 s its process
+/// group is killed. A driver that still answers correctly is instead watched until the arm is
+/// vented, and closed then.
+///
+/// Laws: as ArmDriver, and a set point beyond a limit is a SystemFault. After `vent` the next
+/// `command` starts a new run of frames. Threads: one at a time.
+class ProcessDriver final : public ArmDriver {
+ public:
+  /// Starts the program, exchanges hellos, and vents.
+  /// @throws InputError where the command can't be started; SystemFault where the driver does not
+  /// answer, is another arm's, or reads a pressure after venting; Interrupted.
+  ProcessDriver(const ArmDescription& arm, const ProcessDriverSettings& settings);
+  /// Vents and says goodbye.
+  ~ProcessDriver() override;
+
+  const ArmState& state() const override;
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override;
+
+  /// Watches the measured pressures until all are down, 5 s at most; says what came of it.
+  void vent() noexcept override;
+  bool is_real_time() const override;
+
+  /// For `limber driver check`: sends nothing for `seconds`, then vents. @return what the driver
+  /// then answers first. @throws SystemFault
+  ArmState read_after_silence(double seconds);
+  /// The same: closes the driver's input without a vent or a word. The driver is ended.
+  void abandon();
+  /// What the driver answered to its first vent, before that could act.
+  const ArmState& first_state() const;
+
+  const DriverHello& hello() const;
+  const DriverTiming& timing() const;
+  const VentResult& last_vent() const;
+  /// In force: the arm's, scaled, or the driver's own where those are lower.
+  const std::vector<double>& limits_kpa() const;
+
+ private:
+  class Session;
+  std::unique_ptr<Session> session_;
+};
+
+}  // namespace limber

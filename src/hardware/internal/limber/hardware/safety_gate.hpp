@@ -1,0 +1,64 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/hardware/arm_driver.hpp"
+#include "limber/hardware/safety_settings.hpp"
+
+namespace limber {
+
+/// The last step before a driver. Set points are never clipped: one that is beyond a limit is a
+/// fault, since a clipped certified plan is another path. Measured values are watched, frame by
+/// frame. Both return what is wrong, in words; empty where nothing is.
+///
+/// Threads: one at a time.
+class SafetyGate {
+ public:
+  /// @param limits_kpa   in force, one a segment: the arm's, scaled, and the driver's own
+  /// @param check_rate   whether set points may change by no more than the arm's rate allows; not
+  ///                     where a schedule jumps, and the valves ramp by themselves
+  SafetyGate(const ArmDescription& arm, std::vector<double> limits_kpa, bool check_rate,
+             const SafetySettings& settings);
+
+  /// Of the next set point (size n). One that passes is taken for the one in force.
+  std::string check_command(const Eigen::Ref<const Pressures>& setpoint_kpa);
+
+  /// Of what was measured after it.
+  std::string check_state(const ArmState& state);
+
+  /// The arm is vented: set points are zero, and what is measured falls.
+  void note_vented(const ArmState& state);
+
+  /// Pressures beyond a limit, shapes that jump or leave the fence: what is wrong in any state.
+  std::string check_shape(const ArmState& state);
+
+  /// What a segment may be told now.
+  double limit_kpa(int segment) const { return limits_kpa_[static_cast<std::size_t>(segment)]; }
+
+ private:
+  struct Frame {
+    Pressures reference_kpa;
+    Pressures measured_kpa;
+  };
+
+  std::string over_limit(const ArmState& state) const;
+  std::string following(const ArmState& state);
+  std::string stuck(int segment) const;
+
+  ArmDescription arm_;
+  std::vector<double> limits_kpa_;
+  bool check_rate_;
+  SafetySettings settings_;
+  Pressures setpoint_kpa_;
+  Pressures reference_kpa_;      // what the valves' rate allows to be reached by now
+  std::vector<int> frames_off_;  // each segment: how many in a row it was too far from it
+  std::deque<Frame> history_;
+  std::optional<Backbone> backbone_;  // the last one that was seen …
+  int frames_unseen_ = 0;             // … and how many frames ago
+};
+
+}  // namespace limber

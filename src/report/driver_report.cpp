@@ -1,0 +1,156 @@
+#include "limber/report/driver_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/arm/names.hpp"
+#include "limber/arm/valve_file.hpp"
+#include "limber/plot/chart.hpp"
+#include "limber/report/report_page.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMsPerS = 1e3;
+
+Json to_json(const DeadmanResult& deadman) {
+  if (!deadman.tested) {
+    return nullptr;
+  }
+  return {{"vented", deadman.vented},
+          {"before_kpa", deadman.before_kpa},
+          {"after_kpa", deadman.after_kpa}};
+}
+
+std::string in_words(const DeadmanResult& deadman) {
+  return !deadman.tested ? std::string("not tested")
+         : deadman.vented
+             ? fmt::format("vents ({:.1f} to {:.1f} kPa)", deadman.before_kpa, deadman.after_kpa)
+             : fmt::format("DOES NOT VENT ({:.1f} to {:.1f} kPa)", deadman.before_kpa,
+                           deadman.after_kpa);
+}
+
+double quantile_ms(std::vector<double> seconds, double share) {
+  std::sort(seconds.begin(), seconds.end());
+  const auto last = static_cast<double>(seconds.size() - 1);
+  return kMsPerS * seconds[static_cast<std::size_t>(std::lround(share * last))];
+}
+
+std::vector<double> column(const FrameMatrix& values, int segment) {
+  const Eigen::VectorXd numbers = values.col(segment).cast<double>();
+  return {numbers.begin(), numbers.end()};
+}
+
+std::string pressures_svg(const DriverCheck& check) {
+  ChartGrid grid(1, "Set points and what was measured");
+  const Eigen::VectorXd& time_s = check.episode.time_s;
+  for (int s = 0; s < check.hello.segments; ++s) {
+    Chart chart(segment_name(s));
+    chart.x_axis("time [s]").y_axis("pressure [kPa]").size_px(900, 240);
+    SeriesStyle set;
+    set.dashed = true;
+    set.width_px = 1.0;
+    const std::vector<double> time(time_s.begin(), time_s.end());
+    chart.line("set point in force", time, column(check.episode.setpoint_kpa, s), set);
+    chart.line("measured", time, column(check.episode.pressure_kpa, s));
+    grid.add(chart);
+  }
+  return grid.svg();
+}
+
+std::string round_trip_svg(const DriverCheck& check) {
+  Chart chart("From a set point to its state");
+  std::vector<double> ms;
+  for (const double seconds : check.timing.round_trip_s) {
+    ms.push_back(kMsPerS * seconds);
+  }
+  chart.x_axis("round trip [ms]").y_axis("requests").without_legend();
+  chart.histogram("round trip", ms);
+  return chart.svg();
+}
+
+}  // namespace
+
+Json times_in_ms(std::vector<double> seconds) {
+  if (seconds.empty()) {
+    return nullptr;
+  }
+  return {{"p50", quantile_ms(seconds, 0.5)},
+          {"p999", quantile_ms(seconds, 0.999)},
+          {"max", quantile_ms(seconds, 1.0)}};
+}
+
+Json to_json(const DriverCheck& check, const IdentifiedValves& valves) {
+  Json json = {{"status", check.complaints.empty() ? "ok" : "failed"},
+               {"complaints", check.complaints},
+               {"driver", check.hello.driver},
+               {"device", check.hello.device},
+               {"tracked", check.hello.tracked},
+               {"real_time", check.hello.real_time},
+               {"frames", check.timing.late_s.size()},
+               {"frames_without_backbone", check.timing.frames_unseen},
+               {"skipped_slots", check.timing.skipped_slots},
+               {"late_ms", times_in_ms(check.timing.late_s)},
+               {"round_trip_ms", times_in_ms(check.timing.round_trip_s)},
+               {"zero_kpa", check.zero_kpa},
+               {"noise_kpa", check.noise_kpa}};
+  json["steps"] = Json::array();
+  for (const StepResponse& step : check.steps) {
+    json["steps"].push_back({{"segment", step.segment},
+                             {"setpoint_kpa", step.setpoint_kpa},
+                             {"reached_kpa", step.reached_kpa},
+                             {"answered", step.answered},
+                             {"dead_time_s", step.dead_time_s},
+                             {"rise_time_s", step.rise_time_s},
+                             {"overshoot_kpa", step.overshoot_kpa}});
+  }
+  json["deadmen"] = {{"silence", to_json(check.silence)},
+                     {"end_of_input", to_json(check.end_of_input)}};
+  json["valves"] = to_json(valves);
+  return json;
+}
+
+std::string driver_check_to_text(const DriverCheck& check) {
+  const auto or_unnamed = [](const std::string& text) { return text.empty() ? "unnamed" : text; };
+  std::string text = fmt::format(
+      "driver {} (device: {})\n  round trip {:.1f} ms (median), {:.1f} ms (99.9 %); set points "
+      "leave at most {:.1f} ms after their slot, {} slots were skipped",
+      or_unnamed(check.hello.driver), or_unnamed(check.hello.device),
+      quantile_ms(check.timing.round_trip_s, 0.5), quantile_ms(check.timing.round_trip_s, 0.999),
+      quantile_ms(check.timing.late_s, 1.0), check.timing.skipped_slots);
+  text += fmt::format("\n  at rest: {:.2f} kPa, noise {:.2f} kPa", fmt::join(check.zero_kpa, ", "),
+                      fmt::join(check.noise_kpa, ", "));
+  for (const StepResponse& step : check.steps) {
+    text += fmt::format("\n  {} to {:.0f} kPa: ", segment_name(step.segment), step.setpoint_kpa);
+    text +=
+        step.answered
+            ? fmt::format("{:.1f} kPa, dead time {:.2f} s, rise {:.2f} s, overshoot {:.1f} kPa",
+                          step.reached_kpa, step.dead_time_s, step.rise_time_s, step.overshoot_kpa)
+            : fmt::format("no answer ({:.1f} kPa)", step.reached_kpa);
+  }
+  text += fmt::format("\n  without a set: {}\n  at the end of its input: {}",
+                      in_words(check.silence), in_words(check.end_of_input));
+  for (const std::string& complaint : check.complaints) {
+    text += "\n  wrong: " + complaint;
+  }
+  return text;
+}
+
+std::string driver_check_to_html(const DriverCheck& check, const IdentifiedValves& valves) {
+  ReportPage page("Driver check");
+  page.code(driver_check_to_text(check))
+      .figure({pressures_svg(check), "Each segment alone, to either side: pulses, then jumps"})
+      .figure({round_trip_svg(check), "How long states took"})
+      .heading("Valves")
+      .paragraph(valves_to_text(valves));
+  return page.html();
+}
+
+}  // namespace limber

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/arm/valve_findings.hpp"
+#include "limber/hardware/driver_check.hpp"
+
+namespace limber {
+
+/// {"p50": …, "p999": …, "max": …} of times in seconds, in ms; null where there are none.
+nlohmann::ordered_json times_in_ms(std::vector<double> seconds);
+
+/// The object of `limber driver check --json`.
+nlohmann::ordered_json to_json(const DriverCheck& check, const IdentifiedValves& valves);
+
+/// The same in a few lines for people.
+std::string driver_check_to_text(const DriverCheck& check);
+
+/// A page with plots of the set points and of what was measured.
+std::string driver_check_to_html(const DriverCheck& check, const IdentifiedValves& valves);
+
+}  // namespace limber

@@ -1,0 +1,112 @@
+"""A driver with one fault, for tests of limber's side: fake_driver.py LOG [FAULT]. LOG gets a line for each thing
+that happened to it, with the monotonic clock's time."""
+
+import json
+import os
+import signal
+import sys
+import time
+
+log = open(sys.argv[1], "a", buffering=1, encoding="utf-8")
+fault = sys.argv[2] if len(sys.argv) > 2 else ""
+pressures = [0.0, 0.0]
+setpoints = [0.0, 0.0]
+clock = 100.0
+sets = 0
+
+
+def note(event):
+    log.write(f"{time.monotonic()} {event}\n")
+
+
+def send(text, end="\n"):
+    sys.stdout.write(text + end)
+    sys.stdout.flush()
+
+
+def state(request, **changed):
+    backbone = [[0.1 * i, 0.0, 0.0] for i in range(5)]
+    return json.dumps({
+        "type": "state", "seq": request["seq"], "t": clock, "pressure_kpa": pressures, "setpoint_kpa": setpoints,
+        "backbone": backbone, **changed,
+    })
+
+
+def answer_wrongly(request):
+    """From the fourth set on."""
+    whole = state(request)
+    if fault == "late":
+        time.sleep(0.2)
+        send(whole)
+    elif fault == "repeat":
+        send(whole)
+        send(whole)
+    elif fault == "old":
+        send(state(request, seq=request["seq"] - 1))
+    elif fault == "half":
+        send(whole[: len(whole) // 2], end="")
+    elif fault == "huge":
+        while True:
+            send("x" * 65536, end="")
+    elif fault == "nan":
+        send(state(request, pressure_kpa=[float("nan"), 0.0]))
+    elif fault == "size":
+        send(state(request, pressure_kpa=[0.0, 0.0, 0.0]))
+    elif fault == "die":
+        sys.exit(7)
+    elif fault == "hang":
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+        time.sleep(3600)
+    elif fault == "flood":
+        while True:
+            send(whole)
+    elif fault == "clock":
+        send(state(request, t=clock - 1.0))
+    elif fault == "milliseconds":
+        send(state(request, t=clock + 50.0))
+    elif fault == "fault":
+        send(json.dumps({"type": "fault", "message": "valve 3 is hot"}))
+    elif fault == "released":
+        send(state(request, setpoint_kpa=[0.0, 0.0]))
+    elif fault == "over":
+        send(state(request, pressure_kpa=[106.0, 0.0]))
+    else:
+        send(whole)
+
+
+def vented():
+    if fault == "absolute":
+        return [101.3, 101.2]
+    if fault == "sealed" and sets > 0:
+        return pressures
+    return [0.0, 0.0] if sets == 0 else [p * 0.5 for p in pressures]
+
+
+note(f"group {os.getpgrp() == os.getpid()} stdin {os.fstat(0).st_size} words {len(sys.argv)}")
+if fault == "mute":
+    time.sleep(3600)
+for line in sys.stdin:
+    request = json.loads(line)
+    note(request["type"])
+    clock += 0.05
+    if request["type"] == "hello":
+        wrong = 3 if fault == "hello" else 2
+        send(json.dumps({
+            "type": "hello", "protocol": 1, "driver": "fake", "device": "none", "rate_hz": request["rate_hz"],
+            "segments": wrong, "real_time": fault != "fast", "limit_kpa": [100, 60 if fault == "weak" else 100],
+        }))
+    elif request["type"] == "vent":
+        pressures = vented()
+        setpoints = [0.0, 0.0]
+        send(state(request))
+    elif request["type"] == "set":
+        setpoints = request["pressure_kpa"]
+        pressures = list(setpoints)
+        sets += 1
+        if sets >= 4:
+            answer_wrongly(request)
+        else:
+            send(state(request))
+    else:
+        break
+note("end")
