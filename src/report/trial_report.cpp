@@ -19,8 +19,9 @@ nlohmann::ordered_json with_names(const PlanTrial& trial, const nlohmann::ordere
 }  // namespace
 
 nlohmann::ordered_json planning_to_json(const PlanTrial& trial, const Environment& environment) {
-  return with_names(
-      trial, to_json(trial.planning, environment.goal, trial.planner, trial.model, trial.seed));
+  const Command pressures;  // trials are those of the virtual arm
+  return with_names(trial, to_json(trial.planning, pressures, environment.goal, trial.planner,
+                                   trial.model, trial.seed));
 }
 
 nlohmann::ordered_json execution_to_json(const PlanTrial& trial, const Environment& environment) {
