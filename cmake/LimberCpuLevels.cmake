@@ -11,9 +11,9 @@ function(limber_cpu_level_sources variable stem)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     list(APPEND sources ${stem}_avx2.cpp ${stem}_avx512.cpp)
     set_source_files_properties(${stem}_avx2.cpp PROPERTIES
-      COMPILE_OPTIONS "${options};-mavx2;-mfma;-mf16c")
+      COMPILE_OPTIONS "${options};-mavx2;-mfma")
     set_source_files_properties(${stem}_avx512.cpp PROPERTIES
-      COMPILE_OPTIONS "${options};-mavx2;-mfma;-mf16c;-mavx512f;-mavx512vl")
+      COMPILE_OPTIONS "${options};-mavx2;-mfma;-mavx512f;-mavx512vl")
   endif()
   set(${variable} ${sources} PARENT_SCOPE)
 endfunction()

@@ -27,7 +27,6 @@ int exit_code(PlanStatus status) {
     case PlanStatus::solved:
       return kExitDone;
     case PlanStatus::limit:
-    case PlanStatus::no_solution:
     case PlanStatus::not_certified:
       return kExitNoSolution;
     default:

@@ -209,9 +209,6 @@ class SpeedMeasurement {
     speed.layout = to_string(compensation.layout);
     speed.single = {1, 1, single_rate(model, queries_, settings_.queries)};
     progress_.advance();
-    const ForwardModel halved(arm_, compensation, cpu_level(), WeightPrecision::half);
-    speed.single_half = {1, 1, single_rate(halved, queries_, settings_.queries)};
-    progress_.advance();
     for (const int size : kBatchSizes) {
       speed.batches.push_back({size, 1, batch_rate(model, queries_, size, settings_.queries)});
       progress_.advance();
@@ -232,7 +229,7 @@ class SpeedMeasurement {
  private:
   void require_agreement(const std::string& peer, const CompensationModel& compensation);
 
-  static constexpr int kPerNetwork = 1 + static_cast<int>(std::size(kBatchSizes)) + 1 + 1 + 1;
+  static constexpr int kPerNetwork = 1 + static_cast<int>(std::size(kBatchSizes)) + 1 + 1;
   static constexpr int kPerPeer = static_cast<int>(std::size(kBatchSizes));
 
   void measure_threads(const ForwardModel& model, NetworkSpeed& speed) {

@@ -25,8 +25,7 @@ const char* to_string(CpuLevel level) {
 std::vector<CpuLevel> available_cpu_levels() {
   std::vector<CpuLevel> levels = {CpuLevel::baseline};
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-      __builtin_cpu_supports("f16c")) {
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     levels.push_back(CpuLevel::avx2);
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl")) {
       levels.push_back(CpuLevel::avx512);

@@ -23,9 +23,11 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
-constexpr PlanStatus kPlanStatuses[] = {PlanStatus::solved,           PlanStatus::limit,
-                                        PlanStatus::no_solution,      PlanStatus::invalid_start,
-                                        PlanStatus::goal_unreachable, PlanStatus::goal_in_collision,
+constexpr PlanStatus kPlanStatuses[] = {PlanStatus::solved,
+                                        PlanStatus::limit,
+                                        PlanStatus::invalid_start,
+                                        PlanStatus::goal_unreachable,
+                                        PlanStatus::goal_in_collision,
                                         PlanStatus::not_certified};
 constexpr ExecutionStatus kExecutionStatuses[] = {ExecutionStatus::done, ExecutionStatus::fault,
                                                   ExecutionStatus::stopped};

@@ -58,14 +58,13 @@ void require_backbone(const char* name, const Backbone& backbone, int points) {
 }  // namespace
 
 ForwardModel::ForwardModel(const ArmDescription& arm, CpuLevel level)
-    : no_load_(arm),
-      pipeline_(std::make_unique<ForwardPipeline>(arm, nullptr, level, WeightPrecision::single)) {}
+    : no_load_(arm), pipeline_(std::make_unique<ForwardPipeline>(arm, nullptr, level)) {}
 
 ForwardModel::ForwardModel(const ArmDescription& arm, CompensationModel compensation,
-                           CpuLevel level, WeightPrecision precision)
+                           CpuLevel level)
     : no_load_(arm),
       compensation_(checked(std::move(compensation), arm)),
-      pipeline_(std::make_unique<ForwardPipeline>(arm, &*compensation_, level, precision)) {}
+      pipeline_(std::make_unique<ForwardPipeline>(arm, &*compensation_, level)) {}
 
 ForwardModel::ForwardModel(ForwardModel&&) noexcept = default;
 ForwardModel& ForwardModel::operator=(ForwardModel&&) noexcept = default;

@@ -44,7 +44,7 @@ int padded(int count, int lanes) {
 }  // namespace
 
 ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationModel* model,
-                                 CpuLevel level, WeightPrecision precision)
+                                 CpuLevel level)
     : segments_(arm.segment_count()),
       points_(arm.point_count()),
       rows_(row_kernels(level)),
@@ -57,7 +57,7 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
     segment_of_gap_.push_back(arm.segment_of_gap(gap));
   }
   if (model != nullptr) {
-    network_.emplace(*model, level, precision);
+    network_.emplace(*model, level);
   }
 }
 

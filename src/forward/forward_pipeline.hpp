@@ -42,8 +42,7 @@ struct QueryColumns {
 class ForwardPipeline {
  public:
   /// @param model  null for the no-load model. @pre valid, of this arm; this CPU runs `level`.
-  ForwardPipeline(const ArmDescription& arm, const CompensationModel* model, CpuLevel level,
-                  WeightPrecision precision);
+  ForwardPipeline(const ArmDescription& arm, const CompensationModel* model, CpuLevel level);
 
   /// Floats of scratch that `run` needs, whatever the batch.
   std::size_t scratch_size() const;

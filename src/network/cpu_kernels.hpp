@@ -51,22 +51,8 @@ float multiply_add_rounds(long rounds) {
   return total;
 }
 
-constexpr auto query_layer_of_halves() {
-  decltype(GemmKernels::query_layer_of_halves) kernel = nullptr;
-  if constexpr (kLoadsHalves) {
-    kernel = query_layer<unsigned short>;
-  }
-  return kernel;
-}
-
 constexpr GemmKernels kernels_of_this_level() {
-  return {kLanes,
-          layer,
-          layer_of_rows,
-          query_layer<float>,
-          query_layer_of_halves(),
-          multiply_add_rounds,
-          kChains * kLanes};
+  return {kLanes, layer, layer_of_rows, query_layer, multiply_add_rounds, kChains * kLanes};
 }
 
 }  // namespace

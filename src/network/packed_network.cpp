@@ -5,33 +5,9 @@
 
 namespace limber {
 
-namespace {
-
-// Unchanged where half precision cannot hold the largest.
-Eigen::MatrixXd rounded_to_half(const Eigen::MatrixXd& weight) {
-  const Eigen::MatrixXd rounded = weight.cast<Eigen::half>().cast<double>();
-  return rounded.allFinite() ? rounded : weight;
-}
-
-// Bits of the weights, or nothing if one of them is no half-precision number.
-AlignedHalves half_bits(const AlignedFloats& weights) {
-  AlignedHalves bits;
-  bits.reserve(weights.size());
-  for (const float weight : weights) {
-    const Eigen::half half(weight);
-    if (float(half) != weight) {
-      return {};
-    }
-    bits.push_back(half.x);
-  }
-  return bits;
-}
-
-}  // namespace
-
 // W (x − offset)·scale + b for the first layer, (W x + b)/scale + offset for the last; gates, which
 // follow the backbone's numbers there, are not normalised.
-std::vector<Layer> folded_layers(const CompensationModel& model, WeightPrecision precision) {
+std::vector<Layer> folded_layers(const CompensationModel& model) {
   std::vector<Layer> layers = model.layers;
   for (std::size_t l = 0; l < layers.size(); ++l) {
     Eigen::MatrixXd weight = layers[l].weight.cast<double>();
@@ -39,11 +15,6 @@ std::vector<Layer> folded_layers(const CompensationModel& model, WeightPrecision
     const bool last = l + 1 == layers.size();
     if (l == 0) {
       weight = weight * model.input.scale.cast<double>().asDiagonal();
-    }
-    if (precision == WeightPrecision::half && !last) {
-      weight = rounded_to_half(weight);
-    }
-    if (l == 0) {
       bias -= weight * model.input.offset.cast<double>();
     }
     if (last) {
@@ -57,10 +28,9 @@ std::vector<Layer> folded_layers(const CompensationModel& model, WeightPrecision
   return layers;
 }
 
-PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level,
-                             WeightPrecision precision)
+PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level)
     : kernels_(gemm_kernels(level)) {
-  for (const Layer& folded : folded_layers(model, precision)) {
+  for (const Layer& folded : folded_layers(model)) {
     PackedLayer layer;
     layer.inputs = static_cast<int>(folded.weight.cols());
     layer.outputs = static_cast<int>(folded.weight.rows());
@@ -76,9 +46,6 @@ PackedNetwork::PackedNetwork(const CompensationModel& model, CpuLevel level,
     Eigen::Map<Eigen::MatrixXf>(layer.transposed_weight.data(), layer.inputs, layer.outputs) =
         folded.weight.transpose();
     Eigen::Map<Eigen::VectorXf>(layer.bias.data(), layer.outputs) = folded.bias;
-    if (precision == WeightPrecision::half && kernels_.query_layer_of_halves != nullptr) {
-      layer.half_weight = half_bits(layer.weight);
-    }
     padded_width_ = std::max(padded_width_, layer.padded_outputs);
     layers_.push_back(std::move(layer));
   }
@@ -98,13 +65,8 @@ const float* PackedNetwork::evaluate(const float* input, float* scratch) const {
   float* y = scratch;
   float* other = scratch + padded_width_;
   for (const PackedLayer& layer : layers_) {
-    if (layer.half_weight.empty()) {
-      kernels_.query_layer(layer.padded_outputs, layer.inputs, layer.weight.data(), x,
-                           layer.bias.data(), layer.relu, y);
-    } else {
-      kernels_.query_layer_of_halves(layer.padded_outputs, layer.inputs, layer.half_weight.data(),
-                                     x, layer.bias.data(), layer.relu, y);
-    }
+    kernels_.query_layer(layer.padded_outputs, layer.inputs, layer.weight.data(), x,
+                         layer.bias.data(), layer.relu, y);
     x = y;
     std::swap(y, other);
   }

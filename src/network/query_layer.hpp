@@ -23,8 +23,8 @@ inline unsigned long long non_zeros(const float* x, int count) {
   return mask;
 }
 
-template <int kVectors, class Weight>
-void query_rows(int k, const Weight* a, std::ptrdiff_t lda, const float* x, const float* bias,
+template <int kVectors>
+void query_rows(int k, const float* a, std::ptrdiff_t lda, const float* x, const float* bias,
                 bool with_relu, float* y) {
   Vector sum[kVectors];
 #pragma GCC unroll 8
@@ -35,7 +35,7 @@ void query_rows(int k, const Weight* a, std::ptrdiff_t lda, const float* x, cons
     const int count = k - from < kMaskBits ? k - from : kMaskBits;
     for (unsigned long long mask = non_zeros(x + from, count); mask != 0; mask &= mask - 1) {
       const int i = from + __builtin_ctzll(mask);
-      const Weight* column = a + i * lda;
+      const float* column = a + i * lda;
       const Vector value = broadcast(x[i]);
 #pragma GCC unroll 8
       for (int v = 0; v < kVectors; ++v) {
@@ -49,13 +49,11 @@ void query_rows(int k, const Weight* a, std::ptrdiff_t lda, const float* x, cons
   }
 }
 
-template <class Weight>
-void query_layer(int m, int k, const Weight* a, const float* x, const float* bias, bool with_relu,
-                 float* y) {
-  constexpr void (*kRows[])(int, const Weight*, std::ptrdiff_t, const float*, const float*, bool,
-                            float*) = {
-      query_rows<1, Weight>, query_rows<2, Weight>, query_rows<3, Weight>, query_rows<4, Weight>,
-      query_rows<5, Weight>, query_rows<6, Weight>, query_rows<7, Weight>, query_rows<8, Weight>};
+inline void query_layer(int m, int k, const float* a, const float* x, const float* bias,
+                        bool with_relu, float* y) {
+  constexpr void (*kRows[])(int, const float*, std::ptrdiff_t, const float*, const float*, bool,
+                            float*) = {query_rows<1>, query_rows<2>, query_rows<3>, query_rows<4>,
+                                       query_rows<5>, query_rows<6>, query_rows<7>, query_rows<8>};
   int left = m / kLanes;
   for (int i = 0; left > 0;) {
     const int vectors = left < kQueryVectors ? left : kQueryVectors;

@@ -18,8 +18,6 @@ const char* to_string(PlanStatus status) {
       return "solved";
     case PlanStatus::limit:
       return "limit";
-    case PlanStatus::no_solution:
-      return "no_solution";
     case PlanStatus::invalid_start:
       return "invalid_start";
     case PlanStatus::goal_unreachable:

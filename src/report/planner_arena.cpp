@@ -16,9 +16,11 @@ namespace limber {
 namespace {
 
 // The order is the enumeration's: a run has the index.
-constexpr std::array kStatuses = {PlanStatus::solved,           PlanStatus::limit,
-                                  PlanStatus::no_solution,      PlanStatus::invalid_start,
-                                  PlanStatus::goal_unreachable, PlanStatus::goal_in_collision,
+constexpr std::array kStatuses = {PlanStatus::solved,
+                                  PlanStatus::limit,
+                                  PlanStatus::invalid_start,
+                                  PlanStatus::goal_unreachable,
+                                  PlanStatus::goal_in_collision,
                                   PlanStatus::not_certified};
 
 constexpr const char* kProperties =

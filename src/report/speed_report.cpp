@@ -33,7 +33,6 @@ Json to_json(const NetworkSpeed& speed) {
   return {{"layout", speed.shape},
           {"backbone_layout", speed.layout},
           {"single", {{"queries_per_s", speed.single.queries_per_s}}},
-          {"single_half_weights", {{"queries_per_s", speed.single_half.queries_per_s}}},
           {"batch", batch},
           {"batches", to_json(speed.batches)}};
 }
@@ -45,7 +44,6 @@ std::string line(const std::string& what, const QueryRate& rate) {
 
 std::string network_lines(const std::string& name, const NetworkSpeed& speed) {
   std::string text = line(name + " " + speed.shape, speed.single);
-  text += line("  half-precision weights", speed.single_half);
   for (const QueryRate& rate : speed.batches) {
     if (rate.batch_size > 1) {
       text += line("", rate);

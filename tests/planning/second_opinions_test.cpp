@@ -57,15 +57,15 @@ TEST(SecondOpinions, OfOneNetworkOrNoneThereIsNobodyToAsk) {
 }
 
 TEST(SecondOpinions, AgreeWhereEveryOtherMemberEndsInTheGoalFreely) {
-  Opinions some({0.005F, 0.01F, 0.03F});
-  some.environment.goal.position_tolerance_m = 0.05;
+  Opinions some({0.005F, 0.008F, 0.015F});
   SecondOpinions opinions(some.problem, some.checker);
   EXPECT_FALSE(opinions.empty());
   RandomStream random(1, 1);
   constexpr int kCases = 400;
+  constexpr double kMarginM = 0.005;
   int agreed = 0, reached = 0;
   const PlanResult plan = make_planner("default")->plan(
-      {some.arm, *some.members.front(), some.environment},
+      {some.arm, *some.members.front(), some.environment, kMarginM},
       [] {
         PlannerLimits limits;
         limits.iterations = 1000;
@@ -73,11 +73,12 @@ TEST(SecondOpinions, AgreeWhereEveryOtherMemberEndsInTheGoalFreely) {
       }(),
       3);
   ASSERT_TRUE(plan.plan) << plan.reason;
+  some.environment.goal.position_tolerance_m = 0.04;  // as cheap plans end on the rim
   for (int k = 0; k < kCases; ++k) {
     std::vector<Pressures> waypoints = plan.plan->waypoints_kpa;
     for (std::size_t i = 1; i < waypoints.size(); ++i) {
       for (float& one : waypoints[i]) {
-        one = std::clamp(one + static_cast<float>(3.0 * random.normal()), -100.0F, 100.0F);
+        one = std::clamp(one + static_cast<float>(2.0 * random.normal()), -100.0F, 100.0F);
       }
     }
     reached += ends_in_goal(some.problem, walk(some.problem, some.checker, waypoints)) ? 1 : 0;
@@ -85,7 +86,7 @@ TEST(SecondOpinions, AgreeWhereEveryOtherMemberEndsInTheGoalFreely) {
     EXPECT_EQ(agree, some.others_agree(waypoints)) << "case " << k;
     agreed += agree ? 1 : 0;
   }
-  EXPECT_GT(agreed, 10);
+  EXPECT_GT(agreed, 10) << reached << " reached by the leading one";
   EXPECT_LT(agreed, kCases - 10) << "they differ";
   EXPECT_GT(opinions.queries(), std::uint64_t(kCases));
 }

@@ -64,7 +64,7 @@ TEST_F(SmallerClearances, TheOneNamedIsKeptByAPlan) {
   EXPECT_THAT(result.reason, HasSubstr("nothing was found; with less clearance than the 8.00 cm"));
   EXPECT_FALSE(result.plan) << "nobody asked for less";
   PlannerLimits whole;
-  whole.iterations = 2000;
+  whole.iterations = 10000;
   const double kept_m = *result.max_clearance_m;
   const auto plan_with = [&](double margin_m) {
     return make_planner("default")->plan(

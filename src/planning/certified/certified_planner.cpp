@@ -94,7 +94,7 @@ class CertifiedPlanner final : public Planner {
   static void explain(const PlanningProblem& problem, std::uint64_t seed,
                       const std::function<bool()>& is_late, PlanResult& result) {
     const CollisionChecker checker(problem.arm, problem.environment.obstacles, problem.margin_m);
-    if (result.status == PlanStatus::limit || result.status == PlanStatus::no_solution) {
+    if (result.status == PlanStatus::limit) {
       const std::string note = reached_only_in_collision(problem, checker, seed, is_late);
       result.reason += note.empty() ? "" : "; " + note;
       return;

@@ -55,20 +55,6 @@ inline void keep_in_register(Vector& v) {
 #endif
 }
 
-// Half-precision numbers (their bits) widened on the way from memory; not every level can.
-#if defined(__F16C__)
-constexpr bool kLoadsHalves = true;
-inline Vector load(const unsigned short* p) {
-#if defined(__AVX512F__)
-  return _mm512_cvtph_ps(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p)));
-#else
-  return _mm256_cvtph_ps(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p)));
-#endif
-}
-#else
-constexpr bool kLoadsHalves = false;
-#endif
-
 inline void store(float* p, Vector v) {
   *reinterpret_cast<UnalignedVector*>(p) = v;
 }

@@ -22,7 +22,6 @@ struct NetworkSpeed {
   std::string shape;   ///< "102-100-100-100-48"
   std::string layout;  ///< "base_poses", "gap_poses"
   QueryRate single;
-  QueryRate single_half;            ///< with weights in half precision (WeightPrecision)
   QueryRate batch;                  ///< the fastest of `batches` on one thread
   std::vector<QueryRate> batches;   ///< on one thread, then large ones on all
   double fraction_of_fma_peak = 0;  ///< hidden layers with bias and ReLU, padding not counted

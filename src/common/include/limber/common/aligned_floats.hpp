@@ -25,7 +25,5 @@ struct CacheLineAllocator {
 };
 
 using AlignedFloats = std::vector<float, CacheLineAllocator<float>>;
-/// Bits of half-precision numbers.
-using AlignedHalves = std::vector<unsigned short, CacheLineAllocator<unsigned short>>;
 
 }  // namespace limber

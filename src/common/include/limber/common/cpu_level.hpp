@@ -10,7 +10,7 @@ namespace limber {
 /// its architecture; kernels of a higher level are chosen at run time.
 enum class CpuLevel {
   baseline,  ///< SSE2 on x86-64, 4 floats per vector; NEON on arm64
-  avx2,      ///< AVX2, FMA and F16C, 8 floats
+  avx2,      ///< AVX2 and FMA, 8 floats
   avx512,    ///< AVX-512 F and VL, 16 floats
 };
 

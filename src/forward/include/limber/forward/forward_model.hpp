@@ -39,7 +39,7 @@ class ForwardModel {
   /// @throws InputError if the network is not valid or was trained for another arm (both names
   /// and hashes in the message).
   ForwardModel(const ArmDescription& arm, CompensationModel compensation,
-               CpuLevel level = cpu_level(), WeightPrecision precision = WeightPrecision::single);
+               CpuLevel level = cpu_level());
   ForwardModel(ForwardModel&&) noexcept;
   ForwardModel& operator=(ForwardModel&&) noexcept;
   ~ForwardModel();

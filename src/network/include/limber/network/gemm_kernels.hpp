@@ -29,10 +29,6 @@ struct GemmKernels {
   /// every other one: half the weights never leave the second cache. A finite. Bit for bit `layer`.
   void (*query_layer)(int m, int k, const float* a, const float* x, const float* bias, bool relu,
                       float* y);
-  /// The same with weights in half precision (their bits), widened as they are read: half the
-  /// bytes. Null at levels that cannot.
-  void (*query_layer_of_halves)(int m, int k, const unsigned short* a, const float* x,
-                                const float* bias, bool relu, float* y);
 
   /// `multiply_adds_per_round`·`rounds` independent multiply-adds that never leave the registers;
   /// time it to know the machine's peak. Returns a value that depends on all of them.

@@ -10,21 +10,9 @@
 
 namespace limber {
 
-/// How a network's weights are rounded before they are used.
-enum class WeightPrecision {
-  single,
-  /// All weights but the last layer's are in half precision, and single queries, which wait for
-  /// weights most of the time, read them as such. docs/benchmarks.md says what this gains and
-  /// costs.
-  half,
-};
-
 /// The model's layers with its normalisations folded into the first and the last one (in double
-/// precision): from numbers in the layout's units to numbers in the layout's units. With
-/// WeightPrecision::half every weight but the last layer's is one that half precision can hold, and
-/// the first bias corrects for the effect of rounding on the offset. @pre valid
-std::vector<Layer> folded_layers(const CompensationModel& model,
-                                 WeightPrecision precision = WeightPrecision::single);
+/// precision): from numbers in the layout's units to numbers in the layout's units. @pre valid
+std::vector<Layer> folded_layers(const CompensationModel& model);
 
 /// A network ready for queries: normalisation is folded into the first and last layers (in double
 /// precision), and weights are padded and stored once for single queries and once for batches.
@@ -34,8 +22,7 @@ std::vector<Layer> folded_layers(const CompensationModel& model,
 class PackedNetwork {
  public:
   /// @pre the model is valid and this CPU runs `level`.
-  PackedNetwork(const CompensationModel& model, CpuLevel level,
-                WeightPrecision precision = WeightPrecision::single);
+  PackedNetwork(const CompensationModel& model, CpuLevel level);
 
   int input_size() const { return layers_.front().inputs; }
   int output_size() const { return layers_.back().outputs; }
@@ -71,7 +58,6 @@ class PackedNetwork {
     int outputs;
     int padded_outputs;
     AlignedFloats weight;             // padded_outputs × inputs, column-major: for few queries
-    AlignedHalves half_weight;        // the same for one query, or empty
     AlignedFloats transposed_weight;  // inputs × outputs, column-major: for queries along rows
     AlignedFloats bias;               // padded_outputs
     bool relu;

@@ -63,7 +63,6 @@ struct PlannerLimits {
 enum class PlanStatus {
   solved,             ///< a certified plan exists (certificate/certificate.hpp)
   limit,              ///< a limit came first
-  no_solution,        ///< everything was searched
   invalid_start,      ///< the arm starts in an obstacle
   goal_unreachable,   ///< beyond the arm's length
   goal_in_collision,  ///< no tip in the goal's region is free

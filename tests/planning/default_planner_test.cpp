@@ -1,0 +1,73 @@
+#include "src/planning/search/default_planner.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "planning/planner_setting.hpp"
+#include "src/planning/plan_judge.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+/// Refuses what is cheaper than it likes.
+class Dear final : public PlanJudge {
+ public:
+  explicit Dear(double min_kpa) : min_kpa_(min_kpa) {}
+  Verdict judge(Plan& plan, const std::function<bool()>&) override {
+    return plan.cost_kpa >= min_kpa_ ? Verdict::holds : Verdict::refused;
+  }
+
+ private:
+  double min_kpa_;
+};
+
+TEST(DefaultPlanner, SearchesOnFromWhatItsJudgeLetsStand) {
+  Setting s(false);
+  PlannerLimits limits;
+  limits.iterations = 1500;
+  const double min_kpa =
+      make_default_planner()->plan({s.arm, s.model, s.environment}, limits, 3).plan->cost_kpa;
+  Dear judge(1.05 * min_kpa);
+  const PlanningProblem judged{s.arm, s.model,      s.environment, 0.0,
+                               {},    std::nullopt, nullptr,       &judge};
+  const PlanResult result = make_default_planner()->plan(judged, limits, 3);
+  ASSERT_EQ(result.status, PlanStatus::solved);
+  EXPECT_GE(result.plan->cost_kpa, 1.05 * min_kpa);
+  EXPECT_LE(result.plan->cost_kpa, 1.3 * min_kpa);
+}
+
+// Batches end a little beyond it; what comes after the search is one plan more, built and measured.
+TEST(DefaultPlanner, ImprovingEndsWhenItHasHadItsQueries) {
+  const Setting s(true);
+  DefaultPlannerSettings settings;
+  settings.improvement_queries = 20'000;
+  settings.improvement_queries_without_room = 5'000;
+  PlannerLimits limits;
+  limits.queries = 1'000'000;
+  constexpr double kBatch = 6'000;
+  for (const bool has_room : {true, false}) {
+    PlanningProblem problem{s.arm, s.model, s.environment};
+    problem.goal_has_room = has_room;
+    const PlanResult result = make_default_planner(settings)->plan(problem, limits, 3);
+    ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+    EXPECT_FALSE(result.limit);
+    EXPECT_THAT(result.reason, HasSubstr("as cheap as was asked for, or as any can be"));
+    const double spent = double(result.statistics.queries - result.first_solution->queries);
+    EXPECT_NEAR(spent, has_room ? 20'000 : 5'000, kBatch);
+    expect_lawful(s, *result.plan);
+  }
+}
+
+TEST(DefaultPlanner, RefusesSettingsOutOfRange) {
+  DefaultPlannerSettings settings;
+  settings.goal_bias = 0.8;
+  EXPECT_THAT([&] { (void)make_default_planner(settings); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("goal_bias + goal_steering_share = 1.1; expected 0 to 1")));
+}
+
+}  // namespace
+}  // namespace limber
