@@ -1,9 +1,12 @@
+#include <string_view>
+
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/report/execution_picture.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/plan_picture.hpp"
+#include "limber/trial/model_arm.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -25,7 +28,10 @@ class ExecuteVerb final : public Verb {
     app.add_option("--environment", environment_,
                    "Environment that the plan was made for; or the name of one of limber's own")
         ->required();
-    app.add_option("--driver", driver_, "What moves: virtual")->capture_default_str();
+    app.add_option("--driver", driver_,
+                   "What moves: virtual, or model:OTHER.safetensors, an arm that is what another "
+                   "network says (with the valves that it learnt)")
+        ->capture_default_str();
     app.add_option("--hold-s", settings_.hold_s,
                    "Seconds that the last set point is held in all before the goal is judged")
         ->capture_default_str();
@@ -37,8 +43,9 @@ class ExecuteVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
-    if (driver_ != "virtual") {
-      throw InputError(fmt::format("--driver {}: expected virtual", driver_));
+    if (driver_ != "virtual" && !driver_.starts_with(kModelDriver)) {
+      throw InputError(
+          fmt::format("--driver {}: expected virtual or model:FILE.safetensors", driver_));
     }
     const ArmDescription arm = load_arm(find_arm_file(arm_));
     const Environment environment = load_environment(find_environment_file(environment_), arm);
@@ -49,8 +56,7 @@ class ExecuteVerb final : public Verb {
         refuse_to_overwrite(file, flags.force);
       }
     }
-    VirtualArm driver(arm);
-    const ExecutionResult result = execute(arm, environment, plan, driver, settings_);
+    const ExecutionResult result = run_on_driver(arm, environment, plan);
     write_run(arm, plan, result);
     if (!svg_.empty()) {
       write_file_atomically(svg_, execution_picture(arm, environment, plan, result));
@@ -74,6 +80,20 @@ class ExecuteVerb final : public Verb {
   }
 
  private:
+  static constexpr std::string_view kModelDriver = "model:";
+
+  ExecutionResult run_on_driver(const ArmDescription& arm, const Environment& environment,
+                                const Plan& plan) const {
+    if (driver_.starts_with(kModelDriver)) {
+      CompensationModel network = read_model(driver_.substr(kModelDriver.size()));
+      const ValveParameters valves = network.valves.value_or(ValveParameters{});
+      ModelArm driver(arm, std::move(network), valves);
+      return execute(arm, environment, plan, driver, settings_);
+    }
+    VirtualArm driver(arm);
+    return execute(arm, environment, plan, driver, settings_);
+  }
+
   static std::vector<Pressures> measured_in(const ExecutionResult& result) {
     std::vector<Pressures> rows;
     for (int t = 0; t < result.episode.frame_count(); ++t) {
@@ -86,7 +106,8 @@ class ExecuteVerb final : public Verb {
     if (out_.empty() || result.episode.frame_count() == 0) {
       return;
     }
-    Recording recording = make_recording(arm, "virtual arm", plan.seed);
+    Recording recording =
+        make_recording(arm, driver_ == "virtual" ? std::string("virtual arm") : driver_, plan.seed);
     recording.settings =
         fmt::format("executed plan, environment '{}', model {}, planner {}, {}",
                     plan.environment_name, plan.model, plan.planner, to_string(result.status));
