@@ -19,6 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kExec = "exec:";
+constexpr std::string_view kModel = "model:";
 constexpr double kRoundingKpa = 1e-3;  // of float32 set points
 
 class BorrowedDriver final : public ArmDriver {
@@ -28,6 +29,7 @@ class BorrowedDriver final : public ArmDriver {
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
     return driver_.command(setpoint_kpa);
   }
+  bool is_real_time() const override { return driver_.is_real_time(); }
   void vent() noexcept override { driver_.vent(); }
 
  private:
@@ -36,11 +38,15 @@ class BorrowedDriver final : public ArmDriver {
 
 }  // namespace
 
-void DriverFlags::add_to(CLI::App& app) {
-  app.add_option("--driver", driver_,
-                 "What moves: virtual; or exec:COMMAND, a program that speaks limber's protocol "
-                 "(docs/driver.md), started without a shell")
-      ->capture_default_str();
+void DriverFlags::add_to(CLI::App& app, bool may_be_model) {
+  may_be_model_ = may_be_model;
+  std::string help =
+      "What moves: virtual; exec:COMMAND, a program that speaks limber's protocol "
+      "(docs/driver.md), started without a shell";
+  if (may_be_model) {
+    help += "; or model:OTHER.safetensors, an arm that is what another network says";
+  }
+  app.add_option("--driver", driver_, help)->capture_default_str();
   app.add_option("--limit-scale", limit_scale_,
                  "Pressure limits are this times the arm's, over 0 and at most 1")
       ->capture_default_str();
@@ -51,24 +57,32 @@ void DriverFlags::add_to(CLI::App& app) {
 }
 
 void DriverFlags::check() const {
-  if (!is_virtual() && !driver_.starts_with(kExec)) {
+  if (is_program() && !driver_.starts_with(kExec)) {
     throw InputError(
-        fmt::format("--driver {}: expected virtual or exec:COMMAND, as in "
+        fmt::format("--driver {}: expected virtual{} or exec:COMMAND, as in "
                     "--driver \"exec:python3 my_driver.py\"",
-                    driver_));
+                    driver_, may_be_model_ ? ", model:FILE.safetensors" : ""));
   }
   if (!(limit_scale_ > 0.0 && limit_scale_ <= 1.0)) {
     throw InputError(
         fmt::format("--limit-scale {}: expected a number over 0, at most 1", limit_scale_));
   }
-  if (is_virtual() && !log_.empty()) {
+  if (!is_program() && !log_.empty()) {
     throw InputError("--driver-log: the virtual arm has none; it goes with --driver exec:COMMAND");
   }
 }
 
+bool DriverFlags::is_model() const {
+  return may_be_model_ && driver_.starts_with(kModel);
+}
+
+std::string DriverFlags::model_file() const {
+  return driver_.substr(kModel.size());
+}
+
 std::string DriverFlags::recording_or_default(const std::string& out,
                                               const CommonFlags& flags) const {
-  if (!out.empty() || is_virtual() || dry_run_) {
+  if (!out.empty() || !is_program() || dry_run_) {
     return out;
   }
   std::string name = fmt::format("run_{:%Y%m%d_%H%M%S}.h5", fmt::gmtime(std::time(nullptr)));

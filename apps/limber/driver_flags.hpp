@@ -15,11 +15,16 @@ namespace limber {
 /// What moves the arm, and how far: flags of every verb that moves one.
 class DriverFlags {
  public:
-  void add_to(CLI::App& app);
+  /// @param may_be_model  whether --driver model:FILE is understood too
+  void add_to(CLI::App& app, bool may_be_model = false);
 
-  /// @throws InputError where --driver is neither virtual nor exec:COMMAND, or a flag does not fit.
+  /// @throws InputError if --driver is none of those, or a flag does not fit.
   void check() const;
   bool is_virtual() const { return driver_ == "virtual"; }
+  bool is_model() const;
+  /// @pre is_model()
+  std::string model_file() const;
+  bool is_program() const { return !is_virtual() && !is_model(); }
   bool is_dry_run() const { return dry_run_; }
   double limit_scale() const { return limit_scale_; }
 
@@ -42,6 +47,7 @@ class DriverFlags {
   std::string log_;
   double limit_scale_ = 1.0;
   bool dry_run_ = false;
+  bool may_be_model_ = false;
 };
 
 /// @throws InputError naming frame and segment where the plan goes beyond `limits_kpa`.

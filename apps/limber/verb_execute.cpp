@@ -5,6 +5,7 @@
 #include "limber/report/execution_picture.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/plan_picture.hpp"
+#include "limber/trial/model_arm.hpp"
 #include "limber/trial/replanner.hpp"
 #include "model_flags.hpp"
 #include "room_flags.hpp"
@@ -29,7 +30,7 @@ class ExecuteVerb final : public Verb {
     app.add_option("--environment", environment_,
                    "Environment that the plan was made for; or the name of one of limber's own")
         ->required();
-    driver_.add_to(app);
+    driver_.add_to(app, true);
     app.add_option("--hold-s", settings_.hold_s,
                    "Seconds in all that the last set point is held before the goal is judged")
         ->capture_default_str();
@@ -74,7 +75,7 @@ class ExecuteVerb final : public Verb {
         refuse_to_overwrite(file, flags.force);
       }
     }
-    if (!driver_.is_virtual()) {
+    if (driver_.is_program()) {
       const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, out_, true, flags);
       require_within(plan, driver->limits_kpa(), plan_, "the driver");
       constexpr double kMeasured_m = 0.01;  // what trackers and a base's frame are off by
@@ -83,6 +84,13 @@ class ExecuteVerb final : public Verb {
       replanning_.limits_kpa = driver->limits_kpa();
       const ExecutionResult result = run_plan(arm, environment, plan, *driver, flags);
       return finish(arm, environment, plan, result, driver.get(), flags);
+    }
+    if (driver_.is_model()) {
+      CompensationModel network = read_model(driver_.model_file());
+      const ValveParameters valves = network.valves.value_or(ValveParameters{});
+      ModelArm driver(arm, std::move(network), valves);
+      const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
+      return finish(arm, environment, plan, result, nullptr, flags);
     }
     VirtualArm driver(arm);
     const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
@@ -141,6 +149,13 @@ class ExecuteVerb final : public Verb {
     }
   }
 
+  std::string source_of(const ProcessDriver* driver) const {
+    if (driver != nullptr) {
+      return describe(*driver);
+    }
+    return driver_.is_model() ? "model:" + driver_.model_file() : "virtual arm";
+  }
+
   static std::vector<Pressures> measured_in(const ExecutionResult& result) {
     std::vector<Pressures> rows;
     for (int t = 0; t < result.episode.frame_count(); ++t) {
@@ -154,8 +169,7 @@ class ExecuteVerb final : public Verb {
     if (out_.empty() || result.episode.frame_count() == 0) {
       return;
     }
-    Recording recording =
-        make_recording(arm, driver != nullptr ? describe(*driver) : "virtual arm", plan.seed);
+    Recording recording = make_recording(arm, source_of(driver), plan.seed);
     recording.settings =
         fmt::format("executed plan, environment '{}', model {}, planner {}, {}",
                     plan.environment_name, plan.model, plan.planner, to_string(result.status));

@@ -106,6 +106,15 @@ class Verify(InFolder):
         for judgement in found["also"]:
             # Nothing stored helps here: what departs is the other model's own rollout.
             self.assertGreater(judgement["largest_departure_cm"], 0.1)
+        executed = self.run_limber("execute", "--arm", "two_segment", "--plan", "p.json", "--json",
+                                   "--environment", self.environment, "--driver",
+                                   "model:m1.safetensors", "--out", "run.h5", code=None)
+        self.assertIn(executed.returncode, (0, 1), executed.stderr)
+        self.assertEqual(json.loads(executed.stdout)["frames"] > 0, True)
+        self.assertIn("model:m1.safetensors", self.run_limber("inspect", "run.h5").stdout)
+        error = self.error("execute", "--arm", "two_segment", "--plan", "p.json", "--environment",
+                           self.environment, "--driver", "nobody")
+        self.assertIn("expected virtual or model:FILE.safetensors", error)
         error = self.error("verify", *ARM, "--plan", "p.json", "--environment", self.environment,
                            "--also", "nowhere.safetensors")
         self.assertIn("nowhere.safetensors", error)
