@@ -29,11 +29,13 @@ RESULTS = {
     "ExecutionResult.final_backbone": "npt.NDArray[np.float32] | None",
 }
 # Parameters that a name alone does not tell: (function, parameter).
-EXCEPTIONS = {("IdentifiedValves", "driver"): "str"}
+EXCEPTIONS = {("certify", "network"): "CompensationModel | None",
+              ("evaluate", "network"): "ForwardModel | None",
+              ("__init__", "network"): "CompensationModel | None"}  # a Certifier's
 
 HEADER = '''# Made by tools/python_stubs.py from the module's docstrings; do not edit.
 import os
-from typing import Any, Callable, Iterable, Iterator, overload
+from typing import Any, Callable, Iterable, Iterator, Sequence, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -49,7 +51,7 @@ def plain(text):
     """A pybind11 type in Python's words."""
     text = re.sub(r"limber\._limber\.", "", text)
     text = re.sub(r"float\[\d+\]", "float", text)
-    text = re.sub(r"numpy\.ndarray\[numpy\.(\w+)\]",
+    text = re.sub(r"numpy\.ndarray\[(?:numpy\.)?(\w+)\]",
                   lambda m: f"npt.NDArray[np.{m[1].replace('bool', 'bool_')}]", text)
     text = text.replace("List[", "list[").replace("Dict[", "dict[").replace("Tuple[", "tuple[")
     text = text.replace("os.PathLike", "str | os.PathLike[str]").replace("object", "Any")
@@ -91,8 +93,12 @@ def parameter(text, function):
     kind, _, default = (part.strip() for part in kind.partition(" = "))
     if name == "self":
         return "self"
-    kind = EXCEPTIONS.get((function, name)) or PARAMETERS.get(name) if kind in ("object", "iterable") \
-        else re.sub(r"npt\.NDArray\[[\w.]+\]", "npt.ArrayLike", plain(kind))
+    opaque = kind in ("object", "iterable")
+    kind = EXCEPTIONS.get((function, name)) or (opaque and PARAMETERS.get(name)) or re.sub(
+        r"npt\.NDArray\[[\w.]+\]", "npt.ArrayLike", plain(kind))
+    if default == "None" and "None" not in kind:
+        kind += " | None"
+    kind = re.sub(r"^list\[", "Sequence[", kind)
     simple = re.fullmatch(r"None|True|False|-?[\d.]+|'[^']*'", default)
     return f"{name}: {kind}" + (f" = {default if simple else '...'}" if default else "")
 

@@ -66,7 +66,8 @@ void bind_settings(py::module_& module) {
       .field("epochs", &TrainingStage::epochs, ">= 1.")
       .keywords()
       .done();
-  py::bind_vector<std::vector<TrainingStage>>(module, "TrainingStages");
+  py::bind_vector<std::vector<TrainingStage>>(module, "TrainingStages",
+                                              "Stages of training, a list.");
   Record<S>(module, "TrainingSettings",
             "Everything that decides a training run besides its data. Same settings, data and "
             "seed: same network, for any number of jobs.")

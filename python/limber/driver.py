@@ -22,9 +22,9 @@ import selectors
 import signal
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from types import FrameType
-from typing import Any, BinaryIO, Optional, Sequence
+from typing import Any, BinaryIO, Optional
 
 import numpy as np
 import numpy.typing as npt

@@ -27,7 +27,9 @@ class Served(InFolder):
     def end(self):
         if self.process.poll() is None:
             self.process.kill()
-        self.process.communicate()
+        for pipe in (self.process.stdin, self.process.stdout, self.process.stderr):
+            pipe.close()
+        self.process.wait()
 
     def ask(self, **message):
         self.process.stdin.write(json.dumps(message) + "\n")

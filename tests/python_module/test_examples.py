@@ -1,6 +1,8 @@
 """examples/python, from a recording to an executed plan, and the page that lists the names."""
 
 import re
+import subprocess
+import sys
 import unittest
 
 import limber
@@ -8,6 +10,14 @@ from chain import ROOT, InFolder, chain, run_example
 
 PUBLIC = sorted(name for name in vars(limber) if not name.startswith("_")
                 and getattr(getattr(limber, name), "__module__", "").startswith("limber"))
+
+
+def python_blocks(page):
+    return re.findall(r"^```python\n(.*?)^```", page.read_text(encoding="utf-8"), flags=re.M | re.S)
+
+
+def run_in(folder, code):
+    subprocess.run([sys.executable, "-c", code], cwd=folder, check=True)
 
 
 class Examples(InFolder):
@@ -24,6 +34,7 @@ class Examples(InFolder):
         queried = self.run_to_end("01_query_the_model.py", "model.safetensors", 60)
         self.assertIn("2 s: tip at", queried)
         self.assertRegex(queried, "segment 0 at (60|59)")
+        self.run_readme()
         environment = limber.data_folder() / "environments" / "01_pillar.yaml"
         # A network of nine epochs: its plans may be none, and need not arrive.
         planned = self.run_to_end("03_plan_and_verify.py", "model.safetensors", environment,
@@ -33,6 +44,16 @@ class Examples(InFolder):
             executed = self.run_to_end("04_execute.py", "plan.json", environment, codes=(0, 1))
             self.assertRegex(executed, "(?m)^done: ")
 
+    def run_readme(self):
+        """The README's lines, in a folder that has what they name."""
+        for name in ("arms", "environments"):
+            (self.folder / name).symlink_to(ROOT / name)
+        (self.folder / "out").mkdir()
+        (self.folder / "out" / "model.safetensors").symlink_to(self.folder / "model.safetensors")
+        blocks = python_blocks(ROOT / "README.md")
+        self.assertEqual(len(blocks), 1)
+        run_in(self.folder, blocks[0])
+
     def test_an_arm_of_ones_own(self):
         recording = limber.read_recording(chain().recording)
         *logs, mapping = limber.export_csv(recording, self.folder / "logs")
@@ -40,6 +61,14 @@ class Examples(InFolder):
                                   mapping, chain().environment_file, "plan.json", 30, *logs,
                                   codes=(0, 1))
         self.assertRegex(printed, r"(?m)^plan.json: \d+ frames|^no plan: ")
+
+
+class Documents(InFolder):
+    def test_the_pages_code_runs(self):
+        blocks = python_blocks(ROOT / "docs" / "python.md")
+        self.assertGreaterEqual(len(blocks), 2)
+        for block in blocks:
+            run_in(self.folder, block)
 
 
 class Names(unittest.TestCase):

@@ -85,7 +85,7 @@ class Interrupts(InFolder):
             problem, limber.PlannerLimits(time_s=60.0), 1))
 
     def test_plan_with_a_plan_in_hand(self):
-        self.interrupted(lambda: limber.make_planner().plan(
+        self.interrupted(lambda: limber.make_planner("paper").plan(
             self.problem, limber.PlannerLimits(iterations=10**9), 1))
 
     def test_train(self):

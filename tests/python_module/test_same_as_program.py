@@ -152,7 +152,8 @@ class Kinematics(unittest.TestCase):
     def test_solutions_reach_the_goal_by_the_no_load_model(self):
         arm = limber.load_arm(TWO_SEGMENT)
         model = limber.NoLoadModel(arm)
-        goal = limber.PoseGoal(x_m=0.35, y_m=0.15, position_tolerance_m=0.001)
+        tip = limber.tip_pose(model.backbone([20.0, -35.0]))
+        goal = limber.PoseGoal(x_m=tip.x_m, y_m=tip.y_m, position_tolerance_m=0.001)
         found = limber.solve_inverse_kinematics(model, goal, limber.InverseKinematicsSettings(),
                                                 limber.RandomStream(1))
         self.assertTrue(found.reachable)

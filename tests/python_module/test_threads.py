@@ -87,10 +87,11 @@ class Threads(unittest.TestCase):
 
     def test_problems_keep_their_parts_alive(self):
         def problem():
-            arm = limber.load_arm(self.chain.folder.parent / self.chain.folder / "arm.yaml")
+            arm = limber.load_arm(self.chain.folder / "arm.yaml")
             model = limber.MotionModel(limber.ForwardModel(arm))
+            tip = limber.tip_pose(limber.NoLoadModel(arm).backbone([-20.0, -35.0]))
             return limber.PlanningProblem(arm, model, limber.Environment(
-                "free", [], limber.PoseGoal(x_m=0.35, y_m=0.1)))
+                "free", [], limber.PoseGoal(x_m=tip.x_m, y_m=tip.y_m)))
         limber.write_arm(self.chain.folder / "arm.yaml", self.chain.arm)
         kept = problem()
         result = limber.make_planner().plan(kept, limber.PlannerLimits(iterations=200), 1)
