@@ -161,8 +161,11 @@ ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
   return {Pressures::Zero(arm.segment_count()), *started.state().backbone};
 }
 
-DriverFactory on_one_driver(ArmDriver& driver) {
-  return [&driver](int /*index*/) { return std::make_unique<BorrowedDriver>(driver); };
+DriverFactory on_one_driver(ProcessDriver& driver) {
+  return [&driver](int /*index*/) {
+    driver.look();
+    return std::make_unique<BorrowedDriver>(driver);
+  };
 }
 
 std::string describe(const ProcessDriver& driver) {

@@ -65,6 +65,9 @@ class ProcessDriver final : public ArmDriver {
   /// Watches the measured pressures until all are down, 5 s at most; says what came of it.
   void vent() noexcept override;
 
+  /// A fresh state of the vented arm, for whoever begins a run some time after the last one.
+  const ArmState& look();
+
   /// For `limber driver check`: sends nothing for `seconds`, then vents. @return what the driver
   /// then answers first. @throws SystemFault
   ArmState read_after_silence(double seconds);
