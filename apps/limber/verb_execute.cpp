@@ -32,7 +32,8 @@ class ExecuteVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--max-start-error-m", max_start_error_m_,
                    "Largest distance of a plate from where the plan starts, with exec: only; by "
-                   "default the plan's margin, which is what its model errs by, or 1 cm");
+                   "default the plan's margin, which is what its model errs by, or 1 cm")
+        ->check(CLI::NonNegativeNumber);
     app.add_option("--out", out_, "Recording of the run to write");
     app.add_option("--svg", svg_, "Picture of the run to write, beside the prediction");
     app.add_option("--pressures-svg", pressures_svg_,
