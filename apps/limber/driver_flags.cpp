@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <ctime>
+#include <filesystem>
 
 #include <fmt/chrono.h>
 
@@ -21,6 +22,15 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kExec = "exec:";
 constexpr std::string_view kModel = "model:";
 constexpr double kRoundingKpa = 1e-3;  // of float32 set points
+
+/// Beside the recording; a log of an earlier run stays, however that run ended.
+std::string free_log_name(const std::string& recording) {
+  std::string name = recording + ".driver.jsonl";
+  for (int run = 1; std::filesystem::exists(name); ++run) {
+    name = fmt::format("{}.driver.{}.jsonl", recording, run);
+  }
+  return name;
+}
 
 class BorrowedDriver final : public ArmDriver {
  public:
@@ -99,8 +109,12 @@ std::unique_ptr<ProcessDriver> DriverFlags::start(const ArmDescription& arm,
   settings.limit_scale = limit_scale_;
   settings.check_rate = check_rate;
   settings.safety = load_safety(arm_file);
-  settings.log = log_.empty() ? out + ".driver.jsonl" : log_;
-  refuse_to_overwrite(settings.log, flags.force);
+  if (log_.empty()) {
+    settings.log = free_log_name(out);
+  } else {
+    refuse_to_overwrite(log_, flags.force);
+    settings.log = log_;
+  }
   const bool quiet = flags.quiet;
   settings.say = [quiet](const std::string& message) {
     if (!quiet || message.starts_with("VENT")) {
@@ -161,8 +175,11 @@ ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
   return {Pressures::Zero(arm.segment_count()), *started.state().backbone};
 }
 
-DriverFactory on_one_driver(ArmDriver& driver) {
-  return [&driver](int /*index*/) { return std::make_unique<BorrowedDriver>(driver); };
+DriverFactory on_one_driver(ProcessDriver& driver) {
+  return [&driver](int /*index*/) {
+    driver.look();
+    return std::make_unique<BorrowedDriver>(driver);
+  };
 }
 
 std::string describe(const ProcessDriver& driver) {

@@ -60,7 +60,7 @@ ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
                         const std::string& driver);
 
 /// Every episode on the same driver, which has to outlive the factory.
-DriverFactory on_one_driver(ArmDriver& driver);
+DriverFactory on_one_driver(ProcessDriver& driver);
 
 /// "limber virtual-arm 1.0 (a simulated arm), started by user@host".
 std::string describe(const ProcessDriver& driver);

@@ -36,7 +36,8 @@ class ExecuteVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--max-start-error-m", max_start_error_m_,
                    "Largest distance of a plate from where the plan starts, with exec: only; by "
-                   "default the plan's margin, which is what its model errs by, or 1 cm");
+                   "default the plan's margin, which is what its model errs by, or 1 cm")
+        ->check(CLI::NonNegativeNumber);
     app.add_flag("--replan", replan_,
                  "Closed loop: plan again, with --model, from where the arm is measured, until it "
                  "comes no nearer to the goal's centre");

@@ -14,8 +14,9 @@ class VirtualArmVerb final : public Verb {
     return "Serve the virtual arm behind the driver protocol";
   }
   const char* example() const override {
-    return "limber collect --schedule random --count 2 --driver \"exec:limber virtual-arm --serve "
-           "--fast\" --out served.h5";
+    return "limber collect --schedule random --count 2 --out served.h5 "
+           "--driver \"exec:limber virtual-arm --serve\"\n"
+           "  limber virtual-arm --serve < /dev/null";
   }
 
   void add_flags(CLI::App& app) override {

@@ -89,7 +89,7 @@ def banned_words(path):
 
 def unnamed_verbs(program):
     help_text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True)
-    verbs = re.findall(r"^  ([a-z]+) ", help_text.stdout.split("Subcommands:")[1], flags=re.M)
+    verbs = re.findall(r"^  ([a-z-]+) ", help_text.stdout.split("Subcommands:")[1], flags=re.M)
     if not verbs:
         yield "limber --help lists no verbs"
     readme = (ROOT / "README.md").read_text(encoding="utf-8")

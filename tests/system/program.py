@@ -41,7 +41,7 @@ def cpu_levels():
 def verbs():
     """Every verb that the program has."""
     subcommands = limber("--help").stdout.split("Subcommands:")[1]
-    return re.findall(r"^  ([a-z]+) ", subcommands, flags=re.M)
+    return re.findall(r"^  ([a-z-]+) ", subcommands, flags=re.M)
 
 
 def numeric_flags(verb):

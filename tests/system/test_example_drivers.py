@@ -310,6 +310,8 @@ class RosBridge(unittest.TestCase):
     def healthy(request):
         if request["type"] == "hello":
             return [{"type": "hello", "protocol": 1, "rate_hz": 20.0, "segments": 2}]
+        if request["type"] == "bye":
+            return []
         return [{"type": "state", "seq": request["seq"] - 1}, {"type": "state", "seq": request["seq"], "t": 1.0}]
 
     def test_requests_and_their_own_answers_pass(self):

@@ -25,8 +25,8 @@ DriverLink::DriverLink(const ArmDescription& arm, const std::string& command,
                        const std::filesystem::path& log)
     : host_(host_hello(arm)),
       period_s_(arm.frame_period_s()),
-      log_(log, command),
-      child_(command_words(command), kMaxDriverLine) {}
+      child_(command_words(command), kMaxDriverLine),
+      log_(log, command) {}
 
 const DriverHello& DriverLink::exchange_hellos() {
   try_to_send(to_line(host_));

@@ -69,8 +69,8 @@ class DriverLink {
 
   HostHello host_;
   double period_s_;
-  DriverLog log_;
   ChildProcess child_;
+  DriverLog log_;
   DriverHello hello_;
   Time start_ = Clock::now();
   std::int64_t seq_ = 0;

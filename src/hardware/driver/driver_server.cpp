@@ -142,6 +142,7 @@ class DriverServer {
   }
 
   void set(const DriverRequest& request) {
+    ++frame_;
     resting_ = false;
     in_force_ = request.setpoint_kpa;
     device_.set(in_force_);
@@ -150,7 +151,6 @@ class DriverServer {
       device_.note(to_string(settings_.fault->kind), frame_);
     }
     reply(request.seq, state);
-    ++frame_;
   }
 
   /// Whether the fault plays from this frame on.
@@ -279,7 +279,7 @@ class DriverServer {
   Pressures in_force_;
   Clock::time_point last_request_ = Clock::now();
   ArmState last_;
-  int frame_ = 0;
+  int frame_ = -1;  // of the last `set`
   bool resting_ = true;
   bool done_ = false;
 };

@@ -4,14 +4,15 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "driver_link.hpp"
-#include "limber/arm/names.hpp"
 #include "limber/common/arm_signals.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/safety_gate.hpp"
+#include "vent_words.hpp"
 
 namespace limber {
 
@@ -28,8 +29,6 @@ constexpr double kReplyFrames = 2.0;                       // a state that takes
 constexpr double kSilenceFrames = 3.0;        // without a `set`: the driver has vented by itself
 constexpr std::size_t kSetpointsKept = 5;     // any of them may be in force
 constexpr double kSetpointRoundingKpa = 1.0;  // of a device that counts in steps
-constexpr double kAmbientLowKpa = 80.0;       // what an absolute sensor reads of a vented arm …
-constexpr double kAmbientHighKpa = 110.0;     // … from high mountains to the sea
 
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
@@ -116,6 +115,18 @@ class ProcessDriver::Session {
     }
   }
 
+  const ArmState& look() {
+    if (!fault_.empty()) {
+      throw SystemFault(fault_);
+    }
+    try {
+      watch_vent(reply_time());
+    } catch (const BrokenDriver& broken) {
+      stop_broken(broken.what());
+    }
+    return state_;
+  }
+
   ArmState read_after_silence(double silence_s) {
     try {
       link_.forget_pace();
@@ -170,7 +181,7 @@ class ProcessDriver::Session {
     const Time now = Clock::now();
     if (!running_ || !real_time()) {
       running_ = true;
-      slot_ = now;
+      slot_ = real_time() ? std::max(now, asked_ + frames(1.0)) : now;
     } else {
       slot_ += frames(1.0);
       if (now - slot_ > frames(kSilenceFrames - 1.0)) {
@@ -193,9 +204,9 @@ class ProcessDriver::Session {
     if (setpoints_kpa_.size() > kSetpointsKept) {
       setpoints_kpa_.pop_back();
     }
-    const Time sent = Clock::now();
+    asked_ = Clock::now();
     state_ = link_.set(setpoint_kpa, reply_time());
-    timing_.round_trip_s.push_back(seconds(Clock::now() - sent));
+    timing_.round_trip_s.push_back(seconds(Clock::now() - asked_));
     timing_.frames_unseen += hello().tracked && !state_.backbone ? 1 : 0;
   }
 
@@ -220,6 +231,7 @@ class ProcessDriver::Session {
     setpoints_kpa_.clear();
     link_.forget_pace();
     link_.wait_quietly(start);
+    asked_ = start;
     state_ = link_.vent(first_reply_time);
     const Pressures first = state_.pressure_kpa;
     if (!started_) {
@@ -230,17 +242,19 @@ class ProcessDriver::Session {
     for (int frame = 0;; ++frame) {
       // Simulated time counts where the driver runs as fast as it is asked.
       note_pressures(real_time() ? seconds(Clock::now() - start) : frame * arm_.frame_period_s());
-      rising = rising.empty() ? what_rose(first) : rising;
+      rising = rising.empty() ? what_rose(first, state_.pressure_kpa, settings_.safety.rise_kpa)
+                              : rising;
       if (vent_.confirmed || vent_.after_s >= settings_.safety.vent_time_s) {
         break;
       }
       slot = real_time() ? slot + frames(1.0) : Clock::now();
       link_.wait_quietly(slot);
+      asked_ = Clock::now();
       state_ = link_.vent(reply_time());
     }
-    resting_ = true;
+    const bool was_resting = std::exchange(resting_, true);
     gate_->note_vented(state_);
-    report_vent(rising);
+    report_vent(rising, was_resting);
   }
 
   void note_pressures(double after_s) {
@@ -249,25 +263,10 @@ class ProcessDriver::Session {
     vent_.confirmed = vent_.pressure_kpa <= settings_.safety.vented_kpa;
   }
 
-  std::string what_rose(const Pressures& first) const {
-    for (int s = 0; s < arm_.segment_count(); ++s) {
-      const double rise_kpa = std::abs(double(state_.pressure_kpa[s])) - std::abs(double(first[s]));
-      if (rise_kpa > settings_.safety.rise_kpa) {
-        return fmt::format("; {} rose by {:.1f} kPa while venting", segment_name(s), rise_kpa);
-      }
-    }
-    return "";
-  }
-
-  void report_vent(const std::string& rising) {
-    Eigen::Index worst = 0;
-    state_.pressure_kpa.cwiseAbs().maxCoeff(&worst);
-    vent_.message = vent_.confirmed
-                        ? fmt::format("vented: {:.1f} kPa after {:.1f} s{}", vent_.pressure_kpa,
-                                      vent_.after_s, rising)
-                        : fmt::format("VENT NOT CONFIRMED: {} at {:.0f} kPa, shut off the supply{}",
-                                      segment_name(worst), state_.pressure_kpa[worst], rising);
-    if (started_ || !vent_.confirmed) {  // before the first run nothing was to be vented
+  void report_vent(const std::string& rising, bool was_resting) {
+    vent_.message = vent_message(vent_, state_.pressure_kpa, rising);
+    // Before the first run, and where the arm was at rest, nothing was to be vented.
+    if (!was_resting || !vent_.confirmed) {
       say(vent_.message);
     }
   }
@@ -278,16 +277,9 @@ class ProcessDriver::Session {
     if (vent_.confirmed) {
       return;
     }
-    const bool ambient =
-        vent_.pressure_kpa > kAmbientLowKpa && vent_.pressure_kpa < kAmbientHighKpa;
     link_.say_bye();
     link_.end();
-    throw SystemFault(fmt::format(
-        "the vented arm reads {:.1f} kPa; expected at most {} kPa. {}", vent_.pressure_kpa,
-        settings_.safety.vented_kpa,
-        ambient ? "Pressures on the wire are gauge, not absolute: the driver has to subtract the "
-                  "ambient pressure"
-                : "Check supply, valves, the sensors' zero and the driver's unit (kPa)"));
+    throw SystemFault(not_zero_message(vent_.pressure_kpa, settings_.safety));
   }
 
   void say(const std::string& message) {
@@ -318,7 +310,7 @@ class ProcessDriver::Session {
 
   void report_last(bool answered) {
     if (answered) {
-      report_vent("");
+      report_vent("", false);
       return;
     }
     vent_.confirmed = false;
@@ -338,8 +330,9 @@ class ProcessDriver::Session {
   std::deque<Pressures> setpoints_kpa_;  // the last ones sent, newest first
   std::string fault_;
   Time slot_;
+  Time asked_;            // of the last request
   bool running_ = false;  // slots are counted since the last vent
-  bool resting_ = false;  // vented, and nothing commanded since
+  bool resting_ = true;   // nothing was commanded since the last vent
   bool started_ = false;  // the first vent is over
 };
 
@@ -361,6 +354,10 @@ bool ProcessDriver::is_real_time() const {
 
 void ProcessDriver::vent() noexcept {
   session_->vent();
+}
+
+const ArmState& ProcessDriver::look() {
+  return session_->look();
 }
 
 ArmState ProcessDriver::read_after_silence(double seconds) {

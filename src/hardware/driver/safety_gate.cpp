@@ -59,6 +59,8 @@ void SafetyGate::note_vented(const ArmState& state) {
   reference_kpa_ = state.pressure_kpa;
   std::fill(frames_off_.begin(), frames_off_.end(), 0);
   history_.clear();
+  backbone_.reset();  // the arm moved while it vented
+  frames_unseen_ = 0;
 }
 
 std::string SafetyGate::over_limit(const ArmState& state) const {

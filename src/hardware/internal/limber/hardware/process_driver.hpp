@@ -66,6 +66,9 @@ class ProcessDriver final : public ArmDriver {
   void vent() noexcept override;
   bool is_real_time() const override;
 
+  /// A fresh state of the vented arm, for whoever begins a run some time after the last one.
+  const ArmState& look();
+
   /// For `limber driver check`: sends nothing for `seconds`, then vents. @return what the driver
   /// then answers first. @throws SystemFault
   ArmState read_after_silence(double seconds);
