@@ -32,7 +32,7 @@ struct ExperimentSettings {
   std::optional<Forest> forest;
   PlannerLimits limits;
   bool replan = false;  ///< executed closed loop: planned again from where the arm is measured
-  AskedRoom room;  ///< if nothing is asked for, each model's own error
+  AskedRoom room;       ///< if nothing is asked for, each model's own error
   std::uint64_t seed = 1;
   int planner_jobs = 1;  ///< threads of each planner
   int jobs = 0;          ///< trials at once, 0: one per core
