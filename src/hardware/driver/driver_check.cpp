@@ -10,6 +10,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/world/straight_motion.hpp"
 
 namespace limber {
 
@@ -171,6 +172,11 @@ class Check {
                                           result_.noise_kpa[static_cast<std::size_t>(segment)]);
     response.segment = segment;
     result_.steps.push_back(response);
+    // Back along a ramp, as plans go: jumps alone say little about a valve's rate.
+    for (const Pressures& setpoint_kpa :
+         straight_frames(arm_, alone(segment, wanted), Pressures::Zero(segments()))) {
+      hold(setpoint_kpa, arm_.frame_period_s());
+    }
     hold(Pressures::Zero(segments()), kStepS);
   }
 
