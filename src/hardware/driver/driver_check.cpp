@@ -10,6 +10,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/world/straight_motion.hpp"
 
 namespace limber {
 
@@ -171,7 +172,21 @@ class Check {
                                           result_.noise_kpa[static_cast<std::size_t>(segment)]);
     response.segment = segment;
     result_.steps.push_back(response);
+    ramp_down(alone(segment, wanted));
     hold(Pressures::Zero(segments()), kStepS);
+  }
+
+  /// Back to zero at half the arm's rate: jumps alone say little about a valve.
+  void ramp_down(const Pressures& from_kpa) {
+    constexpr int kMinFrames = 10;
+    const Pressures zero = Pressures::Zero(segments());
+    const int count = std::max(
+        kMinFrames, 2 * motion_frame_count(from_kpa, zero, arm_.pressure_step_limit_kpa()));
+    Pressures setpoint_kpa = from_kpa;
+    for (int k = 1; k <= count; ++k) {
+      motion_setpoint(from_kpa, zero, k, count, setpoint_kpa);
+      hold(setpoint_kpa, arm_.frame_period_s());
+    }
   }
 
   /// Raises every pressure to `kPulseShare`-sized ones that a deadman has to take away.
