@@ -87,7 +87,7 @@ def threads(problem):
     limits = limber.PlannerLimits(queries=200_000)
 
     def plan():
-        limber.make_planner("default,improved_plans=1000", jobs=1).plan(problem, limits, 1)
+        limber.make_planner("paper", jobs=1).plan(problem, limits, 1)
 
     def timed(count):
         workers = [threading.Thread(target=plan) for _ in range(count)]
@@ -146,9 +146,10 @@ def main():
             subprocess.run([arguments.program, *map(str, command), "--quiet"], check=True,
                            stdout=subprocess.DEVNULL)
         speed(arguments.program, arm_file, model_file)
+        network = limber.read_model(model_file)
     import_time()
     arm = limber.load_arm(arm_file)
-    forward = limber.ForwardModel(arm)
+    forward = limber.ForwardModel(arm, network)
     behind = limber.Environment("out of reach but for the model",
                                 [limber.Circle(x_m=0.35, y_m=0.3, radius_m=0.05)],
                                 limber.PoseGoal(x_m=0.1, y_m=0.3, theta_rad=3.0,

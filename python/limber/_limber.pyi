@@ -1628,7 +1628,7 @@ class TrainingStage:
     def __init__(self, *, window_frames: int = ..., windows_per_batch: int = ..., epochs: int = ...) -> None: ...
 
 class TrainingStages:
-    """"""
+    """Stages of training, a list."""
     @overload
     def __init__(self) -> None: ...
     @overload

@@ -28,7 +28,7 @@ for file in usr/bin/limber usr/share/limber/arms/three_segment.yaml \
 done
 # The Python module, where it was built.
 if [ -d "$LIMBER_BUILD_DIR/python" ]; then
-  PYTHONPATH=$folder/root/usr/lib/python3/dist-packages python3 -c "
+  PYTHONPATH=$folder/root/usr/lib/python3/dist-packages /usr/bin/python3 -c "
 import limber
 assert limber.__file__.startswith('$folder'), limber.__file__
 print(limber.load_arm(limber.data_folder() / 'arms' / 'three_segment.yaml'))"

@@ -31,7 +31,7 @@ grep -q 'text: three_segment' described.txt
 
 # The Python module, where it was built.
 if [ -d "$LIMBER_BUILD_DIR/python" ]; then
-  PYTHONPATH=$prefix/lib/python3/dist-packages python3 -c "
+  PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 -c "
 import limber
 assert limber.__file__.startswith('$prefix'), limber.__file__
 assert str(limber.data_folder()) == '$prefix/share/limber', limber.data_folder()"

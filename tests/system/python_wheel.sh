@@ -3,7 +3,7 @@
 # a fresh virtual environment, and asked for a plan.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
-python=${LIMBER_PYTHON:-python3}
+python=${LIMBER_PYTHON:-/usr/bin/python3}
 if [ ! -d "$LIMBER_BUILD_DIR/python" ]; then
   echo "skipped: no Python module in $LIMBER_BUILD_DIR"
   exit 0
