@@ -79,15 +79,18 @@ PiecePrediction hold(const std::vector<Episode>& episodes) {
   };
 }
 
-/// Needs two frames that were seen; a piece without them predicts nothing.
+/// Needs two frames that were seen. Without them it holds the pose; a single step then says nothing.
 PiecePrediction constant_velocity(const std::vector<Episode>& episodes) {
   return [&](const RolloutPiece& piece, FrameMatrix& predicted) {
     const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
-    if (piece.first == 0 || !episode.was_tracked(piece.first - 1)) {
+    const bool known = piece.first > 0 && episode.was_tracked(piece.first - 1);
+    if (!known && piece.frames == 1) {
       return;
     }
     const auto start = episode.backbone.row(piece.first);
-    const Eigen::RowVectorXf step = start - episode.backbone.row(piece.first - 1);
+    const Eigen::RowVectorXf step =
+        known ? Eigen::RowVectorXf(start - episode.backbone.row(piece.first - 1))
+              : Eigen::RowVectorXf::Zero(start.size());
     for (int k = 1; k <= piece.frames; ++k) {
       predicted.row(piece.first + k) = start + float(k) * step;
     }

@@ -50,7 +50,7 @@ class SimpleModel(InFolder):
         self.assertNotIn("broken:", self.run_limber("inspect", "back.h5").stdout)
         # A seed that would validate on the broken one does not.
         for seed in range(1, 30):
-            trained = self.run_json("train", *ARM, "--data", "broken.h5", "--hidden", 8, "--epochs", 1,
+            trained = self.run_json("train", *ARM, "--data", "broken.h5", "--hidden", 8, "--epochs", 3,
                                     "--seed", seed, "--out", "m.safetensors", "--force")
             self.assertEqual(len(trained["broken_episodes"]), 1)
             self.assertIn(f"broken.h5, episode {BROKEN}", trained["broken_episodes"][0])
