@@ -9,6 +9,7 @@
 namespace limber {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 struct Grown {
@@ -64,10 +65,12 @@ TEST(ForestFile, ABrokenFileIsRefusedByTensor) {
   EXPECT_THAT(refusal(broken), HasSubstr("held_tips[3, 2] = 3e+38; expected at most 10000"));
   broken = good;
   broken.setpoints_kpa.conservativeResize(Eigen::NoChange, 5);
-  EXPECT_THAT(refusal(broken), HasSubstr("setpoints_kpa has not one row for each"));
+  EXPECT_THAT(refusal(broken), AllOf(HasSubstr("tensor setpoints_kpa "),
+                                     HasSubstr(" one row for each of the forest")));
   broken = good;
   broken.shapes.conservativeResize(Eigen::NoChange, 5);
-  EXPECT_THAT(refusal(broken), HasSubstr("shapes has not one row for each"));
+  EXPECT_THAT(refusal(broken),
+              AllOf(HasSubstr("tensor shapes "), HasSubstr(" one row for each of the forest")));
   write_file_atomically(folder.path() / "b.forest", "no tensors");
   EXPECT_THROW((void)read_forest(folder.path() / "b.forest"), InputError);
 }
