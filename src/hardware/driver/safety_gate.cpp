@@ -27,7 +27,8 @@ SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<double> limits_kpa
       settings_(settings),
       setpoint_kpa_(Pressures::Zero(arm.segment_count())),
       reference_kpa_(Pressures::Zero(arm.segment_count())),
-      frames_off_(arm.segments.size(), 0) {}
+      frames_off_(arm.segments.size(), 0),
+      history_{{reference_kpa_, reference_kpa_}} {}
 
 std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
   const double step_kpa = arm_.pressure_step_limit_kpa();
@@ -58,7 +59,7 @@ void SafetyGate::note_vented(const ArmState& state) {
   setpoint_kpa_.setZero();
   reference_kpa_ = state.pressure_kpa;
   std::fill(frames_off_.begin(), frames_off_.end(), 0);
-  history_.clear();
+  history_ = {{reference_kpa_, state.pressure_kpa}};
   backbone_.reset();  // the arm moved while it vented
   frames_unseen_ = 0;
 }
