@@ -143,7 +143,8 @@ ArmStart read_given_start(const YamlReader& node) {
   node.refuse_unknown_keys({"pressures_kpa", "backbone"});
   ArmStart start;
   const std::vector<double> pressures =
-      node.at("pressures_kpa").numbers("a signed command, in the unit and with the sign of the arm file");
+      node.at("pressures_kpa")
+          .numbers("a signed command, in the unit and with the sign of the arm file");
   start.pressures_kpa = Eigen::Map<const Eigen::VectorXd>(
                             pressures.data(), static_cast<Eigen::Index>(pressures.size()))
                             .cast<float>();
