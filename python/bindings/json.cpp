@@ -30,17 +30,20 @@ void bind_json(py::module_& module) {
       py::arg("evaluation"), "The dict of `limber evaluate --json`.");
   module.def(
       "to_json",
-      [](const Certificate& certificate, const Environment& environment) {
-        return to_python(to_json(certificate, environment));
+      [](const Certificate& certificate, const Environment& environment, const Command& command) {
+        return to_python(to_json(certificate, command, environment));
       },
-      py::arg("certificate"), py::arg("environment"), "The dict of `limber verify --json`.");
+      py::arg("certificate"), py::arg("environment"), py::arg_v("command", Command(), "..."),
+      "The dict of `limber verify --json`. `command`: the arm's, where that is no pressure.");
   module.def(
       "to_json",
       [](const PlanResult& result, const PoseGoal& goal, const std::string& planner,
-         const std::string& model,
-         std::uint64_t seed) { return to_python(to_json(result, goal, planner, model, seed)); },
+         const std::string& model, std::uint64_t seed, const Command& command) {
+        return to_python(to_json(result, command, goal, planner, model, seed));
+      },
       py::arg("result"), py::arg("goal"), py::arg("planner"), py::arg("model"), py::arg("seed"),
-      "The dict of `limber plan --json`.");
+      py::arg_v("command", Command(), "..."),
+      "The dict of `limber plan --json`. `command`: the arm's, where that is no pressure.");
   module.def(
       "to_json",
       [](const ExecutionResult& result, const Environment& environment) {

@@ -68,7 +68,6 @@ void bind_limits(py::module_& module) {
   py::enum_<PlanStatus>(module, "PlanStatus", "What came of planning.")
       .value("solved", PlanStatus::solved, "a certified plan exists")
       .value("limit", PlanStatus::limit, "a limit came first")
-      .value("no_solution", PlanStatus::no_solution, "everything was searched")
       .value("invalid_start", PlanStatus::invalid_start, "the arm starts in an obstacle")
       .value("goal_unreachable", PlanStatus::goal_unreachable, "beyond the arm's length")
       .value("goal_in_collision", PlanStatus::goal_in_collision, "no tip in the goal is free")
