@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limber/arm/arm_description.hpp"
 #include "limber/common/random_stream.hpp"
 #include "network/sample_region.hpp"
 #include "support/allocation_count.hpp"
