@@ -129,10 +129,10 @@ TEST(Forest, ABrokenFileIsRefusedByTensor) {
   EXPECT_THAT(refusal(broken), HasSubstr("held_tips[3, 2] = 3e+38; expected at most 10000"));
   broken = good;
   broken.setpoints_kpa.conservativeResize(Eigen::NoChange, 5);
-  EXPECT_THAT(refusal(broken), HasSubstr("setpoints_kpa has not one row for each"));
+  EXPECT_THAT(refusal(broken), HasSubstr("setpoints_kpa does not have one row for each"));
   broken = good;
   broken.shapes.conservativeResize(Eigen::NoChange, 5);
-  EXPECT_THAT(refusal(broken), HasSubstr("shapes has not one row for each"));
+  EXPECT_THAT(refusal(broken), HasSubstr("shapes does not have one row for each"));
   write_file_atomically(folder.path() / "b.forest", "no tensors");
   EXPECT_THROW((void)read_forest(folder.path() / "b.forest"), InputError);
 }
