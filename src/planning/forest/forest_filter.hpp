@@ -10,8 +10,8 @@
 namespace limber {
 
 /// Says which motions of a forest an environment is likely to leave free, from the stored shapes
-/// alone: no query of the model, some microseconds per edge. What it says is a guess either way.
-/// Everything given is borrowed.
+/// alone: no query of the model, some microseconds per edge. Both answers are guesses. All
+/// arguments are borrowed.
 class ForestFilter {
  public:
   /// @pre the forest was grown for the problem's arm
@@ -28,14 +28,14 @@ class ForestFilter {
   bool leaves_path_free(int node);
   /// The same of the motion from its parent alone, its end included.
   bool leaves_edge_free(int node);
-  /// The same of the hold: the arm has followed late, and its tip goes on to where it is held.
+  /// The same for the hold: the arm follows late, so its tip moves on to where it is held.
   bool leaves_hold_free(int node);
   void blend(int from, int to, float fraction, Backbone& backbone) const;
 
   const Forest& forest_;
   const CollisionChecker& checker_;
   double arm_length_m_;
-  std::unordered_map<int, bool> known_;  // of nodes asked for, and those on the way there
+  std::unordered_map<int, bool> known_;  // of nodes asked for, and those on the path to them
   std::vector<int> path_;
   Backbone before_;
   Backbone after_;

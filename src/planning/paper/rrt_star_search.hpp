@@ -13,7 +13,7 @@
 
 namespace limber {
 
-/// The tree of pressure-space RRT*, grown iteration by iteration. Everything given is borrowed.
+/// The tree of pressure-space RRT*, grown iteration by iteration. All arguments are borrowed.
 class RrtStarSearch {
  public:
   RrtStarSearch(const PlanningProblem& problem, MotionSimulator& simulator, ParentRule rule,
@@ -51,7 +51,7 @@ class RrtStarSearch {
   /// False if the sample falls on a node.
   bool steer(const Pressures& sample, int nearest);
   void find_near(int nearest);
-  /// The new node, −1 if no near node has a free way.
+  /// The new node, −1 if no near node has a free path to it.
   int connect();
   bool edge_is_free(const Candidate& candidate);
   void simulate_all_candidates();
@@ -60,7 +60,7 @@ class RrtStarSearch {
   void rewire(int from, const PlannerBudget& budget);
   void accept_rewiring(int node, int from);
   bool simulate_below(const PlannerBudget& budget);
-  /// Whether `end` may stand for what the tree has at `node`: the same set points, pressures and
+  /// Whether `end` may replace what the tree has at `node`: the same set points, pressures and
   /// backbone, within the settings.
   bool matches(const MotionState& end, int node) const;
   void judge(int node);

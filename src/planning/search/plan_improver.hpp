@@ -9,12 +9,13 @@
 
 namespace limber {
 
-/// Makes a plan cheaper: leaves out, straightens, splits and shifts waypoints at random, some ways
-/// at once; what is cheaper and ends beside the goal, or beyond its aim, is shifted back into it. A
-/// change counts only after everything behind it has been simulated again, found free, and ends in
-/// the goal after the hold: elsewhere friction would make the plan another one. Several improvers
-/// share a batch of the simulator: each proposes its paths, then all settle. Everything given is
-/// borrowed. What it does depends on the seed, the stream and the number of rounds alone.
+/// Makes a plan cheaper: leaves out, straightens, splits and shifts waypoints at random, several
+/// changes at once. A change that is cheaper but ends beside the goal, or beyond its aim, is
+/// shifted back into it. A change counts only after everything after it has been simulated again,
+/// is free, and ends in the goal after the hold; otherwise friction would make it another plan.
+/// Several improvers share a batch of the simulator: each proposes its paths, then all settle. All
+/// arguments are borrowed. The result depends only on the seed, the stream and the number of
+/// rounds.
 class PlanImprover {
  public:
   /// @param stream  tells several improvers of one seed apart
@@ -28,7 +29,7 @@ class PlanImprover {
   void adopt(std::vector<Pressures> waypoints_kpa, std::vector<MotionState> states,
              const Pose& held_tip);
 
-  /// Gives its plan up.
+  /// Drops its plan.
   void drop() { waypoints_kpa_.clear(); }
 
   bool has_plan() const { return !waypoints_kpa_.empty(); }
