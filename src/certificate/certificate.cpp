@@ -29,7 +29,7 @@ std::vector<double> numbers(const Pressures& kpa) {
 
 }  // namespace
 
-/// What every plan for one problem is held against.
+/// What every plan for one problem is checked against.
 struct Certifier::Problem {
   const ArmDescription& arm;
   const CompensationModel* network;

@@ -28,7 +28,7 @@ constexpr int kBlockFrames = 200;        // 10 s: two blocks have little to do w
 constexpr double kAllowedBeyond = 0.03;  // share of frames; what is asked for is 0.05
 constexpr double kMaxWidening = 1.0;
 
-/// Joint vectors of the frames in which the arm was seen, one per column.
+/// Joint vectors of the frames in which the arm was tracked, one per column.
 Eigen::MatrixXd joint_vectors(const Episode& episode) {
   std::vector<int> tracked;
   for (int t = 0; t < episode.frame_count(); ++t) {

@@ -89,7 +89,7 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
   return raw;
 }
 
-/// The columns in which the arm was seen: guesses in between say nothing about ranges.
+/// The columns in which the arm was tracked: guesses in between say nothing about ranges.
 Eigen::MatrixXf tracked_only(Eigen::MatrixXf columns, const RawFrames& raw) {
   return raw.tracked_columns.empty() ? std::move(columns)
                                      : Eigen::MatrixXf(columns(Eigen::all, raw.tracked_columns));

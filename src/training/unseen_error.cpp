@@ -57,7 +57,7 @@ double off_path_m(const FrameMatrix& predicted, const Episode& run, int t) {
   return nearest;
 }
 
-/// None if the arm was seen in no frame after the first.
+/// None if the arm was tracked in no frame after the first.
 std::optional<RunError> error_of(const FrameMatrix& predicted, const Episode& run) {
   std::optional<RunError> error;
   for (int t = 1; t < run.frame_count(); ++t) {
