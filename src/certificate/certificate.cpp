@@ -152,7 +152,7 @@ class Certifier::Certification {
     }
   }
 
-  /// Open loop from the start, and each step from the stored backbone before it beside that.
+  /// Open loop from the start and, beside that, each step from the stored backbone before it.
   /// @return false if it gave up
   bool simulate() {
     ExactNetwork::Workspace workspace;

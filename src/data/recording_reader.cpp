@@ -148,7 +148,7 @@ class Reader {
     }
   }
 
-  /// @throws InputError for a link to another place: what it names may be any file, or a pipe.
+  /// @throws InputError for a link to other data: it may name any file, or a pipe.
   bool exists(const std::string& path) const {
     if (!file_.nameExists(path)) {
       return false;

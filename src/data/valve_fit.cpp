@@ -12,7 +12,7 @@ namespace limber {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr double kFastestS = 1e-4;  // a time constant below it can't be told from none
+constexpr double kFastestS = 1e-4;  // a time constant below it can't be distinguished from none
 constexpr double kSlowestS = 50.0;
 
 /// Parameters as the optimiser sees them: the dead time in frames, logarithms of all others, so

@@ -42,7 +42,7 @@ bool is_plain(const std::string& name) {
          path.lexically_normal() == path && *path.begin() != "..";
 }
 
-/// Whether nothing on the way from the folder to the file is a link.
+/// Whether no part of the path from the folder to the file is a link.
 bool is_reached_plainly(const fs::path& folder, const std::string& name) {
   return whole(folder / name) == whole(folder) / name;
 }

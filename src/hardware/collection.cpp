@@ -123,7 +123,7 @@ class EpisodeRun {
   bool recording_ = false;
 };
 
-/// Clears the way, or finds what is done already; see `collect` for what is refused.
+/// Removes old files, or finds the work already done; `collect` says what is refused.
 std::vector<std::optional<Episode>> prepare(const CollectionSettings& settings,
                                             const CollectionParts& parts, std::size_t episodes) {
   std::vector<std::optional<Episode>> done(episodes);

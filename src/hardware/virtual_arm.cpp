@@ -35,7 +35,8 @@ void check_options(const VirtualArmOptions& options) {
   check_option("latency_s", options.latency_s, kLongestLatencyS);
 }
 
-/// Simulator steps per frame: the fewest that keep the step within the arm's `time_step_s`.
+/// Simulator steps per frame: the smallest number that keeps the step within the arm's
+/// `time_step_s`.
 int steps_per_frame(const ArmDescription& arm) {
   constexpr double kRounding = 1e-9;  // so that 0.05 s of 0.001 s are 50 steps, not 51
   return std::max(1, static_cast<int>(std::ceil(arm.frame_period_s() / arm.virtual_arm.time_step_s -

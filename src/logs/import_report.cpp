@@ -11,7 +11,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kNoteworthy = 0.9999;  // points seen less often are listed
+constexpr double kNoteworthy = 0.9999;  // points tracked less often are listed
 
 nlohmann::ordered_json to_json(const RunReport& run) {
   nlohmann::ordered_json json;

@@ -10,7 +10,7 @@ namespace limber {
 namespace {
 
 constexpr double kNotable = 0.95;  // of the cost judged last: worth a certificate while searching
-constexpr double kWorthWaiting = 0.998;  // of the cost before: worth a place of its own
+constexpr double kWorthWaiting = 0.998;  // of the cost before: worth a rung of its own
 
 }  // namespace
 
@@ -39,7 +39,7 @@ bool PlanLadder::offer(const std::vector<Pressures>& waypoints_kpa, double merit
   const Found found{budget_.elapsed_s(), queries};
   Rung rung{waypoints_kpa, path_cost_kpa(waypoints_kpa), merit_kpa};
   if (!is_notable(rung)) {
-    // A little better than the one before it: takes its place, so that they stay a few.
+    // A little better than the one before it: replaces that one, so that they stay few.
     if (waiting_.size() > 1 && rung.merit_kpa > kWorthWaiting * waiting_.end()[-2].merit_kpa) {
       waiting_.pop_back();
     }

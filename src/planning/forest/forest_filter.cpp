@@ -7,8 +7,9 @@ namespace limber {
 
 namespace {
 
-constexpr float kLookM = 0.04F;  // of the way of the plate that moves farthest: looked at so often
-constexpr int kMaxLooks = 16;    // along an edge
+constexpr float kLookM =
+    0.04F;  // of the path of the plate that moves farthest: one check per this length
+constexpr int kMaxLooks = 16;  // along an edge
 
 /// Of the plate that moves farthest.
 float travel_m(const Backbone& from, const Backbone& to) {
@@ -29,7 +30,7 @@ ForestFilter::ForestFilter(const Forest& forest, const PlanningProblem& problem,
 }
 
 bool ForestFilter::leaves_free(int node) {
-  // The end first: one look rules out most, and all that goes on from there.
+  // The end first: one check rules out most motions, and all that continue from there.
   if (known_.count(node) == 0 && !stands_free(node)) {
     known_[node] = false;
   }

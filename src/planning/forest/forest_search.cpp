@@ -11,16 +11,16 @@ constexpr std::size_t kFirstNear = 8;   // their step mostly ends in the goal, n
 constexpr std::size_t kMaxBatch = 64;
 constexpr std::size_t kMaxNear = 64;  // tried: then the search has footholds enough
 constexpr double kNearM = 0.10;       // how near the goal's disc those end
-constexpr int kRoundsWithPlan = 2;    // dearer ones, for the improvers to start from
+constexpr int kRoundsWithPlan = 2;    // more expensive ones, for the improvers to start from
 constexpr std::ptrdiff_t kMaxNearLookedAt = 2048;
 constexpr int kMaxLooks = 1024;   // of the filter in a round: then it is the search's turn
-constexpr int kLooksAtOnce = 64;  // until somebody asks whether there is time for more
+constexpr int kLooksAtOnce = 64;  // then the time limit is checked
 
 Eigen::Vector2f point_m(const PoseGoal& goal) {
   return {static_cast<float>(goal.x_m), static_cast<float>(goal.y_m)};
 }
 
-/// Of a node that a motion has collided on the way to, nothing is known.
+/// Nothing is known of a node if the motion to it collided.
 bool is_ruled_out(const MotionState& state) {
   return state.backbone.size() == 0;
 }
@@ -75,7 +75,7 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
   if (node == 0 || !tried_.insert(node).second || !filter_.leaves_free(node)) {
     return std::nullopt;
   }
-  Candidate found{node, {node}, std::nullopt};  // even where it is known: its hold is not
+  Candidate found{node, {node}, std::nullopt};  // even if it is known: its hold is not
   int i = forest_.parents[static_cast<std::size_t>(node)];
   for (; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
     found.path.push_back(i);
@@ -108,7 +108,7 @@ void ForestSearch::collect(Ranking& nodes, std::size_t wanted, bool step,
     }
     const int from = forest_.parents[static_cast<std::size_t>(found->path.front())];
     Path path{known_.at(from), {}};
-    path.hold = true;  // the forest knows where that leads, however far it goes
+    path.hold = true;  // the forest knows where the hold leads, however far
     for (const int passed : found->path) {
       path.to_kpa.emplace_back(forest_.setpoints_kpa.col(passed));
     }
@@ -143,7 +143,7 @@ bool ForestSearch::round(const std::function<bool()>& give_up) {
     return !in_goal_.empty() || (near_ && !near_->empty() && near_left_ > 0);
   }
   simulator_.run(paths_, outcomes_, give_up);
-  // Once time is up some are wrongly ruled out, which nobody asks for any more.
+  // Once time is up some are wrongly ruled out, but these are no longer needed.
   for (std::size_t k = 0; k < paths_.size(); ++k) {
     settle(candidates_[k], outcomes_[k]);
   }
@@ -160,7 +160,7 @@ void ForestSearch::settle(const Candidate& tried, const PathOutcome& outcome) {
   }
   int node = graft(tried.node);
   if (!outcome.free) {
-    return;  // the step collides, not the way to it
+    return;  // the step collides, not the path to it
   }
   if (tried.step_kpa) {
     node = search_.graft(node, outcome.at.back());

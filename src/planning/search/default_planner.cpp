@@ -22,7 +22,7 @@ constexpr int kMaxIdleTurns = 10'000;
 constexpr std::uint64_t kChoiceStream = std::uint64_t{1} << 60;
 
 /// One run: the tree, and some of the plans it has found, which are improved side by side. One that
-/// gets no cheaper, and is not the best, gives its place to another from the tree.
+/// gets no cheaper, and is not the best, is replaced by another from the tree.
 class Run {
  public:
   Run(const PlanningProblem& problem, const PlannerLimits& limits, const PlannerCallback& callback,
@@ -77,7 +77,7 @@ class Run {
             static_cast<std::uint64_t>(search_.tree().size()), paths_.queries(), best_cost_kpa()};
   }
 
-  /// Whether no plan can be cheaper, or nobody has anything to try: a limit of queries alone would
+  /// Whether no plan can be cheaper, or nothing is left to try: a limit of queries alone would
   /// never be reached.
   bool nothing_left() const {
     return (has_plan() && *best_cost_kpa() <= 0.0) || idle_turns_ > kMaxIdleTurns ||
@@ -158,7 +158,7 @@ class Run {
     }
   }
 
-  /// Notes it as a plan where it is the best so far.
+  /// Notes it as a plan if it is the best so far.
   bool may_be_built_upon(const BatchSearch::Solution& one) {
     const bool is_best = !has_plan() || merit_kpa(one) < *ladder_.best_merit_kpa();
     if (!is_best && opinions_.empty()) {

@@ -212,7 +212,7 @@ void PlanImprover::add_candidate(std::vector<Path>& paths) {
   candidates_.push_back({candidate_kpa_, same, cost});
 }
 
-/// By the no-load model's Newton step from where it ended, to the rim of the aim: cheap plans end
+/// Shifts it by the no-load model's Newton step from its end to the rim of the aim: cheap plans end
 /// there, so that most changes that save something end just beyond.
 void PlanImprover::repair(const Miss& miss) {
   candidate_kpa_ = miss.waypoints_kpa;
