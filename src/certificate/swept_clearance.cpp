@@ -159,7 +159,7 @@ class SweptClearance::Search {
 
   Result run() {
     find_bound();
-    // A little above the bound, so that what attains it is found again, and has a name.
+    // A little above the bound, so that the gap that attains it is found again, and can be named.
     best_.value_m += 2.0 * clearance_.tolerance_m_;
     for (std::size_t k = 0; k < shapes_.size() && begin_frame(); ++k) {
       look_at_frame(k);

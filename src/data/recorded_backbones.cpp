@@ -24,7 +24,7 @@ constexpr double kBaseHeading_rad = 0.01;  // 7 mm at the end of a 0.7 m arm
 constexpr double kLongestGap = 1.5;
 constexpr double kShortestGap = 0.5;
 // Standard deviation of the end's position over the arm's length, 1.4 mm at 0.7 m: more than a
-// tracker's noise and less than any motion, where a command changes by half of its limit.
+// tracker's noise and less than any motion in which a command changes by half of its limit.
 constexpr double kStill = 0.002;
 constexpr double kMovingCommand = 0.5;
 

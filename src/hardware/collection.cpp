@@ -165,8 +165,7 @@ Recording read_finished(const CollectionParts& parts, const fs::path& path, std:
   return finished;
 }
 
-/// The recording, where an earlier run finished it and was then killed or could not remove the
-/// parts.
+/// The recording, if an earlier run finished it and was then killed or could not remove the parts.
 std::optional<Recording> finished_before(const CollectionSettings& settings,
                                          const CollectionParts& parts, const fs::path& path,
                                          std::size_t episodes) {
@@ -178,7 +177,7 @@ std::optional<Recording> finished_before(const CollectionSettings& settings,
     return read_finished(parts, path, episodes);
   } catch (const InputError&) {
     if (settings.force) {
-      return std::nullopt;  // it is what was to be replaced
+      return std::nullopt;  // it is the file to be replaced
     }
     throw;
   }

@@ -275,7 +275,7 @@ class SegmentTangents {
 // --------------------------------------------------------------------
 
 /// On the curve from pose a to pose b: the arc that turns as much as they differ, and across it the
-/// cubic that both headings' common deviation from that arc asks for.
+/// cubic that fits both headings' common deviation from that arc.
 Pose between(const Pose& a, const Pose& b, double part) {
   const double turn = b.theta_rad - a.theta_rad;
   const double chord = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);

@@ -102,7 +102,7 @@ Turns turns_of(const CommandTrack& commands, const ArmDescription& arm) {
   return turns;
 }
 
-/// The turns of an arm that follows late: two lags of first order, one behind the other, exact for
+/// The turns of an arm that follows late: two lags of first order, one after the other, exact for
 /// turns on straight lines between their times.
 Turns lagging(const Turns& turns, double lag_s) {
   Turns late = turns;
@@ -253,7 +253,7 @@ ClockMatch match_clocks(const BackboneTrack& motion, const CommandTrack& command
     }
   }
   const Eigen::Index around = best - (typical.values.rows() - 1);
-  // A lag and an offset look alike to slow motions: no more lag than the data ask for.
+  // Slow motions can't distinguish a lag from an offset: no more lag than the data need.
   for (int step = 0; step * kLagStep_s <= kLongestLag_s; ++step) {
     throw_if_interrupted();
     const double lag_s = step * kLagStep_s;

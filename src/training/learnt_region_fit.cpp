@@ -14,8 +14,8 @@ namespace limber {
 
 namespace {
 
-// A number that spreads by less is taken to spread by this, or noise in what hardly moves would
-// decide. Of positions and headings as in the loss (docs/training.md).
+// A number that spreads by less is treated as if it spread by this; otherwise noise in numbers that
+// hardly move would decide. For positions and headings as in the loss (docs/training.md).
 constexpr double kMinPositionSpread_m = 1e-4;
 constexpr double kMinHeadingSpread_rad = 2e-3;
 constexpr double kMinPressureShare = 0.01;  // of the pressure that spreads most

@@ -31,7 +31,7 @@ ScheduleSettings random(int motions, Approach approach) {
   return schedule;
 }
 
-/// Motions as a plan makes them: straight in pressure, cut short.
+/// Motions like those of a plan: straight in pressure, cut short.
 ScheduleSettings plan_like(int motions) {
   ScheduleSettings schedule = random(motions, Approach::straight);
   schedule.hold_s = 1.5;

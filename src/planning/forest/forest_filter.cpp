@@ -74,7 +74,7 @@ bool ForestFilter::leaves_edge_free(int node) {
 bool ForestFilter::leaves_hold_free(int node) {
   blend(node, node, 0.0F, between_);
   after_ = between_;
-  // Of the held shape the tip alone is stored: every plate does its part of what the tip does.
+  // Only the tip of the held shape is stored: every plate moves by its share of the tip's motion.
   const Eigen::Index last = after_.rows() - 1;
   const Eigen::RowVector3f shift = forest_.held_tips.col(node).transpose() - after_.row(last);
   for (Eigen::Index plate = 1; plate <= last; ++plate) {

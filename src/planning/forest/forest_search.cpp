@@ -9,11 +9,11 @@ namespace {
 constexpr std::size_t kFirstBatch = 1;  // small, so that an easy plan comes at once; then doubled
 constexpr std::size_t kFirstNear = 8;   // their step mostly ends in the goal, not nearly always
 constexpr std::size_t kMaxBatch = 64;
-constexpr std::size_t kMaxNear = 64;  // tried: then the search has footholds enough
+constexpr std::size_t kMaxNear = 64;  // tried: then the search has enough nodes to start from
 constexpr double kNearM = 0.10;       // how near the goal's disc those end
 constexpr int kRoundsWithPlan = 2;    // more expensive ones, for the improvers to start from
 constexpr std::ptrdiff_t kMaxNearLookedAt = 2048;
-constexpr int kMaxLooks = 1024;   // of the filter in a round: then it is the search's turn
+constexpr int kMaxLooks = 1024;   // checks of the filter in a round; then it is the search's turn
 constexpr int kLooksAtOnce = 64;  // then the time limit is checked
 
 Eigen::Vector2f point_m(const PoseGoal& goal) {

@@ -198,7 +198,7 @@ class Run {
     return true;
   }
 
-  /// Any of the tree's plans that have not had their turn: the cheapest are mostly akin.
+  /// Any of the tree's plans that have not had their turn: the cheapest are mostly similar.
   void call_plan(PlanImprover& improver) {
     if (waiting_.empty()) {
       return;

@@ -183,7 +183,7 @@ void PlanImprover::propose(std::vector<Path>& paths) {
   }
 }
 
-/// What the last round changed may be worth changing farther.
+/// What the last round changed may be worth changing further.
 void PlanImprover::go_on(std::vector<Path>& paths) {
   for (const float factor : {1.0F, 3.0F}) {
     candidate_kpa_ = waypoints_kpa_;
