@@ -82,7 +82,7 @@ install_packages() {
     "See its messages above: is the network up, does /etc/apt name a Debian 12 mirror, is the disk full?"
 }
 
-# build_jobs: one a core, fewer where memory is short (a compiler takes up to about 1.2 GB).
+# build_jobs: one per core, fewer where memory is short (a compiler takes up to about 1.2 GB).
 build_jobs() {
   local cores memory
   cores=$(nproc 2>/dev/null || echo 1)
@@ -93,7 +93,7 @@ build_jobs() {
 }
 
 # build PRESET [CMAKE_ARGUMENT…]: configures and builds; a build folder that was moved here, or left
-# by other settings, is made anew.
+# by other settings, is made again.
 build() {
   local preset=$1
   shift

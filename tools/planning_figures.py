@@ -7,7 +7,7 @@
 
 Every row is a `limber experiment` in OUT/ROW; rows that are finished are not run again, and one that
 was stopped goes on. Times mean something on an idle machine only. Planning seeds, and the seed of the
-random environments, come from the commit's hash unless --seed gives one: nobody has chosen them.
+random environments, come from the commit's hash unless --seed gives one, so that nobody has chosen them.
 """
 
 import argparse

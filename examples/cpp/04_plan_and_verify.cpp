@@ -21,7 +21,7 @@ int main(int argc, char** argv) try {
       forward.compensation().valves.value_or(limber::ValveParameters{});
   limber::PlanningProblem problem{arm, {forward, limber::ValveModel(arm, valves)}, environment};
 
-  const limber::ErrorRoom room = limber::error_room(forward);  // what the model says it errs by
+  const limber::ErrorRoom room = limber::error_room(forward);  // for the model's error
   problem.margin_m = room.margin_m;
   problem.goal_margin = room.goal_margin;
   limber::PlannerLimits limits;

@@ -342,7 +342,7 @@ std::string with_strain_polynomials(const std::string& yaml, const ArmDescriptio
   read_arm(YamlReader::from_text(yaml, "the arm file"), PolynomialsOf::characterisation);
   const YAML::Node segments = YAML::Load(yaml)["segments"];
   std::string edited = yaml;
-  // From the end: earlier places stay valid.
+  // From the end, so that earlier positions stay valid.
   for (std::size_t i = std::min(segments.size(), arm.segments.size()); i-- > 0;) {
     const YAML::Node polynomial = segments[i]["strain_polynomial"];
     if (!polynomial) {

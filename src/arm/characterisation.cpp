@@ -25,7 +25,7 @@ constexpr double kRefusedResidual = 0.10;     // of full strain, of a refitted c
 constexpr double kNotedResidual = 0.05;       // of full strain
 constexpr double kBareActuatorStrain = 0.24;  // between a mounted side (0.20) and a bare one (0.27)
 // Seven digits move the slope by at most 5e-7 Σ k |a_k|, where the a_k are some tens of full
-// strain: some ten turns are enough.
+// strain: some ten rounds are enough.
 constexpr int kHoldingTurns = 20;
 constexpr double kMinHeldSlope = 1e-7;  // of the mean slope
 
@@ -144,8 +144,8 @@ void add_warnings(std::size_t given, StrainFit& fit) {
   }
 }
 
-/// The best polynomial that never falls, after rounding too: rounding can tip a slope that was held
-/// at exactly zero, so it is held a little higher, twice as much each turn.
+/// The best polynomial that never falls, after rounding too: rounding can make a slope negative
+/// that was held at exactly zero, so it is held a little higher, twice as high in each round.
 StrainPolynomial never_falling(const MonotoneFit& problem, double limit_kpa) {
   double held = 0.0;
   for (int turn = 0; turn < kHoldingTurns; ++turn) {

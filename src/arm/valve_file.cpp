@@ -22,7 +22,7 @@ constexpr const char* kSchema = "limber/valves/1";
 Json to_json(const SegmentValves& valves) {
   Json json = {{"inflate_time_constant_s", valves.inflating.time_constant_s},
                {"vent_time_constant_s", valves.venting.time_constant_s}};
-  // JSON and YAML files know no infinity: a key that is missing stands for it.
+  // JSON and YAML have no infinity: a missing key stands for it.
   if (std::isfinite(valves.inflating.rate_limit_kpa_per_s)) {
     json["inflate_rate_limit_kpa_per_s"] = valves.inflating.rate_limit_kpa_per_s;
   }

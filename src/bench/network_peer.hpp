@@ -10,12 +10,12 @@ struct PeerLayer {
   const float* bias;
 };
 
-/// The network as one would write it with another library, to be timed in `limber bench`: ReLU
-/// between layers, one thread, a fixed number of queries at a time.
+/// The network written plainly with another library, for timing in `limber bench`: ReLU between
+/// layers, one thread, a fixed number of queries at a time.
 class NetworkPeer {
  public:
   virtual ~NetworkPeer() = default;
-  /// `input` one query a column, `output` its answers; column-major without gaps.
+  /// `input` one query per column, `output` its answers; column-major without gaps.
   virtual void evaluate(const float* input, float* output) = 0;
 };
 

@@ -46,7 +46,7 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Queries a second where `pass` asks `queries_per_pass`: from the median pass. Passes take less
+// Queries per second from the median pass, where `pass` asks `queries_per_pass`. Passes take less
 // than a millisecond, so that on a busy machine most of them run without being interrupted.
 double rate_of(std::int64_t queries, std::int64_t queries_per_pass,
                const std::function<void()>& pass) {
@@ -122,8 +122,8 @@ double fma_peak_gmac_per_s() {
   return rounds_per_s * kernels.multiply_adds_per_round / 1e9;
 }
 
-// From a chain of operations, each of which takes a cycle and waits for the one before. Exclusive
-// ors of two registers: some CPUs carry out additions of small constants before they are due.
+// From a chain of operations, each of which takes a cycle and waits for the one before. They are
+// exclusive ors of two registers, because some CPUs execute additions of small constants early.
 double clock_ghz() {
   constexpr long kRounds = 100'000;
   constexpr int kOperations = 8;
@@ -252,8 +252,8 @@ class SpeedMeasurement {
   Progress progress_;
 };
 
-// The paper's layout with another library for the network. B̃ comes from limber, so that the network
-// alone makes the difference.
+// The paper's layout with another library for the network. B̃ comes from limber, so that the
+// network alone makes the difference.
 PeerSpeed SpeedMeasurement::measure_peer(const PeerMaker& maker,
                                          const CompensationModel& compensation) {
   const std::vector<Layer> layers = folded_layers(compensation);

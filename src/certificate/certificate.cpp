@@ -29,7 +29,7 @@ std::vector<double> numbers(const Pressures& kpa) {
 
 }  // namespace
 
-/// What every plan for one problem is held against.
+/// What every plan for one problem is checked against.
 struct Certifier::Problem {
   const ArmDescription& arm;
   const CompensationModel* network;
@@ -152,7 +152,7 @@ class Certifier::Certification {
     }
   }
 
-  /// Open loop from the start, and each step from the stored backbone before it beside that.
+  /// Open loop from the start and, beside that, each step from the stored backbone before it.
   /// @return false if it gave up
   bool simulate() {
     ExactNetwork::Workspace workspace;

@@ -18,7 +18,8 @@ struct CoveringBox {
 
   void cover(std::complex<double> p);
   void cover(const CoveringBox& other);
-  /// Of a point, negative inside. No point of what the box covers is nearer, nor farther inside.
+  /// Distance of a point, negative inside. No point of what the box covers is nearer or farther
+  /// inside.
   double distance_m(std::complex<double> p) const;
   /// Squared distance between two boxes, 0 if they share a point.
   double squared_distance(const CoveringBox& other) const;
@@ -27,17 +28,17 @@ struct CoveringBox {
 /// How far a point is from an obstacle.
 struct Reading {
   double distance_m;  ///< from its outline, negative inside
-  /// Of a convex obstacle the direction away from it: at any point q the distance is at least that
-  /// at p plus (q − p)·away, because the obstacle lies behind a straight line. Otherwise 0.
+  /// For a convex obstacle, the direction away from it: at any point q the distance is at least
+  /// that at p plus (q − p)·away, because the obstacle lies behind a straight line. Otherwise 0.
   std::complex<double> away;
 };
 
-/// A polygon's edges in a tree of boxes, so that most of them are not looked at.
+/// A polygon's edges in a tree of boxes, so that most of them need no check.
 class PolygonOutline {
  public:
   explicit PolygonOutline(const Polygon& polygon);
   Reading read(std::complex<double> p) const;
-  /// Of a point, negative inside. Exact.
+  /// Distance of a point, negative inside. Exact.
   double distance_m(std::complex<double> p) const { return read(p).distance_m; }
   bool is_convex() const { return is_convex_; }
   const CoveringBox& box() const { return nodes_.front().box; }

@@ -102,8 +102,8 @@ ExactArm::Shape shape_of(const std::vector<double>& list, BackboneLayout layout)
   return shape;
 }
 
-/// (5): what is unloaded, and the output added; or (16): what was, drawn by the gate toward what is
-/// unloaded, and the change added. The gates' arguments come behind the changes.
+/// (5): the unloaded shape plus the output; or (16): the previous shape, pulled by the gate toward
+/// the unloaded one, plus the change. The gates' arguments come after the changes.
 std::vector<double> combined(OutputForm form, const std::vector<double>& previous,
                              const std::vector<double>& unloaded,
                              const std::vector<double>& output) {
@@ -160,7 +160,7 @@ std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& pre
       for (int g = 0; g < arm_.segments[i].gaps; ++g) {
         append(unloaded, gap);
       }
-      append(unloaded_input, gap);  // one gap stands for a segment's
+      append(unloaded_input, gap);  // one gap stands for all of its segment
     }
   }
   std::array<std::vector<double>, 2> before;

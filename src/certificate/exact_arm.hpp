@@ -11,8 +11,8 @@
 
 namespace limber {
 
-/// The forward model once more, from docs/model.md and nothing else: in double, with its own
-/// no-load arcs, normalisation, layers and backbone layouts; the certificate holds the fast one to
+/// The forward model once more, written from docs/model.md alone: in double, with its own no-load
+/// arcs, normalisation, layers and backbone layouts. The certificate checks the fast model against
 /// it. Threads: constant after construction.
 class ExactArm {
  public:

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// One segment's pressure under a set point that stays: it closes in on it with the rate limit at
-/// first, then exponentially, and stops at the dead band's edge.
+/// One segment's pressure under a constant set point: it approaches the set point with the rate
+/// limit at first, then exponentially, and stops at the dead band's edge.
 class MovingPressure {
  public:
   MovingPressure(const SegmentValves& valves, bool has_sides, double pressure_kpa)

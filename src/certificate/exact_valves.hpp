@@ -7,19 +7,19 @@
 
 namespace limber {
 
-/// The valve model once more, from docs/valves.md and nothing else: in double precision and
-/// continuous time, from one event to the next. Slow on purpose; the certificate holds the fast one
-/// to it.
+/// The valve model once more, written from docs/valves.md alone: in double precision and continuous
+/// time, from one event to the next. It is slow on purpose; the certificate checks the fast model
+/// against it.
 class ExactValves {
  public:
-  using Configurations = std::vector<std::vector<double>>;  ///< a frame each, n numbers
+  using Configurations = std::vector<std::vector<double>>;  ///< one per frame, n numbers
 
   /// Borrows both.
   ExactValves(const ArmDescription& arm, const ValveParameters& valves)
       : arm_(arm), valves_(valves) {}
 
-  /// Pressures at the end of each frame. Frame 0 is the start, where the arm has long stood at its
-  /// set points; frame k's set points are commanded at its beginning, (k − 1)/rate.
+  /// Pressures at the end of each frame. Frame 0 is the start, where the arm has settled at its set
+  /// points; frame k's set points are commanded at its beginning, (k − 1)/rate.
   Configurations pressures_along(const Configurations& setpoints_kpa) const;
 
  private:

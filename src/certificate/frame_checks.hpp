@@ -4,9 +4,9 @@
 
 namespace limber {
 
-/// What can be said of a plan's frames without a model: sizes, pressure limits, rate, frame rule
-/// between the waypoints, cost and hold. Appends to `certificate.failures`, the first frame of each
-/// kind, and sets cost and largest step.
+/// Checks a plan's frames as far as no model is needed: sizes, pressure limits, rate, frame rule
+/// between the waypoints, cost and hold. Appends the first failing frame of each kind to
+/// `certificate.failures`, and sets cost and largest step.
 void check_frames(const Plan& plan, const ArmDescription& arm, Certificate& certificate);
 
 }  // namespace limber

@@ -4,8 +4,8 @@
 
 namespace limber {
 
-/// Asks whether to give up, at some of the many times that it is asked itself; once given up, that
-/// is that.
+/// Calls `ask` at some of the many times that it is called itself; once `ask` has said to give up,
+/// the answer stays true.
 class GiveUp {
  public:
   /// @param ask  borrowed; may be empty: never

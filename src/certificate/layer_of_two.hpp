@@ -6,7 +6,7 @@ namespace limber {
 
 enum class CpuLevel;
 
-/// Eight rows of a column, which are worked on together.
+/// Eight rows of a column, which are computed together.
 struct alignas(64) Eight {
   double value[8] = {};
 };
@@ -16,7 +16,7 @@ struct alignas(64) Eight {
 /// result is the same to the bit on every CPU.
 struct LayerOfTwo {
   const Eight* weight;  ///< all columns of the first eight rows, then those of the next eight, …
-  const Eight* bias;    ///< a value a row
+  const Eight* bias;    ///< one value per row
   std::size_t eights;   ///< rows, in eights
   std::size_t columns;
   bool with_relu;

@@ -7,10 +7,10 @@ namespace limber {
 
 ExactArm::Shape shape_of(const Backbone& backbone);
 
-/// Whether collision has a meaning: finite poses, and no gap that turns by more than half a turn.
+/// Whether collision is defined: finite poses, and no gap that turns by more than half a turn.
 bool is_drawable(const ExactArm::Shape& shape);
 
-/// How far two shapes are apart, and the plate that is farthest off its place.
+/// How far two shapes are apart, and the plate with the largest deviation.
 struct Deviation {
   double apart_m = 0.0;
   double turned_rad = 0.0;

@@ -28,7 +28,7 @@ Complex point_of(const Pose& pose) {
 
 }  // namespace
 
-/// A gap between two frames. Time runs from 0 to 1, place from 0 at the lower plate to 1.
+/// A gap between two frames. Time runs from 0 to 1, position from 0 at the lower plate to 1.
 class SweptClearance::MovingArc {
  public:
   MovingArc(const Pose& start_from, const Pose& end_from, const Pose& start_to, const Pose& end_to)
@@ -54,7 +54,7 @@ class SweptClearance::MovingArc {
                           kTangentPerTurn * longest * std::abs(turn_shift_);
   }
 
-  /// A point, and how it moves with its place.
+  /// A point, and how it moves with its position.
   struct Point {
     Complex at_m;
     Complex tangent_m;
@@ -84,11 +84,11 @@ class SweptClearance::MovingArc {
     return {start_ + time * start_shift_, chord_ + time * chord_shift_, turn_ + time * turn_shift_};
   }
 
-  double speed_m() const { return speed_m_; }    ///< bound on a point's way over all time
+  double speed_m() const { return speed_m_; }    ///< bound on how far a point moves over all time
   double length_m() const { return length_m_; }  ///< bound on the arc's length at any time
 
-  /// Bound on how far a point gets in direction −`away` when its place changes by `half_fraction` and
-  /// time by `half_time`, its way over time not counted.
+  /// Bound on how far a point moves in direction −`away` when its position changes by
+  /// `half_fraction` and time by `half_time`, its way over time not counted.
   double approach_m(const Point& middle, Complex away, double half_time,
                     double half_fraction) const {
     const double slope =
@@ -108,7 +108,7 @@ class SweptClearance::MovingArc {
 
 namespace {
 
-/// A rectangle of time and place, by its middle and half its sizes.
+/// A rectangle of time and position, by its middle and half its sizes.
 struct Cell {
   double time, fraction, half_time, half_fraction;
 };
@@ -128,7 +128,7 @@ std::array<Cell, 2> halves(const Cell& cell, bool by_time) {
   return {low, high};
 }
 
-/// Covers the middle line of a gap over its motion: its plates' four places, and the bulge of an
+/// Covers the middle line of a gap over its motion: its plates' four points, and the bulge of an
 /// arc beside its chord, (c/2)·tan(φ/4), which is at most (c/2)·φ/π up to half a turn.
 CoveringBox box_about(const Pose& start_from, const Pose& end_from, const Pose& start_to,
                       const Pose& end_to) {
@@ -150,7 +150,7 @@ CoveringBox box_about(const Pose& start_from, const Pose& end_from, const Pose& 
 
 }  // namespace
 
-/// One search: the best value so far, and what it needs on its way.
+/// One search: the best value so far, and its scratch.
 class SweptClearance::Search {
  public:
   Search(const SweptClearance& clearance, const std::vector<ExactArm::Shape>& shapes,
@@ -159,7 +159,7 @@ class SweptClearance::Search {
 
   Result run() {
     find_bound();
-    // A little above the bound, so that what attains it is found again, and has a name.
+    // A little above the bound, so that the gap that attains it is found again, and can be named.
     best_.value_m += 2.0 * clearance_.tolerance_m_;
     for (std::size_t k = 0; k < shapes_.size() && begin_frame(); ++k) {
       look_at_frame(k);
@@ -273,7 +273,7 @@ class SweptClearance::Search {
     }
   }
 
-  /// Smallest distance of the arc's middle line from an obstacle, or `best` where that is less.
+  /// Smallest distance of the arc's middle line from an obstacle, or `best` if that is less.
   double lowest(const MovingArc& arc, const CoveredObstacle& obstacle, double best) {
     open_.assign(1, {0.5, 0.5, 0.5, 0.5});
     double time = open_.back().time;

@@ -14,13 +14,13 @@ namespace limber {
 ///
 /// The gap between two plates is the arc through both that turns by the difference of their
 /// headings; between frames plates move straight and turn evenly. Distance to an obstacle changes
-/// by no more than a point's way, over time as along the arc. So the value at the middle of a cell
-/// of (time, place on the arc), less half of both ways, bounds the cell from below; cells that may
-/// hold less than the best value found so far are halved. A convex obstacle lies behind a straight
-/// line, so of the way along the arc only the part toward that line counts.
+/// by no more than a point moves, over time and along the arc. So the value at the middle of a cell
+/// of (time, position on the arc), less half of both movements, is a lower bound of the cell. Cells
+/// that may hold less than the best value found so far are halved. A convex obstacle lies behind a
+/// straight line, so of the movement along the arc only the part toward that line counts.
 ///
-/// Gaps and obstacles whose boxes are farther apart than the best value are not looked at; so the
-/// search starts from a good one: that of the plate that comes nearest, and of the gaps beside it.
+/// Gaps and obstacles whose boxes are farther apart than the best value are skipped. So the search
+/// starts from a good value: that of the plate that comes nearest, and of the gaps beside it.
 /// Threads: constant after construction.
 class SweptClearance {
  public:
@@ -32,11 +32,11 @@ class SweptClearance {
     int frame = -1;  ///< the frame that the motion there leads to
     int gap = -1;
     int obstacle = -1;
-    bool is_finished = true;  ///< false: given up, and nothing else here has a meaning
+    bool is_finished = true;  ///< false: given up, and nothing else here is defined
   };
   /// Over the motion from each shape to the next; a single shape stands still. @pre no gap turns by
   /// more than half a turn, and every number is finite.
-  /// @param give_up  asked every few dozen microseconds whether to stop
+  /// @param give_up  called every few dozen microseconds: whether to stop
   /// @throws Interrupted if a signal comes meanwhile.
   Result over(const std::vector<ExactArm::Shape>& shapes,
               const std::function<bool()>& give_up = {}) const;

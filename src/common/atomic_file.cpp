@@ -18,7 +18,7 @@ namespace {
 
 constexpr mode_t kNewFile = 0666;  // less what the umask takes away
 
-/// A file descriptor, closed on the way out.
+/// A file descriptor, closed at the end of the scope.
 class Descriptor {
  public:
   Descriptor(const fs::path& path, int flags) {
@@ -84,7 +84,7 @@ fs::path existing_folder(const fs::path& path) {
   std::error_code error;
   while (!fs::exists(fs::symlink_status(folder, error)) && folder.has_relative_path() &&
          folder != folder_of(folder)) {
-    // A name that is too long, or a folder that may not be looked into, exists for nobody.
+    // A name that is too long, or in a folder that may not be read, can't exist for us.
     if (error && error != std::errc::no_such_file_or_directory &&
         error != std::errc::not_a_directory) {
       throw_file_error(path, "can't be written", error.value());
@@ -94,7 +94,7 @@ fs::path existing_folder(const fs::path& path) {
   return folder;
 }
 
-/// Makes a file beside where `path` will be, and removes it.
+/// Makes a file in the folder where `path` will be, and removes it.
 void require_writable(const fs::path& path) {
   const fs::path folder = existing_folder(path);
   std::error_code error;

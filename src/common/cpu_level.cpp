@@ -64,7 +64,7 @@ std::string cpu_name() {
   try {
     file.str(read_file("/proc/cpuinfo"));
   } catch (const std::exception&) {
-    return "unknown";  // a name is no reason to stop
+    return "unknown";  // a missing name is no reason to stop
   }
   for (std::string line; std::getline(file, line);) {
     const std::size_t colon = line.find(": ");

@@ -100,7 +100,7 @@ CsvCell CsvReader::read_quoted_cell() {
     content += c;
   }
   ++position_;
-  // Whatever stands between the quote and the separator belongs to the cell, as spreadsheets read.
+  // Text between the quote and the separator belongs to the cell, as spreadsheets read it.
   while (!at_line_end() && text_[position_] != separator_) {
     content += text_[position_++];
   }

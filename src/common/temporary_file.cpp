@@ -124,7 +124,7 @@ void remove_abandoned_files(const fs::path& folder) {
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     if (is_abandoned(entry->path().filename().string(), own_host)) {
-      std::error_code ignored;  // a file that stays harms nobody
+      std::error_code ignored;  // a file that stays does no harm
       fs::remove(entry->path(), ignored);
     }
   }

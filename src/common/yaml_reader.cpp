@@ -32,7 +32,7 @@ double parse_number(const std::string& text) {
   return error == std::errc() && end == last ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A repeated key would silently win or lose; yaml-cpp lets it pass. `seen` holds the places of
+/// A repeated key would silently win or lose; yaml-cpp accepts it. `seen` holds the positions of
 /// visited collections, so that aliases are walked once however often they are named.
 void refuse_repeated_keys(const YAML::Node& node, const std::string& name, const std::string& field,
                           std::set<int>& seen) {

@@ -23,8 +23,8 @@ constexpr double kBaseHeading_rad = 0.01;  // 7 mm at the end of a 0.7 m arm
 // 3.8 rad is not an arm that we know; another unit or another arm is off by more.
 constexpr double kLongestGap = 1.5;
 constexpr double kShortestGap = 0.5;
-// Standard deviation of the end's place over the arm's length, 1.4 mm at 0.7 m: more than a
-// tracker's noise and less than any motion, where a command changes by half of its limit.
+// Standard deviation of the end's position over the arm's length, 1.4 mm at 0.7 m: more than a
+// tracker's noise and less than any motion in which a command changes by half of its limit.
 constexpr double kStill = 0.002;
 constexpr double kMovingCommand = 0.5;
 

@@ -174,7 +174,7 @@ class MotionLog {
                                      part * episode_.backbone.row(after).cast<double>();
     std::string text;
     for (int p = 0; p < recording_.point_count; ++p) {
-      // Drawn whether seen or not: an occlusion changes nothing else.
+      // Drawn whether hidden or not, so that an occlusion changes nothing else.
       const double x = poses[3 * p] + settings_.noise_m * random_.normal();
       const double y = poses[3 * p + 1] + settings_.noise_m * random_.normal();
       const double theta = poses[3 * p + 2] + settings_.noise_rad * random_.normal();

@@ -148,7 +148,7 @@ class Reader {
     }
   }
 
-  /// @throws InputError for a link to another place: what it names may be any file, or a pipe.
+  /// @throws InputError for a link to other data: it may name any file, or a pipe.
   bool exists(const std::string& path) const {
     if (!file_.nameExists(path)) {
       return false;
@@ -209,7 +209,7 @@ class Reader {
     return found;
   }
 
-  /// Refuses data of which the file holds the shape alone, before memory is taken for them.
+  /// Refuses data of which the file holds only the shape, before memory is allocated for them.
   void require_stored(const std::string& path, const H5::DataSet& found) const {
     const H5::DSetCreatPropList properties = found.getCreatePlist();
     if (properties.getLayout() == H5D_VIRTUAL ||
@@ -328,7 +328,7 @@ Recording read_recording(const std::filesystem::path& path) {
     const Hdf5Section section;
     recording = read(path);
   } catch (const InputError&) {
-    (void)read_file(path);  // HDF5 does not tell a failing disk from a damaged file; this does
+    (void)read_file(path);  // tells a failing disk from a damaged file; HDF5 does not
     throw;
   }
   validate(recording, path.string());

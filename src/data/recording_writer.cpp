@@ -14,7 +14,7 @@ namespace {
 
 constexpr hsize_t kChunkFrames = 1024;
 constexpr std::size_t kMemoryStep = std::size_t{1} << 20U;  // by which a file in memory grows
-// HDF5 wants a name and looks whether such a file is there; none can be below a device.
+// HDF5 wants a name and checks whether such a file exists; none can exist below a device.
 constexpr const char* kNoFile = "/dev/null/recording";
 constexpr int kDeflateLevel = 1;  // level 1 after shuffle: half the size at 4× level 6's speed
 
@@ -72,8 +72,8 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
   write_data_set(group, "tracked", "1", H5::PredType::NATIVE_UINT8, tracked.data(), {frames});
 }
 
-/// The whole file, made in memory: HDF5 never sees a full disk, after which it can neither close
-/// its file nor end the process in order.
+/// The whole file, made in memory, so that HDF5 never meets a full disk. After one it can neither
+/// close its file nor end the process properly.
 std::string file_image(const Recording& recording) {
   H5::FileAccPropList in_memory;
   in_memory.setCore(kMemoryStep, false);

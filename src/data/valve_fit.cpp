@@ -12,7 +12,7 @@ namespace limber {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr double kFastestS = 1e-4;  // a time constant below it can't be told from none
+constexpr double kFastestS = 1e-4;  // a time constant below it can't be distinguished from none
 constexpr double kSlowestS = 50.0;
 
 /// Parameters as the optimiser sees them: the dead time in frames, logarithms of all others, so
@@ -118,8 +118,8 @@ class Fitter {
     return errors_.coordinates.of(errors_.coordinates.valves(x));
   }
 
-  /// The scale becomes three typical errors at `x` of frames that are under way, so that spikes
-  /// don't decide, and long holds don't say what is typical.
+  /// The scale becomes three typical errors at `x` of frames in motion, so that spikes don't
+  /// decide, and long holds don't say what is typical.
   void rescale(const Eigen::VectorXd& x) {
     constexpr double kDeviationsPerMedian = 1.4826;  // of a normal distribution
     constexpr double kTypicalErrors = 3.0;
@@ -221,7 +221,7 @@ SegmentValves coarse_fit(const std::vector<ValveRun>& runs, bool has_sides, doub
       std::ranges::min_element(starts, {}, [](const auto& start) { return start.first; })->second);
 }
 
-/// Takes a direction's rate limit away where the data say nothing of it.
+/// Removes a direction's rate limit if the data say nothing about it.
 void drop_idle_limits(Fitter& fitter, Eigen::VectorXd& x) {
   constexpr double kAsGood = 1.01;   // of the loss
   constexpr double kNothing = 1e-4;  // a hundredth of the errors that count as small
@@ -238,7 +238,7 @@ void drop_idle_limits(Fitter& fitter, Eigen::VectorXd& x) {
   }
 }
 
-/// Numbers without digits that mean nothing: files and lines stay readable.
+/// Numbers without meaningless digits, so that files and lines stay readable.
 SegmentValves rounded(SegmentValves valves) {
   const auto to = [](double unit, double value) { return std::round(value / unit) * unit; };
   constexpr double kPerSecond = 1e5;

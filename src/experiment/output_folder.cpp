@@ -42,13 +42,13 @@ bool is_plain(const std::string& name) {
          path.lexically_normal() == path && *path.begin() != "..";
 }
 
-/// Whether nothing on the way from the folder to the file is a link.
+/// Whether no part of the path from the folder to the file is a link.
 bool is_reached_plainly(const fs::path& folder, const std::string& name) {
   return whole(folder / name) == whole(folder) / name;
 }
 
-/// Of a file that is being written, or was when its process was killed: `.NAME.….tmp`. The next
-/// one that writes there removes it (common/atomic_file.hpp).
+/// Whether it is a file that is being written, or was when its process was killed: `.NAME.….tmp`.
+/// The next process that writes there removes it (common/atomic_file.hpp).
 bool is_temporary(const fs::path& file) {
   return file.filename().string().starts_with('.') && file.extension() == ".tmp";
 }
@@ -146,7 +146,7 @@ bool OutputFolder::read_manifest() {
       files_[name] = files.at(name.c_str()).text();
     }
   } catch (const InputError&) {
-    files_.clear();  // a list that can't be trusted is none
+    files_.clear();  // a list that can't be trusted counts as none
     return false;
   }
   return true;

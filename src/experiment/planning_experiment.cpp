@@ -47,8 +47,8 @@ std::string forest_hash(const Forest& forest) {
                        static_cast<std::size_t>(forest.setpoints_kpa.size()) * sizeof(float)});
 }
 
-/// What has to be the same for trials of two runs to stand in one table. The number of trials is
-/// not among it: more can be added.
+/// What has to be the same for trials of two runs to be in one table. The number of trials may
+/// differ: more can be added.
 Json identity(const ExperimentSettings& settings, const std::string& model_hash) {
   Json json;
   json["schema"] = "limber/experiment/1";
@@ -200,7 +200,7 @@ class Experiment {
       if (!has_trial(settings_.folder, task.key.id)) {
         open.push_back(&task);
       } else {
-        (void)read(task);  // a damaged one is found now, and not after hours of the others
+        (void)read(task);  // a damaged one is found now, not after hours of running the others
       }
     }
     if (open.size() < tasks_.size()) {

@@ -9,7 +9,8 @@
 
 namespace limber {
 
-/// What a trial belongs to. It stands in its file, and the file of any other is refused.
+/// What a trial belongs to. It is stored in the trial's file; files of other experiments are
+/// refused.
 struct TrialKey {
   std::string id;           ///< of its files
   std::string experiment;   ///< hash of the experiment's settings
@@ -21,12 +22,12 @@ struct TrialKey {
   std::uint64_t seed = 0;
 };
 
-/// Writes what a finished trial left behind: plans/ID.json where it was solved, then
+/// Writes the files of a finished trial: plans/ID.json if it was solved, then
 /// trials/ID.json, which holds the key and the plan's hash.
 void write_trial(OutputFolder& folder, const TrialKey& key, const PlanTrial& trial,
                  const Environment& environment);
 
-/// Whether `write_trial` has come to its end.
+/// Whether `write_trial` has finished.
 bool has_trial(const std::filesystem::path& folder, const std::string& id);
 
 /// Names of its files.

@@ -24,7 +24,7 @@ struct Columns {
   Columns from(int j) const { return {column(j), ld}; }
 };
 
-/// Queries and the places of their answers.
+/// Queries and the addresses of their answers.
 struct QueryColumns {
   ConstColumns previous_kpa;
   ConstColumns current_kpa;
@@ -35,9 +35,9 @@ struct QueryColumns {
   }
 };
 
-/// How ForwardModel computes. What is not the network, and the network for many queries, works on
-/// rows: one number of all queries of a tile after the other, one vector lane a query. The network
-/// for a few queries works on columns, so that no lane idles. Both give the same bits.
+/// How ForwardModel computes. Everything but the network, and the network for many queries, works
+/// on rows: one number of all queries of a tile after the other, one vector lane per query. The
+/// network for a few queries works on columns, so that no lane is idle. Both give the same bits.
 /// Constant after construction.
 class ForwardPipeline {
  public:

@@ -19,15 +19,15 @@ struct NoLoadSegment {
 
 /// The parts of a query that are not the network, for many queries at once: query q's number r is
 /// at [r·stride + q], so that each vector instruction serves as many queries as it has lanes.
-/// `stride` is a multiple of `lanes`; all of its places are computed, used or not. One table a CPU
-/// level; pure functions.
+/// `stride` is a multiple of `lanes`; all of its columns are computed, used or not. One table per
+/// CPU level; pure functions.
 struct RowKernels {
   int lanes;
 
-  /// `count` columns of `rows` numbers become rows; the places from `count` to `stride` are filled
+  /// `count` columns of `rows` numbers become rows; the columns from `count` to `stride` are filled
   /// with zeros.
   void (*gather)(int rows, int count, const float* columns, int ld, float* row, int stride);
-  /// The way back.
+  /// The inverse.
   void (*scatter)(int rows, int count, const float* row, int stride, float* columns, int ld);
 
   /// (3), (4): pressure rows (n) to the gap pose of each segment, rows (x, y, θ) × n.

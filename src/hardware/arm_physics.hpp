@@ -16,14 +16,14 @@
 
 namespace limber {
 
-/// The simulator behind VirtualArm: one step of valves, actuators, braids, table and chain. Knows
-/// nothing of frames, noise or limits.
+/// The simulator behind VirtualArm: one step of valves, actuators, braids, table and chain. It has
+/// no frames, noise or limits.
 class ArmPhysics {
  public:
   ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& parameters, double time_step_s);
 
   /// One step toward `setpoint_kpa` (signed, size n). @param vent  as Pneumatics::step's `exact`.
-  /// @returns what went wrong, empty if all is well.
+  /// @return what went wrong; empty if nothing did
   [[nodiscard]] std::string step(const std::vector<double>& setpoint_kpa, bool vent);
 
   /// The simulator's part of the state.
@@ -44,7 +44,7 @@ class ArmPhysics {
   /// What never changes of one side of one gap.
   struct Side {
     double lever_m = 0.0;   ///< ± w/2
-    double strength = 1.0;  ///< × actuators a side
+    double strength = 1.0;  ///< × actuators per side
     double full_tension_n_per_kpa = 0.0;
   };
 

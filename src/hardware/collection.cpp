@@ -138,7 +138,7 @@ class EpisodeRun {
   bool recording_ = false;
 };
 
-/// Clears the way, or finds what is done already; see `collect` for what is refused.
+/// Removes old files, or finds the work already done; `collect` says what is refused.
 std::vector<std::optional<Episode>> prepare(const CollectionSettings& settings,
                                             const CollectionParts& parts, std::size_t episodes) {
   std::vector<std::optional<Episode>> done(episodes);
@@ -180,8 +180,7 @@ Recording read_finished(const CollectionParts& parts, const fs::path& path, std:
   return finished;
 }
 
-/// The recording, where an earlier run finished it and was then killed or could not remove the
-/// parts.
+/// The recording, if an earlier run finished it and was then killed or could not remove the parts.
 std::optional<Recording> finished_before(const CollectionSettings& settings,
                                          const CollectionParts& parts, const fs::path& path,
                                          std::size_t episodes) {
@@ -193,7 +192,7 @@ std::optional<Recording> finished_before(const CollectionSettings& settings,
     return read_finished(parts, path, episodes);
   } catch (const InputError&) {
     if (settings.force) {
-      return std::nullopt;  // it is what was to be replaced
+      return std::nullopt;  // it is the file to be replaced
     }
     throw;
   }

@@ -35,8 +35,8 @@ class CollectionParts {
   /// @throws InputError that names what differs.
   void require_same_origin(const Recording& found, const std::string& file) const;
 
-  /// Removes the parts, what killed runs left of them, and the folder if nothing else is in it.
-  /// @return how many files stay that are not collect's.
+  /// Removes the parts, the remains of killed runs, and the folder if nothing else is in it.
+  /// @return how many files stay because collect did not write them
   [[nodiscard]] std::size_t remove() const;
 
  private:

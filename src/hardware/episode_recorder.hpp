@@ -9,10 +9,10 @@
 
 namespace limber {
 
-/// Collects the frames of one run into an Episode whose time starts at 0. Where a frame came
-/// without a backbone (dropped, occluded), its backbone is filled in on the straight line between
-/// the frames before and after that had one (at the ends: the nearest), and marked in
-/// `Episode::tracked`, so that windows stay unbroken and nobody takes it for a measurement.
+/// Collects the frames of one run into an Episode whose time starts at 0. If a frame came without a
+/// backbone (dropped, occluded), its backbone is filled in on the straight line between the tracked
+/// frames before and after it (at the ends: the nearest), and marked in `Episode::tracked`. So
+/// windows stay unbroken, and the backbone is not taken for a measurement.
 class EpisodeRecorder {
  public:
   explicit EpisodeRecorder(const ArmDescription& arm);

@@ -274,8 +274,8 @@ class Execution {
   std::optional<BackboneD> shape_;
   int shape_frame_ = -1;
   bool started_ = false;
-  bool measured_ =
-      false;  // in some frame; a virtual arm knows its shape even where none was delivered
+  // Whether some frame was measured; a virtual arm knows its shape even if none was delivered.
+  bool measured_ = false;
   int motion_ = 0;
   int first_motion_ = 0;  // of the plan that is followed
   double start_time_s_ = 0.0;

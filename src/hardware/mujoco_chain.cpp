@@ -25,7 +25,7 @@ constexpr const char* kFileName = "arm.xml";
 // working folder.
 void ignore_warning(const char*) {}
 
-// Without handlers of ours an error would wait for Enter.
+// Without our own handlers an error would wait for Enter.
 void install_handlers() {
   static std::once_flag once;
   std::call_once(once, [] {

@@ -31,8 +31,8 @@ class MujocoChain {
   double* applied_force() { return data_->qfrc_applied; }
 
   /// One step; the joints' damping is implicit.
-  /// @returns what MuJoCo complained of, empty if all is well. After a complaint the state is
-  /// lost: MuJoCo resets it.
+  /// @return MuJoCo's warning or error; empty if there is none. After a warning the state is
+  /// lost, because MuJoCo resets it.
   [[nodiscard]] std::string step();
 
  private:

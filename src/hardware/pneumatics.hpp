@@ -7,7 +7,7 @@
 
 namespace limber {
 
-/// Pressure of one segment: the side that holds it (right where positive) and its valves' flow.
+/// Pressure of one segment (that of its right side if positive) and the flow of its valves.
 struct SegmentAir {
   double pressure_kpa = 0.0;
   double flow_kpa_per_s = 0.0;

@@ -9,9 +9,9 @@ namespace limber {
 
 /// Coulomb friction that really sticks: a spring from the body to an anchor that is dragged along
 /// once the spring would pull harder than `limit`, with a damper beside it; docs/virtual-arm.md,
-/// (V6). The total never exceeds the limit and is continuous where sliding begins, so it takes
-/// energy and never gives any but what the spring holds. Units are the caller's: N and m, or N m
-/// and rad.
+/// (V6). The total never exceeds the limit and is continuous where sliding begins. So it takes
+/// energy, and never gives more than the spring holds. The caller chooses the units: N and m, or N
+/// m and rad.
 struct SpringSlider {
   double stiffness = 0.0;  ///< > 0
   double damping = 0.0;    ///< ≥ 0

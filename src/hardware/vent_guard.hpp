@@ -4,7 +4,7 @@
 
 namespace limber {
 
-/// Vents the arm however the scope is left: at its end, by an exception, by Ctrl-C.
+/// Vents the arm when the scope ends, in whatever way: normally, by an exception, by Ctrl-C.
 class VentGuard {
  public:
   explicit VentGuard(ArmDriver& driver) : driver_(driver) {}

@@ -199,7 +199,8 @@ class VirtualArm::Simulation {
     throw SystemFault(fault_);
   }
 
-  /// Truth of this moment with the options' noise and drops; always the same number of draws.
+  /// The true state at this moment with the options' noise and drops; always the same number of
+  /// draws.
   ArmState measure() {
     BackboneD backbone;
     write_backbone(backbone);

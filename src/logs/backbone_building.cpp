@@ -26,7 +26,7 @@ constexpr double kShortestArc = 0.05;  // chord over length; beyond, the points 
 // ---- missing points
 // ---------------------------------------------------------------------------
 
-/// Which rows are whole, as seen or after short gaps were bridged.
+/// Which rows are complete, as tracked or after short gaps were bridged.
 struct RowState {
   std::vector<bool> tracked;
   std::vector<bool> bridged;
@@ -275,7 +275,7 @@ class SegmentTangents {
 // --------------------------------------------------------------------
 
 /// On the curve from pose a to pose b: the arc that turns as much as they differ, and across it the
-/// cubic that both headings' common deviation from that arc asks for.
+/// cubic that fits both headings' common deviation from that arc.
 Pose between(const Pose& a, const Pose& b, double part) {
   const double turn = b.theta_rad - a.theta_rad;
   const double chord = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
@@ -348,7 +348,7 @@ BackboneTrack build_backbone(const std::string& log, PointTracks tracks,
     tracks.theta_rad.resize(0, 0);
   }
   RowState state = fill_short_gaps(log, mapping.longest_gap_s, tracks, report);
-  // Before the base is looked for: a wrong unit or order would show there as something odder.
+  // Before looking for the base: a wrong unit or order would cause a stranger message there.
   require_distances(log, state.tracked, mapping, arm, tracks, report);
   align_base(log, state.tracked, mapping.alignment, arm, tracks, report);
   if (tracks.has_headings()) {

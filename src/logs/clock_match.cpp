@@ -58,7 +58,7 @@ TurnRates whole(const Turns& turns, double difference_s) {
   return rates_of(turns, difference_s, start_s, count);
 }
 
-/// The turns of an arm that follows late: two lags of first order, one behind the other, exact for
+/// The turns of an arm that follows late: two lags of first order, one after the other, exact for
 /// turns on straight lines between their times.
 Turns lagging(const Turns& turns, double lag_s) {
   Turns late = turns;

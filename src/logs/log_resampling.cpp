@@ -26,7 +26,7 @@ constexpr int kStillFrames = 4;  // before a motion begins, where only measureme
 struct Bracket {
   Eigen::Index before = -1;
   Eigen::Index after = -1;
-  double part = 0.0;  // of the way from before to after
+  double part = 0.0;  // fraction of the time from before to after
   bool valid() const { return before >= 0; }
 };
 

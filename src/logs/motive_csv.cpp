@@ -110,7 +110,7 @@ class MotiveFile {
       }
     }
     require_format(row);
-    // Keys by name: an unquoted comma in the take's name moves everything behind it.
+    // Keys by name: an unquoted comma in the take's name shifts everything after it.
     const auto value = [&](const char* key) {
       const auto found = std::find(row.begin(), row.end(), key);
       return found == row.end() || found + 1 == row.end() ? std::string() : *(found + 1);

@@ -49,7 +49,7 @@ void add_layers(Safetensors& content, const std::string& prefix, const std::vect
   }
 }
 
-// The file's tensors, each to be asked for once; what nobody asked for is a mistake.
+// The file's tensors, each to be read once; a tensor that was not read is a mistake.
 class TensorReader {
  public:
   TensorReader(Safetensors& content, const std::string& where) : content_(content), where_(where) {}
@@ -139,7 +139,7 @@ BackboneLayout layout_at(const Safetensors& content, const std::string& where) {
          fmt::format("metadata layout = '{}'; expected base_poses or gap_poses", shortened(text)));
 }
 
-// Files of before there was a choice don't say: the paper's form.
+// Older files, from before there was a choice, don't say; they have the paper's form.
 OutputForm output_form_at(const Safetensors& content, const std::string& where) {
   if (content.metadata.count("output_form") == 0) {
     return OutputForm::compensation;
@@ -154,7 +154,8 @@ OutputForm output_form_at(const Safetensors& content, const std::string& where) 
                             shortened(text)));
 }
 
-// Models of before valves were identified, and of recordings without set points, have none.
+// Older models, from before valves were identified, and models of recordings without set points
+// have none.
 void read_valves_into(CompensationModel& model, const Safetensors& content,
                       const std::string& where) {
   const auto found = content.metadata.find(kValvesKey);
@@ -164,7 +165,7 @@ void read_valves_into(CompensationModel& model, const Safetensors& content,
   model.set_valves(read_valves(YamlReader::from_text(found->second, where + ": metadata valves")));
 }
 
-// Models of before it was measured, and of recordings too short for it, have none.
+// Older models, from before it was measured, and models of recordings too short for it have none.
 void read_prediction_error_into(CompensationModel& model, const Safetensors& content,
                                 const std::string& where) {
   const auto found = content.metadata.find(kErrorKey);

@@ -6,8 +6,8 @@
 
 namespace limber {
 
-/// Says of a plan that a search has found whether it holds; searches ask while they go on, so that
-/// they end with a plan that does. Threads: one caller at a time.
+/// Decides whether a plan that a search has found holds. Searches ask while they go on, so that
+/// they end with a plan that holds. Threads: one caller at a time.
 class PlanJudge {
  public:
   enum class Verdict {
@@ -17,8 +17,8 @@ class PlanJudge {
   };
 
   virtual ~PlanJudge() = default;
-  /// @param plan     built from its waypoints; a judge may add to it what it has found
-  /// @param give_up  asked now and then; once it says so the answer is `unfinished`, within
+  /// @param plan     built from its waypoints; a judge may add its findings to it
+  /// @param give_up  called now and then; once it is true the answer is `unfinished`, within
   ///                 milliseconds
   virtual Verdict judge(Plan& plan, const std::function<bool()>& give_up) = 0;
 };

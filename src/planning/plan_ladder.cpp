@@ -10,7 +10,7 @@ namespace limber {
 namespace {
 
 constexpr double kNotable = 0.95;  // of the cost judged last: worth a certificate while searching
-constexpr double kWorthWaiting = 0.998;  // of the cost before: worth a place of its own
+constexpr double kWorthWaiting = 0.998;  // of the cost before: worth a rung of its own
 
 }  // namespace
 
@@ -39,7 +39,7 @@ bool PlanLadder::offer(const std::vector<Pressures>& waypoints_kpa, double merit
   const Found found{budget_.elapsed_s(), queries};
   Rung rung{waypoints_kpa, path_cost_kpa(waypoints_kpa), merit_kpa};
   if (!is_notable(rung)) {
-    // A little better than the one before it: takes its place, so that they stay a few.
+    // A little better than the one before it: replaces that one, so that they stay few.
     if (waiting_.size() > 1 && rung.merit_kpa > kWorthWaiting * waiting_.end()[-2].merit_kpa) {
       waiting_.pop_back();
     }
@@ -53,7 +53,7 @@ bool PlanLadder::offer(const std::vector<Pressures>& waypoints_kpa, double merit
   return verdict != PlanJudge::Verdict::refused;
 }
 
-/// Whether it is judged as it comes. What is cheap enough for the search to end must hold.
+/// Whether it is judged at once. A plan cheap enough to end the search must hold.
 bool PlanLadder::is_notable(const Rung& rung) const {
   return !standing_ || rung.merit_kpa < kNotable * standing_->merit_kpa ||
          budget_.good_enough(rung.cost_kpa);
@@ -63,7 +63,7 @@ PlanJudge::Verdict PlanLadder::judge(const Rung& rung, const Found& found) {
   const double begin_s = budget_.elapsed_s();
   const auto give_up = [this] { return budget_.is_overdue(); };
   PlanJudge* const judge = problem_.judge;
-  // What is measured in part, as time runs out, is for a judge, who will say so.
+  // If time runs out during the measurement, the judge will say so.
   Plan plan = build_plan(problem_, simulator_, rung.waypoints_kpa, planner_, seed_,
                          judge != nullptr ? give_up : std::function<bool()>());
   const PlanJudge::Verdict verdict =

@@ -12,22 +12,21 @@
 namespace limber {
 
 /// The plans that a search has found, each better than those before it (cheaper, or ending nearer
-/// to what is aimed at), and which of them hold before the problem's judge. The first, and each
-/// that is notably better than the last that held, is judged as it comes; the others wait until the
-/// search has ended, and are then judged from the best down until one holds. So a plan that is
-/// refused takes none of the others along. Without a judge every plan holds. What is given is
-/// borrowed.
+/// to the aim), and which of them the problem's judge accepts. The first, and each that is notably
+/// better than the last accepted one, is judged at once. The others wait until the search has
+/// ended, and are then judged from the best down until one is accepted. So a refused plan does not
+/// cost any of the others. Without a judge every plan is accepted. All arguments are borrowed.
 class PlanLadder {
  public:
   PlanLadder(const PlanningProblem& problem, MotionSimulator& simulator, PlannerBudget& budget,
              std::string planner, std::uint64_t seed);
 
   /// A plan that is better than all that stand. @param waypoints_kpa  start first
-  /// @param merit_kpa  the less, the better; its cost, where nothing else counts
+  /// @param merit_kpa  smaller is better; the plan's cost, unless something else counts too
   /// @return whether it may be built upon: false if it was judged and refused
   bool offer(const std::vector<Pressures>& waypoints_kpa, double merit_kpa, std::uint64_t queries);
 
-  /// Of the best that was offered and not refused; none: there is none.
+  /// Merit of the best plan that was offered and not refused; none: there is none.
   std::optional<double> best_cost_kpa() const;
   std::optional<double> best_merit_kpa() const;
 

@@ -14,7 +14,7 @@ namespace limber {
 [[nodiscard]] bool is_refused(const PlanningProblem& problem, const CollisionChecker& checker,
                               PlanResult& result);
 
-/// How a search went that ends.
+/// How a search that has ended went.
 struct SearchEnd {
   PlanLadder& ladder;
   std::uint64_t queries;               ///< of the model, until now
@@ -22,15 +22,15 @@ struct SearchEnd {
 };
 
 /// Finishes a search: the plan that holds, or else the motion that came nearest, simulated again
-/// from the start, with the reason why the search ended and the problem's warnings: nobody waits
-/// for them before a first plan.
+/// from the start, with the reason why the search ended and the problem's warnings. The warnings
+/// come last so that they do not delay the first plan.
 /// @param result  its statistics of iterations and nodes are filled in
 void finish_search(const PlanningProblem& problem, MotionSimulator& simulator,
                    const PlannerBudget& budget, const SearchEnd& end, const char* planner,
                    std::uint64_t seed, PlanResult& result);
 
-/// What is said of a search last: its tree for pictures (the oldest edges), its time and its log.
-/// @param end     how the search stands, of which time and queries are the result's
+/// Completes a result: its tree for pictures (the oldest edges), its time and its log.
+/// @param end     how the search went; gives the result's time and queries
 /// @param result  its statistics of queries are filled in
 void close_search(const PlannerBudget& budget, const PressureTree& tree, PlannerProgress end,
                   PlanResult& result);

@@ -21,20 +21,20 @@ class PlannerBudget {
 
   double elapsed_s() const;
 
-  /// True if the time is up or the callback has asked to stop; looked at inside long steps.
+  /// True if the time is up or the callback has asked to stop; checked inside long steps.
   bool out_of_time() const;
 
   /// True if the time limit has passed by more than an ending may take.
   bool is_overdue() const;
 
-  /// The last plan's certificate takes about so long: the search ends that much earlier.
+  /// The last plan's certificate takes about this long, so the search ends that much earlier.
   void keep_for_the_end(double seconds);
 
-  /// Looks at every limit; true from the moment one is spent.
+  /// Checks every limit; true as soon as one is spent.
   /// @param bytes  that the tree takes
   bool spent(const PlannerProgress& progress, double bytes);
 
-  /// Adds to the log what is worth keeping; `spent` does so each time.
+  /// Adds to the log if there is something to note; `spent` does so each time.
   void note(const PlannerProgress& progress);
   /// PlanResult::events.
   const std::vector<PlannerProgress>& events() const { return events_; }

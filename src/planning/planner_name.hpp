@@ -6,17 +6,16 @@
 
 namespace limber {
 
-/// A planner as people name it: "NAME" or "NAME,key=value,key=value". Names of before are
-/// understood.
+/// A planner as users name it: "NAME" or "NAME,key=value,key=value". Old names are understood.
 struct PlannerName {
   std::string name;
   std::map<std::string, std::string> settings;  ///< as they were typed
-  std::vector<std::string> notes;               ///< names of before that were used, and today's
+  std::vector<std::string> notes;               ///< old names that were used, and their new names
 
   /// @throws InputError naming the part that is no key=value.
   static PlannerName parse(const std::string& text);
 
-  /// The number of a setting, which is then no longer there; `fallback` where it was not given.
+  /// Takes out the number of a setting; `fallback` if it was not given.
   /// @throws InputError if it is not a number from `low` to `high`.
   double take(const std::string& key, double low, double high, double fallback);
 };

@@ -9,9 +9,9 @@
 
 namespace limber {
 
-/// Tree of states (set points, pressures, backbone) that grows from one root: the same set points
-/// reached another way are another state. Node 0 is the root. References into it hold until the
-/// next `add`.
+/// Tree of states (set points, pressures, backbone) that grows from one root. The same set points
+/// reached along another path are another state. Node 0 is the root. References into the tree are
+/// valid until the next `add`.
 class PressureTree {
  public:
   explicit PressureTree(const MotionModel& model) : model_(model) {}
@@ -19,7 +19,7 @@ class PressureTree {
   /// @param parent  −1 for the root, which comes first
   /// @param cost_kpa  of the motion from the root
   int add(const MotionState& state, int parent, double cost_kpa);
-  /// The same where the caller knows the state's settled tip already.
+  /// The same if the caller knows the state's settled tip already.
   int add(const MotionState& state, const Pose& settled_tip, int parent, double cost_kpa);
 
   int size() const { return static_cast<int>(nodes_.size()); }
@@ -29,7 +29,7 @@ class PressureTree {
   Eigen::Map<const Eigen::VectorXf> valves(int i) const;
   Eigen::Map<const Backbone> backbone(int i) const;
   MotionState state(int i) const;
-  /// MotionModel::settled_tip of the state: where the node's set points lead, about.
+  /// MotionModel::settled_tip of the state: about where the node's set points lead.
   const Pose& settled_tip(int i) const { return node(i).settled_tip; }
 
   /// Calls visit(child) for the children of i.
@@ -40,7 +40,7 @@ class PressureTree {
     }
   }
 
-  /// Hangs i, with everything below it, under another parent. @pre `parent` is not below i.
+  /// Moves i, with everything below it, to another parent. @pre `parent` is not below i.
   void set_parent(int i, int parent);
   void set_cost_kpa(int i, double cost_kpa) { node(i).cost_kpa = cost_kpa; }
   /// Another state at the same set points.
@@ -68,8 +68,8 @@ class PressureTree {
 
   MotionModel model_;
   std::vector<Node> nodes_;
-  std::vector<float> valves_;     // a valve state a node
-  std::vector<float> backbones_;  // 3m a node
+  std::vector<float> valves_;     // one valve state per node
+  std::vector<float> backbones_;  // 3m per node
 };
 
 }  // namespace limber

@@ -12,7 +12,7 @@ namespace {
 
 /// Share of a step by which a tick may lie outside the range, for rounding alone.
 constexpr double kSlack = 1e-9;
-/// Where a range is narrower than this share of its values, doubles can't tell its ticks apart.
+/// If a range is narrower than this share of its values, doubles can't tell its ticks apart.
 constexpr double kNarrowest = 1e-9;
 
 std::string tick_label(double value, double step) {

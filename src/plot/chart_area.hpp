@@ -8,7 +8,7 @@
 
 namespace limber {
 
-/// The rectangle that a chart's data are drawn in, and the way from data to its pixels: (0, 0) is
+/// The rectangle that a chart's data are drawn in, and the map from data to its pixels: (0, 0) is
 /// its upper left corner.
 class ChartArea {
  public:

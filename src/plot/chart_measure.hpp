@@ -20,8 +20,8 @@ class Extent {
   double high_ = 0.0;
 };
 
-/// What a chart's data need: axes' ranges, the shared bins of its histograms, and how many values
-/// can't be drawn.
+/// What a chart needs to know about its data: ranges of the axes, the shared bins of its
+/// histograms, and how many values can't be drawn.
 struct ChartMeasure {
   NiceRange x, y;
   std::vector<double> bin_edges;  ///< empty without histograms

@@ -31,7 +31,7 @@ class SeriesDrawer {
   int next_distribution_ = 0;
 };
 
-/// The key's entry for a series, with an empty label where it needs none.
+/// The key's entry for a series, with an empty label if it needs none.
 LegendEntry legend_entry(const Series& series);
 
 }  // namespace limber

@@ -11,8 +11,8 @@ struct Pixel {
   double y = 0.0;
 };
 
-/// Thins a line without changing its picture: of points in a row that share a pixel column it keeps
-/// the first, the lowest, the highest and the last, in their order.
+/// Thins a line without changing its picture: of successive points that share a pixel column it
+/// keeps the first, the lowest, the highest and the last, in their order.
 std::vector<Pixel> decimate(const std::vector<Pixel>& points);
 
 /// "M… L…" through the points; a lone point becomes a dot's worth of line.

@@ -29,13 +29,13 @@ std::string rectangle(double x, double y, double width, double height, std::stri
 std::string text(double x, double y, std::string_view content, const TextStyle& style,
                  std::string_view more_attributes = "");
 
-/// How wide `content` will be, roughly: browsers' fonts differ.
+/// About how wide `content` will be: browsers' fonts differ.
 double text_width(std::string_view content, double size_px);
 
 /// "12.3 45.6"
 std::string point(double x, double y);
 
-/// A pixel coordinate that is far outside is brought near, so that numbers stay short.
+/// Moves a pixel coordinate that is far outside nearer, so that numbers stay short.
 double tame(double pixel);
 
 /// A key whose entries fill rows of `width_px`, its first row's middle at `top_px`.

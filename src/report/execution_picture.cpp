@@ -14,7 +14,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kShapes = 6;  // taken on the way
+constexpr int kShapes = 6;  // drawn along the motion
 constexpr const char* kCollisionColor = "#b2182b";
 
 Backbone recorded_backbone(const Episode& episode, Eigen::Index frame) {

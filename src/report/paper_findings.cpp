@@ -36,7 +36,7 @@ std::vector<Pair> pairs_of(const std::vector<PlanningRow>& rows) {
 
 using Value = std::function<std::optional<double>(const PlanningRow&)>;
 
-/// A figure of both models over the environments where both have it.
+/// A figure of both models over the environments in which both have it.
 struct SideBySide {
   int environments = 0;
   int network_higher = 0;

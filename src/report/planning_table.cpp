@@ -85,7 +85,7 @@ Json to_json(const SampleFigures& figures) {
           {"count", figures.count}};
 }
 
-/// The model, and the planner where it is not limber's own.
+/// The model, and the planner if it is not limber's own.
 std::string model_name(const PlanningRow& row) {
   const std::string model = row.model == "network" ? "Network" : "No load";
   return row.planner == "default" ? model : model + ", " + row.planner;

@@ -68,7 +68,7 @@ int picture_width_px(const std::string& svg) {
   return found == std::string::npos ? 0 : std::atoi(svg.c_str() + found + key.size());
 }
 
-/// Grids of charts would be too small to read on a phone: they keep a least width and scroll
+/// Grids of charts would be too small to read on a phone: they keep a minimum width and scroll
 /// sideways.
 std::string figure_element(const ReportFigure& figure, std::string_view look) {
   constexpr int kWidePx = 650;

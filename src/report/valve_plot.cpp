@@ -23,7 +23,7 @@ double change_within(const Episode& episode, int first, int count) {
   return (set.bottomRows(count - 1) - set.topRows(count - 1)).cwiseAbs().sum();
 }
 
-/// The stretch of about `kShownS` that tells most, from the begin of a held-back range or whole
+/// The stretch of about `kShownS` that shows most, from the start of a held-back range or whole
 /// stretches after it.
 FrameRange liveliest(const Recording& recording) {
   FrameRange best;

@@ -12,7 +12,7 @@ namespace limber {
 /// Loss and gradient of batches of windows of one length, over all cores, for one network or for
 /// several of one shape, which share what is gathered for a batch. A batch is cut into fixed
 /// chunks, whose gradients are added in the order of the chunks. So the result has the same bits
-/// for any number of threads. Letters: P parameters a network, N networks.
+/// for any number of threads. Letters: P parameters per network, N networks.
 class BatchGradient {
  public:
   /// @param tables  must outlive this object.
@@ -22,7 +22,7 @@ class BatchGradient {
                 int windows_per_batch, int jobs, int networks = 1);
   ~BatchGradient();
 
-  /// Sums over the windows of their errors, one per network; their gradients go to `gradient`.
+  /// Sums of the windows' errors, one per network; their gradients go to `gradient`.
   /// Valid until the next call. It allocates nothing of its own.
   /// @param parameters  N·P, one network after the other; so is `gradient`, resized where it must.
   /// @param noise       standard deviation added to the first backbones, normalised; 0: none.
@@ -31,7 +31,7 @@ class BatchGradient {
                                   double noise, std::uint64_t seed, std::uint64_t stream,
                                   Eigen::VectorXf& gradient);
 
-  /// Chunks that a full batch is cut into.
+  /// Number of chunks that a full batch is cut into.
   int chunk_count() const;
 
  private:
@@ -48,8 +48,8 @@ class BatchGradient {
   Eigen::Index parameters_;  ///< P
   std::size_t networks_;     ///< N
   int windows_per_chunk_;
-  std::vector<Eigen::VectorXf> gradients_;  ///< N·P a chunk
-  std::vector<double> losses_;              ///< N a chunk, the first chunk's become the sums
+  std::vector<Eigen::VectorXf> gradients_;  ///< N·P per chunk
+  std::vector<double> losses_;              ///< N per chunk, the first chunk's become the sums
   std::unique_ptr<Threads> threads_;
 };
 

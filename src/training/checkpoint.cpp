@@ -52,7 +52,7 @@ Json to_json(const std::vector<TrainingStage>& stages) {
   return rows;
 }
 
-/// One checkpoint's parts, each checked against the run that goes on with it.
+/// One checkpoint's parts, each checked against the run that continues it.
 class CheckpointReader {
  public:
   CheckpointReader(const fs::path& path, const RunShape& run)

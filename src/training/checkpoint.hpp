@@ -7,7 +7,7 @@
 
 namespace limber {
 
-/// A run between two epochs, as stored beside the model that it is to become.
+/// A run between two epochs, stored beside the model that it will become.
 struct Checkpoint {
   std::string identity;  ///< hash of data and settings: another run's checkpoint is refused
   std::vector<TrainingStage> stages;
@@ -15,7 +15,7 @@ struct Checkpoint {
   TrainingState state;
 };
 
-/// What a run's checkpoint has to have: anything else is damage.
+/// What a run's checkpoint must contain; anything else means damage.
 struct RunShape {
   Eigen::Index parameters = 0;  ///< of all networks together
   int members = 1;              ///< networks
@@ -27,9 +27,9 @@ struct RunShape {
 /// Writes safetensors (schema limber/checkpoint/2), atomically; every number survives exactly.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
-/// Reads, and checks everything that training goes on with: sizes, ranges, finite numbers, and that
-/// the parts agree with each other. @throws InputError naming the file and what is wrong with it;
-/// also where its identity is another.
+/// Reads, and checks everything that training needs: sizes, ranges, finite numbers, and that the
+/// parts agree with each other. @throws InputError naming the file and what is wrong with it, also
+/// if it has another identity.
 Checkpoint read_checkpoint(const std::filesystem::path& path, const std::string& identity,
                            const RunShape& run);
 

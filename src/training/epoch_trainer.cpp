@@ -13,9 +13,9 @@ namespace limber {
 
 namespace {
 
-// A batch whose loss is this many times the stage's first has left every sensible region.
+// A batch whose loss is this many times the stage's first has diverged.
 constexpr double kExplosion = 100.0;
-// An epoch that ends this many times worse than its stage began isn't learning but wandering off.
+// An epoch that ends this many times worse than its stage began is not learning but drifting away.
 constexpr double kWorsening = 3.0;
 // Streams of one seed: the shuffles of epochs, the noise of batches and the weights of the members
 // behind the first, far apart from each other.

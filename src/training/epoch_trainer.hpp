@@ -12,15 +12,15 @@
 
 namespace limber {
 
-/// Everything that changes while networks are trained: stored between epochs, it continues a run
-/// bit for bit, for all chance is drawn from streams numbered by epoch. P parameters a network, N
-/// networks; the vectors hold one network after the other.
+/// Everything that changes while networks are trained. Stored between epochs, it continues a run
+/// bit for bit, because all random numbers come from streams numbered by epoch. P parameters per
+/// network, N networks; the vectors hold one network after the other.
 struct TrainingState {
   int epochs_done = 0;
   Eigen::VectorXf parameters;  ///< N·P
   Eigen::VectorXf average;     ///< moving average of the parameters; empty if it is off
   OptimiserState optimiser;
-  Eigen::VectorXf best;                  ///< parameters with the least validation error so far
+  Eigen::VectorXf best;                  ///< parameters with the smallest validation error so far
   double best_error_m = 0.0;             ///< of the mean of the networks' predictions
   std::vector<double> best_members_m;    ///< of each network, in that epoch
   int best_epoch = 0;                    ///< 0: none yet
@@ -28,10 +28,10 @@ struct TrainingState {
   std::vector<LearningCurvePoint> curve;
 };
 
-/// What one epoch came to.
+/// Result of one epoch.
 struct EpochLoss {
   double mean = 0.0;  ///< over windows and networks
-  int diverged = -1;  ///< a network that left every sensible region; −1: none
+  int diverged = -1;  ///< a network that diverged; −1: none
   double diverged_loss = 0.0;
   bool stopped = false;  ///< in the middle: the state is that of no epoch
 };
@@ -58,12 +58,12 @@ class EpochTrainer {
 
   /// First frames of the next epoch's windows, in their order; `count` of them are from the replay.
   std::vector<int> shuffled_starts(const TrainingStage& stage) const;
-  /// Gradient and optimiser step over one batch of starts that changes nothing: to be timed.
+  /// Gradient and optimiser step over one batch of starts, for timing; changes nothing.
   void rehearse(const TrainingStage& stage, std::span<const int> starts);
   /// At `epochs` done, fractions counted.
   double learning_rate(double epochs) const;
 
-  /// The weights that are validated: averaged, where an average is kept.
+  /// The weights that are validated: averaged, if an average is kept.
   const Eigen::VectorXf& validated_weights() const;
   /// The networks of these N·P parameters, in `order` (all members, the leading one first).
   CompensationModel model_of(const Eigen::VectorXf& parameters, std::span<const int> order) const;

@@ -13,7 +13,7 @@ constexpr double kStillM = 1e-3;          // of any plate from frame to frame
 constexpr int kStillFrames = 4;           // in a row
 constexpr std::size_t kMinFromRest = 19;  // for a 95 % quantile
 
-/// Motions as they were recorded, holds included, cut where they are longer than `max_frames`.
+/// Motions as they were recorded, including holds, cut if they are longer than `max_frames`.
 std::vector<RolloutPiece> cut_motions(const std::vector<Episode>& unseen, int max_frames) {
   std::vector<RolloutPiece> pieces;
   for (const RolloutPiece& motion : pieces_of_motions(unseen)) {

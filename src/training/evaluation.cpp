@@ -33,7 +33,7 @@ std::vector<RolloutPiece> pieces_for(const std::vector<Episode>& episodes, Resta
   return pieces_of_length(episodes, std::numeric_limits<int>::max());
 }
 
-/// A piece for every frame but the first, whether a start was seen or not: for models that need
+/// A piece for every frame but the first, whether a start was tracked or not: for models that need
 /// none.
 std::vector<RolloutPiece> pieces_of_every_frame(const std::vector<Episode>& episodes) {
   std::vector<RolloutPiece> pieces;
@@ -75,7 +75,7 @@ TipErrorSeries rollout_errors(const ForwardModel& model, const std::vector<Episo
   return errors_over(predict(model, episodes, restart, jobs), episodes, 1);
 }
 
-/// Makes predictions NaN that rest on one of the `count` frames before them that was not seen.
+/// Makes predictions NaN that depend on an untracked frame among the `count` frames before them.
 void forget_guesses(const Episode& episode, int count, FrameMatrix& predicted) {
   for (int t = 0; t < episode.frame_count(); ++t) {
     for (int before = std::max(t - count, 0); before < t; ++before) {

@@ -14,8 +14,8 @@ namespace limber {
 
 namespace {
 
-// A number that spreads by less is taken to spread by this, or noise in what hardly moves would
-// decide. Of positions and headings as in the loss (docs/training.md).
+// A number that spreads by less is treated as if it spread by this; otherwise noise in numbers that
+// hardly move would decide. For positions and headings as in the loss (docs/training.md).
 constexpr double kMinPositionSpread_m = 1e-4;
 constexpr double kMinHeadingSpread_rad = 2e-3;
 constexpr double kMinPressureShare = 0.01;  // of the pressure that spreads most
@@ -28,7 +28,7 @@ constexpr int kBlockFrames = 200;        // 10 s: two blocks have little to do w
 constexpr double kAllowedBeyond = 0.03;  // share of frames; what is asked for is 0.05
 constexpr double kMaxWidening = 1.0;
 
-/// Joint vectors of the frames in which the arm was seen, one per column.
+/// Joint vectors of the frames in which the arm was tracked, one per column.
 Eigen::MatrixXd joint_vectors(const Episode& episode) {
   std::vector<int> tracked;
   for (int t = 0; t < episode.frame_count(); ++t) {

@@ -6,7 +6,7 @@
 
 namespace limber {
 
-/// What an optimiser remembers between steps: all of it, so that a run can be stored and continued.
+/// Everything that an optimiser remembers between steps, so that a run can be stored and continued.
 struct OptimiserState {
   Eigen::VectorXf first_moment;   ///< Adam's m; empty for SGD
   Eigen::VectorXf second_moment;  ///< Adam's v; empty for SGD
@@ -20,7 +20,7 @@ struct OptimiserState {
 void optimiser_step(Optimiser optimiser, const Eigen::VectorXf& gradient, double learning_rate,
                     OptimiserState& state, Eigen::VectorXf& parameters);
 
-/// Shortens `gradient` to `limit` where it is longer; 0 means no limit. Returns its norm before.
+/// Shortens `gradient` to `limit` if it is longer; 0 means no limit. Returns its norm before.
 double limit_norm(Eigen::Ref<Eigen::VectorXf> gradient, double limit);
 
 /// Half a cosine from `rate` at progress 0 to zero at 1.

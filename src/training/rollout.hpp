@@ -16,14 +16,14 @@ struct RolloutPiece {
 };
 
 /// Pieces of `frames` frames, the last one shorter, from the start of each episode on. A piece
-/// begins at a frame in which the arm was seen: a guessed backbone is no start.
+/// begins at a frame in which the arm was tracked: a guessed backbone is no start.
 std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes, int frames);
 
 /// A piece for each commanded motion: it starts from the last frame before the motion, or the first
-/// after that in which the arm was seen.
+/// after that in which the arm was tracked.
 std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes);
 
-/// What a rollout does when Ctrl-C comes: training needs the whole validation.
+/// What a rollout does on Ctrl-C: training needs the whole validation.
 enum class OnInterrupt { finish, stop };
 
 /// Predicted backbones of every episode (T×3m), fed with its measured pressures. A piece's first
@@ -38,7 +38,7 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
 std::vector<FrameMatrix> mean_of(const std::vector<std::vector<FrameMatrix>>& predicted);
 
 /// Mean distance of the predicted tips from the recorded ones over those of the pieces' frames in
-/// which the arm was seen; NaN if there are none.
+/// which the arm was tracked; NaN if there are none.
 double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
                         const std::vector<Episode>& episodes,
                         const std::vector<RolloutPiece>& pieces);

@@ -31,7 +31,7 @@ double worst_motion(const std::vector<double>& values, const std::vector<int>& m
 ErrorStatistics statistics(std::vector<double> values, const std::vector<int>& motion) {
   ErrorStatistics result;
   result.worst_motion = worst_motion(values, motion);
-  // Frames in which the arm was not seen, or nothing was predicted, are marked NaN.
+  // Frames in which the arm was not tracked, or nothing was predicted, are marked NaN.
   std::erase_if(values, [](double value) { return std::isnan(value); });
   if (values.empty()) {
     result.mean = result.std = result.p95 = std::numeric_limits<double>::quiet_NaN();

@@ -20,7 +20,7 @@ namespace {
 // Streams of the seed that choose which episodes are held back, and for what.
 constexpr std::uint64_t kValidationStream = 0;
 constexpr std::uint64_t kUnseenStream = 0x756e7365656e;
-constexpr int kMinUnseenFrames = 20;  // of an episode's end: less says nothing of a prediction
+constexpr int kMinUnseenFrames = 20;  // of an episode's end: less says nothing about a prediction
 
 std::int64_t frame_count(const std::vector<Episode>& episodes) {
   std::int64_t frames = 0;
@@ -113,7 +113,7 @@ void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
   if (longest == data.training.end()) {
     return;
   }
-  // Of few long episodes whole ones would take too much from learning.
+  // With few long episodes, whole ones would take too much away from training.
   if (longest->frame_count() > 2 * wanted) {
     if (wanted >= kMinUnseenFrames) {
       const int kept = longest->frame_count() - wanted;

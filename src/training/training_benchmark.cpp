@@ -29,7 +29,7 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Multiply-adds a second of all threads together, each in registers only.
+/// Multiply-adds per second of all threads together, each in registers only.
 double peak_gmac_per_s(int threads) {
   const GemmKernels& kernels = gemm_kernels();
   std::vector<double> rates(static_cast<std::size_t>(threads));

@@ -4,8 +4,8 @@
 
 namespace limber {
 
-/// Kernels of back-propagation through windows: in float those of one level of CPU features, in
-/// double plain loops, which check gradients and are the others' reference.
+/// Kernels of back-propagation through windows: in float for one level of CPU features; in double
+/// plain loops, which check gradients and are the reference for the others.
 ///
 /// Windows lie along rows: number r of window j stands at [r·stride + j], so that each vector
 /// instruction serves as many windows as it has lanes, whatever the network's sizes. A block is one
@@ -33,7 +33,7 @@ struct WindowKernels {
   /// rows[r·stride + j] = columns[index[j]·ld + r], r < row_count, j < stride.
   void (*gather)(int row_count, int stride, const Scalar* columns, int ld, const int* index,
                  Scalar* rows);
-  /// state = uncompensated + scale ∘ output: `size` rows, one scale a row.
+  /// state = uncompensated + scale ∘ output: `size` rows, one scale per row.
   void (*add_scaled)(int size, int stride, const Scalar* scale, const Scalar* output,
                      const Scalar* uncompensated, Scalar* state);
   /// carried += error; delta = scale ∘ carried.
@@ -45,7 +45,7 @@ struct WindowKernels {
   void (*gated_change)(int size, int stride, const Scalar* scale, const Scalar* output,
                        const Scalar* uncompensated, const Scalar* previous, Scalar* gate,
                        Scalar* state);
-  /// The way back: with s = carried + direct + error, delta = (scale ∘ s, then s ∘ (uncompensated −
+  /// Backward: with s = carried + direct + error, delta = (scale ∘ s, then s ∘ (uncompensated −
   /// previous) ∘ gate ∘ (1 − gate)), 2·size rows, and direct = (1 − gate) ∘ s.
   void (*gated_carry)(int size, int stride, const Scalar* scale, const Scalar* error,
                       const Scalar* uncompensated, const Scalar* previous, const Scalar* gate,
@@ -61,7 +61,7 @@ struct WindowKernels {
                           const Scalar* window_weight, Scalar* gradient, Scalar* scratch);
 };
 
-/// What a step of the optimiser does to vectors of parameters, for one level of CPU features.
+/// The optimiser's operations on vectors of parameters, for one level of CPU features.
 struct OptimiserKernels {
   /// sum += term; both `count` numbers.
   void (*add)(int count, const float* term, float* sum);

@@ -194,7 +194,7 @@ TrainingResult TrainingRun::result(TrainingStatus status, std::string message) c
 }
 
 // Everything that decides the result but the stages, which a time limit may have fixed; what
-// differs there is told by name.
+// differs there is named.
 std::string TrainingRun::identity() const {
   const auto bytes = [](const auto& matrix) {
     return std::string_view(reinterpret_cast<const char*>(matrix.data()),

@@ -37,8 +37,8 @@ TrainingSettings paper_preset() {
   settings.stages = {{32, 128, 6000}};
   settings.optimiser = Optimiser::sgd;
   settings.learning_rate = 1e-4;
-  // The first batches' gradients are this long, later ones' a tenth of it: only a batch that
-  // explodes is ever shortened. Without, one does after some hundred epochs.
+  // The first batches' gradients are this long, later ones' a tenth of it: only exploding gradients
+  // are ever shortened. Without a limit, one explodes after some hundred epochs.
   settings.gradient_norm_limit = 5000.0;
   settings.cosine_decay = false;
   settings.shift_windows = false;

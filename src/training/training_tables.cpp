@@ -89,7 +89,7 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
   return raw;
 }
 
-/// The columns in which the arm was seen: guesses in between say nothing about ranges.
+/// The columns in which the arm was tracked: guesses in between say nothing about ranges.
 Eigen::MatrixXf tracked_only(Eigen::MatrixXf columns, const RawFrames& raw) {
   return raw.tracked_columns.empty() ? std::move(columns)
                                      : Eigen::MatrixXf(columns(Eigen::all, raw.tracked_columns));
@@ -142,8 +142,9 @@ Normalisation stack(const std::vector<Normalisation>& parts) {
   return result;
 }
 
-/// Scale of the changes from frame to frame. They are not shifted: no change stays none. Where the
-/// arm was not seen, neighbours in a straight line stand in for it: no change is far too large.
+/// Scale of the changes from frame to frame. They are not shifted, so that no change stays no
+/// change. Untracked frames are interpolated between their neighbours, so that no change is too
+/// large.
 Normalisation measure_changes(const RawFrames& raw, const std::vector<EpisodeRange>& episodes,
                               Scaling scaling) {
   Eigen::MatrixXf changes = Eigen::MatrixXf::Zero(raw.state.rows(), raw.state.cols());

@@ -13,8 +13,8 @@ namespace limber {
 
 namespace {
 
-constexpr int kPathFrames = 8;  // before and after: late or early by that much is no other path
-constexpr int kPathParts = 4;   // points looked at from one frame to the next
+constexpr int kPathFrames = 8;  // before and after: a delay up to this is still the same path
+constexpr int kPathParts = 4;   // points checked from one frame to the next
 
 /// The runs as episodes, their pressures those that the model's valves make of the set points.
 std::vector<Episode> runs_of(const ArmDescription& arm, const CompensationModel& model,
@@ -57,7 +57,7 @@ double off_path_m(const FrameMatrix& predicted, const Episode& run, int t) {
   return nearest;
 }
 
-/// None if the arm was seen in no frame after the first.
+/// None if the arm was tracked in no frame after the first.
 std::optional<RunError> error_of(const FrameMatrix& predicted, const Episode& run) {
   std::optional<RunError> error;
   for (int t = 1; t < run.frame_count(); ++t) {

@@ -166,7 +166,7 @@ void WindowGradient<Scalar>::apply_output(int block, Scalar* state) {
   }
 }
 
-// What comes back from the frames behind and from this frame's own error, to the network's output.
+// From the gradients of later frames and of this frame's own error to that of the network's output.
 template <class Scalar>
 void WindowGradient<Scalar>::carry_back(int block, Scalar* delta) {
   const Scalar* error = at(error_gradient_, size_, block);

@@ -2,7 +2,7 @@
 
 // The gradient of a weight, Σ dy·xᵀ over many windows, compiled once per CPU level. Both factors
 // have their windows contiguous, so a tile of sums (kTileOutputs × kTileInputs) holds one partial
-// sum a lane while whole vectors of both stream by; the lanes are added up once, at the end.
+// sum per lane while whole vectors of both stream by; the lanes are added up once, at the end.
 
 #include <cstddef>
 
@@ -46,7 +46,7 @@ inline void add_lanes(Vector* v) {
   }
 }
 
-// Blocks of windows: dy has m rows a block, x begins `x_block` numbers after the block before.
+// Blocks of windows: dy has m rows per block, x begins `x_block` numbers after the block before.
 struct WindowBlocks {
   int count, stride;
   std::ptrdiff_t dy_block, x_block;

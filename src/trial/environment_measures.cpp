@@ -21,7 +21,7 @@ double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Way along the unit direction from p to the outline of an obstacle, +∞ where it is not met.
+/// Distance along the unit direction from p to the outline of an obstacle, +∞ if it is not met.
 double ray_distance(const ObstacleShape& shape, const Vector2d& p, const Vector2d& direction) {
   if (shape.is_circle()) {
     const Vector2d to_centre = shape.centre - p;

@@ -50,7 +50,7 @@ std::uint32_t BroadPhase::may_touch(const Eigen::Ref<const Backbone>& from,
     // Of both sides of a triangle the third is never longer.
     const float chord = std::max(std::abs(c[0] - a[0]) + std::abs(c[1] - a[1]),
                                  std::abs(d[0] - b[0]) + std::abs(d[1] - b[1]));
-    // Chords lie in the hull of the four places of their ends, arcs no farther than their bulge
+    // Chords lie in the hull of the four points of their ends, arcs no farther than their bulge
     // beside their chords.
     const float reach =
         radius_m_[static_cast<std::size_t>(first + i)] + 0.5F * chord * bulge_over_half_chord(turn);

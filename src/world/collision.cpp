@@ -67,9 +67,9 @@ struct GapMotion {
             from.turn_rad + fraction * (to.turn_rad - from.turn_rad)};
   }
 
-  /// No point of the arc travels farther than this: its plates' way, its bulge turning with the
-  /// chord, and its bulge growing (the point's place over the chord changes by less than 0.3 per
-  /// radian of turn; tests/world/collision_test.cpp).
+  /// No point of the arc travels farther than this: its plates' distance, its bulge turning with
+  /// the chord, and its bulge growing (the point's place over the chord changes by less than 0.3
+  /// per radian of turn; tests/world/collision_test.cpp).
   double travel_bound_m() const {
     constexpr double kPlacePerTurn = 0.3;
     const Vector2d start_shift = to.start - from.start;
@@ -137,7 +137,7 @@ bool arc_touches(const std::vector<ObstacleShape>& shapes, const GapArc& arc, do
   return false;
 }
 
-/// Lowers `best` to the clearance of a thickened arc where that is less.
+/// Lowers `best` to the clearance of a thickened arc if that is less.
 void lower_by_arc(const std::vector<ObstacleShape>& shapes, const GapArc& arc, double radius,
                   int gap, Clearance& best) {
   const double bulge = bulge_m((arc.end - arc.start).norm(), arc.turn_rad);
@@ -168,7 +168,7 @@ void lower_by_arc(const std::vector<ObstacleShape>& shapes, const GapArc& arc, d
 }
 
 /// True if the gap stays free between the fractions `low` and `high` of its motion.
-/// @param travel  bound on the way of any of its points over the whole motion
+/// @param travel  bound on how far any of its points moves over the whole motion
 bool motion_is_free(const std::vector<ObstacleShape>& shapes, const GapMotion& motion,
                     double radius, double travel, double low, double high) {
   const GapArc arc = motion.at(0.5 * (low + high));

@@ -18,7 +18,7 @@ double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Whether a box may hold something nearer than `best`, both squared; also where they are equal but
+/// Whether a box may hold something nearer than `best`, both squared; also if they are equal but
 /// for rounding, so that boxes change no distance by a bit.
 bool may_be_nearer(double to_box, double best) {
   return to_box <= best * (1.0 + kRounding) + kRounding * kRounding;
@@ -47,7 +47,7 @@ bool visit_edges(const ObstacleShape& shape, IsOfInterest&& is_of_interest, Visi
   return true;
 }
 
-/// Even–odd rule; points on the outline may fall either way.
+/// Even–odd rule; points on the outline may count as inside or outside.
 bool is_inside(const ObstacleShape& shape, const Vector2d& p) {
   bool inside = false;
   visit_edges(
@@ -96,7 +96,7 @@ std::vector<Box> edge_boxes_of(const std::vector<Vector2d>& corners) {
   return boxes;
 }
 
-/// Lowest signed distance on a–b: it changes by no more than the way along the segment, which
+/// Lowest signed distance on a–b: it changes by no more than the distance along the segment, which
 /// bounds it on every half.
 double lowest_signed_distance(const ObstacleShape& shape, const Vector2d& a, const Vector2d& b,
                               double best) {

@@ -52,7 +52,7 @@ void PressureIndex::split(std::size_t cell) {
                    [&](int a, int b) { return point(a)[axis] < point(b)[axis]; });
   float value = point(*middle)[axis];
   if (std::none_of(members.begin(), members.end(), [&](int i) { return point(i)[axis] < value; })) {
-    // Many points share the least value: cut above them instead.
+    // Many points share the smallest value: cut above them instead.
     float above = std::numeric_limits<float>::max();
     for (const int i : members) {
       above = point(i)[axis] > value ? std::min(above, point(i)[axis]) : above;

@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "a.yaml:2: name: a list of 2 found; expected a text"},
         Breakage{"frame_rate_hz: 20\n", "", "a.yaml:1: the key 'frame_rate_hz' is missing"},
         Breakage{"frame_rate_hz: 20", "frame_rate_hz: 0",
-                 "a.yaml:3: frame_rate_hz: 0 found; expected frames a second, from 1 to 1000"},
+                 "a.yaml:3: frame_rate_hz: 0 found; expected frames per second, from 1 to 1000"},
         Breakage{"actuator_radius_m: 0.006", "actuator_radius_m: -0.006",
                  "a.yaml:5: actuator_radius_m: -0.006 found; expected a length in metres, at least "
                  "0"},

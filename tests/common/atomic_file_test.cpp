@@ -138,7 +138,7 @@ TEST(AtomicFile, NeverReplacesFoldersDevicesOrLinks) {
   fs::create_symlink(file, folder.path() / "link");
   for (const fs::path& path : {folder.path(), fs::path("/dev/null"), folder.path() / "link"}) {
     EXPECT_THAT([&] { refuse_to_overwrite(path, true); },
-                ThrowsMessage<InputError>(HasSubstr("no plain file")));
+                ThrowsMessage<InputError>(HasSubstr("not a plain file")));
   }
   EXPECT_THAT([&] { refuse_to_overwrite(file / "x", true); },
               ThrowsMessage<InputError>(HasSubstr("is no folder")));

@@ -110,14 +110,14 @@ TEST_F(RecordingFile, RefusesDataInOtherFiles) {
           ASSERT_GE(H5Lcreate_external("other.h5", name, f.getId(), name, H5P_DEFAULT, H5P_DEFAULT),
                     0);
         },
-        {std::string(name) + ": a link to another place; expected the data themselves"});
+        {std::string(name) + ": a link to other data; expected the data themselves"});
     write_recording(path_, test_recording());
     expect_refusal(
         [&](H5::H5File& f) {
           f.unlink(name);
           ASSERT_GE(H5Lcreate_soft("/nowhere", f.getId(), name, H5P_DEFAULT, H5P_DEFAULT), 0);
         },
-        {std::string(name) + ": a link to another place"});
+        {std::string(name) + ": a link to other data"});
   }
   write_recording(path_, test_recording());
   expect_refusal(

@@ -64,7 +64,7 @@ TEST(RequireRecordingOf, NamesWhatDiffersFromTheArm) {
   recording.point_count = 4;
   recording.rate_hz = 100.0;
   EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
-              ThrowsMessage<InputError>(HasSubstr("100 frames a second; arm 'mine' has 20")));
+              ThrowsMessage<InputError>(HasSubstr("100 frames per second; arm 'mine' has 20")));
 }
 
 TEST(RequireRecordingOf, TakesTheSameArmRenamedOrEditedAndRefusesAnother) {

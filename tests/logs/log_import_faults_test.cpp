@@ -56,7 +56,7 @@ TEST_F(LogImportFaults, FindsWrongAndMixedUnits) {
   pressure_scale_ = 1.0;
   expect_refusal(
       log(), replaced(mapping(), "{column: time_s}", "{column: time_s, unit: us}"),
-      {"run.csv: column 'time_s', read in us, gives 1e+08 rows a second; expected 19 to 20000",
+      {"run.csv: column 'time_s', read in us, gives 1e+08 rows per second; expected 19 to 20000",
        "Are its times in s?"});
 }
 
@@ -71,7 +71,7 @@ TEST_F(LogImportFaults, FindsPointsInAnotherOrder) {
 TEST_F(LogImportFaults, FindsALogSlowerThanTheArm) {
   rate_hz_ = 10.0;
   expect_refusal(log(), mapping(),
-                 {"10 rows a second; expected 19 to", "Is it the column of times?",
+                 {"10 rows per second; expected 19 to", "Is it the column of times?",
                   "set frame_rate_hz of the arm file to at most 10"});
 }
 

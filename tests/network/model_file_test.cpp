@@ -329,7 +329,7 @@ INSTANTIATE_TEST_SUITE_P(
                  s.tensors.erase("layers.1.weight");
                  s.tensors.erase("layers.1.bias");
                },
-               "tensor layers.2.bias does not belong into a model file"},
+               "tensor layers.2.bias does not belong in a model file"},
         Damage{"no_scale", [](Safetensors& s) { s.tensors.erase("normalisation.input.scale"); },
                "no tensor normalisation.input.scale"},
         Damage{"zero_scale",
@@ -361,12 +361,12 @@ INSTANTIATE_TEST_SUITE_P(
                [](Safetensors& s) {
                  s.tensors["extra"] = {{1}, {0.0F}};
                },
-               "tensor extra does not belong into a model file"},
+               "tensor extra does not belong in a model file"},
         Damage{"stray_tensor_of_whole_numbers",
                [](Safetensors& s) {
                  s.shorts["extra"] = {{1}, {0}};
                },
-               "tensor extra does not belong into a model file"}),
+               "tensor extra does not belong in a model file"}),
     [](const auto& damage) { return std::string(damage.param.name); });
 
 }  // namespace

@@ -242,7 +242,7 @@ TEST(Forest, OfAModelThatRunsOffIsRefused) {
   const ForwardModel wild(s.arm, model);
   EXPECT_THAT(
       [&] { (void)grow_forest(s.arm, wild, forest_key(s.arm, "wild", {}, s.start), s.start); },
-      ThrowsMessage<InputError>(HasSubstr("diverges")));
+      ThrowsMessage<InputError>(HasSubstr("the model diverges")));
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(RecordedRegion, SaysInNumbersWhereAPlanLeavesIt) {
   const std::vector<std::string> fast =
       excursions_beyond(recorded(-wide, wide, 1.0F), *result.plan, "kPa");
   ASSERT_FALSE(fast.empty());
-  EXPECT_THAT(fast.front(), HasSubstr("kPa a second; recorded up to 1.0"));
+  EXPECT_THAT(fast.front(), HasSubstr("kPa per second; recorded up to 1.0"));
 }
 
 TEST(RecordedRegion, PlansAskedToStayInsideDo) {

@@ -60,7 +60,7 @@ def unlisted_headers():
 
 
 def prose(path):
-    """Paragraphs, list items and table cells, on one line each and without code, tags and link targets."""
+    """Paragraphs, list items and table rows, one line each, without code, tags and link targets."""
     text = path.read_text(encoding="utf-8")
     text = re.sub(r"```.*?```|<!--.*?-->|<[a-z/][^>]*>", "", text, flags=re.S)
     text = re.sub(r"`[^`]*`", "code", text)

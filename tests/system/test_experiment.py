@@ -82,7 +82,7 @@ class Experiment(InFolder):
         (self.folder / "x" / "trials" / "my_notes.txt").write_text("mine", encoding="utf-8")
         inputs = ("--model", "m.safetensors", "--environments", "environments")
         said = self.run_limber(*command, *inputs, "--force").stderr
-        self.assertIn("not written by limber experiment or changed since: trials/my_notes.txt", said)
+        self.assertIn("did not write them or they have changed since: trials/my_notes.txt", said)
         self.assertEqual((self.folder / "x" / "trials" / "my_notes.txt").read_text(), "mine")
         # A result that was changed by hand is its owner's from then on.
         (self.folder / "x" / "table.md").write_text("mine", encoding="utf-8")

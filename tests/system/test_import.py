@@ -300,7 +300,7 @@ class BadInput(InFolder):
         with h5py.File(self.folder / "fast.h5", "r+") as file:
             file.attrs["rate_hz"] = 50.0
         message = self.run_limber("train", *ARM, "--data", "fast.h5", code=2).stderr
-        self.assertIn("50 frames a second; arm 'two_segment' has 20", message)
+        self.assertIn("50 frames per second; arm 'two_segment' has 20", message)
         what = [s["what"] for s in self.run_json("inspect", "fast.h5")["suspicions"]]
         self.assertIn("frames at another rate than the file says", what)
 

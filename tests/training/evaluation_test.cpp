@@ -199,7 +199,7 @@ Episode tracked_now_and_then(Episode episode, int period, bool tracked) {
   return episode;
 }
 
-/// The frames of a series in which the arm was seen; the series begins with frame 1.
+/// The frames of a series in which the arm was tracked; the series begins with frame 1.
 TipErrorSeries seen_frames(const TipErrorSeries& series, const Episode& episode) {
   TipErrorSeries result;
   for (int t = 1; t < episode.frame_count(); ++t) {

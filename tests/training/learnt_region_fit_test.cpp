@@ -164,7 +164,7 @@ TEST(LearntRegionFit, RefusesRecordingsInWhichTheArmWasNeverSeen) {
   Episode episode = toy_episode(three_segment_arm(), 2, 10, 1);
   episode.tracked.assign(21, 0);
   EXPECT_THAT([&] { (void)learnt_region_of({episode}); },
-              ThrowsMessage<InputError>(HasSubstr("the arm was seen in no frame")));
+              ThrowsMessage<InputError>(HasSubstr("the arm was tracked in no frame")));
 }
 
 }  // namespace

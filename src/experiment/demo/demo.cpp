@@ -27,7 +27,7 @@ constexpr Stage kStages[] = {
     {"execute", "the plans on the virtual arm", execute_stage},
 };
 
-// Written whatever the arm; found in the way before the work begins.
+// Written for every arm, so an existing file of this name is found before the work begins.
 constexpr const char* kFiles[] = {"arm.yaml",
                                   "characterisation.svg",
                                   "train_part.h5",

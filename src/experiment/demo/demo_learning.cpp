@@ -158,7 +158,7 @@ void evaluate_stage(DemoResults& results) {
 void bench_stage(DemoResults& results) {
   SpeedSettings settings;
   settings.queries = results.recipe.bench_queries;
-  settings.optional_peers = false;  // limber bench is the place for them
+  settings.optional_peers = false;  // limber bench has them
   settings.jobs = results.settings->jobs;
   settings.progress = results.settings->progress;
   results.speed = measure_speed(results.arm(), &results.training.model, settings);

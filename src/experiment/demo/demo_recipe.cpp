@@ -31,7 +31,7 @@ ScheduleSettings random(int motions, Approach approach) {
   return schedule;
 }
 
-/// Motions as a plan makes them: straight in pressure, cut short.
+/// Motions like those of a plan: straight in pressure, cut short.
 ScheduleSettings plan_like(int motions) {
   ScheduleSettings schedule = random(motions, Approach::straight);
   schedule.hold_s = 1.5;
@@ -57,7 +57,7 @@ DemoRecipe full_recipe(const ArmDescription& arm) {
   recipe.unseen_schedule = one_episode(100);
   recipe.test_schedule = one_episode(100);
   recipe.training = best_preset();
-  // Those that leave room for what a network of three hours errs by (docs/planning.md).
+  // Those that leave room for the error of a network trained on three hours (docs/planning.md).
   recipe.environments = {"01_pillar", "05_between_pillars", "06_overshoot"};
   return recipe;
 }

@@ -15,8 +15,8 @@ struct DemoRecipe {
   /// Recorded one after another and joined; schedule k is drawn by its own seed.
   std::vector<ScheduleSettings> training_schedules;
   ScheduleSettings validation_schedule;
-  /// Motions as a plan makes them, which neither train nor choose: the model's error is measured on
-  /// them.
+  /// Motions like those of plans, used neither for training nor for choosing: the model's error is
+  /// measured on them.
   ScheduleSettings unseen_schedule;
   ScheduleSettings test_schedule;  ///< one unbroken episode, never trained on
   TrainingSettings training;
@@ -24,8 +24,8 @@ struct DemoRecipe {
   std::vector<std::string> environments;  ///< names of files in environments/; for the paper's arm
   int random_environments = 3;            ///< for any other arm, for which none are drawn up
   int plans_per_environment = 3;          ///< of each model, each by its own seed
-  /// Short: the longer a plan is improved, the more it makes of the model's error. On the demo's
-  /// arm, 0.2, 1 and 5 s of planning end 3.1, 4.1 and 5.4 cm off on average when executed.
+  /// Short: the longer a plan is improved, the more it exploits the model's error. On the demo's
+  /// arm, plans of 0.2, 1 and 5 s end 3.1, 4.1 and 5.4 cm off on average when executed.
   double planning_time_limit_s = 0.5;
 };
 
@@ -34,7 +34,7 @@ DemoRecipe full_recipe(const ArmDescription& arm);
 /// The same chain on little data, in under a minute; its figures are worse, and the report says so.
 DemoRecipe quick_recipe(const ArmDescription& arm);
 
-/// Seed of part `index` of a run, so that no two parts share their chance.
+/// Seed of part `index` of a run, so that no two parts share random numbers.
 std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index);
 
 }  // namespace limber

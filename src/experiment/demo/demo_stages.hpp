@@ -53,7 +53,7 @@ struct DemoResults {
   std::vector<PlanTrial> trials;            ///< environment by environment, no load before network
   std::vector<ReportFigure> plan_pictures;  ///< planned and executed, environment by environment
 
-  /// What motions are predicted with: the no-load model or the network behind the network's valves.
+  /// What motions are predicted with: the no-load model or the network, after the network's valves.
   MotionModel motion_model(const ForwardModel& forward) const;
   const Environment& environment(const std::string& id) const;
   const ArmDescription& arm() const { return characterised.arm; }

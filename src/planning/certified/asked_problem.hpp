@@ -8,14 +8,14 @@
 
 namespace limber {
 
-/// A problem as its user asked for it, with what plans for it are held against: made once, when it
+/// A problem as its user asked for it, with what its plans are checked against: made once, when it
 /// is first needed, and shared by all searches for its plans. Borrows what the problem borrows.
 class AskedProblem {
  public:
   explicit AskedProblem(const PlanningProblem& problem) : problem_(problem) {}
 
   const Certifier& certifier();
-  /// Worked out without a certifier, which takes longer to make, if there is none yet.
+  /// If there is no certifier yet, computed without one, because a certifier takes longer to make.
   const std::string& environment_hash();
 
  private:

@@ -90,7 +90,7 @@ class CertifiedPlanner final : public Planner {
   }
 
   /// A refusal's amounts are those of the problem as it was asked, wherever it is refused as such;
-  /// a search that found nothing says so where it may have had nothing to find.
+  /// a search that found nothing says so if there may have been nothing to find.
   static void explain(const PlanningProblem& problem, std::uint64_t seed,
                       const std::function<bool()>& is_late, PlanResult& result) {
     const CollisionChecker checker(problem.arm, problem.environment.obstacles, problem.margin_m);

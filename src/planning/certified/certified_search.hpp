@@ -5,7 +5,7 @@
 
 namespace limber {
 
-/// `problem`, planned in by `planner` with a little less room and certified as it was asked.
+/// Plans `problem` with `planner` and a little less room, and certifies it as it was asked for.
 /// @param asked  the same arm, model and environment, whatever their margins
 PlanResult certified_search(Planner& planner, const PlanningProblem& problem, AskedProblem& asked,
                             const PlannerLimits& limits, std::uint64_t seed,

@@ -9,8 +9,8 @@
 
 namespace limber {
 
-/// Lets stand what its certificate (certificate/certificate.hpp) certifies for the problem as it
-/// was asked, and what stays within the recordings where that is asked for. Borrows both.
+/// Accepts plans that their certificate (certificate/certificate.hpp) certifies for the problem as
+/// it was asked for and, if that is asked for, that stay within the recordings. Borrows both.
 class CertifyingJudge final : public PlanJudge {
  public:
   /// @param problem  what is searched for now
@@ -20,11 +20,11 @@ class CertifyingJudge final : public PlanJudge {
 
   Verdict judge(Plan& plan, const std::function<bool()>& give_up) override;
 
-  /// Writes into the plan what it was asked for: planners see a problem with a little less room.
+  /// Writes into the plan what was asked for: planners see a problem with a little less room.
   void name_problem(Plan& plan);
 
-  /// Adds to a planner's result the certificate of its plan, or why there is none. A plan that
-  /// nobody asked about, or that was changed since, is judged now.
+  /// Adds to a planner's result the certificate of its plan, or why there is none. A plan that was
+  /// not judged yet, or has changed since, is judged now.
   void report(PlanResult& result);
 
  private:

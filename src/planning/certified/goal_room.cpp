@@ -11,9 +11,9 @@ namespace limber {
 namespace {
 
 constexpr double kMaxReserve = 0.1;  // of a tolerance
-/// Of a tolerance: what plans may use of it where the model's error leaves no room in it.
+/// Share of a tolerance that plans may use if the model's error leaves no room in it.
 constexpr double kShareWithoutRoom = 0.8;
-/// Of a tolerance: what is aimed at where there is an error to keep room for. That costs little.
+/// Share of a tolerance that plans aim at if there is an error to keep room for. That costs little.
 constexpr double kAimedShare = 0.25;
 
 bool fits(double tolerance, double margin) {

@@ -13,16 +13,16 @@ namespace limber {
 inline constexpr double kReserveM = Certificate::kDeviationM;
 inline constexpr double kReserveRad = Certificate::kHeadingDeviationRad;
 
-/// `environment`, its goal's tolerances less what the model errs by, and a reserve.
+/// `environment`, with its goal's tolerances reduced by the model's error and a reserve.
 Environment with_room(Environment environment, const PoseError& margin);
 
-/// What a search prefers within its goal, where there is an error to keep room for.
+/// The part of its goal that a search prefers, if there is an error to keep room for.
 std::optional<PoseError> aim_of(const PlanningProblem& problem);
 
-/// Whether plans that end where they aim end in the goal also with the model's error.
+/// Whether plans that end where they aim are in the goal also with the model's error.
 bool has_room(const PlanningProblem& problem);
 
-/// Where the goal has no room for the error: what is aimed at instead.
+/// If the goal has no room for the error: what plans aim at instead.
 std::vector<std::string> warnings_of_aim(const PlanningProblem& problem);
 
 }  // namespace limber

@@ -14,12 +14,12 @@ namespace limber {
 
 namespace {
 
-// Finer than a search's: nodes are many, and of each only the way there is kept.
+// Finer than a search's: there are many nodes, and each keeps only the path to it.
 constexpr StateCells kCells{0.02, 0.005, 0.05};
 constexpr std::uint64_t kGrowStream = std::uint64_t{1} << 33;  // one stream a proposal from here
 constexpr double kStep = 0.5;
 constexpr double kRandomParent = 0.5;
-constexpr double kFarShare = 0.5;  // of the edges that go all the way to their target
+constexpr double kFarShare = 0.5;  // of the edges that reach their target
 constexpr std::size_t kBatch = 512;
 constexpr int kMaxIdleRounds = 1000;
 
@@ -106,7 +106,7 @@ class Grower {
 
   void add(const Edge& edge, const PathOutcome& outcome) {
     if (!outcome.held_tip) {
-      return;  // where nothing is in the way, what is not free has run off to infinity
+      return;  // without obstacles, a motion that is not free has diverged
     }
     const double cost = tree_.states().cost_kpa(edge.parent) +
                         motion_cost_kpa(tree_.states().setpoint_kpa(edge.parent), edge.to_kpa);

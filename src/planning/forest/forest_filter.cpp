@@ -7,8 +7,9 @@ namespace limber {
 
 namespace {
 
-constexpr float kLookM = 0.04F;  // of the way of the plate that moves farthest: looked at so often
-constexpr int kMaxLooks = 16;    // along an edge
+constexpr float kLookM =
+    0.04F;  // of the path of the plate that moves farthest: one check per this length
+constexpr int kMaxLooks = 16;  // along an edge
 
 /// Of the plate that moves farthest.
 float travel_m(const Backbone& from, const Backbone& to) {

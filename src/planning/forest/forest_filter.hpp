@@ -10,8 +10,8 @@
 namespace limber {
 
 /// Says which motions of a forest an environment is likely to leave free, from the stored shapes
-/// alone: no query of the model, some microseconds per edge. What it says is a guess either way.
-/// Everything given is borrowed.
+/// alone: no query of the model, some microseconds per edge. Both answers are guesses. All
+/// arguments are borrowed.
 class ForestFilter {
  public:
   /// @pre the forest was grown for the problem's arm

@@ -9,18 +9,18 @@ namespace {
 constexpr std::size_t kFirstBatch = 1;  // small, so that an easy plan comes at once; then doubled
 constexpr std::size_t kFirstNear = 8;   // their step mostly ends in the goal, not nearly always
 constexpr std::size_t kMaxBatch = 64;
-constexpr std::size_t kMaxNear = 64;  // tried: then the search has footholds enough
+constexpr std::size_t kMaxNear = 64;  // tried: then the search has enough nodes to start from
 constexpr double kNearM = 0.10;       // how near the goal's disc those end
-constexpr int kRoundsWithPlan = 2;    // dearer ones, for the improvers to start from
+constexpr int kRoundsWithPlan = 2;    // more expensive ones, for the improvers to start from
 constexpr std::ptrdiff_t kMaxNearLookedAt = 2048;
-constexpr int kMaxLooks = 1024;   // of the filter in a round: then it is the search's turn
-constexpr int kLooksAtOnce = 64;  // until somebody asks whether there is time for more
+constexpr int kMaxLooks = 1024;   // checks of the filter in a round; then it is the search's turn
+constexpr int kLooksAtOnce = 64;  // then the time limit is checked
 
 Eigen::Vector2f point_m(const PoseGoal& goal) {
   return {static_cast<float>(goal.x_m), static_cast<float>(goal.y_m)};
 }
 
-/// Of a node that a motion has collided on the way to, nothing is known.
+/// Nothing is known of a node if the motion to it collided.
 bool is_ruled_out(const MotionState& state) {
   return state.backbone.size() == 0;
 }
@@ -75,7 +75,7 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
   if (node == 0 || !tried_.insert(node).second || !filter_.leaves_free(node)) {
     return std::nullopt;
   }
-  Candidate found{node, {node}, std::nullopt};  // even where it is known: its hold is not
+  Candidate found{node, {node}, std::nullopt};  // even if it is known: its hold is not
   int i = forest_.parents[static_cast<std::size_t>(node)];
   for (; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
     found.path.push_back(i);

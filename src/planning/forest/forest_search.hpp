@@ -15,11 +15,10 @@
 
 namespace limber {
 
-/// Looks through a forest for motions that an environment leaves free, and grafts them into a
-/// search: those that end in the goal, the cheapest first; if there are none, those that end
-/// near it, with a Newton step toward it at their end. Only what the filter takes for free is
-/// simulated, and a motion in collision rules out all that go on from it. Everything given is
-/// borrowed.
+/// Searches a forest for motions that an environment leaves free, and grafts them into a search:
+/// those that end in the goal, the cheapest first; if there are none, those that end near it, with
+/// a Newton step toward it at their end. Only motions that the filter accepts are simulated, and a
+/// motion in collision rules out all that continue from it. All arguments are borrowed.
 class ForestSearch {
  public:
   /// @pre the forest was grown for the problem's arm, model and start
@@ -35,14 +34,14 @@ class ForestSearch {
   Round round(const std::function<bool()>& give_up);
 
  private:
-  /// Nodes, those with the smallest numbers first. A heap: mostly few of them are asked for.
+  /// Nodes, those with the smallest numbers first. A heap, because mostly few of them are needed.
   using Ranked = std::pair<double, int>;
   using Ranking = std::priority_queue<Ranked, std::vector<Ranked>, std::greater<>>;
 
-  /// A motion to try: to a node of the forest, and from there perhaps a step on.
+  /// A motion to try: to a node of the forest, and perhaps one step further.
   struct Candidate {
     int node;
-    std::vector<int> path;  // nodes behind the last state known on the way, the node included
+    std::vector<int> path;  // nodes after the last known state on the path, the node included
     std::optional<Pressures> step_kpa;
   };
   struct Batch {

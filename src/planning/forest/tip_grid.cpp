@@ -40,7 +40,7 @@ TipGrid::TipGrid(const Eigen::Matrix3Xf& tips, const std::vector<float>& costs_k
 }
 
 int TipGrid::cell_index(float distance_m, int count) const {
-  // Compared as floats: a place far away is no int, nor is one that is not a number.
+  // Compared as floats: a point far away does not fit an int, nor does one that is not a number.
   const float cells = distance_m / cell_m_;
   if (!(cells > 0.0F)) {
     return 0;

@@ -22,7 +22,7 @@ struct OmplSettings {
 
 /// What every part of the adapter works on during one plan. A state is (valve state, B, cost,
 /// free): numbers that are exactly float32, n set points first, then pressures and set points
-/// before them, 3m of the backbone, the cost of the path to it, and 1 or, where the motion to it
+/// before them, 3m of the backbone, the cost of the path to it, and 1 or, if the motion to it
 /// collided, 0.
 struct ArmWorld {
   const PlanningProblem& problem;
@@ -51,10 +51,10 @@ struct ArmWorld {
   MotionState motion_state(const ompl::base::State* state) const;
   void write(const MotionState& motion_state, double cost_kpa, bool free,
              ompl::base::State* state) const;
-  /// A state that is only a place to go to: settled at `kpa`, the shape the no-load model's.
+  /// A state that only serves as a target: settled at `kpa`, with the shape of the no-load model.
   void write_target(const Pressures& kpa, ompl::base::State* state) const;
 
-  /// One frame under a control, Δp of a frame as OMPL holds it; the rule that plans are rebuilt by.
+  /// One frame under a control, Δp of a frame as OMPL holds it; plans are rebuilt by the same rule.
   Pressures next_setpoint(const Pressures& kpa, const double* change_kpa) const;
 };
 

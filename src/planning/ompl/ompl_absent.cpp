@@ -1,4 +1,4 @@
-// In place of this folder's other sources where OMPL was not found.
+// In place of this folder's other sources if OMPL was not found.
 #include "limber/common/error.hpp"
 #include "limber/planning/ompl_planner.hpp"
 

@@ -33,7 +33,7 @@ namespace oc = ompl::control;
 
 constexpr std::uint64_t kStream = 0x6f6d706c;  // apart from other planners' draws
 constexpr int kGoalConfigurations = 50;
-constexpr double kSecondsToFreeAState = 1e-6;  // with all that hangs on it
+constexpr double kSecondsToFreeAState = 1e-6;  // including what belongs to it
 
 using Parameters = std::map<std::string, std::string>;
 

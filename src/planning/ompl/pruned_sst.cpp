@@ -63,7 +63,7 @@ oc::SST::Motion* PrunedSst::accept(Motion* reached, Motion* from, unsigned int f
   return node;
 }
 
-/// Frees a dominated leaf, and its parent where that was dominated and is now a leaf too.
+/// Frees a dominated leaf, and its parent if that was dominated and is now a leaf too.
 void PrunedSst::prune(Motion* dominated) {
   while (dominated != nullptr && dominated->inactive_ && dominated->numChildren_ == 0 &&
          dominated->parent_ != nullptr) {

@@ -18,7 +18,7 @@ class CountedSst : public ompl::control::SST {
 };
 
 /// Stable sparse RRT (Li, Littlefield, Bekris 2016) on OMPL's data structures, with the pruning
-/// that OMPL 1.5's lacks: there the loop that deactivates and frees dominated nodes asks for
+/// that OMPL 1.5's version lacks: its loop that deactivates and frees dominated nodes only takes
 /// inactive ones, and nothing ever makes a node inactive.
 class PrunedSst final : public CountedSst {
  public:

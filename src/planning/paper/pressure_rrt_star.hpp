@@ -4,13 +4,13 @@
 
 namespace limber {
 
-/// What the paper leaves open of its planner, with our choices (docs/planning.md says why).
+/// What the paper leaves open about its planner, with our choices (docs/planning.md says why).
 /// Distances in pressure are Euclidean, each pressure as a fraction of its segment's limit.
 struct PressureRrtStarSettings {
-  double step_size = 0.5;    ///< longest edge, > 0
-  double near_factor = 1.0;  ///< × the least radius that RRT* allows, ≥ 1; at most the step size
-  double goal_bias = 0.2;    ///< share of samples at inverse-kinematics solutions, in [0, 1]
-  double goal_spread = 0.1;  ///< standard deviation about such a solution: it is approximate
+  double step_size = 0.5;  ///< longest edge, > 0
+  double near_factor = 1.0;  ///< × the smallest radius that RRT* allows, ≥ 1; at most the step size
+  double goal_bias = 0.2;           ///< share of samples at inverse-kinematics solutions, in [0, 1]
+  double goal_spread = 0.1;         ///< standard deviation about such a solution: it is approximate
   int goal_configurations = 200;    ///< solutions drawn before they are used again, ≥ 1
   double match_pressure_kpa = 1.0;  ///< a rewired node's set points are the same, its pressures so
   double match_position_m = 0.005;  ///< and its backbone agrees at every plate
@@ -20,17 +20,16 @@ struct PressureRrtStarSettings {
   double hold_orientation_rad = 0.5;
 };
 
-/// The paper's planner (IV-D and IV-E): RRT* over states (q, B); with valves q is set points and
-/// pressures. A new configuration is reached
-/// from the cheapest of the near nodes whose motion is free; a node is rewired only where the new
-/// way ends at the same pressures and the same backbone, and everything downstream, simulated
-/// again, stays free.
+/// The paper's planner (IV-D and IV-E): RRT* over states (q, B); with valves, q is set points and
+/// pressures. A new configuration is reached from the cheapest of the near nodes whose motion is
+/// free. A node is rewired only if the new path ends at the same pressures and the same backbone,
+/// and everything downstream, simulated again, stays free.
 enum class ParentRule {
   lazy,      ///< sorts near nodes by the cost, known beforehand, and simulates from the cheapest
   steer_all  ///< as written: simulates from all near nodes, then sorts; the same tree, slower
 };
 
-/// @param name  what plans say that they were made by; empty: "paper" or "paper-steer-all"
+/// @param name  the planner's name in plans; empty: "paper" or "paper-steer-all"
 /// @throws InputError if a setting is out of range.
 std::unique_ptr<Planner> make_pressure_rrt_star(
     ParentRule rule, const PressureRrtStarSettings& settings = PressureRrtStarSettings(),

@@ -13,7 +13,7 @@
 
 namespace limber {
 
-/// The tree of pressure-space RRT*, grown iteration by iteration. Everything given is borrowed.
+/// The tree of pressure-space RRT*, grown iteration by iteration. All arguments are borrowed.
 class RrtStarSearch {
  public:
   RrtStarSearch(const PlanningProblem& problem, MotionSimulator& simulator, ParentRule rule,

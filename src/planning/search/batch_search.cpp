@@ -13,7 +13,7 @@ constexpr float kSamePoint = 1e-4F;    // of the limit: an edge this short adds 
 constexpr std::size_t kMinEdges = 16;  // of a batch, while the tree is small
 constexpr std::size_t kMaxEdges = 128;
 constexpr std::size_t kElites = 32;
-constexpr int kMaxShotChoices = 16;  // nodes of which the nearest to the goal is shot from
+constexpr int kMaxShotChoices = 16;  // nodes of which the one nearest to the goal is steered
 
 }  // namespace
 

@@ -11,8 +11,8 @@
 
 namespace limber {
 
-/// Grows a sparse tree by batches of edges, some of them toward the goal. Everything given is
-/// borrowed. The tree depends on the seed, the number of rounds and what is grafted alone.
+/// Grows a sparse tree by batches of edges, some of them toward the goal. All arguments are
+/// borrowed. The tree depends only on the seed, the number of rounds and what is grafted.
 class BatchSearch {
  public:
   struct Solution {
@@ -30,7 +30,7 @@ class BatchSearch {
   std::vector<Solution> round(const std::optional<double>& best_cost_kpa,
                               const std::function<bool()>& give_up);
 
-  /// Adds a state that someone else has reached from `parent`, free of collision.
+  /// Adds a state that other code has reached from `parent`, free of collision.
   /// @return its node
   int graft(int parent, const MotionState& state);
   /// Someone else has found that a node is in the goal after the hold.
@@ -46,7 +46,7 @@ class BatchSearch {
 
   const PressureTree& tree() const { return tree_.states(); }
   double bytes() const { return tree_.bytes(); }
-  /// Edges thought of, simulated or not.
+  /// Edges proposed, simulated or not.
   std::uint64_t proposals() const { return proposals_; }
 
  private:

@@ -23,25 +23,25 @@ struct DefaultPlannerSettings {
   double cell_pressure = 0.05;
   double cell_position_m = 0.01;
   double cell_orientation_rad = 0.1;
-  double max_cost_ratio = 2.0;  ///< nodes dearer than this × the best plan are not tried, ≥ 1
+  double max_cost_ratio = 2.0;  ///< nodes above this × the best plan's cost are not tried, ≥ 1
   int improved_plans = 3;       ///< how many are improved side by side; 0: none
   /// Queries of the model after the first plan, then the search ends: from there on plans get
   /// cheaper by the model's errors, and executions worse (docs/planning.md).
   double improvement_queries = 200'000;
-  double improvement_queries_without_room = 10'000;  ///< where the goal leaves none for the error
+  double improvement_queries_without_room = 10'000;  ///< if the goal leaves none for the error
   double hold_position_m = 0.05;  ///< paths that end this near the goal are held and judged
   double hold_orientation_rad = 0.5;
   int jobs = 0;  ///< threads, 0 for one per core; the plan does not depend on it
-  /// Grown for the arm, model and start of every problem, and looked through in turns with the
-  /// search, first; borrowed. None: everything is searched.
+  /// Grown for the arm, model and start of every problem, and tried first, in turns with the
+  /// search; borrowed. None: everything is searched.
   const Forest* forest = nullptr;
 };
 
-/// "default": a tree that keeps several backbones for like pressures and grows by batches of edges;
-/// the plans it finds are improved by random changes of their waypoints, batches of them, each
-/// accepted only after exact simulation and collision check of everything behind the change. One
-/// plan is improved as far as it goes while others from the tree challenge it.
-/// @param name  what plans say that they were made by
+/// "default": a tree that keeps several backbones for similar pressures and grows by batches of
+/// edges. The plans that it finds are improved by batches of random changes of their waypoints;
+/// each change is accepted only after exact simulation and collision check of everything after it.
+/// The best plan is improved as far as possible, while others from the tree compete with it.
+/// @param name  the planner's name in plans
 /// @throws InputError if a setting is out of range.
 std::unique_ptr<Planner> make_default_planner(
     const DefaultPlannerSettings& settings = DefaultPlannerSettings(),

@@ -9,10 +9,10 @@
 
 namespace limber {
 
-/// Distance to the goal in tolerances, to compare states with.
+/// Distance to the goal in tolerances, for comparing states.
 double goal_error(const PoseGoal& goal, const Pose& tip);
 
-/// Where a plan ends, beside where it should: arriving well comes before costing little.
+/// Where in the goal a plan should end: arriving well comes before a low cost.
 class GoalAim {
  public:
   explicit GoalAim(const PlanningProblem& problem);
@@ -21,7 +21,7 @@ class GoalAim {
   const PoseGoal& inner() const { return inner_; }
   /// How far a tip in the goal is beyond the aim, in the goal's tolerances; 0 within it.
   double beyond(const Pose& held_tip) const;
-  /// What plans are compared by: their cost, and far more for ending beyond the aim.
+  /// The number that plans are compared by: their cost, plus much more if they end beyond the aim.
   double merit_kpa(double cost_kpa, const Pose& held_tip) const {
     return cost_kpa + kKpaPerTolerance * beyond(held_tip);
   }
@@ -53,7 +53,7 @@ class GoalSampler {
 /// The Newton step of the no-load model from `from_kpa` that would take the tip, which another
 /// model has at `tip`, to the goal: J⁺ of the error that remains, damped (resolved rate). The
 /// pressures are not limited.
-/// @param arm_length_m  weighs a turn against a way
+/// @param arm_length_m  weighs a turn against a distance
 Pressures step_toward_goal(const NoLoadModel& model, const PoseGoal& goal, double arm_length_m,
                            const Eigen::Ref<const Pressures>& from_kpa, const Pose& tip);
 

@@ -38,7 +38,7 @@ class PathSimulator::Queue {
   std::atomic<std::size_t> next_{0};
 };
 
-/// Some paths side by side on one thread; where one has ended, the next begins.
+/// Some paths side by side on one thread; when one has ended, the next begins.
 class PathSimulator::Worker {
  public:
   Worker(const PlanningProblem& problem, const CollisionChecker& checker, HoldRange range)

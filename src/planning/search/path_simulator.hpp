@@ -28,17 +28,17 @@ struct PathOutcome {
   std::uint64_t queries = 0;
 };
 
-/// How near the goal a path's tip has to settle (MotionModel::settled_tip) for the hold behind it
+/// How near the goal a path's tip has to settle (MotionModel::settled_tip) for the hold after it
 /// to be worth simulating.
 struct HoldRange {
   double position_m;
   double orientation_rad;
 };
 
-/// Simulates many paths at once: batches of the forward model, every frame checked for collision
-/// and a path left at its first, which gives its place to the next, spread over threads. A path's
-/// outcome depends on the path alone: not on the others, nor on the number of threads. Threads: one
-/// caller at a time. What it is made from is borrowed.
+/// Simulates many paths at once, in batches of the forward model, spread over threads. Every frame
+/// is checked for collision; a path ends at its first collision, and the next path takes its
+/// column. A path's outcome depends on the path alone: not on the others or on the number of
+/// threads. Threads: one caller at a time. All arguments are borrowed.
 class PathSimulator {
  public:
   /// @param jobs  threads to use, 0 for one per core

@@ -94,7 +94,7 @@ Waypoints PlanImprover::gone_on(float factor) const {
   return result;
 }
 
-/// By the no-load model's Newton step from where it ended, to the rim of the aim: cheap plans end
+/// Shifts it by the no-load model's Newton step from its end to the rim of the aim: cheap plans end
 /// there, so that most changes that save something end just beyond.
 Waypoints PlanImprover::repaired(const Miss& miss) const {
   const Pressures end = miss.waypoints_kpa.back();

@@ -36,7 +36,7 @@ class PlanImprover {
   /// @param held_tip       where it ends
   void adopt(Waypoints waypoints_kpa, std::vector<MotionState> states, const Pose& held_tip);
 
-  /// Gives its plan up.
+  /// Drops its plan.
   void drop() { waypoints_kpa_.clear(); }
 
   bool has_plan() const { return !waypoints_kpa_.empty(); }

@@ -8,12 +8,13 @@
 
 namespace limber {
 
-/// What an ensemble's other networks say of a plan that the leading one was searched with. Each of
-/// them errs elsewhere: where a search has found an error of the leading one that makes a plan
-/// cheap, the others mostly disagree (docs/planning.md, No feeding on errors).
+/// What an ensemble's other networks say about a plan that was searched with the leading one. Each
+/// is wrong in other places: if a search has found an error of the leading network that makes a
+/// plan cheap, the others mostly disagree (docs/planning.md, No feeding on errors).
 class SecondOpinions {
  public:
-  /// Of a model of one network, or none: nobody to ask. Borrows problem and checker.
+  /// With a model of one network, or none, there are no other opinions. Borrows problem and
+  /// checker.
   SecondOpinions(const PlanningProblem& problem, const CollisionChecker& checker);
 
   bool empty() const { return others_.empty(); }

@@ -10,8 +10,8 @@ namespace limber {
 
 namespace {
 
-// Nodes of which the nearest becomes a parent; powers of two up to this are drawn alike, so that
-// edges of all lengths are tried: one that overshoots has to come back from afar.
+// Nodes of which the nearest becomes a parent; powers of two up to this are equally likely, so that
+// edges of all lengths are tried: one that overshoots has to come back from far away.
 constexpr int kMaxParentChoices = 32;
 
 /// A hash of all that `hash` is of, and `value`.

@@ -22,16 +22,16 @@ struct StateCells {
   double orientation_rad;
 };
 
-/// A tree over states of which the cheapest of its kind is kept: states with the same set points
-/// and another tip live side by side, since friction may make the dearer one the only way to the
-/// goal (overshoot and return). Threads: one writer, or many readers.
+/// A tree over states that keeps the cheapest state of each kind. States with the same set points
+/// and another tip are kept side by side, since friction may make the more expensive one the only
+/// path to the goal (overshoot and return). Threads: one writer, or many readers.
 class SparseTree {
  public:
   SparseTree(const ArmDescription& arm, const MotionModel& model, const StateCells& cells,
              const MotionState& root);
 
-  /// The new node; none if a state like it is there already and costs no more.
-  /// @param always  adds it all the same
+  /// The new node; none if a similar state is there already and costs no more.
+  /// @param always  adds it in any case
   std::optional<int> add(const MotionState& state, int parent, double cost_kpa,
                          bool always = false);
 
@@ -40,17 +40,17 @@ class SparseTree {
   double bytes() const;
 
   int random_node(RandomStream& random) const;
-  /// The node nearest to `target_kpa`, or the nearest of some: of several backbones at like
-  /// pressures each gets its turn.
+  /// The node nearest to `target_kpa`, or the nearest of some, so that each of several backbones at
+  /// similar pressures gets its turn.
   /// @param random_share  of the calls that ask only some nodes, in [0, 1]
   int parent_near(const Pressures& target_kpa, double random_share, RandomStream& random) const;
 
-  /// Configurations are drawn there, and limited to it, from now on; first between the arm's
-  /// limits.
+  /// From now on configurations are drawn in this box, and limited to it; at first it is that of
+  /// the arm's limits.
   void keep_within(const PressureBox& box) { box_ = box; }
 
   Pressures random_configuration(RandomStream& random) const;
-  /// `target_kpa`, or what lies at most `step` from the node on the way to it.
+  /// `target_kpa`, or the point at distance `step` from the node toward it, if that is nearer.
   Pressures stepped(int node, const Pressures& target_kpa, double step) const;
   Pressures limited(const Pressures& pressures_kpa) const;
   /// Fractions of the limits.
@@ -70,7 +70,8 @@ class SparseTree {
   std::unordered_map<std::uint64_t, int> cheapest_;  // node of a cell
 };
 
-/// 1, 2, 4, … `most`, a power of two, each as likely: of how many nodes the best is taken.
+/// 1, 2, 4, … `most`, a power of two, each equally likely: the number of nodes of which the best is
+/// taken.
 int random_power_of_two(RandomStream& random, int most);
 
 }  // namespace limber

@@ -10,7 +10,7 @@
 
 namespace limber {
 
-/// How fast one way of asking is: `batch_size` queries at a time on `threads` threads.
+/// Speed of queries asked in one way: `batch_size` queries at a time on `threads` threads.
 struct QueryRate {
   int batch_size = 1;
   int threads = 1;
@@ -49,7 +49,7 @@ struct SpeedReport {
   QueryRate no_load_single;
   QueryRate no_load_batch;
   NetworkSpeed paper_shape;         ///< three hidden layers of 100 units, base poses
-  std::vector<NetworkSpeed> model;  ///< the model given, where its shape or layout is another
+  std::vector<NetworkSpeed> model;  ///< the given model, if its shape or layout is another
   std::vector<PeerSpeed> peers;     ///< on the paper's shape; Eigen is the first
 };
 
@@ -61,7 +61,7 @@ struct SpeedSettings {
   Progress::Mode progress = Progress::Mode::quiet;
 };
 
-/// Measures `arm`'s models. The paper's shape has the weights of `model` where that has this shape,
+/// Measures `arm`'s models. The paper's shape has the weights of `model` if that has this shape,
 /// untrained ones otherwise: speed does not depend on what was learnt.
 /// @param model  may be null.
 SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* model,

@@ -5,7 +5,7 @@
 
 namespace limber {
 
-/// A library that `limber bench` is compared with where limber was built beside it.
+/// A library that `limber bench` compares limber with, if limber was built with it.
 struct OptionalPeer {
   std::string name;  ///< as in the report: "onednn", "torch"
   std::string library;
@@ -13,8 +13,8 @@ struct OptionalPeer {
   bool present = false;  ///< limber was built with it and it can be loaded here
 };
 
-/// All that limber knows of. Peers are loadable modules in lib/limber/peers beside bin/, so that
-/// neither their libraries' size nor their absence touches the program; asking loads them.
+/// All that limber knows. Peers are loadable modules in lib/limber/peers beside bin/, so that
+/// neither the size nor the absence of their libraries affects the program. This call loads them.
 std::vector<OptionalPeer> optional_peers();
 
 }  // namespace limber

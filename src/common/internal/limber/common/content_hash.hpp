@@ -5,8 +5,8 @@
 
 namespace limber {
 
-/// 128-bit xxHash of `content` as 32 hexadecimal digits: tells whether a file is the one a plan or
-/// a model was made with. Against accidents, not attackers.
+/// 128-bit xxHash of `content` as 32 hexadecimal digits: tells whether a file is the one that a
+/// plan or a model was made with. It guards against accidents, not attackers.
 std::string content_hash(std::string_view content);
 
 }  // namespace limber

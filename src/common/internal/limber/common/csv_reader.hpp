@@ -18,7 +18,7 @@ struct CsvCell {
 
 /// Reads delimited text row by row: RFC 4180's quotes (a doubled quote is one, a quoted cell may
 /// hold separators and line ends), a byte order mark, \n, \r\n and \r line ends. What a row means
-/// is the caller's affair; every refusal names file, line and column.
+/// is up to the caller; every refusal names file, line and column.
 /// Threads: one.
 class CsvReader {
  public:

@@ -11,8 +11,8 @@
 
 namespace limber {
 
-/// Whether another path, or other rights, would have helped: the caller's affair, not the
-/// machine's.
+/// Whether another path, or other rights, would have helped: then it is the caller's mistake, not
+/// the machine's fault.
 inline bool is_callers_mistake(int error) {
   switch (error) {
     case ENOENT:
@@ -37,7 +37,7 @@ inline bool is_callers_mistake(int error) {
   throw SystemFault(fmt::format("{}: {}: {}", path.string(), what, std::strerror(error)));
 }
 
-/// The same for what is tried before the work: an InputError if the caller can mend it.
+/// The same for what is tried before the work: an InputError if the caller can correct it.
 [[noreturn]] inline void throw_file_error(const std::filesystem::path& path,
                                           const std::string& what, int error) {
   if (is_callers_mistake(error)) {

@@ -11,17 +11,17 @@
 
 namespace limber {
 
-/// Levels of lists and objects in each other that are read: limber's own files need 6, and a
-/// recursion over more could end the stack.
+/// Levels of nested lists and objects that are read: limber's own files need 6, and a deeper
+/// recursion could overflow the stack.
 inline constexpr int kMaxJsonLevels = 32;
 
-/// The one way in which limber reads JSON: an object, in UTF-8, with or without a byte order mark,
+/// limber reads all JSON through this: an object, in UTF-8, with or without a byte order mark,
 /// at most kMaxJsonLevels deep, with numbers that a double can hold.
 /// @param where  begins every message: the file, or the part of it.
 /// @throws InputError
 nlohmann::json parse_json_object(std::string_view text, const std::string& where);
 
-/// The same of a whole file. @throws InputError naming it, also if it can't be read.
+/// The same for a whole file. @throws InputError naming it, also if it can't be read.
 nlohmann::json read_json_object(const std::filesystem::path& path);
 
 /// A value in a few words, for messages: "'text'", "3", "a list of 200"; long texts shortened.

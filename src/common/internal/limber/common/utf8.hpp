@@ -6,7 +6,7 @@
 
 namespace limber {
 
-/// Place of the first byte that is no UTF-8 (RFC 3629: no overlong forms, no surrogates), or npos.
+/// Index of the first byte that is not UTF-8 (RFC 3629: no overlong forms, no surrogates), or npos.
 std::size_t find_invalid_utf8(std::string_view text);
 
 inline bool is_utf8(std::string_view text) {
@@ -15,7 +15,7 @@ inline bool is_utf8(std::string_view text) {
 
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// `text` as messages quote it: at most `most` bytes, no character cut, and "…" where some are left
+/// `text` as messages quote it: at most `most` bytes, no character cut, and "…" if some are left
 /// out.
 std::string shortened(std::string_view text, std::size_t most = 40);
 

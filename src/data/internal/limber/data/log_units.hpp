@@ -10,7 +10,7 @@ namespace limber {
 /// mbar, bar, MPa, psi). None if they are not of one kind, or unknown.
 std::optional<double> unit_factor(const std::string& from, const std::string& to);
 
-/// A question for a value that is `ratio` times what it should be: "is it in mm?" where a wrong
+/// A question for a value that is `ratio` times what it should be: "is it in mm?" if a wrong
 /// unit of the kind of `unit` explains the ratio within 40 %; empty otherwise.
 std::string unit_suspicion(double ratio, const std::string& unit);
 

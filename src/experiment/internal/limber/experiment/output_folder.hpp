@@ -15,8 +15,8 @@ namespace limber {
 bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// The folder of one verb's results, with a manifest of the files that it wrote there
-/// (`.limber-VERB`, docs/formats.md). Whatever the manifest does not list, or was changed since, is
-/// somebody else's: never removed, nor written over.
+/// (`.limber-VERB`, docs/formats.md). Files that the manifest does not list, or that have changed
+/// since, are somebody else's: they are never removed or overwritten.
 ///
 /// Threads: files may be written from several at once.
 class OutputFolder {
@@ -37,14 +37,14 @@ class OutputFolder {
 
   const std::filesystem::path& path() const { return folder_; }
 
-  /// What stayed of a folder that was cleared, because it is somebody else's: names relative to the
+  /// Files that stayed in a cleared folder because they are somebody else's: names relative to the
   /// folder, sorted.
   const std::vector<std::string>& left() const { return left_; }
   /// A sentence about it; empty if nothing stayed.
   std::string about_left() const;
 
-  /// To be asked before the work begins. @throws InputError if somebody else's file has one of
-  /// these names.
+  /// Call this before the work begins. @throws InputError if somebody else's file has one of these
+  /// names.
   void require_free(const std::vector<std::string>& names) const;
 
   /// Writes a file, atomically. @param name  relative to the folder: "plots/a.svg"

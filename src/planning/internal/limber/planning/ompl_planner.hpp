@@ -21,10 +21,10 @@ std::vector<std::string> ompl_planner_names();
 ///                 where the planner lets them (RRT, EST); 0: OMPL's random controls; default 1
 ///
 /// Every frame becomes a waypoint: under OMPL a control may be slower than the rate allows. Plans
-/// are built, held and judged as the other planners'. Limits on time and queries are kept to one
-/// motion; those on iterations and memory are refused, since OMPL counts neither. Seeds are good
-/// for limber's part (samples, controls), and for OMPL's own draws only in the first plan of a
-/// process. Without an asymptotically optimal planner (SST) the first solution is the last.
+/// are built, held and judged like those of the other planners. Limits on time and queries are kept
+/// to one motion; those on iterations and memory are refused, since OMPL counts neither. Seeds
+/// decide limber's part (samples, controls); they decide OMPL's own draws only in the first plan of
+/// a process. Unless the planner is asymptotically optimal (SST), the first solution is the last.
 /// @throws InputError if the name or a setting is unknown, or limber was built without OMPL.
 std::unique_ptr<Planner> make_ompl_planner(const std::string& name);
 

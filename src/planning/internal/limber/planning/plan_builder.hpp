@@ -9,15 +9,15 @@
 
 namespace limber {
 
-/// A motion along waypoints, simulated from the start frame by frame, the hold included, with its
-/// distance to the goal measured on its last frame. Its clearance is not looked for.
+/// A motion along waypoints, simulated from the start frame by frame, including the hold, with its
+/// distance to the goal measured on its last frame. Its clearance is not measured.
 /// @param waypoints_kpa  start first
 Plan build_partial_plan(const PlanningProblem& problem, MotionSimulator& simulator,
                         const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
                         std::uint64_t seed);
 
 /// The same with its clearance, over all frames and between them.
-/// @param give_up  asked at every frame; once it says so, the clearance is that of the frames so
+/// @param give_up  called at every frame; once it is true, the clearance is that of the frames so
 ///                 far. Empty: never
 Plan build_plan(const PlanningProblem& problem, MotionSimulator& simulator,
                 const std::vector<Pressures>& waypoints_kpa, const std::string& planner,

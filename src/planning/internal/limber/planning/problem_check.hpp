@@ -10,8 +10,8 @@
 
 namespace limber {
 
-/// What is wrong with a problem before any planning. Only what is certain is refused; what the
-/// no-load model alone doubts is a warning, since the arm moves differently.
+/// What is wrong with a problem before any planning. Only certain faults are refused. Doubts that
+/// come from the no-load model alone are warnings, because the arm moves differently.
 struct ProblemCheck {
   std::optional<PlanStatus> refusal;  ///< invalid_start, goal_unreachable or goal_in_collision
   std::string reason;                 ///< names obstacle, plates and amount
@@ -27,10 +27,10 @@ void require_margin(double margin_m);
 /// @throws InputError unless both are finite and ≥ 0.
 void require_goal_margin(const PoseError& margin);
 
-/// The refusal alone, if there is one: what a planner asks first.
+/// The refusal alone, if there is one; planners check this first.
 ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker& checker);
 
-/// What is doubtful about a problem that is not refused. @param seed  of the inverse kinematics
+/// Warnings about a problem that is not refused. @param seed  of the inverse kinematics
 std::vector<std::string> find_warnings(const PlanningProblem& problem, std::uint64_t seed);
 
 /// Both. @param seed  of the inverse kinematics behind the warnings
@@ -39,9 +39,9 @@ ProblemCheck check_problem(const PlanningProblem& problem, const CollisionChecke
 
 /// For a search that found nothing: whether the no-load model reaches the goal only in collision.
 /// A sentence that names obstacle, plates and amount of the configuration that is least deep; empty
-/// where some configuration at the goal is free, or none was found at all (then there is a
-/// warning). The arm itself may differ, so it explains and never refuses.
-/// @param give_up  asked now and then; once it says so the answer is empty. Empty: never
+/// if some configuration at the goal is free, or if none was found at all (then there is a
+/// warning). The arm itself may differ, so this explains and never refuses.
+/// @param give_up  called now and then; once it is true the answer is empty. Empty: never
 std::string reached_only_in_collision(const PlanningProblem& problem,
                                       const CollisionChecker& checker, std::uint64_t seed,
                                       const std::function<bool()>& give_up = {});

@@ -27,8 +27,8 @@ std::vector<std::filesystem::path> evaluation_plot_paths(const std::filesystem::
 std::vector<std::filesystem::path> write_evaluation_plots(const std::filesystem::path& folder,
                                                           const EvaluationPlots& plots);
 
-/// The paper's Fig. 1: the arm where `episode` ends (its right side inflated fully, then vented),
-/// beside what both models say.
+/// The paper's Fig. 1: the arm at the end of `episode` (its right side inflated fully, then
+/// vented), compared with what both models say.
 std::string plot_inflate_deflate(const ForwardModel& no_load, const ForwardModel* network,
                                  const Episode& episode);
 

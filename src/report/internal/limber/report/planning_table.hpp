@@ -11,7 +11,7 @@
 
 namespace limber {
 
-/// Of some numbers. No numbers, no figures; the standard error wants two.
+/// Figures of some numbers; none without numbers. The standard error needs two.
 struct SampleFigures {
   int count = 0;
   std::optional<double> mean;
@@ -40,15 +40,15 @@ struct PlanningRow {
   SampleFigures distance_free_cm;  ///< without them
   SampleFigures orientation_rad;   ///< where the goal asks for a heading
   SampleFigures orientation_free_rad;
-  /// The paper's way, one plan per cell: the first trial that was solved.
+  /// As in the paper, one plan per cell: the first trial that was solved.
   const PlanTrial* one_plan = nullptr;
 };
 
-/// A row for every planner, environment and model that there are trials of, in the order in which
-/// they come first. Trials are borrowed.
+/// A row for every planner, environment and model that has trials, in the order of their first
+/// trials. Trials are borrowed.
 std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials);
 
-/// What the paper found when it set both models side by side, and whether it was found here.
+/// What the paper found when it compared both models, and whether it was found here too.
 struct PaperFinding {
   std::string what;
   std::string paper;

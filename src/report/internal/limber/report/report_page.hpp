@@ -6,7 +6,7 @@
 
 namespace limber {
 
-/// One figure that matters, shown large on a card.
+/// One important figure, shown large on a card.
 struct KeyFigure {
   std::string label;   ///< "open-loop error"
   std::string value;   ///< "5.1 cm"
@@ -42,7 +42,7 @@ class ReportPage {
   ReportPage& heading(std::string_view text);
   ReportPage& subheading(std::string_view text);
   ReportPage& paragraph(std::string_view text);
-  /// A paragraph set off at the side, for what a reader must know before trusting a figure.
+  /// A highlighted paragraph, for what a reader must know before trusting a figure.
   ReportPage& remark(std::string_view text);
   ReportPage& list(const std::vector<std::string>& items);
   /// Fixed-width text with its line breaks, such as commands.
@@ -54,7 +54,7 @@ class ReportPage {
   ReportPage& figure(const ReportFigure& figure);
   /// Side by side where the screen is wide enough, else below one another.
   ReportPage& figures(const std::vector<ReportFigure>& figures);
-  /// What follows, until end_details(), is folded away under `summary`.
+  /// What follows, until end_details(), is folded under `summary`.
   ReportPage& begin_details(std::string_view summary);
   ReportPage& end_details();
 

@@ -8,8 +8,8 @@ namespace limber {
 /// its gradient with respect to the network's normalised state.
 ///
 /// Entrywise, the state's own D numbers are compared. Chained, for states of gap poses, they are
-/// first decoded and chained to poses about the arm's base: there an error at the base counts by
-/// all that it moves, as it does for whoever uses the model.
+/// first decoded and chained to poses about the arm's base. An error at the base then counts for
+/// everything that it moves, as it does when the model is used.
 template <class Scalar>
 class FrameError {
  public:

@@ -15,19 +15,19 @@ namespace limber {
 LearntRegion learnt_region_of(const std::vector<Episode>& episodes);
 
 /// The union of `region` and of what `episodes` hold: every range is widened to hold both, along
-/// the axes of `region`, which stay. The same region where it held everything already.
+/// the axes of `region`, which stay. The same region if it held everything already.
 LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episodes);
 
-/// `region`, its axes' ranges widened by the shapes in `episodes`, in those frames whose pressures
-/// it holds. Its pressures and rates stay: who predicts a frame has learnt nothing from it.
+/// `region`, with its axes' ranges widened by the shapes in `episodes`, in those frames whose
+/// pressures it holds. Its pressures and rates stay, because a predicted frame teaches nothing.
 LearntRegion with_shapes_of(LearntRegion region, const std::vector<Episode>& episodes);
 
-/// What a model has learnt that was trained on `data`: its training and its replayed episodes, and
-/// what the model held already that it went on from.
+/// The region of a model trained on `data`: its training and its replayed episodes, and the region
+/// of the model that it started from.
 /// @param start  of the model that was fine-tuned; null: none
 LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* start = nullptr);
 
-/// Share of its half range by which an axis' border lies outside of the frames at least.
+/// Smallest share of its half range by which an axis' border lies outside of the frames.
 inline constexpr double kAxisWidening = 0.1;
 
 }  // namespace limber

@@ -8,12 +8,12 @@
 
 namespace limber {
 
-/// Time of the epochs of one training stage, beside what the machine could do.
+/// Time of the epochs of one training stage, compared with what the machine can do.
 struct StageSpeed {
   int window_frames = 0;
   int windows_per_batch = 0;
   std::int64_t windows = 0;      ///< of an epoch
-  double multiply_adds = 0.0;    ///< of an epoch that are of use, see `measure_training_speed`
+  double multiply_adds = 0.0;    ///< useful ones of an epoch, see `measure_training_speed`
   double epoch_s = 0.0;          ///< median: shuffling, gathering, gradients, optimiser
   double peak_gmac_per_s = 0.0;  ///< of all threads at once, mean of before and after each epoch
   double peak_difference = 0.0;  ///< largest relative difference of before and after
@@ -39,8 +39,8 @@ struct TrainingSpeed {
 TrainingSpeed measure_training_speed(const ArmDescription& arm, const TrainingData& data,
                                      const TrainingSettings& settings, int epochs);
 
-/// Writes what the first epoch of each stage starts from, as safetensors, for a peer to train on
-/// the same: tables, initial parameters, window starts in their order.
+/// Writes what the first epoch of each stage starts from, as safetensors, so that a peer can train
+/// on the same: tables, initial parameters, window starts in their order.
 void write_training_tables(const std::filesystem::path& path, const ArmDescription& arm,
                            const TrainingData& data, const TrainingSettings& settings);
 

@@ -40,7 +40,7 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
 
 /// First frames of windows of `window_frames` predicted frames that do not overlap; each episode's
 /// first window begins `shift` frames after its start, or less where it would not fit. A window
-/// begins at a frame in which the arm was seen, and sees it again in at least one more.
+/// begins at a frame in which the arm was tracked, and sees it again in at least one more.
 /// @param seen  FrameTable::seen; empty: always.
 std::vector<int> window_starts(std::span<const EpisodeRange> episodes,
                                std::span<const std::uint8_t> tracked, int window_frames, int shift);

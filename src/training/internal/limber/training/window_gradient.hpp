@@ -39,7 +39,7 @@ struct StateMap {
   OutputForm form = OutputForm::compensation;
 
   bool is_gated() const { return form == OutputForm::gated_change; }
-  /// Numbers that the network puts out.
+  /// Number of the network's outputs.
   int output_count() const { return static_cast<int>(output_scale.size()) * (is_gated() ? 2 : 1); }
 };
 
@@ -81,8 +81,8 @@ class WindowGradient {
  private:
   using Storage = std::vector<Scalar, CacheLineAllocator<Scalar>>;
 
-  // A block is one frame of one group of `stride_` windows, the last group filled up with copies of
-  // its last window that weigh nothing. Blocks are numbered in the order of back-propagation.
+  // A block is one frame of one group of `stride_` windows. The last group is filled up with copies
+  // of its last window, with weight 0. Blocks are numbered in the order of back-propagation.
   int block_of(int group, int frame) const { return group * frames_ + frames_ - 1 - frame; }
   Scalar* at(Storage& storage, int rows, int block) const {
     return storage.data() + std::ptrdiff_t{block} * rows * stride_;
@@ -108,7 +108,7 @@ class WindowGradient {
   int groups_ = 0;
   int windows_ = 0;
   std::vector<int> index_;       ///< table columns of a group's windows
-  Storage input_;                ///< 2n+D+N rows a block
+  Storage input_;                ///< 2n+D+N rows per block
   std::vector<Storage> hidden_;  ///< outputs of the hidden layers
   std::vector<Storage>
       delta_;  ///< a layer each: ∂loss/∂(its output before ReLU), of `slots_` blocks

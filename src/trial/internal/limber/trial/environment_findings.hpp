@@ -9,7 +9,7 @@
 
 namespace limber {
 
-/// Limits that limber's own environments are held to (docs/environments.md).
+/// Limits that limber's own environments must satisfy (docs/environments.md).
 inline constexpr double kMissedByM = 0.08;    ///< a no-load plan that ends farther off has failed
 inline constexpr double kNarrowWidths = 1.5;  ///< narrow: at most this × the arm's local width …
 inline constexpr double kNarrowExtraM = 0.02;  ///< … + this
@@ -40,7 +40,7 @@ struct EnvironmentFindings {
 };
 
 /// Plans `trials` times with each model, executes every plan, and looks for straight and monotone
-/// ways. Depends on the seed alone where the planner's limits are iterations.
+/// motions. Depends on the seed alone if the planner's limits are iterations.
 EnvironmentFindings find_out(const ArmDescription& arm, const MotionModel& no_load,
                              const MotionModel& network, const EnvironmentCase& item,
                              const FindingsSettings& settings, std::uint64_t seed);

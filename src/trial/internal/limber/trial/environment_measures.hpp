@@ -16,7 +16,7 @@ bool straight_line_collides(const PlanningProblem& problem, const Pressures& to_
 bool straight_line_solves(const PlanningProblem& problem, const std::vector<Pressures>& to_kpa,
                           int starts, std::uint64_t seed);
 
-/// A place where the arm has obstacles on both sides.
+/// A point at which the arm has obstacles on both sides.
 struct Passage {
   double width_m = 0.0;      ///< from obstacle to obstacle, across the arm
   double arm_width_m = 0.0;  ///< there: the segment's width + twice the actuator radius
@@ -24,14 +24,14 @@ struct Passage {
   int plate = 0;  ///< from 0, the base
 };
 
-/// The passage, narrowest against the arm's width, that a motion leads the arm through: at each
-/// plate of each frame the obstacles are sought along the normal on both sides, up to the arm's
-/// length away. None if no plate ever has obstacles on both sides.
+/// The passage of a motion that is narrowest relative to the arm's width. At each plate of each
+/// frame, obstacles are looked for along the normal on both sides, up to the arm's length away.
+/// None if no plate ever has obstacles on both sides.
 std::optional<Passage> narrowest_passage(const ArmDescription& arm, const Environment& environment,
                                          const std::vector<PlanFrame>& frames);
 
-/// How much of a motion's cost takes pressures back: Σ|Δp| over the frames, less the straight
-/// motion's. 0 if every pressure only rises or only falls.
+/// How much of a motion's cost comes from reversals: Σ|Δp| over the frames, less that of the
+/// straight motion. 0 if every pressure only rises or only falls.
 double reversal_kpa(const std::vector<PlanFrame>& frames);
 
 }  // namespace limber

@@ -14,9 +14,10 @@ struct StartFault {
   std::string message;  ///< what was found, and what is allowed
 };
 
-/// A start is measured, so a little is allowed; what no tracked arm shows is not: a first plate
-/// that is not the base, gaps far shorter or longer than at rest, headings that jump, or plates
-/// that lie where their headings do not lead. Numbers that are not finite are never allowed.
+/// A start is measured, so small deviations are allowed. What no tracked arm shows is not allowed:
+/// a first plate that is not the base, gaps far shorter or longer than at rest, headings that jump,
+/// or plates that do not lie where their headings lead. Numbers that are not finite are never
+/// allowed.
 std::optional<StartFault> find_start_fault(const Backbone& backbone, const ArmDescription& arm);
 
 }  // namespace limber
