@@ -284,12 +284,12 @@ TEST(FillMissingRows, HoldsTheNearestAtTheEndsAndInterpolatesByTimeBetween) {
 TEST(EpisodeRecorder, RefusesARunThatNothingTracked) {
   const ArmDescription arm = small_arm();
   EpisodeRecorder recorder(arm);
-  recorder.add({0.0, Pressures::Zero(2), std::nullopt}, Pressures::Zero(2), 0);
+  recorder.add({0.0, Pressures::Zero(2), std::nullopt, std::nullopt}, Pressures::Zero(2), 0);
   EXPECT_THAT([&] { recorder.finish(); },
               ThrowsMessage<SystemFault>(HasSubstr("none of 1 frames had a backbone")));
   EXPECT_THAT(
       [&] {
-        recorder.add({0.0, Pressures::Zero(3), std::nullopt}, Pressures::Zero(2), 0);
+        recorder.add({0.0, Pressures::Zero(3), std::nullopt, std::nullopt}, Pressures::Zero(2), 0);
       },
       ThrowsMessage<SystemFault>(HasSubstr("returned 3 pressures")));
 }

@@ -73,7 +73,9 @@ TEST_F(Executor, CountsThePlansOwnHold) {
   FakeArm driver(arm_, kInstant_s);
   EXPECT_EQ(execute(arm_, environment_, holding, driver).frames, 16 + 20);
   FakeArm again(arm_, kInstant_s);
-  EXPECT_EQ(execute(arm_, environment_, holding, again, {0.0}).frames, 16 + 15);
+  ExecutionSettings no_more;
+  no_more.hold_s = 0.0;
+  EXPECT_EQ(execute(arm_, environment_, holding, again, no_more).frames, 16 + 15);
 }
 
 TEST_F(Executor, MeasuresTheGoalAfterTheHold) {

@@ -117,7 +117,7 @@ TEST_F(ReplannerTest, SameSeedSameRun) {
 TEST_F(ReplannerTest, HaltsWhereTheArmIsFartherOffThanThePlanIsFromObstacles) {
   Plan plan = open_loop_plan();
   plan.clearance_m = 0.02;
-  ArmState state{0.0, plan.frames[1].pressure_kpa, plan.frames[1].backbone};
+  ArmState state{0.0, plan.frames[1].pressure_kpa, std::nullopt, plan.frames[1].backbone};
   Replanner source = replanner();
   EXPECT_TRUE(source.may_go_on(plan, 1, state));
   state.backbone->col(1).array() += 0.019F;
