@@ -50,6 +50,7 @@ Replanner::Replanner(const ArmDescription& arm, const MotionModel& model,
 Replanner::~Replanner() = default;
 
 bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) {
+  expected_ = tip_pose(plan.frames.back().backbone);
   // No obstacle is nearer to the plan than its clearance.
   const bool strays =
       state.backbone &&
@@ -80,6 +81,32 @@ bool Replanner::is_within_limits(const Plan& plan) const {
   return true;
 }
 
+void Replanner::learn_bias(const Pose& measured) {
+  constexpr double kShare = 0.5;
+  constexpr double kMaxBiasM = 0.1;
+  const bool starts_as_measured = replans_ > 0;  // the first plan starts where nobody looked
+  if (!expected_ || halted_ || (model_.has_network() && !starts_as_measured)) {
+    return;
+  }
+  const Eigen::Vector3d missed(measured.x_m - expected_->x_m, measured.y_m - expected_->y_m,
+                               measured.theta_rad - expected_->theta_rad);
+  bias_ += kShare * (missed - bias_);
+  const double size_m = bias_.head<2>().norm();
+  if (size_m > kMaxBiasM) {
+    bias_ *= kMaxBiasM / size_m;
+  }
+}
+
+PoseGoal Replanner::shifted_goal() const {
+  PoseGoal goal = environment_.goal;
+  goal.x_m -= bias_.x();
+  goal.y_m -= bias_.y();
+  if (goal.theta_rad) {
+    *goal.theta_rad -= bias_.z();
+  }
+  return goal;
+}
+
 std::optional<Plan> Replanner::search(const Environment& from_here, double margin_m) {
   PlanningProblem problem{arm_, model_, from_here, margin_m};
   problem.margin_yields_to_start = true;
@@ -95,8 +122,9 @@ std::optional<Plan> Replanner::next(const Pressures& setpoint_kpa, const ArmStat
   if (!state.backbone || replans_ >= settings_.max_replans) {
     return std::nullopt;
   }
-  const PoseError error =
-      pose_error(environment_.goal, tip_pose(state.backbone->cast<double>().eval()));
+  const Pose measured = tip_pose(state.backbone->cast<double>().eval());
+  const PoseError error = pose_error(environment_.goal, measured);
+  learn_bias(measured);
   if (!halted_ && !has_more_to_gain(as_length_m(environment_.goal, error))) {
     return std::nullopt;
   }
@@ -104,7 +132,7 @@ std::optional<Plan> Replanner::next(const Pressures& setpoint_kpa, const ArmStat
   Environment from_here = environment_;
   from_here.start = ArmStart{setpoint_kpa, *state.backbone};
   for (const Asked& asked : kAsked) {
-    from_here.goal = environment_.goal;
+    from_here.goal = shifted_goal();
     from_here.goal.position_tolerance_m *= asked.tolerance;
     from_here.goal.orientation_tolerance_rad *= asked.tolerance;
     std::optional<Plan> plan = search(from_here, asked.margin * room_.margin_m);

@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"width_m: 0.05", "width_m:",
                  "a.yaml:8: segments[0].width_m: nothing found; expected a length in metres"},
         Breakage{"gaps: 4", "gaps: 4.5",
-                 "a.yaml:9: segments[0].gaps: 4.5 found; expected a number "
+                 "a.yaml:9: segments[0].gaps: 4.5 found; expected the number "
                  "of gaps between plates, a whole number"},
         Breakage{"gaps: 4", "gaps: 0", "a.yaml:9: segments[0].gaps: 0 found"},
         Breakage{"pressure_limit_kpa: 80", "pressure_limit_kpa: 0",

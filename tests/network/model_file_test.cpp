@@ -308,7 +308,7 @@ INSTANTIATE_TEST_SUITE_P(
                         "metadata valves:2: segments[0].inflate_time_constant_s: -1 found"),
         metadata_damage(
             "error_without_runs", "prediction_error",
-            R"({"runs":0,"run_s":10,"max_position_m":0.1,"off_path_m":0.1,"end_position_m":0.1,
+            R"({"runs":0,"run_s":10,"largest_position_m":0.1,"off_path_m":0.1,"end_position_m":0.1,
                             "end_orientation_rad":0.1})",
             "metadata prediction_error:1: runs: 0 found"),
         metadata_damage("error_of_another_kind", "prediction_error", R"({"runs":3,"mood":2})",

@@ -235,11 +235,12 @@ TEST(Train, RefusesTheCheckpointOfAnotherRun) {
                   "run.checkpoint: the checkpoint of a run with other data or settings")));
   settings.learning_rate /= 2.0;
   set_epoch_count(settings, 20);
-  EXPECT_THAT([&] { (void)train(arm, toy_data(arm), settings); },
-              ThrowsMessage<InputError>(AllOf(
-                  HasSubstr("the checkpoint of a run of 30 epochs of 2-frame windows, 64 a batch, "
-                            "10 epochs of 8-frame windows"),
-                  HasSubstr("this one is to be 15 epochs"), HasSubstr("leave out --resume"))));
+  EXPECT_THAT(
+      [&] { (void)train(arm, toy_data(arm), settings); },
+      ThrowsMessage<InputError>(
+          AllOf(HasSubstr("the checkpoint of a run of 30 epochs of 2-frame windows, 64 per batch, "
+                          "10 epochs of 8-frame windows"),
+                HasSubstr("this one is to be 15 epochs"), HasSubstr("leave out --resume"))));
   write_file_atomically(settings.checkpoint, read_file(settings.checkpoint).substr(0, 500));
   EXPECT_THAT([&] { (void)train(arm, toy_data(arm), settings); },
               ThrowsMessage<InputError>(HasSubstr("run.checkpoint")));

@@ -17,7 +17,7 @@ class ReplannerTest : public ::testing::Test {
  protected:
   ReplannerTest() {
     environment_.name = "a goal to the right";
-    const Pressures setpoint_kpa = Pressures::Constant(2, 50.0F);
+    const Pressures setpoint_kpa = Pressures::Constant(2, 40.0F);
     Backbone there(arm_.point_count(), 3);
     NoLoadModel(arm_).backbone(Eigen::Ref<const Eigen::VectorXf>(setpoint_kpa),
                                Eigen::Ref<Backbone>(there));
@@ -27,7 +27,7 @@ class ReplannerTest : public ::testing::Test {
 
   static ArmDescription weaker(ArmDescription arm) {
     for (Segment& segment : arm.segments) {
-      segment.strain_polynomial[0] *= 0.8;
+      segment.strain_polynomial[0] *= 0.5;
     }
     return arm;
   }

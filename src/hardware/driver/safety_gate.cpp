@@ -89,15 +89,16 @@ std::string SafetyGate::check_shape(const ArmState& state) {
     const double y_m = now(i, 1);
     if (settings_.fence && !(x_m >= settings_.fence->x_min_m && x_m <= settings_.fence->x_max_m &&
                              y_m >= settings_.fence->y_min_m && y_m <= settings_.fence->y_max_m)) {
-      return fmt::format("plate {} is at ({:.3f}, {:.3f}) m, outside of the fence", i, x_m, y_m);
+      return fmt::format("{} is at ({:.3f}, {:.3f}) m, outside of the fence", plate_name(i), x_m,
+                         y_m);
     }
     if (backbone_) {
       const double moved_m = (now.row(i) - backbone_->row(i)).head<2>().norm();
       if (moved_m > settings_.jump_m * frames_unseen_) {
         return fmt::format(
-            "plate {} jumped by {:.1f} cm within {} frame{}; more than {:.1f} cm a frame is no "
+            "{} jumped by {:.1f} cm within {} frame{}; more than {:.1f} cm a frame is no "
             "motion of an arm",
-            i, kCmPerM * moved_m, frames_unseen_, frames_unseen_ == 1 ? "" : "s",
+            plate_name(i), kCmPerM * moved_m, frames_unseen_, frames_unseen_ == 1 ? "" : "s",
             kCmPerM * settings_.jump_m);
       }
     }

@@ -93,7 +93,7 @@ class Grower {
     const std::vector<PathOutcome> outcomes =
         paths_.run({{start, {start.setpoint_kpa()}}}, [] { return false; });
     if (!outcomes.front().held_tip) {
-      throw InputError("the model runs off to infinity where the arm stands still at its start");
+      throw InputError("the model diverges while the arm stands still at its start");
     }
     note_tip(outcomes.front());
   }

@@ -28,7 +28,9 @@ struct ReplannerSettings {
 /// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
 /// goal, and where it has strayed from its plan by as much as the plan keeps from obstacles. Every
 /// plan is certified. Small corrections from rest are predicted well, since the network's error
-/// grows with the motion.
+/// grows with the motion. What the model misses all the same, where a correction ended beside its
+/// prediction, shifts the goal of the next one: half of it each time, and at most 10 cm. A model
+/// without memory errs as much after a correction as before, so its first plan counts too.
 ///
 /// Borrows arm, model and environment. Without tracking it asks for no plan: the run is then open
 /// loop.
@@ -43,6 +45,8 @@ class Replanner final : public PlanSource {
 
  private:
   bool has_more_to_gain(double error_m);
+  void learn_bias(const Pose& measured);
+  PoseGoal shifted_goal() const;
   bool is_within_limits(const Plan& plan) const;
   std::optional<Plan> search(const Environment& from_here, double margin_m);
 
@@ -56,7 +60,9 @@ class Replanner final : public PlanSource {
   int replans_ = 0;
   int small_gains_ = 0;
   bool halted_ = false;
-  std::optional<double> error_before_m_;  // of the correction under way
+  std::optional<double> error_before_m_;            // of the correction under way
+  std::optional<Pose> expected_;                    // end of the plan that was followed
+  Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();  // measured beside predicted ends: x, y, theta
 };
 
 }  // namespace limber
