@@ -960,7 +960,6 @@ class PlanStatus:
     """What came of planning."""
     solved: PlanStatus
     limit: PlanStatus
-    no_solution: PlanStatus
     invalid_start: PlanStatus
     goal_unreachable: PlanStatus
     goal_in_collision: PlanStatus
@@ -2002,11 +2001,11 @@ def tip_pose(backbone: npt.ArrayLike) -> Pose:
 def to_json(evaluation: Evaluation) -> dict[str, Any]:
     """The dict of `limber evaluate --json`."""
 @overload
-def to_json(certificate: Certificate, environment: Environment) -> dict[str, Any]:
-    """The dict of `limber verify --json`."""
+def to_json(certificate: Certificate, environment: Environment, command: Command = ...) -> dict[str, Any]:
+    """The dict of `limber verify --json`. `command`: the arm's, where that is no pressure."""
 @overload
-def to_json(result: PlanResult, goal: PoseGoal, planner: str, model: str, seed: int) -> dict[str, Any]:
-    """The dict of `limber plan --json`."""
+def to_json(result: PlanResult, goal: PoseGoal, planner: str, model: str, seed: int, command: Command = ...) -> dict[str, Any]:
+    """The dict of `limber plan --json`. `command`: the arm's, where that is no pressure."""
 @overload
 def to_json(result: ExecutionResult, environment: Environment) -> dict[str, Any]:
     """The dict of `limber execute --json`."""
