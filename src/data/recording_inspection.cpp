@@ -218,8 +218,10 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
   json["frames"] = recording.frame_count();
   json["frames_dropped"] = recording.untracked_count();
   json["duration_s"] = recording.duration_s();
+  // `command` is taken: it says what drives the arm.
+  const char* const followed = recording.command.is_pressure_kpa() ? "pressure_kpa" : "commands";
   for (const PressureRange& range : inspection.pressures) {
-    json[followed_key(recording.command)].push_back({range.lowest_kpa, range.highest_kpa});
+    json[followed].push_back({range.lowest_kpa, range.highest_kpa});
     json[quantity_key(recording.command, "setpoint")].push_back(
         {range.lowest_setpoint_kpa, range.highest_setpoint_kpa});
   }

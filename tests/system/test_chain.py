@@ -67,14 +67,17 @@ class Chain(InFolder):
             "evaluate", *ARM, "--model", "model.safetensors", "--data", "test.h5", "--plots", "plots"
         )
         statistics = {"mean", "std", "p95", "worst_motion"}
-        errors = {"position_error_cm", "orientation_error_rad"}
+        errors = {"position_error_cm", "orientation_error_rad", "plates_error_cm"}
         kinds = {
             "one_step", "one_step_moving", "window_32", "per_motion", "open_loop",
             "open_loop_from_setpoints",
         }
         self.assertEqual(set(found["network"]), kinds)
         self.assertEqual(set(found["no_load"]), {"open_loop"})
-        self.assertEqual(set(found["baselines"]), {"hold", "constant_velocity"})
+        self.assertEqual(
+            set(found["baselines"]),
+            {"hold", "constant_velocity", "static_linear", "linear_one_step", "simple_model"},
+        )
         for kind in kinds:
             self.assertEqual(set(found["network"][kind]), errors)
             for error in errors:

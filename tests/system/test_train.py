@@ -39,7 +39,7 @@ class Train(InFolder):
             "evaluate", *ARM, "--model", "model.safetensors", "--data", "train.h5", "--plots", "plots"
         )
         self.assertIn("the model was trained on train.h5", result.stderr)
-        self.assertEqual(len(list((self.folder / "plots").glob("*.svg"))), 4)
+        self.assertEqual(len(list((self.folder / "plots").glob("*.svg"))), 5)
 
     def test_a_diverging_run_names_epoch_and_rate(self):
         message = self.train(

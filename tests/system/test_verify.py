@@ -114,7 +114,7 @@ class Verify(InFolder):
         self.assertIn("model:m1.safetensors", self.run_limber("inspect", "run.h5").stdout)
         error = self.error("execute", "--arm", "two_segment", "--plan", "p.json", "--environment",
                            self.environment, "--driver", "nobody")
-        self.assertIn("expected virtual or model:FILE.safetensors", error)
+        self.assertIn("expected virtual, model:FILE.safetensors or exec:COMMAND", error)
         error = self.error("verify", *ARM, "--plan", "p.json", "--environment", self.environment,
                            "--also", "nowhere.safetensors")
         self.assertIn("nowhere.safetensors", error)
