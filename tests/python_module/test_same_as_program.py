@@ -53,7 +53,9 @@ class SameAsProgram(InFolder):
         self.assertEqual(epochs, list(range(1, 31)))
         model = result.model
         model.training = {**model.training,
-                          "data": f"train.h5 {limber.content_hash(self.chain.recording)}"}
+                          "data": f"train.h5 {limber.content_hash(self.chain.recording)}",
+                          # The program names the episodes too; which they are shows in the bytes.
+                          "validation": limber.read_model(self.chain.model).training["validation"]}
         model.set_valves(
             limber.identify_valves(recording.episodes, self.chain.arm, "train.h5"))
         model.learnt = limber.learnt_region_of(data)
@@ -68,6 +70,14 @@ class SameAsProgram(InFolder):
         recording = limber.read_recording(self.chain.recording)
         own = limber.to_json(limber.evaluate(limber.ForwardModel(self.chain.arm), self.forward,
                                              recording.episodes))
+        # The program measures these beside its other yardsticks, in single precision.
+        for name, horizons in own.pop("baselines").items():
+            for horizon, errors in horizons.items():
+                for error, statistics in errors.items():
+                    for statistic, value in statistics.items():
+                        other = theirs["baselines"][name][horizon][error][statistic]
+                        if value is not None:
+                            self.assertAlmostEqual(value, other, delta=1e-5 * max(1.0, abs(value)))
         self.assertEqual({key: theirs[key] for key in own}, own)
 
     def problem(self):
