@@ -18,6 +18,7 @@ struct Asked {
   double tolerance;
   double margin;
 };
+constexpr double kNearM = 0.01;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
 
 /// Both errors as one length: the heading counts as much as the position where each is at its
@@ -45,16 +46,18 @@ Replanner::Replanner(const ArmDescription& arm, const MotionModel& model,
       room_(room),
       settings_(settings),
       seed_(seed),
+      near_(arm, environment.obstacles, kNearM),
       planner_(make_planner("default", settings.planner_jobs)) {}
 
 Replanner::~Replanner() = default;
 
 bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) {
   expected_ = tip_pose(plan.frames.back().backbone);
-  // No obstacle is nearer to the plan than its clearance.
+  // No obstacle is nearer to the plan than its clearance, so that much is always allowed.
   const bool strays =
       state.backbone &&
-      !(largest_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m);
+      !(largest_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m) &&
+      !near_.is_free(*state.backbone);
   halted_ = strays && replans_ < settings_.max_replans;
   return !halted_;
 }

@@ -114,16 +114,21 @@ TEST_F(ReplannerTest, SameSeedSameRun) {
   EXPECT_EQ(ends[0], ends[1]);
 }
 
-TEST_F(ReplannerTest, HaltsWhereTheArmIsFartherOffThanThePlanIsFromObstacles) {
+TEST_F(ReplannerTest, HaltsWhereTheArmStraysTowardsAnObstacle) {
   Plan plan = open_loop_plan();
   plan.clearance_m = 0.02;
   ArmState state{0.0, plan.frames[1].pressure_kpa, std::nullopt, plan.frames[1].backbone};
+  const Pose tip = tip_pose(*state.backbone);
+  Replanner alone = replanner();
+  const double reach_m = known_.segments.back().width_m / 2.0 + known_.actuator_radius_m;
+  environment_.obstacles = {Circle{tip.x_m, tip.y_m + 0.021 + reach_m + 0.005 + 0.02, 0.02}};
   Replanner source = replanner();
   EXPECT_TRUE(source.may_go_on(plan, 1, state));
   state.backbone->col(1).array() += 0.019F;
   EXPECT_TRUE(source.may_go_on(plan, 1, state));
   state.backbone->col(1).array() += 0.002F;
   EXPECT_FALSE(source.may_go_on(plan, 1, state));
+  EXPECT_TRUE(alone.may_go_on(plan, 1, state)) << "nothing is near";
   state.backbone.reset();
   EXPECT_TRUE(source.may_go_on(plan, 1, state)) << "nobody sees it";
 }

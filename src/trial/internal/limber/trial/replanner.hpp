@@ -9,6 +9,7 @@
 #include "limber/forward/motion_model.hpp"
 #include "limber/hardware/executor.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/world/collision.hpp"
 
 namespace limber {
 
@@ -26,7 +27,7 @@ struct ReplannerSettings {
 };
 
 /// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
-/// goal, and where it has strayed from its plan by as much as the plan keeps from obstacles. Every
+/// goal, and where it has strayed so far from its plan that it comes near an obstacle. Every
 /// plan is certified. Small corrections from rest are predicted well, since the network's error
 /// grows with the motion. What the model misses all the same, where a correction ended beside its
 /// prediction, shifts the goal of the next one: half of it each time, and at most 10 cm. A model
@@ -56,6 +57,7 @@ class Replanner final : public PlanSource {
   ErrorRoom room_;
   ReplannerSettings settings_;
   std::uint64_t seed_;
+  CollisionChecker near_;  // what touches this arm is too near to go on beside
   std::unique_ptr<Planner> planner_;
   int replans_ = 0;
   int small_gains_ = 0;
