@@ -48,6 +48,20 @@ class Execute(InFolder):
         evaluated = self.run_json("evaluate", *ARM, "--data", "run.h5")
         self.assertEqual(evaluated["frames"], recording["frames"] - 1)
 
+    def test_closed_loop_ends_nearer_to_the_goal(self):
+        open_loop = self.execute()
+        arguments = ("--replan", "--no-load", "--no-valves", "--out", "run.h5")
+        found = self.execute(*arguments)
+        self.assertGreater(found["replans"], 0)
+        self.assertEqual(
+            found["open_loop_distance_to_goal_cm"], open_loop["distance_to_goal_cm"])
+        self.assertLess(found["distance_to_goal_cm"], 0.5 * open_loop["distance_to_goal_cm"])
+        self.assertFalse(found["collided"])
+        self.assertEqual(self.execute(*arguments, "--force"), found)
+        message = self.run_limber(
+            "execute", *ARM, "--plan", "p.json", "--environment", "e.yaml", "--replan", code=2).stderr
+        self.assertIn("--model", message)
+
     def test_repeats_exactly(self):
         self.assertEqual(self.execute(), self.execute())
 
