@@ -60,7 +60,7 @@ def table(motion, pressures, noise):
     header = ["t"] + [f"{side}{i}_psi" for i in (1, 2) for side in ("right", "left")]
     header += [f"{axis}{i}" for i in range(len(PLATES)) for axis in "xy"]
     lines = [",".join(header)]
-    for row, commanded in list(zip(motion, pressures))[::2]:  # 24 to 12 rows a second
+    for row, commanded in list(zip(motion, pressures))[::2]:  # 24 to 12 rows per second
         cells = [f"{float(row['time_s']):.3f}"]
         for name in [name for name in commanded if name.startswith("pressure_")]:
             pressure = float(commanded[name]) / KPA_PER_PSI

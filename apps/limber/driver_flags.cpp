@@ -58,11 +58,12 @@ void DriverFlags::add_to(CLI::App& app, bool may_be_model) {
   }
   app.add_option("--driver", driver_, help)->capture_default_str();
   app.add_option("--limit-scale", limit_scale_,
-                 "Pressure limits are this times the arm's, over 0 and at most 1")
+                 "Factor on the arm's pressure limits, over 0 and at most 1")
       ->capture_default_str();
-  app.add_option("--driver-log", log_,
-                 "What limber and the driver said to each other, a JSON object a line; by default "
-                 "beside the recording");
+  app.add_option(
+      "--driver-log", log_,
+      "What limber and the driver said to each other, one JSON object per line; by default "
+      "beside the recording");
   app.add_flag("--dry-run", dry_run_, "Print the requests that a driver would get; move nothing");
 }
 

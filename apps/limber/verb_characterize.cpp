@@ -134,8 +134,8 @@ class CharacterizeVerb final : public Verb {
       refuse_to_overwrite(out_, flags.force);
     }
     const std::string arm_file = find_arm_file(arm_);
-    const ArmDescription arm =
-        with_lines_for_missing_polynomials(load_arm(arm_file, PolynomialsOf::characterisation));
+    const ArmDescription arm = with_lines_for_missing_polynomials(
+        load_asked_arm(arm_file, PolynomialsOf::characterisation));
     std::vector<Episode> episodes;
     for (const std::string& path : recordings_) {
       Recording recording = read_recording(path);

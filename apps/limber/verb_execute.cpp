@@ -36,7 +36,7 @@ class ExecuteVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--max-start-error-m", max_start_error_m_,
                    "Largest distance of a plate from where the plan starts, with exec: only; by "
-                   "default the plan's margin, which is what its model errs by, or 1 cm")
+                   "default the plan's margin, which is its model's error, or 1 cm if that is more")
         ->check(CLI::NonNegativeNumber);
     app.add_flag("--replan", replan_,
                  "Closed loop: plan again, with --model, from where the arm is measured, until it "
@@ -59,7 +59,7 @@ class ExecuteVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     driver_.check();
     const std::string arm_file = find_arm_file(arm_);
-    const ArmDescription arm = load_asked_arm(arm_);
+    const ArmDescription arm = load_asked_arm(arm_file);
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);

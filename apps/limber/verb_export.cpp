@@ -192,7 +192,8 @@ class ExportVerb final : public Verb {
   void export_arm() {
     const ArmDescription arm = load_arm(file_);
     require_pressure_driven(arm, "the virtual arm");
-    write_file_atomically(mjcf_, chain_mjcf(arm, virtual_arm_parameters(arm).time_step_s));
+    const VirtualArmParameters parameters = virtual_arm_parameters(arm);
+    write_file_atomically(mjcf_, chain_mjcf(arm, parameters, parameters.time_step_s));
     add({mjcf_});
   }
 

@@ -15,7 +15,7 @@ def main() -> int:
     network = limber.read_model(sys.argv[1])
     forward = limber.ForwardModel(arm, network)
     valves = network.valves or limber.ValveParameters()
-    room = limber.error_room(forward)  # what the model says it errs by
+    room = limber.error_room(forward)  # the error that the model states
     problem = limber.PlanningProblem(
         arm, limber.MotionModel(forward, limber.ValveModel(arm, valves)), environment,
         margin_m=room.margin_m, goal_margin=room.goal_margin)

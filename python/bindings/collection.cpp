@@ -74,7 +74,7 @@ void bind_collection(py::module_& module) {
       .field("driver", &CollectionSettings::driver, "Everything else that decides the data.")
       .field("hold_limit_s", &CollectionSettings::hold_limit_s,
              "A set point not reached by then is a fault [s].")
-      .field("jobs", &CollectionSettings::jobs, "Threads, 0: one a core.")
+      .field("jobs", &CollectionSettings::jobs, "Threads, 0: one per core.")
       .field("resume", &CollectionSettings::resume, "Go on from an interrupted run.")
       .field("force", &CollectionSettings::force, "Replace the file.")
       .field("progress", &CollectionSettings::progress, "ProgressMode.")

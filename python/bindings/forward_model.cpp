@@ -148,7 +148,7 @@ void bind_forward_model(py::module_& module) {
   py::class_<ParallelForward>(module, "ParallelForward",
                               "Large batches over several threads; the answers are the same for "
                               "any number. One caller at a time.")
-      .def(py::init<int>(), py::arg("jobs") = 0, "0: one a core.")
+      .def(py::init<int>(), py::arg("jobs") = 0, "0: one per core.")
       .def_property_readonly("jobs", &ParallelForward::jobs, "Threads.")
       .def(
           "step_batch",

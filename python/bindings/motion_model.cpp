@@ -42,7 +42,7 @@ void bind_error_room(py::module_& module) {
       },
       py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
       py::arg("goal_margin_rad") = py::none(),
-      "What a model says it errs by, or the amounts that are given instead.");
+      "The error that a model states, or the amounts that are given instead.");
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ void bind_settings(py::module_& module) {
       .field("ensemble", &S::ensemble, "Networks trained together, 1 to 64.")
       .field("replay_share", &S::replay_share, "Of an epoch's windows, from what is replayed.")
       .field("seed", &S::seed, "Of all chance.")
-      .field("jobs", &S::jobs, "Threads, 0: one a core.")
+      .field("jobs", &S::jobs, "Threads, 0: one per core.")
       .field("time_limit_s", &S::time_limit_s, "Fixes the number of epochs at the start [s].")
       .field("validation_interval", &S::validation_interval, "Epochs between validations.")
       .field("checkpoint", &S::checkpoint, "File to go on from; empty: none.")

@@ -47,7 +47,7 @@ class Driver(abc.ABC):
     segment_count: int = 0
     tracked: bool = True  # whether states carry backbones
     real_time: bool = True  # False for a simulation
-    limit_kpa: Optional[Sequence[float]] = None  # own limits, one a segment
+    limit_kpa: Optional[Sequence[float]] = None  # own limits, one per segment
 
     @abc.abstractmethod
     def command(self, setpoint_kpa: npt.NDArray[np.float32]) -> ArmState:

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -19,20 +20,11 @@ namespace fs = std::filesystem;
 constexpr double kPlateHeight_m = 0.05;   // above the floor of the motion capture
 constexpr double kMarkerToSide_m = 0.02;  // from the plate's middle
 
-std::string column_name(const Recording& recording, const char* what, int segment) {
-  return recording.command.is_pressure_kpa() ? fmt::format("{}_{}_kpa", what, segment)
-                                             : fmt::format("{}_{}", what, segment);
-}
-
-const char* measured_word(const Recording& recording) {
-  return recording.command.is_pressure_kpa() ? "pressure" : "command";
-}
-
 std::string command_header(const Recording& recording) {
   std::string text;
-  for (const char* what : {measured_word(recording), "setpoint"}) {
+  for (const std::string& what : {followed_name(recording.command), std::string("setpoint")}) {
     for (int i = 0; i < recording.segment_count; ++i) {
-      text += "," + column_name(recording, what, i);
+      text += "," + quantity_column(recording.command, what, i);
     }
   }
   return text;
@@ -51,11 +43,11 @@ std::string command_cells(const Episode& episode, Eigen::Index t) {
 std::string command_mapping(const Recording& recording) {
   std::string text =
       recording.command.is_pressure_kpa() ? "pressures:\n  unit: kPa\n" : "commands:\n";
-  for (const auto& [key, what] :
-       {std::pair{"columns", measured_word(recording)}, std::pair{"setpoints", "setpoint"}}) {
+  for (const auto& [key, what] : {std::pair{"columns", followed_name(recording.command)},
+                                  std::pair{"setpoints", std::string("setpoint")}}) {
     text += fmt::format("  {}: [", key);
     for (int i = 0; i < recording.segment_count; ++i) {
-      text += (i > 0 ? ", " : "") + column_name(recording, what, i);
+      text += (i > 0 ? ", " : "") + quantity_column(recording.command, what, i);
     }
     text += "]\n";
   }

@@ -4,10 +4,12 @@
 // hdf5_version.cpp, include HDF5.
 
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include <H5Cpp.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
@@ -40,10 +42,10 @@ using Shape = std::vector<hsize_t>;
 
 /// Data sets of what was measured and of what was asked for: their names carry the unit, if it is
 /// that of pressures; of another command, the attribute `unit` alone does.
-inline const char* measured_name(const Command& command) {
-  return command.is_pressure_kpa() ? "pressure_kpa" : "command";
+inline std::string measured_name(const Command& command) {
+  return followed_key(command);
 }
-inline const char* setpoint_name(const Command& command) {
+inline std::string setpoint_name(const Command& command) {
   return command.is_pressure_kpa() ? "setpoint_kpa" : "command_setpoint";
 }
 

@@ -275,7 +275,7 @@ class Reader {
     const auto m = static_cast<hsize_t>(recording.point_count);
     const std::string pressures = fmt::format("{} × {}: frames × segments", frames, n);
     const Command& command = recording.command;
-    const auto commands = [&](const char* name) {
+    const auto commands = [&](const std::string& name) {
       return matrix(group + "/" + name, {frames, n}, pressures, command.unit.c_str());
     };
     episode.pressure_kpa = commands(measured_name(command));

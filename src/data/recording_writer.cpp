@@ -34,7 +34,7 @@ void write_number(const H5::H5Object& object, const char* name, const H5::PredTy
   object.createAttribute(name, type, H5::DataSpace()).write(type, &value);
 }
 
-void write_data_set(const H5::Group& group, const char* name, const char* unit,
+void write_data_set(const H5::Group& group, const std::string& name, const char* unit,
                     const H5::PredType& type, const void* data, const Shape& shape) {
   Shape chunk = shape;
   chunk[0] = std::min(chunk[0], kChunkFrames);

@@ -19,10 +19,10 @@ ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& pa
                        double time_step_s)
     : parameters_(parameters),
       time_step_s_(time_step_s),
-      links_(chain_links(arm)),
+      links_(chain_links(arm, parameters)),
       actuator_(parameters_),
       pneumatics_(parameters_, time_step_s),
-      chain_(arm, time_step_s),
+      chain_(arm, parameters, time_step_s),
       kinematics_(links_, parameters_.base_misalignment_rad),
       loads_(links_.size()) {
   for (const ChainLink& link : links_) {

@@ -92,26 +92,28 @@ class Execution {
     }
     const bool halted = k < frames.size();
     result_.halts += halted ? 1 : 0;
-    setpoint_kpa_ = frames[k - 1].setpoint_kpa;
+    frame_ = k - 1;
     // A plan's own hold counts: planner and executor judge the goal at the same moment.
     for (int held = halted ? 0 : plan_->hold_frame_count; held < arm_.frames_in(settings_.hold_s);
          ++held) {
-      command(setpoint_kpa_);
+      command(held_kpa());
     }
   }
+
+  const Pressures& held_kpa() const { return plan_->frames[frame_].setpoint_kpa; }
 
   /// @return whether there is another plan to follow
   bool go_on() {
     const int longest = arm_.frames_in(kLongestBlindS);
     for (int k = 0; k < longest && !driver_.state().backbone; ++k) {
-      command(setpoint_kpa_);
+      command(held_kpa());
     }
     std::optional<Plan> next = ask_for_next();
     if (!next) {
       return false;
     }
     require_plan_of(*next, arm_, "the next plan");
-    if (next->frames.front().setpoint_kpa != setpoint_kpa_) {
+    if (next->frames.front().setpoint_kpa != held_kpa()) {
       throw InputError("the next plan does not start at the set points that the arm holds");
     }
     if (result_.replans++ == 0 && shape_) {
@@ -127,14 +129,19 @@ class Execution {
   /// stands still meanwhile, so that runs can be repeated.
   std::optional<Plan> ask_for_next() {
     if (!driver_.is_real_time()) {
-      return settings_.replanner->next(setpoint_kpa_, driver_.state());
+      return settings_.replanner->next(*plan_, frame_, driver_.state());
     }
     std::future<std::optional<Plan>> next =
         std::async(std::launch::async, [this, state = driver_.state()] {
-          return settings_.replanner->next(setpoint_kpa_, state);
+          return settings_.replanner->next(*plan_, frame_, state);
         });
-    while (next.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-      command(setpoint_kpa_);
+    try {
+      while (next.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        command(held_kpa());
+      }
+    } catch (...) {
+      driver_.vent();  // now, not when the search has ended
+      throw;
     }
     return next.get();
   }
@@ -264,7 +271,7 @@ class Execution {
   const Environment& environment_;
   const Plan* plan_;  // the one that is followed
   std::list<Plan> more_plans_;
-  Pressures setpoint_kpa_;
+  std::size_t frame_ = 0;  // the last one of it that was commanded
   ArmDriver& driver_;
   Look look_;
   const ExecutionSettings& settings_;

@@ -50,8 +50,7 @@ std::string link_mjcf(const ChainLink& link, const VirtualArmParameters& p, std:
 
 }  // namespace
 
-std::vector<ChainLink> chain_links(const ArmDescription& arm) {
-  const VirtualArmParameters p = virtual_arm_parameters(arm);
+std::vector<ChainLink> chain_links(const ArmDescription& arm, const VirtualArmParameters& p) {
   RandomStream offsets(p.strength_seed, kPlateOffsetStream);
   std::vector<ChainLink> links;
   for (int s = 0; s < arm.segment_count(); ++s) {
@@ -73,9 +72,9 @@ std::vector<ChainLink> chain_links(const ArmDescription& arm) {
   return links;
 }
 
-std::string chain_mjcf(const ArmDescription& arm, double time_step_s) {
-  const VirtualArmParameters p = virtual_arm_parameters(arm);
-  const std::vector<ChainLink> links = chain_links(arm);
+std::string chain_mjcf(const ArmDescription& arm, const VirtualArmParameters& p,
+                       double time_step_s) {
+  const std::vector<ChainLink> links = chain_links(arm, p);
   std::string text = fmt::format(
       "<mujoco model=\"{}\">\n"
       "  <compiler angle=\"radian\"/>\n"

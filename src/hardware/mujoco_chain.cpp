@@ -58,9 +58,10 @@ mjModel* load_model(const std::string& xml) {
 
 }  // namespace
 
-MujocoChain::MujocoChain(const ArmDescription& arm, double time_step_s) {
+MujocoChain::MujocoChain(const ArmDescription& arm, const VirtualArmParameters& parameters,
+                         double time_step_s) {
   install_handlers();
-  model_.reset(load_model(chain_mjcf(arm, time_step_s)));
+  model_.reset(load_model(chain_mjcf(arm, parameters, time_step_s)));
   // MuJoCo's Euler solves (M + h D) a = f − D v for implicit damping, with a second factorisation
   // of its own. The same system, factorised once: h D goes into the armature, −D v into f.
   damping_.assign(model_->dof_damping, model_->dof_damping + size());

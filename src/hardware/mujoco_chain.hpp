@@ -10,6 +10,8 @@
 
 namespace limber {
 
+struct VirtualArmParameters;
+
 /// The chain of chain_mjcf in MuJoCo, advanced under generalised forces; the only place that calls
 /// MuJoCo. Generalised coordinates: slide [m] and hinge [rad] of each gap in turn, 2(m − 1) in all.
 ///
@@ -17,7 +19,8 @@ namespace limber {
 class MujocoChain {
  public:
   /// @throws SystemFault if MuJoCo refuses the model.
-  MujocoChain(const ArmDescription& arm, double time_step_s);
+  MujocoChain(const ArmDescription& arm, const VirtualArmParameters& parameters,
+              double time_step_s);
 
   int size() const { return model_->nv; }
   const double* position() const { return data_->qpos; }

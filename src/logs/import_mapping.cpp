@@ -298,14 +298,11 @@ namespace {
 
 /// The names that limber gives the columns of commands.
 CommandColumns default_columns(const ArmDescription& arm, int first) {
-  const bool pressures = arm.command.is_pressure_kpa();
   CommandColumns columns;
   columns.unit = arm.command.unit;
   for (int i = first; i < first + arm.segment_count(); ++i) {
-    columns.measured.push_back(
-        fmt::format(fmt::runtime(pressures ? "pressure_{}_kpa" : "command_{}"), i));
-    columns.setpoint.push_back(
-        fmt::format(fmt::runtime(pressures ? "setpoint_{}_kpa" : "setpoint_{}"), i));
+    columns.measured.push_back(quantity_column(arm.command, followed_name(arm.command), i));
+    columns.setpoint.push_back(quantity_column(arm.command, "setpoint", i));
   }
   columns.setpoint_optional = true;
   return columns;

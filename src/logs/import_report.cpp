@@ -168,8 +168,7 @@ std::string notes_of_all(const std::vector<RunReport>& runs) {
 /// What the simple model says of each episode; outliers by the logs that they came from.
 std::string errors_to_text(const ImportReport& report, const EpisodeErrors& errors) {
   std::string text = fmt::format(
-      "simple model: it errs by {:.2f} cm at the tip in the middle one of the episodes\n",
-      errors.median_cm);
+      "simple model: its error at the tip is {:.2f} cm in the median episode\n", errors.median_cm);
   for (const int number : errors.outliers()) {
     const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
     text += fmt::format(

@@ -91,7 +91,7 @@ void check_clock(const std::string& log, const TimeColumn& time, const std::vect
   const double lowest_hz = kSlowerThanArm * arm.frame_rate_hz;
   if (!(rate_hz >= lowest_hz)) {
     const std::string message = fmt::format(
-        "{}; expected {:.4g} to {}: arm '{}' works at {} frames a second, and what lies between "
+        "{}; expected {:.4g} to {}: arm '{}' works at {} frames per second, and what lies between "
         "rows is not invented. {}",
         found(log, time, rate_hz), lowest_hz, kFastestLog_hz, arm.name, arm.frame_rate_hz,
         advice(time, rate_hz, lowest_hz));
@@ -116,9 +116,9 @@ void refuse_slow_logs(const std::vector<std::string>& logs, const std::vector<do
   // Rounded down: what the message says must be enough.
   const double enough_hz = std::floor(*slowest / kSlowerThanArm * 100.0) / 100.0;
   throw InputError(fmt::format(
-      "{} of {} logs are slower than arm '{}', which works at {} frames a second; what lies between "
-      "rows is not invented. The slowest is {} with {:.4g} rows a second, the fastest has {:.4g}. "
-      "How many frames a second a model steps by is yours to choose (docs/importing.md): with "
+      "{} of {} logs are slower than arm '{}', which works at {} frames per second; what lies between "
+      "rows is not invented. The slowest is {} with {:.4g} rows per second, the fastest has {:.4g}. "
+      "How many frames per second a model steps by is yours to choose (docs/importing.md): with "
       "frame_rate_hz of the arm file at most {:.4g} all of them fit; or leave the slowest out",
       slow, logs.size(), arm.name, arm.frame_rate_hz,
       logs[static_cast<std::size_t>(slowest - rates_hz.begin())], *slowest,

@@ -52,14 +52,12 @@ Replanner::Replanner(const ArmDescription& arm, const MotionModel& model,
 Replanner::~Replanner() = default;
 
 bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) {
-  expected_ = tip_pose(plan.frames.back().backbone);
   // No obstacle is nearer to the plan than its clearance, so that much is always allowed.
   const bool strays =
       state.backbone &&
       !(largest_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m) &&
       !near_.is_free(*state.backbone);
-  halted_ = strays && replans_ < settings_.max_replans;
-  return !halted_;
+  return !strays || replans_ >= settings_.max_replans;
 }
 
 bool Replanner::has_more_to_gain(double error_m) {
@@ -84,15 +82,16 @@ bool Replanner::is_within_limits(const Plan& plan) const {
   return true;
 }
 
-void Replanner::learn_bias(const Pose& measured) {
+void Replanner::learn_bias(const Plan& ended, const Pose& measured) {
   constexpr double kShare = 0.5;
   constexpr double kMaxBiasM = 0.1;
   const bool starts_as_measured = replans_ > 0;  // the first plan starts where nobody looked
-  if (!expected_ || halted_ || (model_.has_network() && !starts_as_measured)) {
+  if (model_.has_network() && !starts_as_measured) {
     return;
   }
-  const Eigen::Vector3d missed(measured.x_m - expected_->x_m, measured.y_m - expected_->y_m,
-                               measured.theta_rad - expected_->theta_rad);
+  const Pose expected = tip_pose(ended.frames.back().backbone);
+  const Eigen::Vector3d missed(measured.x_m - expected.x_m, measured.y_m - expected.y_m,
+                               measured.theta_rad - expected.theta_rad);
   bias_ += kShare * (missed - bias_);
   const double size_m = bias_.head<2>().norm();
   if (size_m > kMaxBiasM) {
@@ -121,27 +120,29 @@ std::optional<Plan> Replanner::search(const Environment& from_here, double margi
       .plan;
 }
 
-std::optional<Plan> Replanner::next(const Pressures& setpoint_kpa, const ArmState& state) {
+std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const ArmState& state) {
   if (!state.backbone || replans_ >= settings_.max_replans) {
     return std::nullopt;
   }
   const Pose measured = tip_pose(state.backbone->cast<double>().eval());
   const PoseError error = pose_error(environment_.goal, measured);
-  learn_bias(measured);
-  if (!halted_ && !has_more_to_gain(as_length_m(environment_.goal, error))) {
+  const bool halted = frame + 1 < plan.frames.size();
+  if (!halted) {
+    learn_bias(plan, measured);
+  }
+  if (!halted && !has_more_to_gain(as_length_m(environment_.goal, error))) {
     return std::nullopt;
   }
-  halted_ = false;
   Environment from_here = environment_;
-  from_here.start = ArmStart{setpoint_kpa, *state.backbone};
+  from_here.start = ArmStart{plan.frames[frame].setpoint_kpa, *state.backbone};
   for (const Asked& asked : kAsked) {
     from_here.goal = shifted_goal();
     from_here.goal.position_tolerance_m *= asked.tolerance;
     from_here.goal.orientation_tolerance_rad *= asked.tolerance;
-    std::optional<Plan> plan = search(from_here, asked.margin * room_.margin_m);
-    if (plan && is_within_limits(*plan)) {
+    std::optional<Plan> found = search(from_here, asked.margin * room_.margin_m);
+    if (found && is_within_limits(*found)) {
       ++replans_;
-      return plan;
+      return found;
     }
   }
   return std::nullopt;

@@ -78,16 +78,12 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
 }
 
 void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan) {
-  const bool pressures = plan.command.is_pressure_kpa();
-  const char* const setpoint = pressures ? ",setpoint_{}_kpa" : ",setpoint_{}";
-  const char* const followed = pressures ? ",pressure_{}_kpa" : ",command_{}";
   std::string text = "time_s";
   const Eigen::Index n = plan.frames.empty() ? 0 : plan.frames.front().setpoint_kpa.size();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    text += fmt::format(fmt::runtime(setpoint), i);
-  }
-  for (Eigen::Index i = 0; i < n; ++i) {
-    text += fmt::format(fmt::runtime(followed), i);
+  for (const std::string& what : {std::string("setpoint"), followed_name(plan.command)}) {
+    for (int i = 0; i < n; ++i) {
+      text += "," + quantity_column(plan.command, what, i);
+    }
   }
   text += '\n';
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limber/hardware/virtual_arm_parameters.hpp"
 #include "support/described_xml.hpp"
 #include "support/sample_arm.hpp"
 
@@ -14,7 +15,8 @@ TEST(Mjcf, IsXmlWhateverTheArmIsCalled) {
                            "\xC2\x9B", "no UTF-8: \xff", "\uFFFE"}) {
     ArmDescription arm = sample_arm(2);
     arm.name = name;
-    const CommandResult described = described_xml(chain_mjcf(arm, 1e-3));
+    const CommandResult described =
+        described_xml(chain_mjcf(arm, virtual_arm_parameters(arm), 1e-3));
     EXPECT_EQ(described.code, 0) << described.output;
     EXPECT_NE(described.output.find("mujoco 1"), std::string::npos);
   }

@@ -23,12 +23,12 @@ class HaltOnce final : public PlanSource {
   bool may_go_on(const Plan&, std::size_t frame, const ArmState&) override {
     return halted_ || frame < 3;
   }
-  std::optional<Plan> next(const Pressures& setpoint_kpa, const ArmState&) override {
+  std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState&) override {
     if (halted_) {
       return std::nullopt;
     }
     halted_ = true;
-    return plan_from_(setpoint_kpa);
+    return plan_from_(plan.frames[frame].setpoint_kpa);
   }
 
  private:

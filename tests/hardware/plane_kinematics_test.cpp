@@ -20,7 +20,7 @@ constexpr double kRounding = 1e-12;
 /// MuJoCo's own kinematics of the same chain, as oracle.
 struct Oracle {
   explicit Oracle(const ArmDescription& arm) {
-    const std::string xml = chain_mjcf(arm, 1e-3);
+    const std::string xml = chain_mjcf(arm, virtual_arm_parameters(arm), 1e-3);
     const auto files = std::make_unique<mjVFS>();
     mj_defaultVFS(files.get());
     mj_makeEmptyFileVFS(files.get(), "arm.xml", static_cast<int>(xml.size()));
@@ -49,7 +49,8 @@ class PlaneKinematicsOf : public testing::TestWithParam<int> {
   PlaneKinematicsOf()
       : arm(make_arm()),
         oracle(arm),
-        kinematics(chain_links(arm), virtual_arm_parameters(arm).base_misalignment_rad) {
+        kinematics(chain_links(arm, virtual_arm_parameters(arm)),
+                   virtual_arm_parameters(arm).base_misalignment_rad) {
     RandomStream random(5, 0);
     for (int joint = 0; joint < oracle.model->nv; ++joint) {
       oracle.data->qpos[joint] = joint % 2 == 0 ? 0.01 * random.normal() : 0.4 * random.normal();

@@ -89,7 +89,7 @@ TEST_F(LogImportFaults, NamesTheSlowestOfAllLogsAtOnce) {
   EXPECT_THAT([&] { import_csv(logs, options, truth_.arm()); },
               ThrowsMessage<InputError>(
                   AllOf(HasSubstr("3 of 4 logs are slower than arm"), HasSubstr("slowest is"),
-                        HasSubstr("c.csv with 9 rows a second"), HasSubstr("at most 9.47"))));
+                        HasSubstr("c.csv with 9 rows per second"), HasSubstr("at most 9.47"))));
   ArmDescription slower = truth_.arm();
   slower.frame_rate_hz = 9.47;
   EXPECT_NO_THROW(import_csv(logs, options, slower)) << "what the message says is enough";

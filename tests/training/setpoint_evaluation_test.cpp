@@ -1,4 +1,4 @@
-// What a network errs by where the pressures too are predicted, from set points.
+// The error of a network if the pressures too are predicted, from set points.
 #include <cmath>
 #include <memory>
 

@@ -8,7 +8,7 @@
 
 namespace limber {
 
-/// What limber and a driver said to each other, a JSON object a line: {"at_s": 1.25, "to_driver":
+/// What limber and a driver said to each other, one JSON object per line: {"at_s": 1.25, "to_driver":
 /// {…}}. The first line says who started the run, and when. Written as it happens, so that it is
 /// whole up to a crash; a log that can't be written any more never stops an arm.
 class DriverLog {

@@ -40,7 +40,7 @@ class RrtStarSearch {
     int column;  // in the batch of all near nodes
   };
   using Nodes = std::vector<int>;
-  /// A node below a rewired one, simulated anew.
+  /// A node below a rewired one, simulated again.
   struct Changed {
     int node;
     double cost_kpa;

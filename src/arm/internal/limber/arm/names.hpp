@@ -37,9 +37,19 @@ inline std::string quantity_key(const Command& command, const std::string& stem)
   return command.is_pressure_kpa() ? stem + "_kpa" : stem;
 }
 
-/// Of the commands as they were followed, or are predicted to be: "pressure_kpa" or "command".
+/// The commands as they were followed, or are predicted to be: "pressure" or "command".
+inline std::string followed_name(const Command& command) {
+  return command.is_pressure_kpa() ? "pressure" : "command";
+}
+
+/// "pressure_kpa" or "command".
 inline std::string followed_key(const Command& command) {
-  return command.is_pressure_kpa() ? "pressure_kpa" : "command";
+  return quantity_key(command, followed_name(command));
+}
+
+/// A segment's column in CSV files: "setpoint_0_kpa", or "setpoint_0".
+inline std::string quantity_column(const Command& command, const std::string& what, int segment) {
+  return quantity_key(command, fmt::format("{}_{}", what, segment));
 }
 
 }  // namespace limber

@@ -33,9 +33,10 @@ class PlanSource {
   /// Whether the rest of the plan may be followed; asked after each of its frames but the last.
   /// Where not, the arm holds where it is and `next` is asked.
   virtual bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
-  /// The plan to follow from here on, for an arm that has held `setpoint_kpa` for the hold; it
-  /// starts there. None ends the run.
-  virtual std::optional<Plan> next(const Pressures& setpoint_kpa, const ArmState& state) = 0;
+  /// The plan to follow from here on, for an arm that has held the set points of frame `frame` of
+  /// `plan` for the hold: the last one, or the one after which it was not allowed to go on. It starts
+  /// there. None ends the run.
+  virtual std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
 };
 
 struct ExecutionSettings {

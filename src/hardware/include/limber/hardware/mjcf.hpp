@@ -19,12 +19,16 @@ struct ChainLink {
   double rest_angle_rad = 0.0;  ///< hinge angle of the unloaded gap
 };
 
-/// One link per gap, base first, by the arm's `virtual_arm` parameters.
-std::vector<ChainLink> chain_links(const ArmDescription& arm);
+struct VirtualArmParameters;
+
+/// One link per gap, base first. @param parameters  the arm's
+std::vector<ChainLink> chain_links(const ArmDescription& arm,
+                                   const VirtualArmParameters& parameters);
 
 /// The chain as MuJoCo's XML: per gap a body with a slide along the arm and a hinge about z at the
 /// middle of the gap, in this order (docs/virtual-arm.md, (V1)). Actuators, friction and pneumatics
 /// are not MuJoCo's and are not in it.
-std::string chain_mjcf(const ArmDescription& arm, double time_step_s);
+std::string chain_mjcf(const ArmDescription& arm, const VirtualArmParameters& parameters,
+                       double time_step_s);
 
 }  // namespace limber

@@ -32,7 +32,7 @@ struct DeadmanResult {
 struct DriverCheck {
   DriverHello hello;
   DriverTiming timing;
-  std::vector<double> noise_kpa;  ///< standard deviation at rest, one a segment
+  std::vector<double> noise_kpa;  ///< standard deviation at rest, one per segment
   std::vector<double> zero_kpa;   ///< mean reading at rest
   std::vector<StepResponse> steps;
   DeadmanResult silence;                ///< no `set` for more than three frames

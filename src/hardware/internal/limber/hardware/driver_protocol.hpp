@@ -11,8 +11,8 @@
 
 namespace limber {
 
-/// The protocol between limber and a driver (docs/driver.md): one JSON object a line. Pressures are
-/// kPa gauge, signed, one a segment; lengths m, angles rad. Unknown keys are ignored. Every parser
+/// The protocol between limber and a driver (docs/driver.md): one JSON object per line. Pressures are
+/// kPa gauge, signed, one per segment; lengths m, angles rad. Unknown keys are ignored. Every parser
 /// takes one line and throws InputError that names the field.
 inline constexpr int kDriverProtocol = 1;
 

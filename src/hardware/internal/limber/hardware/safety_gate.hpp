@@ -18,7 +18,7 @@ namespace limber {
 /// Threads: one at a time.
 class SafetyGate {
  public:
-  /// @param limits_kpa   in force, one a segment: the arm's, scaled, and the driver's own
+  /// @param limits_kpa   in force, one per segment: the arm's, scaled, and the driver's own
   /// @param check_rate   whether set points may change by no more than the arm's rate allows; not
   ///                     where a schedule jumps, and the valves ramp by themselves
   SafetyGate(const ArmDescription& arm, std::vector<double> limits_kpa, bool check_rate,

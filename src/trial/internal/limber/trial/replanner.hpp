@@ -42,11 +42,11 @@ class Replanner final : public PlanSource {
   ~Replanner() override;
 
   bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
-  std::optional<Plan> next(const Pressures& setpoint_kpa, const ArmState& state) override;
+  std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
 
  private:
   bool has_more_to_gain(double error_m);
-  void learn_bias(const Pose& measured);
+  void learn_bias(const Plan& ended, const Pose& measured);
   PoseGoal shifted_goal() const;
   bool is_within_limits(const Plan& plan) const;
   std::optional<Plan> search(const Environment& from_here, double margin_m);
@@ -61,9 +61,7 @@ class Replanner final : public PlanSource {
   std::unique_ptr<Planner> planner_;
   int replans_ = 0;
   int small_gains_ = 0;
-  bool halted_ = false;
   std::optional<double> error_before_m_;            // of the correction under way
-  std::optional<Pose> expected_;                    // end of the plan that was followed
   Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();  // measured beside predicted ends: x, y, theta
 };
 
