@@ -281,7 +281,7 @@ class CollectionSettings:
     def hold_limit_s(self, value: float) -> None: ...
     @property
     def jobs(self) -> int:
-        """Threads, 0: one a core."""
+        """Threads, 0: one per core."""
     @jobs.setter
     def jobs(self, value: int) -> None: ...
     @property
@@ -820,7 +820,7 @@ class ParallelForward:
     def jobs(self) -> int:
         """Threads."""
     def __init__(self, jobs: int = 0) -> None:
-        """0: one a core."""
+        """0: one per core."""
     def step_batch(self, model: ForwardModel, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, out: npt.NDArray[np.float32] | None = None) -> npt.NDArray[np.float32]:
         """ForwardModel.step_batch, in parts of some hundred queries."""
 
@@ -1574,7 +1574,7 @@ class TrainingSettings:
     def seed(self, value: int) -> None: ...
     @property
     def jobs(self) -> int:
-        """Threads, 0: one a core."""
+        """Threads, 0: one per core."""
     @jobs.setter
     def jobs(self, value: int) -> None: ...
     @property
@@ -1863,7 +1863,7 @@ def environment_to_yaml(environment: Environment) -> str:
     """The environment as the text of a file that load_environment reads."""
 
 def error_room(model: ForwardModel, margin_m: float | None = None, goal_margin_m: float | None = None, goal_margin_rad: float | None = None) -> ErrorRoom:
-    """What a model says it errs by, or the amounts that are given instead."""
+    """The error that a model states, or the amounts that are given instead."""
 
 def evaluate(no_load: ForwardModel, network: ForwardModel | None, episodes: Iterable, jobs: int = 0) -> Evaluation:
     """Errors of the no-load model and, unless None, of a network."""
