@@ -47,21 +47,21 @@ class BenchCsv {
  private:
   void read_header(const std::vector<CsvCell>& cells) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      std::optional<std::size_t>* place = cells[i].text == "pressure_kpa" ? &pressure_
-                                          : cells[i].text == "strain"     ? &strain_
-                                          : cells[i].text == "segment"    ? &segment_
-                                                                          : nullptr;
-      if (place == nullptr) {
+      std::optional<std::size_t>* column = cells[i].text == "pressure_kpa" ? &pressure_
+                                           : cells[i].text == "strain"     ? &strain_
+                                           : cells[i].text == "segment"    ? &segment_
+                                                                           : nullptr;
+      if (column == nullptr) {
         csv_.refuse(
             cells[i].column,
             fmt::format("column '{}'; expected the header pressure_kpa,strain and optionally "
                         "segment, separated by commas",
                         cells[i].text));
       }
-      if (*place) {
+      if (*column) {
         csv_.refuse(cells[i].column, fmt::format("column '{}' occurs twice", cells[i].text));
       }
-      *place = i;
+      *column = i;
     }
     if (!pressure_ || !strain_) {
       csv_.refuse(1, fmt::format("column '{}' is missing; expected the header pressure_kpa,strain",

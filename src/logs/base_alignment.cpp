@@ -16,9 +16,9 @@ constexpr double kBaseStandsStill_m = 0.005;  // motion capture is better than t
 constexpr double kScatterPercentile = 0.95;
 
 double percentile(std::vector<double> values, double fraction) {
-  const auto place = static_cast<std::ptrdiff_t>(fraction * double(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
+  const auto rank = static_cast<std::ptrdiff_t>(fraction * double(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[static_cast<std::size_t>(rank)];
 }
 
 /// Mean direction of many angles, whatever their turns.

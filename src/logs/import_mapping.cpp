@@ -100,9 +100,9 @@ PointSource read_point(const YamlReader& node) {
   point.marker = text("marker");
   point.right = text("right");
   point.left = text("left");
-  const int ways = int(!point.x.empty() && !point.y.empty()) + int(!point.body.empty()) +
-                   int(!point.marker.empty()) + int(!point.right.empty() && !point.left.empty());
-  if (ways != 1) {
+  const int sources = int(!point.x.empty() && !point.y.empty()) + int(!point.body.empty()) +
+                      int(!point.marker.empty()) + int(!point.right.empty() && !point.left.empty());
+  if (sources != 1) {
     node.refuse(
         "expected one of: x and y (columns of a CSV), body, marker, or right and left "
         "(objects of a Motive file)");

@@ -147,13 +147,13 @@ std::string notes_of_all(const std::vector<RunReport>& runs) {
   std::map<std::string, Joined> kinds;
   for (const RunReport& run : runs) {
     for (const ImportNote& note : run.notes) {
-      const auto [place, is_new] = kinds.try_emplace(note.what);
+      const auto [entry, is_new] = kinds.try_emplace(note.what);
       if (is_new) {
         order.push_back(note.what);
-        place->second.first = run.name + (note.first.empty() ? std::string() : ", " + note.first);
+        entry->second.first = run.name + (note.first.empty() ? std::string() : ", " + note.first);
       }
-      ++place->second.logs;
-      place->second.count += note.count;
+      ++entry->second.logs;
+      entry->second.count += note.count;
     }
   }
   std::string text;

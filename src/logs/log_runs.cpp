@@ -22,14 +22,14 @@ struct RowGroup {
 
 std::vector<RowGroup> group_rows(const LogTable& table) {
   std::vector<RowGroup> groups;
-  std::map<std::string, std::size_t> places;
+  std::map<std::string, std::size_t> group_of;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     const std::string label = table.labels.empty() ? std::string() : table.labels[row];
-    const auto [place, is_new] = places.emplace(label, groups.size());
+    const auto [entry, is_new] = group_of.emplace(label, groups.size());
     if (is_new) {
       groups.push_back({label, {}});
     }
-    groups[place->second].rows.push_back(row);
+    groups[entry->second].rows.push_back(row);
   }
   return groups;
 }
@@ -148,18 +148,18 @@ class RowOrder {
     if (back == 0) {
       return;
     }
-    const std::string place = fmt::format("row {} at {:.6g} s follows {:.6g} s", first,
+    const std::string where = fmt::format("row {} at {:.6g} s follows {:.6g} s", first,
                                           time_s_[order[first]], time_s_[order[first - 1]]);
     if (double(back) > kMaxOutOfOrder * double(order.size()) || farthest_s > kFarthestBack_s) {
       throw InputError(fmt::format(
           "{}: time goes back {} times, by up to {:.3g} s; first, {}. Is the column named in "
           "'time' the time? Rows that were shuffled have to be sorted; a file that holds several "
           "recordings needs a column that tells them apart, named in the mapping as 'recording'",
-          log_, back, farthest_s, place));
+          log_, back, farthest_s, where));
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return time_s_[a] < time_s_[b]; });
-    report_.note("rows out of order, sorted by time", fmt::format("{}: {}", log_, place),
+    report_.note("rows out of order, sorted by time", fmt::format("{}: {}", log_, where),
                  static_cast<std::int64_t>(back));
   }
 

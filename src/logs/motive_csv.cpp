@@ -228,7 +228,7 @@ class MotiveFile {
         time_column_ = c;
       }
     }
-    std::map<std::pair<std::string, std::string>, std::size_t> places;
+    std::map<std::pair<std::string, std::string>, std::size_t> object_of;
     std::map<std::tuple<std::size_t, int>, std::size_t> taken;
     for (std::size_t c = first_column_; c < types.size(); ++c) {
       const int component = component_of(cell(heading(component_row_), c), cell(axes, c));
@@ -236,18 +236,19 @@ class MotiveFile {
         continue;
       }
       const std::string& name = cell(heading(type_row_ + 1), c);
-      const auto [place, is_new] = places.emplace(std::pair(types[c], name), take_.objects.size());
+      const auto [entry, is_new] =
+          object_of.emplace(std::pair(types[c], name), take_.objects.size());
       if (is_new) {
         take_.objects.push_back({types[c], name, {}, {}});
       }
-      const auto [other, is_free] = taken.emplace(std::tuple(place->second, component), c);
+      const auto [other, is_free] = taken.emplace(std::tuple(entry->second, component), c);
       if (!is_free) {
         refuse(
             fmt::format("two objects of type '{}' are called '{}' (columns {} and {}); rename one "
                         "in Motive and export again",
                         types[c], name, other->second + 1, c + 1));
       }
-      columns_.emplace_back(c, ColumnMeaning{place->second, component});
+      columns_.emplace_back(c, ColumnMeaning{entry->second, component});
     }
     if (take_.objects.empty()) {
       refuse(fmt::format("no column holds a position. {}", kHowToExport));
@@ -255,11 +256,15 @@ class MotiveFile {
   }
 
   static int component_of(const std::string& component, const std::string& axis) {
-    const int place = axis == "X" ? 0 : axis == "Y" ? 1 : axis == "Z" ? 2 : axis == "W" ? 3 : -1;
-    if (component == "Position" && place >= 0 && place < 3) {
-      return place;
+    const int coordinate = axis == "X"   ? 0
+                           : axis == "Y" ? 1
+                           : axis == "Z" ? 2
+                           : axis == "W" ? 3
+                                         : -1;
+    if (component == "Position" && coordinate >= 0 && coordinate < 3) {
+      return coordinate;
     }
-    return component == "Rotation" && place >= 0 ? 3 + place : -1;
+    return component == "Rotation" && coordinate >= 0 ? 3 + coordinate : -1;
   }
 
   // ---- data rows

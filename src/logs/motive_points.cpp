@@ -44,10 +44,10 @@ bool natural_less(const std::string& a, const std::string& b) {
       ++j;
       continue;
     }
-    const auto number = [](const std::string& text, std::size_t& place) {
+    const auto number = [](const std::string& text, std::size_t& index) {
       double value = 0.0;
-      while (place < text.size() && std::isdigit(static_cast<unsigned char>(text[place])) != 0) {
-        value = 10.0 * value + (text[place++] - '0');
+      while (index < text.size() && std::isdigit(static_cast<unsigned char>(text[index])) != 0) {
+        value = 10.0 * value + (text[index++] - '0');
       }
       return value;
     };

@@ -19,7 +19,7 @@ struct Picture {
   double height_px = 0.0;
 };
 
-std::string place(double left_px, double top_px, const std::string& body) {
+std::string translated(double left_px, double top_px, const std::string& body) {
   return fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n", svg_number(left_px),
                      svg_number(top_px), body);
 }
@@ -51,7 +51,7 @@ Picture picture_of(const ChartSettings& settings, const std::vector<Series>& ser
     picture.body += svg::text(12.0, 24.0, settings.title, {.size_px = 17.0, .bold = true});
   }
   picture.body +=
-      place(area.left_px(), area.top_px(), data_of(area, measure, series) + area.frame());
+      translated(area.left_px(), area.top_px(), data_of(area, measure, series) + area.frame());
   double bottom = area.top_px() + area.height_px() + area.below_px();
 
   std::vector<LegendEntry> entries;
@@ -107,7 +107,7 @@ std::string render_grid(const std::vector<Chart>& charts, int columns, std::stri
     double row_height = 0.0;
     for (std::size_t i = first; i < end; ++i) {
       const Picture picture = picture_of(charts[i].settings(), charts[i].series());
-      body += place(x, bottom, picture.body);
+      body += translated(x, bottom, picture.body);
       x += picture.width_px + kGapPx;
       row_height = std::max(row_height, picture.height_px);
     }

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string place(const Contact& contact, const Environment& environment) {
+std::string contact_text(const Contact& contact, const Environment& environment) {
   const int obstacle = contact.clearance.obstacle;
   return fmt::format("{}, {}, {:.2f} s", obstacle_name(environment, obstacle),
                      plates_of_gap(contact.clearance.gap), contact.time_s);
@@ -89,12 +89,13 @@ std::string execution_to_text(const ExecutionResult& result, const Environment& 
     text += "\n  the arm was not tracked: distance to the goal and collisions are unknown";
   }
   if (result.first_collision) {
-    text += "\n  collided with " + place(*result.first_collision, environment);
+    text += "\n  collided with " + contact_text(*result.first_collision, environment);
   }
   if (result.closest) {
-    text += fmt::format(
-        "\n  {} {:.1f} cm at {}", result.closest->clearance.value_m < 0.0 ? "deepest" : "closest",
-        kCmPerM * std::abs(result.closest->clearance.value_m), place(*result.closest, environment));
+    text += fmt::format("\n  {} {:.1f} cm at {}",
+                        result.closest->clearance.value_m < 0.0 ? "deepest" : "closest",
+                        kCmPerM * std::abs(result.closest->clearance.value_m),
+                        contact_text(*result.closest, environment));
   }
   if (result.prediction) {
     text += fmt::format("\n  tip off its prediction by {:.1f} cm on average, at most {:.1f}",

@@ -51,9 +51,9 @@ class RrtStarSearch {
   Pressures sample();
   /// None where the sample falls on a node.
   std::optional<Pressures> steer(const Pressures& sample, int nearest) const;
-  /// Nodes whose way to `kpa` is tried, ascending; the nearest is among them.
+  /// Nodes from which a motion to `kpa` is tried, ascending; the nearest is among them.
   Nodes near(const Pressures& kpa, int nearest) const;
-  /// The new node at `kpa`; none where no near node has a free way.
+  /// The new node at `kpa`; none where no motion from a near node is free.
   std::optional<int> connect(const Pressures& kpa, const Nodes& near);
   std::vector<Candidate> by_cost(const Pressures& kpa, const Nodes& near) const;
   /// Where the motion to `kpa` ends; none where it collides.

@@ -41,10 +41,10 @@ void BatchSearch::note_error(int node) {
   if (elite_.size() == kElites && error >= elite_.back().error) {
     return;
   }
-  const auto place =
+  const auto position =
       std::upper_bound(elite_.begin(), elite_.end(), error,
                        [](double value, const Elite& elite) { return value < elite.error; });
-  elite_.insert(place, {error, node});
+  elite_.insert(position, {error, node});
   if (elite_.size() > kElites) {
     elite_.pop_back();
   }

@@ -43,8 +43,8 @@ SparseTree::SparseTree(const ArmDescription& arm, const MotionModel& model, cons
 std::optional<int> SparseTree::add(const MotionState& state, int parent, double cost_kpa,
                                    bool always) {
   const Pose tip = model_.settled_tip(state.valves, state.backbone);
-  const auto [place, is_new] = cheapest_.try_emplace(cell_of(state, tip), tree_.size());
-  const bool is_cheaper = !is_new && cost_kpa < tree_.cost_kpa(place->second);
+  const auto [entry, is_new] = cheapest_.try_emplace(cell_of(state, tip), tree_.size());
+  const bool is_cheaper = !is_new && cost_kpa < tree_.cost_kpa(entry->second);
   if (!is_new && !is_cheaper && !always) {
     return std::nullopt;
   }
@@ -52,8 +52,8 @@ std::optional<int> SparseTree::add(const MotionState& state, int parent, double 
   index_.add(scaled(state.setpoint_kpa()));
   stands_for_.push_back(node);
   if (is_cheaper) {
-    stands_for_[static_cast<std::size_t>(place->second)] = node;
-    place->second = node;
+    stands_for_[static_cast<std::size_t>(entry->second)] = node;
+    entry->second = node;
   }
   return node;
 }
