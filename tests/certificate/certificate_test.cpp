@@ -221,7 +221,7 @@ TEST(Certificate, HoldsForTheSameArmFittedElsewhere) {
   const Solved& s = solved();
   ArmDescription arm = s.arm;
   for (Segment& segment : arm.segments) {
-    segment.strain_polynomial[0] += 0.99 * kSameStrain / segment.pressure_limit_kpa;
+    segment.strain_polynomial[0] += 0.99 * kSameStrain / segment.pressure_limit_kpa.largest_kpa();
   }
   ASSERT_NE(arm.hash(), s.arm.hash());
   CompensationModel model = s.model.compensation();

@@ -30,7 +30,7 @@ Pose tip_of(const NoLoadModel& model, const Eigen::VectorXd& pressures_kpa) {
 Eigen::VectorXd random_pressures(const NoLoadModel& model, RandomStream& random) {
   Eigen::VectorXd pressures(model.segment_count());
   for (int i = 0; i < model.segment_count(); ++i) {
-    pressures[i] = model.segment(i).pressure_limit_kpa * random.uniform(-1.0, 1.0);
+    pressures[i] = model.segment(i).pressure_limit_kpa.largest_kpa() * random.uniform(-1.0, 1.0);
   }
   return pressures;
 }
@@ -69,7 +69,7 @@ TEST_P(InverseKinematicsOfArm, FindsReachablePositionsWithinTheLimits) {
     for (const Eigen::VectorXd& pressures : result.pressures_kpa) {
       EXPECT_LT(pose_error(goal, tip_of(model, pressures)).position_m, kExact);
       for (int i = 0; i < model.segment_count(); ++i) {
-        EXPECT_LE(std::abs(pressures[i]), model.segment(i).pressure_limit_kpa);
+        EXPECT_LE(std::abs(pressures[i]), model.segment(i).pressure_limit_kpa.largest_kpa());
       }
     }
   }
