@@ -51,9 +51,9 @@ ArmDescription read(const std::string& text) {
 }
 
 void expect_refused(const std::string& limits, const std::string& message) {
-  EXPECT_THAT([&] { (void)read(arm_with(limits)); },
-              ThrowsMessage<InputError>(
-                  HasSubstr("a.yaml:8: segments[0].pressure_limit_kpa" + message)))
+  EXPECT_THAT(
+      [&] { (void)read(arm_with(limits)); },
+      ThrowsMessage<InputError>(HasSubstr("a.yaml:8: segments[0].pressure_limit_kpa" + message)))
       << limits;
 }
 
@@ -112,7 +112,8 @@ TEST(PressureLimits, AreReadAsANumberOrAsBothEnds) {
   EXPECT_EQ(read(arm_with("14")).segments[0].pressure_limit_kpa, PressureLimits(14.0));
   EXPECT_EQ(read(arm_with("[-11, 13.8]")).segments[0].pressure_limit_kpa,
             PressureLimits(kLower, kUpper));
-  EXPECT_EQ(read(arm_with("[0, 13.8]")).segments[0].pressure_limit_kpa, PressureLimits(0.0, kUpper));
+  EXPECT_EQ(read(arm_with("[0, 13.8]")).segments[0].pressure_limit_kpa,
+            PressureLimits(0.0, kUpper));
   const ArmDescription motors = read(motors_with("[-11, 13.8]", "12"));
   EXPECT_EQ(motors.segments[0].pressure_limit_kpa, PressureLimits(kLower, kUpper));
   EXPECT_EQ(motors.segments[1].pressure_limit_kpa, PressureLimits(12.0));
@@ -125,7 +126,8 @@ TEST(PressureLimits, AreRefusedByFileLineAndField) {
   expect_refused("[13.8, -11]", ": [13.8, -11] found; expected [lower, upper] with lower < upper");
   expect_refused("[5, 5]", "");
   expect_refused("[-11, 0, 13.8]", ": [-11, 0, 13.8] found; expected [lower, upper]");
-  expect_refused("[1, 13.8]", ": [1, 13.8] found; expected 0 within them: a vented segment is at 0");
+  expect_refused("[1, 13.8]",
+                 ": [1, 13.8] found; expected 0 within them: a vented segment is at 0");
   expect_refused("[-11, -1]", ": [-11, -1] found; expected 0 within them");
   expect_refused("[-11, .nan]", "[1]");
   expect_refused("[-11, lots]", "[1]");

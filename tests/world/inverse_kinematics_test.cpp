@@ -77,6 +77,44 @@ TEST_P(InverseKinematicsOfArm, FindsReachablePositionsWithinTheLimits) {
 
 INSTANTIATE_TEST_SUITE_P(Segments, InverseKinematicsOfArm, ::testing::Values(1, 2, 3, 5));
 
+// Goals that configurations within the limits reach are found within them, whichever side is the
+// narrower one.
+TEST_P(InverseKinematicsOfArm, StaysWithinTheLimitsOfEachSide) {
+  const int n = GetParam();
+  ArmDescription arm = arm_of(n);
+  const std::vector<PressureLimits> narrow(std::size_t(n), PressureLimits(-20.0, 60.0));
+  const NoLoadModel wide(arm);
+  for (Segment& segment : arm.segments) {
+    segment.pressure_limit_kpa = PressureLimits(-20.0, segment.pressure_limit_kpa.upper_kpa);
+  }
+  const NoLoadModel uneven(arm);
+  RandomStream random(23, 0);
+  for (int trial = 0; trial < 20; ++trial) {
+    Eigen::VectorXd pressures(n);
+    for (int i = 0; i < n; ++i) {
+      pressures[i] = random.uniform(-20.0, 60.0);
+    }
+    const Pose tip = tip_of(wide, pressures);
+    const PoseGoal goal{tip.x_m, tip.y_m, std::nullopt, 1e-6, 0.05};
+    InverseKinematicsSettings settings;
+    settings.starts = 200;
+    settings.limits = narrow;
+    const auto asked = solve_inverse_kinematics(wide, goal, settings, random);
+    settings.limits.clear();
+    const auto own = solve_inverse_kinematics(uneven, goal, settings, random);
+    ASSERT_TRUE(asked.reachable()) << asked.reason;
+    ASSERT_TRUE(own.reachable()) << own.reason;
+    for (const Eigen::VectorXd& found : asked.pressures_kpa) {
+      EXPECT_LT(pose_error(goal, tip_of(wide, found)).position_m, kExact);
+      EXPECT_GE(found.minCoeff(), -20.0);
+      EXPECT_LE(found.maxCoeff(), 60.0);
+    }
+    for (const Eigen::VectorXd& found : own.pressures_kpa) {
+      EXPECT_GE(found.minCoeff(), -20.0);
+    }
+  }
+}
+
 TEST(InverseKinematics, SolutionsAreDistinct) {
   const NoLoadModel model(arm_of(3));
   RandomStream random(23, 0);
