@@ -31,8 +31,9 @@ PressureLimits PressureLimits::within(const PressureLimits& other) const {
 }
 
 std::string to_string(const PressureLimits& limits) {
-  return limits.is_symmetric() ? fmt::format("± {}", limits.upper_kpa)
-                               : fmt::format("{} to {}", limits.lower_kpa, limits.upper_kpa);
+  return limits.is_symmetric()
+             ? fmt::format("± {:.6g}", limits.upper_kpa)
+             : fmt::format("{:.6g} to {:.6g}", limits.lower_kpa, limits.upper_kpa);
 }
 
 PressureLimits read_limits(const YamlReader& node, const std::string& meaning) {

@@ -288,7 +288,7 @@ TEST(Plan, IsRefusedForAnotherArmAndBeyondItsLimits) {
   EXPECT_THAT([&] { require_plan_of(strong, arm, "p.json"); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("frames[0].setpoint_kpa[2]"),
                                               HasSubstr("-100.5 kPa found"),
-                                              HasSubstr("at most ± 100 kPa"))));
+                                              HasSubstr("expected ± 100 kPa"))));
   Plan thin = plan;
   thin.frames[1].setpoint_kpa = Pressures::Zero(2);
   EXPECT_THAT([&] { require_plan_of(thin, arm, "p.json"); },
