@@ -62,7 +62,7 @@ class Limits(InFolder):
         self.run_limber("collect", "--arm", ARM, "--schedule", "random", "--count", 8, "--episodes",
                         2, "--out", "random.h5")
         self.expect_within(self.setpoints("random.h5"), LIMITS)
-        self.run_limber("train", "--arm", ARM, "--data", "all.h5", "--epochs", 6, "--hidden", 16, 16,
+        self.run_limber("train", "--arm", ARM, "--data", "all.h5", "--epochs", 12, "--hidden", 16, 16,
                         "--out", "m.safetensors")
         model = ("--arm", ARM, "--model", "m.safetensors", "--environment", self.environment)
         self.run_json("plan", *model, *BUDGET, "--margin-m", 0, "--goal-margin-m", 0, "--out",
