@@ -142,17 +142,18 @@ int DriverFlags::print_dry_run(const ArmDescription& arm, const CommonFlags& fla
   return kExitDone;
 }
 
-void require_within(const Plan& plan, const std::vector<double>& limits_kpa,
+void require_within(const Plan& plan, const std::vector<PressureLimits>& limits_kpa,
                     const std::string& file, const std::string& whose) {
   for (std::size_t k = 0; k < plan.frames.size(); ++k) {
     for (Eigen::Index s = 0; s < plan.frames[k].setpoint_kpa.size(); ++s) {
       const double value = plan.frames[k].setpoint_kpa[s];
-      const double limit = limits_kpa[static_cast<std::size_t>(s)];
-      if (std::abs(value) > limit + kRoundingKpa) {
+      const PressureLimits& limits = limits_kpa[static_cast<std::size_t>(s)];
+      if (value > limits.upper_kpa + kRoundingKpa || value < limits.lower_kpa - kRoundingKpa) {
         throw InputError(fmt::format(
-            "{}: frame {}: set point of {} is {:.1f} kPa; {} allows {:.1f} kPa. Nothing was moved; "
-            "plan with lower limits",
-            file, k, segment_name(s), value, whose, limit));
+            "{}: frame {}: set point of {} is {:.1f} {unit}; {} allows {} {unit}. Nothing was "
+            "moved; plan again within that: limber plan --limit {}:{:.6g},{:.6g}",
+            file, k, segment_name(s), value, whose, to_string(limits), s, limits.lower_kpa,
+            limits.upper_kpa, fmt::arg("unit", plan.command.unit)));
       }
     }
   }

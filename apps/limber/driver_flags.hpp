@@ -51,7 +51,7 @@ class DriverFlags {
 };
 
 /// @throws InputError naming frame and segment where the plan goes beyond `limits_kpa`.
-void require_within(const Plan& plan, const std::vector<double>& limits_kpa,
+void require_within(const Plan& plan, const std::vector<PressureLimits>& limits_kpa,
                     const std::string& file, const std::string& whose);
 
 /// Where the vented arm lies: one look through the driver of `exec:COMMAND`.

@@ -1,4 +1,5 @@
 #include "driver_flags.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/virtual_arm.hpp"
@@ -63,8 +64,9 @@ class ExecuteVerb final : public Verb {
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
-    require_within(plan, host_hello(with_scaled_limits(arm, driver_.limit_scale())).limit_kpa,
-                   plan_, fmt::format("--limit-scale {}", driver_.limit_scale()));
+    replanning_.limits = limits_of(with_scaled_limits(arm, driver_.limit_scale()));
+    require_within(plan, replanning_.limits, plan_,
+                   fmt::format("--limit-scale {}", driver_.limit_scale()));
     if (driver_.is_dry_run()) {
       return DriverFlags::print_dry_run(arm, flags, [&](ArmDriver& driver) {
         (void)execute(arm, environment, plan, driver, settings_);
@@ -82,7 +84,7 @@ class ExecuteVerb final : public Verb {
       constexpr double kMeasured_m = 0.01;  // what trackers and a base's frame are off by
       settings_.max_start_error_m =
           max_start_error_m_.value_or(std::max(plan.margin_m, kMeasured_m));
-      replanning_.limits_kpa = driver->limits_kpa();
+      replanning_.limits = driver->limits_kpa();
       const ExecutionResult result = run_plan(arm, environment, plan, *driver, flags);
       return finish(arm, environment, plan, result, driver.get(), flags);
     }

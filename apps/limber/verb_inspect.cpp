@@ -6,6 +6,7 @@
 #include "file_kind.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
@@ -47,6 +48,7 @@ Finding inspect_arm(const YamlReader& root) {
                   {"segments", arm.segment_count()},
                   {"points", arm.point_count()},
                   {"length_m", arm.length_m()},
+                  {quantity_key(arm.command, "limits"), nlohmann::ordered_json::array()},
                   {"frame_rate_hz", arm.frame_rate_hz},
                   {"pressure_rate_limit_kpa_per_s", arm.pressure_rate_limit_kpa_per_s}};
   finding.text = fmt::format(
@@ -56,13 +58,15 @@ Finding inspect_arm(const YamlReader& root) {
       arm.frame_rate_hz, arm.pressure_rate_limit_kpa_per_s, arm.command.unit);
   for (int i = 0; i < arm.segment_count(); ++i) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
-    const SegmentShape full = model.segment_shape(i, segment.pressure_limit_kpa);
+    const SegmentShape full = model.segment_shape(i, segment.pressure_limit_kpa.largest_kpa());
     const double turn_rad = std::abs(full.curvature_per_m) * full.length_m;
     finding.json["full_bend_rad"].push_back(turn_rad);
-    finding.text +=
-        fmt::format("\n  {}: {} m long, {} m wide, {} gaps, ± {} {} bends it by {:.2f} rad",
-                    segment_name(i), segment.length_m, segment.width_m, segment.gaps,
-                    segment.pressure_limit_kpa, arm.command.unit, turn_rad);
+    finding.json[quantity_key(arm.command, "limits")].push_back(
+        to_json(segment.pressure_limit_kpa));
+    finding.text += fmt::format(
+        "\n  {}: {} m long, {} m wide, {} gaps, {} {} bends it by {}{:.2f} rad", segment_name(i),
+        segment.length_m, segment.width_m, segment.gaps, to_string(segment.pressure_limit_kpa),
+        arm.command.unit, segment.pressure_limit_kpa.is_symmetric() ? "" : "up to ", turn_rad);
   }
   return finding;
 }
@@ -246,6 +250,11 @@ Finding inspect_plan(const std::string& file, const std::optional<ArmDescription
                   {"duration_s", plan.duration_s()},
                   {quantity_key(plan.command, "cost"), plan.cost_kpa},
                   {"distance_to_goal_cm", 100.0 * plan.goal_distance_m}};
+  std::string within;
+  for (const PressureLimits& limits : plan.limits) {
+    finding.json[quantity_key(plan.command, "limits")].push_back(to_json(limits));
+    within += (within.empty() ? "\n  planned within " : ", ") + to_string(limits);
+  }
   std::string clearance = "no obstacles";
   finding.json["clearance_cm"] = nullptr;
   if (std::isfinite(plan.clearance_m)) {
@@ -254,10 +263,11 @@ Finding inspect_plan(const std::string& file, const std::optional<ArmDescription
   }
   finding.text = fmt::format(
       "plan for arm '{}' in '{}' by {} with the {} model, seed {}\n  {} frames ({:.1f} s), {} "
-      "waypoints, {:.1f} {}; predicted: {:.1f} cm from the goal, {}",
+      "waypoints, {:.1f} {}; predicted: {:.1f} cm from the goal, {}{}",
       plan.arm_name, plan.environment_name, plan.planner, plan.model, plan.seed, plan.frame_count(),
       plan.duration_s(), plan.waypoints_kpa.size(), plan.cost_kpa, plan.command.unit,
-      100.0 * plan.goal_distance_m, clearance);
+      100.0 * plan.goal_distance_m, clearance,
+      within.empty() ? "" : fmt::format("{} {}", within, plan.command.unit));
   return finding;
 }
 

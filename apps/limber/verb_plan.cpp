@@ -12,6 +12,7 @@
 #include "limber/report/animation.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/report/plan_report.hpp"
+#include "limit_flags.hpp"
 #include "model_flags.hpp"
 #include "room_flags.hpp"
 #include "verbs.hpp"
@@ -108,6 +109,7 @@ class PlanVerb final : public Verb {
                    "Stop when the tree takes so many megabytes");
     app.add_option("--cost-threshold-kpa", limits_.cost_threshold_kpa,
                    "Stop at a plan this cheap; with a large number, stop at the first plan");
+    narrower_.add_to(app);
     room_.add_to(app);
     app.add_flag(
         "--stay-recorded", stay_recorded_,
@@ -144,6 +146,7 @@ class PlanVerb final : public Verb {
     PlanningProblem problem{arm, model, environment, room.margin_m, room.goal_margin};
     problem.stay_within = region ? &*region : nullptr;
     problem.margin_yields_to_start = room.margin_yields_to_start;
+    problem.limits = narrower_.limits(arm);
     PlanResult result = search(problem, flags);
     warn_beyond_recordings(forward, arm, result);
     for (const std::string& warning : result.warnings) {
@@ -280,6 +283,7 @@ class PlanVerb final : public Verb {
   PlannerLimits limits_;
   ForestFlags forest_;
   RoomFlags room_;
+  LimitFlags narrower_;
   bool stay_recorded_ = false;
   std::string start_driver_;
   std::string out_;

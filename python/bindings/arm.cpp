@@ -31,12 +31,22 @@ void bind_segments(py::module_& module) {
       .read_only("length_m", &Segment::length_m, "Unpressurised length [m].")
       .read_only("width_m", &Segment::width_m, "Between the two sides [m].")
       .read_only("gaps", &Segment::gaps, "Spaces between its plates.")
-      .read_only("pressure_limit_kpa", &Segment::pressure_limit_kpa, "Of either side [kPa].")
+      .property(
+          "pressure_limit_kpa",
+          [](const Segment& segment) { return segment.pressure_limit_kpa.largest_kpa(); },
+          "The larger one of both sides [kPa].")
       .read_only("strain_polynomial", &Segment::strain_polynomial,
                  "c1 to c4 of e = c1 p + c2 p^2 + c3 p^3 + c4 p^4, p in kPa.")
       .read_only("curvature_per_unit", &Segment::curvature_per_unit,
                  "[1/m] over the command; NoLoadKind.curvature alone.")
-      .done();
+      .done()
+      .def_property_readonly(
+          "pressure_range_kpa",
+          [](const Segment& segment) {
+            const PressureLimits& limits = segment.pressure_limit_kpa;
+            return std::pair(limits.lower_kpa, limits.upper_kpa);
+          },
+          "Its limits: lower and upper [kPa].");
 }
 
 }  // namespace
@@ -69,12 +79,25 @@ void bind_arm(py::module_& module) {
           [](const ArmDescription& arm) {
             py::array_t<float> limits(arm.segment_count());
             for (int i = 0; i < arm.segment_count(); ++i) {
-              limits.mutable_at(i) =
-                  static_cast<float>(arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa);
+              limits.mutable_at(i) = static_cast<float>(
+                  arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa());
             }
             return limits;
           },
-          "Largest pressure of each segment, float32 (n,) [kPa].")
+          "Largest pressure of each segment, of either side, float32 (n,) [kPa].")
+      .def_property_readonly(
+          "pressure_ranges_kpa",
+          [](const ArmDescription& arm) {
+            py::array_t<float> ranges({arm.segment_count(), 2});
+            for (int i = 0; i < arm.segment_count(); ++i) {
+              const PressureLimits& limits =
+                  arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+              ranges.mutable_at(i, 0) = static_cast<float>(limits.lower_kpa);
+              ranges.mutable_at(i, 1) = static_cast<float>(limits.upper_kpa);
+            }
+            return ranges;
+          },
+          "Lower and upper limit of each segment, float32 (n, 2) [kPa].")
       .def("frames_in", &ArmDescription::frames_in, py::arg("seconds"),
            "Fewest frames that take at least so long.")
       .def("segment_of_gap", &ArmDescription::segment_of_gap, py::arg("gap"),

@@ -85,18 +85,24 @@ void bind_problem(py::module_& module) {
       .def(
           py::init([](const ArmDescription& arm, const MotionModel& model,
                       const Environment& environment, double margin_m, const PoseError& goal_margin,
-                      const RecordedRegion* stay_within, bool margin_yields_to_start) {
+                      const RecordedRegion* stay_within, bool margin_yields_to_start,
+                      const std::vector<std::pair<double, double>>& limits_kpa) {
             PlanningProblem problem{arm, model, environment, margin_m, goal_margin};
             problem.stay_within = stay_within;
             problem.margin_yields_to_start = margin_yields_to_start;
+            for (const auto& [lower, upper] : limits_kpa) {
+              problem.limits.emplace_back(lower, upper);
+            }
             return problem;
           }),
           py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("margin_m") = 0.0,
           py::arg("goal_margin") = PoseError{}, py::arg("stay_within") = py::none(),
-          py::arg("margin_yields_to_start") = false, py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
-          py::keep_alive<1, 4>(), py::keep_alive<1, 7>(),
+          py::arg("margin_yields_to_start") = false,
+          py::arg("limits_kpa") = std::vector<std::pair<double, double>>{}, py::keep_alive<1, 2>(),
+          py::keep_alive<1, 3>(), py::keep_alive<1, 4>(), py::keep_alive<1, 7>(),
           "margin_m: clearance kept from obstacles [m]; goal_margin: how far inside the goal's "
-          "tolerances plans end.")
+          "tolerances plans end; limits_kpa: lower and upper of each segment, within the arm's; "
+          "empty: the arm's.")
       .def_readonly("margin_m", &PlanningProblem::margin_m, "[m]")
       .def_readonly("goal_margin", &PlanningProblem::goal_margin, "Room for the model's error.")
       .def("__repr__", [](const PlanningProblem& problem) {

@@ -61,7 +61,10 @@ class ArmDescription:
         """Largest change of a set point within one frame [kPa]."""
     @property
     def pressure_limits_kpa(self) -> npt.NDArray[np.float32]:
-        """Largest pressure of each segment, float32 (n,) [kPa]."""
+        """Largest pressure of each segment, of either side, float32 (n,) [kPa]."""
+    @property
+    def pressure_ranges_kpa(self) -> npt.NDArray[np.float32]:
+        """Lower and upper limit of each segment, float32 (n, 2) [kPa]."""
     def frames_in(self, seconds: float) -> int:
         """Fewest frames that take at least so long."""
     def segment_of_gap(self, gap: int) -> int:
@@ -1050,8 +1053,8 @@ class PlanningProblem:
     @property
     def goal_margin(self) -> PoseError:
         """Room for the model's error."""
-    def __init__(self, arm: ArmDescription, model: MotionModel, environment: Environment, margin_m: float = 0.0, goal_margin: PoseError = ..., stay_within: RecordedRegion | None = None, margin_yields_to_start: bool = False) -> None:
-        """margin_m: clearance kept from obstacles [m]; goal_margin: how far inside the goal's tolerances plans end."""
+    def __init__(self, arm: ArmDescription, model: MotionModel, environment: Environment, margin_m: float = 0.0, goal_margin: PoseError = ..., stay_within: RecordedRegion | None = None, margin_yields_to_start: bool = False, limits_kpa: list[tuple[float, float]] = []) -> None:
+        """margin_m: clearance kept from obstacles [m]; goal_margin: how far inside the goal's tolerances plans end; limits_kpa: lower and upper of each segment, within the arm's; empty: the arm's."""
 
 class Polygon:
     """A simple polygon, convex or not; the inside is solid."""
@@ -1350,13 +1353,16 @@ class Segment:
         """Spaces between its plates."""
     @property
     def pressure_limit_kpa(self) -> float:
-        """Of either side [kPa]."""
+        """The larger one of both sides [kPa]."""
     @property
     def strain_polynomial(self) -> list[float]:
         """c1 to c4 of e = c1 p + c2 p^2 + c3 p^3 + c4 p^4, p in kPa."""
     @property
     def curvature_per_unit(self) -> float:
         """[1/m] over the command; NoLoadKind.curvature alone."""
+    @property
+    def pressure_range_kpa(self) -> tuple[float, float]:
+        """Its limits: lower and upper [kPa]."""
 
 class SegmentPressure:
     """A pressure that bends a segment as wanted."""

@@ -24,7 +24,7 @@ import sys
 import threading
 from collections.abc import Iterator, Sequence
 from types import FrameType
-from typing import Any, BinaryIO, Optional
+from typing import Any, BinaryIO, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -47,7 +47,8 @@ class Driver(abc.ABC):
     segment_count: int = 0
     tracked: bool = True  # whether states carry backbones
     real_time: bool = True  # False for a simulation
-    limit_kpa: Optional[Sequence[float]] = None  # own limits, one per segment
+    #: Own limits, one per segment: a number for both sides, or (lower, upper).
+    limit_kpa: Optional[Sequence[Union[float, tuple[float, float]]]] = None
 
     @abc.abstractmethod
     def command(self, setpoint_kpa: npt.NDArray[np.float32]) -> ArmState:
@@ -56,6 +57,11 @@ class Driver(abc.ABC):
     @abc.abstractmethod
     def vent(self) -> ArmState:
         """Opens every vent valve and returns the newest sample; called more than once."""
+
+
+def _ranges(limits: Sequence[Union[float, tuple[float, float]]]) -> list[tuple[float, float]]:
+    return [(float(one[0]), float(one[1])) if isinstance(one, (tuple, list))
+            else (-float(one), float(one)) for one in limits]
 
 
 class _Lines:
@@ -132,7 +138,10 @@ class _Server:
 
     def _refuse_beyond_limits(self, setpoint_kpa: npt.NDArray[np.float32]) -> None:
         limits = self._driver.limit_kpa
-        if limits is not None and (np.abs(setpoint_kpa) > np.asarray(limits) + 1e-3).any():
+        if limits is None:
+            return
+        lower, upper = np.transpose(_ranges(limits))
+        if ((setpoint_kpa < lower - 1e-3) | (setpoint_kpa > upper + 1e-3)).any():
             raise ValueError(f"set points {setpoint_kpa.tolist()} kPa are beyond the driver's "
                              f"limits {list(limits)}")
 
@@ -143,7 +152,10 @@ class _Server:
                 "segments": driver.segment_count, "tracked": driver.tracked,
                 "real_time": driver.real_time}
         if driver.limit_kpa is not None:
-            said["limit_kpa"] = [float(limit) for limit in driver.limit_kpa]
+            ranges = _ranges(driver.limit_kpa)
+            said["limit_kpa"] = [max(-lower, upper) for lower, upper in ranges]
+            if any(lower != -upper for lower, upper in ranges):
+                said["limits_kpa"] = ranges
         return said
 
     def _state(self, state: ArmState, message: dict[str, Any]) -> None:

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
@@ -57,7 +58,7 @@ class SegmentReader {
   SegmentReader(const YamlReader& root, const ArmDescription& arm, PolynomialsOf polynomials)
       : kind_(arm.no_load), unit_(arm.command.unit), polynomials_(polynomials) {
     if (root.has("command")) {
-      general_limit_ = root.at("command").at("limit").positive(limit_meaning());
+      general_limit_ = read_limits(root.at("command").at("limit"), limit_meaning());
     }
   }
 
@@ -69,13 +70,13 @@ class SegmentReader {
     segment.gaps = node.at("gaps").integer("the number of gaps between plates", 1, kMaxGaps);
     if (!general_limit_) {
       segment.pressure_limit_kpa =
-          node.at("pressure_limit_kpa").positive("a gauge pressure in kPa");
+          read_limits(node.at("pressure_limit_kpa"), "a gauge pressure in kPa");
     } else {
       segment.pressure_limit_kpa =
-          node.has("limit") ? node.at("limit").positive(limit_meaning()) : *general_limit_;
+          node.has("limit") ? read_limits(node.at("limit"), limit_meaning()) : *general_limit_;
     }
     if (kind_ == NoLoadKind::strain_polynomial) {
-      segment.strain_polynomial = read_polynomial(node, segment.pressure_limit_kpa);
+      segment.strain_polynomial = read_polynomial(node, segment.pressure_limit_kpa.largest_kpa());
     }
     if (kind_ == NoLoadKind::curvature) {
       read_curvature(node, segment);
@@ -121,13 +122,13 @@ class SegmentReader {
             "right), or 'no_load: straight' for the arm");
       }
     }
-    const double turn_rad =
-        std::abs(segment.curvature_per_unit) * segment.pressure_limit_kpa * segment.length_m;
+    const double limit = segment.pressure_limit_kpa.largest_kpa();
+    const double turn_rad = std::abs(segment.curvature_per_unit) * limit * segment.length_m;
     if (turn_rad > kMaxTurn_rad) {
       node.refuse(
           fmt::format("the limit of {} {} would turn the segment by {:.3g} rad; expected "
                       "at most {:.4g}, a full turn",
-                      segment.pressure_limit_kpa, unit_, turn_rad, kMaxTurn_rad));
+                      limit, unit_, turn_rad, kMaxTurn_rad));
     }
   }
 
@@ -136,7 +137,7 @@ class SegmentReader {
   NoLoadKind kind_;
   std::string unit_;
   PolynomialsOf polynomials_;
-  std::optional<double> general_limit_;
+  std::optional<PressureLimits> general_limit_;
 };
 
 Command read_command(const YamlReader& node) {
@@ -152,14 +153,16 @@ std::string segment_to_yaml(const Segment& s) {
   return fmt::format(
       "{{length_m: {}, width_m: {}, gaps: {}, pressure_limit_kpa: {},\n     strain_polynomial: "
       "[{}]}}",
-      s.length_m, s.width_m, s.gaps, s.pressure_limit_kpa, fmt::join(s.strain_polynomial, ", "));
+      s.length_m, s.width_m, s.gaps, limits_to_yaml(s.pressure_limit_kpa),
+      fmt::join(s.strain_polynomial, ", "));
 }
 
 /// The same for an arm whose command is no pressure in kPa, or that has no strain polynomials.
 std::string segment_to_yaml(const Segment& s, const ArmDescription& arm) {
-  std::string text = fmt::format(
-      "{{length_m: {}, width_m: {}, gaps: {}, {}: {}", s.length_m, s.width_m, s.gaps,
-      arm.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit", s.pressure_limit_kpa);
+  std::string text =
+      fmt::format("{{length_m: {}, width_m: {}, gaps: {}, {}: {}", s.length_m, s.width_m, s.gaps,
+                  arm.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit",
+                  limits_to_yaml(s.pressure_limit_kpa));
   if (arm.no_load == NoLoadKind::strain_polynomial) {
     text += fmt::format(",\n     strain_polynomial: [{}]", fmt::join(s.strain_polynomial, ", "));
   }
@@ -321,7 +324,8 @@ std::string arm_keys_to_yaml(const ArmDescription& arm) {
   if (!pressures) {
     text += fmt::format("command: {{name: {}, unit: {}, limit: {}, rate_limit_per_s: {}}}\n",
                         quoted(arm.command.name), quoted(arm.command.unit),
-                        arm.segments.front().pressure_limit_kpa, arm.pressure_rate_limit_kpa_per_s);
+                        limits_to_yaml(arm.segments.front().pressure_limit_kpa),
+                        arm.pressure_rate_limit_kpa_per_s);
   }
   if (arm.no_load != NoLoadKind::strain_polynomial) {
     text += fmt::format("no_load: {}\n", to_string(arm.no_load));

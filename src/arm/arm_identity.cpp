@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "limber/arm/pressure_limits.hpp"
+
 namespace limber {
 
 namespace {
@@ -49,9 +51,19 @@ class Comparison {
     }
   }
 
+  static bool is_same(double there, double here) {
+    return std::abs(there - here) <= kSameNumber * std::max(std::abs(there), std::abs(here));
+  }
+
   void number(const std::string& key, double there, double here) {
-    if (!(std::abs(there - here) <= kSameNumber * std::max(std::abs(there), std::abs(here)))) {
+    if (!is_same(there, here)) {
       add(key, there, here);
+    }
+  }
+
+  void limits(const std::string& key, const PressureLimits& there, const PressureLimits& here) {
+    if (!is_same(there.lower_kpa, here.lower_kpa) || !is_same(there.upper_kpa, here.upper_kpa)) {
+      add(key, limits_to_yaml(there), limits_to_yaml(here));
     }
   }
 
@@ -61,7 +73,7 @@ class Comparison {
     if (there.gaps != here.gaps) {
       add(prefix + "gaps", there.gaps, here.gaps);
     }
-    number(prefix + (here_.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit"),
+    limits(prefix + (here_.command.is_pressure_kpa() ? "pressure_limit_kpa" : "limit"),
            there.pressure_limit_kpa, here.pressure_limit_kpa);
     if (there_.no_load == here_.no_load && here_.no_load == NoLoadKind::curvature) {
       number(prefix + "curvature_per_unit", there.curvature_per_unit, here.curvature_per_unit);
@@ -73,7 +85,7 @@ class Comparison {
 
   void strain(const std::string& key, const Segment& there, const Segment& here) {
     const StrainDifference largest = max_strain_difference(
-        there.strain_polynomial, here.strain_polynomial, here.pressure_limit_kpa);
+        there.strain_polynomial, here.strain_polynomial, here.pressure_limit_kpa.largest_kpa());
     if (!(largest.strain <= kSameStrain)) {
       found_.push_back(fmt::format("{}: a strain of {:.6f} there, {:.6f} here at {:.4g} {}", key,
                                    strain_at(there.strain_polynomial, largest.pressure_kpa),

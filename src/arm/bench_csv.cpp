@@ -20,7 +20,7 @@ class BenchCsv {
       : csv_(CsvReader::from_file(path)), segments_(arm.segment_count()) {
     double limit = 0.0;
     for (const Segment& segment : arm.segments) {
-      limit = std::max(limit, segment.pressure_limit_kpa);
+      limit = std::max(limit, segment.pressure_limit_kpa.largest_kpa());
     }
     lowest_kpa_ = -kBenchNoiseAroundZero * limit;
   }

@@ -227,7 +227,8 @@ CharacterisedArm characterise(const ArmDescription& arm, const BenchData& bench)
   for (std::size_t i = 0; i < bench.size(); ++i) {
     throw_if_interrupted();
     try {
-      result.fits.push_back(fit_strain_polynomial(bench[i], arm.segments[i].pressure_limit_kpa));
+      result.fits.push_back(
+          fit_strain_polynomial(bench[i], arm.segments[i].pressure_limit_kpa.largest_kpa()));
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", segment_name(i), error.what()));
     }

@@ -23,7 +23,7 @@ NoLoadModel::NoLoadModel(const ArmDescription& arm)
       point_count_(arm.point_count()) {
   for (int i = 0; kind_ == NoLoadKind::strain_polynomial && i < segment_count(); ++i) {
     const std::string reason =
-        why_unusable(segment(i).strain_polynomial, segment(i).pressure_limit_kpa);
+        why_unusable(segment(i).strain_polynomial, segment(i).pressure_limit_kpa.largest_kpa());
     if (!reason.empty()) {
       throw InputError(fmt::format("segments[{}].strain_polynomial {}", i, reason));
     }
@@ -33,11 +33,12 @@ NoLoadModel::NoLoadModel(const ArmDescription& arm)
 double NoLoadModel::strain(int index, double pressure_kpa) const {
   const Segment& s = segment(index);
   const double p = std::abs(pressure_kpa);
-  if (p <= s.pressure_limit_kpa) {
+  const double limit = s.pressure_limit_kpa.largest_kpa();
+  if (p <= limit) {
     return strain_at(s.strain_polynomial, p);
   }
-  const double slope = std::max(0.0, strain_slope_at(s.strain_polynomial, s.pressure_limit_kpa));
-  return strain_at(s.strain_polynomial, s.pressure_limit_kpa) + slope * (p - s.pressure_limit_kpa);
+  const double slope = std::max(0.0, strain_slope_at(s.strain_polynomial, limit));
+  return strain_at(s.strain_polynomial, limit) + slope * (p - limit);
 }
 
 SegmentShape NoLoadModel::segment_shape(int index, double pressure_kpa) const {
@@ -60,18 +61,19 @@ SegmentPressure NoLoadModel::pressure_for_curvature(int index, double curvature_
   }
   if (kind_ == NoLoadKind::curvature) {
     const double command = curvature_per_m / s.curvature_per_unit;
-    const double limit = s.pressure_limit_kpa;
-    return {std::clamp(command, -limit, limit), std::abs(command) <= limit * kRoundingOfLimit};
+    const PressureLimits rounded = s.pressure_limit_kpa.widened(kRoundingOfLimit);
+    return {s.pressure_limit_kpa.clamped(command), rounded.clamped(command) == command};
   }
   const double bend = s.width_m * std::abs(curvature_per_m);
   const double e = 2.0 * bend / (2.0 + bend);
   const double sign = curvature_per_m > 0.0 ? -1.0 : 1.0;
-  if (e > strain_at(s.strain_polynomial, s.pressure_limit_kpa)) {
-    return {sign * s.pressure_limit_kpa, false};
+  const double limit = std::abs(s.pressure_limit_kpa.side_kpa(sign));
+  if (e > strain_at(s.strain_polynomial, limit)) {
+    return {sign * limit, false};
   }
   // P is monotone: bisection cannot fail, and 60 halvings reach the last bit.
   double low = 0.0;
-  double high = s.pressure_limit_kpa;
+  double high = limit;
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (low + high);
     (strain_at(s.strain_polynomial, middle) < e ? low : high) = middle;
@@ -88,7 +90,8 @@ double NoLoadModel::length_for_curvature(int index, double curvature_per_m) cons
 }
 
 double NoLoadModel::curvature_limit_per_m(int index) const {
-  return std::abs(segment_shape(index, segment(index).pressure_limit_kpa).curvature_per_m);
+  const double largest = segment(index).pressure_limit_kpa.largest_kpa();
+  return std::abs(segment_shape(index, largest).curvature_per_m);
 }
 
 template <class Scalar>

@@ -79,8 +79,9 @@ Queries random_queries(const ArmDescription& arm, int count, std::uint64_t seed)
   const auto pressures = [&] {
     return MatrixXf(
         MatrixXf::NullaryExpr(arm.segment_count(), count, [&](Eigen::Index i, Eigen::Index) {
-          const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-          return static_cast<float>(random.uniform(-limit, limit));
+          const PressureLimits& limits =
+              arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+          return static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
         }));
   };
   const MatrixXf before = pressures();

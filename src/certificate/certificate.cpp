@@ -141,7 +141,7 @@ class Certifier::Certification {
       const double apart = std::abs(pressures_kpa_.back()[i] - setpoint);
       const double allowed =
           std::max(valves_.segments[i].dead_band_kpa,
-                   Certificate::kSettledShare * arm_.segments[i].pressure_limit_kpa);
+                   Certificate::kSettledShare * arm_.segments[i].pressure_limit_kpa.largest_kpa());
       if (!(apart <= allowed + Certificate::kPressureDeviationKpa)) {
         fail("hold", plan_.frame_count() - 1,
              fmt::format("{} is still {:.3g} {unit} from its set point; {:.3g} {unit} are "

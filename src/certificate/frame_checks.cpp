@@ -41,11 +41,21 @@ class FrameChecks {
     certificate_.failures.push_back({check, -1, std::move(message)});
   }
 
+  /// A set point is a float32: a limit as one may lie beyond it.
+  static bool is_within(double pressure, const PressureLimits& limits) {
+    return pressure >= std::min(limits.lower_kpa, double(float(limits.lower_kpa))) &&
+           pressure <= std::max(limits.upper_kpa, double(float(limits.upper_kpa)));
+  }
+
   bool check_sizes() {
     const std::size_t before = certificate_.failures.size();
     if (plan_.frame_rate_hz != arm_.frame_rate_hz) {
       fail("sizes", fmt::format("frame_rate_hz = {}; the arm takes {}", plan_.frame_rate_hz,
                                 arm_.frame_rate_hz));
+    }
+    if (!plan_.limits.empty() && plan_.limits.size() != arm_.segments.size()) {
+      fail("sizes", fmt::format("limits of {} segments; the arm has {}", plan_.limits.size(),
+                                arm_.segment_count()));
     }
     if (plan_.frames.empty() || plan_.waypoints_kpa.empty()) {
       fail("sizes", "no frames or no waypoints");
@@ -75,13 +85,20 @@ class FrameChecks {
   void check_limits() {
     for (std::size_t k = 0; k < plan_.frames.size(); ++k) {
       for (Eigen::Index i = 0; i < plan_.frames[k].setpoint_kpa.size(); ++i) {
-        const double limit = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+        const auto segment = static_cast<std::size_t>(i);
         const double pressure = double(plan_.frames[k].setpoint_kpa[i]);
-        // A set point is a float32: the limit as one may lie above it.
-        if (!(std::abs(pressure) <= std::max(limit, double(static_cast<float>(limit))))) {
+        const PressureLimits& own = arm_.segments[segment].pressure_limit_kpa;
+        if (!is_within(pressure, own)) {
           fail("limits", k,
-               fmt::format("{} at {} {unit}; its limit is ± {} {unit}", segment_name(i), pressure,
-                           limit, fmt::arg("unit", arm_.command.unit)));
+               fmt::format("{} at {} {unit}; its limits are {} {unit}", segment_name(i), pressure,
+                           to_string(own), fmt::arg("unit", arm_.command.unit)));
+          return;
+        }
+        if (!plan_.limits.empty() && !is_within(pressure, plan_.limits[segment])) {
+          fail("limits", k,
+               fmt::format("{} at {} {unit}; the plan's own limits are {} {unit}", segment_name(i),
+                           pressure, to_string(plan_.limits[segment]),
+                           fmt::arg("unit", arm_.command.unit)));
           return;
         }
       }

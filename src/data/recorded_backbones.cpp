@@ -74,7 +74,8 @@ void require_motion(const Episode& episode, const ArmDescription& arm, const std
   for (Eigen::Index i = 0; i < episode.pressure_kpa.cols(); ++i) {
     const double range = double(episode.pressure_kpa.col(i).maxCoeff()) -
                          double(episode.pressure_kpa.col(i).minCoeff());
-    const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const double limit =
+        arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.half_width_kpa();
     if (range > kMovingCommand * limit) {
       throw InputError(fmt::format(
           "{}: the arm's end stands still (its position spreads by {:.2g} mm; expected at least "

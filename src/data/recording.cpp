@@ -7,6 +7,7 @@
 
 #include "episode_path.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
 #include "recorded_backbones.hpp"
@@ -217,8 +218,10 @@ constexpr double kNeverBelieved = 3.0;   // of the limit, even once: a spike tha
 void require_commands_within(const FrameMatrix& commands, const ArmDescription& arm,
                              const std::string& file, const std::string& where) {
   for (Eigen::Index i = 0; i < commands.cols(); ++i) {
-    const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-    const auto sizes = commands.col(i).cwiseAbs().cast<double>();
+    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const double limit = limits.largest_kpa();
+    const Eigen::VectorXd sizes = commands.col(i).cast<double>().unaryExpr(
+        [&](double value) { return limits.size_kpa(value); });
     const auto beyond = (sizes.array() > kFarBeyond * limit).count();
     Eigen::Index worst = 0;
     const double largest = sizes.maxCoeff(&worst);
@@ -229,7 +232,7 @@ void require_commands_within(const FrameMatrix& commands, const ArmDescription& 
           "arm can take that, raise the limit in its arm file; if not, the unit or the column was "
           "wrong when the recording was made: import it again",
           file, where, segment_name(i), double(commands(worst, i)), arm.command.unit, worst,
-          arm.name, limit, arm.command.unit));
+          arm.name, limits_to_yaml(limits), arm.command.unit));
     }
   }
 }

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "suspicions.hpp"
@@ -30,7 +32,7 @@ constexpr double kMeantTransitions = 0.01;  // of all: fewer were commanded by c
 class EpisodeInspector {
  public:
   EpisodeInspector(const Recording& recording, std::size_t index,
-                   const std::vector<double>& limits_kpa, Suspicions& suspicions)
+                   const std::vector<PressureLimits>& limits_kpa, Suspicions& suspicions)
       : recording_(recording),
         episode_(recording.episodes[index]),
         index_(index),
@@ -49,6 +51,12 @@ class EpisodeInspector {
   }
 
  private:
+  /// Of the side that the value is on; without a sign where both sides have the same.
+  double limit_of(std::size_t segment, double kpa) const {
+    const PressureLimits& limits = limits_kpa_[segment];
+    return limits.is_symmetric() ? limits.upper_kpa : limits.side_kpa(kpa);
+  }
+
   void look_at_time(int t) {
     const double step_s = episode_.time_s[t] - episode_.time_s[t - 1];
     if (step_s > kGapPeriods / recording_.rate_hz) {
@@ -63,17 +71,18 @@ class EpisodeInspector {
       const auto column = static_cast<Eigen::Index>(s);
       const double pressure_kpa = episode_.pressure_kpa(t, column);
       const double setpoint_kpa = episode_.setpoint_kpa(t, column);
-      if (std::abs(setpoint_kpa) > kSetpointOvershoot * limits_kpa_[s]) {
+      const double limit_kpa = limits_kpa_[s].largest_kpa();
+      if (limits_kpa_[s].size_kpa(setpoint_kpa) > kSetpointOvershoot * limit_kpa) {
         suspicions_.add("a set point beyond the segment's limit", index_, t,
                         fmt::format("{}: {:.1f} {}, limit {:.1f}", segment_name(s), setpoint_kpa,
-                                    recording_.command.unit, limits_kpa_[s]));
+                                    recording_.command.unit, limit_of(s, setpoint_kpa)));
       }
-      if (std::abs(pressure_kpa) > kOvershoot * limits_kpa_[s]) {
+      if (limits_kpa_[s].size_kpa(pressure_kpa) > kOvershoot * limit_kpa) {
         suspicions_.add(
             "a measured " + recording_.command.name + " more than 10 % beyond the segment's limit",
             index_, t,
             fmt::format("{}: {:.1f} {}, limit {:.1f}", segment_name(s), pressure_kpa,
-                        recording_.command.unit, limits_kpa_[s]));
+                        recording_.command.unit, limit_of(s, pressure_kpa)));
       }
     }
   }
@@ -115,7 +124,8 @@ class EpisodeInspector {
         episode_.pressure_kpa.row(t) - episode_.pressure_kpa.row(t - equal_frames_);
     for (std::size_t s = 0; s < limits_kpa_.size(); ++s) {
       const double own = std::abs(double(change[static_cast<Eigen::Index>(s)]));
-      if (limits_kpa_[s] > 0.0 && own > kFrozenChange * limits_kpa_[s]) {
+      const double limit_kpa = limits_kpa_[s].largest_kpa();
+      if (limit_kpa > 0.0 && own > kFrozenChange * limit_kpa) {
         suspicions_.add(
             "a backbone that stands still to the bit while " + recording_.command.name + "s change",
             index_, t,
@@ -129,7 +139,7 @@ class EpisodeInspector {
   const Recording& recording_;
   const Episode& episode_;
   std::size_t index_;
-  const std::vector<double>& limits_kpa_;
+  const std::vector<PressureLimits>& limits_kpa_;
   Suspicions& suspicions_;
   int equal_frames_ = 0;
 };
@@ -156,13 +166,14 @@ std::vector<PressureRange> pressure_ranges(const Recording& recording) {
   return ranges;
 }
 
-std::vector<double> limits_of(const ArmDescription* arm,
-                              const std::vector<PressureRange>& pressures) {
-  std::vector<double> limits_kpa;
+std::vector<PressureLimits> limits_of(const ArmDescription* arm,
+                                      const std::vector<PressureRange>& pressures) {
+  std::vector<PressureLimits> limits_kpa;
   for (std::size_t s = 0; s < pressures.size(); ++s) {
-    limits_kpa.push_back(arm != nullptr ? arm->segments[s].pressure_limit_kpa
-                                        : std::max(std::abs(pressures[s].lowest_setpoint_kpa),
-                                                   std::abs(pressures[s].highest_setpoint_kpa)));
+    limits_kpa.push_back(
+        arm != nullptr ? arm->segments[s].pressure_limit_kpa
+                       : PressureLimits(std::max(std::abs(pressures[s].lowest_setpoint_kpa),
+                                                 std::abs(pressures[s].highest_setpoint_kpa))));
   }
   return limits_kpa;
 }
@@ -196,7 +207,11 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
     EpisodeInspector(recording, i, inspection.limits_kpa, suspicions).run();
   }
   inspection.suspicions = suspicions.take();
-  inspection.valves = identify_valves(recording, inspection.limits_kpa);
+  std::vector<double> largest_kpa;
+  for (const PressureLimits& limits : inspection.limits_kpa) {
+    largest_kpa.push_back(limits.largest_kpa());
+  }
+  inspection.valves = identify_valves(recording, std::move(largest_kpa));
   inspection.episode_errors = errors_of(recording, arm, file);
   return inspection;
 }
@@ -225,7 +240,9 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
     json[quantity_key(recording.command, "setpoint")].push_back(
         {range.lowest_setpoint_kpa, range.highest_setpoint_kpa});
   }
-  json[quantity_key(recording.command, "limits")] = inspection.limits_kpa;
+  for (const PressureLimits& limits : inspection.limits_kpa) {
+    json[quantity_key(recording.command, "limits")].push_back(to_json(limits));
+  }
   json["limits_known"] = inspection.limits_known;
   json["transitions"] = {{"possible", static_cast<std::int64_t>(inspection.transitions.possible)},
                          {"attempted", inspection.transitions.attempted},

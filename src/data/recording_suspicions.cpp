@@ -44,7 +44,9 @@ void look_at_constant_commands(const Recording& recording, const ArmDescription*
       highest = std::max(highest, episode.pressure_kpa.col(i).maxCoeff());
     }
     const double limit =
-        arm != nullptr ? arm->segments[static_cast<std::size_t>(i)].pressure_limit_kpa : 1.0;
+        arm != nullptr
+            ? arm->segments[static_cast<std::size_t>(i)].pressure_limit_kpa.half_width_kpa()
+            : 1.0;
     if (double(highest) - double(lowest) < kConstant * limit) {
       suspicions.add("a segment whose " + recording.command.name +
                          " never changes: nothing can be learnt about it",

@@ -70,10 +70,10 @@ ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit
           segment_name(static_cast<Eigen::Index>(i)), arm.command.name));
     }
     set_shape(arm, model, fitted.segments[i]);
-    const std::string fault =
-        arm.no_load == NoLoadKind::strain_polynomial
-            ? why_unusable(fitted.segments[i].strain_polynomial, arm.segments[i].pressure_limit_kpa)
-            : std::string();
+    const std::string fault = arm.no_load == NoLoadKind::strain_polynomial
+                                  ? why_unusable(fitted.segments[i].strain_polynomial,
+                                                 arm.segments[i].pressure_limit_kpa.largest_kpa())
+                                  : std::string();
     if (!fault.empty()) {
       throw InputError(fmt::format("{}: the fitted strain polynomial {}",
                                    segment_name(static_cast<Eigen::Index>(i)), fault));
@@ -98,7 +98,8 @@ ArmDescription with_lines_for_missing_polynomials(ArmDescription arm) {
   for (Segment& segment : arm.segments) {
     if (arm.no_load == NoLoadKind::strain_polynomial &&
         segment.strain_polynomial == StrainPolynomial{}) {
-      segment.strain_polynomial = {kLineAtLimit / segment.pressure_limit_kpa, 0.0, 0.0, 0.0};
+      segment.strain_polynomial = {kLineAtLimit / segment.pressure_limit_kpa.largest_kpa(), 0.0,
+                                   0.0, 0.0};
     }
   }
   return arm;

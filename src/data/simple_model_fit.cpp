@@ -230,7 +230,8 @@ class SimpleFitter {
       lowest = std::min(lowest, double(episode.pressure_kpa.col(segment).minCoeff()));
       highest = std::max(highest, double(episode.pressure_kpa.col(segment).maxCoeff()));
     }
-    const double limit = arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
+    const double limit =
+        arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.half_width_kpa();
     return highest - lowest > kMinSpread * limit;
   }
 

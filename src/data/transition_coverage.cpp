@@ -2,6 +2,7 @@
 #include <optional>
 #include <set>
 
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/data/reach.hpp"
 #include "limber/data/recording_inspection.hpp"
 
@@ -11,26 +12,35 @@ namespace {
 
 /// A configuration at the end of a motion.
 struct Corner {
-  std::vector<int> states;  ///< of each segment: −1 left, 0 off, 1 right
+  std::vector<int> states;  ///< of each segment, as corner_kpa has them
   bool reached = false;
 };
 
 /// None if a set point is neither off nor full.
+std::optional<int> state_at(double setpoint_kpa, const PressureLimits& limits) {
+  for (const int state : {1, 2, 0}) {
+    if (std::abs(setpoint_kpa - corner_kpa(limits, state)) <=
+        kReachTolerance * limits.largest_kpa()) {
+      return state;
+    }
+  }
+  return std::nullopt;
+}
+
+/// None if a segment is at no state.
 std::optional<Corner> corner_at(const Episode& episode, Eigen::Index frame,
-                                const std::vector<double>& limits_kpa) {
+                                const std::vector<PressureLimits>& limits_kpa) {
   Corner corner;
   corner.reached = true;
   for (std::size_t s = 0; s < limits_kpa.size(); ++s) {
     const auto column = static_cast<Eigen::Index>(s);
     const double setpoint_kpa = episode.setpoint_kpa(frame, column);
-    const double tolerance_kpa = kReachTolerance * limits_kpa[s];
-    int state = 0;
-    if (std::abs(std::abs(setpoint_kpa) - limits_kpa[s]) <= tolerance_kpa) {
-      state = setpoint_kpa > 0.0 ? 1 : -1;
-    } else if (std::abs(setpoint_kpa) > tolerance_kpa) {
+    const double tolerance_kpa = kReachTolerance * limits_kpa[s].largest_kpa();
+    const std::optional<int> state = state_at(setpoint_kpa, limits_kpa[s]);
+    if (!state) {
       return std::nullopt;
     }
-    corner.states.push_back(state);
+    corner.states.push_back(*state);
     corner.reached &= std::abs(episode.pressure_kpa(frame, column) - setpoint_kpa) <= tolerance_kpa;
   }
   return corner;
@@ -39,7 +49,7 @@ std::optional<Corner> corner_at(const Episode& episode, Eigen::Index frame,
 }  // namespace
 
 TransitionCoverage transition_coverage(const Recording& recording,
-                                       const std::vector<double>& limits_kpa) {
+                                       const std::vector<PressureLimits>& limits_kpa) {
   using Transition = std::pair<std::vector<int>, std::vector<int>>;
   std::set<Transition> attempted;
   std::set<Transition> covered;

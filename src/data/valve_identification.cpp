@@ -323,7 +323,7 @@ IdentifiedValves identify_valves(const std::vector<Episode>& episodes, const Arm
   recording.episodes = episodes;
   std::vector<double> limits;
   for (const Segment& segment : arm.segments) {
-    limits.push_back(segment.pressure_limit_kpa);
+    limits.push_back(segment.pressure_limit_kpa.largest_kpa());
   }
   return identify_valves(recording, std::move(limits));
 }

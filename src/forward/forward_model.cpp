@@ -32,13 +32,14 @@ void require_pressures(const char* name, const Pressures& pressures, const NoLoa
                                  pressures.size(), arm.segment_count()));
   }
   for (int i = 0; i < arm.segment_count(); ++i) {
-    const double limit = arm.segment(i).pressure_limit_kpa;
-    if (!(std::abs(pressures[i]) <= kPressureSlack * limit)) {
+    const PressureLimits& limits = arm.segment(i).pressure_limit_kpa;
+    const PressureLimits allowed = limits.widened(kPressureSlack);
+    if (!(pressures[i] >= allowed.lower_kpa && pressures[i] <= allowed.upper_kpa)) {
       throw InputError(
-          fmt::format("{}[{}] = {} {}; expected within ±{:.6g} {}, the segment's "
-                      "limit of {} and 5 % for overshoot",
-                      name, i, pressures[i], arm.command().unit, kPressureSlack * limit,
-                      arm.command().unit, limit));
+          fmt::format("{}[{}] = {} {unit}; expected {:.6g} to {:.6g} {unit}, the segment's "
+                      "limits of {} {unit} and 5 % for overshoot",
+                      name, i, pressures[i], allowed.lower_kpa, allowed.upper_kpa,
+                      to_string(limits), fmt::arg("unit", arm.command().unit)));
     }
   }
 }

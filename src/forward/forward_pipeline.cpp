@@ -20,7 +20,7 @@ int max_columns(int lanes) {
 
 NoLoadSegment pack(const Segment& segment, NoLoadKind kind) {
   const StrainPolynomial& c = segment.strain_polynomial;
-  const double p = segment.pressure_limit_kpa;
+  const double p = segment.pressure_limit_kpa.largest_kpa();
   NoLoadSegment packed{};
   std::transform(c.begin(), c.end(), packed.strain_coefficient,
                  [](double x) { return static_cast<float>(x); });

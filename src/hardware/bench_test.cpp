@@ -24,6 +24,9 @@ constexpr int kMinSteps = 4;
 ArmDescription bench_arm(const ArmDescription& arm, int segment) {
   ArmDescription bench = arm;
   bench.segments = {arm.segments[static_cast<std::size_t>(segment)]};
+  // Either side is like the other, so that the right one stands for the side that takes more.
+  PressureLimits& limits = bench.segments.front().pressure_limit_kpa;
+  limits = limits.largest_kpa();
   bench.name = fmt::format("{}, {} on the bench", arm.name, segment_name(segment));
   VirtualArmParameters parameters = virtual_arm_parameters(arm);
   parameters.strength_spread = 0.0;
@@ -70,7 +73,8 @@ std::vector<BenchPoint> bench_test(const ArmDescription& arm, int segment, int s
     throw InputError(fmt::format("bench test: {} steps; expected at least {}", steps, kMinSteps));
   }
   VirtualArm bench(bench_arm(arm, segment));
-  const double limit = arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
+  const double limit =
+      arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
   std::vector<BenchPoint> points = {{0.0, 0.0}};
   for (int step = 1; step <= steps; ++step) {
     points.push_back(settled_point(bench, limit * step / steps));

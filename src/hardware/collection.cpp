@@ -99,7 +99,8 @@ class EpisodeRun {
   }
 
   double tolerance_kpa(Eigen::Index segment) const {
-    return kReachTolerance * arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
+    return kReachTolerance *
+           arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
   }
 
   double distance_kpa(Eigen::Index segment, const Pressures& setpoint_kpa) const {

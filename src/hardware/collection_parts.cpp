@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "limber/arm/arm_identity.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/file_error.hpp"
@@ -30,6 +33,23 @@ bool same_matrix(const FrameMatrix& a, const FrameMatrix& b) {
 bool same_marks(const Episode& a, const Episode& b) {
   return a.tracked == b.tracked || (a.tracked.empty() && b.untracked_count() == 0) ||
          (b.tracked.empty() && a.untracked_count() == 0);
+}
+
+/// Parts of one recording are of one arm to the last digit.
+void require_same_arm(const Recording& found, const Recording& wanted, const std::string& file) {
+  if (found.arm_name == wanted.arm_name && found.arm_hash == wanted.arm_hash) {
+    return;
+  }
+  std::vector<std::string> keys;
+  if (!found.arm_description.empty() && !wanted.arm_description.empty()) {
+    keys = arm_differences(read_arm_keys(found.arm_description, file),
+                           read_arm_keys(wanted.arm_description, "the arm"));
+  }
+  throw InputError(fmt::format(
+      "{}: --resume: recorded with arm '{} {}'; this run has '{} {}'{}{}. Use the same settings, or "
+      "--force to start over",
+      file, found.arm_name, found.arm_hash, wanted.arm_name, wanted.arm_hash,
+      keys.empty() ? "" : ": ", fmt::join(keys, "; ")));
 }
 
 }  // namespace
@@ -78,8 +98,7 @@ void CollectionParts::require_same_origin(const Recording& found, const std::str
     }
   };
   compare("source", found.source, identity_.source);
-  compare("arm", found.arm_name + " " + found.arm_hash,
-          identity_.arm_name + " " + identity_.arm_hash);
+  require_same_arm(found, identity_, file);
   compare("seed", std::to_string(found.seed), std::to_string(identity_.seed));
   compare("settings", found.settings, identity_.settings);
 }

@@ -171,7 +171,8 @@ class Execution {
   bool has_arrived(const Pressures& setpoint_kpa) const {
     constexpr double kArrived = 0.01;  // of the limit, as planning's hold has it
     for (Eigen::Index i = 0; i < setpoint_kpa.size(); ++i) {
-      const double limit = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      const double limit =
+          arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa();
       if (!(std::abs(double(driver_.state().pressure_kpa[i]) - double(setpoint_kpa[i])) <=
             kArrived * limit)) {
         return false;

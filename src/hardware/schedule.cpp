@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/hardware/safety_settings.hpp"
@@ -14,7 +15,6 @@ namespace limber {
 
 namespace {
 
-constexpr int kStates = 3;  // of a segment: off, right, left
 constexpr int kTransitionEpisodes = 16;
 constexpr int kMaxFullSchedule = 3;  // segments; 729 transitions
 constexpr int kMaxWalk = 6;          // segments; 531 441 edges held in memory
@@ -97,7 +97,7 @@ Motion make_motion(const ScheduleSettings& settings, Pressures setpoint_kpa, Ran
 
 int transition_count(const ArmDescription& arm, const ScheduleSettings& settings) {
   const int n = arm.segment_count();
-  const double all = std::pow(static_cast<double>(kStates), 2 * n);
+  const double all = std::pow(static_cast<double>(kCornerStates), 2 * n);
   if (settings.count == 0) {
     require(n <= kMaxFullSchedule,
             fmt::format("--schedule transitions: arm '{}' has {} segments, so {:.0f} ordered "
@@ -117,7 +117,7 @@ std::vector<EpisodeSchedule> transition_schedule(const ArmDescription& arm,
   const int n = arm.segment_count();
   const int count = transition_count(arm, settings);
   RandomStream random(seed, kScheduleStream);
-  const std::int64_t vertices = power(kStates, n);
+  const std::int64_t vertices = power(kCornerStates, n);
   const std::vector<int> walk = n <= kMaxWalk ? eulerian_circuit(static_cast<int>(vertices), random)
                                               : random_walk(vertices, count, random);
   const int wanted = settings.episodes == 0 ? kTransitionEpisodes : settings.episodes;
@@ -147,8 +147,8 @@ std::vector<EpisodeSchedule> random_schedule(const ArmDescription& arm,
     for (int i = 0; i < settings.count; ++i) {
       Pressures setpoint_kpa(arm.segment_count());
       for (Eigen::Index s = 0; s < setpoint_kpa.size(); ++s) {
-        const double limit_kpa = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
-        setpoint_kpa[s] = static_cast<float>(random.uniform(-limit_kpa, limit_kpa));
+        const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+        setpoint_kpa[s] = static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
       }
       result[e].motions.push_back(make_motion(settings, std::move(setpoint_kpa), random));
     }
@@ -188,11 +188,9 @@ std::string describe(const ScheduleSettings& settings) {
 Pressures corner_configuration(const ArmDescription& arm, int index) {
   Pressures result(arm.segment_count());
   for (Eigen::Index s = 0; s < result.size(); ++s) {
-    const auto limit_kpa =
-        static_cast<float>(arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa);
-    const int digit = index % kStates;
-    result[s] = digit == 0 ? 0.0F : (digit == 1 ? limit_kpa : -limit_kpa);
-    index /= kStates;
+    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+    result[s] = static_cast<float>(corner_kpa(limits, index % kCornerStates));
+    index /= kCornerStates;
   }
   return result;
 }

@@ -152,13 +152,14 @@ class VirtualArm::Simulation {
     }
     std::vector<double> result;
     for (int s = 0; s < arm_.segment_count(); ++s) {
-      const double limit = arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
-      const float value = setpoint_kpa[s];
-      if (!(std::abs(value) <= limit + kRoundingKpa)) {
+      const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+      const double value = setpoint_kpa[s];
+      if (!(value >= limits.lower_kpa - kRoundingKpa && value <= limits.upper_kpa + kRoundingKpa)) {
         throw InputError(fmt::format("set point of {} is {} kPa; expected {} to {} kPa",
-                                     segment_name(s), value, -limit, limit));
+                                     segment_name(s), setpoint_kpa[s], limits.lower_kpa,
+                                     limits.upper_kpa));
       }
-      result.push_back(std::clamp<double>(value, -limit, limit));
+      result.push_back(limits.clamped(value));
     }
     return result;
   }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/log_units.hpp"
 
@@ -21,19 +22,26 @@ constexpr double kHighPercentile = 0.99;
 
 /// Numbers of one segment's column.
 struct ColumnFacts {
-  std::vector<double> sizes;  // |value|, sorted
+  std::vector<double> sizes;  // PressureLimits::size_kpa, sorted
+  double farthest = 0.0;      // the value of the last
   double lowest = 0.0;
   double highest = 0.0;
 };
 
-ColumnFacts facts_of(const Eigen::MatrixXd& values, Eigen::Index column) {
+ColumnFacts facts_of(const Eigen::MatrixXd& values, Eigen::Index column,
+                     const PressureLimits& limits) {
   ColumnFacts facts;
+  double largest = -1.0;
   for (Eigen::Index t = 0; t < values.rows(); ++t) {
     const double value = values(t, column);
     if (std::isfinite(value)) {
       facts.lowest = facts.sizes.empty() ? value : std::min(facts.lowest, value);
       facts.highest = facts.sizes.empty() ? value : std::max(facts.highest, value);
-      facts.sizes.push_back(std::abs(value));
+      facts.sizes.push_back(limits.size_kpa(value));
+      if (facts.sizes.back() > largest) {
+        largest = facts.sizes.back();
+        facts.farthest = limits.is_symmetric() ? std::abs(value) : value;
+      }
     }
   }
   std::sort(facts.sizes.begin(), facts.sizes.end());
@@ -82,9 +90,10 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
   int constant = 0;
   double max_ratio = 0.0;
   for (Eigen::Index i = 0; i < commands.measured.cols(); ++i) {
-    const double limit = arm.segments[std::size_t(i)].pressure_limit_kpa;
+    const PressureLimits& limits = arm.segments[std::size_t(i)].pressure_limit_kpa;
+    const double limit = limits.largest_kpa();
     const std::string name = name_of(mapping.commands, i);
-    const ColumnFacts facts = facts_of(commands.measured, i);
+    const ColumnFacts facts = facts_of(commands.measured, i, limits);
     if (facts.sizes.empty()) {
       throw InputError(
           fmt::format("{}: column '{}' ({}) holds no number", log, name, segment_name(i)));
@@ -95,12 +104,13 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
     if (double(beyond) > kMaxBeyond * double(facts.sizes.size())) {
       throw InputError(
           fmt::format("{}: '{}' ({}) reaches {:.4g} {}; the limit of arm '{}' is {} {}. {}", log,
-                      name, segment_name(i), facts.sizes.back(), unit, arm.name, limit, unit,
-                      unit_advice(high / limit, mapping)));
+                      name, segment_name(i), facts.farthest, unit, arm.name, limits_to_yaml(limits),
+                      unit, unit_advice(high / limit, mapping)));
     }
     if (facts.sizes.back() > kOvershoot * limit) {
       report.note("a command more than 5 % beyond its limit",
-                  fmt::format("'{}': {:.4g} {}, limit {}", name, facts.sizes.back(), unit, limit));
+                  fmt::format("'{}': {:.4g} {}, limit {}", name, facts.farthest, unit,
+                              limits_to_yaml(limits)));
     }
     max_ratio = std::max(max_ratio, facts.sizes.back() / limit);
     if (facts.highest - facts.lowest < kConstant * limit) {

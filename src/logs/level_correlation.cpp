@@ -118,7 +118,7 @@ LevelCorrelations correlate_levels(const LevelTable& levels, const ArmDescriptio
     const auto at = static_cast<std::size_t>(i);
     result.turned[at] = turn.col(i).norm() > kMinTurn_rad * std::sqrt(double(turn.rows()));
     result.changed[at] = command.col(i).maxCoeff() - command.col(i).minCoeff() >
-                         kMinChange * arm.segments[at].pressure_limit_kpa;
+                         kMinChange * arm.segments[at].pressure_limit_kpa.half_width_kpa();
     turn_memory.push_back(autocorrelation(turn.col(i), levels.run_ends));
     command_memory.push_back(autocorrelation(command.col(i), levels.run_ends));
   }

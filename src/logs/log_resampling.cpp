@@ -100,7 +100,7 @@ std::vector<int> number_motions(const FrameMatrix& values, const ArmDescription&
   for (Eigen::Index t = 1; t < values.rows(); ++t) {
     bool moves = false;
     for (Eigen::Index i = 0; i < values.cols(); ++i) {
-      const double limit = arm.segments[std::size_t(i)].pressure_limit_kpa;
+      const double limit = arm.segments[std::size_t(i)].pressure_limit_kpa.half_width_kpa();
       moves |= std::abs(values(t, i) - values(t - 1, i)) > min_change * limit;
     }
     const bool begins = moves && still >= still_frames && t > 1;

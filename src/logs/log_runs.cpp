@@ -82,7 +82,8 @@ CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGrou
       if (commands.measured.empty()) {
         const double left =
             commands.factor * table.columns[first + std::size_t(n) + std::size_t(i)][row];
-        require_one_side(table, row, value, left, arm.segments[std::size_t(i)].pressure_limit_kpa);
+        require_one_side(table, row, value, left,
+                         arm.segments[std::size_t(i)].pressure_limit_kpa.largest_kpa());
         value -= left;
       }
       track.measured(r, i) = value;

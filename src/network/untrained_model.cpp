@@ -58,17 +58,20 @@ CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layo
   const auto length = static_cast<float>(arm.length_m());
   const float share = base ? 1.0F : 1.0F / static_cast<float>(arm.point_count() - 1);
   const float turn = kBend_rad * static_cast<float>(arm.segment_count());
-  Eigen::VectorXf range(sizes.input_size());
+  Eigen::VectorXf low(sizes.input_size());
+  Eigen::VectorXf high(sizes.input_size());
   for (int i = 0; i < arm.segment_count(); ++i) {
-    const auto limit =
-        static_cast<float>(arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa);
-    range[sizes.previous_pressure_row() + i] = limit;
-    range[sizes.pressure_row() + i] = limit;
+    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    for (const int row : {sizes.previous_pressure_row() + i, sizes.pressure_row() + i}) {
+      low[row] = static_cast<float>(limits.lower_kpa);
+      high[row] = static_cast<float>(limits.upper_kpa);
+    }
   }
-  range.tail(sizes.backbone_size() + sizes.no_load_size()) =
-      pose_ranges(sizes.backbone_size() + sizes.no_load_size(), length * share, turn * share);
-  model.input.offset = -range;
-  model.input.scale = (2.0F * range).cwiseInverse();
+  const int poses = sizes.backbone_size() + sizes.no_load_size();
+  high.tail(poses) = pose_ranges(poses, length * share, turn * share);
+  low.tail(poses) = -high.tail(poses);
+  model.input.offset = low;
+  model.input.scale = (high - low).cwiseInverse();
   const Eigen::VectorXf output =
       pose_ranges(sizes.backbone_size(), kCompensation_m * share, kCompensation_rad * share);
   if (form == OutputForm::gated_change) {

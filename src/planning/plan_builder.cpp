@@ -44,6 +44,7 @@ Plan build_partial_plan(const PlanningProblem& problem, MotionSimulator& simulat
   plan.seed = seed;
   plan.margin_m = problem.margin_m;
   plan.frame_rate_hz = problem.arm.frame_rate_hz;
+  plan.limits = problem.limits;
   plan.program_version = version();
   plan.waypoints_kpa = waypoints_kpa;
   plan.frames.push_back({waypoints_kpa.front(), waypoints_kpa.front(),

@@ -8,8 +8,10 @@ MotionState start_of(const PlanningProblem& problem) {
 }
 
 PressureBox setpoints_of(const PlanningProblem& problem) {
-  return problem.stay_within == nullptr ? pressure_box(problem.arm)
-                                        : problem.stay_within->setpoints_of(problem.arm);
+  const PressureBox box = problem.stay_within == nullptr
+                              ? pressure_box(problem.arm)
+                              : problem.stay_within->setpoints_of(problem.arm);
+  return problem.limits.empty() ? box : box.within(pressure_box(problem.limits));
 }
 
 const char* to_string(PlanStatus status) {

@@ -63,6 +63,23 @@ void check_goal_reach(const PlanningProblem& problem, ProblemCheck& result) {
   }
 }
 
+/// A plan's first set points are the start's: they have to be within its limits.
+void check_start_limits(const PlanningProblem& problem, ProblemCheck& result) {
+  const Pressures start_kpa = start_state(problem.environment, problem.arm).pressures_kpa;
+  for (std::size_t i = 0; i < problem.limits.size(); ++i) {
+    const double value = start_kpa[static_cast<Eigen::Index>(i)];
+    if (!problem.limits[i].contains(value)) {
+      result.refusal = PlanStatus::invalid_start;
+      result.reason = fmt::format(
+          "the arm starts with {} at {:.6g} {unit}; the limits to plan within are {} {unit}: widen "
+          "them, or move the start",
+          segment_name(static_cast<Eigen::Index>(i)), value, to_string(problem.limits[i]),
+          fmt::arg("unit", problem.arm.command.unit));
+      return;
+    }
+  }
+}
+
 void check_start(const PlanningProblem& problem, const CollisionChecker& checker,
                  ProblemCheck& result) {
   const std::optional<ArmStart>& given = problem.environment.start;
@@ -95,6 +112,7 @@ std::string reached_only_in_collision(const PlanningProblem& problem,
   InverseKinematicsSettings settings;
   settings.starts = 200;
   settings.max_solutions = 50;
+  settings.limits = problem.limits;
   const InverseKinematicsResult found =
       solve_inverse_kinematics(problem.model.no_load(), problem.environment.goal, settings, random);
   if (!found.reachable()) {
@@ -134,9 +152,31 @@ void require_goal_margin(const PoseError& margin) {
   }
 }
 
+void require_limits(const std::vector<PressureLimits>& limits, const ArmDescription& arm) {
+  if (!limits.empty() && int(limits.size()) != arm.segment_count()) {
+    throw InputError(fmt::format("limits of {} segments; arm '{}' has {}", limits.size(), arm.name,
+                                 arm.segment_count()));
+  }
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const PressureLimits& own = arm.segments[i].pressure_limit_kpa;
+    const bool has_width = limits[i].lower_kpa < limits[i].upper_kpa;
+    if (!has_width || !own.contains(limits[i])) {
+      throw InputError(fmt::format(
+          "limits of {} to plan within: {} {unit}; expected lower < upper, both within the arm's "
+          "{} {unit}",
+          segment_name(static_cast<Eigen::Index>(i)), to_string(limits[i]), to_string(own),
+          fmt::arg("unit", arm.command.unit)));
+    }
+  }
+}
+
 ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker& checker) {
   ProblemCheck result;
-  check_start(problem, checker, result);
+  require_limits(problem.limits, problem.arm);
+  check_start_limits(problem, result);
+  if (!result.refusal) {
+    check_start(problem, checker, result);
+  }
   if (!result.refusal) {
     check_goal_reach(problem, result);
   }
@@ -153,6 +193,7 @@ std::vector<std::string> find_warnings(const PlanningProblem& problem, std::uint
   RandomStream random(seed, kCheckStream);
   InverseKinematicsSettings settings;
   settings.max_solutions = 1;
+  settings.limits = problem.limits;
   const InverseKinematicsResult found =
       solve_inverse_kinematics(problem.model.no_load(), problem.environment.goal, settings, random);
   if (found.reachable()) {

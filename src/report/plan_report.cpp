@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -70,6 +71,9 @@ Json to_json(const PlanResult& result, const Command& command, const PoseGoal& g
       plan && goal.theta_rad ? Json(plan->goal_orientation_rad) : nullptr;
   json["clearance_cm"] = plan ? finite(plan->clearance_m * kCmPerM) : nullptr;
   json["frames"] = plan ? Json(plan->frame_count()) : nullptr;
+  for (std::size_t i = 0; plan && i < plan->limits.size(); ++i) {
+    json[quantity_key(command, "limits")].push_back(to_json(plan->limits[i]));
+  }
   json["largest_clearance_cm"] =
       result.max_clearance_m ? finite(*result.max_clearance_m * kCmPerM) : nullptr;
   json["certificate"] = nullptr;

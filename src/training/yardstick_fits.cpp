@@ -81,7 +81,7 @@ Eigen::VectorXd command_terms(const ArmDescription& arm, const Episode& episode,
   Eigen::VectorXd terms(n + 1);
   for (Eigen::Index i = 0; i < n; ++i) {
     terms[i] = double(episode.pressure_kpa(t, i)) /
-               arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+               arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa();
   }
   terms[n] = 1.0;
   return terms;

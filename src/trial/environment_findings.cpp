@@ -73,10 +73,11 @@ class SimplePaths {
     const Pressures* about =
         near ? &ends_kpa[random.index(static_cast<std::uint32_t>(ends_kpa.size()))] : nullptr;
     for (int i = 0; i < arm_.segment_count(); ++i) {
-      const double limit = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-      const double value = about != nullptr ? (*about)[i] + kSpread * limit * random.normal()
-                                            : random.uniform(-limit, limit);
-      end[i] = static_cast<float>(std::clamp(value, -limit, limit));
+      const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      const double value = about != nullptr
+                               ? (*about)[i] + kSpread * limits.half_width_kpa() * random.normal()
+                               : random.uniform(limits.lower_kpa, limits.upper_kpa);
+      end[i] = static_cast<float>(limits.clamped(value));
     }
     return end;
   }

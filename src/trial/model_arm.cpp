@@ -40,13 +40,14 @@ Pressures ModelArm::within_limits(const Eigen::Ref<const Pressures>& setpoint_kp
   }
   Pressures result = setpoint_kpa;
   for (Eigen::Index i = 0; i < result.size(); ++i) {
-    const auto limit =
-        static_cast<float>(arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa);
-    if (!(std::abs(result[i]) <= limit + kRounding)) {
+    const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const auto lower = static_cast<float>(limits.lower_kpa);
+    const auto upper = static_cast<float>(limits.upper_kpa);
+    if (!(result[i] >= lower - kRounding && result[i] <= upper + kRounding)) {
       throw InputError(fmt::format("set point of {} is {} {}; expected {} to {}", segment_name(i),
-                                   result[i], arm_.command.unit, -limit, limit));
+                                   result[i], arm_.command.unit, lower, upper));
     }
-    result[i] = std::clamp(result[i], -limit, limit);
+    result[i] = std::clamp(result[i], lower, upper);
   }
   return result;
 }

@@ -63,8 +63,8 @@ class EnvironmentSampler {
   Pressures random_pressures() {
     Pressures q(arm_.segment_count());
     for (int i = 0; i < q.size(); ++i) {
-      const double limit = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-      q[i] = static_cast<float>(random_.uniform(-limit, limit));
+      const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      q[i] = static_cast<float>(random_.uniform(limits.lower_kpa, limits.upper_kpa));
     }
     return q;
   }

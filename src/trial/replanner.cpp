@@ -71,15 +71,16 @@ bool Replanner::has_more_to_gain(double error_m) {
   return small_gains_ < 2;
 }
 
-bool Replanner::is_within_limits(const Plan& plan) const {
-  for (std::size_t i = 0; i < settings_.limits_kpa.size(); ++i) {
-    for (const Pressures& waypoint : plan.waypoints_kpa) {
-      if (std::abs(double(waypoint[static_cast<Eigen::Index>(i)])) > settings_.limits_kpa[i]) {
-        return false;
-      }
-    }
+/// The plan's, as its start is within them, and what the run allows.
+std::vector<PressureLimits> Replanner::limits_after(const Plan& plan) const {
+  if (plan.limits.empty() || settings_.limits.empty()) {
+    return plan.limits.empty() ? settings_.limits : plan.limits;
   }
-  return true;
+  std::vector<PressureLimits> limits = settings_.limits;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    limits[i] = limits[i].within(plan.limits[i]);
+  }
+  return limits;
 }
 
 void Replanner::learn_bias(const Plan& ended, const Pose& measured) {
@@ -109,8 +110,10 @@ PoseGoal Replanner::shifted_goal() const {
   return goal;
 }
 
-std::optional<Plan> Replanner::search(const Environment& from_here, double margin_m) {
+std::optional<Plan> Replanner::search(const Plan& before, const Environment& from_here,
+                                      double margin_m) {
   PlanningProblem problem{arm_, model_, from_here, margin_m};
+  problem.limits = limits_after(before);
   problem.margin_yields_to_start = true;
   PlannerLimits limits;
   limits.queries = settings_.queries;
@@ -139,8 +142,8 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
     from_here.goal = shifted_goal();
     from_here.goal.position_tolerance_m *= asked.tolerance;
     from_here.goal.orientation_tolerance_rad *= asked.tolerance;
-    std::optional<Plan> found = search(from_here, asked.margin * room_.margin_m);
-    if (found && is_within_limits(*found)) {
+    std::optional<Plan> found = search(plan, from_here, asked.margin * room_.margin_m);
+    if (found) {
       ++replans_;
       return found;
     }

@@ -207,11 +207,11 @@ void require_start_fits(const YamlReader& root, const ArmStart& start, const Arm
                                  start.pressures_kpa.size(), arm.segment_count(), arm.name));
   }
   for (int i = 0; i < arm.segment_count(); ++i) {
-    const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-    if (std::abs(start.pressures_kpa[i]) > limit) {
-      pressures.elements()[static_cast<std::size_t>(i)].refuse(
-          fmt::format("{} {unit} found; expected at most ± {} {unit}, the limit of that segment",
-                      start.pressures_kpa[i], limit, fmt::arg("unit", arm.command.unit)));
+    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    if (!limits.contains(start.pressures_kpa[i])) {
+      pressures.elements()[static_cast<std::size_t>(i)].refuse(fmt::format(
+          "{} {unit} found; expected {} {unit}, the limits of that segment", start.pressures_kpa[i],
+          to_string(limits), fmt::arg("unit", arm.command.unit)));
     }
   }
   if (start.backbone.rows() != arm.point_count()) {

@@ -26,16 +26,31 @@ double wrapped(double angle_rad) {
   return std::remainder(angle_rad, 2.0 * std::numbers::pi);
 }
 
-/// One Newton descent. Unknowns are curvatures over their limits, z ∈ [−1, 1]ⁿ; the rows of the
-/// residual are metres, an orientation error being scaled by the arm's length.
+/// One Newton descent. Unknowns are curvatures over the largest of either side, z ∈ [−1, 1]ⁿ or in
+/// less, where limits are narrower to one side; the rows of the residual are metres, an orientation
+/// error being scaled by the arm's length.
 class Descent {
  public:
-  Descent(const NoLoadModel& model, const PoseGoal& goal) : model_(model), goal_(goal) {
-    limits_.resize(model.segment_count());
+  Descent(const NoLoadModel& model, const PoseGoal& goal, const std::vector<PressureLimits>& limits)
+      : model_(model),
+        goal_(goal),
+        limits_(model.segment_count()),
+        low_(SegmentVector::Constant(model.segment_count(), -1.0)),
+        high_(SegmentVector::Constant(model.segment_count(), 1.0)) {
     for (int i = 0; i < model.segment_count(); ++i) {
-      limits_[i] = model.curvature_limit_per_m(i);
+      bound(i, limits.empty() ? model.segment(i).pressure_limit_kpa
+                              : limits[static_cast<std::size_t>(i)]);
       arm_length_m_ += model.segment(i).length_m;
     }
+  }
+
+  /// Where every segment may start: anywhere in its bounds.
+  SegmentVector random_start(RandomStream& random) const {
+    SegmentVector z(low_.size());
+    for (Eigen::Index i = 0; i < z.size(); ++i) {
+      z[i] = random.uniform(low_[i], high_[i]);
+    }
+    return z;
   }
 
   void start_at(const SegmentVector& z) {
@@ -48,7 +63,7 @@ class Descent {
   void run(int iterations, double convergence_m) {
     double damping = 1e-3;
     for (int k = 0; k < iterations && residual_.norm() > convergence_m; ++k) {
-      const SegmentVector candidate = (z_ + step(damping)).cwiseMax(-1.0).cwiseMin(1.0);
+      const SegmentVector candidate = (z_ + step(damping)).cwiseMax(low_).cwiseMin(high_);
       const double moved = (candidate - z_).cwiseAbs().maxCoeff();
       const Pose tip = tip_at_curvatures(model_, candidate.cwiseProduct(limits_));
       if (residual(tip).squaredNorm() < residual_.squaredNorm()) {
@@ -67,6 +82,16 @@ class Descent {
   PoseError error() const { return pose_error(goal_, tip_); }
 
  private:
+  void bound(int i, const PressureLimits& limits) {
+    const double ends[] = {model_.segment_shape(i, limits.lower_kpa).curvature_per_m,
+                           model_.segment_shape(i, limits.upper_kpa).curvature_per_m};
+    limits_[i] = std::max(std::abs(ends[0]), std::abs(ends[1]));
+    if (limits_[i] > 0.0) {
+      low_[i] = std::min(ends[0], ends[1]) / limits_[i];
+      high_[i] = std::max(ends[0], ends[1]) / limits_[i];
+    }
+  }
+
   void linearise() {
     tip_jacobian(model_, z_.cwiseProduct(limits_), jacobian_, tip_);
     jacobian_ *= limits_.asDiagonal();
@@ -91,7 +116,7 @@ class Descent {
       SegmentVector step = free.transpose() * normal.ldlt().solve(residual_);
       bool held = false;
       for (int i = 0; i < step.size(); ++i) {
-        if (std::abs(z_[i]) >= 1.0 && step[i] * z_[i] > 0.0) {
+        if ((z_[i] >= high_[i] && step[i] > 0.0) || (z_[i] <= low_[i] && step[i] < 0.0)) {
           free.col(i).setZero();
           held = true;
         }
@@ -105,6 +130,8 @@ class Descent {
   const NoLoadModel& model_;
   const PoseGoal& goal_;
   SegmentVector limits_;
+  SegmentVector low_;
+  SegmentVector high_;
   double arm_length_m_ = 0.0;
   SegmentVector z_;
   PlanarJacobian jacobian_;
@@ -113,10 +140,14 @@ class Descent {
 };
 
 /// Curvature → strain → pressure, segment by segment.
-Eigen::VectorXd pressures_at(const NoLoadModel& model, const SegmentVector& curvatures) {
+Eigen::VectorXd pressures_at(const NoLoadModel& model, const SegmentVector& curvatures,
+                             const std::vector<PressureLimits>& limits) {
   Eigen::VectorXd pressures(curvatures.size());
   for (int i = 0; i < model.segment_count(); ++i) {
     pressures[i] = model.pressure_for_curvature(i, curvatures[i]).pressure_kpa;
+    if (!limits.empty()) {
+      pressures[i] = limits[static_cast<std::size_t>(i)].clamped(pressures[i]);
+    }
   }
   return pressures;
 }
@@ -175,17 +206,13 @@ InverseKinematicsResult solve_inverse_kinematics(const NoLoadModel& model, const
   }
   InverseKinematicsResult result;
   double min_excess = std::numeric_limits<double>::infinity();
-  Descent descent(model, goal);
-  SegmentVector z(n);
+  Descent descent(model, goal, settings.limits);
   while (result.starts_used < settings.starts &&
          int(result.pressures_kpa.size()) < settings.max_solutions) {
     ++result.starts_used;
-    for (int i = 0; i < n; ++i) {
-      z[i] = random.uniform(-1.0, 1.0);
-    }
-    descent.start_at(z);
+    descent.start_at(descent.random_start(random));
     descent.run(settings.iterations, settings.convergence_m);
-    const Eigen::VectorXd pressures = pressures_at(model, descent.curvatures());
+    const Eigen::VectorXd pressures = pressures_at(model, descent.curvatures(), settings.limits);
     const PoseError error = descent.error();
     const double score = excess(goal, error, arm_length_m);
     if (score < min_excess ||

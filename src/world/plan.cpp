@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 
@@ -14,6 +15,23 @@ namespace limber {
 namespace {
 
 constexpr double kRoundingKpa = 1e-3;  // float32 of a hundred kPa, with room
+
+/// The plan's own limits have to be narrower than the arm's.
+void require_limits_of(const Plan& plan, const ArmDescription& arm, const std::string& file) {
+  const std::string key = quantity_key(arm.command, "limits");
+  if (!plan.limits.empty() && int(plan.limits.size()) != arm.segment_count()) {
+    throw InputError(fmt::format("{}: {}: {} pairs found; arm '{}' has {} segments", file, key,
+                                 plan.limits.size(), arm.name, arm.segment_count()));
+  }
+  for (std::size_t i = 0; i < plan.limits.size(); ++i) {
+    const PressureLimits& own = arm.segments[i].pressure_limit_kpa;
+    if (!own.contains(plan.limits[i])) {
+      throw InputError(fmt::format(
+          "{}: {}[{}]: {} {unit} found; the limits of arm '{}' are {} {unit}", file, key, i,
+          to_string(plan.limits[i]), arm.name, to_string(own), fmt::arg("unit", arm.command.unit)));
+    }
+  }
+}
 
 }  // namespace
 
@@ -43,6 +61,8 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
                                  file, plan.frame_rate_hz, arm.name, arm.frame_rate_hz));
   }
   const int n = arm.segment_count();
+  require_limits_of(plan, arm, file);
+  const std::vector<PressureLimits> allowed = plan.limits.empty() ? limits_of(arm) : plan.limits;
   const double step_limit = arm.pressure_step_limit_kpa();
   for (std::size_t k = 0; k < plan.frames.size(); ++k) {
     const PlanFrame& frame = plan.frames[k];
@@ -55,12 +75,12 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
     }
     for (int i = 0; i < n; ++i) {
       const double pressure = frame.setpoint_kpa[i];
-      const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-      // A set point is a float32: the limit as one may lie above it.
-      if (std::abs(pressure) > std::max(limit, double(static_cast<float>(limit)))) {
+      const PressureLimits& limits = allowed[static_cast<std::size_t>(i)];
+      if (!limits.contains(pressure)) {
         throw InputError(fmt::format(
-            "{}: frames[{}].{setpoint}[{}]: {} {unit} found; expected at most ± {} {unit}", file, k,
-            i, pressure, limit, fmt::arg("unit", arm.command.unit),
+            "{}: frames[{}].{setpoint}[{}]: {} {unit} found; expected {} {unit}{}", file, k, i,
+            pressure, to_string(limits), plan.limits.empty() ? "" : ", the plan's limits",
+            fmt::arg("unit", arm.command.unit),
             fmt::arg("setpoint", quantity_key(arm.command, "setpoint"))));
       }
       const double step =

@@ -99,6 +99,19 @@ Command read_command(const JsonReader& root) {
   return command;
 }
 
+/// Only plans that were asked to stay within narrower limits than the arm's have any.
+std::vector<PressureLimits> read_limits(const JsonReader& root, const Command& command) {
+  const std::string key = quantity_key(command, "limits");
+  std::vector<PressureLimits> limits;
+  if (root.has(key.c_str())) {
+    for (const JsonReader& pair : root.at(key.c_str()).elements("a list of [lower, upper]")) {
+      const std::vector<double> ends = pair.numbers(2, "numbers [lower, upper]", -kMax, kMax);
+      limits.emplace_back(ends[0], ends[1]);
+    }
+  }
+  return limits;
+}
+
 /// @param has_pressures  of the file's schema; else pressures are the set points
 std::vector<PlanFrame> read_frames(const JsonReader& field, const Command& command,
                                    bool has_pressures) {
@@ -206,6 +219,7 @@ Plan read_fields(const JsonReader& root, bool has_valves) {
   plan.clearance_m = read_clearance(root.at("clearance_m"));
   plan.goal_distance_m = number_at(root, "goal_distance_m", 0.0);
   plan.goal_orientation_rad = number_at(root, "goal_orientation_rad", 0.0);
+  plan.limits = read_limits(root, plan.command);
   plan.hold_frame_count = static_cast<int>(root.at("hold_frame_count").count(1000000));
   plan.frames = read_frames(root.at("frames"), plan.command, has_valves);
   const Eigen::Index segments = plan.frames.front().setpoint_kpa.size();
@@ -246,6 +260,9 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   root["seed"] = plan.seed;
   root["margin_m"] = plan.margin_m;
   root["frame_rate_hz"] = plan.frame_rate_hz;
+  for (const PressureLimits& limits : plan.limits) {
+    root[quantity_key(plan.command, "limits")].push_back({limits.lower_kpa, limits.upper_kpa});
+  }
   root[quantity_key(plan.command, "cost")] = plan.cost_kpa;
   root["clearance_m"] = clearance_to_json(plan.clearance_m);
   root["goal_distance_m"] = plan.goal_distance_m;

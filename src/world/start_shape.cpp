@@ -30,7 +30,7 @@ double turn_limit_rad(const ArmDescription& arm, const NoLoadModel& model, int s
     return kMaxTurn_rad;  // the arm file does not say how far it bends
   }
   const Segment& s = arm.segments[static_cast<std::size_t>(segment)];
-  const SegmentShape full = model.segment_shape(segment, s.pressure_limit_kpa);
+  const SegmentShape full = model.segment_shape(segment, s.pressure_limit_kpa.largest_kpa());
   return std::clamp(kMaxOfFullBend * std::abs(full.curvature_per_m) * full.length_m / s.gaps,
                     kUnevenTurn_rad, kMaxTurn_rad);
 }

@@ -24,7 +24,7 @@ constexpr double kMachinesApart = 2e-7;
 /// The arm with every strain changed by `strain` at the pressure limit.
 ArmDescription refitted(ArmDescription arm, double strain) {
   for (Segment& segment : arm.segments) {
-    segment.strain_polynomial[0] += strain / segment.pressure_limit_kpa;
+    segment.strain_polynomial[0] += strain / segment.pressure_limit_kpa.largest_kpa();
   }
   return arm;
 }
@@ -42,7 +42,7 @@ TEST(ArmIdentity, PolynomialsAreComparedByTheirStrain) {
   const ArmDescription arm = arm_of(1);
   ArmDescription other = arm;
   Segment& segment = other.segments[0];
-  const double limit = segment.pressure_limit_kpa;
+  const double limit = segment.pressure_limit_kpa.largest_kpa();
   segment.strain_polynomial[3] += 8.0 * kSameStrain / std::pow(limit, 4);
   segment.strain_polynomial[2] -= 8.0 * kSameStrain / std::pow(limit, 3);
   // 8 (u⁴ − u³) is largest at u = 3/4: 0.84.

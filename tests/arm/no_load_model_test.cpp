@@ -31,7 +31,7 @@ BackboneD backbone_of(const NoLoadModel& model, const Eigen::VectorXd& pressures
 Eigen::VectorXd random_pressures(const NoLoadModel& model, RandomStream& random) {
   Eigen::VectorXd pressures(model.segment_count());
   for (int i = 0; i < model.segment_count(); ++i) {
-    pressures[i] = model.segment(i).pressure_limit_kpa * random.uniform(-1.0, 1.0);
+    pressures[i] = model.segment(i).pressure_limit_kpa.largest_kpa() * random.uniform(-1.0, 1.0);
   }
   return pressures;
 }
@@ -113,7 +113,7 @@ TEST(NoLoadModel, ThetaIsUnwrapped) {
   const NoLoadModel model(arm_of(5));
   Eigen::VectorXd pressures(5);
   for (int i = 0; i < 5; ++i) {
-    pressures[i] = -model.segment(i).pressure_limit_kpa;
+    pressures[i] = -model.segment(i).pressure_limit_kpa.largest_kpa();
   }
   const BackboneD backbone = backbone_of(model, pressures);
   EXPECT_GT(tip_pose<double>(backbone).theta_rad, 2.0 * M_PI);
@@ -146,7 +146,7 @@ TEST(NoLoadModel, HasAKinkInLengthAndNoneInAngleAtZeroPressure) {
 TEST(NoLoadModel, PressureForCurvatureIsTheInverse) {
   const NoLoadModel model(arm_of(3));
   for (int i = 0; i < 3; ++i) {
-    const double limit = model.segment(i).pressure_limit_kpa;
+    const double limit = model.segment(i).pressure_limit_kpa.largest_kpa();
     for (double p = -limit; p <= limit; p += limit / 37.0) {
       const double curvature = model.segment_shape(i, p).curvature_per_m;
       const SegmentPressure back = model.pressure_for_curvature(i, 0.999999 * curvature);
@@ -164,8 +164,30 @@ TEST(NoLoadModel, FlagsCurvaturesBeyondThePressureLimit) {
   EXPECT_TRUE(model.pressure_for_curvature(1, 0.999 * limit).reachable);
   const SegmentPressure right = model.pressure_for_curvature(1, -1.001 * limit);
   EXPECT_FALSE(right.reachable);
-  EXPECT_EQ(right.pressure_kpa, model.segment(1).pressure_limit_kpa);
+  EXPECT_EQ(right.pressure_kpa, model.segment(1).pressure_limit_kpa.largest_kpa());
   EXPECT_EQ(model.pressure_for_curvature(1, 1.001 * limit).pressure_kpa, -right.pressure_kpa);
+}
+
+// Either side bends by the same polynomial as far as its own limit.
+TEST(NoLoadModel, StopsAtTheLimitOfEachSide) {
+  ArmDescription arm = arm_of(1);
+  const NoLoadModel symmetric(arm);
+  const double full = arm.segments[0].pressure_limit_kpa.largest_kpa();
+  const double lower = -0.4 * full;
+  arm.segments[0].pressure_limit_kpa = {lower, full};
+  const NoLoadModel model(arm);
+  EXPECT_EQ(model.curvature_limit_per_m(0), symmetric.curvature_limit_per_m(0));
+  const double left = symmetric.segment_shape(0, lower).curvature_per_m;  // positive, by (3)
+  EXPECT_TRUE(model.pressure_for_curvature(0, 0.999 * left).reachable);
+  EXPECT_FALSE(model.pressure_for_curvature(0, 1.001 * left).reachable);
+  EXPECT_EQ(model.pressure_for_curvature(0, 1.001 * left).pressure_kpa, lower);
+  EXPECT_TRUE(model.pressure_for_curvature(0, -1.001 * left).reachable);
+  for (const double p : {lower, 0.5 * lower, 0.0, 0.5 * full, full}) {
+    EXPECT_EQ(model.segment_shape(0, p).curvature_per_m,
+              symmetric.segment_shape(0, p).curvature_per_m);
+  }
+  arm.segments[0].pressure_limit_kpa = {0.0, full};
+  EXPECT_EQ(NoLoadModel(arm).pressure_for_curvature(0, 0.1 * left).pressure_kpa, 0.0);
 }
 
 TEST(NoLoadModel, LengthForCurvatureAgreesWithTheShape) {
@@ -180,7 +202,7 @@ TEST(NoLoadModel, LengthForCurvatureAgreesWithTheShape) {
 TEST(NoLoadModel, StrainContinuesStraightAboveTheLimit) {
   const ArmDescription arm = arm_of(1);
   const NoLoadModel model(arm);
-  const double limit = arm.segments[0].pressure_limit_kpa;
+  const double limit = arm.segments[0].pressure_limit_kpa.largest_kpa();
   const double slope = (model.strain(0, limit) - model.strain(0, limit - 1e-6)) / 1e-6;
   EXPECT_GT(slope, 0.0);
   EXPECT_NEAR(model.strain(0, limit + 3.0), model.strain(0, limit) + 3.0 * slope, 1e-8);

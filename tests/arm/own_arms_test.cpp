@@ -10,8 +10,11 @@ namespace {
 
 TEST(OwnArms, LoadAndAreWhatTheirNamesSay) {
   const std::filesystem::path folder = std::filesystem::path(LIMBER_SOURCE_DIR) / "arms";
-  const std::pair<const char*, int> arms[] = {
-      {"two_segment", 2}, {"three_segment", 3}, {"five_segment", 5}, {"motor_driven", 2}};
+  const std::pair<const char*, int> arms[] = {{"two_segment", 2},
+                                              {"three_segment", 3},
+                                              {"five_segment", 5},
+                                              {"motor_driven", 2},
+                                              {"uneven_limits", 2}};
   for (const auto& [name, segments] : arms) {
     const ArmDescription arm = load_arm(folder / (std::string(name) + ".yaml"));
     EXPECT_EQ(arm.name, name);
@@ -27,6 +30,7 @@ TEST(OwnArms, KeepTheirHashes) {
   EXPECT_EQ(load_arm(folder / "two_segment.yaml").hash(), "c8ef573571516db1a64188e9de6861e3");
   EXPECT_EQ(load_arm(folder / "three_segment.yaml").hash(), "644c82f85342553733138332bd8726b7");
   EXPECT_EQ(load_arm(folder / "five_segment.yaml").hash(), "f2be52a8b2ae90702423ec5945f50891");
+  EXPECT_EQ(load_arm(folder / "motor_driven.yaml").hash(), "a94142d3d7031990145055696905b64e");
 }
 
 }  // namespace

@@ -103,6 +103,12 @@ TEST(Certificate, RefusesAPlanChangedByHandInAnyField) {
       {"start", [](Plan& p) { p.frames[0].setpoint_kpa[0] += 0.01F; }},
       {"rate", [](Plan& p) { p.frames[5].setpoint_kpa[1] += 20.0F; }},
       {"limits", [](Plan& p) { p.frames.back().setpoint_kpa[0] = 101.0F; }},
+      {"limits",
+       [](Plan& p) {
+         p.limits.assign(3, PressureLimits(100.0));
+         p.limits[1] = 0.5 * double(p.waypoints_kpa.back().cwiseAbs()[1]);
+       }},
+      {"sizes", [](Plan& p) { p.limits.assign(2, PressureLimits(100.0)); }},
       {"hold", [](Plan& p) { p.frames.back().setpoint_kpa[2] += 1e-4F; }},
       {"hold", [](Plan& p) { p.hold_frame_count = 5; }},
       {"model", [](Plan& p) { p.frames[7].backbone(9, 0) += 2e-4F; }},
@@ -221,7 +227,7 @@ TEST(Certificate, HoldsForTheSameArmFittedElsewhere) {
   const Solved& s = solved();
   ArmDescription arm = s.arm;
   for (Segment& segment : arm.segments) {
-    segment.strain_polynomial[0] += 0.99 * kSameStrain / segment.pressure_limit_kpa;
+    segment.strain_polynomial[0] += 0.99 * kSameStrain / segment.pressure_limit_kpa.largest_kpa();
   }
   ASSERT_NE(arm.hash(), s.arm.hash());
   CompensationModel model = s.model.compensation();

@@ -91,6 +91,23 @@ TEST(TransitionCoverage, ComparesSetPointsWithTheArmsLimits) {
   EXPECT_EQ(inspect(recording, &stronger, "a.h5").transitions.covered, 0);
 }
 
+TEST(TransitionCoverage, KnowsTheLimitOfEachSide) {
+  Recording recording = corner_recording({0, 1, -1, 0});
+  Episode& episode = recording.episodes[0];
+  episode.setpoint_kpa = episode.setpoint_kpa.cwiseMax(-60.0F);
+  episode.pressure_kpa = episode.setpoint_kpa;
+  const PressureLimits limits(-60.0, double(kLimit_kpa));
+  EXPECT_EQ(transition_coverage(recording, {limits}).covered, 3);
+  EXPECT_EQ(transition_coverage(recording, {kLimit_kpa}).covered, 1) << "-60 kPa is no corner";
+  ArmDescription arm = one_segment_arm();
+  arm.segments[0].pressure_limit_kpa = PressureLimits(-40.0, double(kLimit_kpa));
+  std::string text;
+  for (const Suspicion& suspicion : inspect(recording, &arm, "a.h5").suspicions) {
+    text += suspicion.first + "; ";
+  }
+  EXPECT_THAT(text, HasSubstr("-60.0 kPa, limit -40.0"));
+}
+
 TEST(RecordingInspection, GivesPressureRangesOverAllEpisodes) {
   Recording recording = corner_recording({0, 1, 0, 0});
   recording.episodes.push_back(corner_recording({0, -1, -1, -1}).episodes[0]);

@@ -25,7 +25,8 @@ Episode commanded_episode(const ArmDescription& arm, int frames, std::uint64_t s
   episode.pressure_kpa.resize(frames, arm.segment_count());
   for (int t = 0; t < frames; ++t) {
     for (int i = 0; i < arm.segment_count(); ++i) {
-      const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      const double limit =
+          arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa();
       episode.pressure_kpa(t, i) = t % kHoldFrames == 0 ? float(random.uniform(-limit, limit))
                                                         : episode.pressure_kpa(t - 1, i);
     }

@@ -243,7 +243,7 @@ TEST(ForwardModel, CheckedStepNamesWhatIsWrong) {
   EXPECT_THAT(
       [&] { (void)model.checked_step(fine, Eigen::Vector3f(0, 0, 106), straight); },
       ThrowsMessage<InputError>(HasSubstr(
-          "current_kpa[2] = 106 kPa; expected within ±105 kPa, the segment's limit of 100")));
+          "current_kpa[2] = 106 kPa; expected -105 to 105 kPa, the segment's limits of ± 100")));
   EXPECT_THAT([&] { (void)model.checked_step(fine, Eigen::Vector3f(0, nan, 0), straight); },
               ThrowsMessage<InputError>(HasSubstr("current_kpa[1] = nan kPa")));
   EXPECT_THAT([&] { (void)model.checked_step(fine, fine, Backbone::Zero(15, 3)); },

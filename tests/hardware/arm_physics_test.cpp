@@ -35,8 +35,8 @@ ArmDescription ideal(ArmDescription arm) {
 Pressures uniform(const ArmDescription& arm, double fraction) {
   Pressures result(arm.segment_count());
   for (int s = 0; s < arm.segment_count(); ++s) {
-    result[s] =
-        static_cast<float>(fraction * arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa);
+    result[s] = static_cast<float>(
+        fraction * arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa.largest_kpa());
   }
   return result;
 }
@@ -154,7 +154,8 @@ TEST_P(ArmPhysicsOf, SurvivesRandomCommands) {
   for (int motion = 0; motion < 60; ++motion) {
     Pressures setpoint(arm.segment_count());
     for (int s = 0; s < arm.segment_count(); ++s) {
-      const double limit = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+      const double limit =
+          arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa.largest_kpa();
       setpoint[s] = static_cast<float>(random.uniform(-limit, limit));
     }
     ASSERT_NO_THROW(virtual_arm.settle(setpoint, random.uniform(0.05, 1.0)));

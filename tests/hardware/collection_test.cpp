@@ -239,7 +239,8 @@ TEST_F(Collection, RefusesPartsOfOtherSettings) {
   ArmDescription other = arm_;
   other.segments[0].width_m = 0.05;
   EXPECT_THAT([&] { collect(other, settings, factory(), path_); },
-              ThrowsMessage<InputError>(HasSubstr("recorded with arm 'small ")));
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("recorded with arm 'small "), HasSubstr(" there, 0.05 here"))));
   write_file_atomically(parts_ / "000000.h5", "damaged");
   EXPECT_THAT([&] { collect(arm_, settings, factory(), path_); },
               ThrowsMessage<InputError>(HasSubstr("000000.h5: not an HDF5 file")));

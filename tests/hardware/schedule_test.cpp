@@ -105,6 +105,35 @@ TEST(TransitionSchedule, RefusesAllTransitionsAboveThreeSegmentsWithTheirTime) {
               ThrowsMessage<InputError>(HasSubstr("has only 9 ordered transitions")));
 }
 
+TEST(TransitionSchedule, GoesToTheLimitOfEachSide) {
+  ArmDescription arm = small_arm();
+  arm.segments[0].pressure_limit_kpa = PressureLimits(-11.0, 13.8);
+  arm.segments[1].pressure_limit_kpa = PressureLimits(0.0, 80.0);
+  EXPECT_EQ(corner_configuration(arm, 1)[0], 13.8F);
+  EXPECT_EQ(corner_configuration(arm, 2)[0], -11.0F);
+  EXPECT_EQ(corner_configuration(arm, 3)[1], 80.0F);
+  EXPECT_EQ(corner_configuration(arm, 6)[1], 40.0F) << "half, where there is no other side";
+}
+
+TEST(RandomSchedule, StaysWithinTheLimitsOfEachSide) {
+  ArmDescription arm = small_arm();
+  arm.segments[0].pressure_limit_kpa = PressureLimits(-11.0, 13.8);
+  ScheduleSettings settings;
+  settings.kind = ScheduleKind::random;
+  settings.count = 4000;
+  settings.limit_scale = 0.5;
+  float low = 0.0F;
+  float high = 0.0F;
+  for (const Motion& motion : make_schedule(arm, settings, 1)[0].motions) {
+    low = std::min(low, motion.setpoint_kpa[0]);
+    high = std::max(high, motion.setpoint_kpa[0]);
+  }
+  EXPECT_GE(low, -5.5F);
+  EXPECT_LE(high, 6.9F);
+  EXPECT_LT(low, -5.4F);  // 4000 uniform draws come that near
+  EXPECT_GT(high, 6.8F);
+}
+
 TEST(RandomSchedule, DrawsUniformlyWithinTheLimits) {
   ArmDescription arm = small_arm();
   arm.segments[1].pressure_limit_kpa = 40.0;

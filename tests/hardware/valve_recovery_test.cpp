@@ -63,7 +63,7 @@ void expect_recovered(const ArmDescription& arm, double noise_kpa = 0.0) {
               kTimeConstantShare * truth.vent_time_constant_s);
   EXPECT_NEAR(valves.dead_time_s, truth.valve_dead_time_s + truth.valve_lag_s, kDeadTimeS);
   EXPECT_LE(found.findings.held_back.mean_kpa,
-            kMeanShare * arm.segments.front().pressure_limit_kpa);
+            kMeanShare * arm.segments.front().pressure_limit_kpa.largest_kpa());
   EXPECT_THAT(found.findings.warnings, IsEmpty());
 }
 

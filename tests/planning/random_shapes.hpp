@@ -27,7 +27,7 @@ inline ArmDescription three_segment_arm() {
 inline Pressures random_pressures(const ArmDescription& arm, RandomStream& random) {
   Pressures q(arm.segment_count());
   for (int i = 0; i < q.size(); ++i) {
-    const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa();
     q[i] = static_cast<float>(random.uniform(-limit, limit));
   }
   return q;

@@ -56,7 +56,7 @@ TEST(SparseTree, StepsNoFartherThanAskedAndNeverBeyondTheLimits) {
   RandomStream random(2, 1);
   for (int k = 0; k < 200; ++k) {
     const Pressures target = s.tree.random_configuration(random);
-    EXPECT_LE((target.array().abs() - s.tree.limits_kpa().array()).maxCoeff(), 0.0F);
+    EXPECT_LE((target.array().abs() - s.tree.scales_kpa().array()).maxCoeff(), 0.0F);
     const Pressures stepped = s.tree.stepped(0, target, 0.25);
     constexpr float kRounding = 1e-5F;
     EXPECT_LE(s.tree.scaled(stepped - s.start.pressures_kpa).norm(), 0.25F + kRounding);

@@ -21,7 +21,7 @@ class LogTruth {
   Eigen::VectorXd pressures(double time_s) const {
     Eigen::VectorXd q(arm_.segment_count());
     for (int i = 0; i < arm_.segment_count(); ++i) {
-      const double limit = arm_.segments[std::size_t(i)].pressure_limit_kpa;
+      const double limit = arm_.segments[std::size_t(i)].pressure_limit_kpa.largest_kpa();
       const double a = (0.9 + 0.37 * i + 0.02 * time_s) * time_s;
       q[i] = 0.9 * limit * std::sin(a + 0.8 * std::sin(0.31 * a + i));
     }

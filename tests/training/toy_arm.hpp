@@ -30,7 +30,8 @@ inline Episode toy_episode(const ArmDescription& arm, int motions, int frames_pe
   for (int t = 0; t < frames; ++t) {
     if (t > 0 && (t - 1) % frames_per_motion == 0) {
       for (int i = 0; i < n; ++i) {
-        const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+        const double limit =
+            arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa();
         goal[i] = static_cast<float>(random.uniform(-limit, limit));
       }
     }

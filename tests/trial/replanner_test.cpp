@@ -86,6 +86,27 @@ TEST_F(ReplannerTest, NoSetPointIsBeyondTheLimitsOrTheRate) {
             float(known_.pressure_step_limit_kpa()) + 1e-3F);
 }
 
+TEST_F(ReplannerTest, PlansWithinTheLimitsInForceAndThoseOfThePlan) {
+  Plan plan = open_loop_plan();
+  const Pressures end_kpa = plan.frames.back().setpoint_kpa;
+  const double lower_kpa = std::min(0.0, double(end_kpa.minCoeff())) - 5.0;
+  const double upper_kpa = std::max(0.0, double(end_kpa.maxCoeff())) + 5.0;
+  plan.limits.assign(2, PressureLimits(lower_kpa, 100.0));
+  ReplannerSettings settings;
+  settings.limits.assign(2, PressureLimits(-100.0, upper_kpa));
+  FakeArm driver(arm_, kInstant_s);
+  driver.command(end_kpa);
+  const ArmState state = driver.state();  // beside the goal, as the model is not the arm's
+  Replanner source = replanner(settings);
+  const std::optional<Plan> next = source.next(plan, plan.frames.size() - 1, state);
+  ASSERT_TRUE(next.has_value());
+  EXPECT_EQ(next->limits[0], PressureLimits(lower_kpa, upper_kpa));
+  for (const PlanFrame& frame : next->frames) {
+    EXPECT_GE(double(frame.setpoint_kpa.minCoeff()), lower_kpa);
+    EXPECT_LE(double(frame.setpoint_kpa.maxCoeff()), upper_kpa);
+  }
+}
+
 TEST_F(ReplannerTest, AsksForNothingWhereNobodySeesTheArm) {
   FakeFaults faults;
   faults.drop_every = 1;

@@ -166,7 +166,7 @@ TEST(Environment, RefusesAStartThatDoesNotFitTheArm) {
   EXPECT_THAT(refusal(Pressures::Zero(2), b),
               AllOf(HasSubstr("start.pressures_kpa"), HasSubstr("2 pressures found; expected 3")));
   EXPECT_THAT(refusal(q * 6.0F, b), AllOf(HasSubstr("start.pressures_kpa[0]"),
-                                          HasSubstr("120 kPa found; expected at most ± 100")));
+                                          HasSubstr("120 kPa found; expected ± 100")));
   EXPECT_THAT(refusal(q, b.topRows(12)), AllOf(HasSubstr("e.yaml:9: start.backbone"),
                                                HasSubstr("12 poses found; expected 16")));
   EXPECT_THAT(refusal(q, b * 100.0F), HasSubstr("poses are in metres"));

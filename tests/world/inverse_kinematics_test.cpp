@@ -30,7 +30,7 @@ Pose tip_of(const NoLoadModel& model, const Eigen::VectorXd& pressures_kpa) {
 Eigen::VectorXd random_pressures(const NoLoadModel& model, RandomStream& random) {
   Eigen::VectorXd pressures(model.segment_count());
   for (int i = 0; i < model.segment_count(); ++i) {
-    pressures[i] = model.segment(i).pressure_limit_kpa * random.uniform(-1.0, 1.0);
+    pressures[i] = model.segment(i).pressure_limit_kpa.largest_kpa() * random.uniform(-1.0, 1.0);
   }
   return pressures;
 }
@@ -69,13 +69,51 @@ TEST_P(InverseKinematicsOfArm, FindsReachablePositionsWithinTheLimits) {
     for (const Eigen::VectorXd& pressures : result.pressures_kpa) {
       EXPECT_LT(pose_error(goal, tip_of(model, pressures)).position_m, kExact);
       for (int i = 0; i < model.segment_count(); ++i) {
-        EXPECT_LE(std::abs(pressures[i]), model.segment(i).pressure_limit_kpa);
+        EXPECT_LE(std::abs(pressures[i]), model.segment(i).pressure_limit_kpa.largest_kpa());
       }
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Segments, InverseKinematicsOfArm, ::testing::Values(1, 2, 3, 5));
+
+// Goals that configurations within the limits reach are found within them, whichever side is the
+// narrower one.
+TEST_P(InverseKinematicsOfArm, StaysWithinTheLimitsOfEachSide) {
+  const int n = GetParam();
+  ArmDescription arm = arm_of(n);
+  const std::vector<PressureLimits> narrow(std::size_t(n), PressureLimits(-20.0, 60.0));
+  const NoLoadModel wide(arm);
+  for (Segment& segment : arm.segments) {
+    segment.pressure_limit_kpa = PressureLimits(-20.0, segment.pressure_limit_kpa.upper_kpa);
+  }
+  const NoLoadModel uneven(arm);
+  RandomStream random(23, 0);
+  for (int trial = 0; trial < 20; ++trial) {
+    Eigen::VectorXd pressures(n);
+    for (int i = 0; i < n; ++i) {
+      pressures[i] = random.uniform(-20.0, 60.0);
+    }
+    const Pose tip = tip_of(wide, pressures);
+    const PoseGoal goal{tip.x_m, tip.y_m, std::nullopt, 1e-6, 0.05};
+    InverseKinematicsSettings settings;
+    settings.starts = 200;
+    settings.limits = narrow;
+    const auto asked = solve_inverse_kinematics(wide, goal, settings, random);
+    settings.limits.clear();
+    const auto own = solve_inverse_kinematics(uneven, goal, settings, random);
+    ASSERT_TRUE(asked.reachable()) << asked.reason;
+    ASSERT_TRUE(own.reachable()) << own.reason;
+    for (const Eigen::VectorXd& found : asked.pressures_kpa) {
+      EXPECT_LT(pose_error(goal, tip_of(wide, found)).position_m, kExact);
+      EXPECT_GE(found.minCoeff(), -20.0);
+      EXPECT_LE(found.maxCoeff(), 60.0);
+    }
+    for (const Eigen::VectorXd& found : own.pressures_kpa) {
+      EXPECT_GE(found.minCoeff(), -20.0);
+    }
+  }
+}
 
 TEST(InverseKinematics, SolutionsAreDistinct) {
   const NoLoadModel model(arm_of(3));

@@ -101,6 +101,35 @@ TEST(PlanFile, SurvivesTheRoundTripExactly) {
   EXPECT_NO_THROW(require_plan_of(again, arm, "p.json"));
 }
 
+TEST(PlanFile, KeepsTheLimitsThatThePlanWasMadeWithin) {
+  const TemporaryFolder folder;
+  const ArmDescription arm = three_segment_arm();
+  Plan plan = small_plan(arm);
+  write_plan(folder.path() / "p.json", plan);
+  EXPECT_THAT(read_file(folder.path() / "p.json"), Not(HasSubstr("limits")));
+  plan.limits = {PressureLimits(-30.0, 99.5), PressureLimits(40.0), PressureLimits(0.0, 50.1)};
+  for (PlanFrame& frame : plan.frames) {
+    frame.setpoint_kpa[2] = 0.0F;
+  }
+  plan.waypoints_kpa = {plan.frames.front().setpoint_kpa, plan.frames.back().setpoint_kpa};
+  plan.cost_kpa = path_cost_kpa(plan.frames);
+  write_plan(folder.path() / "p.json", plan);
+  EXPECT_EQ(read_plan(folder.path() / "p.json").limits, plan.limits);
+  EXPECT_NO_THROW(require_plan_of(plan, arm, "p.json"));
+  plan.frames.back().setpoint_kpa[2] = -0.1F;
+  EXPECT_THAT(
+      [&] { require_plan_of(plan, arm, "p.json"); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("frames[6].setpoint_kpa[2]: -0.1"),
+                                      HasSubstr("expected 0 to 50.1 kPa, the plan's limits"))));
+  plan.limits[1] = PressureLimits(-40.0, 101.0);
+  EXPECT_THAT([&] { require_plan_of(plan, arm, "p.json"); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("limits_kpa[1]: -40 to 101 kPa found; the limits of arm")));
+  plan.limits.pop_back();
+  EXPECT_THAT([&] { require_plan_of(plan, arm, "p.json"); },
+              ThrowsMessage<InputError>(HasSubstr("limits_kpa: 2 pairs found")));
+}
+
 TEST(PlanFile, InfiniteClearanceIsNull) {
   const TemporaryFolder folder;
   Plan plan = small_plan(three_segment_arm());
@@ -259,7 +288,7 @@ TEST(Plan, IsRefusedForAnotherArmAndBeyondItsLimits) {
   EXPECT_THAT([&] { require_plan_of(strong, arm, "p.json"); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("frames[0].setpoint_kpa[2]"),
                                               HasSubstr("-100.5 kPa found"),
-                                              HasSubstr("at most ± 100 kPa"))));
+                                              HasSubstr("expected ± 100 kPa"))));
   Plan thin = plan;
   thin.frames[1].setpoint_kpa = Pressures::Zero(2);
   EXPECT_THAT([&] { require_plan_of(thin, arm, "p.json"); },

@@ -58,7 +58,8 @@ Episode inflate_and_deflate(const ArmDescription& arm) {
   schedule.first_kpa = Pressures::Zero(arm.segment_count());
   Pressures full(arm.segment_count());
   for (int i = 0; i < arm.segment_count(); ++i) {
-    full[i] = static_cast<float>(arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa);
+    full[i] =
+        static_cast<float>(arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.upper_kpa);
   }
   schedule.motions.push_back({full, kInflateS, true});
   schedule.motions.push_back({Pressures::Zero(arm.segment_count()), kDeflateS, true});

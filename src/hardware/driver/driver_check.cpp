@@ -126,7 +126,9 @@ class Check {
   bool for_each_side(void (Check::*move)(int segment, double sign)) {
     for (int s = 0; s < segments(); ++s) {
       for (const double sign : {1.0, -1.0}) {
-        (this->*move)(s, sign);
+        if (limit_kpa(s, sign) != 0.0) {
+          (this->*move)(s, sign);
+        }
         if (!result_.complaints.empty()) {
           return false;
         }
@@ -141,12 +143,13 @@ class Check {
     return result;
   }
 
-  double limit_kpa(int segment) const {
-    return driver_->limits_kpa()[static_cast<std::size_t>(segment)];
+  /// Of the side that positive or negative set points are on; 0 where the segment has none there.
+  double limit_kpa(int segment, double sign) const {
+    return driver_->limits_kpa()[static_cast<std::size_t>(segment)].side_kpa(sign);
   }
 
   void pulse(int segment, double sign) {
-    const double wanted = sign * kPulseShare * limit_kpa(segment);
+    const double wanted = kPulseShare * limit_kpa(segment, sign);
     hold(alone(segment, wanted), kPulseS);
     const double zero = result_.zero_kpa[static_cast<std::size_t>(segment)];
     const std::string wrong = scale_complaint(segment, wanted, last_mean(segment) - zero);
@@ -166,7 +169,7 @@ class Check {
   }
 
   void step(int segment, double sign) {
-    const double wanted = sign * kStepShare * limit_kpa(segment);
+    const double wanted = kStepShare * limit_kpa(segment, sign);
     const std::size_t first = hold(alone(segment, wanted), kStepS);
     StepResponse response = step_response(readings(segment, first), arm_.frame_period_s(), wanted,
                                           result_.noise_kpa[static_cast<std::size_t>(segment)]);
@@ -193,7 +196,8 @@ class Check {
   double pressurise() {
     Pressures wanted(segments());
     for (int s = 0; s < segments(); ++s) {
-      wanted[s] = static_cast<float>(2.0 * kPulseShare * limit_kpa(s));
+      const double sign = limit_kpa(s, 1.0) != 0.0 ? 1.0 : -1.0;
+      wanted[s] = static_cast<float>(2.0 * kPulseShare * limit_kpa(s, sign));
     }
     hold(wanted, kPulseS);
     return driver_->state().pressure_kpa.cwiseAbs().minCoeff();

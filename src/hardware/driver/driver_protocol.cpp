@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 
@@ -62,12 +63,46 @@ double rate(const JsonReader& root) {
   return root.at("rate_hz").number(1e-3, kMaxRateHz);
 }
 
-std::vector<double> limits(const JsonReader& root, int segments) {
-  if (!root.has("limit_kpa")) {
-    return {};
+/// `limit_kpa` alone is that of both sides; beside it, `limits_kpa` has [lower, upper] of each
+/// segment. Programs that do not know the latter read the largest of either side.
+std::vector<PressureLimits> limits(const JsonReader& root, int segments) {
+  const auto n = static_cast<std::size_t>(segments);
+  std::vector<PressureLimits> result;
+  if (root.has("limits_kpa")) {
+    const std::vector<JsonReader> pairs =
+        root.at("limits_kpa").elements("a list of [lower, upper]");
+    if (pairs.size() != n) {
+      root.at("limits_kpa")
+          .refuse(
+              fmt::format("{} pairs found; expected one of each of {} segments", pairs.size(), n));
+    }
+    for (const JsonReader& pair : pairs) {
+      const std::vector<double> ends =
+          pair.numbers(2, "limits in kPa, [lower, upper]", -kMaxKpa, kMaxKpa);
+      if (!(ends[0] <= 0.0 && ends[1] >= 0.0)) {
+        pair.refuse_found("expected lower <= 0 <= upper: a vented segment is at 0");
+      }
+      result.emplace_back(ends[0], ends[1]);
+    }
+  } else if (root.has("limit_kpa")) {
+    for (const double limit : root.at("limit_kpa").numbers(n, "limits in kPa", 0.0, kMaxKpa)) {
+      result.emplace_back(limit);
+    }
   }
-  return root.at("limit_kpa")
-      .numbers(static_cast<std::size_t>(segments), "limits in kPa", 0.0, kMaxKpa);
+  return result;
+}
+
+void add_limits(const std::vector<PressureLimits>& limits, Json& json) {
+  Json pairs = Json::array();
+  bool symmetric = true;
+  for (const PressureLimits& one : limits) {
+    json["limit_kpa"].push_back(one.largest_kpa());
+    pairs.push_back({one.lower_kpa, one.upper_kpa});
+    symmetric &= one.is_symmetric();
+  }
+  if (!symmetric) {
+    json["limits_kpa"] = std::move(pairs);
+  }
 }
 
 std::string optional_text(const JsonReader& root, const char* key) {
@@ -93,22 +128,15 @@ void require_protocol(const JsonReader& root) {
 }  // namespace
 
 HostHello host_hello(const ArmDescription& arm) {
-  HostHello hello{arm.name, arm.segment_count(), arm.point_count(), arm.frame_rate_hz, {}};
-  for (const Segment& segment : arm.segments) {
-    hello.limit_kpa.push_back(segment.pressure_limit_kpa);
-  }
-  return hello;
+  return {arm.name, arm.segment_count(), arm.point_count(), arm.frame_rate_hz, limits_of(arm)};
 }
 
 std::string to_line(const HostHello& hello) {
-  return Json{{"type", "hello"},
-              {"protocol", kDriverProtocol},
-              {"arm", hello.arm},
-              {"segments", hello.segments},
-              {"points", hello.points},
-              {"rate_hz", hello.rate_hz},
-              {"limit_kpa", hello.limit_kpa}}
-      .dump();
+  Json json = {{"type", "hello"},        {"protocol", kDriverProtocol},
+               {"arm", hello.arm},       {"segments", hello.segments},
+               {"points", hello.points}, {"rate_hz", hello.rate_hz}};
+  add_limits(hello.limit_kpa, json);
+  return json.dump();
 }
 
 std::string to_line(const DriverHello& hello) {
@@ -116,9 +144,7 @@ std::string to_line(const DriverHello& hello) {
                {"driver", hello.driver},   {"device", hello.device},
                {"rate_hz", hello.rate_hz}, {"segments", hello.segments},
                {"tracked", hello.tracked}, {"real_time", hello.real_time}};
-  if (!hello.limit_kpa.empty()) {
-    json["limit_kpa"] = hello.limit_kpa;
-  }
+  add_limits(hello.limit_kpa, json);
   return json.dump();
 }
 

@@ -212,7 +212,7 @@ class DriverServer {
   ArmState wrong_state(ArmState state) {
     switch (settings_.fault->kind) {
       case Kind::over:
-        state.pressure_kpa[0] = kOverLimit * static_cast<float>(host_.limit_kpa[0]);
+        state.pressure_kpa[0] = kOverLimit * static_cast<float>(host_.limit_kpa[0].largest_kpa());
         break;
       case Kind::stuck:
         state.pressure_kpa[0] = last_.pressure_kpa[0];

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "driver_link.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/arm_signals.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/safety_gate.hpp"
@@ -34,11 +35,11 @@ double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
-std::vector<double> limits_in_force(const ArmDescription& arm, double scale,
-                                    const DriverHello& hello) {
-  std::vector<double> limits = host_hello(with_scaled_limits(arm, scale)).limit_kpa;
+std::vector<PressureLimits> limits_in_force(const ArmDescription& arm, double scale,
+                                            const DriverHello& hello) {
+  std::vector<PressureLimits> limits = limits_of(with_scaled_limits(arm, scale));
   for (std::size_t s = 0; s < hello.limit_kpa.size(); ++s) {
-    limits[s] = std::min(limits[s], hello.limit_kpa[s]);
+    limits[s] = limits[s].within(hello.limit_kpa[s]);
   }
   return limits;
 }
@@ -150,7 +151,7 @@ class ProcessDriver::Session {
   const DriverHello& hello() const { return link_.hello(); }
   const DriverTiming& timing() const { return timing_; }
   const VentResult& last_vent() const { return vent_; }
-  const std::vector<double>& limits_kpa() const { return limits_kpa_; }
+  const std::vector<PressureLimits>& limits_kpa() const { return limits_kpa_; }
 
  private:
   static void prepare(const ArmDescription& arm) {
@@ -321,7 +322,7 @@ class ProcessDriver::Session {
   ArmDescription arm_;
   ProcessDriverSettings settings_;
   DriverLink link_;
-  std::vector<double> limits_kpa_;
+  std::vector<PressureLimits> limits_kpa_;
   std::optional<SafetyGate> gate_;
   ArmState state_;
   ArmState first_state_;
@@ -384,7 +385,7 @@ const VentResult& ProcessDriver::last_vent() const {
   return session_->last_vent();
 }
 
-const std::vector<double>& ProcessDriver::limits_kpa() const {
+const std::vector<PressureLimits>& ProcessDriver::limits_kpa() const {
   return session_->limits_kpa();
 }
 

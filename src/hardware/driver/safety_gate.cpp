@@ -17,10 +17,15 @@ constexpr double kStuckWindowS = 1.0;  // a reading that stands still for so lon
 constexpr double kStuckDelayS = 0.5;   // … though the set point had moved so long before
 constexpr double kStuckShare = 0.02;   // of the set point's change: less is none
 
+/// Of the side that `kpa` is on; without a sign where both have the same.
+double limit_of(const PressureLimits& limits, double kpa) {
+  return limits.is_symmetric() ? limits.upper_kpa : limits.side_kpa(kpa);
+}
+
 }  // namespace
 
-SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<double> limits_kpa, bool check_rate,
-                       const SafetySettings& settings)
+SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> limits_kpa,
+                       bool check_rate, const SafetySettings& settings)
     : arm_(arm),
       limits_kpa_(std::move(limits_kpa)),
       check_rate_(check_rate),
@@ -34,9 +39,10 @@ std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoin
   const double step_kpa = arm_.pressure_step_limit_kpa();
   for (int s = 0; s < arm_.segment_count(); ++s) {
     const double value = setpoint_kpa[s];
-    if (!(std::abs(value) <= limit_kpa(s) + kRoundingKpa)) {
+    const PressureLimits& limits = limits_kpa(s);
+    if (!(value >= limits.lower_kpa - kRoundingKpa && value <= limits.upper_kpa + kRoundingKpa)) {
       return fmt::format("set point of {} is {:.2f} kPa; its limit is {:.2f} kPa. It was not sent",
-                         segment_name(s), value, limit_kpa(s));
+                         segment_name(s), value, limit_of(limits, value));
     }
     const double change_kpa = value - static_cast<double>(setpoint_kpa_[s]);
     if (check_rate_ && !(std::abs(change_kpa) <= step_kpa + kRoundingKpa)) {
@@ -66,12 +72,15 @@ void SafetyGate::note_vented(const ArmState& state) {
 
 std::string SafetyGate::over_limit(const ArmState& state) const {
   for (int s = 0; s < arm_.segment_count(); ++s) {
-    const double own_kpa = arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+    const double own_kpa =
+        arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa.largest_kpa();
     const double excess_kpa = settings_.over_limit_percent / 100.0 * own_kpa;
-    if (std::abs(static_cast<double>(state.pressure_kpa[s])) > limit_kpa(s) + excess_kpa) {
+    const PressureLimits& limits = limits_kpa(s);
+    const double value = state.pressure_kpa[s];
+    if (value > limits.upper_kpa + excess_kpa || value < limits.lower_kpa - excess_kpa) {
       return fmt::format(
           "{} is at {:.1f} kPa; its limit is {:.1f} kPa, with {:.1f} kPa allowed beyond",
-          segment_name(s), state.pressure_kpa[s], limit_kpa(s), excess_kpa);
+          segment_name(s), value, limit_of(limits, value), excess_kpa);
     }
   }
   return "";

@@ -66,7 +66,7 @@ class Grower {
     const PressureTree& states = tree_.states();
     Forest forest;
     forest.key = key;
-    forest.setpoints_kpa.resize(tree_.limits_kpa().size(), states.size());
+    forest.setpoints_kpa.resize(tree_.scales_kpa().size(), states.size());
     forest.held_tips.resize(3, states.size());
     forest.shapes.resize(3 * (problem_.arm.point_count() - 1), states.size());
     for (int i = 0; i < states.size(); ++i) {
@@ -144,7 +144,8 @@ void Forest::complete() {
                                              setpoints_kpa.col(static_cast<Eigen::Index>(i)));
   }
   costs_kpa.assign(sums.begin(), sums.end());
-  max_kpa = setpoints_kpa.cwiseAbs().rowwise().maxCoeff();
+  lowest_kpa = setpoints_kpa.rowwise().minCoeff();
+  highest_kpa = setpoints_kpa.rowwise().maxCoeff();
   tips = TipGrid(held_tips, costs_kpa);
 }
 
@@ -167,15 +168,16 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
         "the forest was grown for {} than '{}' has here: grow it again",
         forest.key.valves_hash != key.valves_hash ? "other valves" : "another start", arm.name));
   }
-  const Pressures limits_kpa = pressure_limits_kpa(arm);
+  const PressureBox box = pressure_box(arm);
   const auto refuse = [](const std::string& what) {
     throw InputError(fmt::format("the forest holds {}: it is broken; grow it again", what));
   };
-  if (forest.max_kpa.size() != limits_kpa.size()) {
-    refuse(fmt::format("{} pressures per node; arm '{}' has {} segments", forest.max_kpa.size(),
-                       arm.name, limits_kpa.size()));
+  if (forest.highest_kpa.size() != box.high_kpa.size()) {
+    refuse(fmt::format("{} pressures per node; arm '{}' has {} segments", forest.highest_kpa.size(),
+                       arm.name, box.high_kpa.size()));
   }
-  if ((forest.max_kpa.array() > limits_kpa.array()).any()) {
+  if ((forest.highest_kpa.array() > box.high_kpa.array()).any() ||
+      (forest.lowest_kpa.array() < box.low_kpa.array()).any()) {
     refuse("pressures beyond the arm's limits");
   }
   const Eigen::Index numbers = 3 * (arm.point_count() - 1);

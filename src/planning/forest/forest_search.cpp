@@ -39,10 +39,17 @@ ForestSearch::ForestSearch(const Forest& forest, const PlanningProblem& problem,
       simulator_(simulator),
       search_(search),
       filter_(forest, problem, checker),
+      limits_(problem.limits.empty() ? std::nullopt : std::optional(pressure_box(problem.limits))),
       in_goal_(those_in_goal()),
       near_left_(kMaxNear) {
   grafted_[0] = 0;
   known_[0] = start_of(problem);
+}
+
+/// Of the problem: a forest is grown within the arm's.
+bool ForestSearch::is_within_limits(int node) const {
+  return !limits_ || limits_->limited(forest_.setpoints_kpa.col(node)) ==
+                         Pressures(forest_.setpoints_kpa.col(node));
 }
 
 ForestSearch::Ranking ForestSearch::those_in_goal() const {
@@ -79,6 +86,9 @@ std::optional<ForestSearch::Candidate> ForestSearch::candidate(int node, bool st
   int i = forest_.parents[static_cast<std::size_t>(node)];
   for (; known_.count(i) == 0; i = forest_.parents[static_cast<std::size_t>(i)]) {
     found.path.push_back(i);
+  }
+  if (!std::ranges::all_of(found.path, [this](int passed) { return is_within_limits(passed); })) {
+    return std::nullopt;
   }
   const auto last = known_.find(node);
   if (is_ruled_out(known_.at(i)) || (last != known_.end() && is_ruled_out(last->second))) {

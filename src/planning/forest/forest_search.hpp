@@ -56,6 +56,7 @@ class ForestSearch {
   /// toward the goal
   Batch collect(Ranking& nodes, std::size_t wanted, bool step,
                 const std::function<bool()>& give_up);
+  bool is_within_limits(int node) const;
   std::optional<Candidate> candidate(int node, bool step);
   Path path_of(const Candidate& candidate) const;
   std::optional<BatchSearch::Solution> settle(const Candidate& tried, const PathOutcome& outcome);
@@ -67,8 +68,9 @@ class ForestSearch {
   PathSimulator& simulator_;
   BatchSearch& search_;
   ForestFilter filter_;
-  Ranking in_goal_;              // nodes that end there, by cost
-  std::optional<Ranking> near_;  // by error; found once they are asked for
+  std::optional<PressureBox> limits_;  // where the problem has its own
+  Ranking in_goal_;                    // nodes that end there, by cost
+  std::optional<Ranking> near_;        // by error; found once they are asked for
   std::size_t near_left_;
   int rounds_ = 0;
   int rounds_since_plan_ = 0;

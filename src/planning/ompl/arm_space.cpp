@@ -33,8 +33,17 @@ const double* values(const oc::Control* control) {
   return control->as<oc::RealVectorControlSpace::ControlType>()->values;
 }
 
-double limit_kpa(const ArmWorld& world, int segment) {
-  return world.problem.arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
+/// What set points of a segment may be.
+PressureLimits limits_of(const ArmWorld& world, int segment) {
+  const auto i = static_cast<std::size_t>(segment);
+  return world.problem.limits.empty() ? world.problem.arm.segments[i].pressure_limit_kpa
+                                      : world.problem.limits[i];
+}
+
+/// What distances between set points are measured in.
+double scale_kpa(const ArmWorld& world, int segment) {
+  return world.problem.arm.segments[static_cast<std::size_t>(segment)]
+      .pressure_limit_kpa.half_width_kpa();
 }
 
 /// Draws set points; the shape is the no-load model's, so that distances to it mean something.
@@ -45,8 +54,8 @@ class ArmSampler final : public ob::StateSampler {
   void sampleUniform(ob::State* state) override {
     Pressures kpa(world_.segments());
     for (int i = 0; i < kpa.size(); ++i) {
-      kpa[i] =
-          static_cast<float>(world_.random.uniform(-limit_kpa(world_, i), limit_kpa(world_, i)));
+      const PressureLimits limits = limits_of(world_, i);
+      kpa[i] = static_cast<float>(world_.random.uniform(limits.lower_kpa, limits.upper_kpa));
     }
     world_.write_target(kpa, state);
   }
@@ -56,9 +65,8 @@ class ArmSampler final : public ob::StateSampler {
   void sampleGaussian(ob::State* state, const ob::State* mean, double deviation) override {
     Pressures kpa = world_.setpoint_kpa(mean);
     for (int i = 0; i < kpa.size(); ++i) {
-      const double limit = limit_kpa(world_, i);
-      kpa[i] = static_cast<float>(
-          std::clamp(double(kpa[i]) + limit * deviation * world_.random.normal(), -limit, limit));
+      const double shift = scale_kpa(world_, i) * deviation * world_.random.normal();
+      kpa[i] = static_cast<float>(limits_of(world_, i).clamped(double(kpa[i]) + shift));
     }
     world_.write_target(kpa, state);
   }
@@ -93,13 +101,15 @@ class ArmSpace final : public ob::RealVectorStateSpace {
     for (int i = 0; i < world.size(); ++i) {
       const auto index = static_cast<unsigned>(i);
       const bool angle = (i - world.valves()) % 3 == 2;
-      const double most = i < world.valves() ? kOvershoot * limit_kpa(world, i % world.segments())
-                          : i == world.cost_index() ? 1e9
+      const double most = i == world.cost_index()   ? 1e9
                           : i == world.free_index() ? 1.0
                           : angle                   ? kMaxAngleRad
                                                     : reach;
-      bounds.setLow(index, -most);
-      bounds.setHigh(index, most);
+      const PressureLimits range = i < world.valves()
+                                       ? limits_of(world, i % world.segments()).widened(kOvershoot)
+                                       : PressureLimits(most);
+      bounds.setLow(index, range.lower_kpa);
+      bounds.setHigh(index, range.upper_kpa);
     }
     setBounds(bounds);
   }
@@ -107,7 +117,7 @@ class ArmSpace final : public ob::RealVectorStateSpace {
   double distance(const ob::State* a, const ob::State* b) const override {
     double squares = 0.0;
     for (int i = 0; i < world_.segments(); ++i) {
-      const double change = (values(a)[i] - values(b)[i]) / limit_kpa(world_, i);
+      const double change = (values(a)[i] - values(b)[i]) / scale_kpa(world_, i);
       squares += change * change;
     }
     const int tip = world_.valves() + world_.poses() - 3;
@@ -316,8 +326,7 @@ void ArmWorld::write_target(const Pressures& kpa, ob::State* state) const {
 Pressures ArmWorld::next_setpoint(const Pressures& kpa, const double* change_kpa) const {
   Pressures next = kpa;
   for (int i = 0; i < segments(); ++i) {
-    const double limit = limit_kpa(*this, i);
-    next[i] = static_cast<float>(std::clamp(double(kpa[i]) + change_kpa[i], -limit, limit));
+    next[i] = static_cast<float>(limits_of(*this, i).clamped(double(kpa[i]) + change_kpa[i]));
   }
   return next;
 }

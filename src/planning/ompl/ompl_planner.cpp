@@ -102,6 +102,7 @@ class Run {
     InverseKinematicsSettings settings;
     settings.starts = 4 * kGoalConfigurations;
     settings.max_solutions = kGoalConfigurations;
+    settings.limits = problem_.limits;
     const InverseKinematicsResult found = solve_inverse_kinematics(
         problem_.model.no_load(), problem_.environment.goal, settings, world_.random);
     for (const Eigen::VectorXd& kpa : found.pressures_kpa) {

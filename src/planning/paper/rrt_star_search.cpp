@@ -30,9 +30,10 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
       rule_(rule),
       settings_(settings),
       random_(seed, kTreeStream),
-      goal_sampler_(problem.model.no_load(), problem.environment.goal,
-                    settings.goal_configurations),
-      limit_kpa_(pressure_limits_kpa(problem.arm)),
+      goal_sampler_(problem.model.no_load(), problem.environment.goal, settings.goal_configurations,
+                    problem.limits),
+      scale_kpa_(pressure_scales_kpa(problem.arm)),
+      box_(setpoints_of(problem)),
       near_gain_(settings.near_factor * min_near_gain(problem.arm.segment_count())),
       tree_(problem.model),
       index_(problem.arm.segment_count()),
@@ -46,23 +47,25 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
 }
 
 Eigen::VectorXf RrtStarSearch::scaled(const PressuresRef& pressures_kpa) const {
-  return pressures_kpa.cwiseQuotient(limit_kpa_);
+  return pressures_kpa.cwiseQuotient(scale_kpa_);
 }
 
 Pressures RrtStarSearch::sample() {
-  Pressures q(limit_kpa_.size());
+  Pressures q(scale_kpa_.size());
   const double kind = random_.uniform();
   if (kind < settings_.goal_bias) {
     q = goal_sampler_.sample(random_);
     for (int i = 0; i < q.size(); ++i) {
-      q[i] += static_cast<float>(random_.normal() * settings_.goal_spread) * limit_kpa_[i];
+      q[i] += static_cast<float>(random_.normal() * settings_.goal_spread) * scale_kpa_[i];
     }
-    return q.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_);
+    return box_.limited(q);
   }
+  const Pressures middle = 0.5F * (box_.low_kpa + box_.high_kpa);
+  const Pressures half = 0.5F * (box_.high_kpa - box_.low_kpa);
   for (int i = 0; i < q.size(); ++i) {
-    q[i] = static_cast<float>(random_.uniform(-1.0, 1.0)) * limit_kpa_[i];
+    q[i] = middle[i] + static_cast<float>(random_.uniform(-1.0, 1.0)) * half[i];
   }
-  return q;
+  return box_.limited(q);
 }
 
 std::optional<Pressures> RrtStarSearch::steer(const Pressures& sample, int nearest) const {
@@ -74,13 +77,13 @@ std::optional<Pressures> RrtStarSearch::steer(const Pressures& sample, int neare
   const float step = static_cast<float>(settings_.step_size);
   const Pressures kpa =
       distance <= step ? sample : Pressures(from + (sample - from) * (step / distance));
-  return Pressures(kpa.cwiseMax(-limit_kpa_).cwiseMin(limit_kpa_));
+  return box_.limited(kpa);
 }
 
 RrtStarSearch::Nodes RrtStarSearch::near(const Pressures& kpa, int nearest) const {
   const double count = tree_.size() + 1.0;
   const double radius =
-      std::min(near_gain_ * std::pow(std::log(count) / count, 1.0 / double(limit_kpa_.size())),
+      std::min(near_gain_ * std::pow(std::log(count) / count, 1.0 / double(scale_kpa_.size())),
                settings_.step_size);
   Nodes nodes;
   index_.within(scaled(kpa), static_cast<float>(radius), nodes);
@@ -140,7 +143,7 @@ std::optional<int> RrtStarSearch::connect(const Pressures& kpa, const Nodes& nea
 }
 
 bool RrtStarSearch::matches(const MotionState& end, int node) const {
-  const Eigen::Index n = limit_kpa_.size();
+  const Eigen::Index n = scale_kpa_.size();
   const auto valves = tree_.valves(node);
   const Backbone apart = end.backbone - tree_.backbone(node);
   return end.setpoint_kpa() == valves.segment(n, n) &&
@@ -182,7 +185,7 @@ std::optional<std::vector<RrtStarSearch::Changed>> RrtStarSearch::simulate_below
 
 void RrtStarSearch::simulate_to(const Nodes& nodes, int from) {
   const std::vector<MotionState> states(nodes.size(), tree_.state(from));
-  Eigen::MatrixXf to_kpa(limit_kpa_.size(), std::ssize(nodes));
+  Eigen::MatrixXf to_kpa(scale_kpa_.size(), std::ssize(nodes));
   for (std::size_t c = 0; c < nodes.size(); ++c) {
     to_kpa.col(static_cast<Eigen::Index>(c)) = tree_.setpoint_kpa(nodes[c]);
   }
@@ -293,7 +296,7 @@ void RrtStarSearch::iterate(const PlannerBudget& budget) {
 
 double RrtStarSearch::bytes() const {
   const std::size_t index_bytes =
-      static_cast<std::size_t>(limit_kpa_.size()) * sizeof(float) + 2 * sizeof(int);
+      static_cast<std::size_t>(scale_kpa_.size()) * sizeof(float) + 2 * sizeof(int);
   return double(tree_.size()) * double(tree_.bytes_per_node() + index_bytes + 1);
 }
 

@@ -79,7 +79,8 @@ class RrtStarSearch {
   PressureRrtStarSettings settings_;
   RandomStream random_;
   GoalSampler goal_sampler_;
-  Pressures limit_kpa_;
+  Pressures scale_kpa_;  // distances are measured in it
+  PressureBox box_;
   double near_gain_;
 
   PressureTree tree_;

@@ -23,8 +23,8 @@ BatchSearch::BatchSearch(const PlanningProblem& problem, PathSimulator& simulato
       simulator_(simulator),
       settings_(settings),
       seed_(seed),
-      goal_sampler_(problem.model.no_load(), problem.environment.goal,
-                    settings.goal_configurations),
+      goal_sampler_(problem.model.no_load(), problem.environment.goal, settings.goal_configurations,
+                    problem.limits),
       tree_(problem.arm, problem.model,
             {settings.cell_pressure, settings.cell_position_m, settings.cell_orientation_rad},
             start_of(problem)) {
@@ -55,7 +55,7 @@ Pressures BatchSearch::scattered(const Pressures& about_kpa, double spread,
                                  RandomStream& random) const {
   Pressures kpa = about_kpa;
   for (Eigen::Index i = 0; i < kpa.size(); ++i) {
-    kpa[i] += static_cast<float>(random.normal() * spread) * tree_.limits_kpa()[i];
+    kpa[i] += static_cast<float>(random.normal() * spread) * tree_.scales_kpa()[i];
   }
   return tree_.limited(kpa);
 }

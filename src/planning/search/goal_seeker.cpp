@@ -64,6 +64,7 @@ const Pressures& GoalSampler::sample(RandomStream& random) {
   settings.starts = 4;
   settings.max_solutions = 1;
   settings.convergence_m = 0.1 * kNewtonToleranceM;
+  settings.limits = limits_;
   const InverseKinematicsResult found = solve_inverse_kinematics(model_, target, settings, random);
   sampled_kpa_.emplace_back(
       (found.reachable() ? found.pressures_kpa.front() : found.best_pressures_kpa).cast<float>());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "limber/arm/no_load_model.hpp"
@@ -36,8 +37,10 @@ class GoalAim {
 /// biasing); where the no-load model does not reach it, the nearest configurations found.
 class GoalSampler {
  public:
-  GoalSampler(const NoLoadModel& model, const PoseGoal& goal, int count)
-      : model_(model), goal_(goal), count_(count) {}
+  /// @param limits  that the configurations keep; empty: the model's
+  GoalSampler(const NoLoadModel& model, const PoseGoal& goal, int count,
+              std::vector<PressureLimits> limits = {})
+      : model_(model), goal_(goal), count_(count), limits_(std::move(limits)) {}
 
   const Pressures& sample(RandomStream& random);
   /// How many are drawn before they are used again; each takes a good part of a millisecond.
@@ -47,6 +50,7 @@ class GoalSampler {
   const NoLoadModel& model_;
   const PoseGoal& goal_;
   int count_;
+  std::vector<PressureLimits> limits_;
   std::vector<Pressures> sampled_kpa_;
 };
 

@@ -40,12 +40,12 @@ Waypoints straightened(Waypoints waypoints_kpa, RandomStream& random) {
 
 Pressures random_shift(const ChangeSpace& space, RandomStream& random) {
   const double scale = kMinShift * std::pow(kMaxShift / kMinShift, random.uniform());
-  const auto n = static_cast<std::uint32_t>(space.limit_kpa.size());
+  const auto n = static_cast<std::uint32_t>(space.scale_kpa.size());
   const std::uint32_t only = random.index(2 * n);  // ≥ n: all of them
-  Pressures shift = Pressures::Zero(space.limit_kpa.size());
+  Pressures shift = Pressures::Zero(space.scale_kpa.size());
   for (std::uint32_t i = 0; i < n; ++i) {
     if (only >= n || only == i) {
-      shift[i] = static_cast<float>(random.normal() * scale) * space.limit_kpa[i];
+      shift[i] = static_cast<float>(random.normal() * scale) * space.scale_kpa[i];
     }
   }
   return shift;

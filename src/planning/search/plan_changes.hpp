@@ -14,7 +14,7 @@ using Waypoints = std::vector<Pressures>;
 
 /// Where changes of waypoints lead, and how far.
 struct ChangeSpace {
-  Pressures limit_kpa;  ///< size n, what shifts are a fraction of
+  Pressures scale_kpa;  ///< size n, what shifts are a fraction of
   PressureBox box;      ///< changed set points stay in there
 };
 

@@ -42,7 +42,7 @@ PlanImprover::PlanImprover(const PlanningProblem& problem, SecondOpinions& opini
       aim_(problem),
       seed_(seed),
       stream_(kFirstStream * (1 + stream)),
-      space_{pressure_limits_kpa(problem.arm), setpoints_of(problem)} {}
+      space_{pressure_scales_kpa(problem.arm), setpoints_of(problem)} {}
 
 void PlanImprover::adopt(Waypoints waypoints_kpa, std::vector<MotionState> states,
                          const Pose& held_tip) {

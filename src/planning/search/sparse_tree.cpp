@@ -33,7 +33,7 @@ SparseTree::SparseTree(const ArmDescription& arm, const MotionModel& model, cons
                        const MotionState& root)
     : model_(model),
       cells_(cells),
-      limit_kpa_(pressure_limits_kpa(arm)),
+      scale_kpa_(pressure_scales_kpa(arm)),
       box_(pressure_box(arm)),
       tree_(model),
       index_(arm.segment_count()) {
@@ -73,7 +73,7 @@ int SparseTree::parent_near(const Pressures& target_kpa, double random_share,
     for (int k = 0; k < choices; ++k) {
       const int other = random_node(random);
       const float distance =
-          (target_kpa - tree_.setpoint_kpa(other)).cwiseQuotient(limit_kpa_).squaredNorm();
+          (target_kpa - tree_.setpoint_kpa(other)).cwiseQuotient(scale_kpa_).squaredNorm();
       if (distance < nearest) {
         nearest = distance;
         node = other;
@@ -100,7 +100,7 @@ Pressures SparseTree::stepped(int node, const Pressures& target_kpa, double step
 }
 
 Eigen::VectorXf SparseTree::scaled(const PressuresRef& pressures_kpa) const {
-  return pressures_kpa.cwiseQuotient(limit_kpa_);
+  return pressures_kpa.cwiseQuotient(scale_kpa_);
 }
 
 Pressures SparseTree::limited(const Pressures& pressures_kpa) const {
@@ -113,10 +113,10 @@ std::uint64_t SparseTree::cell_of(const MotionState& state, const Pose& settled_
   };
   std::uint64_t hash = 0;
   // Behind ideal valves the second half says what the first has said.
-  const Eigen::Index numbers = (model_.valves().is_ideal() ? 1 : 2) * limit_kpa_.size();
+  const Eigen::Index numbers = (model_.valves().is_ideal() ? 1 : 2) * scale_kpa_.size();
   for (Eigen::Index i = 0; i < numbers; ++i) {
     hash =
-        mixed(hash, quantised(double(state.valves[i]) / double(limit_kpa_[i % limit_kpa_.size()]),
+        mixed(hash, quantised(double(state.valves[i]) / double(scale_kpa_[i % scale_kpa_.size()]),
                               cells_.pressure));
   }
   hash = mixed(hash, quantised(settled_tip.x_m, cells_.position_m));
@@ -126,7 +126,7 @@ std::uint64_t SparseTree::cell_of(const MotionState& state, const Pose& settled_
 
 double SparseTree::bytes() const {
   const std::size_t index_bytes =
-      static_cast<std::size_t>(limit_kpa_.size()) * sizeof(float) + 3 * sizeof(int);
+      static_cast<std::size_t>(scale_kpa_.size()) * sizeof(float) + 3 * sizeof(int);
   constexpr std::size_t kCellBytes = 48;
   return double(tree_.size()) * double(tree_.bytes_per_node() + index_bytes + kCellBytes);
 }

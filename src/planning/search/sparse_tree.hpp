@@ -55,14 +55,14 @@ class SparseTree {
   Pressures limited(const Pressures& pressures_kpa) const;
   /// Fractions of the limits.
   Eigen::VectorXf scaled(const PressuresRef& pressures_kpa) const;
-  const Pressures& limits_kpa() const { return limit_kpa_; }
+  const Pressures& scales_kpa() const { return scale_kpa_; }
 
  private:
   std::uint64_t cell_of(const MotionState& state, const Pose& settled_tip) const;
 
   MotionModel model_;
   StateCells cells_;
-  Pressures limit_kpa_;
+  Pressures scale_kpa_;
   PressureBox box_;
   PressureTree tree_;
   PressureIndex index_;

@@ -93,6 +93,31 @@ TEST_F(DriverProtocol, AFaultOfTheDriverIsAFault) {
               ThrowsMessage<SystemFault>(HasSubstr("valve 3 is hot")));
 }
 
+TEST_F(DriverProtocol, LimitsOfEachSideHaveAKeyOfTheirOwn) {
+  EXPECT_EQ(to_line(host_).find("limits_kpa"), std::string::npos) << "as before";
+  ArmDescription arm = arm_;
+  arm.segments[0].pressure_limit_kpa = PressureLimits(-11.0, 13.8);
+  const HostHello host = host_hello(arm);
+  EXPECT_THAT(to_line(host), HasSubstr(R"("limit_kpa":[13.8,100.0])"));
+  EXPECT_THAT(to_line(host), HasSubstr(R"("limits_kpa":[[-11.0,13.8],[-100.0,100.0]])"));
+  EXPECT_EQ(parse_request(to_line(host), host_).hello.limit_kpa, host.limit_kpa);
+  DriverHello hello;
+  hello.rate_hz = 20.0;
+  hello.segments = 2;
+  hello.limit_kpa = {PressureLimits(-5.0, 0.0), PressureLimits(90.0)};
+  EXPECT_EQ(parse_driver_hello(to_line(hello), host_).limit_kpa, hello.limit_kpa);
+  const auto refused = [&](const std::string& pairs, const std::string& message) {
+    const std::string line = R"({"type":"hello","protocol":1,"rate_hz":20,"segments":2,)"
+                             R"("limits_kpa":)" +
+                             pairs + "}";
+    EXPECT_THAT([&] { (void)parse_driver_hello(line, host_); },
+                ThrowsMessage<InputError>(HasSubstr(message)));
+  };
+  refused("[[-5,5]]", "1 pairs found");
+  refused("[[-5,5],[1,5]]", "expected lower <= 0 <= upper");
+  refused("[[-5,5],[5]]", "limits_kpa[1]");
+}
+
 TEST_F(DriverProtocol, HellosSurviveTheWire) {
   DriverHello hello;
   hello.driver = "bench driver 2";

@@ -194,8 +194,26 @@ TEST(SafetySettings, AreReadFromTheArmFileAndDefaultWithoutIt) {
       ThrowsMessage<InputError>(HasSubstr("x_min_m < x_max_m")));
 }
 
+TEST_F(SafetyGateTest, KeepsTheLimitOfEachSide) {
+  SafetyGate gate(arm_, {PressureLimits(-20.0, 100.0), PressureLimits(0.0, 50.0)}, false,
+                  settings_);
+  EXPECT_THAT(gate.check_command(pressures(-20.0F, 50.0F)), IsEmpty());
+  EXPECT_THAT(gate.check_command(pressures(-20.1F, 0)),
+              HasSubstr("segment 0 is -20.10 kPa; its limit is -20.00 kPa"));
+  EXPECT_THAT(gate.check_command(pressures(0, -0.1F)),
+              HasSubstr("segment 1 is -0.10 kPa; its limit is 0.00 kPa"));
+  // 5 % of the arm's limit of 100 kPa are allowed beyond, on either side.
+  EXPECT_THAT(gate.check_shape(measured(pressures(-24.9F, -4.9F))), IsEmpty());
+  EXPECT_THAT(gate.check_shape(measured(pressures(-25.1F, 0))),
+              HasSubstr("its limit is -20.0 kPa"));
+  EXPECT_THAT(gate.check_shape(measured(pressures(0, 55.1F))), HasSubstr("its limit is 50.0 kPa"));
+}
+
 TEST(SafetySettings, ScalesAreOverZeroAndAtMostOne) {
-  const ArmDescription arm = small_arm();
+  ArmDescription arm = small_arm();
+  arm.segments[0].pressure_limit_kpa = PressureLimits(-40.0, 100.0);
+  EXPECT_EQ(with_scaled_limits(arm, 0.25).segments[0].pressure_limit_kpa,
+            PressureLimits(-10.0, 25.0));
   EXPECT_EQ(with_scaled_limits(arm, 0.25).segments[1].pressure_limit_kpa, 25.0);
   for (const double scale : {0.0, -0.5, 1.01, std::nan("")}) {
     EXPECT_THAT([&] { (void)with_scaled_limits(arm, scale); },

@@ -1,6 +1,8 @@
 #pragma once
 // For everyone.
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,6 +24,47 @@ struct Command {
   bool is_pressure_kpa() const { return name == "pressure" && unit == "kPa"; }
 };
 
+/// What a segment may be given: from `lower_kpa` to `upper_kpa`. A vented segment is at 0, so that 0
+/// lies between them or is one of them.
+struct PressureLimits {
+  double lower_kpa = 0.0;  ///< ≤ 0
+  double upper_kpa = 0.0;  ///< ≥ 0, > lower_kpa
+
+  PressureLimits() = default;
+  /// The same on both sides, ± `limit_kpa`.
+  PressureLimits(double limit_kpa) : lower_kpa(-limit_kpa), upper_kpa(limit_kpa) {}
+  PressureLimits(double lower, double upper) : lower_kpa(lower), upper_kpa(upper) {}
+
+  bool is_symmetric() const { return lower_kpa == -upper_kpa; }
+  /// The largest pressure of either side.
+  double largest_kpa() const { return std::max(-lower_kpa, upper_kpa); }
+  /// What distances between pressures are measured in; of symmetric limits the limit itself.
+  double half_width_kpa() const { return 0.5 * (upper_kpa - lower_kpa); }
+  /// The limit of one side: of positive pressures or, with `sign` < 0, of negative ones.
+  double side_kpa(double sign) const { return sign < 0.0 ? lower_kpa : upper_kpa; }
+  /// |kpa|, and by how much the limit of its side is smaller than the largest: more than
+  /// `largest_kpa` beyond a limit, and |kpa| where limits are symmetric.
+  double size_kpa(double kpa) const {
+    return std::abs(kpa) + (largest_kpa() - std::abs(side_kpa(kpa)));
+  }
+  double clamped(double kpa) const { return std::clamp(kpa, lower_kpa, upper_kpa); }
+  /// Set points are float32: a limit as one is inside, too. False for NaN.
+  bool contains(double kpa) const;
+  bool contains(const PressureLimits& other) const {
+    return contains(other.lower_kpa) && contains(other.upper_kpa);
+  }
+  /// Wider at each end by `factor` − 1 of the largest pressure.
+  PressureLimits widened(double factor) const;
+  /// Both ends times `factor`.
+  PressureLimits& operator*=(double factor);
+  /// What both allow.
+  PressureLimits within(const PressureLimits& other) const;
+  bool operator==(const PressureLimits&) const = default;
+};
+
+/// "± 100", or "-11 to 13.8": for messages.
+std::string to_string(const PressureLimits& limits);
+
 /// What the no-load model takes a command for (docs/model.md, (3), (17) and (18)).
 enum class NoLoadKind {
   strain_polynomial,  ///< the pressure of one side, which contracts by P(|p|)
@@ -37,7 +80,7 @@ struct Segment {
   double length_m = 0.0;                 ///< l0, unpressurised, > 0
   double width_m = 0.0;                  ///< t, between the two sides, > 0
   int gaps = 0;                          ///< spaces between support plates, ≥ 1
-  double pressure_limit_kpa = 0.0;       ///< p_max of either side, > 0
+  PressureLimits pressure_limit_kpa;     ///< ± p_max, or of each side its own
   StrainPolynomial strain_polynomial{};  ///< NoLoadKind::strain_polynomial only
   /// κ in 1/m over the command, positive to the left, ≠ 0; NoLoadKind::curvature only.
   double curvature_per_unit = 1.0;

@@ -16,7 +16,7 @@ struct SegmentShape {
 
 /// A pressure that bends a segment to a wanted curvature.
 struct SegmentPressure {
-  double pressure_kpa = 0.0;  ///< within ± the segment's limit
+  double pressure_kpa = 0.0;  ///< within the segment's limits
   bool reachable =
       false;  ///< false if more than the limit would be needed; the pressure is then the limit
 };
@@ -55,7 +55,7 @@ class NoLoadModel {
   SegmentPressure pressure_for_curvature(int segment, double curvature_per_m) const;
   /// Length that goes with a curvature, l = 2 l0/(2 + t|κ|), (3) in (4); l0 by (17) and (18).
   double length_for_curvature(int segment, double curvature_per_m) const;
-  /// Largest |κ| the pressure limit allows.
+  /// Largest |κ| the pressure limits allow to either side.
   double curvature_limit_per_m(int segment) const;
 
   const Segment& segment(int i) const { return segments_[static_cast<std::size_t>(i)]; }

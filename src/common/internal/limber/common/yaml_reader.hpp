@@ -21,6 +21,7 @@ class YamlReader {
 
   bool has(const std::string& key) const;
   bool is_mapping() const { return node_.IsMap(); }
+  bool is_sequence() const { return node_.IsSequence(); }
   /// The value at `key`. @throws InputError if it is missing or this is no mapping.
   YamlReader at(const std::string& key) const;
   /// The elements of a sequence. @throws InputError if this is no sequence.

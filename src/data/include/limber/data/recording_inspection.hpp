@@ -64,9 +64,9 @@ std::string outliers_to_text(const EpisodeErrors& errors);
 
 /// What a recording holds and what is odd about it, though it is valid.
 struct RecordingInspection {
-  std::vector<PressureRange> pressures;  ///< one per segment
-  std::vector<double> limits_kpa;        ///< that coverage was judged by
-  bool limits_known = false;             ///< from an arm file, not guessed from the set points
+  std::vector<PressureRange> pressures;    ///< one per segment
+  std::vector<PressureLimits> limits_kpa;  ///< that coverage was judged by
+  bool limits_known = false;               ///< from an arm file, not guessed from the set points
   TransitionCoverage transitions;
   std::vector<Suspicion> suspicions;
   IdentifiedValves valves;  ///< between its set points and its pressures
@@ -85,7 +85,7 @@ RecordingInspection inspect(const Recording& recording, const ArmDescription* ar
 std::string base_warning(const Recording& recording);
 
 TransitionCoverage transition_coverage(const Recording& recording,
-                                       const std::vector<double>& limits_kpa);
+                                       const std::vector<PressureLimits>& limits_kpa);
 
 nlohmann::ordered_json to_json(const EpisodeErrors& errors);
 nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspection& inspection);

@@ -63,7 +63,8 @@ std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
 /// equal schedules.
 std::string describe(const ScheduleSettings& settings);
 
-/// Configuration `index` in {0, …, 3^n − 1}: base-3 digits, 0 off, 1 fully right, 2 fully left.
+/// Configuration `index` in {0, …, 3^n − 1}: base-3 digits, 0 off, 1 fully right, 2 fully left. A
+/// segment whose limits leave it one side takes half of that one instead of the other.
 Pressures corner_configuration(const ArmDescription& arm, int index);
 
 }  // namespace limber

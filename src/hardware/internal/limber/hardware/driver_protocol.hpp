@@ -25,19 +25,20 @@ struct HostHello {
   int segments = 0;
   int points = 0;
   double rate_hz = 0.0;
-  std::vector<double> limit_kpa;  ///< of each segment, > 0
+  std::vector<PressureLimits> limit_kpa;  ///< of each segment
 };
 
 /// What the driver answers.
 struct DriverHello {
   int protocol = kDriverProtocol;
-  std::string driver;             ///< its name and version
-  std::string device;             ///< what the device speaks, in words
-  double rate_hz = 0.0;           ///< of the frames that it serves
-  int segments = 0;               ///< n
-  bool tracked = true;            ///< whether states carry backbones
-  bool real_time = true;          ///< false: a simulation that runs as fast as it is asked
-  std::vector<double> limit_kpa;  ///< the driver's own limits; empty: none but the arm's
+  std::string driver;     ///< its name and version
+  std::string device;     ///< what the device speaks, in words
+  double rate_hz = 0.0;   ///< of the frames that it serves
+  int segments = 0;       ///< n
+  bool tracked = true;    ///< whether states carry backbones
+  bool real_time = true;  ///< false: a simulation that runs as fast as it is asked
+  /// The driver's own limits; empty: none but the arm's.
+  std::vector<PressureLimits> limit_kpa;
 };
 
 enum class RequestKind { hello, set, vent, bye };

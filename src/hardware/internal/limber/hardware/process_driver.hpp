@@ -81,7 +81,7 @@ class ProcessDriver final : public ArmDriver {
   const DriverTiming& timing() const;
   const VentResult& last_vent() const;
   /// In force: the arm's, scaled, or the driver's own where those are lower.
-  const std::vector<double>& limits_kpa() const;
+  const std::vector<PressureLimits>& limits_kpa() const;
 
  private:
   class Session;

@@ -21,7 +21,7 @@ class SafetyGate {
   /// @param limits_kpa   in force, one per segment: the arm's, scaled, and the driver's own
   /// @param check_rate   whether set points may change by no more than the arm's rate allows; not
   ///                     where a schedule jumps, and the valves ramp by themselves
-  SafetyGate(const ArmDescription& arm, std::vector<double> limits_kpa, bool check_rate,
+  SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> limits_kpa, bool check_rate,
              const SafetySettings& settings);
 
   /// Of the next set point (size n). One that passes is taken for the one in force.
@@ -37,7 +37,9 @@ class SafetyGate {
   std::string check_shape(const ArmState& state);
 
   /// What a segment may be told now.
-  double limit_kpa(int segment) const { return limits_kpa_[static_cast<std::size_t>(segment)]; }
+  const PressureLimits& limits_kpa(int segment) const {
+    return limits_kpa_[static_cast<std::size_t>(segment)];
+  }
 
  private:
   struct Frame {
@@ -50,7 +52,7 @@ class SafetyGate {
   std::string stuck(int segment) const;
 
   ArmDescription arm_;
-  std::vector<double> limits_kpa_;
+  std::vector<PressureLimits> limits_kpa_;
   bool check_rate_;
   SafetySettings settings_;
   Pressures setpoint_kpa_;

@@ -45,8 +45,9 @@ struct Forest {
 
   // What `complete` derives from those; not in the file.
   std::vector<float> costs_kpa;  ///< size N, (2) from the start
-  Pressures max_kpa;             ///< size n, of all nodes' set points, without sign
-  TipGrid tips;                  ///< of the held tips
+  Pressures lowest_kpa;          ///< size n, of all nodes' set points
+  Pressures highest_kpa;
+  TipGrid tips;  ///< of the held tips
 
   int size() const { return static_cast<int>(parents.size()); }
   /// Fills in the rest from parents, set points and tips.

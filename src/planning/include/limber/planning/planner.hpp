@@ -34,6 +34,8 @@ struct PlanningProblem {
   std::optional<PoseError> aim = std::nullopt;
   /// Plans stay in this region; borrowed. None: anywhere within the arm's limits.
   const RecordedRegion* stay_within = nullptr;
+  /// Set points stay within these, one of each segment, within the arm's limits. Empty: the arm's.
+  std::vector<PressureLimits> limits = {};
   /// Asked about every plan before it counts; borrowed. None: all plans count.
   PlanJudge* judge = nullptr;
   /// Whether an arm that starts nearer to an obstacle than the margin keeps only the clearance that
@@ -63,7 +65,7 @@ struct PlannerLimits {
 enum class PlanStatus {
   solved,             ///< a certified plan exists (certificate/certificate.hpp)
   limit,              ///< a limit came first
-  invalid_start,      ///< the arm starts in an obstacle
+  invalid_start,      ///< the arm starts in an obstacle, or beyond the problem's limits
   goal_unreachable,   ///< beyond the arm's length
   goal_in_collision,  ///< no tip in the goal's region is free
   not_certified,      ///< plans were found, and their certificates refuse every one of them

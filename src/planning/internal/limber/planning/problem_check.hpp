@@ -27,6 +27,10 @@ void require_margin(double margin_m);
 /// @throws InputError unless both are finite and ≥ 0.
 void require_goal_margin(const PoseError& margin);
 
+/// @throws InputError unless there are none, or one of each segment, lower < upper and within the
+/// arm's.
+void require_limits(const std::vector<PressureLimits>& limits, const ArmDescription& arm);
+
 /// The refusal alone, if there is one; planners check this first.
 ProblemCheck find_refusal(const PlanningProblem& problem, const CollisionChecker& checker);
 

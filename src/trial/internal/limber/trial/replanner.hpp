@@ -21,9 +21,9 @@ struct ReplannerSettings {
   /// about what the tracker's noise hides. [m], > 0.
   double min_gain_m = 0.001;
   int planner_jobs = 1;
-  /// Of set points, where they are narrower than the arm's, [kPa]; empty: the arm's. A plan beyond
-  /// them is none.
-  std::vector<double> limits_kpa;
+  /// Of set points, where they are narrower than the arm's; empty: the arm's. Plans stay within
+  /// them, and within those of the plan that runs.
+  std::vector<PressureLimits> limits = {};
 };
 
 /// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
@@ -48,8 +48,8 @@ class Replanner final : public PlanSource {
   bool has_more_to_gain(double error_m);
   void learn_bias(const Plan& ended, const Pose& measured);
   PoseGoal shifted_goal() const;
-  bool is_within_limits(const Plan& plan) const;
-  std::optional<Plan> search(const Environment& from_here, double margin_m);
+  std::vector<PressureLimits> limits_after(const Plan& plan) const;
+  std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
 
   const ArmDescription& arm_;
   MotionModel model_;

@@ -20,6 +20,8 @@ struct InverseKinematicsSettings {
   int iterations = 60;                 ///< Newton steps per start, ≥ 1
   double convergence_m = 1e-10;        ///< a start is done at this residual, > 0
   double distinct_pressure_kpa = 1.0;  ///< solutions differ by more than this in some segment
+  /// Of each segment, within the model's; empty: the model's.
+  std::vector<PressureLimits> limits = {};
 };
 
 /// What was found; no solution is an expected outcome.

@@ -51,6 +51,8 @@ struct Plan {
   std::uint64_t seed = 0;
   double margin_m = 0.0;  ///< clearance asked for
   double frame_rate_hz = 0.0;
+  /// That the plan was asked to stay within, one of each segment; empty: the arm's own.
+  std::vector<PressureLimits> limits;
 
   std::vector<Pressures> waypoints_kpa;  ///< start first; frames run straight between them
   std::vector<PlanFrame> frames;
@@ -89,7 +91,7 @@ Plan read_plan(const std::filesystem::path& path);
 Plan read_plan_unjudged(const std::filesystem::path& path);
 
 /// @throws InputError if the plan was made for another arm (hashes and keys in the message), or
-/// violates the arm's pressure limits or rate.
+/// violates the arm's pressure limits, its own narrower ones, or the arm's rate.
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file);
 
 /// Set points for a valve controller, and the pressures predicted for the end of their frame:

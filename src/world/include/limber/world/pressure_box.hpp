@@ -1,6 +1,8 @@
 #pragma once
 // For those who plan.
 
+#include <vector>
+
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 #include "limber/common/random_stream.hpp"
@@ -22,8 +24,13 @@ struct PressureBox {
 
 /// Between the arm's limits.
 PressureBox pressure_box(const ArmDescription& arm);
+/// Between other limits, one of each segment.
+PressureBox pressure_box(const std::vector<PressureLimits>& limits);
 
-/// Largest pressure of each segment.
+/// Largest pressure of each segment, of either side.
 Pressures pressure_limits_kpa(const ArmDescription& arm);
+/// Half the width of each segment's limits: what searches measure distances between set points in.
+/// Of symmetric limits the limit.
+Pressures pressure_scales_kpa(const ArmDescription& arm);
 
 }  // namespace limber

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/arm/arm_description.hpp"
+
+namespace limber {
+
+class YamlReader;
+
+/// Reads a number > 0, the limit of both sides, or [lower, upper]. @param meaning  "a gauge pressure
+/// in kPa", for messages. @throws InputError naming file, line and field.
+PressureLimits read_limits(const YamlReader& node, const std::string& meaning);
+
+/// As arm files have it: "14", or "[-11, 13.8]".
+std::string limits_to_yaml(const PressureLimits& limits);
+
+/// The limits as JSON: a number where both sides have the same, else [lower, upper].
+nlohmann::ordered_json to_json(const PressureLimits& limits);
+
+/// States of a segment that collections visit: off, and full to either side.
+inline constexpr int kCornerStates = 3;
+
+/// The set point of a state: 0 off, 1 full to the positive side, 2 to the negative one. A segment
+/// that has one side only takes half of it in place of the missing one.
+double corner_kpa(const PressureLimits& limits, int state);
+
+/// Of every segment, base first.
+std::vector<PressureLimits> limits_of(const ArmDescription& arm);
+
+}  // namespace limber
