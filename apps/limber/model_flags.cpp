@@ -2,6 +2,7 @@
 
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/gap_bounds.hpp"
 
 namespace limber {
 
@@ -25,6 +26,14 @@ ForwardModel ModelFlags::forward_model(const ArmDescription& arm) const {
     throw InputError("nothing to predict with: give --model MODEL.safetensors, or --no-load");
   }
   return model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
+}
+
+ForwardModel ModelFlags::planning_model(const ArmDescription& arm) const {
+  ForwardModel model = forward_model(arm);
+  if (model.has_network()) {
+    require_bounded(model.compensation(), model_);
+  }
+  return model;
 }
 
 ValveParameters ModelFlags::valves(const ArmDescription& arm,

@@ -23,6 +23,8 @@ class ModelFlags {
 
   /// @throws InputError if neither --model nor --no-load is given, or if a file does not fit.
   ForwardModel forward_model(const ArmDescription& arm) const;
+  /// The same for searching motions with: a network needs bounds (require_bounded).
+  ForwardModel planning_model(const ArmDescription& arm) const;
 
   /// Those of --valves FILE, else those that `network` was trained with; none with --no-valves.
   /// @param network  null: the no-load model

@@ -7,6 +7,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/experiment/planning_experiment.hpp"
+#include "limber/network/gap_bounds.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "model_flags.hpp"
 #include "room_flags.hpp"
@@ -91,6 +92,7 @@ class ExperimentVerb final : public Verb {
     settings_.with_no_load = !network_only_;
     require_writable_folder(settings_.folder);
     const ForwardModel network(settings_.arm, read_model(settings_.model_file));
+    require_bounded(network.compensation(), settings_.model_file.string());
     const MotionModel model = valves_.motion_model(settings_.arm, network);
     valves_.warn_without_valves(model, flags);
     settings_.valves = model.valves().parameters();

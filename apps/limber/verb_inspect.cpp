@@ -14,6 +14,7 @@
 #include "limber/data/recording_inspection.hpp"
 #include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/network/gap_bounds.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
@@ -170,6 +171,12 @@ void add_what_is_known(const CompensationModel& model, Finding& finding) {
   } else {
     finding.text += "\n  what it was trained on is not stored";
   }
+  if (model.bounds) {
+    finding.json["bounds"] = to_json(*model.bounds);
+    finding.text += "\n  " + gap_bounds_to_text(*model.bounds);
+  } else {
+    finding.text += "\n  no bounds: plan refuses it, and says how to add them";
+  }
 }
 
 Finding inspect_model(const std::string& file, const std::optional<ArmDescription>& arm) {
@@ -191,7 +198,8 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
                   {"training", model.training},
                   {"valves", nullptr},
                   {"prediction_error", nullptr},
-                  {"learnt", nullptr}};
+                  {"learnt", nullptr},
+                  {"bounds", nullptr}};
   finding.text = fmt::format("model of arm '{}' ({}), preset {}\n  {}, {}", model.arm_name,
                              model.arm_hash, model.preset, model.shape(), layout);
   if (model.member_count() > 1) {

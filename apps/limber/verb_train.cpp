@@ -6,6 +6,7 @@
 
 #include <fmt/ranges.h>
 
+#include "bound_model.hpp"
 #include "episode_choice.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -18,7 +19,9 @@
 #include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
+#include "train_report.hpp"
 #include "verbs.hpp"
+#include "window_choice.hpp"
 
 namespace limber {
 
@@ -59,15 +62,18 @@ class TrainVerb final : public Verb {
                        TrainingSettings().replay_share))
         ->check(CLI::Range(0.0, 0.95))
         ->needs("--old-data");
-    app.add_option("--epochs", epochs_, "Epochs in all, in the preset's proportions")
-        ->check(CLI::Range(1, 10'000'000));
+    app.add_option(
+           "--epochs", epochs_,
+           "Epochs in all, in the preset's proportions and with its windows; 0 with --from only adds bounds to an old "
+           "model")
+        ->check(CLI::Range(0, 10'000'000));
     app.add_option("--time-limit-s", time_limit_s_,
                    "Fix the number of epochs, at the start, to what fits in this time")
         ->check(CLI::PositiveNumber)
         ->excludes("--epochs");
     app.add_option("--windows", windows_,
-                   "Frames per window of each stage, instead of the preset's: 32 alone does better "
-                   "than best's 2 8 32 if the data are the 729 transitions and no more")
+                   "Frames per window of each stage. Without this flag and --epochs, best chooses "
+                   "among 2 8 32, 8 32 and 32 by short runs")
         ->check(CLI::Range(1, 1000));
     app.add_option("--learning-rate", learning_rate_, "Learning rate, instead of the preset's")
         ->check(CLI::PositiveNumber);
@@ -87,6 +93,9 @@ class TrainVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    if (epochs_ == 0) {
+      return add_bounds_to_model({arm_, from_, data_, old_data_, out_}, flags);
+    }
     for (const fs::path& path : {fs::path(out_), curve_path(".curve.csv"), curve_path(".curve.svg"),
                                  fs::path(checkpoint_path())}) {
       refuse_to_overwrite(path, flags.force || resume_ || path == checkpoint_path());
@@ -108,18 +117,22 @@ class TrainVerb final : public Verb {
       require_model_of(*start, arm, from_);
       require_no_contradiction(*start);
     }
-    const TrainingSettings settings = make_settings(flags, start.has_value());
+    TrainingSettings settings = make_settings(flags, start.has_value());
     std::string sources;
     IdentifiedValves valves;
     EpisodeChoice choice = load_data(flags, arm, settings, sources, valves);
     TrainingData& data = choice.data;
     const TrainingData old_data = load_old_data(flags, arm, settings, sources);
     data.replay = old_data.training;
+    tell(flags, choice);
+    std::optional<StageChoice> stages;
+    if (chooses_windows()) {
+      stages = choose_windows(flags, arm, data, settings);
+    }
     say(flags, "training {} on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
         settings.ensemble > 1 ? fmt::format("{} networks", settings.ensemble) : "a network",
         data.training.size(), data.validation.size(), settings.preset, settings.epoch_count(),
         settings.seed);
-    tell(flags, choice);
     keep_known_valves(flags, arm, start, valves);
     TrainingResult result =
         start ? fine_tune(arm, data, settings, *start) : train(arm, data, settings);
@@ -138,6 +151,10 @@ class TrainVerb final : public Verb {
       return kExitNoSolution;
     }
     result.model.training["data"] = sources;
+    result.model.training["windows"] = fmt::format("{}", fmt::join(windows_of(settings), " "));
+    if (stages) {
+      result.model.training["windows_choice"] = to_text(*stages);
+    }
     result.model.training["validation"] = fmt::format("{}", fmt::join(choice.validation, "; "));
     result.model.set_valves(valves);
     result.model.learnt =
@@ -155,7 +172,8 @@ class TrainVerb final : public Verb {
     if (result.status == TrainingStatus::finished) {
       remove_checkpoint();
     }
-    report(flags, arm.command, result, changes, choice);
+    print_training_result(flags, arm.command, {out_, curve_path(".curve.csv")}, result, changes,
+                          choice, stages);
     if (result.status == TrainingStatus::interrupted) {
       say(flags, "the best model so far is in {}; the same command with --resume goes on", out_);
     }
@@ -163,6 +181,11 @@ class TrainVerb final : public Verb {
   }
 
  private:
+  /// The default preset looks for windows that suit the data, unless anything says how to train.
+  bool chooses_windows() const {
+    return preset_ == "best" && from_.empty() && windows_.empty() && !epochs_ && !time_limit_s_;
+  }
+
   /// A model keeps its shape; flags that ask for another shape are a mistake.
   void require_no_contradiction(const CompensationModel& start) const {
     std::vector<int> units;
@@ -274,6 +297,7 @@ class TrainVerb final : public Verb {
   void remove_checkpoint() const {
     std::error_code ignored;  // a checkpoint that stays behind does no harm
     fs::remove(checkpoint_path(), ignored);
+    fs::remove(choice_path_of(checkpoint_path()), ignored);
   }
 
   /// The valves that the new data show; if they show none, the model to go on from keeps its own.
@@ -299,70 +323,6 @@ class TrainVerb final : public Verb {
     write_model(out_, result.model);
     write_learning_curve_csv(curve_path(".curve.csv"), result.curve);
     write_file_atomically(curve_path(".curve.svg"), learning_curve_svg(result.curve));
-  }
-
-  void report(const CommonFlags& flags, const Command& command, const TrainingResult& result,
-              const std::optional<FineTuningReport>& changes, const EpisodeChoice& choice) const {
-    const char* status = result.status == TrainingStatus::finished      ? "finished"
-                         : result.status == TrainingStatus::interrupted ? "interrupted"
-                                                                        : "diverged";
-    const LearningCurvePoint& last = result.curve.back();
-    nlohmann::ordered_json json;
-    json["status"] = status;
-    json["model"] = out_;
-    json["learning_curve"] = curve_path(".curve.csv").string();
-    json["preset"] = result.model.preset;
-    json["shape"] = result.model.shape();
-    json["seed"] = flags.seed;
-    json["epochs"] = last.epoch;
-    json["best_epoch"] = result.best_epoch;
-    json["loss"] = last.loss;
-    json["validation_position_error_cm"] = result.best_validation_position_error_cm;
-    json["validation_episodes"] = choice.validation;
-    json["broken_episodes"] = choice.broken;
-    json["members"] = result.model.member_count();
-    json["valves"] = to_json(result.model.identified_valves());
-    if (result.model.member_count() > 1) {
-      json["member_validation_position_error_cm"] = result.member_validation_position_error_cm;
-    }
-    json["prediction_error"] = nullptr;
-    if (result.model.prediction_error) {
-      json["prediction_error"] = to_json(*result.model.prediction_error);
-    }
-    if (result.model.learnt) {
-      json["learnt"] = to_json(*result.model.learnt, command);
-    }
-    if (changes) {
-      json["fine_tuning"] = to_json(*changes);
-    }
-    json["wall_time_s"] = result.wall_time_s;
-    const std::string chosen =
-        std::isnan(result.best_validation_position_error_cm)
-            ? fmt::format("best by training loss (nothing was held back): epoch {}",
-                          result.best_epoch)
-            : fmt::format("best by validation: epoch {}, open-loop tip error {:.2f} cm{}",
-                          result.best_epoch, result.best_validation_position_error_cm,
-                          result.model.member_count() > 1 ? ", mean of the networks" : "");
-    print_result(
-        flags, json,
-        fmt::format("{}: {}{} ({}), {} epochs in {:.1f} s, {}; {}\n{}{}", out_,
-                    result.model.member_count() > 1
-                        ? fmt::format("{} networks ", result.model.member_count())
-                        : "",
-                    result.model.shape(), result.model.preset, last.epoch, result.wall_time_s,
-                    status, chosen, error_line(result.model, !choice.data.unseen.empty()),
-                    changes ? "\n" + to_text(*changes) : ""));
-  }
-
-  /// How large the model's error is on motions that it has not seen, or why that is not known.
-  static std::string error_line(const CompensationModel& model, bool has_unseen) {
-    if (model.prediction_error) {
-      return prediction_error_to_text(*model.prediction_error);
-    }
-    return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
-                        "arm was not tracked often enough"
-                      : "no motions were left to measure the model's error on; give --unseen "
-                        "RECORDING";
   }
 
   static constexpr double kValidationShare = 0.1;

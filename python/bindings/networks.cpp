@@ -36,6 +36,22 @@ void bind_layer(py::module_& module) {
       });
 }
 
+/// One list of numbers, a view.
+template <Eigen::VectorXf GapBounds::*kNumbers>
+py::array_t<float> numbers_of(const py::object& self) {
+  const Eigen::VectorXf& numbers = self.cast<const GapBounds&>().*kNumbers;
+  return view_of(numbers.data(), {numbers.size()}, self);
+}
+
+void bind_gap_bounds(py::module_& module) {
+  py::class_<GapBounds>(module, "GapBounds",
+                        "What predictions keep every gap's shape within: float32 (gaps,) each.")
+      .def_property_readonly("min_length_m", &numbers_of<&GapBounds::min_length_m>, "[m].")
+      .def_property_readonly("max_length_m", &numbers_of<&GapBounds::max_length_m>, "[m].")
+      .def_property_readonly("min_turn_rad", &numbers_of<&GapBounds::min_turn_rad>, "[rad].")
+      .def_property_readonly("max_turn_rad", &numbers_of<&GapBounds::max_turn_rad>, "[rad].");
+}
+
 }  // namespace
 
 void bind_networks(py::module_& module) {
@@ -51,6 +67,7 @@ void bind_networks(py::module_& module) {
       .read_only("end_orientation_rad", &PredictionError::end_orientation_rad,
                  "Of its heading [rad].")
       .done();
+  bind_gap_bounds(module);
   py::class_<LearntRegion>(
       module, "LearntRegion",
       "What the training recordings held: ranges of pressures, rates, shapes.");
@@ -81,6 +98,8 @@ void bind_networks(py::module_& module) {
                     "On motions it has not seen, or None.")
       .def_readwrite("learnt", &CompensationModel::learnt,
                      "What the recordings held, or None: see learnt_region_of.")
+      .def_readwrite("bounds", &CompensationModel::bounds,
+                     "What predictions stay within, or None: see gap_bounds_of.")
       .def("set_valves", &CompensationModel::set_valves, py::arg("identified"),
            "Stores valves and how they were found.")
       .def("__repr__", [](const CompensationModel& model) {

@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/gap_bounds.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "pictures.hpp"
 #include "record.hpp"
@@ -25,6 +26,9 @@ class OnePlanner {
 
   PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
                   const py::object& callback) {
+    if (problem.model.has_network()) {
+      require_bounded(problem.model.compensation(), "the model");
+    }
     if (busy_.exchange(true)) {
       throw InputError("this planner is planning already; make one for each thread");
     }

@@ -7,6 +7,7 @@
 #include "episodes.hpp"
 #include "limber/report/training_report.hpp"
 #include "limber/training/fine_tuning.hpp"
+#include "limber/training/gap_bounds_fit.hpp"
 #include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
@@ -201,6 +202,11 @@ void bind_runs(py::module_& module) {
       },
       py::arg("arm"), py::arg("data"), py::arg("settings"), py::arg("start"),
       py::arg("on_epoch") = py::none(), "The same, from the weights of a model.");
+  module.def(
+      "gap_bounds_of",
+      [](const py::iterable& episodes) { return gap_bounds_of(episodes_from(episodes)); },
+      py::arg("episodes"),
+      "The bounds of a model that learnt from these episodes, for the model.bounds of an old one.");
   module.def(
       "learnt_region_of", [](const TrainingData& data) { return learnt_region_of(data); },
       py::arg("data"), py::call_guard<py::gil_scoped_release>(),

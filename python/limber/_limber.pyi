@@ -371,6 +371,11 @@ class CompensationModel:
         """What the recordings held, or None: see learnt_region_of."""
     @learnt.setter
     def learnt(self, value: LearntRegion | None) -> None: ...
+    @property
+    def bounds(self) -> GapBounds | None:
+        """What predictions stay within, or None: see gap_bounds_of."""
+    @bounds.setter
+    def bounds(self, value: GapBounds | None) -> None: ...
     def set_valves(self, identified: IdentifiedValves) -> None:
         """Stores valves and how they were found."""
 
@@ -598,6 +603,21 @@ class ForwardModel:
         """k queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3), each row to the bit what step gives. `out` may be `previous`."""
     def rollout(self, pressures_kpa: npt.ArrayLike, first: npt.ArrayLike) -> npt.NDArray[np.float32]:
         """Feeds its own output back: pressures float32 (T, n) [kPa] from backbone `first` (m, 3) give (T, m, 3), row 0 being `first`."""
+
+class GapBounds:
+    """What predictions keep every gap's shape within: float32 (gaps,) each."""
+    @property
+    def min_length_m(self) -> npt.NDArray[np.float32]:
+        """[m]."""
+    @property
+    def max_length_m(self) -> npt.NDArray[np.float32]:
+        """[m]."""
+    @property
+    def min_turn_rad(self) -> npt.NDArray[np.float32]:
+        """[rad]."""
+    @property
+    def max_turn_rad(self) -> npt.NDArray[np.float32]:
+        """[rad]."""
 
 class IdentifiedValves:
     """Valves and how they were found."""
@@ -1891,6 +1911,9 @@ def fine_tune(arm: ArmDescription, data: TrainingData, settings: TrainingSetting
 
 def fine_tuning_of(preset: TrainingSettings) -> TrainingSettings:
     """Settings to train a model on that has learnt already."""
+
+def gap_bounds_of(episodes: Iterable) -> GapBounds:
+    """The bounds of a model that learnt from these episodes, for the model.bounds of an old one."""
 
 def hold_back_unseen(data: TrainingData, fraction: float, seed: int) -> None:
     """Then moves about `fraction` of the frames to data.unseen."""

@@ -1,5 +1,6 @@
 #include "exact_arm.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -120,6 +121,44 @@ std::vector<double> combined(OutputForm form, const std::vector<double>& previou
   return result;
 }
 
+/// (20): the step keeps its direction and the gap's bounds decide its length; so does the turn.
+Pose within(const GapBounds& bounds, std::size_t gap, const Pose& step) {
+  const auto i = static_cast<Eigen::Index>(gap);
+  const double length = std::hypot(step.x_m, step.y_m);
+  const double kept =
+      std::clamp(length, double(bounds.min_length_m[i]), double(bounds.max_length_m[i]));
+  const Complex way = length < 1e-6 ? Complex(1.0, 0.0) : Complex(step.x_m, step.y_m) / length;
+  const double turn =
+      std::clamp(step.theta_rad, double(bounds.min_turn_rad[i]), double(bounds.max_turn_rad[i]));
+  return {kept * way.real(), kept * way.imag(), turn};
+}
+
+/// The coordinates of a shape whose gaps keep the bounds; its base is at the origin.
+std::vector<double> bounded(const GapBounds& bounds, const std::vector<double>& list,
+                            BackboneLayout layout) {
+  std::vector<double> result;
+  result.reserve(list.size());
+  if (layout == BackboneLayout::gap_poses) {
+    for (std::size_t gap = 0; 3 * gap < list.size(); ++gap) {
+      append(result, within(bounds, gap, pose_at(list, gap)));
+    }
+    return result;
+  }
+  Pose given;
+  Pose now;
+  append(result, now);
+  for (std::size_t plate = 1; 3 * plate < list.size(); ++plate) {
+    const Pose next = pose_at(list, plate);
+    const Pose step =
+        within(bounds, plate - 1,
+               {next.x_m - given.x_m, next.y_m - given.y_m, next.theta_rad - given.theta_rad});
+    given = next;
+    now = {now.x_m + step.x_m, now.y_m + step.y_m, now.theta_rad + step.theta_rad};
+    append(result, now);
+  }
+  return result;
+}
+
 }  // namespace
 
 ExactArm::Shape ExactArm::no_load(const std::vector<double>& pressures_kpa) const {
@@ -137,6 +176,7 @@ ExactArm::ExactArm(const ArmDescription& arm, const CompensationModel* network) 
   if (network != nullptr) {
     layout_ = network->layout;
     form_ = network->form;
+    bounds_ = network->bounds;
     network_.emplace(*network);
   }
 }
@@ -177,7 +217,11 @@ std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& pre
   network_->run(workspace);
   std::array<Shape, 2> result;
   for (std::size_t c = 0; c < 2; ++c) {
-    result[c] = shape_of(combined(form_, before[c], unloaded, workspace.output[c]), layout_);
+    std::vector<double> next = combined(form_, before[c], unloaded, workspace.output[c]);
+    if (bounds_) {
+      next = bounded(*bounds_, next, layout_);
+    }
+    result[c] = shape_of(next, layout_);
   }
   return result;
 }

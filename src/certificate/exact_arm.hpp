@@ -24,7 +24,7 @@ class ExactArm {
   /// B̃ by (3), (4), or by (17) or (18).
   Shape no_load(const std::vector<double>& pressures_kpa) const;
 
-  /// F(q_{t−1}, q_t, B_{t−1}), (5) or (16).
+  /// F(q_{t−1}, q_t, B_{t−1}), (5) or (16), kept within (20).
   Shape next(const std::vector<double>& previous_kpa, const std::vector<double>& current_kpa,
              const Shape& previous) const;
 
@@ -38,6 +38,7 @@ class ExactArm {
   const ArmDescription& arm_;
   BackboneLayout layout_ = BackboneLayout::gap_poses;
   OutputForm form_ = OutputForm::compensation;
+  std::optional<GapBounds> bounds_;
   std::optional<ExactNetwork> network_;
 };
 

@@ -58,6 +58,11 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
   }
   if (model != nullptr) {
     network_.emplace(*model, level);
+    for (int gap = 0; model->bounds && gap + 1 < points_; ++gap) {
+      const GapBounds& b = *model->bounds;
+      bounds_.push_back(gap_bound(b.min_length_m[gap], b.max_length_m[gap], b.min_turn_rad[gap],
+                                  b.max_turn_rad[gap]));
+    }
   }
 }
 
@@ -115,11 +120,17 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
     const float* output = network_->evaluate_rows(stride, input, layers);
     const int all = 3 * points_ * stride;
     compose(all, backbone, no_load, output, output + all, base);
+    if (!bounds_.empty()) {
+      rows_.bound_base(points_ - 1, bounds_.data(), base, stride);
+    }
   } else {
     rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, base, stride);
     rows_.encode_gaps(points_ - 1, base, backbone, stride);
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, no_load, stride);
     compose_gaps(stride, backbone, no_load, network_->evaluate_rows(stride, input, layers), gap);
+    if (!bounds_.empty()) {
+      rows_.bound_gaps(points_ - 1, bounds_.data(), gap, stride);
+    }
     rows_.decode_gaps(points_ - 1, gap, base, stride);
   }
   rows_.scatter(3 * points_, count, base, stride, queries.next.data, queries.next.ld);
@@ -164,9 +175,16 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
     if (has_gap_poses) {
       spread_over_gaps(no_load, base);
       compose(layout_.backbone_size(), previous, base, output, gate, gap);
+      if (!bounds_.empty()) {
+        rows_.bound_gaps_of_one(points_ - 1, bounds_.data(), gap);
+      }
       rows_.decode_gaps_of_one(points_ - 1, gap, queries.next.column(q));
     } else {
-      compose(layout_.backbone_size(), previous, no_load, output, gate, queries.next.column(q));
+      float* const next = queries.next.column(q);
+      compose(layout_.backbone_size(), previous, no_load, output, gate, next);
+      if (!bounds_.empty()) {
+        rows_.bound_base_of_one(points_ - 1, bounds_.data(), next);
+      }
     }
   }
 }

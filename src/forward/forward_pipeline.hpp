@@ -65,6 +65,7 @@ class ForwardPipeline {
   const RowKernels& rows_;
   std::vector<NoLoadSegment> no_load_;
   std::vector<int> segment_of_gap_;
+  std::vector<GapBound<float>> bounds_;  ///< of (20), one per gap; empty: none
   NetworkLayout layout_;
   std::optional<PackedNetwork> network_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernels/gap_bound.hpp"
 #include "limber/common/cpu_level.hpp"
 
 namespace limber {
@@ -48,6 +49,13 @@ struct RowKernels {
   /// may be any of the others.
   void (*gated_change)(int count, const float* previous, const float* no_load, const float* change,
                        const float* gate, float* next);
+
+  /// (20): gap poses (3 rows a gap) kept within their bounds; and those of one query.
+  void (*bound_gaps)(int gaps, const GapBound<float>* bounds, float* gap, int stride);
+  void (*bound_gaps_of_one)(int gaps, const GapBound<float>* bounds, float* gap);
+  /// (20) for base poses of gaps + 1 plates: the base plate goes to the origin.
+  void (*bound_base)(int gaps, const GapBound<float>* bounds, float* base, int stride);
+  void (*bound_base_of_one)(int gaps, const GapBound<float>* bounds, float* base);
 };
 
 /// The kernels of `level`. @pre this CPU runs it.

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 
+#include "kernels/gap_bound.hpp"
 #include "kernels/vector_float.hpp"
 #include "kernels/vector_logistic.hpp"
 #include "kernels/vector_sincos.hpp"
@@ -264,6 +265,96 @@ void gated_change(int count, const float* previous, const float* no_load, const 
   }
 }
 
+// Whether any lane is to be changed. Nearly always none is, so this is what bounds cost.
+inline bool any_outside(const GapBound<float>& bound, Vector x, Vector y, Vector turn) {
+  const Vector square = x * x + y * y;
+  const IntVector outside = (square < broadcast(bound.min_square)) |
+                            (square > broadcast(bound.max_square)) |
+                            (turn < broadcast(bound.min_turn)) | (turn > broadcast(bound.max_turn));
+  return non_zero_lanes(reinterpret_cast<Vector>(outside)) != 0;
+}
+
+inline void bound_lanes(const GapBound<float>& bound, Vector& x, Vector& y, Vector& turn) {
+  for (int i = 0; i < kLanes; ++i) {
+    float step_x = x[i];
+    float step_y = y[i];
+    float angle = turn[i];
+    bound_gap(bound, step_x, step_y, angle);
+    x[i] = step_x;
+    y[i] = step_y;
+    turn[i] = angle;
+  }
+}
+
+void bound_gaps(int gaps, const GapBound<float>* bounds, float* gap, int stride) {
+  for (int g = 0; g < gaps; ++g) {
+    float* const row = gap + 3 * g * stride;
+    for (int q = 0; q < stride; q += kLanes) {
+      Vector x = load(row + q);
+      Vector y = load(row + stride + q);
+      Vector turn = load(row + 2 * stride + q);
+      if (any_outside(bounds[g], x, y, turn)) {
+        bound_lanes(bounds[g], x, y, turn);
+        store(row + q, x);
+        store(row + stride + q, y);
+        store(row + 2 * stride + q, turn);
+      }
+    }
+  }
+}
+
+void bound_gaps_of_one(int gaps, const GapBound<float>* bounds, float* gap) {
+  for (int g = 0; g < gaps; ++g) {
+    bound_gap(bounds[g], gap[3 * g], gap[3 * g + 1], gap[3 * g + 2]);
+  }
+}
+
+void bound_base(int gaps, const GapBound<float>* bounds, float* base, int stride) {
+  for (int q = 0; q < stride; q += kLanes) {
+    Vector before[3] = {};  // the plate before as it was given, and as it is now
+    Vector now[3] = {};
+    float* plate = base + q;
+    for (int r = 0; r < 3; ++r) {
+      store(plate + r * stride, now[r]);
+    }
+    for (int g = 0; g < gaps; ++g) {
+      plate += 3 * stride;
+      Vector step[3];
+      for (int r = 0; r < 3; ++r) {
+        const Vector given = load(plate + r * stride);
+        step[r] = given - before[r];
+        before[r] = given;
+      }
+      if (any_outside(bounds[g], step[0], step[1], step[2])) {
+        bound_lanes(bounds[g], step[0], step[1], step[2]);
+      }
+      for (int r = 0; r < 3; ++r) {
+        now[r] += step[r];
+        store(plate + r * stride, now[r]);
+      }
+    }
+  }
+}
+
+void bound_base_of_one(int gaps, const GapBound<float>* bounds, float* base) {
+  float before[3] = {};
+  float now[3] = {};
+  base[0] = base[1] = base[2] = 0.0F;
+  for (int g = 0; g < gaps; ++g) {
+    base += 3;
+    float step[3];
+    for (int r = 0; r < 3; ++r) {
+      step[r] = base[r] - before[r];
+      before[r] = base[r];
+    }
+    bound_gap(bounds[g], step[0], step[1], step[2]);
+    for (int r = 0; r < 3; ++r) {
+      now[r] += step[r];
+      base[r] = now[r];
+    }
+  }
+}
+
 constexpr RowKernels row_kernels_of_this_level() {
   return {kLanes,
           gather,
@@ -275,7 +366,11 @@ constexpr RowKernels row_kernels_of_this_level() {
           encode_gaps_of_one,
           decode_gaps_of_one,
           add,
-          gated_change};
+          gated_change,
+          bound_gaps,
+          bound_gaps_of_one,
+          bound_base,
+          bound_base_of_one};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/network/gap_bounds.hpp"
 
 namespace limber {
 
@@ -136,6 +137,7 @@ CompensationModel CompensationModel::member(int index) const {
     one.prediction_error = prediction_error;
   }
   one.learnt = learnt;
+  one.bounds = bounds;
   return one;
 }
 
@@ -203,6 +205,9 @@ void validate(const CompensationModel& model, const std::string& where) {
   }
   if (model.learnt) {
     validate(*model.learnt, model.segment_count, model.point_count, where);
+  }
+  if (model.bounds) {
+    validate(*model.bounds, model.point_count, where);
   }
 }
 

@@ -21,6 +21,7 @@ constexpr const char* kTrainingPrefix = "training.";
 constexpr const char* kValvesKey = "valves";
 constexpr const char* kErrorKey = "prediction_error";
 constexpr const char* kLearntPrefix = "learnt.";
+constexpr const char* kBoundsPrefix = "bounds.";
 using RowMajorMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what) {
@@ -207,6 +208,23 @@ LearntRegion read_learnt_region(TensorReader& tensors) {
   return region;
 }
 
+void add_bounds(Safetensors& content, const GapBounds& bounds) {
+  const auto add = [&](const char* name, const Eigen::VectorXf& vector) {
+    content.tensors[std::string(kBoundsPrefix) + name] = vector_tensor(vector);
+  };
+  add("length.min", bounds.min_length_m);
+  add("length.max", bounds.max_length_m);
+  add("turn.min", bounds.min_turn_rad);
+  add("turn.max", bounds.max_turn_rad);
+}
+
+GapBounds read_bounds(TensorReader& tensors) {
+  const auto vector = [&](const char* name) {
+    return tensors.vector(std::string(kBoundsPrefix) + name);
+  };
+  return {vector("length.min"), vector("length.max"), vector("turn.min"), vector("turn.max")};
+}
+
 }  // namespace
 
 void write_model(const std::filesystem::path& path, const CompensationModel& model) {
@@ -242,6 +260,9 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
   }
   if (model.learnt) {
     add_learnt_region(content, *model.learnt);
+  }
+  if (model.bounds) {
+    add_bounds(content, *model.bounds);
   }
   write_file_atomically(path, safetensors_bytes(content));
 }
@@ -283,6 +304,9 @@ CompensationModel read_model(const std::filesystem::path& path) {
                   tensors.vector("normalisation.output.scale")};
   if (tensors.has_any(kLearntPrefix)) {
     model.learnt = read_learnt_region(tensors);
+  }
+  if (tensors.has_any(kBoundsPrefix)) {
+    model.bounds = read_bounds(tensors);
   }
   tensors.require_all_taken();
   validate(model, where);

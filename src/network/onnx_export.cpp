@@ -4,8 +4,11 @@
 #include <onnx/onnx_pb.h>
 #endif
 
+#include <vector>
+
 #include <fmt/format.h>
 
+#include "limber/arm/arm_identity.hpp"
 #include "limber/common/aligned_floats.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
@@ -60,6 +63,36 @@ class OnnxGraph {
 
   void relu(const std::string& name) { add_node("Relu", name); }
 
+  /// Any operation on one or two results, by their names; gives its own.
+  std::string apply(const char* operation, const std::string& name,
+                    const std::vector<std::string>& inputs) {
+    onnx::NodeProto& node = *graph_.add_node();
+    node.set_op_type(operation);
+    node.set_name(name + "." + operation);
+    for (const std::string& input : inputs) {
+      node.add_input(input);
+    }
+    last_ = name + ".out";
+    node.add_output(last_);
+    return last_;
+  }
+
+  /// source·matrix + offset for each query.
+  std::string linear(const std::string& name, const std::string& source,
+                     const Eigen::MatrixXf& matrix, float offset = 0.0F) {
+    last_ = source;
+    layer(name, {matrix.transpose(), Eigen::VectorXf::Constant(matrix.cols(), offset)});
+    return last_;
+  }
+
+  /// Of a result that was made before.
+  std::string combined(const char* operation, const std::string& name, const std::string& source,
+                       const Eigen::VectorXf& values) {
+    last_ = source;
+    combine(operation, name, values);
+    return last_;
+  }
+
  private:
   static void describe(onnx::ValueInfoProto& value, const std::string& name, Eigen::Index size) {
     value.set_name(name);
@@ -94,6 +127,123 @@ class OnnxGraph {
 
   onnx::GraphProto& graph_;
   std::string last_;
+};
+
+/// B_t itself, in the layout's numbers: (5) or (16) and then (20), behind query and answer. Plain
+/// layers choose, chain and take apart, so that every runtime can do it.
+class BoundedNext {
+ public:
+  BoundedNext(OnnxGraph& graph, const CompensationModel& model)
+      : graph_(graph),
+        model_(model),
+        gaps_(model.point_count - 1),
+        size_(model.output.scale.size()) {}
+
+  void add() {
+    const std::string next = composed();
+    const std::string x = graph_.linear("step.x", next, steps(0));
+    const std::string y = graph_.linear("step.y", next, steps(1));
+    const std::string turn = graph_.linear("step.turn", next, steps(2));
+    const std::string square = graph_.apply(
+        "Add", "step.square",
+        {graph_.apply("Mul", "step.xx", {x, x}), graph_.apply("Mul", "step.yy", {y, y})});
+    const std::string length = graph_.apply("Sqrt", "step.length", {square});
+    const GapBounds& bounds = *model_.bounds;
+    const std::string kept =
+        clamped("bounds.length", length, bounds.min_length_m, bounds.max_length_m);
+    const std::string ratio = graph_.apply("Div", "step.ratio", {kept, length});
+    const std::string ways =
+        graph_.apply("Add", "next.way",
+                     {placed("next.x", graph_.apply("Mul", "kept.x", {x, ratio}), 0),
+                      placed("next.y", graph_.apply("Mul", "kept.y", {y, ratio}), 1)});
+    const std::string turns = placed(
+        "next.turn", clamped("bounds.turn", turn, bounds.min_turn_rad, bounds.max_turn_rad), 2);
+    graph_.apply("Add", "next.sum", {ways, turns});
+    graph_.output("next", size_);
+  }
+
+ private:
+  bool of_base() const { return model_.layout == BackboneLayout::base_poses; }
+
+  /// Chooses `count` numbers from `first` on.
+  static Eigen::MatrixXf chosen(Eigen::Index from, Eigen::Index first, Eigen::Index count) {
+    Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(from, count);
+    matrix.middleRows(first, count).setIdentity();
+    return matrix;
+  }
+
+  /// B̃ as the query has it, spread over the gaps where a segment's stands for all of its own.
+  Eigen::MatrixXf no_load() const {
+    const Eigen::Index inputs = model_.input.scale.size();
+    const Eigen::Index first = 2 * model_.segment_count + size_;
+    if (of_base()) {
+      return chosen(inputs, first, size_);
+    }
+    const ArmDescription arm = read_arm_keys(model_.arm_description, "the model's arm");
+    Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(inputs, size_);
+    for (int g = 0; g < gaps_; ++g) {
+      matrix.block<3, 3>(first + 3 * arm.segment_of_gap(g), 3 * g).setIdentity();
+    }
+    return matrix;
+  }
+
+  std::string composed() {
+    const Eigen::Index inputs = model_.input.scale.size();
+    const std::string no_load_now = graph_.linear("no_load", "query", no_load());
+    if (model_.form == OutputForm::compensation) {
+      return graph_.apply("Add", "composed", {no_load_now, "answer"});
+    }
+    const std::string previous =
+        graph_.linear("previous", "query", chosen(inputs, 2 * model_.segment_count, size_));
+    const std::string change = graph_.linear("change", "answer", chosen(2 * size_, 0, size_));
+    const std::string gate = graph_.apply(
+        "Sigmoid", "gate", {graph_.linear("gates", "answer", chosen(2 * size_, size_, size_))});
+    const std::string pull =
+        graph_.apply("Mul", "pull", {gate, graph_.apply("Sub", "away", {no_load_now, previous})});
+    return graph_.apply("Add", "composed",
+                        {graph_.apply("Add", "moved", {previous, change}), pull});
+  }
+
+  /// Number `part` of every gap's pose, or of every plate's step from the one before it.
+  Eigen::MatrixXf steps(int part) const {
+    Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(size_, gaps_);
+    for (int g = 0; g < gaps_; ++g) {
+      matrix(3 * (of_base() ? g + 1 : g) + part, g) = 1.0F;
+      if (of_base() && g > 0) {
+        matrix(3 * g + part, g) = -1.0F;
+      }
+    }
+    return matrix;
+  }
+
+  /// The inverse: numbers to their places, steps chained from the origin.
+  std::string placed(const std::string& name, const std::string& source, int part) {
+    Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(gaps_, size_);
+    for (int g = 0; g < gaps_; ++g) {
+      for (int to = g; to < (of_base() ? gaps_ : g + 1); ++to) {
+        matrix(g, 3 * (of_base() ? to + 1 : to) + part) = 1.0F;
+      }
+    }
+    return graph_.linear(name, source, matrix);
+  }
+
+  /// high − relu((high − low) − relu(source − low)): Min and Max of constants are less well known.
+  std::string clamped(const std::string& name, const std::string& source,
+                      const Eigen::VectorXf& low, const Eigen::VectorXf& high) {
+    const Eigen::VectorXf minus = Eigen::VectorXf::Constant(low.size(), -1.0F);
+    std::string value = graph_.combined("Sub", name + ".above", source, low);
+    value = graph_.apply("Relu", name + ".least", {value});
+    value = graph_.combined("Mul", name + ".negated", value, minus);
+    value = graph_.combined("Add", name + ".below", value, high - low);
+    value = graph_.apply("Relu", name + ".most", {value});
+    value = graph_.combined("Mul", name + ".negated_again", value, minus);
+    return graph_.combined("Add", name + ".kept", value, high);
+  }
+
+  OnnxGraph& graph_;
+  const CompensationModel& model_;
+  int gaps_;
+  Eigen::Index size_;
 };
 
 void add_metadata(onnx::ModelProto& file, const std::string& key, const std::string& value) {
@@ -148,6 +298,9 @@ void write_onnx(const std::filesystem::path& path, const CompensationModel& mode
   graph.combine("Div", "output.scale", scale);
   graph.combine("Add", "output.offset", offset);
   graph.output("answer", size);
+  if (model.bounds && !model.arm_description.empty()) {
+    BoundedNext(graph, model).add();
+  }
   write_file_atomically(path, file.SerializeAsString());
 }
 

@@ -43,6 +43,14 @@ Json to_json(const TipErrors& value) {
           {"plates_error_cm", to_json(value.plates_cm)}};
 }
 
+nlohmann::ordered_json to_json(const LongRollout& rollout) {
+  return {{"frames", rollout.frames},
+          {"largest_distance_m", rollout.max_distance_m},
+          {"largest_heading_rad", rollout.max_heading_rad},
+          {"bounded", rollout.bounded},
+          {"held_share", rollout.held_share}};
+}
+
 Json to_json(const Evaluation& evaluation) {
   Json json;
   json["frames"] = evaluation.frames;
@@ -56,11 +64,7 @@ Json to_json(const Evaluation& evaluation) {
     network["open_loop"] = to_json(evaluation.network->open_loop);
     const std::optional<TipErrors>& planned = evaluation.network->open_loop_from_setpoints;
     network["open_loop_from_setpoints"] = planned ? to_json(*planned) : Json();
-    const LongRollout& rollout = evaluation.long_rollout;
-    json["long_rollout"] = {{"frames", rollout.frames},
-                            {"largest_distance_m", rollout.max_distance_m},
-                            {"largest_heading_rad", rollout.max_heading_rad},
-                            {"bounded", rollout.bounded}};
+    json["long_rollout"] = to_json(evaluation.long_rollout);
   }
   Json& baselines = json["baselines"];
   baselines["hold"] = {{"one_step", to_json(evaluation.hold_one_step)},
@@ -106,6 +110,10 @@ std::string evaluation_to_text(const Evaluation& evaluation) {
     text += fmt::format("{} frames without correction: {}, no plate is farther than {:.2f} m\n",
                         rollout.frames, rollout.bounded ? "bounded" : "NOT BOUNDED",
                         rollout.max_distance_m);
+    if (rollout.held_share > 0.0) {
+      text += fmt::format("in {:.1f} % of them the model's bounds held a gap\n",
+                          100.0 * rollout.held_share);
+    }
   }
   return text;
 }

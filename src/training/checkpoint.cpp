@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr const char* kSchema = "limber/checkpoint/2";
+constexpr const char* kSchema = "limber/checkpoint/3";
 constexpr int kMaxEpochs = 10'000'000;  // as --epochs; of a stage's numbers too
 constexpr double kMaxSeconds = 1e9;     // 30 years
 constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
@@ -31,6 +31,10 @@ Tensor to_tensor(const Eigen::VectorXf& vector) {
 Eigen::VectorXf to_vector(const Tensor& tensor) {
   return Eigen::Map<const Eigen::VectorXf>(tensor.values.data(),
                                            static_cast<Eigen::Index>(tensor.values.size()));
+}
+
+std::string rival_name(std::size_t rival) {
+  return fmt::format("rivals.{}", rival);
 }
 
 /// JSON has no NaN: null stands for an epoch that was not validated.
@@ -127,6 +131,7 @@ class CheckpointReader {
     state.optimiser.step = static_cast<std::int64_t>(json.at("step").count(kMaxSteps));
     read_progress(json, result.stages, state);
     read_best(json, state);
+    read_rivals(json, state);
     return result;
   }
 
@@ -196,6 +201,21 @@ class CheckpointReader {
         json.at("best_members_m").numbers(static_cast<std::size_t>(members), "errors", 0.0);
   }
 
+  void read_rivals(const JsonReader& json, TrainingState& state) const {
+    int least = 1;
+    for (const JsonReader& row : json.at("rivals").elements("a list of epochs")) {
+      ValidatedEpoch rival;
+      rival.epoch = row.at("epoch").integer(least, state.epochs_done);
+      rival.error_m = row.at("error_m").number(0.0);
+      rival.members_m =
+          row.at("members_m")
+              .numbers(static_cast<std::size_t>(run_.validates ? run_.members : 0), "errors", 0.0);
+      rival.weights = vector(rival_name(state.rivals.size()).c_str(), run_.parameters);
+      least = rival.epoch + 1;
+      state.rivals.push_back(std::move(rival));
+    }
+  }
+
   std::string where_;
   const RunShape& run_;
   Safetensors content_;
@@ -211,6 +231,13 @@ void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
   content.tensors["first_moment"] = to_tensor(state.optimiser.first_moment);
   content.tensors["second_moment"] = to_tensor(state.optimiser.second_moment);
   content.tensors["best"] = to_tensor(state.best);
+  Json rivals = Json::array();
+  for (std::size_t i = 0; i < state.rivals.size(); ++i) {
+    const ValidatedEpoch& rival = state.rivals[i];
+    rivals.push_back(
+        {{"epoch", rival.epoch}, {"error_m", rival.error_m}, {"members_m", rival.members_m}});
+    content.tensors[rival_name(i)] = to_tensor(rival.weights);
+  }
   const Json numbers = {{"epochs_done", state.epochs_done},
                         {"step", state.optimiser.step},
                         {"stage_first_loss", state.stage_first_loss},
@@ -218,6 +245,7 @@ void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
                         {"best_members_m", state.best_members_m},
                         {"elapsed_s", checkpoint.elapsed_s},
                         {"best_epoch", state.best_epoch},
+                        {"rivals", std::move(rivals)},
                         {"stages", to_json(checkpoint.stages)},
                         {"curve", to_json(state.curve)}};
   content.metadata = {

@@ -24,7 +24,7 @@ struct RunShape {
   bool validates = true;       ///< on data held back
 };
 
-/// Writes safetensors (schema limber/checkpoint/2), atomically; every number survives exactly.
+/// Writes safetensors (schema limber/checkpoint/3), atomically; every number survives exactly.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Reads, and checks everything that training needs: sizes, ranges, finite numbers, and that the

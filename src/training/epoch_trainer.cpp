@@ -8,6 +8,8 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/network/gap_bounds.hpp"
+#include "limber/training/gap_bounds_fit.hpp"
 
 namespace limber {
 
@@ -40,6 +42,13 @@ TrainingTables tables_for(const ArmDescription& arm, const TrainingData& data,
   return make_training_tables(arm, episodes, settings);
 }
 
+GapBounds bounds_for(const TrainingData& data, const CompensationModel* start) {
+  std::vector<Episode> episodes = data.training;
+  episodes.insert(episodes.end(), data.replay.begin(), data.replay.end());
+  const GapBounds recorded = gap_bounds_of(episodes);
+  return start != nullptr && start->bounds ? joined(*start->bounds, recorded) : recorded;
+}
+
 void shuffle(RandomStream& random, std::vector<int>& values) {
   for (std::size_t i = values.size(); i > 1; --i) {
     std::swap(values[i - 1], values[random.index(static_cast<std::uint32_t>(i))]);
@@ -54,8 +63,10 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       settings_(settings),
       members_(start != nullptr ? start->member_count() : settings.ensemble),
       tables_(tables_for(arm, data, settings, start)),
+      bounds_(bounds_for(data, start)),
       layout_(widths(tables_, settings.hidden_units)),
       own_episodes_(data.training.size()) {
+  set_bounds(tables_, settings_, bounds_);
   for (const TrainingStage& stage : settings_.stages) {
     if (shuffled_starts(stage).empty()) {
       throw InputError(fmt::format(
@@ -229,6 +240,7 @@ CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
   model.output = tables_.output;
   model.set_arm(arm_);
   model.preset = settings_.preset;
+  model.bounds = bounds_;
   return model;
 }
 

@@ -12,6 +12,14 @@
 
 namespace limber {
 
+/// An epoch's networks, kept in case that better ones turn out to run away.
+struct ValidatedEpoch {
+  int epoch = 0;
+  double error_m = 0.0;
+  std::vector<double> members_m;
+  Eigen::VectorXf weights;  ///< N·P
+};
+
 /// Everything that changes while networks are trained. Stored between epochs, it continues a run
 /// bit for bit, because all random numbers come from streams numbered by epoch. P parameters per
 /// network, N networks; the vectors hold one network after the other.
@@ -24,6 +32,7 @@ struct TrainingState {
   double best_error_m = 0.0;             ///< of the mean of the networks' predictions
   std::vector<double> best_members_m;    ///< of each network, in that epoch
   int best_epoch = 0;                    ///< 0: none yet
+  std::vector<ValidatedEpoch> rivals;    ///< the best epoch of each tenth of the run, rising
   std::vector<double> stage_first_loss;  ///< N, of the first batch of the stage; empty: not begun
   std::vector<LearningCurvePoint> curve;
 };
@@ -46,6 +55,7 @@ class EpochTrainer {
 
   int member_count() const { return members_; }
   const TrainingTables& tables() const { return tables_; }
+  const GapBounds& bounds() const { return bounds_; }
   const ParameterLayout& layout() const { return layout_; }
   TrainingState& state() { return state_; }
   const TrainingState& state() const { return state_; }
@@ -77,6 +87,7 @@ class EpochTrainer {
   const TrainingSettings& settings_;
   int members_;
   TrainingTables tables_;
+  GapBounds bounds_;
   ParameterLayout layout_;
   std::size_t own_episodes_;  ///< the tables' first episodes; those behind are replayed
   TrainingState state_;

@@ -26,6 +26,22 @@ double arm_length_m(const ForwardModel& model) {
   return length;
 }
 
+/// Whether some gap of the predicted shape lies on a bound.
+bool is_held(const GapBounds& bounds, const Eigen::MatrixX3d& plates) {
+  constexpr double kRounding = 1e-5;  // of float poses about the base [m, rad]
+  for (Eigen::Index g = 0; g + 1 < plates.rows(); ++g) {
+    const Eigen::RowVector3d step = plates.row(g + 1) - plates.row(g);
+    const double length = step.head<2>().norm();
+    if (length <= double(bounds.min_length_m[g]) + kRounding ||
+        length >= double(bounds.max_length_m[g]) - kRounding ||
+        step[2] <= double(bounds.min_turn_rad[g]) + kRounding ||
+        step[2] >= double(bounds.max_turn_rad[g]) - kRounding) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>& episodes,
@@ -45,6 +61,9 @@ LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>&
   Backbone state(model.point_count(), 3);
   state.reshaped<Eigen::RowMajor>() = episode.backbone.row(begin).transpose();
   Pressures previous = episode.pressure_kpa.row(begin);
+  const bool is_bounded = model.has_network() && model.compensation().bounds.has_value();
+  const GapBounds* const bounds = is_bounded ? &*model.compensation().bounds : nullptr;
+  int held = 0;
   for (; result.frames < frames && state.allFinite(); ++result.frames) {
     throw_if_interrupted();
     const Pressures current =
@@ -57,8 +76,10 @@ LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>&
           std::max(result.max_distance_m, plates.leftCols<2>().rowwise().norm().maxCoeff());
       result.max_heading_rad =
           std::max(result.max_heading_rad, plates.col(2).cwiseAbs().maxCoeff());
+      held += bounds != nullptr && is_held(*bounds, plates) ? 1 : 0;
     }
   }
+  result.held_share = result.frames > 0 ? double(held) / result.frames : 0.0;
   result.bounded = state.allFinite() && result.max_distance_m <= kFarthest * arm_length_m(model);
   return result;
 }

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "state_bound_kernels.hpp"
+
 namespace limber {
 
 namespace {
@@ -155,6 +157,36 @@ void gated_carry(int size, int stride, const double* scale, const double* error,
   }
 }
 
+void bound(const StateBoundsView<double>& bounds, int stride, const double* unbounded,
+           double* state) {
+  for (int j = 0; j < stride; ++j) {
+    if (bounds.of_base_poses) {
+      bound_base_window(bounds, stride, unbounded + j, state + j);
+      continue;
+    }
+    for (int g = 0; g < bounds.gap_count; ++g) {
+      for (int r = 3 * g; r < 3 * (g + 1); ++r) {
+        state[r * stride + j] = unbounded[r * stride + j];
+      }
+      bound_gap_of_window(bounds, g, stride, unbounded + j, state + j);
+    }
+  }
+}
+
+void bound_back(const StateBoundsView<double>& bounds, int stride, const double* unbounded,
+                double* carried, double* direct, double* error) {
+  for (int j = 0; j < stride; ++j) {
+    if (bounds.of_base_poses) {
+      bound_base_window_back(bounds, stride, unbounded + j, carried + j, direct + j, error + j);
+      continue;
+    }
+    for (int g = 0; g < bounds.gap_count; ++g) {
+      bound_gap_of_window_back(bounds, g, stride, unbounded + j, carried + j, direct + j,
+                               error + j);
+    }
+  }
+}
+
 double entry_error(int size, int stride, const double* weight, const double* state,
                    const double* target, const double* window_weight, double* gradient) {
   double sum = 0.0;
@@ -187,8 +219,9 @@ double chained_error(int gaps, int stride, const double* weight, const double* s
 template <>
 const WindowKernels<double>& window_kernels(CpuLevel) {
   static constexpr WindowKernels<double> kKernels = {
-      1,          layer, layer_back,   weight_gradient, bias_gradient, relu_gradient, gather,
-      add_scaled, carry, gated_change, gated_carry,     entry_error,   chained_error};
+      1,          layer,       layer_back,   weight_gradient, bias_gradient, relu_gradient,
+      gather,     add_scaled,  carry,        gated_change,    gated_carry,   bound,
+      bound_back, entry_error, chained_error};
   return kKernels;
 }
 

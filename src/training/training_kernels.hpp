@@ -1,8 +1,19 @@
 #pragma once
 
+#include "kernels/gap_bound.hpp"
 #include "limber/common/cpu_level.hpp"
 
 namespace limber {
+
+/// StateBounds (window_gradient.hpp) as kernels see them.
+template <class Scalar>
+struct StateBoundsView {
+  int gap_count;
+  bool of_base_poses;
+  const GapBound<Scalar>* gaps;
+  const Scalar* scale;
+  const Scalar* offset;
+};
 
 /// Kernels of back-propagation through windows: in float for one level of CPU features; in double
 /// plain loops, which check gradients and are the reference for the others.
@@ -50,6 +61,14 @@ struct WindowKernels {
   void (*gated_carry)(int size, int stride, const Scalar* scale, const Scalar* error,
                       const Scalar* uncompensated, const Scalar* previous, const Scalar* gate,
                       const Scalar* carried, Scalar* direct, Scalar* delta);
+
+  /// (20): state = unbounded, kept within the bounds.
+  void (*bound)(const StateBoundsView<Scalar>& bounds, int stride, const Scalar* unbounded,
+                Scalar* state);
+  /// Backward: the gradient by the state, carried + direct + error, becomes that by `unbounded`. It
+  /// is left in the same three arrays, as their sum.
+  void (*bound_back)(const StateBoundsView<Scalar>& bounds, int stride, const Scalar* unbounded,
+                     Scalar* carried, Scalar* direct, Scalar* error);
 
   /// FrameError's sums and gradients (training/frame_error.hpp) of one block, both multiplied by
   /// `window_weight` (stride numbers).

@@ -7,6 +7,7 @@
 #include "kernels/gemm_tiles.hpp"
 #include "kernels/vector_logistic.hpp"
 #include "optimiser_kernels.hpp"
+#include "state_bound_kernels.hpp"
 #include "training_kernels.hpp"
 #include "window_products.hpp"
 
@@ -148,9 +149,73 @@ void gated_carry(int size, int stride, const float* scale, const float* error,
   }
 }
 
+inline Vector gap_number(const StateBoundsView<float>& bounds, const float* state, int stride,
+                         int row) {
+  return multiply_add(load(state + row * stride), broadcast(bounds.scale[row]),
+                      broadcast(bounds.offset[row]));
+}
+
+// Whether any lane of gap g lies so close to a bound that it may be beyond it.
+inline bool any_near_bound(const StateBoundsView<float>& bounds, int g, const float* state,
+                           int stride) {
+  constexpr float kRounding = 1e-5F;
+  const GapBound<float>& bound = bounds.gaps[g];
+  const Vector x = gap_number(bounds, state, stride, 3 * g);
+  const Vector y = gap_number(bounds, state, stride, 3 * g + 1);
+  const Vector turn = gap_number(bounds, state, stride, 3 * g + 2);
+  const Vector square = x * x + y * y;
+  const IntVector near = (square < broadcast(bound.min_square * (1.0F + kRounding))) |
+                         (square > broadcast(bound.max_square * (1.0F - kRounding))) |
+                         (turn < broadcast(bound.min_turn + kRounding)) |
+                         (turn > broadcast(bound.max_turn - kRounding));
+  return non_zero_lanes(reinterpret_cast<Vector>(near)) != 0;
+}
+
+void bound(const StateBoundsView<float>& bounds, int stride, const float* unbounded, float* state) {
+  if (bounds.of_base_poses) {
+    for (int j = 0; j < stride; ++j) {
+      bound_base_window(bounds, stride, unbounded + j, state + j);
+    }
+    return;
+  }
+  for (int i = 0; i < 3 * bounds.gap_count * stride; i += kLanes) {
+    store(state + i, load(unbounded + i));
+  }
+  for (int g = 0; g < bounds.gap_count; ++g) {
+    for (int q = 0; q < stride; q += kLanes) {
+      if (any_near_bound(bounds, g, unbounded + q, stride)) {
+        for (int j = q; j < q + kLanes; ++j) {
+          bound_gap_of_window(bounds, g, stride, unbounded + j, state + j);
+        }
+      }
+    }
+  }
+}
+
+void bound_back(const StateBoundsView<float>& bounds, int stride, const float* unbounded,
+                float* carried, float* direct, float* error) {
+  if (bounds.of_base_poses) {
+    for (int j = 0; j < stride; ++j) {
+      bound_base_window_back(bounds, stride, unbounded + j, carried + j, direct + j, error + j);
+    }
+    return;
+  }
+  for (int g = 0; g < bounds.gap_count; ++g) {
+    for (int q = 0; q < stride; q += kLanes) {
+      if (any_near_bound(bounds, g, unbounded + q, stride)) {
+        for (int j = q; j < q + kLanes; ++j) {
+          bound_gap_of_window_back(bounds, g, stride, unbounded + j, carried + j, direct + j,
+                                   error + j);
+        }
+      }
+    }
+  }
+}
+
 constexpr WindowKernels<float> window_kernels_of_this_level() {
-  return {kLanes,     layer, layer_back,   weight_gradient, bias_gradient, relu_gradient, gather,
-          add_scaled, carry, gated_change, gated_carry,     entry_error,   chained_error};
+  return {kLanes,        layer,  layer_back, weight_gradient, bias_gradient,
+          relu_gradient, gather, add_scaled, carry,           gated_change,
+          gated_carry,   bound,  bound_back, entry_error,     chained_error};
 }
 
 constexpr OptimiserKernels optimiser_kernels_of_this_level() {

@@ -20,6 +20,7 @@ namespace limber {
 namespace {
 
 constexpr int kValidationFrames = 600;
+constexpr int kRivals = 10;  // epochs that are kept to choose from
 
 /// The settings with the layout, hidden units and members of `start`.
 TrainingSettings in_form_of(const CompensationModel& start, TrainingSettings settings) {
@@ -91,7 +92,16 @@ void TrainingRun::validate(LearningCurvePoint& point) {
     error_m = mean_tip_error_m(mean_of(predicted), data_.validation, pieces);
     point.validation_position_error_cm = kCmPerM * error_m;
   }
-  if (std::isfinite(error_m) && (state.best_epoch == 0 || error_m < state.best_error_m)) {
+  if (!std::isfinite(error_m)) {
+    return;
+  }
+  const auto tenth = [&](int epoch) { return (epoch - 1) * kRivals / settings_.epoch_count(); };
+  if (state.rivals.empty() || tenth(state.rivals.back().epoch) != tenth(point.epoch)) {
+    state.rivals.push_back({point.epoch, error_m, members_m, weights});
+  } else if (error_m < state.rivals.back().error_m) {
+    state.rivals.back() = {point.epoch, error_m, members_m, weights};
+  }
+  if (state.best_epoch == 0 || error_m < state.best_error_m) {
     state.best = weights;
     state.best_error_m = error_m;
     state.best_members_m = members_m;
@@ -145,6 +155,53 @@ std::string TrainingRun::divergence_message(int epoch, const EpochLoss& loss) co
       trainer_.member_count() > 1 ? fmt::format(", network {} of the ensemble", member) : "",
       loss.diverged_loss, trainer_.state().stage_first_loss[member],
       settings_.learning_rate / 10.0);
+}
+
+LongRollout TrainingRun::roll_out_long_each(const Eigen::VectorXf& weights) const {
+  const std::vector<Episode>& episodes =
+      data_.validation.empty() ? data_.training : data_.validation;
+  LongRollout worst;
+  for (int member = 0; member < trainer_.member_count(); ++member) {
+    const ForwardModel model(arm_, trainer_.model_of_member(weights, member));
+    const LongRollout one = roll_out_long(model, episodes);
+    if (member == 0 || !one.bounded || (worst.bounded && one.held_share > worst.held_share)) {
+      worst = one;
+    }
+  }
+  return worst;
+}
+
+TrainingResult TrainingRun::chosen_result() {
+  TrainingState& state = trainer_.state();
+  std::vector<const ValidatedEpoch*> order;
+  for (const ValidatedEpoch& rival : state.rivals) {
+    order.push_back(&rival);
+  }
+  std::ranges::stable_sort(order, {}, [](const ValidatedEpoch* rival) { return rival->error_m; });
+  std::vector<int> passed_over;
+  LongRollout of_best;
+  for (const ValidatedEpoch* rival : order) {
+    const LongRollout rollout = roll_out_long_each(rival->weights);
+    if (!rollout.ran_away()) {
+      state.best = rival->weights;
+      state.best_error_m = rival->error_m;
+      state.best_members_m = rival->members_m;
+      state.best_epoch = rival->epoch;
+      TrainingResult chosen = result(TrainingStatus::finished, "");
+      chosen.long_rollout = rollout;
+      if (!passed_over.empty()) {
+        chosen.model.training["passed_over_epochs"] =
+            fmt::format("{}", fmt::join(passed_over, " "));
+      }
+      chosen.passed_over_epochs = std::move(passed_over);
+      return chosen;
+    }
+    of_best = passed_over.empty() ? rollout : of_best;
+    passed_over.push_back(rival->epoch);
+  }
+  TrainingResult chosen = result(TrainingStatus::finished, "");
+  chosen.long_rollout = of_best;
+  return chosen;
 }
 
 TrainingResult TrainingRun::result(TrainingStatus status, std::string message) const {
@@ -214,6 +271,11 @@ std::string TrainingRun::identity() const {
   const FrameTable<float>& frames = trainer_.tables().frames;
   text += content_hash(bytes(frames.pressure)) + content_hash(bytes(frames.state));
   text += content_hash(bytes(trainer_.state().parameters));  // the weights that it began with
+  for (const Eigen::VectorXf* bound :
+       {&trainer_.bounds().min_length_m, &trainer_.bounds().max_length_m,
+        &trainer_.bounds().min_turn_rad, &trainer_.bounds().max_turn_rad}) {
+    text += content_hash(bytes(*bound));
+  }
   text += content_hash(std::string(frames.tracked.begin(), frames.tracked.end()));
   for (const Episode& episode : data_.validation) {
     text += content_hash(bytes(episode.backbone));
@@ -331,7 +393,7 @@ TrainingResult TrainingRun::run() {
         "smaller --learning-rate, or look at the data with limber inspect");
   }
   store(true);
-  return result(TrainingStatus::finished, "");
+  return chosen_result();
 }
 
 }  // namespace limber

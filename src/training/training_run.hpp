@@ -30,6 +30,10 @@ class TrainingRun {
   void validate(LearningCurvePoint& point);
   double elapsed_s() const;
   std::string progress_note(const LearningCurvePoint& point) const;
+  /// The worst of the networks with these weights.
+  LongRollout roll_out_long_each(const Eigen::VectorXf& weights) const;
+  /// Of a finished run: the best epoch whose networks do not run away.
+  TrainingResult chosen_result();
   TrainingResult result(TrainingStatus status, std::string message) const;
   std::string divergence_message(int epoch, const EpochLoss& loss) const;
 

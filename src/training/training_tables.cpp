@@ -245,6 +245,21 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
   return tables;
 }
 
+void set_bounds(TrainingTables& tables, const TrainingSettings& settings, const GapBounds& bounds) {
+  // The input's numbers are both pressures, the backbone and B̃; the output's are the backbone's.
+  const Eigen::Index size = tables.map.output_scale.size();
+  const Eigen::Index first = 2 * tables.frames.pressure.rows();
+  StateBounds<float>& states = tables.map.bounds;
+  states.layout = settings.layout;
+  states.scale = tables.input.scale.segment(first, size).cwiseInverse();
+  states.offset = tables.input.offset.segment(first, size);
+  states.gaps.clear();
+  for (Eigen::Index i = 0; i < bounds.min_length_m.size(); ++i) {
+    states.gaps.push_back(gap_bound(bounds.min_length_m[i], bounds.max_length_m[i],
+                                    bounds.min_turn_rad[i], bounds.max_turn_rad[i]));
+  }
+}
+
 std::vector<int> window_starts(std::span<const EpisodeRange> episodes,
                                std::span<const std::uint8_t> tracked, int window_frames,
                                int shift) {

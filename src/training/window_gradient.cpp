@@ -17,6 +17,12 @@ int group_stride(int window_limit, int lanes) {
   return std::min((window_limit + lanes - 1) / lanes * lanes, kGroupWindows);
 }
 
+template <class Scalar>
+StateBoundsView<Scalar> view_of(const StateBounds<Scalar>& bounds) {
+  return {static_cast<int>(bounds.gaps.size()), bounds.layout == BackboneLayout::base_poses,
+          bounds.gaps.data(), bounds.scale.data(), bounds.offset.data()};
+}
+
 }  // namespace
 
 template <class Scalar>
@@ -54,6 +60,7 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
   last_state_.resize(numbers(1, size_));
   carried_.resize(numbers(1, size_));
   direct_.resize(numbers(1, size_));
+  unbounded_.resize(map.is_bounded() ? numbers(blocks, size_) : 0);
   gate_.resize(map.is_gated() ? numbers(blocks, size_) : 0);
 }
 
@@ -156,6 +163,17 @@ double WindowGradient<Scalar>::forward(const Scalar* parameters) {
 
 template <class Scalar>
 void WindowGradient<Scalar>::apply_output(int block, Scalar* state) {
+  if (!map_.is_bounded()) {
+    compose(block, state);
+    return;
+  }
+  Scalar* unbounded = at(unbounded_, size_, block);
+  compose(block, unbounded);
+  kernels_.bound(view_of(map_.bounds), stride_, unbounded, state);
+}
+
+template <class Scalar>
+void WindowGradient<Scalar>::compose(int block, Scalar* state) {
   const Scalar* uncompensated = at(uncompensated_, size_, block);
   if (map_.is_gated()) {
     kernels_.gated_change(size_, stride_, map_.output_scale.data(), output_.data(), uncompensated,
@@ -169,7 +187,11 @@ void WindowGradient<Scalar>::apply_output(int block, Scalar* state) {
 // From the gradients of later frames and of this frame's own error to that of the network's output.
 template <class Scalar>
 void WindowGradient<Scalar>::carry_back(int block, Scalar* delta) {
-  const Scalar* error = at(error_gradient_, size_, block);
+  Scalar* error = at(error_gradient_, size_, block);
+  if (map_.is_bounded()) {
+    kernels_.bound_back(view_of(map_.bounds), stride_, at(unbounded_, size_, block),
+                        carried_.data(), direct_.data(), error);
+  }
   if (map_.is_gated()) {
     kernels_.gated_carry(size_, stride_, map_.output_scale.data(), error,
                          at(uncompensated_, size_, block), previous_state(block),

@@ -8,6 +8,7 @@
 #include "planning/play_model.hpp"
 #include "src/certificate/exact_network.hpp"
 #include "src/certificate/shape_comparison.hpp"
+#include "support/narrow_bounds.hpp"
 
 namespace limber {
 namespace {
@@ -22,7 +23,9 @@ std::vector<double> doubles(const Pressures& q) {
   return {q.begin(), q.end()};
 }
 
-TEST(ExactArm, AgreesWithTheForwardModelInEveryLayoutAndForm) {
+class ExactArmWithBounds : public testing::TestWithParam<bool> {};
+
+TEST_P(ExactArmWithBounds, AgreesWithTheForwardModelInEveryLayoutAndForm) {
   const ArmDescription arm = three_segment_arm();
   RandomStream random(1, 0);
   for (const auto& [layout, form] :
@@ -30,7 +33,11 @@ TEST(ExactArm, AgreesWithTheForwardModelInEveryLayoutAndForm) {
         {BackboneLayout::base_poses, OutputForm::gated_change},
         {BackboneLayout::gap_poses, OutputForm::compensation},
         {BackboneLayout::gap_poses, OutputForm::gated_change}}) {
-    const ForwardModel fast(arm, untrained_model(arm, layout, {100, 100, 100}, 5, form));
+    CompensationModel model = untrained_model(arm, layout, {100, 100, 100}, 5, form);
+    if (GetParam()) {
+      model.bounds = narrow_bounds(arm);
+    }
+    const ForwardModel fast(arm, model);
     const ExactArm exact(arm, &fast.compensation());
     const NoLoadModel no_load(arm);
     ForwardModel::Workspace workspace;
@@ -51,6 +58,8 @@ TEST(ExactArm, AgreesWithTheForwardModelInEveryLayoutAndForm) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(WithoutAndWith, ExactArmWithBounds, testing::Bool());
 
 // Row by row and number by number, as docs/model.md has it.
 TEST(ExactNetwork, AgreesWithPlainLoopsAndToTheBitOnEveryCpu) {

@@ -10,6 +10,7 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/network/backbone_layout.hpp"
 #include "limber/network/untrained_model.hpp"
+#include "support/narrow_bounds.hpp"
 #include "support/sample_arm.hpp"
 
 namespace limber {
@@ -87,6 +88,9 @@ MatrixXd reference(const ArmDescription& arm, const CompensationModel* model,
         1.0 / (1.0 + (-x.bottomRows(layout.backbone_size())).array().exp());
     next = previous + output + (gate * (no_load_encoded - previous).array()).matrix();
   }
+  if (model->bounds) {
+    next = within_bounds(*model->bounds, next, model->layout);
+  }
   return gaps ? base_poses_of(next) : next;
 }
 
@@ -104,6 +108,9 @@ std::vector<ForwardModel> models_of(const ArmDescription& arm, CpuLevel level) {
     for (const OutputForm form : {OutputForm::compensation, OutputForm::gated_change}) {
       const CompensationModel network = untrained_model(arm, layout, {100, 37, 100}, 3, form);
       models.emplace_back(arm, network, level);
+      CompensationModel bounded = network;
+      bounded.bounds = narrow_bounds(arm);
+      models.emplace_back(arm, std::move(bounded), level);
     }
   }
   return models;

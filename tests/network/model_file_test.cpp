@@ -9,8 +9,10 @@
 #include "limber/common/error.hpp"
 #include "limber/common/safetensors.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/network/gap_bounds.hpp"
 #include "limber/network/untrained_model.hpp"
 #include "network/sample_region.hpp"
+#include "support/narrow_bounds.hpp"
 #include "support/sample_arm.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -96,6 +98,55 @@ TEST(ModelFile, EnsemblesKeepAllTheirMembersInOrder) {
   model.more_members[0][1].bias[4] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THAT([&] { write_model(path, model); },
               ThrowsMessage<InputError>(HasSubstr("tensor members.1.layers.1.bias[4, 0] is nan")));
+}
+
+TEST(ModelFile, KeepsBoundsAndRefusesBrokenOnes) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "model.safetensors";
+  CompensationModel model = untrained_model(sample_arm(3), BackboneLayout::gap_poses, {7}, 1);
+  write_model(path, model);
+  EXPECT_FALSE(read_model(path).bounds.has_value());
+  model.bounds = narrow_bounds(sample_arm(3));
+  write_model(path, model);
+  const CompensationModel back = read_model(path);
+  ASSERT_TRUE(back.bounds.has_value());
+  EXPECT_EQ(back.bounds->min_length_m, model.bounds->min_length_m);
+  EXPECT_EQ(back.bounds->max_length_m, model.bounds->max_length_m);
+  EXPECT_EQ(back.bounds->min_turn_rad, model.bounds->min_turn_rad);
+  EXPECT_EQ(back.bounds->max_turn_rad, model.bounds->max_turn_rad);
+  EXPECT_TRUE(back.member(0).bounds.has_value());
+
+  const auto refusal = [&](const std::function<void(GapBounds&)>& damage) {
+    CompensationModel broken = model;
+    damage(*broken.bounds);
+    try {
+      write_model(path, broken);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(refusal([](GapBounds& b) { b.min_length_m[3] = 0.0F; }),
+              HasSubstr("bounds.length.min[3] is 0; expected metres, > 0"));
+  EXPECT_THAT(refusal([](GapBounds& b) { b.max_turn_rad[2] = -1.0F; }),
+              HasSubstr("bounds.turn.min[2] is -0.25; expected at most turn.max, -1"));
+  EXPECT_THAT(refusal([](GapBounds& b) { b.max_length_m.conservativeResize(3); }),
+              HasSubstr("bounds.length.max has 3 numbers; expected 15, one for each gap"));
+  EXPECT_THAT(
+      refusal([](GapBounds& b) { b.min_turn_rad[1] = std::numeric_limits<float>::quiet_NaN(); }),
+      HasSubstr("bounds.turn.min[1] is nan"));
+}
+
+TEST(ModelFile, PlanningAsksForBoundsAndNamesTheCommandThatAddsThem) {
+  CompensationModel model = untrained_model(sample_arm(3), BackboneLayout::gap_poses, {7}, 1);
+  model.training["data"] = "a.h5 0123, b c.h5 4567";
+  EXPECT_THAT([&] { require_bounded(model, "old.safetensors"); },
+              ThrowsMessage<InputError>(AllOf(
+                  StartsWith("old.safetensors: the model has no bounds"),
+                  HasSubstr("limber train --from old.safetensors --epochs 0 --data a.h5 --data "
+                            "b c.h5 --out"))));
+  model.bounds = narrow_bounds(sample_arm(3));
+  EXPECT_NO_THROW(require_bounded(model, "old.safetensors"));
 }
 
 TEST(ModelFile, ShapeOfThePapersNetwork) {

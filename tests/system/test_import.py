@@ -5,6 +5,7 @@ plain message for each kind of bad input."""
 import json
 import math
 import os
+import struct
 import subprocess
 import unittest
 
@@ -119,6 +120,46 @@ class RoundTrip(InFolder):
         self.assertIn("found by correlation", result.stdout)
 
 
+def read_tensors(path):
+    """Tensors of a safetensors file, in double."""
+    content = path.read_bytes()
+    (length,) = struct.unpack("<Q", content[:8])
+    header = json.loads(content[8:8 + length])
+    header.pop("__metadata__")
+    data = content[8 + length:]
+    return {
+        name: np.frombuffer(data[slice(*entry["data_offsets"])], "<f4")
+        .reshape(entry["shape"]).astype(np.float64)
+        for name, entry in header.items()
+    }
+
+
+def bounded_next(tensors, queries, answers, preset, segments=2):
+    """(5) or (16) and then (20) of docs/model.md, and the share of gaps that a bound holds."""
+    size = len(tensors["normalisation.output.scale"])
+    queries = queries.astype(np.float64)
+    if preset == "paper":
+        steps = (queries[:, -size:] + answers).reshape(len(queries), -1, 3)
+        steps[:, 0] = 0.0
+        steps = np.diff(steps, axis=1)
+    else:
+        previous = queries[:, 2 * segments:2 * segments + size]
+        gaps = size // 3 // segments
+        no_load = np.repeat(queries[:, -3 * segments:].reshape(-1, segments, 3), gaps, axis=1)
+        gate = 1.0 / (1.0 + np.exp(-answers[:, size:]))
+        steps = previous + answers[:, :size] + gate * (no_load.reshape(-1, size) - previous)
+        steps = steps.reshape(len(queries), -1, 3)
+    length = np.hypot(steps[:, :, 0], steps[:, :, 1])
+    kept = np.clip(length, tensors["bounds.length.min"], tensors["bounds.length.max"])
+    turn = np.clip(steps[:, :, 2], tensors["bounds.turn.min"], tensors["bounds.turn.max"])
+    held = np.mean((kept != length) | (turn != steps[:, :, 2]))
+    bounded = np.dstack([steps[:, :, :2] * (kept / length)[:, :, None], turn])
+    if preset == "paper":
+        zero = np.zeros((len(queries), 1, 3))
+        bounded = np.concatenate([zero, np.cumsum(bounded, axis=1)], axis=1)
+    return bounded.reshape(len(queries), -1), held
+
+
 class Onnx(InFolder):
     def test_opencv_gives_limbers_answers(self):
         try:
@@ -149,6 +190,14 @@ class Onnx(InFolder):
                 # Single precision, sums of a hundred terms in another order.
                 tolerance = 2e-6 + 2e-5 * np.abs(answers).max()
                 self.assertLess(np.abs(found - answers[:batch]).max(), tolerance)
+                wanted, held = bounded_next(
+                    read_tensors(self.folder / f"{preset}.safetensors"), queries[:batch],
+                    answers[:batch], preset)
+                network.setInput(queries[:batch], "query")
+                found = network.forward("next")
+                self.assertEqual(found.shape, wanted.shape)
+                self.assertLess(np.abs(found - wanted).max(), 3 * tolerance)
+            self.assertGreater(held, 0.1, "bounds that hold nothing prove nothing")
             self.assertGreater(np.ptp(answers), 1e-3, "a comparison of constants proves nothing")
 
 

@@ -186,7 +186,8 @@ class Train(InFolder):
 
     def test_too_few_epochs_are_refused(self):
         self.assertIn("3 stages", self.refused("--epochs", 2))
-        self.assertIn("--epochs: Value 0 not in range 1 to ", self.refused("--epochs", 0))
+        self.assertIn("needs --from MODEL", self.refused("--epochs", 0))
+        self.assertIn("--epochs: Value -1 not in range 0 to ", self.refused("--epochs", -1))
 
     def test_resuming_nothing_is_refused(self):
         self.assertIn("there is no checkpoint", self.refused("--resume"))

@@ -8,6 +8,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/report/training_report.hpp"
+#include "limber/training/gap_bounds_fit.hpp"
 #include "src/training/rollout.hpp"
 #include "support/exit_interrupted.hpp"
 #include "training/toy_arm.hpp"
@@ -140,6 +141,20 @@ TEST(LongRollout, TellsADriftFromAModelThatStays) {
   const LongRollout drift = roll_out_long(drifting, episodes, 3000);
   EXPECT_FALSE(drift.bounded);
   EXPECT_GT(drift.max_distance_m, 2.9);  // 1 mm a frame
+}
+
+TEST(LongRollout, CountsTheFramesInWhichBoundsHoldTheModel) {
+  const ArmDescription arm = three_segment_arm();
+  const std::vector<Episode> episodes = {toy_episode(arm, 10, 20, 4)};
+  CompensationModel steady = zero_network(arm);
+  steady.bounds = gap_bounds_of(episodes);
+  EXPECT_EQ(roll_out_long(ForwardModel(arm, steady), episodes, 1000).held_share, 0.0);
+  CompensationModel drifting = drifting_network(arm);
+  drifting.bounds = steady.bounds;
+  const LongRollout held = roll_out_long(ForwardModel(arm, drifting), episodes, 3000);
+  EXPECT_TRUE(held.bounded);
+  EXPECT_GT(held.held_share, LongRollout::kMaxHeldShare);
+  EXPECT_TRUE(held.ran_away());
 }
 
 TEST(Evaluate, AZeroNetworkIsTheNoLoadModel) {

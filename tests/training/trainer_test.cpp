@@ -80,6 +80,30 @@ TEST(Train, GivesTheSameBitsForAnyNumberOfJobs) {
   EXPECT_FALSE(same_weights(one.model, train(arm, toy_data(arm), settings).model));
 }
 
+TEST(Train, PassesOverEpochsThatRunAwayAndKeepsTheNextBest) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = small_settings();
+  settings.stages = {{2, 64, 8}};
+  const TrainingResult result = train(arm, toy_data(arm), settings);
+  ASSERT_TRUE(result.model.bounds.has_value());
+  EXPECT_EQ(result.long_rollout.frames, kLongRolloutFrames);
+  const auto error_of = [&](int epoch) {
+    return result.curve[static_cast<std::size_t>(epoch) - 1].validation_position_error_cm;
+  };
+  EXPECT_EQ(error_of(result.best_epoch), result.best_validation_position_error_cm);
+  for (const int epoch : result.passed_over_epochs) {
+    EXPECT_LE(error_of(epoch), error_of(result.best_epoch));
+  }
+  if (!result.passed_over_epochs.empty()) {
+    EXPECT_FALSE(result.long_rollout.ran_away());
+  }
+  // The same rollout, made here.
+  const LongRollout again =
+      roll_out_long(ForwardModel(arm, result.model), toy_data(arm).validation);
+  EXPECT_EQ(again.held_share, result.long_rollout.held_share);
+  EXPECT_TRUE(again.bounded);
+}
+
 // Sharing batches must change nothing: each member is what it would have become alone. The first
 // one's weights are drawn as a single network's are.
 TEST(Train, AMemberOfAnEnsembleIsTheNetworkItWouldBeAlone) {

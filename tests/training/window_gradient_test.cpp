@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/training/training_tables.hpp"
+#include "support/narrow_bounds.hpp"
 #include "training/toy_arm.hpp"
 
 namespace limber {
@@ -29,7 +30,8 @@ FrameTable<double> in_double(const FrameTable<float>& frames) {
 }
 
 StateMap<double> in_double(const StateMap<float>& map) {
-  return {map.output_scale.cast<double>(), map.error.cast<double>(), map.form};
+  return {map.output_scale.cast<double>(), map.error.cast<double>(), map.form,
+          map.bounds.cast<double>()};
 }
 
 TrainingSettings settings_for(BackboneLayout layout, bool error_in_base_poses, Scaling scaling,
@@ -43,14 +45,16 @@ TrainingSettings settings_for(BackboneLayout layout, bool error_in_base_poses, S
 }
 
 class GradientInLayout
-    : public testing::TestWithParam<std::tuple<BackboneLayout, bool, OutputForm>> {};
+    : public testing::TestWithParam<std::tuple<BackboneLayout, bool, OutputForm, bool>> {};
 
 TEST_P(GradientInLayout, AgreesWithFiniteDifferencesOverAWholeWindow) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingTables tables =
-      make_training_tables(arm, {toy_episode(arm, 4, 20, 3)},
-                           settings_for(std::get<0>(GetParam()), std::get<1>(GetParam()),
-                                        Scaling::unit_range, std::get<2>(GetParam())));
+  const TrainingSettings settings = settings_for(std::get<0>(GetParam()), std::get<1>(GetParam()),
+                                                 Scaling::unit_range, std::get<2>(GetParam()));
+  TrainingTables tables = make_training_tables(arm, {toy_episode(arm, 4, 20, 3)}, settings);
+  if (std::get<3>(GetParam())) {
+    set_bounds(tables, settings, narrow_bounds(arm));
+  }
   const int inputs = static_cast<int>(tables.input.scale.size());
   const int outputs = tables.map.output_count();
   const ParameterLayout layout({inputs, 9, 8, outputs});
@@ -81,7 +85,8 @@ INSTANTIATE_TEST_SUITE_P(
     BothLayouts, GradientInLayout,
     testing::Combine(testing::Values(BackboneLayout::base_poses, BackboneLayout::gap_poses),
                      testing::Bool(),
-                     testing::Values(OutputForm::compensation, OutputForm::gated_change)));
+                     testing::Values(OutputForm::compensation, OutputForm::gated_change),
+                     testing::Bool()));
 
 struct PyTorchCase {
   nlohmann::json values =
@@ -125,13 +130,17 @@ TEST(WindowGradient, EqualsPyTorchs) {
             kPyTorchTolerance * expected.lpNorm<Eigen::Infinity>());
 }
 
-class SinglePrecision : public testing::TestWithParam<OutputForm> {};
+class SinglePrecision
+    : public testing::TestWithParam<std::tuple<OutputForm, BackboneLayout, bool>> {};
 
 TEST_P(SinglePrecision, FollowsDouble) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingTables tables = make_training_tables(
-      arm, {toy_episode(arm, 4, 20, 3)},
-      settings_for(BackboneLayout::gap_poses, true, Scaling::unit_spread, GetParam()));
+  const TrainingSettings settings =
+      settings_for(std::get<1>(GetParam()), true, Scaling::unit_spread, std::get<0>(GetParam()));
+  TrainingTables tables = make_training_tables(arm, {toy_episode(arm, 4, 20, 3)}, settings);
+  if (std::get<2>(GetParam())) {
+    set_bounds(tables, settings, narrow_bounds(arm));
+  }
   const ParameterLayout layout(
       {static_cast<int>(tables.input.scale.size()), 100, 100, 100, tables.map.output_count()});
   const Eigen::VectorXf parameters = initial_parameters(layout, 5);
@@ -151,8 +160,11 @@ TEST_P(SinglePrecision, FollowsDouble) {
             kSinglePrecisionTolerance * expected.norm());
 }
 
-INSTANTIATE_TEST_SUITE_P(BothForms, SinglePrecision,
-                         testing::Values(OutputForm::compensation, OutputForm::gated_change));
+INSTANTIATE_TEST_SUITE_P(
+    BothForms, SinglePrecision,
+    testing::Combine(testing::Values(OutputForm::compensation, OutputForm::gated_change),
+                     testing::Values(BackboneLayout::base_poses, BackboneLayout::gap_poses),
+                     testing::Bool()));
 
 TEST(WindowGradient, AWindowDoesNotDependOnItsNeighbours) {
   const PyTorchCase stored;

@@ -49,6 +49,15 @@ struct Layer {
   Eigen::VectorXf bias;    ///< out
 };
 
+/// What (20) keeps every gap's shape within: one number for each of the m − 1 gaps. A gap's length
+/// is that of the straight line between its plates.
+struct GapBounds {
+  Eigen::VectorXf min_length_m;  ///< > 0
+  Eigen::VectorXf max_length_m;  ///< ≥ min_length_m
+  Eigen::VectorXf min_turn_rad;
+  Eigen::VectorXf max_turn_rad;  ///< ≥ min_turn_rad
+};
+
 /// The network Φ of (5) or (16) with everything needed to use it. Its inputs (q_{t−1}, q_t,
 /// B_{t−1}, B̃_t) are normalised by `input`. Its result is in the coordinates of `layout`: the
 /// compensation B_t − B̃_t normalised by `output`; or a change normalised by `output` (which scales
@@ -80,6 +89,8 @@ struct CompensationModel {
   std::optional<PredictionError> prediction_error;
   /// What the training recordings held; none in files of before it was kept.
   std::optional<LearntRegion> learnt;
+  /// What its predictions stay within, by (20); none in files of before it was kept.
+  std::optional<GapBounds> bounds;
 
   int member_count() const { return 1 + static_cast<int>(more_members.size()); }
   /// Member `index` as a model of its own, without the training record. @pre index < member_count()

@@ -15,7 +15,8 @@ std::string onnx_version();
 
 /// Writes the network with its normalisation as ONNX (docs/formats.md): input `query`
 /// [batch, inputs] and output `answer` [batch, outputs], both in limber's units and in the order of
-/// the model's layout and form. Of an ensemble, the best member.
+/// the model's layout and form. Of an ensemble, the best member. A model with bounds has a second
+/// output, `next`: B_t in the layout's numbers, composed and kept within the bounds.
 /// @throws InputError if the program was built without ONNX (what to install in the message).
 void write_onnx(const std::filesystem::path& path, const CompensationModel& model);
 

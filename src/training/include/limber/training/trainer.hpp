@@ -9,6 +9,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/data/recording.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/training/long_rollout.hpp"
 #include "limber/training/training_settings.hpp"
 
 namespace limber {
@@ -73,6 +74,10 @@ struct TrainingResult {
   CompensationModel model;
   std::vector<LearningCurvePoint> curve;
   int best_epoch = 0;
+  /// Epochs with smaller validation errors that were passed over, because a long rollout of their
+  /// networks ran away (LongRollout::ran_away); of a finished run.
+  std::vector<int> passed_over_epochs;
+  LongRollout long_rollout;  ///< of the epoch chosen, its worst network; of a finished run
   double best_validation_position_error_cm = 0.0;           ///< NaN without validation data
   std::vector<double> member_validation_position_error_cm;  ///< in the model's order
   double wall_time_s = 0.0;
@@ -83,6 +88,10 @@ struct TrainingResult {
 /// Validation error: mean distance of the tip over open-loop rollouts of up to 600 frames that
 /// cover the validation episodes. For an ensemble it is that of the mean of its members'
 /// predictions, each member rolled out by itself. Untracked frames don't count.
+///
+/// The networks' predictions stay within bounds (20), recorded ranges and a margin. The best epochs
+/// of each tenth of the run are kept; the one with the smallest validation error is chosen whose
+/// networks do not run away in a rollout of kLongRolloutFrames, the best one if all do.
 /// @throws InputError if the data don't fit the arm, or are too short for one window.
 [[nodiscard]] TrainingResult train(const ArmDescription& arm, const TrainingData& data,
                                    const TrainingSettings& settings,

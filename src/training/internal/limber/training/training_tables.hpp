@@ -38,6 +38,9 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
                                     const TrainingSettings& settings, const Normalisation& input,
                                     const Normalisation& output);
 
+/// Has `tables.map` keep its states within `bounds`, by (20). @pre made for these settings
+void set_bounds(TrainingTables& tables, const TrainingSettings& settings, const GapBounds& bounds);
+
 /// First frames of windows of `window_frames` predicted frames that do not overlap; each episode's
 /// first window begins `shift` frames after its start, or less where it would not fit. A window
 /// begins at a frame in which the arm was tracked, and sees it again in at least one more.

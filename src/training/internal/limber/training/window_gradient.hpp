@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "kernels/gap_bound.hpp"
 #include "limber/common/aligned_floats.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/training/frame_error.hpp"
@@ -27,6 +28,29 @@ struct FrameTable {
   const Matrix& targets() const { return target.size() > 0 ? target : state; }
 };
 
+/// (20) for normalised states: a state's number r is state_r · scale_r + offset_r in m or rad.
+template <class Scalar>
+struct StateBounds {
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  std::vector<GapBound<Scalar>> gaps;  ///< empty: no bounds
+  Vector scale;                        ///< D
+  Vector offset;                       ///< D
+  BackboneLayout layout = BackboneLayout::gap_poses;
+
+  /// The same in another precision.
+  template <class Other>
+  StateBounds<Other> cast() const {
+    StateBounds<Other> result{
+        {}, scale.template cast<Other>(), offset.template cast<Other>(), layout};
+    for (const GapBound<Scalar>& gap : gaps) {
+      result.gaps.push_back(
+          gap_bound(static_cast<Other>(gap.min_length), static_cast<Other>(gap.max_length),
+                    static_cast<Other>(gap.min_turn), static_cast<Other>(gap.max_turn)));
+    }
+    return result;
+  }
+};
+
 /// (5) and (16) in normalised numbers, with y_t the network's output.
 /// compensation: state_t = uncompensated_t + output_scale ∘ y_t.
 /// gated_change: state_t = state_{t−1} + g ∘ (uncompensated_t − state_{t−1}) + output_scale ∘ y_t,
@@ -37,7 +61,9 @@ struct StateMap {
   Vector output_scale;  ///< D
   FrameError<Scalar> error;
   OutputForm form = OutputForm::compensation;
+  StateBounds<Scalar> bounds = {};  ///< applied last
 
+  bool is_bounded() const { return !bounds.gaps.empty(); }
   bool is_gated() const { return form == OutputForm::gated_change; }
   /// Number of the network's outputs.
   int output_count() const { return static_cast<int>(output_scale.size()) * (is_gated() ? 2 : 1); }
@@ -90,6 +116,7 @@ class WindowGradient {
   Scalar* layer_input(int layer, int block);
   Scalar* previous_state(int block) { return layer_input(0, block) + 2 * segments_ * stride_; }
   void apply_output(int block, Scalar* state);
+  void compose(int block, Scalar* state);
   void carry_back(int block, Scalar* delta);
   void load_block(const FrameTable<Scalar>& frames, int group, int frame);
   void weigh(const FrameTable<Scalar>& frames, std::span<const int> starts);
@@ -119,6 +146,7 @@ class WindowGradient {
   Storage last_state_;      ///< one block: what no frame reads
   Storage carried_;         ///< one block: ∂loss/∂state, carried from frame to frame
   Storage direct_;          ///< one block: the part of it that the network had no part in
+  Storage unbounded_;       ///< states before (20), where there are bounds
   Storage gate_;            ///< g, where there are gates
   Storage error_gradient_;  ///< ∂(frame error)/∂state
 };

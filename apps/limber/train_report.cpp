@@ -1,0 +1,130 @@
+#include "train_report.hpp"
+
+#include <cmath>
+
+#include <fmt/ranges.h>
+
+#include "limber/arm/valve_file.hpp"
+#include "limber/network/gap_bounds.hpp"
+#include "limber/report/training_report.hpp"
+
+namespace limber {
+
+namespace {
+
+const char* status_of(const TrainingResult& result) {
+  switch (result.status) {
+    case TrainingStatus::finished:
+      return "finished";
+    case TrainingStatus::interrupted:
+      return "interrupted";
+    default:
+      return "diverged";
+  }
+}
+
+/// How large the model's error is on motions that it has not seen, or why that is not known.
+std::string error_line(const CompensationModel& model, bool has_unseen) {
+  if (model.prediction_error) {
+    return prediction_error_to_text(*model.prediction_error);
+  }
+  return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
+                      "arm was not tracked often enough"
+                    : "no motions were left to measure the model's error on; give --unseen "
+                      "RECORDING";
+}
+
+/// Which epoch was chosen, and why.
+std::string chosen_epoch(const TrainingResult& result) {
+  return std::isnan(result.best_validation_position_error_cm)
+             ? fmt::format("best by training loss (nothing was held back): epoch {}",
+                           result.best_epoch)
+             : fmt::format("best by validation: epoch {}, open-loop tip error {:.2f} cm{}",
+                           result.best_epoch, result.best_validation_position_error_cm,
+                           result.model.member_count() > 1 ? ", mean of the networks" : "");
+}
+
+nlohmann::ordered_json json_of(const CommonFlags& flags, const Command& command,
+                               const TrainingFiles& files, const TrainingResult& result,
+                               const EpisodeChoice& choice) {
+  const LearningCurvePoint& last = result.curve.back();
+  nlohmann::ordered_json json;
+  json["status"] = status_of(result);
+  json["model"] = files.model;
+  json["learning_curve"] = files.learning_curve.string();
+  json["preset"] = result.model.preset;
+  json["shape"] = result.model.shape();
+  json["seed"] = flags.seed;
+  json["epochs"] = last.epoch;
+  json["best_epoch"] = result.best_epoch;
+  json["passed_over_epochs"] = result.passed_over_epochs;
+  json["loss"] = last.loss;
+  json["validation_position_error_cm"] = result.best_validation_position_error_cm;
+  json["validation_episodes"] = choice.validation;
+  json["broken_episodes"] = choice.broken;
+  json["members"] = result.model.member_count();
+  json["valves"] = to_json(result.model.identified_valves());
+  if (result.model.member_count() > 1) {
+    json["member_validation_position_error_cm"] = result.member_validation_position_error_cm;
+  }
+  json["prediction_error"] = nullptr;
+  if (result.model.prediction_error) {
+    json["prediction_error"] = to_json(*result.model.prediction_error);
+  }
+  if (result.model.learnt) {
+    json["learnt"] = to_json(*result.model.learnt, command);
+  }
+  if (result.model.bounds) {
+    json["bounds"] = to_json(*result.model.bounds);
+  }
+  json["long_rollout"] = nullptr;
+  if (result.long_rollout.frames > 0) {
+    json["long_rollout"] = to_json(result.long_rollout);
+  }
+  return json;
+}
+
+/// What the check of long rollouts made of the best epochs.
+void say_what_ran_away(const CommonFlags& flags, const TrainingResult& result) {
+  if (!result.passed_over_epochs.empty()) {
+    say(flags,
+        "passed over epoch {}: in a rollout of {} frames its networks ran away, so that bounds had "
+        "to hold them; epoch {} is the next best",
+        fmt::join(result.passed_over_epochs, ", "), kLongRolloutFrames, result.best_epoch);
+  }
+  if (result.long_rollout.frames > 0 && result.long_rollout.ran_away()) {
+    say(flags,
+        "warning: the networks of all epochs kept run away in a rollout of {} frames (of epoch {}, "
+        "bounds hold {:.0f} % of them); more recordings or another --seed may help",
+        kLongRolloutFrames, result.best_epoch, 100.0 * result.long_rollout.held_share);
+  }
+}
+
+}  // namespace
+
+void print_training_result(const CommonFlags& flags, const Command& command,
+                           const TrainingFiles& files, const TrainingResult& result,
+                           const std::optional<FineTuningReport>& changes,
+                           const EpisodeChoice& choice, const std::optional<StageChoice>& stages) {
+  say_what_ran_away(flags, result);
+  nlohmann::ordered_json json = json_of(flags, command, files, result, choice);
+  json["windows_choice"] = nullptr;
+  if (stages) {
+    json["windows_choice"] = to_json(*stages);
+  }
+  if (changes) {
+    json["fine_tuning"] = to_json(*changes);
+  }
+  json["wall_time_s"] = result.wall_time_s;
+  print_result(flags, json,
+               fmt::format("{}: {}{} ({}), {} epochs in {:.1f} s, {}; {}\n{}{}", files.model,
+                           result.model.member_count() > 1
+                               ? fmt::format("{} networks ", result.model.member_count())
+                               : "",
+                           result.model.shape(), result.model.preset, result.curve.back().epoch,
+                           result.wall_time_s, status_of(result), chosen_epoch(result),
+                           error_line(result.model, !choice.data.unseen.empty()),
+                           changes ? "\n" + to_text(*changes) : ""));
+}
+
+}  // namespace limber

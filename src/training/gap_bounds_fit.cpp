@@ -1,0 +1,67 @@
+#include "limber/training/gap_bounds_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// Of what was recorded but for the rarest, widened.
+Range widened_range(std::vector<float>& values, double min_margin) {
+  const auto rare = static_cast<std::ptrdiff_t>(kRareShare * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), values.begin() + rare, values.end());
+  const double low = values[static_cast<std::size_t>(rare)];
+  std::nth_element(values.begin(), values.end() - 1 - rare, values.end());
+  const double high = *(values.end() - 1 - rare);
+  const double margin = std::max(kMargin * (high - low), min_margin);
+  return {low - margin, high + margin};
+}
+
+}  // namespace
+
+GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
+  const Eigen::Index gaps = episodes.empty() ? 0 : episodes.front().backbone.cols() / 3 - 1;
+  GapBounds bounds;
+  for (Eigen::VectorXf* numbers :
+       {&bounds.min_length_m, &bounds.max_length_m, &bounds.min_turn_rad, &bounds.max_turn_rad}) {
+    numbers->resize(gaps);
+  }
+  std::vector<float> lengths;
+  std::vector<float> turns;
+  for (Eigen::Index g = 0; g < gaps; ++g) {
+    lengths.clear();
+    turns.clear();
+    for (const Episode& episode : episodes) {
+      for (int t = 0; t < episode.frame_count(); ++t) {
+        if (episode.was_tracked(t)) {
+          const auto step = episode.backbone.row(t).segment<3>(3 * (g + 1)) -
+                            episode.backbone.row(t).segment<3>(3 * g);
+          lengths.push_back(std::hypot(step[0], step[1]));
+          turns.push_back(step[2]);
+        }
+      }
+    }
+    if (lengths.empty()) {
+      throw InputError("the arm was tracked in no frame of the recordings to learn from");
+    }
+    constexpr double kShortest_m = 1e-5;  // a gap keeps a direction, whatever was tracked
+    const double longest = *std::ranges::max_element(lengths);
+    const Range length = widened_range(lengths, std::max(kMinLengthMargin * longest, kShortest_m));
+    const Range turn = widened_range(turns, kMinTurnMargin_rad);
+    bounds.min_length_m[g] = static_cast<float>(std::max(length.low, kShortest_m));
+    bounds.max_length_m[g] = static_cast<float>(std::max(length.high, kShortest_m));
+    bounds.min_turn_rad[g] = static_cast<float>(turn.low);
+    bounds.max_turn_rad[g] = static_cast<float>(turn.high);
+  }
+  return bounds;
+}
+
+}  // namespace limber

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/training/trainer.hpp"
+
+namespace limber {
+
+/// Windows of a training run's stages, and how a short run with them did.
+struct WindowsTried {
+  std::vector<int> window_frames;
+  /// Mean tip errors on the validation data of the run's best epoch: one step ahead, and over
+  /// rollouts of 32 and of up to 600 frames. Infinite if the run diverged.
+  double one_step_cm = 0.0;
+  double window_32_cm = 0.0;
+  double window_600_cm = 0.0;
+
+  /// Their geometric mean: a model is asked for all three, and each weighs by its own measure.
+  double score_cm() const;
+};
+
+/// What a race between windows found.
+struct StageChoice {
+  std::vector<WindowsTried> tried;  ///< the preset's first
+  int chosen = 0;                   ///< index in `tried`
+  int race_epochs = 0;              ///< of each short run
+  int epochs = 0;                   ///< left for the chosen windows
+};
+
+/// Chooses the windows of `settings` (the default preset's) by validation: a short run for each of
+/// the preset's windows, 8 then 32, and 32 alone; the preset's stay unless others are better by
+/// kClearlyBetter. Leaves in `settings` the chosen stages and the epochs that the race did not use,
+/// so that both together take no longer than the preset alone. Depends on data, settings and seed,
+/// not on threads.
+/// @pre data.validation is not empty
+/// @throws Interrupted on Ctrl-C; InputError as `train`.
+StageChoice choose_stages(const ArmDescription& arm, const TrainingData& data,
+                          TrainingSettings& settings);
+inline constexpr double kClearlyBetter = 0.05;
+
+/// The stages of `choice`, for `settings` as they were before it was made.
+void apply(const StageChoice& choice, TrainingSettings& settings);
+
+/// Frames per window of each stage.
+std::vector<int> windows_of(const TrainingSettings& settings);
+
+/// The object `windows_choice` of `train --json`, and of the file that lets a stopped run go on.
+nlohmann::ordered_json to_json(const StageChoice& choice);
+/// For people, and for the model's record: "2 8 32: 1.66 cm; 8 32: 1.31 cm; 32: 1.24 cm, chosen".
+std::string to_text(const StageChoice& choice);
+
+/// The choice as a file beside a run's checkpoint.
+void write_choice(const std::filesystem::path& path, const StageChoice& choice);
+/// @throws InputError naming the file and what is wrong with it.
+StageChoice read_choice(const std::filesystem::path& path);
+
+}  // namespace limber

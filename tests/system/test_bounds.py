@@ -1,0 +1,105 @@
+"""Bounds of gaps: every trained model has them, `plan` refuses one without, and `train --epochs 0` adds
+them; and the windows that the default preset chooses."""
+
+import json
+import struct
+import unittest
+
+from program import InFolder
+
+ARM = ("--arm", "two_segment")
+PLAN = ("--environment", "01_pillar", "--max-iterations", 50)
+
+
+def without_bounds(content):
+    """A model as an earlier limber wrote it."""
+    (length,) = struct.unpack("<Q", content[:8])
+    header = json.loads(content[8:8 + length])
+    data = content[8 + length:]
+    kept, body = {"__metadata__": header.pop("__metadata__")}, b""
+    for name, entry in sorted(header.items(), key=lambda item: item[1]["data_offsets"]):
+        if not name.startswith("bounds."):
+            part = data[slice(*entry["data_offsets"])]
+            kept[name] = {**entry, "data_offsets": [len(body), len(body) + len(part)]}
+            body += part
+    text = json.dumps(kept).encode()
+    text += b" " * (-len(text) % 8)
+    return struct.pack("<Q", len(text)) + text + body
+
+
+class Bounds(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.run_limber("collect", *ARM, "--hold-s", 1.0, "--out", "train.h5", "--count", 12)
+
+    def train(self, *arguments):
+        return self.run_json(
+            "train", *ARM, "--data", "train.h5", "--hidden", 8, "--out", "m.safetensors", *arguments
+        )
+
+    def test_an_old_model_is_refused_by_plan_and_given_bounds_without_training(self):
+        trained = self.train("--epochs", 6)
+        self.assertEqual(len(trained["bounds"]["min_length_m"]), 10)
+        self.assertEqual(trained["long_rollout"]["frames"], 20000)
+        self.assertEqual(self.run_json("inspect", "m.safetensors")["bounds"], trained["bounds"])
+        old = self.folder / "old.safetensors"
+        old.write_bytes(without_bounds((self.folder / "m.safetensors").read_bytes()))
+        self.assertIsNone(self.run_json("inspect", "old.safetensors")["bounds"])
+
+        refused = self.run_limber("plan", *ARM, "--model", "old.safetensors", *PLAN, code=2).stderr
+        self.assertIn("old.safetensors: the model has no bounds", refused)
+        command = "limber train --from old.safetensors --epochs 0 --data train.h5 --out "
+        self.assertIn(command, refused)
+
+        evaluate = ("evaluate", *ARM, "--data", "train.h5", "--model")
+        before = self.run_json(*evaluate, "old.safetensors")
+        given = self.run_json(
+            "train", *ARM, "--from", "old.safetensors", "--epochs", 0, "--data", "train.h5",
+            "--out", "bounded.safetensors")
+        self.assertEqual(given["status"], "bounded")
+        bounded = self.run_json("inspect", "bounded.safetensors")
+        self.assertEqual(bounded["bounds"], given["bounds"])
+        self.assertEqual(bounded["learnt"], self.run_json("inspect", "old.safetensors")["learnt"])
+        after = self.run_json(*evaluate, "bounded.safetensors")
+        self.assertEqual(after["network"]["one_step"], before["network"]["one_step"])
+        result = self.run_limber(
+            "plan", *ARM, "--model", "bounded.safetensors", *PLAN, code=None)
+        self.assertNotIn("no bounds", result.stderr)
+
+    def test_epochs_0_asks_for_a_model_and_overwrites_nothing(self):
+        self.train("--epochs", 3)
+        message = self.run_limber(
+            "train", *ARM, "--epochs", 0, "--data", "train.h5", "--out", "x.safetensors", code=2
+        ).stderr
+        self.assertIn("it only adds bounds to an old model, and needs --from MODEL", message)
+        message = self.run_limber(
+            "train", *ARM, "--from", "m.safetensors", "--epochs", 0, "--data", "train.h5",
+            "--out", "m.safetensors", code=2
+        ).stderr
+        self.assertIn("m.safetensors", message)
+
+    def test_the_default_chooses_its_windows_and_says_so_for_any_number_of_jobs(self):
+        one = self.train("--jobs", 1)
+        choice = one["windows_choice"]
+        self.assertEqual([t["windows"] for t in choice["tried"]], [[2, 8, 32], [8, 32], [32]])
+        self.assertIn(choice["windows"], [t["windows"] for t in choice["tried"]])
+        self.assertEqual(choice["epochs"] + 3 * choice["race_epochs"], 450)
+        self.assertEqual(one["epochs"], choice["epochs"])
+        record = self.run_json("inspect", "m.safetensors")["training"]
+        self.assertEqual(record["windows"], " ".join(str(w) for w in choice["windows"]))
+        self.assertIn("chosen", record["windows_choice"])
+        self.assertEqual([], list(self.folder.glob("*.checkpoint*")))
+        first = (self.folder / "m.safetensors").read_bytes()
+        two = self.train("--jobs", 2, "--force")
+        self.assertEqual(two["windows_choice"], choice)
+        self.assertEqual((self.folder / "m.safetensors").read_bytes(), first)
+
+    def test_no_choice_is_made_where_windows_or_epochs_are_given(self):
+        self.assertIsNone(self.train("--epochs", 3)["windows_choice"])
+        given = self.train("--windows", 8, "--epochs", 3, "--force")
+        self.assertIsNone(given["windows_choice"])
+        self.assertEqual(self.run_json("inspect", "m.safetensors")["training"]["windows"], "8")
+
+
+if __name__ == "__main__":
+    unittest.main()
