@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "learnt_kind.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 
@@ -55,7 +56,8 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       members_(start != nullptr ? start->member_count() : settings.ensemble),
       tables_(tables_for(arm, data, settings, start)),
       layout_(widths(tables_, settings.hidden_units)),
-      own_episodes_(data.training.size()) {
+      own_episodes_(data.training.size()),
+      from_setpoints_(learns_from_setpoints(data)) {
   for (const TrainingStage& stage : settings_.stages) {
     if (shuffled_starts(stage).empty()) {
       throw InputError(fmt::format(
@@ -228,6 +230,7 @@ CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
   model.input = tables_.input;
   model.output = tables_.output;
   model.set_arm(arm_);
+  model.learnt_from_setpoints = from_setpoints_;
   model.preset = settings_.preset;
   return model;
 }

@@ -83,13 +83,15 @@ struct TrainingResult {
 /// Validation error: mean distance of the tip over open-loop rollouts of up to 600 frames that
 /// cover the validation episodes. For an ensemble it is that of the mean of its members'
 /// predictions, each member rolled out by itself. Untracked frames don't count.
-/// @throws InputError if the data don't fit the arm, or are too short for one window.
+/// @throws InputError if the data don't fit the arm, are too short for one window, or hold set points
+/// alone in some episodes and measured pressures in others: a model learns from one kind, and says
+/// from which (CompensationModel::learnt_from_setpoints).
 [[nodiscard]] TrainingResult train(const ArmDescription& arm, const TrainingData& data,
                                    const TrainingSettings& settings,
                                    const TrainingHooks& hooks = {});
 
 /// The same, from the weights of `start` (fine-tuning): its layout, hidden units, members and
-/// normalisation are kept. @throws InputError if it is another arm's.
+/// normalisation are kept. @throws InputError if it is another arm's, or learnt from the other kind.
 [[nodiscard]] TrainingResult fine_tune(const ArmDescription& arm, const TrainingData& data,
                                        const TrainingSettings& settings,
                                        const CompensationModel& start,
