@@ -26,6 +26,17 @@ void RecordingKinds::add(const std::string& file, bool setpoints_only) {
   }
 }
 
+Recording RecordingKinds::read(const std::string& file, const ArmDescription& arm,
+                               bool leave_out_measured) {
+  Recording recording = read_recording(file);
+  require_recording_of(recording, arm, file);
+  if (leave_out_measured) {
+    recording.episodes = with_setpoints_only(std::move(recording.episodes));
+  }
+  add(file, recording.setpoints_only());
+  return recording;
+}
+
 Recording as_learnt_from(const CompensationModel& network, const std::string& model_file,
                          Recording recording, const std::string& file) {
   if (network.learnt_from_setpoints && !recording.setpoints_only()) {

@@ -13,6 +13,10 @@ class RecordingKinds {
  public:
   /// @throws InputError that names this file and the first one, if they are of different kinds.
   void add(const std::string& file, bool setpoints_only);
+  /// Reads a recording of `arm` (require_recording_of) and adds it.
+  /// @param leave_out_measured  takes its set points alone
+  Recording read(const std::string& file, const ArmDescription& arm,
+                 bool leave_out_measured = false);
 
   bool setpoints_only() const { return setpoints_only_; }
 

@@ -140,9 +140,7 @@ class CharacterizeVerb final : public Verb {
     std::vector<Episode> episodes;
     RecordingKinds kinds;
     for (const std::string& path : recordings_) {
-      Recording recording = read_recording(path);
-      require_recording_of(recording, arm, path);
-      kinds.add(path, recording.setpoints_only());
+      Recording recording = kinds.read(path, arm);
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
     }
     const SimpleFit fit = fit_simple_model(arm, episodes);

@@ -219,12 +219,7 @@ class TrainVerb final : public Verb {
 
   Recording read_usable(const CommonFlags& flags, const ArmDescription& arm,
                         const std::string& path) {
-    Recording recording = read_recording(path);
-    require_recording_of(recording, arm, path);
-    if (setpoints_) {
-      recording.episodes = with_setpoints_only(std::move(recording.episodes));
-    }
-    kinds_.add(path, recording.setpoints_only());
+    Recording recording = kinds_.read(path, arm, setpoints_);
     if (const std::string warning = base_warning(recording); !warning.empty()) {
       say(flags, "warning: {}: {}", path, warning);
     }
@@ -355,26 +350,15 @@ class TrainVerb final : public Verb {
             : fmt::format("best by validation: epoch {}, open-loop tip error {:.2f} cm{}",
                           result.best_epoch, result.best_validation_position_error_cm,
                           result.model.member_count() > 1 ? ", mean of the networks" : "");
-    print_result(
-        flags, json,
-        fmt::format("{}: {}{} ({}), {} epochs in {:.1f} s, {}; {}\n{}{}", out_,
-                    result.model.member_count() > 1
-                        ? fmt::format("{} networks ", result.model.member_count())
-                        : "",
-                    result.model.shape(), result.model.preset, last.epoch, result.wall_time_s,
-                    status, chosen, error_line(result.model, !choice.data.unseen.empty()),
-                    changes ? "\n" + to_text(*changes) : ""));
-  }
-
-  /// How large the model's error is on motions that it has not seen, or why that is not known.
-  static std::string error_line(const CompensationModel& model, bool has_unseen) {
-    if (model.prediction_error) {
-      return prediction_error_to_text(*model.prediction_error);
-    }
-    return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
-                        "arm was not tracked often enough"
-                      : "no motions were left to measure the model's error on; give --unseen "
-                        "RECORDING";
+    print_result(flags, json,
+                 fmt::format("{}: {}{} ({}), {} epochs in {:.1f} s, {}; {}\n{}{}", out_,
+                             result.model.member_count() > 1
+                                 ? fmt::format("{} networks ", result.model.member_count())
+                                 : "",
+                             result.model.shape(), result.model.preset, last.epoch,
+                             result.wall_time_s, status, chosen,
+                             prediction_error_line(result.model, !choice.data.unseen.empty()),
+                             changes ? "\n" + to_text(*changes) : ""));
   }
 
   static constexpr double kValidationShare = 0.1;

@@ -105,7 +105,7 @@ void validate_episode(const Recording& recording, std::size_t index, const std::
   }
   if (episode.setpoints_only != recording.setpoints_only()) {
     check.refuse("pressure_kpa",
-                 fmt::format("{}; in episode 0 it is the other way round. Expected one kind in a "
+                 fmt::format("{}, other than in episode 0; expected one kind in a "
                              "recording: make two of it",
                              episode.setpoints_only ? "nothing was measured" : "measured"));
   }
