@@ -60,4 +60,14 @@ EpisodeChoice choose_episodes(const ArmDescription& arm, NamedEpisodes all,
   return choice;
 }
 
+std::string prediction_error_line(const CompensationModel& model, bool has_unseen) {
+  if (model.prediction_error) {
+    return prediction_error_to_text(*model.prediction_error);
+  }
+  return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
+                      "arm was not tracked often enough"
+                    : "no motions were left to measure the model's error on; give --unseen "
+                      "RECORDING";
+}
+
 }  // namespace limber

@@ -38,4 +38,7 @@ EpisodeChoice choose_episodes(const ArmDescription& arm, NamedEpisodes all,
                               NamedEpisodes validation, const EpisodeShares& shares,
                               std::uint64_t seed);
 
+/// How large the model's error is on motions that it has not seen, or why that is not known.
+std::string prediction_error_line(const CompensationModel& model, bool has_unseen);
+
 }  // namespace limber

@@ -41,6 +41,10 @@ ValveParameters ModelFlags::valves(const ArmDescription& arm,
   if (no_valves_) {
     return {};
   }
+  if (network != nullptr && network->learnt_from_setpoints) {
+    refuse_valves_before_setpoints();
+    return {};
+  }
   if (valves_.empty()) {
     return network != nullptr && network->valves ? *network->valves : ValveParameters{};
   }
@@ -52,13 +56,24 @@ ValveParameters ModelFlags::valves(const ArmDescription& arm,
   return valves;
 }
 
+void ModelFlags::refuse_valves_before_setpoints() const {
+  if (!valves_.empty()) {
+    throw InputError(fmt::format(
+        "--valves {}: {} learnt from set points, so that it knows the valves along with the arm; "
+        "before it their lag would count twice. Leave --valves out, or give a network that learnt "
+        "from measured pressures",
+        valves_, model_.empty() ? "the network" : model_));
+  }
+}
+
 MotionModel ModelFlags::motion_model(const ArmDescription& arm, const ForwardModel& forward) const {
   const CompensationModel* network = forward.has_network() ? &forward.compensation() : nullptr;
   return {forward, ValveModel(arm, valves(arm, network))};
 }
 
 void ModelFlags::warn_without_valves(const MotionModel& model, const CommonFlags& flags) const {
-  if (!model.valves().is_ideal() || no_valves_) {
+  if (!model.valves().is_ideal() || no_valves_ ||
+      (model.has_network() && model.compensation().learnt_from_setpoints)) {
     return;
   }
   const std::string reason =

@@ -26,15 +26,19 @@ class ModelFlags {
   /// The same for searching motions with: a network needs bounds (require_bounded).
   ForwardModel planning_model(const ArmDescription& arm) const;
 
-  /// Those of --valves FILE, else those that `network` was trained with; none with --no-valves.
+  /// Those of --valves FILE, else those that `network` was trained with; none with --no-valves, and
+  /// none before a network that learnt from set points.
   /// @param network  null: the no-load model
-  /// @throws InputError if they do not fit the arm.
+  /// @throws InputError if they do not fit the arm, or if --valves FILE names some for a network that
+  /// learnt from set points.
   ValveParameters valves(const ArmDescription& arm, const CompensationModel* network) const;
   MotionModel motion_model(const ArmDescription& arm, const ForwardModel& forward) const;
-  /// Warns if no valve model is known and --no-valves was not given.
+  /// Warns if no valve model is known, one is needed and --no-valves was not given.
   void warn_without_valves(const MotionModel& model, const CommonFlags& flags) const;
 
  private:
+  void refuse_valves_before_setpoints() const;
+
   std::string model_;
   bool no_load_ = false;
   std::string valves_;

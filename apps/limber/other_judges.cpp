@@ -27,11 +27,14 @@ bool has_failed(const Certificate& certificate, const char* check) {
 }  // namespace
 
 OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const ArmDescription& arm,
-                        const ValveParameters& valves, const Environment& environment) {
+                        const ValveParameters* valves, const Environment& environment) {
   const CompensationModel network = read_model(model_file);
+  const ValveParameters own = network.valves.value_or(ValveParameters{});
+  const ValveParameters& used = valves == nullptr || network.learnt_from_setpoints ? own : *valves;
   Plan same_commands = plan;
   same_commands.model = "network";
-  const Certificate found = certify(same_commands, arm, &network, valves, environment);
+  same_commands.valves_hash = used.hash();
+  const Certificate found = certify(same_commands, arm, &network, used, environment);
   OtherJudgement judgement;
   judgement.model = model_file;
   judgement.goal_distance_m = found.goal_distance_m;

@@ -28,9 +28,12 @@ struct OtherJudgement {
 
 /// Rolls out `plan` on the network of `model_file`, by the certificate's own simulation, from its
 /// start through its set points. Obstacles need only not be touched: margins are the plan's
-/// model's business. @throws InputError where the network or the plan is of another arm.
+/// model's business. A network that learnt from set points is asked with them.
+/// @param valves  the plan's; null: its own model learnt from set points, so that the other one's
+///                own valves are used.
+/// @throws InputError where the network or the plan is of another arm.
 OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const ArmDescription& arm,
-                        const ValveParameters& valves, const Environment& environment);
+                        const ValveParameters* valves, const Environment& environment);
 
 nlohmann::ordered_json to_json(const OtherJudgement& judgement);
 std::string to_text(const OtherJudgement& judgement);

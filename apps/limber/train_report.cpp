@@ -4,6 +4,7 @@
 
 #include <fmt/ranges.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/report/training_report.hpp"
@@ -63,6 +64,7 @@ nlohmann::ordered_json json_of(const CommonFlags& flags, const Command& command,
   json["validation_episodes"] = choice.validation;
   json["broken_episodes"] = choice.broken;
   json["members"] = result.model.member_count();
+  json["learnt_from"] = commands_are(result.model.learnt_from_setpoints);
   json["valves"] = to_json(result.model.identified_valves());
   if (result.model.member_count() > 1) {
     json["member_validation_position_error_cm"] = result.member_validation_position_error_cm;

@@ -16,6 +16,7 @@
 #include "limber/hardware/bench_test.hpp"
 #include "limber/report/bench_chart.hpp"
 #include "limber/report/valve_plot.hpp"
+#include "recording_kinds.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -137,9 +138,9 @@ class CharacterizeVerb final : public Verb {
     const ArmDescription arm = with_lines_for_missing_polynomials(
         load_asked_arm(arm_file, PolynomialsOf::characterisation));
     std::vector<Episode> episodes;
+    RecordingKinds kinds;
     for (const std::string& path : recordings_) {
-      Recording recording = read_recording(path);
-      require_recording_of(recording, arm, path);
+      Recording recording = kinds.read(path, arm);
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
     }
     const SimpleFit fit = fit_simple_model(arm, episodes);
@@ -172,6 +173,12 @@ class CharacterizeVerb final : public Verb {
     }
     const Recording recording = read_recording(valves_);
     require_sizes_of(recording, arm, valves_);
+    if (recording.setpoints_only()) {
+      throw InputError(fmt::format(
+          "--valves {}: the recording holds set points only, no measured {}s: there is nothing to "
+          "identify valves from. A network that learns from it knows them along with the arm",
+          valves_, recording.command.name));
+    }
     const IdentifiedValves valves =
         identify_valves(recording.episodes, arm, fs::path(valves_).filename().string());
     for (const std::string& warning : valves.findings.warnings) {

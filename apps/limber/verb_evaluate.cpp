@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
@@ -11,6 +12,7 @@
 #include "limber/training/ensemble_evaluation.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/unseen_error.hpp"
+#include "recording_kinds.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -70,8 +72,7 @@ class EvaluateVerb final : public Verb {
       network.emplace(arm, read_model(model_));
     }
     const std::string data_hash = content_hash(read_file(data_));  // names why it can't be read
-    const Recording recording = read_recording(data_);
-    require_recording_of(recording, arm, data_);
+    const Recording recording = asked_with(read_usable(arm, data_), network, data_);
     if (network && was_trained_on(network->compensation(), data_hash)) {
       const std::string fault =
           fmt::format("the model was trained on {}; its errors there say nothing", data_);
@@ -82,8 +83,9 @@ class EvaluateVerb final : public Verb {
     }
     const ForwardModel* compared = network ? &*network : nullptr;
     const Evaluation evaluation = compare(no_load, compared, recording, flags.jobs);
-    const YardstickReport yardsticks = measure_yardsticks(
-        arm, no_load, compared, recording.episodes, episodes_to_fit(arm), flags.jobs);
+    const YardstickReport yardsticks =
+        measure_yardsticks(arm, no_load, compared, recording.episodes,
+                           episodes_to_fit(arm, network, recording.setpoints_only()), flags.jobs);
     if (!plots_.empty()) {
       const EvaluationPlots plots =
           plot_evaluation(no_load, compared, recording.episodes, flags.jobs);
@@ -100,8 +102,12 @@ class EvaluateVerb final : public Verb {
       }
     }
     nlohmann::ordered_json json = to_json(evaluation);
+    json["commands_are"] = commands_are(recording.setpoints_only());
     add_to_json(yardsticks, recording.episodes, json);
     std::string text = evaluation_to_text(evaluation) + yardsticks_to_text(yardsticks);
+    if (recording.setpoints_only()) {
+      text += "all models were asked with set points\n";
+    }
     if (network && network->compensation().member_count() > 1) {
       const EnsembleForward ensemble(arm, network->compensation());
       const EnsembleEvaluation errors = evaluate_ensemble(ensemble, recording.episodes, flags.jobs);
@@ -129,11 +135,33 @@ class EvaluateVerb final : public Verb {
     return std::filesystem::path(plots_) / "error_over_horizon.svg";
   }
 
-  std::vector<Episode> episodes_to_fit(const ArmDescription& arm) const {
+  static Recording read_usable(const ArmDescription& arm, const std::string& path) {
+    Recording recording = read_recording(path);
+    require_recording_of(recording, arm, path);
+    return recording;
+  }
+
+  Recording asked_with(Recording recording, const std::optional<ForwardModel>& network,
+                       const std::string& path) const {
+    return network ? as_learnt_from(network->compensation(), model_, std::move(recording), path)
+                   : std::move(recording);
+  }
+
+  /// Of the kind of what is predicted.
+  std::vector<Episode> episodes_to_fit(const ArmDescription& arm,
+                                       const std::optional<ForwardModel>& network,
+                                       bool setpoints_only) const {
     std::vector<Episode> episodes;
     for (const std::string& path : fit_) {
-      Recording recording = read_recording(path);
-      require_recording_of(recording, arm, path);
+      Recording recording = asked_with(read_usable(arm, path), network, path);
+      if (setpoints_only && !recording.setpoints_only()) {
+        recording.episodes = with_setpoints_only(std::move(recording.episodes));
+      } else if (recording.setpoints_only() != setpoints_only) {
+        throw InputError(fmt::format(
+            "--fit {}: holds set points only, --data {} what was measured; give recordings of one "
+            "kind",
+            path, data_));
+      }
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
     }
     return episodes;

@@ -1,5 +1,6 @@
 #include <filesystem>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/logs/log_import.hpp"
@@ -78,6 +79,7 @@ class ImportVerb final : public Verb {
     nlohmann::ordered_json json;
     json["file"] = dry_run_ ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(out_);
     json["arm"] = result.recording.arm_name;
+    json["commands_are"] = commands_are(result.recording.setpoints_only());
     json.update(to_json(result.report));
     print_result(flags, json,
                  to_text(result.report) + (dry_run_ ? ". Nothing was written" : " in " + out_));

@@ -196,6 +196,7 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
                   {"segments", model.segment_count},
                   {"points", model.point_count},
                   {"training", model.training},
+                  {"learnt_from", commands_are(model.learnt_from_setpoints)},
                   {"valves", nullptr},
                   {"prediction_error", nullptr},
                   {"learnt", nullptr},
@@ -207,6 +208,9 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
   }
   for (const auto& [key, value] : model.training) {
     finding.text += fmt::format("\n  {}: {}", key, value);
+  }
+  if (model.learnt_from_setpoints) {
+    finding.text += "\n  learnt from set points only: no valve model belongs before it";
   }
   const IdentifiedValves valves = model.identified_valves();
   if (model.valves || !valves.findings.reason.empty()) {

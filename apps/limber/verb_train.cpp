@@ -8,6 +8,7 @@
 
 #include "bound_model.hpp"
 #include "episode_choice.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
@@ -19,6 +20,7 @@
 #include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
+#include "recording_kinds.hpp"
 #include "train_report.hpp"
 #include "verbs.hpp"
 #include "window_choice.hpp"
@@ -47,6 +49,10 @@ class TrainVerb final : public Verb {
     app.add_option("--unseen", unseen_,
                    "Recording for measuring the model's error, used neither for training nor for "
                    "choosing; else whole episodes are held back");
+    app.add_flag(
+        "--setpoints", setpoints_,
+        "Learn from set points alone, also where pressures were measured: for recordings of "
+        "both kinds");
     app.add_option("--preset", preset_, "paper: as published; best: the default")
         ->check(CLI::IsMember({"paper", "best"}))
         ->capture_default_str();
@@ -116,6 +122,7 @@ class TrainVerb final : public Verb {
       start = read_model(from_);
       require_model_of(*start, arm, from_);
       require_no_contradiction(*start);
+      kinds_.add(from_, start->learnt_from_setpoints);
     }
     TrainingSettings settings = make_settings(flags, start.has_value());
     std::string sources;
@@ -233,18 +240,17 @@ class TrainVerb final : public Verb {
     return settings;
   }
 
-  static Recording read_usable(const CommonFlags& flags, const ArmDescription& arm,
-                               const std::string& path) {
-    Recording recording = read_recording(path);
-    require_recording_of(recording, arm, path);
+  Recording read_usable(const CommonFlags& flags, const ArmDescription& arm,
+                        const std::string& path) {
+    Recording recording = kinds_.read(path, arm, setpoints_);
     if (const std::string warning = base_warning(recording); !warning.empty()) {
       say(flags, "warning: {}: {}", path, warning);
     }
     return recording;
   }
 
-  static NamedEpisodes read_episodes(const CommonFlags& flags, const ArmDescription& arm,
-                                     const std::vector<std::string>& paths, std::string& sources) {
+  NamedEpisodes read_episodes(const CommonFlags& flags, const ArmDescription& arm,
+                              const std::vector<std::string>& paths, std::string& sources) {
     NamedEpisodes all;
     for (const std::string& path : paths) {
       const std::string file = fs::path(path).filename().string();
@@ -257,7 +263,7 @@ class TrainVerb final : public Verb {
 
   /// What is replayed, and what the old errors are measured on.
   TrainingData load_old_data(const CommonFlags& flags, const ArmDescription& arm,
-                             const TrainingSettings& settings, std::string& sources) const {
+                             const TrainingSettings& settings, std::string& sources) {
     std::vector<Episode> episodes = read_episodes(flags, arm, old_data_, sources).episodes;
     return episodes.empty()
                ? TrainingData()
@@ -266,7 +272,7 @@ class TrainVerb final : public Verb {
 
   EpisodeChoice load_data(const CommonFlags& flags, const ArmDescription& arm,
                           const TrainingSettings& settings, std::string& sources,
-                          IdentifiedValves& valves) const {
+                          IdentifiedValves& valves) {
     NamedEpisodes all = read_episodes(flags, arm, data_, sources);
     std::vector<std::string> files;
     for (const std::string& path : data_) {
@@ -342,6 +348,8 @@ class TrainVerb final : public Verb {
   std::vector<int> windows_;
   std::vector<int> hidden_;
   std::optional<int> ensemble_;
+  bool setpoints_ = false;
+  RecordingKinds kinds_;
   double checkpoint_interval_s_ = 20.0;
   bool resume_ = false;
   std::string out_ = "model.safetensors";

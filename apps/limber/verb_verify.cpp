@@ -57,8 +57,10 @@ class VerifyVerb final : public Verb {
     nlohmann::ordered_json json = to_json(certificate, arm.command, environment);
     std::string text = certificate_to_text(certificate, arm, environment);
     bool agreed = true;
+    const bool setpoints = used != nullptr && used->learnt_from_setpoints;
     for (const std::string& other : also_) {
-      const OtherJudgement judgement = judge_by(other, plan, arm, valves, environment);
+      const OtherJudgement judgement =
+          judge_by(other, plan, arm, setpoints ? nullptr : &valves, environment);
       json["also"].push_back(to_json(judgement));
       text += "\n" + to_text(judgement);
       agreed = agreed && judgement.agrees();

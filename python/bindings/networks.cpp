@@ -91,6 +91,8 @@ void bind_networks(py::module_& module) {
       .def_readonly("preset", &CompensationModel::preset, "\"paper\" or \"best\".")
       .def_readwrite("training", &CompensationModel::training,
                      "Record of the training, a dict of texts; assign a whole one.")
+      .def_readonly("learnt_from_setpoints", &CompensationModel::learnt_from_setpoints,
+                    "It knows the valves along with the arm, and none belong before it.")
       .def_readwrite("valves", &CompensationModel::valves,
                      "Between set points and pressures of the recordings, or None.")
       .def_readonly("valve_findings", &CompensationModel::valve_findings, "How they were found.")

@@ -42,8 +42,9 @@ Episode make_episode(
     const DoubleArray& time_s, const FloatArray& pressure_kpa, const FloatArray& setpoint_kpa,
     const FloatArray& backbone,
     const py::array_t<int, py::array::c_style | py::array::forcecast>& motion_index,
-    const py::object& tracked) {
+    const py::object& tracked, bool setpoints_only) {
   Episode episode;
+  episode.setpoints_only = setpoints_only;
   const py::ssize_t frames = time_s.size();
   require_shape(time_s, {frames}, "time_s");
   episode.time_s = Eigen::Map<const Eigen::VectorXd>(time_s.data(), frames);
@@ -72,8 +73,9 @@ void bind_episode(py::module_& module) {
                       "are views of limber's own memory.")
       .def(py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
            py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
-           py::arg("tracked") = py::none(),
-           "Copies its arrays once: (T,), (T, n), (T, n), (T, m, 3), (T,), and (T,) or None.")
+           py::arg("tracked") = py::none(), py::arg("setpoints_only") = false,
+           "Copies its arrays once: (T,), (T, n), (T, n), (T, m, 3), (T,), and (T,) or None. With "
+           "setpoints_only, pressure_kpa has to be setpoint_kpa.")
       .def_property_readonly(
           "time_s",
           [](const py::object& self) {
@@ -86,7 +88,7 @@ void bind_episode(py::module_& module) {
           [](const py::object& self) {
             return view_of_frames(self.cast<const Episode&>().pressure_kpa, self);
           },
-          "Measured, float32 (T, n) [kPa].")
+          "Measured, float32 (T, n) [kPa]; the set points, where nothing was measured.")
       .def_property_readonly(
           "setpoint_kpa",
           [](const py::object& self) {
@@ -117,6 +119,8 @@ void bind_episode(py::module_& module) {
             return tracked;
           },
           "Whether the backbone was seen, bool (T,); a copy.")
+      .def_readonly("setpoints_only", &Episode::setpoints_only,
+                    "Nothing was measured: pressure_kpa holds the set points.")
       .def_property_readonly("frame_count", &Episode::frame_count, "T.")
       .def_property_readonly("untracked_count", &Episode::untracked_count,
                              "Frames without a measured backbone.")
@@ -149,6 +153,8 @@ void bind_recording(py::module_& module) {
             return episodes;
           },
           "Its runs; no copies.")
+      .def_property_readonly("setpoints_only", &Recording::setpoints_only,
+                             "Nothing was measured in any of its episodes.")
       .def_property_readonly("frame_count", &Recording::frame_count, "Of all episodes.")
       .def_property_readonly("untracked_count", &Recording::untracked_count,
                              "Frames without a measured backbone.")
@@ -221,6 +227,12 @@ void bind_recordings(py::module_& module) {
       py::arg("arm"), py::arg("episodes"), py::arg("source") = "python", py::arg("seed") = 0,
       "A recording of these episodes (copied), checked: sizes agree, times increase, numbers are "
       "finite.");
+  module.def(
+      "with_setpoints_only",
+      [](const py::iterable& episodes) {
+        return episodes_to(with_setpoints_only(episodes_from(episodes)));
+      },
+      py::arg("episodes"), "Copies of them without what was measured: set points alone.");
   module.def("read_recording", &read_recording, py::arg("path"),
              py::call_guard<py::gil_scoped_release>(), "Reads and checks a recording (HDF5).");
   module.def("write_recording", &write_recording, py::arg("path"), py::arg("recording"),

@@ -45,7 +45,8 @@ __all__ = [
     "read_valves", "require_model_of", "require_plan_of", "require_recording_of",
     "rest_positions_m", "set_epoch_count", "set_window_frames", "solve_inverse_kinematics",
     "start_state", "tip_pose", "to_json", "train", "training_preset", "virtual_arm_factory",
-    "virtual_collection", "write_arm", "write_backbones_csv", "write_environment",
+    "virtual_collection", "with_setpoints_only", "write_arm", "write_backbones_csv",
+    "write_environment",
     "write_model", "write_plan", "write_recording", "write_setpoints_csv", "write_valves",
 ]
 

@@ -356,6 +356,9 @@ class CompensationModel:
     @training.setter
     def training(self, value: dict[str, str]) -> None: ...
     @property
+    def learnt_from_setpoints(self) -> bool:
+        """It knows the valves along with the arm, and none belong before it."""
+    @property
     def valves(self) -> ValveParameters | None:
         """Between set points and pressures of the recordings, or None."""
     @valves.setter
@@ -416,7 +419,7 @@ class Episode:
         """float64 (T,) [s]."""
     @property
     def pressure_kpa(self) -> npt.NDArray[np.float32]:
-        """Measured, float32 (T, n) [kPa]."""
+        """Measured, float32 (T, n) [kPa]; the set points, where nothing was measured."""
     @property
     def setpoint_kpa(self) -> npt.NDArray[np.float32]:
         """Commanded, float32 (T, n) [kPa]."""
@@ -430,13 +433,16 @@ class Episode:
     def tracked(self) -> npt.NDArray[np.bool_]:
         """Whether the backbone was seen, bool (T,); a copy."""
     @property
+    def setpoints_only(self) -> bool:
+        """Nothing was measured: pressure_kpa holds the set points."""
+    @property
     def frame_count(self) -> int:
         """T."""
     @property
     def untracked_count(self) -> int:
         """Frames without a measured backbone."""
-    def __init__(self, time_s: npt.ArrayLike, pressure_kpa: npt.ArrayLike, setpoint_kpa: npt.ArrayLike, backbone: npt.ArrayLike, motion_index: npt.ArrayLike, tracked: npt.ArrayLike | None = None) -> None:
-        """Copies its arrays once: (T,), (T, n), (T, n), (T, m, 3), (T,), and (T,) or None."""
+    def __init__(self, time_s: npt.ArrayLike, pressure_kpa: npt.ArrayLike, setpoint_kpa: npt.ArrayLike, backbone: npt.ArrayLike, motion_index: npt.ArrayLike, tracked: npt.ArrayLike | None = None, setpoints_only: bool = False) -> None:
+        """Copies its arrays once: (T,), (T, n), (T, n), (T, m, 3), (T,), and (T,) or None. With setpoints_only, pressure_kpa has to be setpoint_kpa."""
     def __len__(self) -> int: ...
 
 class ErrorRoom:
@@ -1231,6 +1237,9 @@ class Recording:
     @property
     def episodes(self) -> list[Episode]:
         """Its runs; no copies."""
+    @property
+    def setpoints_only(self) -> bool:
+        """Nothing was measured in any of its episodes."""
     @property
     def frame_count(self) -> int:
         """Of all episodes."""
@@ -2059,6 +2068,9 @@ def virtual_collection(arm: ArmDescription, schedule: ScheduleSettings, options:
 
 def write_arm(path: str | os.PathLike[str], arm: ArmDescription) -> None:
     """Writes an arm file that load_arm reads."""
+
+def with_setpoints_only(episodes: Iterable) -> list[Episode]:
+    """Copies of them without what was measured: set points alone."""
 
 def write_backbones_csv(path: str | os.PathLike[str], plan: Plan) -> None:
     """Predicted shapes, one row a frame."""

@@ -36,7 +36,7 @@ struct Certifier::Problem {
   const ValveParameters& valves;
   const Environment& environment;
   std::string arm_hash, valves_hash, environment_hash;
-  std::string network_refusal;  // why the network is not the arm's; empty: it is
+  std::string network_refusal;  // why the network can't judge this; empty: it can
   ExactArm model;
   SweptClearance clearance;
 };
@@ -293,10 +293,12 @@ class Certifier::Certification {
 
 namespace {
 
-std::string why_not_of_arm(const CompensationModel* network, const ArmDescription& arm) {
+std::string why_not_usable(const CompensationModel* network, const ArmDescription& arm,
+                           const ValveParameters& valves) {
   try {
     if (network != nullptr) {
       require_model_of(*network, arm, "the plan's model");
+      require_no_valves_before(*network, valves, "the plan's model");
     }
   } catch (const InputError& error) {
     return error.what();
@@ -326,7 +328,7 @@ Certifier::Certifier(const ArmDescription& arm, const CompensationModel* network
                            arm.hash(),
                            valves.hash(),
                            limber::environment_hash(environment),
-                           why_not_of_arm(network, arm),
+                           why_not_usable(network, arm, valves),
                            {arm, network},
                            {arm, environment.obstacles, Certificate::kClearanceToleranceM}}) {}
 

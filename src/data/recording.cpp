@@ -104,6 +104,17 @@ void validate_episode(const Recording& recording, std::size_t index, const std::
   if (!episode.tracked.empty()) {
     check.length("tracked", episode.tracked, frames);
   }
+  if (episode.setpoints_only != recording.setpoints_only()) {
+    check.refuse("pressure_kpa",
+                 fmt::format("{}, other than in episode 0; expected one kind in a "
+                             "recording: make two of it",
+                             episode.setpoints_only ? "nothing was measured" : "measured"));
+  }
+  if (episode.setpoints_only && episode.pressure_kpa != episode.setpoint_kpa) {
+    check.refuse("pressure_kpa",
+                 "differs from setpoint_kpa, though the episode says that nothing was measured; "
+                 "expected the set points");
+  }
 }
 
 }  // namespace
@@ -149,6 +160,14 @@ Recording make_recording(const ArmDescription& arm, const std::string& source, s
   recording.seed = seed;
   recording.source = source;
   return recording;
+}
+
+std::vector<Episode> with_setpoints_only(std::vector<Episode> episodes) {
+  for (Episode& episode : episodes) {
+    episode.pressure_kpa = episode.setpoint_kpa;
+    episode.setpoints_only = true;
+  }
+  return episodes;
 }
 
 void validate_header(const Recording& recording, const std::string& file) {
@@ -253,7 +272,9 @@ void require_recording_of(const Recording& recording, const ArmDescription& arm,
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
     const std::string where = episode_path(e);
     const Episode& episode = recording.episodes[e];
-    require_commands_within(episode.pressure_kpa, arm, file, where + ", measured");
+    if (!episode.setpoints_only) {
+      require_commands_within(episode.pressure_kpa, arm, file, where + ", measured");
+    }
     require_commands_within(episode.setpoint_kpa, arm, file, where + ", set points");
   }
   if (recording.frame_count() > 0 && recording.untracked_count() == recording.frame_count()) {

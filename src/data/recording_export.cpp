@@ -20,9 +20,16 @@ namespace fs = std::filesystem;
 constexpr double kPlateHeight_m = 0.05;   // above the floor of the motion capture
 constexpr double kMarkerToSide_m = 0.02;  // from the plate's middle
 
+/// Names of what is exported: what was measured, if anything was, and the set points.
+std::vector<std::string> command_names(const Recording& recording) {
+  return recording.setpoints_only()
+             ? std::vector<std::string>{"setpoint"}
+             : std::vector<std::string>{followed_name(recording.command), "setpoint"};
+}
+
 std::string command_header(const Recording& recording) {
   std::string text;
-  for (const std::string& what : {followed_name(recording.command), std::string("setpoint")}) {
+  for (const std::string& what : command_names(recording)) {
     for (int i = 0; i < recording.segment_count; ++i) {
       text += "," + quantity_column(recording.command, what, i);
     }
@@ -33,6 +40,9 @@ std::string command_header(const Recording& recording) {
 std::string command_cells(const Episode& episode, Eigen::Index t) {
   std::string text;
   for (const FrameMatrix* values : {&episode.pressure_kpa, &episode.setpoint_kpa}) {
+    if (episode.setpoints_only && values == &episode.pressure_kpa) {
+      continue;
+    }
     for (const float value : values->row(t)) {
       text += fmt::format(",{:.9g}", value);
     }
@@ -43,9 +53,8 @@ std::string command_cells(const Episode& episode, Eigen::Index t) {
 std::string command_mapping(const Recording& recording) {
   std::string text =
       recording.command.is_pressure_kpa() ? "pressures:\n  unit: kPa\n" : "commands:\n";
-  for (const auto& [key, what] : {std::pair{"columns", followed_name(recording.command)},
-                                  std::pair{"setpoints", std::string("setpoint")}}) {
-    text += fmt::format("  {}: [", key);
+  for (const std::string& what : command_names(recording)) {
+    text += fmt::format("  {}: [", what == "setpoint" ? "setpoints" : "columns");
     for (int i = 0; i < recording.segment_count; ++i) {
       text += (i > 0 ? ", " : "") + quantity_column(recording.command, what, i);
     }

@@ -77,7 +77,8 @@ class EpisodeInspector {
                         fmt::format("{}: {:.1f} {}, limit {:.1f}", segment_name(s), setpoint_kpa,
                                     recording_.command.unit, limit_of(s, setpoint_kpa)));
       }
-      if (limits_kpa_[s].size_kpa(pressure_kpa) > kOvershoot * limit_kpa) {
+      if (!episode_.setpoints_only &&
+          limits_kpa_[s].size_kpa(pressure_kpa) > kOvershoot * limit_kpa) {
         suspicions_.add(
             "a measured " + recording_.command.name + " more than 10 % beyond the segment's limit",
             index_, t,
@@ -178,6 +179,40 @@ std::vector<PressureLimits> limits_of(const ArmDescription* arm,
   return limits_kpa;
 }
 
+std::string ranges_to_text(const Recording& recording, const std::vector<PressureRange>& ranges) {
+  const bool measured = !recording.setpoints_only();
+  const std::string& unit = recording.command.unit;
+  std::string text =
+      measured ? ""
+               : fmt::format("  set points only: no {} was measured\n", recording.command.name);
+  for (std::size_t s = 0; s < ranges.size(); ++s) {
+    const PressureRange& range = ranges[s];
+    text +=
+        fmt::format("  {}: {}set {:.1f} … {:.1f} {}\n", segment_name(static_cast<Eigen::Index>(s)),
+                    measured ? fmt::format("measured {:.1f} … {:.1f} {}, ", range.lowest_kpa,
+                                           range.highest_kpa, unit)
+                             : "",
+                    range.lowest_setpoint_kpa, range.highest_setpoint_kpa, unit);
+  }
+  return text;
+}
+
+/// Empty for those who never meant to record transitions. Whether an end was reached is known only
+/// where something was measured.
+std::string transitions_to_text(const Recording& recording, const RecordingInspection& inspection) {
+  const TransitionCoverage& transitions = inspection.transitions;
+  if (double(transitions.attempted) < kMeantTransitions * transitions.possible) {
+    return "";
+  }
+  const char* guessed = inspection.limits_known ? "" : "; limits guessed from the set points";
+  return recording.setpoints_only()
+             ? fmt::format("  {} of {:.0f} transitions commanded{}\n", transitions.attempted,
+                           transitions.possible, guessed)
+             : fmt::format(
+                   "  {} of {:.0f} transitions covered (both ends reached), {} commanded{}\n",
+                   transitions.covered, transitions.possible, transitions.attempted, guessed);
+}
+
 /// By the arm file, or by the arm that the recording describes.
 std::optional<EpisodeErrors> errors_of(const Recording& recording, const ArmDescription* arm,
                                        const std::string& file) {
@@ -227,6 +262,7 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
   json["program_version"] = recording.program_version;
   json["rate_hz"] = recording.rate_hz;
   json["command"] = {{"name", recording.command.name}, {"unit", recording.command.unit}};
+  json["commands_are"] = commands_are(recording.setpoints_only());
   json["segments"] = recording.segment_count;
   json["points"] = recording.point_count;
   json["episodes"] = recording.episodes.size();
@@ -235,8 +271,13 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
   json["duration_s"] = recording.duration_s();
   // `command` is taken: it says what drives the arm.
   const char* const followed = recording.command.is_pressure_kpa() ? "pressure_kpa" : "commands";
+  if (recording.setpoints_only()) {
+    json[followed] = nullptr;
+  }
   for (const PressureRange& range : inspection.pressures) {
-    json[followed].push_back({range.lowest_kpa, range.highest_kpa});
+    if (!recording.setpoints_only()) {
+      json[followed].push_back({range.lowest_kpa, range.highest_kpa});
+    }
     json[quantity_key(recording.command, "setpoint")].push_back(
         {range.lowest_setpoint_kpa, range.highest_setpoint_kpa});
   }
@@ -246,7 +287,9 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
   json["limits_known"] = inspection.limits_known;
   json["transitions"] = {{"possible", static_cast<std::int64_t>(inspection.transitions.possible)},
                          {"attempted", inspection.transitions.attempted},
-                         {"covered", inspection.transitions.covered}};
+                         {"covered", recording.setpoints_only()
+                                         ? nlohmann::ordered_json()
+                                         : nlohmann::ordered_json(inspection.transitions.covered)}};
   json["valves"] = to_json(inspection.valves);
   json["episode_errors"] =
       inspection.episode_errors ? to_json(*inspection.episode_errors) : nlohmann::ordered_json();
@@ -272,20 +315,8 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
       recording.episodes.size(), recording.frame_count(), recording.rate_hz, recording.duration_s(),
       recording.untracked_count(), recording.segment_count, recording.command.name,
       recording.command.unit, recording.point_count);
-  for (std::size_t s = 0; s < inspection.pressures.size(); ++s) {
-    const PressureRange& range = inspection.pressures[s];
-    text +=
-        fmt::format("  {}: measured {:.1f} … {:.1f} {unit}, set {:.1f} … {:.1f} {unit}\n",
-                    segment_name(s), range.lowest_kpa, range.highest_kpa, range.lowest_setpoint_kpa,
-                    range.highest_setpoint_kpa, fmt::arg("unit", recording.command.unit));
-  }
-  const TransitionCoverage& transitions = inspection.transitions;
-  // Who never meant to record them need not hear of them.
-  if (double(transitions.attempted) >= kMeantTransitions * transitions.possible) {
-    text += fmt::format("  {} of {:.0f} transitions covered (both ends reached), {} commanded{}\n",
-                        transitions.covered, transitions.possible, transitions.attempted,
-                        inspection.limits_known ? "" : "; limits guessed from the set points");
-  }
+  text += ranges_to_text(recording, inspection.pressures);
+  text += transitions_to_text(recording, inspection);
   text += "  " + valves_to_text(inspection.valves, recording.command.unit) + "\n";
   for (const std::string& warning : inspection.valves.findings.warnings) {
     text += "    warning: " + warning + "\n";

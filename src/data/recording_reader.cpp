@@ -50,9 +50,10 @@ class Reader {
     recording.point_count = number<int>("points", H5::PredType::NATIVE_INT);
     recording.seed = number<std::uint64_t>("seed", H5::PredType::NATIVE_UINT64);
     validate_header(recording, name_);  // sizes decide what the data sets must hold
+    const bool setpoints_only = holds_setpoints_only();
     const hsize_t episodes = episode_count();
     for (hsize_t i = 0; i < episodes; ++i) {
-      recording.episodes.push_back(read_episode(episode_path(i), recording));
+      recording.episodes.push_back(read_episode(episode_path(i), recording, setpoints_only));
     }
     return recording;
   }
@@ -146,6 +147,19 @@ class Reader {
       refuse("attribute 'schema'",
              fmt::format("'{}' found; this program reads '{}'", schema, kRecordingSchema));
     }
+  }
+
+  bool holds_setpoints_only() const {
+    if (!file_.attrExists(kCommandsAre)) {
+      return false;
+    }
+    const std::string found = text(kCommandsAre);
+    if (found != commands_are(false) && found != commands_are(true)) {
+      refuse(fmt::format("attribute '{}'", kCommandsAre),
+             fmt::format("'{}' found; expected '{}' or '{}'", found, commands_are(false),
+                         commands_are(true)));
+    }
+    return found == commands_are(true);
   }
 
   /// @throws InputError for a link to other data: it may name any file, or a pipe.
@@ -260,8 +274,10 @@ class Reader {
     return result;
   }
 
-  Episode read_episode(const std::string& group, const Recording& recording) const {
+  Episode read_episode(const std::string& group, const Recording& recording,
+                       bool setpoints_only) const {
     Episode episode;
+    episode.setpoints_only = setpoints_only;
     const std::string time_path = group + "/time_s";
     const H5::DataSet times = data_set(time_path, {0}, "one time a frame", "s");
     const auto frames = static_cast<hsize_t>(times.getSpace().getSimpleExtentNpoints());
@@ -278,8 +294,20 @@ class Reader {
     const auto commands = [&](const std::string& name) {
       return matrix(group + "/" + name, {frames, n}, pressures, command.unit.c_str());
     };
-    episode.pressure_kpa = commands(measured_name(command));
     episode.setpoint_kpa = commands(setpoint_name(command));
+    const std::string measured = group + "/" + measured_name(command);
+    const bool is_there = exists(measured);
+    if (setpoints_only && is_there) {
+      refuse(measured, fmt::format("found, though the attribute '{}' says '{}': nothing was "
+                                   "measured; remove one of them",
+                                   kCommandsAre, commands_are(true)));
+    }
+    if (!setpoints_only && !is_there) {
+      refuse(measured, fmt::format("data set missing; expected {}. Where nothing was measured, the "
+                                   "attribute '{}' of the file says '{}'",
+                                   pressures, kCommandsAre, commands_are(true)));
+    }
+    episode.pressure_kpa = setpoints_only ? episode.setpoint_kpa : commands(measured_name(command));
     episode.backbone =
         matrix(group + "/backbone", {frames, m, 3},
                fmt::format("{} × {} × 3: frames × points × [x_m, y_m, theta_rad]", frames, m),

@@ -61,8 +61,10 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
   write_data_set(group, "time_s", "s", H5::PredType::NATIVE_DOUBLE, episode.time_s.data(),
                  {frames});
   const Command& command = recording.command;
-  write_data_set(group, measured_name(command), command.unit.c_str(), real,
-                 episode.pressure_kpa.data(), {frames, segments});
+  if (!episode.setpoints_only) {
+    write_data_set(group, measured_name(command), command.unit.c_str(), real,
+                   episode.pressure_kpa.data(), {frames, segments});
+  }
   write_data_set(group, setpoint_name(command), command.unit.c_str(), real,
                  episode.setpoint_kpa.data(), {frames, segments});
   write_data_set(group, "backbone", "m, m, rad", real, episode.backbone.data(),
@@ -87,6 +89,9 @@ std::string file_image(const Recording& recording) {
   if (!recording.command.is_pressure_kpa()) {
     write_text(file, "command_name", recording.command.name);
     write_text(file, "command_unit", recording.command.unit);
+  }
+  if (recording.setpoints_only()) {
+    write_text(file, kCommandsAre, commands_are(true));
   }
   write_text(file, "source", recording.source);
   write_text(file, "settings", recording.settings);

@@ -162,6 +162,12 @@ class Identification {
 
   std::string why_impossible() {
     const std::string& what = recording_.command.name;
+    if (recording_.setpoints_only()) {
+      return fmt::format(
+          "the recording holds set points only: no {} was measured, and a network that learns from "
+          "it learns the valves along with the arm",
+          what);
+    }
     if (setpoints_are_measured(recording_.episodes)) {
       return fmt::format(
           "the set points equal the measured numbers ({}): an import without a log of set points "

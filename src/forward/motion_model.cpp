@@ -31,6 +31,9 @@ MotionModel::MotionModel(const ForwardModel& forward)
 MotionModel::MotionModel(const ForwardModel& forward, ValveModel valves)
     : forward_(&forward), valves_(std::move(valves)) {
   assert(valves_.segment_count() == forward.segment_count());
+  if (forward.has_network()) {
+    require_no_valves_before(forward.compensation(), valves_.parameters(), "motion model");
+  }
 }
 
 MotionState MotionModel::settled_state(const Eigen::Ref<const Pressures>& kpa,

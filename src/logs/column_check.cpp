@@ -24,15 +24,16 @@ std::string fitting_mapping(const ColumnFit& fit, const CommandColumns& commands
   std::vector<std::string> second;
   for (const FittedColumn& segment : fit.segments) {
     const auto at = static_cast<std::size_t>(segment.column);
-    if (!commands.measured.empty()) {
-      const std::string& name = commands.measured[at];
+    if (!commands.columns.empty()) {
+      const std::string& name = commands.columns[at];
       first.push_back(segment.turned ? other_sign(name) : name);
     } else {
       first.push_back(segment.turned ? commands.left[at] : commands.right[at]);
       second.push_back(segment.turned ? commands.right[at] : commands.left[at]);
     }
   }
-  return second.empty() ? fmt::format("columns: [{}]", fmt::join(first, ", "))
+  return second.empty() ? fmt::format("{}: [{}]", commands.measured ? "columns" : "setpoints",
+                                      fmt::join(first, ", "))
                         : fmt::format("right: [{}], left: [{}]", fmt::join(first, ", "),
                                       fmt::join(second, ", "));
 }

@@ -49,9 +49,9 @@ ColumnFacts facts_of(const Eigen::MatrixXd& values, Eigen::Index column,
 }
 
 std::string name_of(const CommandColumns& commands, Eigen::Index i) {
-  return commands.measured.empty() ? fmt::format("{}' and '{}", commands.right[std::size_t(i)],
-                                                 commands.left[std::size_t(i)])
-                                   : commands.measured[std::size_t(i)];
+  return commands.columns.empty() ? fmt::format("{}' and '{}", commands.right[std::size_t(i)],
+                                                commands.left[std::size_t(i)])
+                                  : commands.columns[std::size_t(i)];
 }
 
 std::string unit_advice(double ratio, const ImportMapping& mapping) {
@@ -82,6 +82,18 @@ std::int64_t bridge_gaps(double longest_gap_s, const std::vector<double>& time_s
   return bridged;
 }
 
+/// An empty cell says nothing new: the set point before it stays in force.
+std::int64_t hold_over_gaps(Eigen::Ref<Eigen::VectorXd> values) {
+  std::int64_t held = 0;
+  for (Eigen::Index t = 1; t < values.size(); ++t) {
+    if (!std::isfinite(values[t]) && std::isfinite(values[t - 1])) {
+      values[t] = values[t - 1];
+      ++held;
+    }
+  }
+  return held;
+}
+
 }  // namespace
 
 void check_commands(const std::string& log, const ImportMapping& mapping, const ArmDescription& arm,
@@ -89,11 +101,11 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
   const std::string& unit = arm.command.unit;
   int constant = 0;
   double max_ratio = 0.0;
-  for (Eigen::Index i = 0; i < commands.measured.cols(); ++i) {
+  for (Eigen::Index i = 0; i < commands.values.cols(); ++i) {
     const PressureLimits& limits = arm.segments[std::size_t(i)].pressure_limit_kpa;
     const double limit = limits.largest_kpa();
     const std::string name = name_of(mapping.commands, i);
-    const ColumnFacts facts = facts_of(commands.measured, i, limits);
+    const ColumnFacts facts = facts_of(commands.values, i, limits);
     if (facts.sizes.empty()) {
       throw InputError(
           fmt::format("{}: column '{}' ({}) holds no number", log, name, segment_name(i)));
@@ -120,13 +132,16 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
                               facts.lowest, facts.highest, unit));
     }
     const std::int64_t bridged =
-        bridge_gaps(mapping.longest_gap_s, commands.time_s, commands.measured.col(i));
+        commands.measured
+            ? bridge_gaps(mapping.longest_gap_s, commands.time_s, commands.values.col(i))
+            : hold_over_gaps(commands.values.col(i));
     if (bridged > 0) {
-      report.note("missing commands put between their neighbours in time",
+      report.note(commands.measured ? "missing commands put between their neighbours in time"
+                                    : "missing set points: those before them stay in force",
                   fmt::format("'{}'", name), bridged);
     }
   }
-  if (constant == commands.measured.cols()) {
+  if (constant == commands.values.cols()) {
     throw InputError(fmt::format(
         "{}: no {} ever changes by more than {:.0f} % of its limit: nothing can be learnt from it. "
         "{}",

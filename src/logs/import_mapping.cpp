@@ -59,9 +59,30 @@ std::vector<std::string> read_names(const YamlReader& node, std::size_t count,
   return names;
 }
 
-CommandColumns read_commands(const YamlReader& node, const ArmDescription& arm,
-                             const TimeColumn& time) {
-  node.refuse_unknown_keys({"unit", "columns", "right", "left", "setpoints", "time"});
+/// Whether what is named beside set points was measured. Pressures are, unless the mapping says
+/// otherwise; commands alone are set points.
+bool read_measured(const YamlReader& node, const std::string& key, bool setpoints_alone,
+                   bool has_setpoints) {
+  const bool usual = !setpoints_alone && (key == "pressures" || has_setpoints);
+  if (!node.has("measured")) {
+    return usual;
+  }
+  const bool measured = node.at("measured").boolean();
+  if (measured && setpoints_alone) {
+    node.at("measured").refuse("true found; 'setpoints' alone name nothing that was measured");
+  }
+  if (!measured && has_setpoints) {
+    node.at("measured")
+        .refuse(
+            "false found, with 'setpoints' beside other columns; expected one of both: where nothing "
+            "was measured, 'setpoints' alone");
+  }
+  return measured;
+}
+
+CommandColumns read_commands(const YamlReader& node, const std::string& key,
+                             const ArmDescription& arm, const TimeColumn& time) {
+  node.refuse_unknown_keys({"unit", "columns", "right", "left", "setpoints", "measured", "time"});
   const auto n = static_cast<std::size_t>(arm.segment_count());
   const std::string each = fmt::format("one for each segment of arm '{}', base first", arm.name);
   CommandColumns commands;
@@ -70,20 +91,25 @@ CommandColumns read_commands(const YamlReader& node, const ArmDescription& arm,
   if (node.has("unit")) {
     commands.factor = factor_to(node.at("unit"), arm.command.unit);
   }
-  if (node.has("columns") == (node.has("right") && node.has("left"))) {
+  const bool sided = node.has("right") && node.has("left");
+  const bool setpoints_alone =
+      node.has("setpoints") && !node.has("columns") && !node.has("right") && !node.has("left");
+  if (node.has("columns") == sided && !setpoints_alone) {
     node.refuse(fmt::format(
-        "expected either 'columns', signed{}, or both 'right' and 'left', one column a side",
+        "expected either 'columns', signed{}, or both 'right' and 'left', one column a side; or "
+        "'setpoints' alone, where nothing was measured",
         arm.no_load == NoLoadKind::strain_polynomial ? ", positive to the right" : ""));
   }
-  if (node.has("columns")) {
-    commands.measured = read_names(node.at("columns"), n, each);
+  if (node.has("columns") || setpoints_alone) {
+    commands.columns = read_names(node.at(setpoints_alone ? "setpoints" : "columns"), n, each);
   } else {
     commands.right = read_names(node.at("right"), n, each);
     commands.left = read_names(node.at("left"), n, each);
   }
-  if (node.has("setpoints")) {
+  if (node.has("setpoints") && !setpoints_alone) {
     commands.setpoint = read_names(node.at("setpoints"), n, each);
   }
+  commands.measured = read_measured(node, key, setpoints_alone, !commands.setpoint.empty());
   return commands;
 }
 
@@ -270,7 +296,7 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
   }
   for (const char* key : {"pressures", "commands"}) {
     if (root.has(key)) {
-      mapping.commands = read_commands(root.at(key), arm, mapping.time);
+      mapping.commands = read_commands(root.at(key), key, arm, mapping.time);
     }
   }
   if (root.has("backbone")) {
@@ -301,7 +327,7 @@ CommandColumns default_columns(const ArmDescription& arm, int first) {
   CommandColumns columns;
   columns.unit = arm.command.unit;
   for (int i = first; i < first + arm.segment_count(); ++i) {
-    columns.measured.push_back(quantity_column(arm.command, followed_name(arm.command), i));
+    columns.columns.push_back(quantity_column(arm.command, followed_name(arm.command), i));
     columns.setpoint.push_back(quantity_column(arm.command, "setpoint", i));
   }
   columns.setpoint_optional = true;
@@ -318,21 +344,33 @@ ImportMapping default_import_mapping(const ArmDescription& arm) {
 
 CommandColumns as_counted_in(const std::vector<std::string>& names, CommandColumns commands,
                              const ArmDescription& arm) {
-  const auto are_there = [&](const CommandColumns& columns) {
-    return std::ranges::all_of(columns.measured, [&](const std::string& name) {
+  if (!commands.setpoint_optional) {
+    return commands;
+  }
+  const auto are_there = [&](const std::vector<std::string>& columns) {
+    return std::ranges::all_of(columns, [&](const std::string& name) {
       return std::ranges::find(names, name) != names.end();
     });
   };
-  if (!commands.setpoint_optional ||
-      std::ranges::find(names, commands.measured.front()) != names.end()) {
-    return commands;
+  const auto begin_there = [&](const CommandColumns& columns) {
+    return are_there({columns.columns.front()}) || are_there({columns.setpoint.front()});
+  };
+  const CommandColumns from_1 = default_columns(arm, 1);
+  if (!begin_there(commands) && (are_there(from_1.columns) || are_there(from_1.setpoint))) {
+    commands.columns = from_1.columns;
+    commands.setpoint = from_1.setpoint;
   }
-  CommandColumns from_1 = default_columns(arm, 1);
-  if (!are_there(from_1)) {
-    return commands;
+  const bool has_setpoints = are_there(commands.setpoint);
+  if (has_setpoints && !are_there({commands.columns.front()})) {
+    commands.columns = commands.setpoint;
+    commands.measured = false;
+  } else if (!has_setpoints && !arm.command.is_pressure_kpa()) {
+    commands.measured = false;  // commands alone are set points
   }
-  commands.measured = std::move(from_1.measured);
-  commands.setpoint = std::move(from_1.setpoint);
+  if (!commands.measured) {
+    commands.setpoint.clear();
+    commands.setpoint_optional = false;
+  }
   return commands;
 }
 

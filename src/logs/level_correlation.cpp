@@ -67,7 +67,7 @@ double independent_rows(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 LevelTable levels_of(const BackboneTrack& motion, const CommandTrack& commands,
                      const ArmDescription& arm) {
   const Turns seen = turns_of(motion, arm);
-  const Turns told{commands.time_s, commands.measured};
+  const Turns told{commands.time_s, commands.values, !commands.measured};
   const double start_s = std::max(motion.time_s.front(), commands.time_s.front());
   const double end_s = std::min(motion.time_s.back(), commands.time_s.back());
   const auto most = static_cast<Eigen::Index>(std::max(0.0, end_s - start_s) * kRate_hz) + 1;

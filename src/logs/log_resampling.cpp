@@ -147,7 +147,8 @@ class Resampler {
                          motion_.tracked[std::size_t(seen.after)];
     Eigen::RowVectorXd measured;
     if (tracked) {
-      measured = row_at(commands_.measured, told);
+      measured = commands_.measured ? row_at(commands_.values, told)
+                                    : Eigen::RowVectorXd(commands_.values.row(told.before));
     }
     if (!tracked || !measured.allFinite()) {
       finish_piece();
@@ -198,8 +199,9 @@ class Resampler {
     episode.time_s = Eigen::Map<const Eigen::VectorXd>(
         piece.time_s.data(), static_cast<Eigen::Index>(piece.time_s.size()));
     episode.pressure_kpa = stacked(piece.measured);
-    const bool has_setpoints = !piece.setpoint.empty();
-    episode.setpoint_kpa = has_setpoints ? stacked(piece.setpoint) : episode.pressure_kpa;
+    episode.setpoints_only = !commands_.measured;
+    const bool has_setpoints = !piece.setpoint.empty() || episode.setpoints_only;
+    episode.setpoint_kpa = piece.setpoint.empty() ? episode.pressure_kpa : stacked(piece.setpoint);
     if (!episode.setpoint_kpa.allFinite()) {
       carry_setpoints(episode);
     }
@@ -258,7 +260,9 @@ std::vector<Episode> resample(const std::string& log, const BackboneTrack& motio
                     log, motion.time_s.front(), motion.time_s.back(), commands.time_s.front(),
                     commands.time_s.back(), longest_gap_s));
   }
-  if (commands.setpoint.size() == 0) {
+  if (!commands.measured) {
+    report.note("nothing measured: the recording holds set points only");
+  } else if (commands.setpoint.size() == 0) {
     report.note("no set points logged: the measured commands take their place");
   }
   for (const Episode& episode : episodes) {

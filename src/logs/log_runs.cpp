@@ -49,7 +49,7 @@ void append(std::vector<std::string>& names, const std::vector<std::string>& mor
 
 /// Names of the command columns in the order that `fill_commands` reads them.
 void want_commands(const CommandColumns& commands, WantedColumns& wanted) {
-  append(wanted.names, commands.measured);
+  append(wanted.names, commands.columns);
   append(wanted.names, commands.right);
   append(wanted.names, commands.left);
   append(commands.setpoint_optional ? wanted.optional : wanted.names, commands.setpoint);
@@ -73,26 +73,27 @@ CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGrou
   const auto rows = static_cast<Eigen::Index>(group.rows.size());
   const Eigen::Index n = arm.segment_count();
   CommandTrack track;
-  track.measured.resize(rows, n);
+  track.measured = commands.measured;
+  track.values.resize(rows, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::vector<double>& right = table.columns[first + std::size_t(i)];
     for (Eigen::Index r = 0; r < rows; ++r) {
       const std::size_t row = group.rows[std::size_t(r)];
       double value = commands.factor * right[row];
-      if (commands.measured.empty()) {
+      if (commands.columns.empty()) {
         const double left =
             commands.factor * table.columns[first + std::size_t(n) + std::size_t(i)][row];
         require_one_side(table, row, value, left,
                          arm.segments[std::size_t(i)].pressure_limit_kpa.largest_kpa());
         value -= left;
       }
-      track.measured(r, i) = value;
+      track.values(r, i) = value;
     }
   }
   if (commands.setpoint.empty()) {
     return track;
   }
-  const std::size_t begin = first + std::size_t(commands.measured.empty() ? 2 * n : n);
+  const std::size_t begin = first + std::size_t(commands.columns.empty() ? 2 * n : n);
   track.setpoint.resize(rows, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index r = 0; r < rows; ++r) {

@@ -38,7 +38,7 @@ void keep_rows(PointTracks& tracks, const std::vector<std::size_t>& order) {
 
 void keep_rows(CommandTrack& track, const std::vector<std::size_t>& order) {
   keep(track.time_s, order);
-  keep(track.measured, order);
+  keep(track.values, order);
   keep(track.setpoint, order);
   keep(track.motion, order);
 }

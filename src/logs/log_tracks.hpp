@@ -29,8 +29,9 @@ struct PointTracks {
 /// where a cell was empty.
 struct CommandTrack {
   std::vector<double> time_s;  ///< T
-  Eigen::MatrixXd measured;    ///< T×n, signed
-  Eigen::MatrixXd setpoint;    ///< T×n, or 0×0 if none were logged
+  Eigen::MatrixXd values;      ///< T×n, signed: measured, or the set points if nothing was
+  bool measured = true;
+  Eigen::MatrixXd setpoint;    ///< T×n, or 0×0 if none were logged beside what was measured
   std::vector<double> motion;  ///< T numbers of motions, or empty
 
   Eigen::Index row_count() const { return static_cast<Eigen::Index>(time_s.size()); }

@@ -25,6 +25,9 @@ double Turns::at(double asked_s, Eigen::Index column) const {
     return std::nan("");
   }
   const auto b = static_cast<Eigen::Index>(after - time_s.begin());
+  if (held) {
+    return values(b - 1, column);
+  }
   const double from = time_s[std::size_t(b - 1)];
   const double part = (asked_s - from) / (time_s[std::size_t(b)] - from);
   return values(b - 1, column) + part * (values(b, column) - values(b - 1, column));
@@ -42,7 +45,7 @@ Turns turns_of(const BackboneTrack& motion, const ArmDescription& arm) {
 }
 
 Turns turns_of(const CommandTrack& commands, const ArmDescription& arm) {
-  Turns turns{commands.time_s, commands.measured};
+  Turns turns{commands.time_s, commands.values, !commands.measured};
   if (arm.no_load == NoLoadKind::straight) {
     return turns;
   }

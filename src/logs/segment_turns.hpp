@@ -13,8 +13,10 @@ namespace limber {
 struct Turns {
   const std::vector<double>& time_s;
   Eigen::MatrixXd values;  ///< T×n [rad], NaN where unknown
+  bool held = false;       ///< set points: in force until the next row
 
-  /// On the straight line between the rows around `time_s`; NaN outside of them, or beside a NaN.
+  /// On the straight line between the rows around `time_s`, or held; NaN outside of them, or beside
+  /// a NaN.
   double at(double time_s, Eigen::Index column) const;
 };
 

@@ -131,6 +131,7 @@ CompensationModel CompensationModel::member(int index) const {
   one.segment_count = segment_count;
   one.point_count = point_count;
   one.preset = preset;
+  one.learnt_from_setpoints = learnt_from_setpoints;
   one.valves = valves;
   one.valve_findings = valve_findings;
   if (index == 0) {
@@ -146,6 +147,7 @@ IdentifiedValves CompensationModel::identified_valves() const {
 }
 
 void CompensationModel::set_valves(const IdentifiedValves& identified) {
+  require_no_valves_before(*this, identified.parameters, "valves");
   valves.reset();
   if (!identified.parameters.is_ideal()) {
     valves = identified.parameters;
@@ -199,6 +201,7 @@ void validate(const CompensationModel& model, const std::string& where) {
     if (!fault.empty()) {
       refuse(where, "metadata valves: " + fault);
     }
+    require_no_valves_before(model, *model.valves, where);
   }
   if (model.prediction_error) {
     validate(*model.prediction_error, where + ": metadata");
@@ -208,6 +211,16 @@ void validate(const CompensationModel& model, const std::string& where) {
   }
   if (model.bounds) {
     validate(*model.bounds, model.point_count, where);
+  }
+}
+
+void require_no_valves_before(const CompensationModel& model, const ValveParameters& valves,
+                              const std::string& where) {
+  if (model.learnt_from_setpoints && !valves.is_ideal()) {
+    refuse(where,
+           "a valve model (hash " + valves.hash() +
+               ") and a network that learnt from set points, which knows the valves along with the "
+               "arm; their lag would count twice. Use the network without valves");
   }
 }
 

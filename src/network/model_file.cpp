@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/names.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
@@ -19,6 +20,7 @@ namespace {
 constexpr const char* kSchema = "limber/model/1";
 constexpr const char* kTrainingPrefix = "training.";
 constexpr const char* kValvesKey = "valves";
+constexpr const char* kLearntFromKey = "learnt_from";
 constexpr const char* kErrorKey = "prediction_error";
 constexpr const char* kLearntPrefix = "learnt.";
 constexpr const char* kBoundsPrefix = "bounds.";
@@ -155,6 +157,19 @@ OutputForm output_form_at(const Safetensors& content, const std::string& where) 
                             shortened(text)));
 }
 
+// Older models, from before set points alone were learnt from, don't say; they are of the one kind.
+bool learnt_from_setpoints_at(const Safetensors& content, const std::string& where) {
+  if (content.metadata.count(kLearntFromKey) == 0) {
+    return false;
+  }
+  const std::string text = text_at(content, kLearntFromKey, where);
+  if (text != commands_are(false) && text != commands_are(true)) {
+    refuse(where, fmt::format("metadata {} = '{}'; expected {} or {}", kLearntFromKey,
+                              shortened(text), commands_are(false), commands_are(true)));
+  }
+  return text == commands_are(true);
+}
+
 // Older models, from before valves were identified, and models of recordings without set points
 // have none.
 void read_valves_into(CompensationModel& model, const Safetensors& content,
@@ -245,7 +260,8 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
                       {"output_form", to_string(model.form)},
                       {"segment_count", std::to_string(model.segment_count)},
                       {"point_count", std::to_string(model.point_count)},
-                      {"preset", model.preset}};
+                      {"preset", model.preset},
+                      {kLearntFromKey, commands_are(model.learnt_from_setpoints)}};
   if (!model.arm_description.empty()) {
     content.metadata["arm_description"] = model.arm_description;
   }
@@ -291,6 +307,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
       model.training[key.substr(std::char_traits<char>::length(kTrainingPrefix))] = value;
     }
   }
+  model.learnt_from_setpoints = learnt_from_setpoints_at(content, where);
   read_valves_into(model, content, where);
   read_prediction_error_into(model, content, where);
   TensorReader tensors(content, where);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "limber/arm/arm_identity.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/aligned_floats.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
@@ -276,6 +277,7 @@ void write_onnx(const std::filesystem::path& path, const CompensationModel& mode
   add_metadata(file, "segment_count", std::to_string(model.segment_count));
   add_metadata(file, "point_count", std::to_string(model.point_count));
   add_metadata(file, "preset", model.preset);
+  add_metadata(file, "learnt_from", commands_are(model.learnt_from_setpoints));
   file.mutable_graph()->set_name("compensation");
   OnnxGraph graph(*file.mutable_graph());
   graph.input("query", model.input.offset.size());

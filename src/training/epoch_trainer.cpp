@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "learnt_kind.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/network/gap_bounds.hpp"
@@ -65,7 +66,8 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       tables_(tables_for(arm, data, settings, start)),
       bounds_(bounds_for(data, start)),
       layout_(widths(tables_, settings.hidden_units)),
-      own_episodes_(data.training.size()) {
+      own_episodes_(data.training.size()),
+      from_setpoints_(learns_from_setpoints(data)) {
   set_bounds(tables_, settings_, bounds_);
   for (const TrainingStage& stage : settings_.stages) {
     if (shuffled_starts(stage).empty()) {
@@ -239,6 +241,7 @@ CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
   model.input = tables_.input;
   model.output = tables_.output;
   model.set_arm(arm_);
+  model.learnt_from_setpoints = from_setpoints_;
   model.preset = settings_.preset;
   model.bounds = bounds_;
   return model;

@@ -90,6 +90,7 @@ class EpochTrainer {
   GapBounds bounds_;
   ParameterLayout layout_;
   std::size_t own_episodes_;  ///< the tables' first episodes; those behind are replayed
+  bool from_setpoints_;
   TrainingState state_;
   Eigen::VectorXf gradient_;
   TrainingStage gradient_stage_;

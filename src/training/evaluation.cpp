@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "learnt_kind.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/valve_identification.hpp"
@@ -121,6 +122,9 @@ std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Ep
                                  Restart restart, int jobs) {
   const std::vector<RolloutPiece> pieces =
       model.has_network() ? pieces_for(episodes, restart) : pieces_of_every_frame(episodes);
+  if (model.has_network()) {
+    require_kind_learnt(model.compensation(), episodes);
+  }
   std::vector<FrameMatrix> predicted = roll_out(model, episodes, pieces, jobs, OnInterrupt::stop);
   require_finite(predicted, pieces);
   return predicted;

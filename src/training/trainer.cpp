@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "episode_slice.hpp"
+#include "learnt_kind.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
@@ -134,6 +135,7 @@ TrainingResult fine_tune(const ArmDescription& arm, const TrainingData& data,
                          const TrainingSettings& settings, const CompensationModel& start,
                          const TrainingHooks& hooks) {
   require_model_of(start, arm, "the model to start from");
+  require_kind_learnt(start, data.training);
   return TrainingRun(arm, data, settings, &start, hooks).run();
 }
 

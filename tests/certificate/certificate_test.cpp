@@ -66,6 +66,19 @@ std::vector<std::string> failed_checks(const Certificate& certificate) {
   return checks;
 }
 
+// A network that learnt from set points knows the valves along with the arm.
+TEST(Certificate, PutsNoValvesBeforeWhatLearntFromSetPoints) {
+  const Solved& s = solved();
+  CompensationModel network = s.model.compensation();
+  network.learnt_from_setpoints = true;
+  EXPECT_TRUE(certify(s.plan, s.arm, &network, {}, s.environment).certified());
+  const ValveParameters valves{true, std::vector<SegmentValves>(3, {{0.1, 80.0}, {0.1, 80.0}})};
+  Plan with_valves = s.plan;
+  with_valves.valves_hash = valves.hash();
+  EXPECT_THAT([&] { (void)certify(with_valves, s.arm, &network, valves, s.environment); },
+              ThrowsMessage<InputError>(HasSubstr("their lag would count twice")));
+}
+
 TEST(Certificate, APlannersPlanIsCertifiedWithRoomToSpare) {
   const Solved& s = solved();
   ASSERT_FALSE(s.plan.frames.empty()) << "not solved";

@@ -111,6 +111,18 @@ TEST_F(RecordingExport, CsvComesBackToTheBit) {
   EXPECT_EQ(a.backbone.bottomRows(499), b.backbone.bottomRows(499));
 }
 
+TEST_F(RecordingExport, SetPointsAloneComeBackAsSetPointsAlone) {
+  recording_.episodes = with_setpoints_only(recording_.episodes);
+  export_csv(recording_, folder_.path());
+  EXPECT_EQ(read_file(folder_.path() / "episode_000.csv").find("pressure"), std::string::npos);
+  const Recording back = import_back(false).recording;
+  EXPECT_TRUE(back.setpoints_only());
+  EXPECT_EQ(back.episodes.at(0).setpoint_kpa, recording_.episodes[0].setpoint_kpa);
+  EXPECT_EQ(back.episodes.at(0).backbone, recording_.episodes[0].backbone);
+  export_motive(recording_, folder_.path(), {});
+  EXPECT_TRUE(import_back(true, 0.0).recording.setpoints_only());
+}
+
 TEST_F(RecordingExport, MotiveComesBackThroughAnotherClock) {
   for (const bool markers : {false, true}) {
     LogExportSettings settings;

@@ -2,8 +2,9 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/rollout_batch.hpp"
 #include "limber/network/untrained_model.hpp"
@@ -48,6 +49,17 @@ TEST_F(MotionModelOfArm, BehindIdealValvesIsTheForwardModel) {
     EXPECT_EQ(Pressures(state.pressure_kpa()), now);
     before = now;
   }
+}
+
+// Valves would count twice before a network that has learnt them along with the arm.
+TEST_F(MotionModelOfArm, TakesNoValvesBeforeANetworkThatLearntFromSetPoints) {
+  CompensationModel network = untrained_model(arm_, BackboneLayout::gap_poses, {32, 32}, 1);
+  network.learnt_from_setpoints = true;
+  const ForwardModel of_setpoints(arm_, network);
+  EXPECT_THAT([&] { MotionModel(of_setpoints, valves_); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("without valves")));
+  EXPECT_NO_THROW(MotionModel(of_setpoints, ValveModel::ideal(3)));
+  EXPECT_TRUE(MotionModel(of_setpoints).valves().is_ideal());
 }
 
 TEST_F(MotionModelOfArm, FeedsTheForwardModelWithWhatTheValvesLetThrough) {

@@ -178,6 +178,13 @@ class Views(unittest.TestCase):
         np.testing.assert_array_equal(episode.tracked, [True, True, False, True, True])
         recording = limber.make_recording(arm, [episode])
         self.assertEqual(recording.frame_count, frames)
+        self.assertFalse(recording.setpoints_only)
+        (setpoints,) = limber.with_setpoints_only([episode])
+        self.assertTrue(setpoints.setpoints_only)
+        np.testing.assert_array_equal(setpoints.pressure_kpa, episode.setpoint_kpa)
+        self.assertTrue(limber.make_recording(arm, [setpoints]).setpoints_only)
+        with self.assertRaisesRegex(limber.InputError, "expected one kind"):
+            limber.make_recording(arm, [episode, setpoints])
         with self.assertRaisesRegex(limber.InputError, "expected 5 frames"):
             limber.Episode(np.arange(frames) / 20, np.zeros((4, 2)), np.ones((frames, 2)),
                            backbone, np.zeros(frames, int))

@@ -47,6 +47,12 @@ inline std::string followed_key(const Command& command) {
   return quantity_key(command, followed_name(command));
 }
 
+/// What a recording holds and a network has learnt from, as files and JSON have it: pressures (or
+/// another command) as they were measured, or set points alone.
+inline const char* commands_are(bool setpoints_only) {
+  return setpoints_only ? "setpoints" : "measured";
+}
+
 /// A segment's column in CSV files: "setpoint_0_kpa", or "setpoint_0".
 inline std::string quantity_column(const Command& command, const std::string& what, int segment) {
   return quantity_key(command, fmt::format("{}_{}", what, segment));

@@ -20,7 +20,7 @@ using FrameMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 /// One unbroken run of the arm at its frame rate: T frames, n segments, m backbone points.
 struct Episode {
   Eigen::VectorXd time_s;    ///< T, strictly increasing
-  FrameMatrix pressure_kpa;  ///< T×n, measured, gauge, signed
+  FrameMatrix pressure_kpa;  ///< T×n, measured, gauge, signed; or see `setpoints_only`
   FrameMatrix setpoint_kpa;  ///< T×n, what was commanded
   FrameMatrix
       backbone;  ///< T×3m, poses (x_m, y_m, theta_rad) of the points, base first, θ unwrapped
@@ -29,6 +29,10 @@ struct Episode {
   /// T, 1 if the backbone was tracked, 0 if it was not and is filled in between its tracked
   /// neighbours; empty: all were tracked. `read_recording` never leaves it empty.
   std::vector<std::uint8_t> tracked;
+
+  /// Nothing was measured: `pressure_kpa` holds the set points. Whoever learns from such an episode
+  /// learns what the arm does under set points, its valves included.
+  bool setpoints_only = false;
 
   int frame_count() const { return static_cast<int>(time_s.size()); }
   int untracked_count() const;
@@ -63,6 +67,8 @@ struct Recording {
 
   /// Whose arm this is (arm/arm_identity.hpp).
   ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
+  /// Whether nothing was measured (Episode::setpoints_only): true of all episodes or of none.
+  bool setpoints_only() const { return !episodes.empty() && episodes.front().setpoints_only; }
   std::int64_t frame_count() const;
   std::int64_t untracked_count() const;
   /// Sum over episodes of frames / rate.
@@ -72,8 +78,12 @@ struct Recording {
 /// An empty recording of `arm`: name, hash, sizes and rate filled in.
 Recording make_recording(const ArmDescription& arm, const std::string& source, std::uint64_t seed);
 
+/// The same motions with what was measured left out: set points alone.
+std::vector<Episode> with_setpoints_only(std::vector<Episode> episodes);
+
 /// Refuses a recording that has no episode or frame, whose sizes disagree, whose times do not
-/// increase or that holds a number that is not finite.
+/// increase, that holds a number that is not finite, or whose episodes were partly measured and
+/// partly not.
 /// @throws InputError naming `file`, the episode and the data set, what was found and is allowed.
 void validate(const Recording& recording, const std::string& file);
 

@@ -18,7 +18,8 @@ namespace limber {
 struct TransitionCoverage {
   double possible = 0.0;       ///< (3^n)²; exact for n ≤ 16
   std::int64_t attempted = 0;  ///< different ones that were commanded
-  std::int64_t covered = 0;    ///< of those, with both ends reached (data/reach.hpp)
+  std::int64_t covered = 0;    ///< of those, with both ends reached (data/reach.hpp); all of them
+                               ///< where nothing was measured
 };
 
 /// Measured pressures and set points of one segment.

@@ -38,6 +38,7 @@ class MotionModel {
   MotionModel(const ForwardModel& forward);  // NOLINT(google-explicit-constructor)
   MotionModel(ForwardModel&& forward) = delete;
   /// @pre the valves are those of an arm with as many segments
+  /// @throws InputError for valves before a network that learnt from set points.
   MotionModel(const ForwardModel& forward, ValveModel valves);
   MotionModel(ForwardModel&& forward, ValveModel valves) = delete;
 

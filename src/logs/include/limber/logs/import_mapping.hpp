@@ -18,12 +18,15 @@ struct TimeColumn {
   std::string unit = "s";  ///< as the mapping has it; "frame" with a rate
 };
 
-/// Where a log holds commands: either `measured`, signed, or one column per side.
+/// Where a log holds commands: either `columns`, signed, or one column per side.
 struct CommandColumns {
   TimeColumn time;
-  std::vector<std::string> measured;  ///< n; a '-' before a name turns its sign
-  std::vector<std::string> right;     ///< n; the side that a positive pressure inflates
-  std::vector<std::string> left;      ///< n
+  std::vector<std::string> columns;  ///< n; a '-' before a name turns its sign
+  std::vector<std::string> right;    ///< n; the side that a positive pressure inflates
+  std::vector<std::string> left;     ///< n
+  /// False: nothing was measured; `columns`, or `right` and `left`, hold set points, and there is no
+  /// `setpoint`. They are held from row to row and never interpolated.
+  bool measured = true;
   std::vector<std::string> setpoint;  ///< n, or none
   bool setpoint_optional = false;     ///< left out if the log has no such columns
   std::string unit = "kPa";
@@ -78,11 +81,12 @@ struct ImportMapping {
 ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDescription& arm);
 
 /// The mapping if none is given: time_s, and pressure_0_kpa … (command_0 … for another command),
-/// one per segment, with setpoint_0_kpa … if there are such columns.
+/// one per segment, with setpoint_0_kpa … if there are such columns. A log that has setpoint_0_kpa …
+/// and no other holds set points only; so does one of command_0 … alone.
 ImportMapping default_import_mapping(const ArmDescription& arm);
 
-/// Default columns as a log counts them: from 0, or from 1 if it has no column 0, as limber
-/// wrote them before. @param names  the log's columns
+/// Default columns as a log has them: counted from 0, or from 1 if it has no column 0, as limber
+/// wrote them before; with what it measured, or set points only. @param names  the log's columns
 CommandColumns as_counted_in(const std::vector<std::string>& names, CommandColumns commands,
                              const ArmDescription& arm);
 

@@ -80,6 +80,10 @@ struct CompensationModel {
   std::string preset;  ///< "paper" or "best"
   /// Record of the training: data files and hashes, seed, epochs, losses, seconds.
   std::map<std::string, std::string> training;
+  /// What it learnt from and has to be asked with: false, measured pressures; true, set points, for
+  /// nothing was measured. It then knows the valves along with the arm, and no valve model belongs
+  /// before it. Of files of before there were two kinds: false.
+  bool learnt_from_setpoints = false;
   /// The valves between set points and pressures of the recordings (docs/valves.md); none if the
   /// recordings did not show them, for the reason that the findings give.
   std::optional<ValveParameters> valves;
@@ -97,6 +101,7 @@ struct CompensationModel {
   CompensationModel member(int index) const;
 
   IdentifiedValves identified_valves() const;
+  /// @throws InputError as `require_no_valves_before`.
   void set_valves(const IdentifiedValves& identified);
   /// Whose arm this is (arm/arm_identity.hpp).
   ArmIdentity arm() const { return {arm_name, arm_hash, arm_description}; }
@@ -114,6 +119,11 @@ void validate(const CompensationModel& model, const std::string& where);
 /// (why_another_arm; both names and hashes in the message, and the keys that differ).
 void require_model_of(const CompensationModel& model, const ArmDescription& arm,
                       const std::string& where);
+
+/// @throws InputError, its message beginning with `where`, if `valves` are to stand before a model
+/// that learnt from set points: their lag would count twice.
+void require_no_valves_before(const CompensationModel& model, const ValveParameters& valves,
+                              const std::string& where);
 
 /// Writes safetensors (docs/formats.md), atomically. @pre the model is valid.
 void write_model(const std::filesystem::path& path, const CompensationModel& model);

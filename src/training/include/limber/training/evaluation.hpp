@@ -59,7 +59,8 @@ FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart r
                     int jobs = 0);
 
 /// The same for several episodes, side by side.
-/// @throws InputError if a prediction is not finite.
+/// @throws InputError if a prediction is not finite, or if the network learnt from set points and
+/// the episodes hold what was measured, or the other way round (with_setpoints_only).
 std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
                                  Restart restart, int jobs = 0);
 

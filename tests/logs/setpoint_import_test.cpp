@@ -1,0 +1,146 @@
+// Logs in which nothing was measured: set points alone, in force until the next row.
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "logs/csv_import.hpp"
+
+namespace limber {
+namespace {
+
+constexpr double kSingle = 1e-4;  // [kPa]: frames are single precision, logs have six digits
+
+/// Set points of a log with 100 rows a second; frames lie between its rows.
+class SetpointImport : public CsvImport {
+ protected:
+  SetpointImport() { rate_hz_ = 33.0; }
+
+  std::string setpoints_mapping() const {
+    return replaced(mapping(), "  columns:", "  setpoints:");
+  }
+
+  /// The set point of the last row at or before a time.
+  double in_force(double time_s, Eigen::Index segment) const {
+    const double row = std::floor(time_s * rate_hz_ + 1e-6);
+    return truth_.pressures(row / rate_hz_)[segment];
+  }
+
+  void expect_held(const Recording& recording) const {
+    ASSERT_EQ(recording.episodes.size(), 1U);
+    const Episode& episode = recording.episodes.front();
+    EXPECT_TRUE(recording.setpoints_only());
+    EXPECT_EQ(episode.pressure_kpa, episode.setpoint_kpa);
+    double apart = 0.0;
+    double interpolated_apart = 0.0;
+    for (Eigen::Index t = 0; t < episode.time_s.size(); ++t) {
+      for (Eigen::Index i = 0; i < 3; ++i) {
+        const double found = double(episode.setpoint_kpa(t, i));
+        apart = std::max(apart, std::abs(found - in_force(episode.time_s[t], i)));
+        interpolated_apart =
+            std::max(interpolated_apart, std::abs(found - truth_.pressures(episode.time_s[t])[i]));
+      }
+    }
+    EXPECT_LT(apart, kSingle);
+    EXPECT_GT(interpolated_apart, 100.0 * kSingle) << "rows too near each other to tell";
+    EXPECT_NO_THROW(validate(recording, "imported"));
+  }
+};
+
+TEST_F(SetpointImport, HoldsSetPointsBetweenRowsAndNeverInterpolatesThem) {
+  const ImportResult result = import(log(), setpoints_mapping());
+  expect_held(result.recording);
+  ASSERT_NE(note(result, "nothing measured: the recording holds set points only"), nullptr);
+  EXPECT_EQ(note(result, "no set points logged"), nullptr);
+}
+
+TEST_F(SetpointImport, IsInterpolatedAndCalledMeasuredWhereTheMappingSaysSo) {
+  const Recording recording = import(log(), mapping()).recording;
+  EXPECT_FALSE(recording.setpoints_only());
+  const Episode& episode = recording.episodes.front();
+  for (Eigen::Index t = 0; t < episode.time_s.size(); ++t) {
+    // Halfway between two rows a straight line is off by its own curvature alone.
+    EXPECT_NEAR(double(episode.pressure_kpa(t, 1)), truth_.pressures(episode.time_s[t])[1], 1.0);
+  }
+}
+
+// `commands` that come alone were commanded; `pressures` are measured unless the mapping denies it.
+TEST_F(SetpointImport, TakesCommandsAloneForSetPoints) {
+  expect_held(import(log(), replaced(mapping(), "pressures:", "commands:")).recording);
+  expect_held(
+      import(log(), replaced(mapping(), "pressures:", "pressures:\n  measured: false")).recording);
+  const std::string denied = replaced(mapping(), "pressures:", "commands:\n  measured: true");
+  EXPECT_FALSE(import(log(), denied).recording.setpoints_only());
+}
+
+TEST_F(SetpointImport, ReadsOneColumnPerSide) {
+  std::string text = "time_s";
+  for (int i = 1; i <= 3; ++i) {
+    text += fmt::format(",r{0},l{0}", i);
+  }
+  text += header().substr(header().find(",x0")) + "\n";
+  for (int k = 0; k < rows_; ++k) {
+    const double t = k / rate_hz_;
+    text += fmt::format("{:.6f}", t);
+    for (const double p : truth_.pressures(t)) {
+      text += fmt::format(",{:.6f},{:.6f}", std::max(p, 0.0), std::max(-p, 0.0));
+    }
+    text += pose_cells(t) + "\n";
+  }
+  expect_held(
+      import(text, replaced(mapping(), "columns: [pressure_1_kpa, pressure_2_kpa, pressure_3_kpa]",
+                            "right: [r1, r2, r3]\n  left: [l1, l2, l3]\n  measured: false"))
+          .recording);
+}
+
+// An empty cell says nothing new, for however long; before the first set point nothing is known.
+TEST_F(SetpointImport, KeepsASetPointInForceOverEmptyCells) {
+  const std::string gaps = hidden(hidden(log(), 1, 200, 260), 2, 0, 40);
+  const ImportResult result = import(gaps, setpoints_mapping());
+  const Episode& episode = result.recording.episodes.front();
+  ASSERT_EQ(result.recording.episodes.size(), 1U);
+  const double before_gap = truth_.pressures(199.0 / rate_hz_)[0];
+  for (Eigen::Index t = 0; t < episode.time_s.size(); ++t) {
+    const double row = episode.time_s[t] * rate_hz_;
+    if (row > 199.0 && row < 259.9) {
+      EXPECT_NEAR(double(episode.setpoint_kpa(t, 0)), before_gap, kSingle);
+    }
+  }
+  EXPECT_GE(episode.time_s[0], 40.0 / rate_hz_ - 1e-6);
+  const ImportNote* found = note(result, "missing set points: those before them stay in force");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->count, 60);
+}
+
+TEST_F(SetpointImport, OfDefaultColumnsIsToldByTheirNames) {
+  const std::string without_commands = mapping().substr(0, mapping().find("pressures:")) +
+                                       mapping().substr(mapping().find("backbone:"));
+  std::string named = log();
+  for (int i = 1; i <= 3; ++i) {
+    named = replaced(named, fmt::format("pressure_{}_kpa", i), fmt::format("setpoint_{}_kpa", i));
+  }
+  expect_held(import(named, without_commands).recording);
+  EXPECT_FALSE(import(log(), without_commands).recording.setpoints_only());
+}
+
+TEST_F(SetpointImport, RefusesMappingsThatContradictThemselves) {
+  expect_refusal(log(), replaced(setpoints_mapping(), "pressures:", "pressures:\n  measured: true"),
+                 {"measured", "'setpoints' alone name nothing that was measured"});
+  const std::string both = replaced(mapping(), "backbone:",
+                                    "  setpoints: [pressure_1_kpa, pressure_2_kpa, "
+                                    "pressure_3_kpa]\n  measured: false\nbackbone:");
+  expect_refusal(log(), both, {"measured", "'setpoints' beside other columns"});
+  expect_refusal(log(), replaced(mapping(), "  columns:", "  right:"),
+                 {"pressures", "or 'setpoints' alone, where nothing was measured"});
+}
+
+// What would fit is said in the words of the mapping.
+TEST_F(SetpointImport, RefusesMirroredSetPointsInTheMappingsWords) {
+  rows_ = 2000;
+  pressure_scale_ = -1.0;
+  expect_refusal(log(), setpoints_mapping(),
+                 {"What would fit: 'setpoints: [-pressure_1_kpa, -pressure_2_kpa"});
+}
+
+}  // namespace
+}  // namespace limber
