@@ -20,11 +20,29 @@ void ModelFlags::add_valves_to(CLI::App& app) {
       ->excludes(valves);
 }
 
-ForwardModel ModelFlags::forward_model(const ArmDescription& arm) const {
+void ModelFlags::require_named() const {
   if (model_.empty() && !no_load_) {
     throw InputError("nothing to predict with: give --model MODEL.safetensors, or --no-load");
   }
+}
+
+ForwardModel ModelFlags::forward_model(const ArmDescription& arm) const {
+  require_named();
   return model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
+}
+
+ForwardModel ModelFlags::forward_model(const ArmDescription& arm,
+                                       const EnsembleFlag& ensemble) const {
+  require_named();
+  ensemble.require_model(model_);
+  return model_.empty() ? ForwardModel(arm) : ForwardModel(arm, ensemble.read(model_));
+}
+
+ForwardModel ModelFlags::forward_model(const ArmDescription& arm, const Plan& plan,
+                                       const std::string& plan_file) const {
+  require_named();
+  return model_.empty() ? ForwardModel(arm)
+                        : ForwardModel(arm, read_model_of_plan(model_, plan, plan_file));
 }
 
 ValveParameters ModelFlags::valves(const ArmDescription& arm,

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "ensemble_flag.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "verb.hpp"
@@ -23,6 +24,10 @@ class ModelFlags {
 
   /// @throws InputError if neither --model nor --no-load is given, or if a file does not fit.
   ForwardModel forward_model(const ArmDescription& arm) const;
+  /// The same; an ensemble's networks answer as `ensemble` asks, or as they did for `plan`.
+  ForwardModel forward_model(const ArmDescription& arm, const EnsembleFlag& ensemble) const;
+  ForwardModel forward_model(const ArmDescription& arm, const Plan& plan,
+                             const std::string& plan_file) const;
 
   /// Those of --valves FILE, else those that `network` was trained with; none with --no-valves.
   /// @param network  null: the no-load model
@@ -33,6 +38,8 @@ class ModelFlags {
   void warn_without_valves(const MotionModel& model, const CommonFlags& flags) const;
 
  private:
+  void require_named() const;
+
   std::string model_;
   bool no_load_ = false;
   std::string valves_;

@@ -31,6 +31,7 @@ OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const A
   const CompensationModel network = read_model(model_file);
   Plan same_commands = plan;
   same_commands.model = "network";
+  same_commands.ensemble.clear();
   const Certificate found = certify(same_commands, arm, &network, valves, environment);
   OtherJudgement judgement;
   judgement.model = model_file;
@@ -40,6 +41,9 @@ OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const A
   judgement.is_shape = std::isfinite(found.goal_distance_m) && !std::isnan(found.clearance_m);
   judgement.reaches_goal = judgement.is_shape && !has_failed(found, "goal");
   judgement.collides = judgement.is_shape && !(found.clearance_m >= Certificate::kMinClearanceM);
+  if (judgement.is_shape) {
+    judgement.spread = plan_spread(plan, arm, network, environment);
+  }
   return judgement;
 }
 

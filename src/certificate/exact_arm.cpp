@@ -120,6 +120,20 @@ std::vector<double> combined(OutputForm form, const std::vector<double>& previou
   return result;
 }
 
+/// (20): plate by plate, about the base; of one shape that shape.
+ExactArm::Shape mean_of(const std::vector<ExactArm::Shape>& shapes) {
+  const double count = static_cast<double>(shapes.size());
+  ExactArm::Shape mean = shapes.front();
+  for (std::size_t i = 0; i < mean.size() && shapes.size() > 1; ++i) {
+    Pose sum{};
+    for (const ExactArm::Shape& shape : shapes) {
+      sum = {sum.x_m + shape[i].x_m, sum.y_m + shape[i].y_m, sum.theta_rad + shape[i].theta_rad};
+    }
+    mean[i] = {sum.x_m / count, sum.y_m / count, sum.theta_rad / count};
+  }
+  return mean;
+}
+
 }  // namespace
 
 ExactArm::Shape ExactArm::no_load(const std::vector<double>& pressures_kpa) const {
@@ -137,7 +151,9 @@ ExactArm::ExactArm(const ArmDescription& arm, const CompensationModel* network) 
   if (network != nullptr) {
     layout_ = network->layout;
     form_ = network->form;
-    network_.emplace(*network);
+    for (int member = 0; member < network->asked_count(); ++member) {
+      networks_.emplace_back(network->member(member));
+    }
   }
 }
 
@@ -145,7 +161,7 @@ std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& pre
                                                   const std::vector<double>& current_kpa,
                                                   const std::array<const Shape*, 2>& previous,
                                                   ExactNetwork::Workspace& workspace) const {
-  if (!network_) {
+  if (networks_.empty()) {
     const Shape free = no_load(current_kpa);
     return {free, free};
   }
@@ -174,12 +190,15 @@ std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& pre
       input.insert(input.end(), part->begin(), part->end());
     }
   }
-  network_->run(workspace);
-  std::array<Shape, 2> result;
-  for (std::size_t c = 0; c < 2; ++c) {
-    result[c] = shape_of(combined(form_, before[c], unloaded, workspace.output[c]), layout_);
+  std::array<std::vector<Shape>, 2> answers;
+  for (const ExactNetwork& network : networks_) {
+    network.run(workspace);
+    for (std::size_t c = 0; c < 2; ++c) {
+      answers[c].push_back(
+          shape_of(combined(form_, before[c], unloaded, workspace.output[c]), layout_));
+    }
   }
-  return result;
+  return {mean_of(answers[0]), mean_of(answers[1])};
 }
 
 ExactArm::Shape ExactArm::next(const std::vector<double>& previous_kpa,

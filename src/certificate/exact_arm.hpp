@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "exact_network.hpp"
@@ -38,7 +37,7 @@ class ExactArm {
   const ArmDescription& arm_;
   BackboneLayout layout_ = BackboneLayout::gap_poses;
   OutputForm form_ = OutputForm::compensation;
-  std::optional<ExactNetwork> network_;
+  std::vector<ExactNetwork> networks_;  // none: no load; several: their mean, (20)
 };
 
 }  // namespace limber
