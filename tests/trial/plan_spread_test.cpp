@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "limber/forward/forward_model.hpp"
+#include "limber/world/collision.hpp"
 #include "planning/planner_setting.hpp"
 
 namespace limber {
