@@ -21,19 +21,29 @@ void ModelFlags::add_valves_to(CLI::App& app) {
       ->excludes(valves);
 }
 
-ForwardModel ModelFlags::forward_model(const ArmDescription& arm) const {
+void ModelFlags::require_named() const {
   if (model_.empty() && !no_load_) {
     throw InputError("nothing to predict with: give --model MODEL.safetensors, or --no-load");
   }
-  return model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
 }
 
-ForwardModel ModelFlags::planning_model(const ArmDescription& arm) const {
-  ForwardModel model = forward_model(arm);
-  if (model.has_network()) {
-    require_bounded(model.compensation(), model_);
-  }
-  return model;
+ForwardModel ModelFlags::planning_model(const ArmDescription& arm,
+                                        const EnsembleFlag& ensemble) const {
+  require_named();
+  ensemble.require_model(model_);
+  return model_.empty() ? ForwardModel(arm) : bounded(arm, ensemble.read(model_));
+}
+
+ForwardModel ModelFlags::planning_model(const ArmDescription& arm, const Plan& plan,
+                                        const std::string& plan_file) const {
+  require_named();
+  return model_.empty() ? ForwardModel(arm)
+                        : bounded(arm, read_model_of_plan(model_, plan, plan_file));
+}
+
+ForwardModel ModelFlags::bounded(const ArmDescription& arm, CompensationModel network) const {
+  require_bounded(network, model_);
+  return ForwardModel(arm, std::move(network));
 }
 
 ValveParameters ModelFlags::valves(const ArmDescription& arm,

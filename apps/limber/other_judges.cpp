@@ -34,6 +34,7 @@ OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const A
   Plan same_commands = plan;
   same_commands.model = "network";
   same_commands.valves_hash = used.hash();
+  same_commands.ensemble.clear();
   const Certificate found = certify(same_commands, arm, &network, used, environment);
   OtherJudgement judgement;
   judgement.model = model_file;
@@ -43,6 +44,9 @@ OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const A
   judgement.is_shape = std::isfinite(found.goal_distance_m) && !std::isnan(found.clearance_m);
   judgement.reaches_goal = judgement.is_shape && !has_failed(found, "goal");
   judgement.collides = judgement.is_shape && !(found.clearance_m >= Certificate::kMinClearanceM);
+  if (judgement.is_shape) {
+    judgement.spread = plan_spread(plan, arm, network, environment);
+  }
   return judgement;
 }
 

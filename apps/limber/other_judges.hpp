@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/certificate/certificate.hpp"
+#include "limber/trial/plan_spread.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
 
@@ -22,6 +24,9 @@ struct OtherJudgement {
   double goal_distance_m = 0.0;
   double clearance_m = 0.0;  ///< +∞ without obstacles
   double departure_m = 0.0;  ///< largest distance of a plate from where the plan puts it
+
+  /// Where the file is an ensemble; everything above is its first network's.
+  std::optional<PlanSpread> spread;
 
   bool agrees() const { return is_shape && reaches_goal && !collides; }
 };

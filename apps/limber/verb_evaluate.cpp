@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "ensemble_flag.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
@@ -35,6 +36,7 @@ class EvaluateVerb final : public Verb {
         ->capture_default_str();
     CLI::Option* model =
         app.add_option("--model", model_, "Network model; without it, the no-load model alone");
+    ensemble_.add_to(app);
     app.add_option("--data", data_, "Recording that the model was not trained on")->required();
     app.add_option("--out", out_,
                    "Write the model here, with its error on this recording: plans then keep "
@@ -51,6 +53,11 @@ class EvaluateVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    if (!out_.empty() && ensemble_.answer() == EnsembleAnswer::mean) {
+      throw InputError(
+          "--out: a model stores the error of its first network; leave --ensemble mean out, or give "
+          "the mean's error to limber plan (--margin-m, --goal-margin-m)");
+    }
     if (!plots_.empty()) {
       for (const auto& path : evaluation_plot_paths(plots_)) {
         refuse_to_overwrite(path, flags.force);
@@ -67,9 +74,10 @@ class EvaluateVerb final : public Verb {
     }
     const ArmDescription arm = load_asked_arm(arm_);
     const ForwardModel no_load(arm);
+    ensemble_.require_model(model_);
     std::optional<ForwardModel> network;
     if (!model_.empty()) {
-      network.emplace(arm, read_model(model_));
+      network.emplace(arm, ensemble_.read(model_));
     }
     const std::string data_hash = content_hash(read_file(data_));  // names why it can't be read
     const Recording recording = asked_with(read_usable(arm, data_), network, data_);
@@ -112,8 +120,12 @@ class EvaluateVerb final : public Verb {
       const EnsembleForward ensemble(arm, network->compensation());
       const EnsembleEvaluation errors = evaluate_ensemble(ensemble, recording.episodes, flags.jobs);
       json["ensemble"] = to_json(errors);
-      text += "network: the member that validated best, as used for planning\n" +
-              ensemble_evaluation_to_text(errors);
+      text +=
+          (ensemble_.answer() == EnsembleAnswer::mean
+               ? "network: the mean with one backbone for all, as used by plan --ensemble mean; "
+                 "below: each with a backbone of its own\n"
+               : "network: the member that validated best, as used for planning\n") +
+          ensemble_evaluation_to_text(errors);
     }
     if (network) {
       CompensationModel model = network->compensation();
@@ -197,6 +209,7 @@ class EvaluateVerb final : public Verb {
 
   std::string arm_ = "three_segment";
   std::string model_;
+  EnsembleFlag ensemble_;
   std::string data_;
   std::string out_;
   std::string plots_;

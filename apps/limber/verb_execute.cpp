@@ -107,7 +107,7 @@ class ExecuteVerb final : public Verb {
     if (!replan_) {
       return execute(arm, environment, plan, driver, settings_);
     }
-    const ForwardModel forward = model_.planning_model(arm);
+    const ForwardModel forward = model_.planning_model(arm, plan, plan_);
     const MotionModel model = model_.motion_model(arm, forward);
     model_.warn_without_valves(model, flags);
     Replanner replanner(arm, model, environment, room_.room(forward, flags), replanning_,

@@ -66,6 +66,7 @@ class ExperimentVerb final : public Verb {
                  "Execute closed loop: plan again from where the arm is measured");
     room_.add_to(app);
     valves_.add_valves_to(app);
+    ensemble_.add_to(app);
     forest_.add_to(app);
     app.add_option("--out", settings_.folder, "Folder for tables, figures, trials and plans")
         ->capture_default_str();
@@ -91,8 +92,9 @@ class ExperimentVerb final : public Verb {
     }
     settings_.with_no_load = !network_only_;
     require_writable_folder(settings_.folder);
-    const ForwardModel network(settings_.arm, read_model(settings_.model_file));
+    const ForwardModel network(settings_.arm, ensemble_.read(settings_.model_file.string()));
     require_bounded(network.compensation(), settings_.model_file.string());
+    settings_.ensemble = ensemble_.answer();
     const MotionModel model = valves_.motion_model(settings_.arm, network);
     valves_.warn_without_valves(model, flags);
     settings_.valves = model.valves().parameters();
@@ -146,6 +148,7 @@ class ExperimentVerb final : public Verb {
   std::string environments_;
   bool network_only_ = false;
   ModelFlags valves_;
+  EnsembleFlag ensemble_;
   RoomFlags room_;
   ForestFlags forest_;
   ExperimentSettings settings_;

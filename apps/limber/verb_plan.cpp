@@ -15,6 +15,7 @@
 #include "limit_flags.hpp"
 #include "model_flags.hpp"
 #include "room_flags.hpp"
+#include "spread_report.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -86,6 +87,7 @@ class PlanVerb final : public Verb {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
         ->capture_default_str();
     model_.add_to(app, " to plan with");
+    ensemble_.add_to(app);
     app.add_option("--environment", environment_,
                    "Environment file, or the name of one of limber's own; not needed to "
                    "--build-forest alone");
@@ -129,7 +131,7 @@ class PlanVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_asked_arm(arm_file);
-    const ForwardModel forward = model_.planning_model(arm);
+    const ForwardModel forward = model_.planning_model(arm, ensemble_);
     const MotionModel model = model_.motion_model(arm, forward);
     model_.warn_without_valves(model, flags);
     if (environment_.empty()) {
@@ -157,9 +159,11 @@ class PlanVerb final : public Verb {
     }
     write(result, arm, environment);
     const std::string model_name = model.has_network() ? "network" : "no_load";
-    print_result(flags,
-                 to_json(result, arm.command, environment.goal, planner_, model_name, flags.seed),
-                 result.plan ? plan_result_to_text(result, arm.command) : "");
+    nlohmann::ordered_json json =
+        to_json(result, arm.command, environment.goal, planner_, model_name, flags.seed);
+    std::string text = result.plan ? plan_result_to_text(result, arm.command) : "";
+    add_spread(forward, arm, environment, result, json, text);
+    print_result(flags, json, text);
     const int code = exit_code(result.status);
     if (code == kExitBadInput) {
       print_error(plan_result_to_text(result, arm.command));
@@ -170,6 +174,24 @@ class PlanVerb final : public Verb {
   }
 
  private:
+  /// Of an ensemble: what each of its networks makes of the plan.
+  static void add_spread(const ForwardModel& forward, const ArmDescription& arm,
+                         const Environment& environment, const PlanResult& result,
+                         nlohmann::ordered_json& json, std::string& text) {
+    if (!forward.has_network() || forward.compensation().member_count() == 1) {
+      return;
+    }
+    json["ensemble"] = to_string(forward.compensation().answer);
+    json["spread"] = nullptr;
+    if (!result.plan) {
+      return;
+    }
+    if (const auto spread = plan_spread(*result.plan, arm, forward.compensation(), environment)) {
+      json["spread"] = to_json(*spread);
+      text += "\n" + to_text(*spread, "this model", arm, environment);
+    }
+  }
+
   /// As the file has it, or with the arm's measured shape as its start.
   Environment environment_from(const ArmDescription& arm, const std::string& arm_file,
                                const CommonFlags& flags) const {
@@ -278,6 +300,7 @@ class PlanVerb final : public Verb {
 
   std::string arm_ = "three_segment";
   ModelFlags model_;
+  EnsembleFlag ensemble_;
   std::string environment_;
   std::string planner_ = "default";
   PlannerLimits limits_;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "limber/report/certificate_report.hpp"
 #include "model_flags.hpp"
 #include "other_judges.hpp"
+#include "spread_report.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -56,6 +58,14 @@ class VerifyVerb final : public Verb {
     }
     nlohmann::ordered_json json = to_json(certificate, arm.command, environment);
     std::string text = certificate_to_text(certificate, arm, environment);
+    const bool is_plan = std::ranges::none_of(
+        certificate.failures, [](const auto& failure) { return failure.check == "sizes"; });
+    if (used != nullptr && used->member_count() > 1 && is_plan) {
+      if (const auto spread = plan_spread(plan, arm, *used, environment)) {
+        json["spread"] = to_json(*spread);
+        text += "\n" + to_text(*spread, "this model", arm, environment);
+      }
+    }
     bool agreed = true;
     const bool setpoints = used != nullptr && used->learnt_from_setpoints;
     for (const std::string& other : also_) {
@@ -63,6 +73,10 @@ class VerifyVerb final : public Verb {
           judge_by(other, plan, arm, setpoints ? nullptr : &valves, environment);
       json["also"].push_back(to_json(judgement));
       text += "\n" + to_text(judgement);
+      if (judgement.spread) {
+        json["also"].back()["spread"] = to_json(*judgement.spread);
+        text += "; " + to_text(*judgement.spread, other, arm, environment);
+      }
       agreed = agreed && judgement.agrees();
     }
     print_result(flags, json, text);
@@ -106,7 +120,7 @@ class VerifyVerb final : public Verb {
       throw InputError(fmt::format("{}: made with another model (hash {}; {} has {})", plan_,
                                    plan.model_hash, model_.model_file(), hash));
     }
-    return read_model(model_.model_file());
+    return read_model_of_plan(model_.model_file(), plan, plan_);
   }
 
   std::string plan_;

@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "limber/common/error.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -85,6 +86,15 @@ void bind_networks(py::module_& module) {
           "Of the leading network; no copies.")
       .def_property_readonly("member_count", &CompensationModel::member_count,
                              "Networks of the ensemble, 1 where it is none.")
+      .def_property(
+          "answer", [](const CompensationModel& model) { return to_string(model.answer); },
+          [](CompensationModel& model, const std::string& answer) {
+            if (answer != "first" && answer != "mean") {
+              throw InputError("answer = '" + answer + "'; expected 'first' or 'mean'");
+            }
+            model.answer = answer == "mean" ? EnsembleAnswer::mean : EnsembleAnswer::first;
+          },
+          "Of an ensemble: \"first\", its first network's, or \"mean\" of all. No part of the file.")
       .def_property_readonly("shape", &CompensationModel::shape, "\"102-100-100-100-48\".")
       .def_readonly("arm_name", &CompensationModel::arm_name, "Of the arm it was trained for.")
       .def_readonly("arm_hash", &CompensationModel::arm_hash, "ArmDescription.hash() of it.")

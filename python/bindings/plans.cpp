@@ -57,6 +57,8 @@ void bind_plan(py::module_& module) {
       .done()
       .def_readwrite("model_hash", &Plan::model_hash,
                      "content_hash of the model's file; empty for the no-load model.")
+      .def_readonly("ensemble", &Plan::ensemble,
+                    "\"mean\": predicted by all of an ensemble's networks; empty: by one.")
       .def_readonly("arm_hash", &Plan::arm_hash, "Of the arm.")
       .def_readonly("valves_hash", &Plan::valves_hash, "Of its valves; empty: none.")
       .def_readonly("environment_hash", &Plan::environment_hash, "Of the environment.")

@@ -339,6 +339,11 @@ class CompensationModel:
     def member_count(self) -> int:
         """Networks of the ensemble, 1 where it is none."""
     @property
+    def answer(self) -> str:
+        """Of an ensemble: "first", its first network's, or "mean" of all. No part of the file."""
+    @answer.setter
+    def answer(self, value: str) -> None: ...
+    @property
     def shape(self) -> str:
         """"102-100-100-100-48"."""
     @property
@@ -890,6 +895,9 @@ class Plan:
         """content_hash of the model's file; empty for the no-load model."""
     @model_hash.setter
     def model_hash(self, value: str) -> None: ...
+    @property
+    def ensemble(self) -> str:
+        """"mean": predicted by all of an ensemble's networks; empty: by one."""
     @property
     def arm_hash(self) -> str:
         """Of the arm."""

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "exact_network.hpp"
@@ -39,7 +38,7 @@ class ExactArm {
   BackboneLayout layout_ = BackboneLayout::gap_poses;
   OutputForm form_ = OutputForm::compensation;
   std::optional<GapBounds> bounds_;
-  std::optional<ExactNetwork> network_;
+  std::vector<ExactNetwork> networks_;  // none: no load; several: their mean, (21)
 };
 
 }  // namespace limber

@@ -21,7 +21,7 @@ class ExactNetwork {
     std::vector<std::size_t> nonzero;
   };
 
-  /// Copies what it needs: of an ensemble, its best member.
+  /// Copies what it needs: of an ensemble, its first member.
   explicit ExactNetwork(const CompensationModel& network, CpuLevel level = cpu_level());
 
   /// Of both inputs. Gates' arguments come behind the changes.

@@ -42,6 +42,12 @@ Json optional_json(const auto& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+CompensationModel model_of(const ExperimentSettings& settings) {
+  CompensationModel model = read_model(settings.model_file);
+  model.answer = settings.ensemble;
+  return model;
+}
+
 std::string forest_hash(const Forest& forest) {
   return content_hash({reinterpret_cast<const char*>(forest.setpoints_kpa.data()),
                        static_cast<std::size_t>(forest.setpoints_kpa.size()) * sizeof(float)});
@@ -70,6 +76,9 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   if (settings.replan) {
     json["replan"] = true;
   }
+  if (settings.ensemble == EnsembleAnswer::mean) {
+    json["ensemble"] = to_string(settings.ensemble);
+  }
   json["environments"] = Json::object();
   for (const EnvironmentCase& item : settings.environments) {
     json["environments"][item.id] = environment_hash(item.environment);
@@ -80,7 +89,8 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
 void require_same(const fs::path& file, const nlohmann::json& wanted) {
   const nlohmann::json root = read_json_object(file);
   nlohmann::json all = wanted;
-  all.emplace("replan", nullptr);  // written where it is asked for alone
+  all.emplace("replan", nullptr);  // these are written where they are asked for alone
+  all.emplace("ensemble", nullptr);
   for (const auto& [key, value] : all.items()) {
     const nlohmann::json there = root.value(key, nlohmann::json(nullptr));
     if (there != value) {
@@ -113,7 +123,7 @@ class Experiment {
       : settings_(settings),
         model_bytes_hash_(content_hash(read_file(settings.model_file))),
         no_load_forward_(settings.arm),
-        network_forward_(settings.arm, read_model(settings.model_file)),
+        network_forward_(settings.arm, model_of(settings)),
         no_load_(no_load_forward_, ValveModel(settings.arm, settings.valves)),
         network_(network_forward_, ValveModel(settings.arm, settings.valves)),
         identity_(identity(settings, model_bytes_hash_)) {}

@@ -118,6 +118,10 @@ const char* to_string(BackboneLayout layout) {
   return layout == BackboneLayout::base_poses ? "base_poses" : "gap_poses";
 }
 
+const char* to_string(EnsembleAnswer answer) {
+  return answer == EnsembleAnswer::mean ? "mean" : "first";
+}
+
 CompensationModel CompensationModel::member(int index) const {
   CompensationModel one;
   one.layout = layout;
@@ -189,6 +193,11 @@ void validate(const CompensationModel& model, const std::string& where) {
   const Sizes sizes = expected_sizes(model);
   validate_layers(where, "layers.", model.layers, sizes);
   validate_members(where, model, sizes);
+  if (model.answer == EnsembleAnswer::mean && model.member_count() == 1) {
+    refuse(where,
+           "holds one network, so there is no mean to answer with; limber train --ensemble "
+           "N makes an ensemble");
+  }
   validate_normalisation(where, "normalisation.input", model.input, sizes.input);
   validate_normalisation(where, "normalisation.output", model.output, sizes.backbone);
   if (model.form == OutputForm::gated_change && !model.output.offset.isZero(0.0F)) {

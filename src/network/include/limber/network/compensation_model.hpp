@@ -35,6 +35,15 @@ enum class OutputForm {
 /// "compensation" or "gated_change", as model files have it.
 const char* to_string(OutputForm form);
 
+/// What an ensemble's networks answer together.
+enum class EnsembleAnswer {
+  first,  ///< what the first one says, the best by validation
+  mean,   ///< (21): the mean of what all of them say, at the cost of all of them
+};
+
+/// "first" or "mean", as the flag --ensemble and plans have it.
+const char* to_string(EnsembleAnswer answer);
+
 /// Affine map of each number, x ↦ (x − offset)·scale, so that training data lie in [0, 1] (or have
 /// unit spread). A number that never changes in the data (the base plate's pose) has no range: its
 /// scale is 1.
@@ -70,6 +79,8 @@ struct CompensationModel {
   /// An ensemble's other networks, of the same shape and normalisation, in the order of their
   /// validation errors: `layers` is the best. For a single prediction, `layers` is enough.
   std::vector<std::vector<Layer>> more_members;
+  /// Chosen by whoever asks the model, and no part of its file. `mean` needs an ensemble.
+  EnsembleAnswer answer = EnsembleAnswer::first;
   Normalisation input;
   Normalisation output;
   std::string arm_name;
@@ -97,6 +108,8 @@ struct CompensationModel {
   std::optional<GapBounds> bounds;
 
   int member_count() const { return 1 + static_cast<int>(more_members.size()); }
+  /// Networks that every answer asks: all of them for their mean, else 1.
+  int asked_count() const { return answer == EnsembleAnswer::mean ? member_count() : 1; }
   /// Member `index` as a model of its own, without the training record. @pre index < member_count()
   CompensationModel member(int index) const;
 
