@@ -159,6 +159,10 @@ void add_what_is_known(const CompensationModel& model, Finding& finding) {
   } else {
     finding.text += "\n  error on unseen motions: not measured";
   }
+  if (model.tube) {
+    finding.json["tube"] = to_json(*model.tube);
+    finding.text += "\n  " + tube_to_text(*model.tube);
+  }
   if (model.learnt) {
     const Command command = model.arm_description.empty()
                                 ? Command{}
@@ -199,6 +203,7 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
                   {"learnt_from", commands_are(model.learnt_from_setpoints)},
                   {"valves", nullptr},
                   {"prediction_error", nullptr},
+                  {"tube", nullptr},
                   {"learnt", nullptr},
                   {"bounds", nullptr}};
   finding.text = fmt::format("model of arm '{}' ({}), preset {}\n  {}, {}", model.arm_name,
@@ -284,6 +289,14 @@ Finding inspect_plan(const std::string& file, const std::optional<ArmDescription
       plan.frame_count(), plan.duration_s(), plan.waypoints_kpa.size(), plan.cost_kpa,
       plan.command.unit, 100.0 * plan.goal_distance_m, clearance,
       within.empty() ? "" : fmt::format("{} {}", within, plan.command.unit));
+  finding.json["tube"] = nullptr;
+  if (plan.tube) {
+    finding.json["tube"] = {{"level", plan.tube->level},
+                            {"plate_radius_m", plan.tube->plate_radius_m},
+                            {"goal_inside", plan.tube->goal_inside}};
+    finding.text += fmt::format("\n  keeps the tube of {:.4g} % of runs free, {:.2f} cm at the tip",
+                                100.0 * plan.tube->level, 100.0 * plan.tube->plate_radius_m.back());
+  }
   return finding;
 }
 

@@ -145,9 +145,8 @@ class PlanVerb final : public Verb {
     }
     const std::optional<RecordedRegion> region = region_to_stay_in(forward, arm);
     const ErrorRoom room = room_.room(forward, flags);
-    PlanningProblem problem{arm, model, environment, room.margin_m, room.goal_margin};
+    PlanningProblem problem = problem_with_room(arm, model, environment, room);
     problem.stay_within = region ? &*region : nullptr;
-    problem.margin_yields_to_start = room.margin_yields_to_start;
     problem.limits = narrower_.limits(arm);
     PlanResult result = search(problem, flags);
     warn_beyond_recordings(forward, arm, result);

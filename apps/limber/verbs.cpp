@@ -11,6 +11,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs() {
   verbs.push_back(make_inspect_verb());
   verbs.push_back(make_train_verb());
   verbs.push_back(make_evaluate_verb());
+  verbs.push_back(make_calibrate_verb());
   verbs.push_back(make_bench_verb());
   verbs.push_back(make_environment_verb());
   verbs.push_back(make_plan_verb());

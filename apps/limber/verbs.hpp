@@ -11,6 +11,7 @@ namespace limber {
 std::vector<std::unique_ptr<Verb>> all_verbs();
 
 std::unique_ptr<Verb> make_bench_verb();
+std::unique_ptr<Verb> make_calibrate_verb();
 std::unique_ptr<Verb> make_collect_verb();
 std::unique_ptr<Verb> make_demo_verb();
 std::unique_ptr<Verb> make_doctor_verb();

@@ -38,7 +38,7 @@ void bind_error_room(py::module_& module) {
       "error_room",
       [](const ForwardModel& model, std::optional<double> margin_m,
          std::optional<double> goal_margin_m, std::optional<double> goal_margin_rad) {
-        return error_room(model, {margin_m, goal_margin_m, goal_margin_rad});
+        return error_room(model, {margin_m, goal_margin_m, goal_margin_rad, std::nullopt});
       },
       py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
       py::arg("goal_margin_rad") = py::none(),

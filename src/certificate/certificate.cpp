@@ -15,6 +15,7 @@
 #include "limber/common/units.hpp"
 #include "shape_comparison.hpp"
 #include "swept_clearance.hpp"
+#include "tube_check.hpp"
 
 namespace limber {
 
@@ -71,6 +72,10 @@ class Certifier::Certification {
     }
     if (has_failed("sizes")) {
       return;  // nothing to simulate
+    }
+    check_tube(plan_, problem_.network, arm_, result_);
+    if (has_failed("tube")) {
+      return;  // its width means nothing
     }
     check_start();
     simulate_valves();
@@ -223,7 +228,8 @@ class Certifier::Certification {
     if (give_up_.now()) {
       return false;
     }
-    const SweptClearance::Result swept = problem_.clearance.over(simulated_, ask_);
+    const SweptClearance::Result swept = problem_.clearance.over(
+        simulated_, ask_, plan_.tube ? plan_.tube->plate_radius_m : std::vector<double>());
     if (!swept.is_finished) {
       give_up_.give_up();
       return false;
@@ -235,9 +241,10 @@ class Certifier::Certification {
     const double least = std::max(plan_.margin_m, Certificate::kMinClearanceM);
     if (!(swept.value_m >= least)) {
       fail("collision", swept.frame,
-           fmt::format("the arm, {}, comes within {:.3f} mm of {}; {:.3f} mm are asked for",
-                       gap_name(arm_, swept.gap), swept.value_m * 1e3,
-                       obstacle_name(environment_, swept.obstacle), least * 1e3));
+           fmt::format("the arm{}, {}, comes within {:.3f} mm of {}; {:.3f} mm are asked for",
+                       plan_.tube ? " with its tube" : "", gap_name(arm_, swept.gap),
+                       swept.value_m * 1e3, obstacle_name(environment_, swept.obstacle),
+                       least * 1e3));
     }
     const bool both_infinite = std::isinf(plan_.clearance_m) && std::isinf(swept.value_m);
     if (!both_infinite && !(std::abs(plan_.clearance_m - swept.value_m) <= kReportedClearanceM)) {
@@ -252,19 +259,27 @@ class Certifier::Certification {
     const Pose& tip = simulated_.back().back();
     result_.goal_distance_m = std::hypot(tip.x_m - goal.x_m, tip.y_m - goal.y_m);
     const int last = plan_.frame_count() - 1;
-    if (!(result_.goal_distance_m <= goal.position_tolerance_m)) {
+    const bool keeps_tube = plan_.tube && plan_.tube->goal_inside;
+    const double room_m = keeps_tube ? plan_.tube->end_radius_m : 0.0;
+    const double room_rad = keeps_tube ? plan_.tube->end_heading_rad : 0.0;
+    const auto tube_note = [&](double room, const char* unit) {
+      return keeps_tube ? fmt::format(", of which {:.4g} {} are its tube's", room, unit) : "";
+    };
+    if (!(result_.goal_distance_m <= goal.position_tolerance_m - room_m)) {
       fail("goal", last,
-           fmt::format("the tip ends {:.3f} cm from the goal; tolerance {:.3f} cm",
-                       result_.goal_distance_m * kCmPerM, goal.position_tolerance_m * kCmPerM));
+           fmt::format("the tip ends {:.3f} cm from the goal; tolerance {:.3f} cm{}",
+                       result_.goal_distance_m * kCmPerM, goal.position_tolerance_m * kCmPerM,
+                       tube_note(room_m * kCmPerM, "cm")));
     }
     if (goal.theta_rad) {
       // As a rotation, so that a full turn makes no difference.
       result_.goal_orientation_rad =
           std::abs(std::arg(std::polar(1.0, tip.theta_rad - *goal.theta_rad)));
-      if (!(result_.goal_orientation_rad <= goal.orientation_tolerance_rad)) {
+      if (!(result_.goal_orientation_rad <= goal.orientation_tolerance_rad - room_rad)) {
         fail("goal", last,
-             fmt::format("the tip ends {:.4f} rad from the goal's heading; tolerance {:.4f} rad",
-                         result_.goal_orientation_rad, goal.orientation_tolerance_rad));
+             fmt::format("the tip ends {:.4f} rad from the goal's heading; tolerance {:.4f} rad{}",
+                         result_.goal_orientation_rad, goal.orientation_tolerance_rad,
+                         tube_note(room_rad, "rad")));
       }
     }
     require_claim("goal_distance_m", plan_.goal_distance_m, result_.goal_distance_m,

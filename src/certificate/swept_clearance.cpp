@@ -154,8 +154,13 @@ CoveringBox box_about(const Pose& start_from, const Pose& end_from, const Pose& 
 class SweptClearance::Search {
  public:
   Search(const SweptClearance& clearance, const std::vector<ExactArm::Shape>& shapes,
-         const std::function<bool()>& give_up)
-      : clearance_(clearance), shapes_(shapes), give_up_(give_up) {}
+         const std::function<bool()>& give_up, const std::vector<double>& plate_room_m)
+      : clearance_(clearance), shapes_(shapes), give_up_(give_up), radius_m_(clearance.radius_m_) {
+    for (std::size_t plate = 1; plate < plate_room_m.size(); ++plate) {
+      radius_m_[plate - 1] += std::max(plate_room_m[plate - 1], plate_room_m[plate]);
+    }
+    max_radius_m_ = *std::max_element(radius_m_.begin(), radius_m_.end());
+  }
 
   Result run() {
     find_bound();
@@ -204,8 +209,8 @@ class SweptClearance::Search {
     }
     const auto k = static_cast<std::size_t>(nearest.frame);
     const auto plate = static_cast<std::size_t>(nearest.gap);
-    for (std::size_t gap = plate == 0 ? 0 : plate - 1;
-         gap <= plate && gap < clearance_.radius_m_.size(); ++gap) {
+    for (std::size_t gap = plate == 0 ? 0 : plate - 1; gap <= plate && gap < radius_m_.size();
+         ++gap) {
       look_at_gap(k, gap, static_cast<std::size_t>(nearest.obstacle));
     }
     best_ = {best_.value_m};
@@ -213,7 +218,7 @@ class SweptClearance::Search {
 
   /// @param nearest  `gap` is the plate
   void lower_by_plate(std::size_t k, std::size_t plate, std::size_t o, Result& nearest) const {
-    const std::vector<double>& radius = clearance_.radius_m_;
+    const std::vector<double>& radius = radius_m_;
     const double thickest =
         std::max(radius[plate == 0 ? 0 : plate - 1], radius[std::min(plate, radius.size() - 1)]);
     const CoveredObstacle& obstacle = clearance_.obstacles_[o];
@@ -230,7 +235,7 @@ class SweptClearance::Search {
   /// Lists the obstacles whose boxes may be nearer than `value_m` to what the box covers.
   void find_near(const CoveringBox& box, double value_m) {
     near_.clear();
-    const double reach = std::max(0.0, value_m + clearance_.max_radius_m_);
+    const double reach = std::max(0.0, value_m + max_radius_m_);
     for (std::size_t o = 0; o < clearance_.obstacles_.size(); ++o) {
       if (clearance_.obstacles_[o].box.squared_distance(box) <= reach * reach) {
         near_.push_back(o);
@@ -250,7 +255,7 @@ class SweptClearance::Search {
     find_near(all, best_.value_m);
     for (std::size_t gap = 0; gap < gap_boxes_.size(); ++gap) {
       for (const std::size_t o : near_) {
-        const double reach = std::max(0.0, best_.value_m + clearance_.radius_m_[gap]);
+        const double reach = std::max(0.0, best_.value_m + radius_m_[gap]);
         if (clearance_.obstacles_[o].box.squared_distance(gap_boxes_[gap]) <= reach * reach) {
           look_at_gap(k, gap, o);
         }
@@ -265,7 +270,7 @@ class SweptClearance::Search {
     const ExactArm::Shape& from = shapes_[k == 0 ? 0 : k - 1];
     const ExactArm::Shape& to = shapes_[k];
     const MovingArc arc(from[gap], from[gap + 1], to[gap], to[gap + 1]);
-    const double radius = clearance_.radius_m_[gap];
+    const double radius = radius_m_[gap];
     const double known = best_.value_m + radius;
     const double value = lowest(arc, clearance_.obstacles_[o], known);
     if (value < known) {  // compared before the radius is taken off again: rounding finds nothing
@@ -310,6 +315,8 @@ class SweptClearance::Search {
   const SweptClearance& clearance_;
   const std::vector<ExactArm::Shape>& shapes_;
   GiveUp give_up_;
+  std::vector<double> radius_m_;  // one per gap, with its room
+  double max_radius_m_ = 0.0;
   // A signal from before has been heeded by the caller, who asks for this all the same.
   const bool was_interrupted_ = interrupt_requested();
   Result best_{kInfinity};
@@ -324,13 +331,13 @@ SweptClearance::SweptClearance(const ArmDescription& arm, const std::vector<Obst
   for (const Segment& segment : arm.segments) {
     radius_m_.insert(radius_m_.end(), static_cast<std::size_t>(segment.gaps),
                      segment.width_m / 2.0 + arm.actuator_radius_m);
-    max_radius_m_ = std::max(max_radius_m_, radius_m_.back());
   }
 }
 
 SweptClearance::Result SweptClearance::over(const std::vector<ExactArm::Shape>& shapes,
-                                            const std::function<bool()>& give_up) const {
-  return Search(*this, shapes, give_up).run();
+                                            const std::function<bool()>& give_up,
+                                            const std::vector<double>& plate_room_m) const {
+  return Search(*this, shapes, give_up, plate_room_m).run();
 }
 
 }  // namespace limber

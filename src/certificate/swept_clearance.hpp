@@ -36,10 +36,12 @@ class SweptClearance {
   };
   /// Over the motion from each shape to the next; a single shape stands still. @pre no gap turns by
   /// more than half a turn, and every number is finite.
+  /// @param plate_room_m  the arm is thicker by so much at its plates, and between two of them by
+  ///                      the larger; empty: nowhere
   /// @param give_up  called every few dozen microseconds: whether to stop
   /// @throws Interrupted if a signal comes meanwhile.
-  Result over(const std::vector<ExactArm::Shape>& shapes,
-              const std::function<bool()>& give_up = {}) const;
+  Result over(const std::vector<ExactArm::Shape>& shapes, const std::function<bool()>& give_up = {},
+              const std::vector<double>& plate_room_m = {}) const;
 
  private:
   class MovingArc;
@@ -47,7 +49,6 @@ class SweptClearance {
 
   double tolerance_m_;
   std::vector<double> radius_m_;  // one per gap
-  double max_radius_m_ = 0.0;
   std::vector<CoveredObstacle> obstacles_;
 };
 

@@ -65,6 +65,9 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   json["margin_m"] = optional_json(settings.room.margin_m);  // null: the model's own
   json["goal_margin_m"] = optional_json(settings.room.goal_margin_m);
   json["goal_margin_rad"] = optional_json(settings.room.goal_margin_rad);
+  if (settings.room.tube_level) {
+    json["tube"] = *settings.room.tube_level;
+  }
   json["seed"] = settings.seed;
   json["time_limit_s"] = optional_json(settings.limits.time_s);
   json["max_iterations"] = optional_json(settings.limits.iterations);
@@ -89,8 +92,9 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
 void require_same(const fs::path& file, const nlohmann::json& wanted) {
   const nlohmann::json root = read_json_object(file);
   nlohmann::json all = wanted;
-  all.emplace("replan", nullptr);  // these are written where they are asked for alone
-  all.emplace("ensemble", nullptr);
+  for (const char* asked : {"replan", "ensemble", "tube"}) {
+    all.emplace(asked, nullptr);  // written where it is asked for alone
+  }
   for (const auto& [key, value] : all.items()) {
     const nlohmann::json there = root.value(key, nlohmann::json(nullptr));
     if (there != value) {

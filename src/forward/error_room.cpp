@@ -1,7 +1,11 @@
 #include "limber/forward/error_room.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 
+#include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -13,6 +17,7 @@ ErrorRoom default_room(const ForwardModel& model) {
     return {
         0.0,
         {},
+        std::nullopt,
         true,
         "the no-load model's error is not known, so no clearance is kept for it: its plans mostly "
         "miss and may collide; --margin-m asks for a clearance"};
@@ -22,19 +27,63 @@ ErrorRoom default_room(const ForwardModel& model) {
     return {
         kUnknownErrorM,
         {kUnknownErrorM, 0.0},
+        std::nullopt,
         true,
         fmt::format(
             "the model's error was not measured: {:.1f} cm of clearance are kept, and as much to "
             "the goal's rim; limber train measures the error",
             kUnknownErrorM * kCmPerM)};
   }
-  return {error->off_path_m, {error->end_position_m, error->end_orientation_rad}, true, ""};
+  return {error->off_path_m,
+          {error->end_position_m, error->end_orientation_rad},
+          std::nullopt,
+          true,
+          ""};
+}
+
+/// The level that plans keep; none where they keep a margin instead.
+const TubeLevel* level_of(const ForwardModel& model, const AskedRoom& asked) {
+  const Tube* tube =
+      model.has_network() && model.compensation().tube ? &*model.compensation().tube : nullptr;
+  if (!asked.tube_level) {
+    return tube == nullptr || asked.margin_m ? nullptr : &tube->default_level();
+  }
+  if (tube == nullptr) {
+    throw InputError(
+        fmt::format("a tube of {} is asked for; the model carries none: limber "
+                    "calibrate measures one",
+                    *asked.tube_level));
+  }
+  const TubeLevel* level = tube->find(*asked.tube_level);
+  if (level == nullptr) {
+    throw InputError(fmt::format("a tube of {} is asked for; the model carries {}",
+                                 *asked.tube_level, names_of_levels(*tube)));
+  }
+  return level;
+}
+
+ErrorRoom room_of(const Tube& tube, const TubeLevel& level) {
+  PlanTube radii;
+  radii.level = level.level;
+  for (const double scale : tube.plate_scale_m) {
+    radii.plate_radius_m.push_back(level.factor * scale);
+  }
+  radii.end_radius_m = level.factor * tube.end_scale_m;
+  radii.end_heading_rad = level.factor * tube.end_heading_scale_rad;
+  const double largest =
+      *std::max_element(radii.plate_radius_m.begin(), radii.plate_radius_m.end());
+  return {largest, {radii.end_radius_m, radii.end_heading_rad}, std::move(radii), true, ""};
 }
 
 }  // namespace
 
 ErrorRoom error_room(const ForwardModel& model, const AskedRoom& asked) {
-  ErrorRoom room = default_room(model);
+  const TubeLevel* level = level_of(model, asked);
+  ErrorRoom room =
+      level == nullptr ? default_room(model) : room_of(*model.compensation().tube, *level);
+  if (asked.tube_level) {
+    room.margin_yields_to_start = false;
+  }
   if (asked.margin_m) {
     room.margin_yields_to_start = false;
     room.note.clear();

@@ -140,6 +140,7 @@ CompensationModel CompensationModel::member(int index) const {
   one.valve_findings = valve_findings;
   if (index == 0) {
     one.prediction_error = prediction_error;
+    one.tube = tube;
   }
   one.learnt = learnt;
   one.bounds = bounds;
@@ -214,6 +215,14 @@ void validate(const CompensationModel& model, const std::string& where) {
   }
   if (model.prediction_error) {
     validate(*model.prediction_error, where + ": metadata");
+  }
+  if (model.tube) {
+    validate(*model.tube, where + ": metadata");
+    if (static_cast<int>(model.tube->plate_scale_m.size()) != model.point_count) {
+      refuse(where, fmt::format("metadata tube.plate_scale_m has {} numbers; expected {}, one per "
+                                "plate",
+                                model.tube->plate_scale_m.size(), model.point_count));
+    }
   }
   if (model.learnt) {
     validate(*model.learnt, model.segment_count, model.point_count, where);

@@ -22,6 +22,7 @@ constexpr const char* kTrainingPrefix = "training.";
 constexpr const char* kValvesKey = "valves";
 constexpr const char* kLearntFromKey = "learnt_from";
 constexpr const char* kErrorKey = "prediction_error";
+constexpr const char* kTubeKey = "tube";
 constexpr const char* kLearntPrefix = "learnt.";
 constexpr const char* kBoundsPrefix = "bounds.";
 using RowMajorMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -191,6 +192,15 @@ void read_prediction_error_into(CompensationModel& model, const Safetensors& con
   }
 }
 
+// Only models that were calibrated have one.
+void read_tube_into(CompensationModel& model, const Safetensors& content,
+                    const std::string& where) {
+  const auto found = content.metadata.find(kTubeKey);
+  if (found != content.metadata.end()) {
+    model.tube = read_tube(YamlReader::from_text(found->second, where + ": metadata tube"));
+  }
+}
+
 void add_learnt_region(Safetensors& content, const LearntRegion& region) {
   const auto add = [&](const char* name, const Eigen::VectorXf& vector) {
     content.tensors[std::string(kLearntPrefix) + name] = vector_tensor(vector);
@@ -274,6 +284,9 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
   if (model.prediction_error) {
     content.metadata[kErrorKey] = prediction_error_to_metadata(*model.prediction_error);
   }
+  if (model.tube) {
+    content.metadata[kTubeKey] = tube_to_metadata(*model.tube);
+  }
   if (model.learnt) {
     add_learnt_region(content, *model.learnt);
   }
@@ -310,6 +323,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
   model.learnt_from_setpoints = learnt_from_setpoints_at(content, where);
   read_valves_into(model, content, where);
   read_prediction_error_into(model, content, where);
+  read_tube_into(model, content, where);
   TensorReader tensors(content, where);
   model.layers = tensors.layers("layers.");
   while (tensors.has(member_prefix(model.more_members.size() + 1) + "0.weight")) {

@@ -11,7 +11,8 @@ PoseError final_error(const PlanningProblem& problem, const Plan& plan) {
   return pose_error(problem.environment.goal, tip_pose(plan.frames.back().backbone));
 }
 
-/// Smallest clearance over all frames and between them, the margin given back.
+/// Smallest clearance over all frames and between them, of the tube if there is one; the margin
+/// given back.
 double plan_clearance_m(const CollisionChecker& checker, double margin_m, const Plan& plan,
                         const std::function<bool()>& give_up) {
   double smallest = checker.clearance(plan.frames.front().backbone).value_m;
@@ -46,6 +47,7 @@ Plan build_partial_plan(const PlanningProblem& problem, MotionSimulator& simulat
   plan.planner = planner;
   plan.seed = seed;
   plan.margin_m = problem.margin_m;
+  plan.tube = problem.tube;
   plan.frame_rate_hz = problem.arm.frame_rate_hz;
   plan.limits = problem.limits;
   plan.program_version = version();

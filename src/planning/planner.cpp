@@ -14,6 +14,20 @@ PressureBox setpoints_of(const PlanningProblem& problem) {
   return problem.limits.empty() ? box : box.within(pressure_box(problem.limits));
 }
 
+PlanningProblem problem_with_room(const ArmDescription& arm, const MotionModel& model,
+                                  const Environment& environment, const ErrorRoom& room) {
+  PlanningProblem problem{arm, model, environment, room.tube ? 0.0 : room.margin_m,
+                          room.goal_margin};
+  problem.margin_yields_to_start = room.margin_yields_to_start;
+  problem.tube = room.tube;
+  return problem;
+}
+
+CollisionChecker checker_of(const PlanningProblem& problem) {
+  return CollisionChecker(problem.arm, problem.environment.obstacles, problem.margin_m,
+                          problem.tube ? problem.tube->plate_radius_m : std::vector<double>());
+}
+
 const char* to_string(PlanStatus status) {
   switch (status) {
     case PlanStatus::solved:

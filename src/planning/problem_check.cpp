@@ -20,6 +20,9 @@ namespace {
 constexpr std::uint64_t kCheckStream = 0x636865636bULL;  // apart from the planners' streams
 
 std::string margin_note(const PlanningProblem& problem) {
+  if (problem.tube) {
+    return fmt::format(" (tube of {:.4g} % of runs included)", 100.0 * problem.tube->level);
+  }
   return problem.margin_m > 0.0
              ? fmt::format(" (margin of {:.2f} cm included)", problem.margin_m * kCmPerM)
              : std::string();

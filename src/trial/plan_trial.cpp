@@ -7,6 +7,19 @@
 
 namespace limber {
 
+namespace {
+
+/// A tube is asked for of the network; the no-load model has none.
+ErrorRoom room_of(const MotionModel& model, const PlanTrialSettings& settings) {
+  AskedRoom asked = settings.room;
+  if (!model.has_network()) {
+    asked.tube_level.reset();
+  }
+  return error_room(model.forward(), asked);
+}
+
+}  // namespace
+
 PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
                      const EnvironmentCase& item, const PlanTrialSettings& settings,
                      std::uint64_t seed) {
@@ -16,9 +29,8 @@ PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
   trial.planner = settings.planner;
   trial.seed = seed;
   trial.asks_heading = item.environment.goal.theta_rad.has_value();
-  const ErrorRoom room = error_room(model.forward(), settings.room);
-  PlanningProblem problem{arm, model, item.environment, room.margin_m, room.goal_margin};
-  problem.margin_yields_to_start = room.margin_yields_to_start;
+  const ErrorRoom room = room_of(model, settings);
+  const PlanningProblem problem = problem_with_room(arm, model, item.environment, room);
   trial.planning = make_planner(settings.planner, settings.planner_jobs, settings.forest)
                        ->plan(problem, settings.limits, seed,
                               [](const PlannerProgress&) { return !interrupt_requested(); });
@@ -42,8 +54,7 @@ void execute_trial_replanning(const ArmDescription& arm, const MotionModel& mode
     return;
   }
   VirtualArm driver(arm);
-  Replanner replanner(arm, model, environment, error_room(model.forward(), settings.room), {},
-                      trial.seed);
+  Replanner replanner(arm, model, environment, room_of(model, settings), {}, trial.seed);
   ExecutionSettings closed_loop;
   closed_loop.replanner = &replanner;
   trial.execution = execute(arm, environment, *trial.planning.plan, driver, closed_loop);

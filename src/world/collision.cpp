@@ -242,7 +242,8 @@ bool all_are_free(const BroadPhase& broad, int gaps, const Eigen::Ref<const Back
 }  // namespace
 
 CollisionChecker::CollisionChecker(const ArmDescription& arm,
-                                   const std::vector<Obstacle>& obstacles, double margin_m) {
+                                   const std::vector<Obstacle>& obstacles, double margin_m,
+                                   const std::vector<double>& plate_room_m) {
   if (!(margin_m >= 0.0 && std::isfinite(margin_m))) {
     throw InputError(
         fmt::format("margin_m = {}; expected a distance in metres, at least 0", margin_m));
@@ -258,7 +259,27 @@ CollisionChecker::CollisionChecker(const ArmDescription& arm,
     radius_m_.insert(radius_m_.end(), static_cast<std::size_t>(segment.gaps),
                      0.5 * segment.width_m + arm.actuator_radius_m + margin_m);
   }
+  add_room(plate_room_m);
   broad_ = std::make_unique<const BroadPhase>(obstacles_, radius_m_);
+}
+
+void CollisionChecker::add_room(const std::vector<double>& plate_room_m) {
+  if (plate_room_m.empty()) {
+    return;
+  }
+  if (plate_room_m.size() != radius_m_.size() + 1) {
+    throw InputError(fmt::format("{} numbers of room; the arm has {} plates", plate_room_m.size(),
+                                 radius_m_.size() + 1));
+  }
+  for (const double room : plate_room_m) {
+    if (!(room >= 0.0 && std::isfinite(room))) {
+      throw InputError(
+          fmt::format("room of {} m at a plate; expected a distance in metres, at least 0", room));
+    }
+  }
+  for (std::size_t gap = 0; gap < radius_m_.size(); ++gap) {
+    radius_m_[gap] += std::max(plate_room_m[gap], plate_room_m[gap + 1]);
+  }
 }
 
 CollisionChecker::CollisionChecker(CollisionChecker&&) noexcept = default;

@@ -181,6 +181,29 @@ double read_clearance(const JsonReader& field) {
   return field.is_null() ? std::numeric_limits<double>::infinity() : field.number(-kMax, kMax);
 }
 
+std::optional<PlanTube> read_tube(const JsonReader& root) {
+  if (!root.has("tube")) {
+    return std::nullopt;
+  }
+  const JsonReader field = root.at("tube");
+  PlanTube tube;
+  tube.level = field.at("level").number(0.0, 1.0);
+  tube.plate_radius_m =
+      field.at("plate_radius_m").numbers(std::string::npos, "lengths in metres", 0.0, kMax);
+  tube.end_radius_m = number_at(field, "end_radius_m", 0.0);
+  tube.end_heading_rad = number_at(field, "end_heading_rad", 0.0);
+  tube.goal_inside = field.at("goal_inside").boolean();
+  return tube;
+}
+
+Json tube_to_json(const PlanTube& tube) {
+  return {{"level", tube.level},
+          {"plate_radius_m", tube.plate_radius_m},
+          {"end_radius_m", tube.end_radius_m},
+          {"end_heading_rad", tube.end_heading_rad},
+          {"goal_inside", tube.goal_inside}};
+}
+
 std::optional<CertifiedFigures> read_certificate(const JsonReader& root) {
   if (!root.has("certificate")) {
     return std::nullopt;
@@ -220,6 +243,7 @@ Plan read_fields(const JsonReader& root, bool has_valves) {
   plan.planner = root.at("planner").text();
   plan.seed = root.at("seed").count(std::numeric_limits<std::uint64_t>::max());
   plan.margin_m = number_at(root, "margin_m", 0.0);
+  plan.tube = read_tube(root);
   plan.frame_rate_hz = root.at("frame_rate_hz").number(1.0, 1000.0);
   plan.cost_kpa = number_at(root, quantity_key(plan.command, "cost").c_str(), 0.0);
   plan.clearance_m = read_clearance(root.at("clearance_m"));
@@ -268,6 +292,9 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   root["planner"] = plan.planner;
   root["seed"] = plan.seed;
   root["margin_m"] = plan.margin_m;
+  if (plan.tube) {
+    root["tube"] = tube_to_json(*plan.tube);
+  }
   root["frame_rate_hz"] = plan.frame_rate_hz;
   for (const PressureLimits& limits : plan.limits) {
     root[quantity_key(plan.command, "limits")].push_back({limits.lower_kpa, limits.upper_kpa});

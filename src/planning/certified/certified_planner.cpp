@@ -47,7 +47,7 @@ class CertifiedPlanner final : public Planner {
       yield_to_start(problem, notes);
     }
     AskedProblem shared(problem);
-    const bool may_keep_less = problem.margin_m > 0.0;
+    const bool may_keep_less = problem.margin_m > 0.0 || problem.tube;
     PlannerLimits patient = limits;
     if (may_keep_less) {
       patient.patience =
@@ -75,10 +75,13 @@ class CertifiedPlanner final : public Planner {
  private:
   static void yield_to_start(PlanningProblem& problem, std::vector<std::string>& notes) {
     const CollisionChecker checker(problem.arm, problem.environment.obstacles);
-    const Clearance at_start =
-        checker.clearance(start_state(problem.environment, problem.arm).backbone);
+    const Backbone start = start_state(problem.environment, problem.arm).backbone;
+    const Clearance at_start = checker.clearance(start);
     const double max_m = at_start.value_m - kReserveM - Certificate::kClearanceToleranceM;
     if (at_start.obstacle < 0 || max_m <= 0.0 || problem.margin_m <= max_m) {
+      if (at_start.obstacle >= 0 && max_m > 0.0 && problem.tube) {
+        leave_tube_at_start(problem, start, kYield * max_m, notes);
+      }
       return;  // nothing is near, or it starts in an obstacle, which is refused
     }
     notes.push_back(fmt::format(
@@ -89,11 +92,26 @@ class CertifiedPlanner final : public Planner {
     problem.margin_m = kYield * max_m;
   }
 
+  /// Where the arm starts with an obstacle in its tube, plans keep one clearance everywhere instead.
+  static void leave_tube_at_start(PlanningProblem& problem, const Backbone& start, double max_m,
+                                  std::vector<std::string>& notes) {
+    const double inside_m = checker_of(problem).clearance(start).value_m;
+    if (inside_m > 2.0 * kReserveM + Certificate::kClearanceToleranceM) {
+      return;
+    }
+    problem.margin_m = std::min(max_m, max_room_m(*problem.tube));
+    notes.push_back(fmt::format(
+        "the arm starts with an obstacle in its {:.4g} % tube: plans keep {:.2f} cm everywhere "
+        "instead of the tube, and nothing is promised of them",
+        100.0 * problem.tube->level, problem.margin_m * kCmPerM));
+    problem.tube.reset();
+  }
+
   /// A refusal's amounts are those of the problem as it was asked, wherever it is refused as such;
   /// a search that found nothing says so if there may have been nothing to find.
   static void explain(const PlanningProblem& problem, std::uint64_t seed,
                       const std::function<bool()>& is_late, PlanResult& result) {
-    const CollisionChecker checker(problem.arm, problem.environment.obstacles, problem.margin_m);
+    const CollisionChecker checker = checker_of(problem);
     if (result.status == PlanStatus::limit) {
       const std::string note = reached_only_in_collision(problem, checker, seed, is_late);
       result.reason += note.empty() ? "" : "; " + note;

@@ -29,7 +29,8 @@ PlanResult certified_search(Planner& planner, const PlanningProblem& problem, As
                                  problem.stay_within,
                                  &judge,
                                  false,
-                                 has_room(problem)};
+                                 has_room(problem),
+                                 problem.tube};
   PlanResult result = planner.plan(searched, limits, seed, callback);
   if (result.best_partial) {
     judge.name_problem(*result.best_partial);

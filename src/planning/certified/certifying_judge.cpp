@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "goal_room.hpp"
+
 namespace limber {
 
 namespace {
@@ -22,6 +24,7 @@ bool is_same_motion(const Plan& a, const Plan& b) {
 void CertifyingJudge::name_problem(Plan& plan) {
   plan.environment_hash = asked_.environment_hash();
   plan.margin_m = problem_.margin_m;
+  plan.tube = tube_of_plans(problem_);
 }
 
 PlanJudge::Verdict CertifyingJudge::judge(Plan& plan, const std::function<bool()>& give_up) {

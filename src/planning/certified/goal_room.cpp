@@ -52,6 +52,20 @@ bool has_room(const PlanningProblem& problem) {
           fits(goal.orientation_tolerance_rad, problem.goal_margin.orientation_rad));
 }
 
+std::optional<PlanTube> tube_of_plans(const PlanningProblem& problem) {
+  std::optional<PlanTube> tube = problem.tube;
+  if (tube) {
+    tube->goal_inside = has_room(problem) && problem.goal_margin.position_m >= tube->end_radius_m &&
+                        (!problem.environment.goal.theta_rad ||
+                         problem.goal_margin.orientation_rad >= tube->end_heading_rad);
+  }
+  return tube;
+}
+
+double max_room_m(const PlanTube& tube) {
+  return *std::max_element(tube.plate_radius_m.begin(), tube.plate_radius_m.end());
+}
+
 std::vector<std::string> warnings_of_aim(const PlanningProblem& problem) {
   const PoseGoal& goal = problem.environment.goal;
   std::vector<std::string> warnings;

@@ -22,6 +22,11 @@ std::optional<PoseError> aim_of(const PlanningProblem& problem);
 /// Whether plans that end where they aim are in the goal also with the model's error.
 bool has_room(const PlanningProblem& problem);
 
+/// The tube that plans keep; whether it holds the goal as well. None if the problem has none.
+std::optional<PlanTube> tube_of_plans(const PlanningProblem& problem);
+/// Its largest radius.
+double max_room_m(const PlanTube& tube);
+
 /// If the goal has no room for the error: what plans aim at instead.
 std::vector<std::string> warnings_of_aim(const PlanningProblem& problem);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "certified_search.hpp"
+#include "goal_room.hpp"
 #include "limber/common/units.hpp"
 #include "search/default_planner.hpp"
 
@@ -62,7 +63,9 @@ void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
                             const PlannerLimits& limits, SteadyTime start, std::uint64_t seed,
                             const PlannerCallback& callback, PlanResult& result) {
   const std::unique_ptr<Planner> planner = make_default_planner();
+  const double most_m = asked.tube ? max_room_m(*asked.tube) : asked.margin_m;
   PlanningProblem problem = asked;
+  problem.tube.reset();
   PlannerStatistics& spent = result.statistics;
   std::size_t tries = std::size(kSmallerClearances);
   for (const double share : kSmallerClearances) {
@@ -70,7 +73,7 @@ void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
     if (is_spent(left)) {
       return;
     }
-    problem.margin_m = share * asked.margin_m;
+    problem.margin_m = share * most_m;
     const PlanResult tried =
         certified_search(*planner, problem, shared, part_of(left, double(tries--)), seed, callback);
     spent.iterations += tried.statistics.iterations;
@@ -78,9 +81,10 @@ void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
     if (tried.plan) {
       result.max_clearance_m = tried.plan->certified->clearance_m;
       result.reason += fmt::format(
-          "; with less clearance than the {:.2f} cm asked for there is a plan, which keeps "
+          "; with less clearance than the {:.2f} cm {} there is a plan, which keeps "
           "{:.2f} cm: --margin-m {:.4g}",
-          asked.margin_m * kCmPerM, *result.max_clearance_m * kCmPerM, problem.margin_m);
+          most_m * kCmPerM, asked.tube ? "of the tube" : "asked for",
+          *result.max_clearance_m * kCmPerM, problem.margin_m);
       return;
     }
   }

@@ -73,7 +73,7 @@ class Run {
         limits_(limits),
         seed_(seed),
         budget_(limits, callback),
-        checker_(problem.arm, problem.environment.obstacles, problem.margin_m),
+        checker_(checker_of(problem)),
         simulator_(problem.arm, problem.model, checker_),
         world_{problem, checker_, simulator_, settings, RandomStream(seed, kStream)} {}
 

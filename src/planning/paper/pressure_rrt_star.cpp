@@ -94,7 +94,7 @@ class PressureRrtStar final : public Planner {
   PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
                   const PlannerCallback& callback) override {
     PlannerBudget budget(limits, callback);
-    const CollisionChecker checker(problem.arm, problem.environment.obstacles, problem.margin_m);
+    const CollisionChecker checker = checker_of(problem);
     PlanResult refused;
     if (is_refused(problem, checker, refused)) {
       return refused;

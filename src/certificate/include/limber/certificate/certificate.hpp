@@ -18,7 +18,8 @@ namespace limber {
 /// One thing that is wrong with a plan.
 struct CertificateFailure {
   std::string check;  ///< "limits", "rate", "start", "waypoints", "cost", "hold", "valves",
-                      ///< "model", "collision", "goal", "claims", "seal", "sizes" or "unfinished"
+                      ///< "model", "collision", "goal", "claims", "tube", "seal", "sizes" or
+                      ///< "unfinished"
   int frame = -1;     ///< the first one that fails; −1 if no frame is to blame
   std::string message;
 };

@@ -102,6 +102,8 @@ struct CompensationModel {
   /// Error of `layers` on motions used neither for its training nor for its choice; none if no such
   /// motions were left.
   std::optional<PredictionError> prediction_error;
+  /// Where the arm may be beside the predictions of `layers`; none before `limber calibrate`.
+  std::optional<Tube> tube;
   /// What the training recordings held; none in files of before it was kept.
   std::optional<LearntRegion> learnt;
   /// What its predictions stay within, by (20); none in files of before it was kept.

@@ -27,6 +27,39 @@ struct PredictionError {
   bool operator==(const PredictionError&) const = default;
 };
 
+/// What was found for one share of runs: `factor` times the scales hold them.
+struct TubeLevel {
+  double level = 0.0;   ///< share of runs that stay in the tube, in (0, 1)
+  double factor = 0.0;  ///< > 0
+  int runs = 0;         ///< runs that were planned with this tube and tested it; 0: not tested yet
+  int outside = 0;      ///< of them
+  double confidence = 0.0;  ///< that no more than 1 − level of all runs leave the tube, in (0, 1)
+  int audit_runs = 0;       ///< runs in environments used for nothing else
+  int audit_outside = 0;
+  bool operator==(const TubeLevel&) const = default;
+};
+
+/// How far the true backbone may be from the predicted one, over a whole motion (docs/tube.md): a
+/// shape, and a factor for each share of runs. `limber calibrate` measures both.
+struct Tube {
+  std::vector<double> plate_scale_m;   ///< one per plate, base first, > 0
+  double end_scale_m = 0.0;            ///< of the tip after the hold, > 0
+  double end_heading_scale_rad = 0.0;  ///< > 0
+  /// Share of these in frame k of a motion, (0, 1], never falling; the last goes on. The start is
+  /// known, and errors grow from there.
+  std::vector<double> growth;
+  std::string source;             ///< "virtual arm", or what the recordings say
+  std::vector<TubeLevel> levels;  ///< rising levels, at least one
+
+  static constexpr double kDefaultLevel = 0.95;
+  double growth_at(int frame) const;
+  /// None if it holds no such level.
+  const TubeLevel* find(double level) const;
+  /// kDefaultLevel, or the highest one below it, or the lowest.
+  const TubeLevel& default_level() const;
+  bool operator==(const Tube&) const = default;
+};
+
 /// The bound that the next value stays below with probability `share`, if it is sampled as `values`
 /// were (split conformal): the ⌈(n + 1)·share⌉-th smallest of n, or the largest if there are too
 /// few.
@@ -35,6 +68,19 @@ double conformal_quantile(std::vector<double> values, double share = PredictionE
 
 /// @throws InputError beginning with `where` and naming the number that is out of range.
 void validate(const PredictionError& error, const std::string& where);
+
+void validate(const Tube& tube, const std::string& where);
+
+/// The text of a model's metadata key `tube` (docs/formats.md); numbers survive the round trip.
+std::string tube_to_metadata(const Tube& tube);
+/// @throws InputError naming the key.
+Tube read_tube(const YamlReader& root);
+/// The object `tube` of inspect --json.
+nlohmann::ordered_json to_json(const Tube& tube);
+/// One line per level, for people.
+std::string tube_to_text(const Tube& tube);
+/// "0.9, 0.95".
+std::string names_of_levels(const Tube& tube);
 
 /// The text of a model's metadata key `prediction_error` (docs/formats.md); numbers survive the
 /// round trip exactly.

@@ -12,8 +12,10 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/certificate/certificate.hpp"
+#include "limber/forward/error_room.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "limber/forward/recorded_region.hpp"
+#include "limber/world/collision.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
 
@@ -44,7 +46,15 @@ struct PlanningProblem {
   /// Whether the goal leaves room for the model's error. If not, improving plans for long gains
   /// little.
   bool goal_has_room = true;
+  /// Kept free beside the margin. `goal_inside` is left to the planner.
+  std::optional<PlanTube> tube = std::nullopt;
 };
+
+/// The problem, its plans keeping `room`.
+PlanningProblem problem_with_room(const ArmDescription& arm, const MotionModel& model,
+                                  const Environment& environment, const ErrorRoom& room);
+/// Checker of the arm with everything that its plans keep free.
+CollisionChecker checker_of(const PlanningProblem& problem);
 
 /// The state that the environment starts with; the arm is at rest there.
 MotionState start_of(const PlanningProblem& problem);

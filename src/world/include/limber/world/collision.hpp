@@ -35,14 +35,15 @@ class CollisionChecker {
  public:
   static constexpr double kToleranceM = 0.001;  ///< false alarms only this close to touching
 
-  /// @param margin_m  added to the arm's radius everywhere, ≥ 0.
+  /// @param margin_m      added to the arm's radius everywhere, ≥ 0.
+  /// @param plate_room_m  added to it beside that, ≥ 0: one per plate, or none at all.
   CollisionChecker(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
-                   double margin_m = 0.0);
+                   double margin_m = 0.0, const std::vector<double>& plate_room_m = {});
   CollisionChecker(CollisionChecker&&) noexcept;
   CollisionChecker& operator=(CollisionChecker&&) noexcept;
   ~CollisionChecker();
 
-  /// Smallest clearance of one backbone (m×3), less the margin.
+  /// Smallest clearance of one backbone (m×3), less margin and room.
   Clearance clearance(const Eigen::Ref<const Backbone>& backbone) const;
   Clearance clearance(const Eigen::Ref<const BackboneD>& backbone) const;
 
@@ -63,10 +64,12 @@ class CollisionChecker {
 
   int obstacle_count() const { return static_cast<int>(obstacles_.size()); }
   int gap_count() const { return static_cast<int>(radius_m_.size()); }
-  /// Half width of the gap's segment + actuator radius + margin.
+  /// Half width of the gap's segment + actuator radius + margin + room.
   double radius_m(int gap) const { return radius_m_[static_cast<std::size_t>(gap)]; }
 
  private:
+  void add_room(const std::vector<double>& plate_room_m);
+
   std::vector<ObstacleShape> obstacles_;  // nearest to the base first
   std::vector<double> radius_m_;          // one per gap
   std::unique_ptr<const BroadPhase> broad_;

@@ -29,6 +29,19 @@ struct CertifiedFigures {
   bool seal_is_intact = true;
 };
 
+/// Room that a plan keeps for the model's error, as its tube has it (docs/tube.md): the arm may be
+/// that far from where it is predicted, in a share `level` of all runs.
+struct PlanTube {
+  double level = 0.0;                  ///< in (0, 1)
+  std::vector<double> plate_radius_m;  ///< one per plate, ≥ 0
+  double end_radius_m = 0.0;           ///< of the tip after the hold, ≥ 0
+  double end_heading_rad = 0.0;        ///< ≥ 0
+  /// Whether the plan's end lies so far inside the goal's tolerances. False where a goal is too
+  /// small for that: then the tube holds for obstacles alone.
+  bool goal_inside = false;
+  bool operator==(const PlanTube&) const = default;
+};
+
 /// A motion in pressure space (docs/formats.md, schema limber/plan/2). Frames are part of it: the
 /// arm's shape depends on how the pressures were reached, so frames are executed as they stand,
 /// never resampled.
@@ -50,7 +63,8 @@ struct Plan {
   std::string environment_hash;  ///< environment_hash()
   std::string planner;
   std::uint64_t seed = 0;
-  double margin_m = 0.0;  ///< clearance asked for
+  double margin_m = 0.0;         ///< clearance asked for; beside the tube, if there is one
+  std::optional<PlanTube> tube;  ///< kept free of obstacles at full width in all frames
   double frame_rate_hz = 0.0;
   /// That the plan was asked to stay within, one of each segment; empty: the arm's own.
   std::vector<PressureLimits> limits;
@@ -59,9 +73,9 @@ struct Plan {
   std::vector<PlanFrame> frames;
   int hold_frame_count = 0;
 
-  double cost_kpa = 0.0;         ///< (2): Σ|Δp| over all segments and frames
-  double clearance_m = 0.0;      ///< smallest predicted, between frames too; +∞ without obstacles
-  double goal_distance_m = 0.0;  ///< predicted, after the hold
+  double cost_kpa = 0.0;     ///< (2): Σ|Δp| over all segments and frames
+  double clearance_m = 0.0;  ///< smallest predicted, of the tube if there is one; +∞: no obstacles
+  double goal_distance_m = 0.0;       ///< predicted, after the hold
   double goal_orientation_rad = 0.0;  ///< the same; 0 if the goal asks for none
   std::string program_version;
   std::optional<CertifiedFigures> certified;  ///< none: not certified yet
