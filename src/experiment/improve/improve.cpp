@@ -128,7 +128,9 @@ class Improvement {
       settings_.say(output_->about_left());
     }
     output_->require_free({"model.safetensors", "summary.json", "report.html", "distance.svg"});
-    if (!resumes) {
+    if (resumes) {
+      output_->write_with({kSettingsFile}, [] {});  // listed, wherever a kill came
+    } else {
       Json written = wanted;
       written["program_version"] = version();
       output_->write(kSettingsFile, written.dump(1) + "\n");
@@ -209,13 +211,14 @@ class Improvement {
   RoundModel learn(int round, const RoundModel& before) {
     const std::string name = in_round(round, "model.safetensors");
     output_->require_free({name});
-    if (!fs::exists(file(name))) {
-      settings_.say(
-          fmt::format("round {}: training on {} runs", round, data_.data.training.size()));
-      CompensationModel model =
-          learn_round(settings_, before.compensation, before.hash, data_.data, sources_);
-      output_->write_with({name}, [&] { write_model(file(name), model); });
-    }
+    output_->write_with({name}, [&] {
+      if (!fs::exists(file(name))) {
+        settings_.say(
+            fmt::format("round {}: training on {} runs", round, data_.data.training.size()));
+        write_model(file(name),
+                    learn_round(settings_, before.compensation, before.hash, data_.data, sources_));
+      }
+    });
     sources_.clear();  // the model names them now
     return read_round_model(file(name));
   }
@@ -230,6 +233,8 @@ class Improvement {
     const PlanRuns reported = run_plans_of(round, "reported", asked, model);
     const Recording motions = record_motions(in_round(round, "random.h5"), settings_.reported,
                                              settings_.reported, seed_of(kRandom, round));
+    // From now on they are runs that no model has learnt from, and that chose nothing.
+    data_.hold_back(reported.episodes, motions.episodes, settings_.arm.frame_period_s());
     judging_s_ += selection.arm_time_s + reported.arm_time_s + motions.duration_s();
 
     const ForwardModel forward(settings_.arm, model.compensation);

@@ -121,6 +121,14 @@ void write_joined(const ImproveSettings& settings, const ImproveArm& on, OutputF
   write_json(output, name, runs.runs, !runs.episodes.empty());
 }
 
+void list_joined(OutputFolder& output, const std::string& name) {
+  for (const char* extension : {".h5", ".json"}) {
+    if (fs::exists(output.path() / (name + extension))) {
+      output.write_with({name + extension}, [] {});
+    }
+  }
+}
+
 PlanRuns read_plan_runs(const OutputFolder& output, const std::string& name) {
   const fs::path file = output.path() / (name + ".json");
   const nlohmann::json root = read_json_object(file);

@@ -30,6 +30,10 @@ void remove_parts(OutputFolder& output, const std::string& batch, const PlanRuns
 void write_joined(const ImproveSettings& settings, const ImproveArm& on, OutputFolder& output,
                   const std::string& name, const PlanRuns& runs, std::uint64_t seed);
 
+/// Lists joined files that are there already as the folder's own: a kill may have come between a
+/// file and its entry.
+void list_joined(OutputFolder& output, const std::string& name);
+
 /// A recording of executed plans. @pre `episodes` is not empty
 void write_episodes(const ImproveSettings& settings, const ImproveArm& on, OutputFolder& output,
                     const std::string& name, const std::vector<Episode>& episodes,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -41,11 +40,11 @@ class Batch {
             settings.progress) {}
 
   PlanRuns run() {
-    const int together = on_.side_by_side ? kSideBySide : 1;
     JobArena arena(settings_.jobs);
     while (!is_enough()) {
       throw_if_interrupted();
       const int first = static_cast<int>(result_.runs.size());
+      const int together = at_once(first);
       std::vector<PlanRunPart> parts(static_cast<std::size_t>(together));
       arena.execute([&] {
         tbb::parallel_for(0, together, [&](int k) {
@@ -73,6 +72,13 @@ class Batch {
   bool is_enough() const {
     return asked_.environments ? static_cast<int>(result_.runs.size()) >= *asked_.environments
                                : result_.arm_time_s >= asked_.arm_time_s;
+  }
+
+  int at_once(int done) const {
+    if (!on_.side_by_side) {
+      return 1;
+    }
+    return asked_.environments ? std::min(kSideBySide, *asked_.environments - done) : kSideBySide;
   }
 
   /// The run in environment `number`: from disk, or now.
@@ -207,6 +213,7 @@ class Batch {
 PlanRuns run_plans(const ImproveSettings& settings, const ImproveArm& on, OutputFolder& output,
                    const PlanRunsModels& models, const PlanRunsSettings& asked) {
   if (fs::exists(output.path() / (asked.name + ".json"))) {
+    list_joined(output, asked.name);
     PlanRuns runs = read_plan_runs(output, asked.name);
     remove_parts(output, asked.name, runs);  // left where a run was killed right after joining
     return runs;

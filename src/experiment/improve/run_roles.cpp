@@ -1,5 +1,7 @@
 #include "run_roles.hpp"
 
+#include <algorithm>
+
 namespace limber {
 
 namespace {
@@ -57,6 +59,14 @@ void RoundData::add_plans(const std::vector<Episode>& episodes, double frame_per
         role == RunRole::held_back ? as_motion_from_rest(episodes[i], frame_period_s)
                                    : episodes[i]);
   }
+}
+
+void RoundData::hold_back(const std::vector<Episode>& plans, const std::vector<Episode>& motions,
+                          double frame_period_s) {
+  for (const Episode& plan : plans) {
+    data.unseen.push_back(as_motion_from_rest(plan, frame_period_s));
+  }
+  data.unseen.insert(data.unseen.end(), motions.begin(), motions.end());
 }
 
 Episode as_motion_from_rest(const Episode& plan, double frame_period_s) {

@@ -19,7 +19,7 @@ enum class RunRole {
 RunRole role_of(int index);
 
 /// What a round learns from: its own runs and those of the rounds before it, by their roles.
-/// `held_back_plans` and `data.unseen` are never trained on, and choose nothing.
+/// `data.unseen` is never trained on, and chooses nothing.
 struct RoundData {
   TrainingData data;
 
@@ -27,6 +27,9 @@ struct RoundData {
   void add_exploration(const std::vector<Episode>& episodes);
   /// Executed plans, each an episode from rest.
   void add_plans(const std::vector<Episode>& episodes, double frame_period_s);
+  /// Runs that made a round's figures: the errors of later rounds' models are measured on them too.
+  void hold_back(const std::vector<Episode>& plans, const std::vector<Episode>& motions,
+                 double frame_period_s);
 };
 
 /// An executed plan as one motion from rest: the frames before it, in which the arm stood still

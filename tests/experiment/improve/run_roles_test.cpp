@@ -81,6 +81,16 @@ TEST(RunRoles, HeldBackRunsNeitherTrainNorChooseInAnyRound) {
   EXPECT_TRUE(rounds.data.replay.empty());
 }
 
+TEST(RunRoles, RunsOfFiguresAreHeldBackAndNothingElse) {
+  const ArmDescription arm = sample_arm(3);
+  RoundData rounds;
+  rounds.hold_back({moving(arm, 10, 0.0F), moving(arm, 12, 0.0F)}, {moving(arm, 30, 0.0F)},
+                   arm.frame_period_s());
+  EXPECT_EQ(rounds.data.unseen.size(), 3U);
+  EXPECT_TRUE(rounds.data.training.empty());
+  EXPECT_TRUE(rounds.data.validation.empty());
+}
+
 TEST(RunRoles, PlanFromRestKeepsItsFramesBehindStillOnes) {
   const ArmDescription arm = sample_arm(3);
   Episode plan = moving(arm, 20, 1e-3F);
