@@ -24,6 +24,7 @@ std::unique_ptr<Verb> make_experiment_verb();
 std::unique_ptr<Verb> make_verify_verb();
 std::unique_ptr<Verb> make_export_verb();
 std::unique_ptr<Verb> make_import_verb();
+std::unique_ptr<Verb> make_improve_verb();
 std::unique_ptr<Verb> make_inspect_verb();
 std::unique_ptr<Verb> make_characterize_verb();
 std::unique_ptr<Verb> make_driver_verb();

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/data/recording.hpp"
+#include "limber/experiment/improve.hpp"
+#include "limber/experiment/output_folder.hpp"
+#include "limber/forward/motion_model.hpp"
+
+namespace limber {
+
+/// One environment: planned in, and the plan executed.
+struct PlanRun {
+  int environment = 0;    ///< its number
+  std::string status;     ///< PlanStatus, or "beyond_limits"
+  bool executed = false;  ///< to its end
+  bool collided = false;
+  bool arrived = false;  ///< within the goal's tolerances, without collision
+  std::optional<double>
+      distance_m;           ///< of the end from the goal; none if not executed or untracked
+  double duration_s = 0.0;  ///< of arm time
+};
+
+struct PlanRuns {
+  std::vector<PlanRun> runs;      ///< by environment
+  std::vector<Episode> episodes;  ///< of the executed ones that were tracked, in their order
+  double arm_time_s = 0.0;
+};
+
+/// Which environments, and how many.
+struct PlanRunsSettings {
+  std::string name;  ///< of its files, in the folder: "round_1/plans"
+  std::string what;  ///< for progress: "round 1: plans"
+  std::uint64_t seed = 1;
+  std::optional<int> environments;  ///< so many …
+  double arm_time_s = 0.0;          ///< … or as many as take this long when executed
+};
+
+/// What environments are drawn with, and what plans are made with.
+struct PlanRunsModels {
+  const MotionModel& drawing;
+  const MotionModel& planning;
+  std::string planning_hash;
+};
+
+/// Plans in random environments and executes the plans. Each run is on disk (NAME.parts) before the
+/// arm moves again, or on a virtual arm before the next few. Then they are joined: NAME.h5, without
+/// which nothing was executed, and NAME.json. What is on disk already is read.
+/// @throws InputError if the model solves no environment of many.
+PlanRuns run_plans(const ImproveSettings& settings, const ImproveArm& on, OutputFolder& output,
+                   const PlanRunsModels& models, const PlanRunsSettings& asked);
+
+/// Reads runs that were joined. @throws InputError
+PlanRuns read_plan_runs(const OutputFolder& output, const std::string& name);
+
+}  // namespace limber

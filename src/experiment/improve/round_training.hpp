@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "limber/experiment/improve.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/training/trainer.hpp"
+
+namespace limber {
+
+/// The model of a round: `start`, fine-tuned on `data`, whole and ready for `plan`. Valves are those
+/// of `start`; if it has none, those that the data show. The region that counts as learnt is
+/// widened, and the error is measured on `data.unseen`.
+/// @param sources  what was learnt from in this run, for the training record
+/// @throws SystemFault if training diverges; Interrupted after Ctrl-C.
+CompensationModel learn_round(const ImproveSettings& settings, const CompensationModel& start,
+                              const std::string& start_hash, const TrainingData& data,
+                              const std::string& sources);
+
+/// So few runs say little about an error that 95 % of runs stay below: then the larger of what was
+/// known and what was measured is kept.
+inline constexpr int kMinRunsForError = 19;
+
+/// The error that a model keeps. @param known, measured  none: not known, or not measurable
+std::optional<PredictionError> kept_error(const std::optional<PredictionError>& known,
+                                          const std::optional<PredictionError>& measured);
+
+}  // namespace limber
