@@ -274,6 +274,16 @@ inline bool any_outside(const GapBound<float>& bound, Vector x, Vector y, Vector
   return non_zero_lanes(reinterpret_cast<Vector>(outside)) != 0;
 }
 
+// One comparison that nearly always holds, instead of one for each bound.
+inline void bound_one(const GapBound<float>& bound, float* step) {
+  const float square = step[0] * step[0] + step[1] * step[1];
+  const bool inside = (square >= bound.min_square) & (square <= bound.max_square) &
+                      (step[2] >= bound.min_turn) & (step[2] <= bound.max_turn);
+  if (__builtin_expect(!inside, 0)) {
+    bound_gap(bound, step[0], step[1], step[2]);
+  }
+}
+
 inline void bound_lanes(const GapBound<float>& bound, Vector& x, Vector& y, Vector& turn) {
   for (int i = 0; i < kLanes; ++i) {
     float step_x = x[i];
@@ -305,7 +315,7 @@ void bound_gaps(int gaps, const GapBound<float>* bounds, float* gap, int stride)
 
 void bound_gaps_of_one(int gaps, const GapBound<float>* bounds, float* gap) {
   for (int g = 0; g < gaps; ++g) {
-    bound_gap(bounds[g], gap[3 * g], gap[3 * g + 1], gap[3 * g + 2]);
+    bound_one(bounds[g], gap + 3 * g);
   }
 }
 
@@ -347,7 +357,7 @@ void bound_base_of_one(int gaps, const GapBound<float>* bounds, float* base) {
       step[r] = base[r] - before[r];
       before[r] = base[r];
     }
-    bound_gap(bounds[g], step[0], step[1], step[2]);
+    bound_one(bounds[g], step);
     for (int r = 0; r < 3; ++r) {
       now[r] += step[r];
       base[r] = now[r];

@@ -14,14 +14,15 @@ struct Range {
   double high = 0.0;
 };
 
-/// Of what was recorded but for the rarest, widened.
-Range widened_range(std::vector<float>& values, double min_margin) {
+/// Of what was recorded but for the rarest, widened by at least `min_margin` and `min_share` of its
+/// upper end.
+Range widened_range(std::vector<float>& values, double min_margin, double min_share) {
   const auto rare = static_cast<std::ptrdiff_t>(kRareShare * static_cast<double>(values.size()));
   std::nth_element(values.begin(), values.begin() + rare, values.end());
   const double low = values[static_cast<std::size_t>(rare)];
   std::nth_element(values.begin(), values.end() - 1 - rare, values.end());
   const double high = *(values.end() - 1 - rare);
-  const double margin = std::max(kMargin * (high - low), min_margin);
+  const double margin = std::max({kMargin * (high - low), min_share * high, min_margin});
   return {low - margin, high + margin};
 }
 
@@ -53,9 +54,8 @@ GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
       throw InputError("the arm was tracked in no frame of the recordings to learn from");
     }
     constexpr double kShortest_m = 1e-5;  // a gap keeps a direction, whatever was tracked
-    const double longest = *std::ranges::max_element(lengths);
-    const Range length = widened_range(lengths, std::max(kMinLengthMargin * longest, kShortest_m));
-    const Range turn = widened_range(turns, kMinTurnMargin_rad);
+    const Range length = widened_range(lengths, kShortest_m, kMinLengthMargin);
+    const Range turn = widened_range(turns, kMinTurnMargin_rad, 0.0);
     bounds.min_length_m[g] = static_cast<float>(std::max(length.low, kShortest_m));
     bounds.max_length_m[g] = static_cast<float>(std::max(length.high, kShortest_m));
     bounds.min_turn_rad[g] = static_cast<float>(turn.low);
