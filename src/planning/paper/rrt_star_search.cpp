@@ -33,7 +33,7 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
       goal_sampler_(problem.model.no_load(), problem.environment.goal, settings.goal_configurations,
                     problem.limits),
       scale_kpa_(pressure_scales_kpa(problem.arm)),
-      box_(setpoints_of(problem)),
+      box_(problem.limits.empty() ? pressure_box(problem.arm) : pressure_box(problem.limits)),
       near_gain_(settings.near_factor * min_near_gain(problem.arm.segment_count())),
       tree_(problem.model),
       index_(problem.arm.segment_count()),
