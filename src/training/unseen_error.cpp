@@ -5,6 +5,7 @@
 
 #include "episode_slice.hpp"
 #include "error_runs.hpp"
+#include "learnt_kind.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
 #include "limber/training/learnt_region_fit.hpp"
@@ -88,7 +89,10 @@ struct PredictedRuns {
 
 PredictedRuns predict_runs(const ArmDescription& arm, const CompensationModel& model,
                            const std::vector<Episode>& unseen, int jobs) {
-  PredictedRuns result{runs_of(arm, model, unseen), {}};
+  const std::vector<Episode> asked =
+      model.learnt_from_setpoints ? with_setpoints_only(unseen) : unseen;
+  require_kind_learnt(model, asked);
+  PredictedRuns result{runs_of(arm, model, asked), {}};
   std::vector<RolloutPiece> pieces;
   for (const Episode& run : result.runs) {
     pieces.push_back({static_cast<int>(pieces.size()), 0, run.frame_count() - 1});

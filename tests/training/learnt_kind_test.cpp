@@ -6,6 +6,7 @@
 #include "limber/common/error.hpp"
 #include "limber/network/untrained_model.hpp"
 #include "limber/training/evaluation.hpp"
+#include "limber/training/fine_tuning.hpp"
 #include "limber/training/unseen_error.hpp"
 #include "training/toy_arm.hpp"
 
