@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSchema = "limber/valves/1";
+constexpr const char* kValvesSchema = "limber/valves/1";
 
 Json to_json(const SegmentValves& valves) {
   Json json = {{"inflate_time_constant_s", valves.inflating.time_constant_s},
@@ -132,7 +132,7 @@ Json to_json(const IdentifiedValves& valves) {
   for (const SegmentValves& segment : valves.parameters.segments) {
     segments.push_back(to_json(segment));
   }
-  return {{"schema", kSchema},
+  return {{"schema", kValvesSchema},
           {"has_sides", valves.parameters.has_sides},
           {"segments", segments},
           {"identified", to_json(valves.findings)}};
@@ -149,7 +149,7 @@ std::string valves_to_yaml(const IdentifiedValves& valves) {
     return "{" + text + "}";
   };
   std::string text =
-      fmt::format("schema: {}\nhas_sides: {}\n", kSchema, valves.parameters.has_sides);
+      fmt::format("schema: {}\nhas_sides: {}\n", kValvesSchema, valves.parameters.has_sides);
   text += valves.parameters.is_ideal() ? "segments: []\n" : "segments:\n";
   for (const Json& segment : json.at("segments")) {
     text += "  - " + flow(segment) + "\n";
@@ -193,7 +193,7 @@ IdentifiedValves read_valves(const std::filesystem::path& path) {
 }
 
 IdentifiedValves read_valves(const YamlReader& root) {
-  root.require_schema(kSchema);
+  root.require_schema(kValvesSchema);
   root.refuse_unknown_keys({"schema", "has_sides", "segments", "identified"});
   IdentifiedValves valves;
   valves.parameters.has_sides = root.at("has_sides").boolean();

@@ -9,21 +9,15 @@
 #include "limber/common/units.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/simple_model.hpp"
+#include "median.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr std::size_t kMinEpisodes = 5;    // fewer don't say what is usual
-constexpr double kDeviations = 4.0;        // of log errors; robust ones
-constexpr double kScaleOfMedian = 1.4826;  // standard deviation over median |x|, normal
-constexpr double kMinRatio = 1.75;         // of the middle error, however alike the others are
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+constexpr std::size_t kMinEpisodes = 5;  // fewer don't say what is usual
+constexpr double kDeviations = 4.0;      // of log errors; robust ones
+constexpr double kMinRatio = 1.75;       // of the middle error, however alike the others are
 
 double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
   const Eigen::Index tip = expected.cols() - 3;

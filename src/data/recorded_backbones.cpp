@@ -21,8 +21,8 @@ constexpr double kBasePosition_m = 0.002;  // trackers are better than that
 constexpr double kBaseHeading_rad = 0.01;  // 7 mm at the end of a 0.7 m arm
 // Median distance of two plates over their gap at rest. A gap that stretches by half or bends by
 // 3.8 rad is not an arm that we know; another unit or another arm is off by more.
-constexpr double kLongestGap = 1.5;
-constexpr double kShortestGap = 0.5;
+constexpr double kMaxTrackedGap = 1.5;
+constexpr double kMinTrackedGap = 0.5;
 // Standard deviation of the end's position over the arm's length, 1.4 mm at 0.7 m: more than a
 // tracker's noise and less than any motion in which a command changes by half of its limit.
 constexpr double kStill = 0.002;
@@ -34,14 +34,14 @@ void require_gaps(const Episode& episode, const ArmDescription& arm, const std::
     const auto p = static_cast<std::size_t>(plate);
     const double expected_m = rest_m[p + 1] - rest_m[p];
     const double found_m = median_gap_m(episode, plate);
-    if (found_m > kLongestGap * expected_m || found_m < kShortestGap * expected_m) {
+    if (found_m > kMaxTrackedGap * expected_m || found_m < kMinTrackedGap * expected_m) {
       const std::string unit = unit_suspicion(found_m / expected_m, "m");
       throw InputError(fmt::format(
           "{}: {} are {:.4g} m apart (median over the frames); arm '{}' has {:.4g} m "
           "there, and {:.4g} to {:.4g} m are allowed. {} Import its logs again, or give the arm "
           "file that it was recorded with (--arm)",
-          where, plates_of_gap(plate), found_m, arm.name, expected_m, kShortestGap * expected_m,
-          kLongestGap * expected_m,
+          where, plates_of_gap(plate), found_m, arm.name, expected_m, kMinTrackedGap * expected_m,
+          kMaxTrackedGap * expected_m,
           unit.empty() ? "Are the plates in order, and is it this arm?"
                        : "It should be in m: " + unit));
     }

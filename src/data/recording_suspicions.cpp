@@ -18,8 +18,8 @@ constexpr double kConstant = 0.02;      // of the limit (of 1 without an arm), o
 constexpr int kShortEpisode = 33;       // frames: a training window and the frame before it
 constexpr double kManyUntracked = 0.2;  // of an episode's frames
 constexpr double kRateTolerance = 0.02;
-constexpr double kLongestGap = 1.2;   // between plates, over the length at rest
-constexpr double kShortestGap = 0.5;  // an arc of 3.8 rad within one gap
+constexpr double kMaxGapStretch = 1.2;  // between plates, over the length at rest
+constexpr double kMinGapStretch = 0.5;  // an arc of 3.8 rad within one gap
 constexpr double kSamePlace_m = 1e-6;
 
 void look_at_arm(const Recording& recording, const ArmDescription& arm, Suspicions& suspicions) {
@@ -111,8 +111,8 @@ void look_at_distances(const Recording& recording, const ArmDescription* arm,
     const auto p = static_cast<std::size_t>(plate);
     if (distance_m < kSamePlace_m) {
       suspicions.add("two plates at the same place", 0, 0, plates_of_gap(plate));
-    } else if (arm != nullptr && (distance_m > kLongestGap * (rest[p + 1] - rest[p]) ||
-                                  distance_m < kShortestGap * (rest[p + 1] - rest[p]))) {
+    } else if (arm != nullptr && (distance_m > kMaxGapStretch * (rest[p + 1] - rest[p]) ||
+                                  distance_m < kMinGapStretch * (rest[p + 1] - rest[p]))) {
       suspicions.add("plates whose distance is not the arm file's (another unit, order or arm?)", 0,
                      0,
                      fmt::format("{}: {:.4g} m, {:.4g} m by the arm file", plates_of_gap(plate),

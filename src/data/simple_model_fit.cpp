@@ -6,6 +6,7 @@
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/simple_model.hpp"
+#include "median.hpp"
 
 namespace limber {
 
@@ -16,19 +17,12 @@ constexpr double kLongestLag_s = 1.0;
 constexpr double kLagStep_s = 0.05;
 constexpr double kClearlyBetter = 0.002;  // of the loss: no lag for less than that
 constexpr int kIterations = 20;
-constexpr double kHuber = 1.345;           // of the scale: 95 % efficient without outliers
-constexpr double kScaleOfMedian = 1.4826;  // standard deviation over median |x|, normal
-constexpr double kMinSpread = 0.01;        // of the limit: a command that changed by less
+constexpr double kHuber = 1.345;     // of the scale: 95 % efficient without outliers
+constexpr double kMinSpread = 0.01;  // of the limit: a command that changed by less
 constexpr int kBlocksOfOne = 10;
 constexpr int kMaxBlocks = 50;
 constexpr double kTwoSided95 = 1.96;
 constexpr double kTiny_rad = 1e-9;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// A frame that is fitted to, and the piece that the jackknife leaves out with it.
 struct FrameOf {

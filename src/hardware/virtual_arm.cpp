@@ -17,7 +17,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kRoundingKpa = 1e-3;  // excess of a set point that is clamped, not refused
+constexpr double kMaxClampedKpa = 1e-3;  // excess of a set point that is clamped, not refused
 
 void check_option(const char* name, double value, double high) {
   if (!(value >= 0.0 && value <= high)) {
@@ -154,7 +154,8 @@ class VirtualArm::Simulation {
     for (int s = 0; s < arm_.segment_count(); ++s) {
       const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
       const double value = setpoint_kpa[s];
-      if (!(value >= limits.lower_kpa - kRoundingKpa && value <= limits.upper_kpa + kRoundingKpa)) {
+      if (!(value >= limits.lower_kpa - kMaxClampedKpa &&
+            value <= limits.upper_kpa + kMaxClampedKpa)) {
         throw InputError(fmt::format("set point of {} is {} kPa; expected {} to {} kPa",
                                      segment_name(s), setpoint_kpa[s], limits.lower_kpa,
                                      limits.upper_kpa));

@@ -14,7 +14,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kRate_hz = 100.0;
+constexpr double kClockRate_hz = 100.0;
 // Fast motions tell most over short times; slow ones drown there in noise.
 constexpr std::array<double, 3> kDifferences_s = {0.1, 0.5, 2.0};
 constexpr double kActivityDifference_s = 0.5;
@@ -40,7 +40,7 @@ struct TurnRates {
 TurnRates rates_of(const Turns& turns, double difference_s, double start_s, Eigen::Index count) {
   TurnRates rates{start_s, Eigen::MatrixXd::Zero(count, turns.values.cols())};
   for (Eigen::Index k = 0; k < count; ++k) {
-    const double time_s = start_s + double(k) / kRate_hz;
+    const double time_s = start_s + double(k) / kClockRate_hz;
     for (Eigen::Index i = 0; i < turns.values.cols(); ++i) {
       const double change =
           turns.at(time_s + 0.5 * difference_s, i) - turns.at(time_s - 0.5 * difference_s, i);
@@ -54,7 +54,7 @@ TurnRates whole(const Turns& turns, double difference_s) {
   // From the first difference that the log has to its last.
   const double start_s = turns.time_s.front() + 0.5 * difference_s;
   const double length_s = turns.time_s.back() - 0.5 * difference_s - start_s;
-  const auto count = static_cast<Eigen::Index>(std::max(0.0, length_s) * kRate_hz) + 1;
+  const auto count = static_cast<Eigen::Index>(std::max(0.0, length_s) * kClockRate_hz) + 1;
   return rates_of(turns, difference_s, start_s, count);
 }
 
@@ -135,8 +135,8 @@ Eigen::VectorXd normalised_correlation(const TurnRates& a, const TurnRates& b, b
   const std::vector<double> b_energy = energy_before(b.values);
   const Eigen::Index shorter = std::min(a.values.rows(), b.values.rows());
   const auto least = std::min<Eigen::Index>(
-      shorter,
-      static_cast<Eigen::Index>(std::max(kMinOverlap_s * kRate_hz, kMinOverlap * double(shorter))));
+      shorter, static_cast<Eigen::Index>(
+                   std::max(kMinOverlap_s * kClockRate_hz, kMinOverlap * double(shorter))));
   for (Eigen::Index k = 0; k < sum.size(); ++k) {
     const Eigen::Index shift = k - (b.values.rows() - 1);
     const Eigen::Index begin = std::max<Eigen::Index>(0, shift);
@@ -156,7 +156,7 @@ struct Peak {
 
 /// The largest normalised correlation at most kPeakHalfWidth_s away from a shift.
 Peak peak_near(Eigen::Index around, const TurnRates& a, const TurnRates& b, bool signed_turns) {
-  const auto half = static_cast<Eigen::Index>(kPeakHalfWidth_s * kRate_hz);
+  const auto half = static_cast<Eigen::Index>(kPeakHalfWidth_s * kClockRate_hz);
   std::vector<double> values;
   for (Eigen::Index shift = around - half; shift <= around + half; ++shift) {
     const Eigen::Index begin = std::max<Eigen::Index>(0, shift);
@@ -203,12 +203,12 @@ ClockMatch match_by(const Turns& turned, const Turns& told, bool has_sign, doubl
   }
   const Eigen::Index no_shift = typical.values.rows() - 1;
   const auto offset_s = [&](double shift) {
-    return seen.start_s - typical.start_s + shift / kRate_hz;
+    return seen.start_s - typical.start_s + shift / kClockRate_hz;
   };
   match.opposite_offset_s = offset_s(double(opposite - no_shift));
   const double peak_width_s = std::max(kPeakWidth_s, kPeakWidths * difference_s);
   for (Eigen::Index k = 0; k < values.size(); ++k) {
-    if (double(std::abs(k - best)) > peak_width_s * kRate_hz && !std::isnan(values[k])) {
+    if (double(std::abs(k - best)) > peak_width_s * kClockRate_hz && !std::isnan(values[k])) {
       match.runner_up = std::max(match.runner_up, values[k]);
     }
   }
@@ -274,7 +274,7 @@ double offset_by_activity(const BackboneTrack& motion, const CommandTrack& comma
   for (Eigen::Index k = 0; k < values.size(); ++k) {
     best = !std::isnan(values[k]) && !(values[k] <= values[best]) ? k : best;
   }
-  return seen.start_s - told.start_s + double(best - (told.values.rows() - 1)) / kRate_hz;
+  return seen.start_s - told.start_s + double(best - (told.values.rows() - 1)) / kClockRate_hz;
 }
 
 }  // namespace limber

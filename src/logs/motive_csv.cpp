@@ -18,12 +18,12 @@ namespace limber {
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kHowToExport =
     "In Motive's export tick 'Header Information', 'Rigid Bodies' (in Motive 3 'Rigid Body Bones') "
     "or 'Markers', 'Use World Coordinates', rotation 'Quaternion', units 'Meters'";
 constexpr double kOldestFormat = 1.2;
-constexpr double kMaxBadRows = 0.01;
+constexpr double kMaxBadTakeRows = 0.01;
 constexpr const char* kTypes[] = {
     "Rigid Body", "Rigid Body Marker", "Marker",       "Bone",          "Bone Marker",
     "Unlabeled",  "Unlabeled Marker",  "Other Marker", "Labeled Marker"};
@@ -285,7 +285,7 @@ class MotiveFile {
       }
     }
     if (take_.time_s.empty() ||
-        double(bad) > std::max(3.0, kMaxBadRows * double(take_.time_s.size()))) {
+        double(bad) > std::max(3.0, kMaxBadTakeRows * double(take_.time_s.size()))) {
       refuse(bad > 0 ? fmt::format("{} rows can't be read; first {}", bad, first_bad)
                      : std::string("no data below the headings"));
     }
@@ -301,13 +301,13 @@ class MotiveFile {
     }
     std::vector<double> numbers;
     for (const auto& [column, meaning] : columns_) {
-      double value = kNan;
+      double value = kNoNumber;
       const std::string& text = cell(row, column);
       if (!text.empty() && !parse_number(text, value)) {
         if (text != "nan" && text != "NaN") {
           return fmt::format("column {}: '{}' is not a number", column + 1, text);
         }
-        value = kNan;
+        value = kNoNumber;
       }
       numbers.push_back(value);
     }
@@ -322,8 +322,8 @@ class MotiveFile {
 
   void fill(MotiveObject& object, std::size_t index) const {
     const auto rows = static_cast<Eigen::Index>(take_.time_s.size());
-    object.position_m = Eigen::MatrixXd::Constant(rows, 3, kNan);
-    Eigen::MatrixXd rotation = Eigen::MatrixXd::Constant(rows, 4, kNan);
+    object.position_m = Eigen::MatrixXd::Constant(rows, 3, kNoNumber);
+    Eigen::MatrixXd rotation = Eigen::MatrixXd::Constant(rows, 4, kNoNumber);
     std::array<bool, 7> present{};
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const ColumnMeaning& meaning = columns_[i].second;

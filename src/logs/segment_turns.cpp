@@ -9,15 +9,15 @@ namespace limber {
 
 namespace {
 
-constexpr double kRounding_s = 1e-6;
+constexpr double kTimeRounding_s = 1e-6;
 
 }  // namespace
 
 double Turns::at(double asked_s, Eigen::Index column) const {
-  if (std::abs(asked_s - time_s.front()) < kRounding_s) {
+  if (std::abs(asked_s - time_s.front()) < kTimeRounding_s) {
     return values(0, column);
   }
-  if (std::abs(asked_s - time_s.back()) < kRounding_s) {
+  if (std::abs(asked_s - time_s.back()) < kTimeRounding_s) {
     return values(values.rows() - 1, column);
   }
   const auto after = std::upper_bound(time_s.begin(), time_s.end(), asked_s);

@@ -7,6 +7,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/network/gap_bounds.hpp"
+#include "refusal.hpp"
 
 namespace limber {
 
@@ -27,10 +28,6 @@ Sizes expected_sizes(const CompensationModel& model) {
   const Eigen::Index no_load = base ? 3 * m : 3 * n;
   const bool gated = model.form == OutputForm::gated_change;
   return {2 * n + backbone + no_load, backbone, gated ? 2 * backbone : backbone};
-}
-
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
-  throw InputError(where + ": " + what);
 }
 
 void require_finite(const std::string& where, const std::string& name,

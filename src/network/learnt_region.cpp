@@ -11,14 +11,11 @@
 #include "limber/common/error.hpp"
 #include "limber/network/backbone_layout.hpp"
 #include "pressure_border.hpp"
+#include "refusal.hpp"
 
 namespace limber {
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
-  throw InputError(where + ": " + what);
-}
 
 void require_vector(const std::string& where, const char* name, const Eigen::VectorXf& values,
                     Eigen::Index size) {

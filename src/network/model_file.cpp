@@ -12,6 +12,7 @@
 #include "limber/common/utf8.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "refusal.hpp"
 
 namespace limber {
 
@@ -26,10 +27,6 @@ constexpr const char* kTubeKey = "tube";
 constexpr const char* kLearntPrefix = "learnt.";
 constexpr const char* kBoundsPrefix = "bounds.";
 using RowMajorMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
-  throw InputError(where + ": " + what);
-}
 
 Tensor matrix_tensor(const Eigen::MatrixXf& matrix) {
   const RowMajorMatrix rows = matrix;

@@ -14,29 +14,29 @@ namespace limber {
 
 namespace {
 
-constexpr int kMaxRuns = 1'000'000'000;
+constexpr int kMaxTubeRuns = 1'000'000'000;
 constexpr double kSameLevel = 1e-9;
 
-[[noreturn]] void refuse(const std::string& where, const std::string& what) {
+[[noreturn]] void refuse_tube(const std::string& where, const std::string& what) {
   throw InputError(fmt::format("{}: tube.{}", where, what));
 }
 
 void require_scale(const std::string& where, const std::string& name, double value) {
   if (!std::isfinite(value) || value <= 0.0) {
-    refuse(where, fmt::format("{} is {}; expected a finite number, > 0", name, value));
+    refuse_tube(where, fmt::format("{} is {}; expected a finite number, > 0", name, value));
   }
 }
 
 void require_share(const std::string& where, const std::string& name, double value) {
   if (!(value > 0.0 && value < 1.0)) {
-    refuse(where, fmt::format("{} is {}; expected a share between 0 and 1", name, value));
+    refuse_tube(where, fmt::format("{} is {}; expected a share between 0 and 1", name, value));
   }
 }
 
 void require_counts(const std::string& where, const std::string& name, int outside, int runs) {
   if (outside < 0 || runs < 0 || outside > runs) {
-    refuse(where, fmt::format("{}: {} of {} runs outside; expected 0 to {}", name, outside, runs,
-                              std::max(runs, 0)));
+    refuse_tube(where, fmt::format("{}: {} of {} runs outside; expected 0 to {}", name, outside,
+                                   runs, std::max(runs, 0)));
   }
 }
 
@@ -56,11 +56,11 @@ TubeLevel read_level(const YamlReader& root) {
   TubeLevel level;
   level.level = root.at("level").positive("a share of runs");
   level.factor = root.at("factor").positive("a factor");
-  level.runs = root.at("runs").integer("a number of runs", 0, kMaxRuns);
-  level.outside = root.at("outside").integer("a number of runs", 0, kMaxRuns);
+  level.runs = root.at("runs").integer("a number of runs", 0, kMaxTubeRuns);
+  level.outside = root.at("outside").integer("a number of runs", 0, kMaxTubeRuns);
   level.confidence = root.at("confidence").positive("a confidence");
-  level.audit_runs = root.at("audit_runs").integer("a number of runs", 0, kMaxRuns);
-  level.audit_outside = root.at("audit_outside").integer("a number of runs", 0, kMaxRuns);
+  level.audit_runs = root.at("audit_runs").integer("a number of runs", 0, kMaxTubeRuns);
+  level.audit_outside = root.at("audit_outside").integer("a number of runs", 0, kMaxTubeRuns);
   return level;
 }
 
@@ -105,8 +105,8 @@ void validate_shape(const Tube& tube, const std::string& where) {
   double last = 0.0;
   for (std::size_t k = 0; k < tube.growth.size(); ++k) {
     if (!(tube.growth[k] > 0.0 && tube.growth[k] <= 1.0 && tube.growth[k] >= last)) {
-      refuse(where, fmt::format("growth[{}] is {}; expected shares in (0, 1] that never fall", k,
-                                tube.growth[k]));
+      refuse_tube(where, fmt::format("growth[{}] is {}; expected shares in (0, 1] that never fall",
+                                     k, tube.growth[k]));
     }
     last = tube.growth[k];
   }
@@ -119,7 +119,7 @@ void validate(const Tube& tube, const std::string& where) {
        {std::pair{"plate_scale_m", tube.plate_scale_m.empty()},
         std::pair{"growth", tube.growth.empty()}, std::pair{"levels", tube.levels.empty()}}) {
     if (is_empty) {
-      refuse(where, fmt::format("{} is empty; expected at least one entry", name));
+      refuse_tube(where, fmt::format("{} is empty; expected at least one entry", name));
     }
   }
   validate_shape(tube, where);
@@ -133,8 +133,8 @@ void validate(const Tube& tube, const std::string& where) {
     require_counts(where, name, level.outside, level.runs);
     require_counts(where, name + ".audit", level.audit_outside, level.audit_runs);
     if (level.level <= last) {
-      refuse(where, fmt::format("{}.level is {}, after {}; expected rising levels", name,
-                                level.level, last));
+      refuse_tube(where, fmt::format("{}.level is {}, after {}; expected rising levels", name,
+                                     level.level, last));
     }
     last = level.level;
   }

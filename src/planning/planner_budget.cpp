@@ -17,7 +17,7 @@ constexpr double kReserveS = 0.005;  // for what comes after the search
 constexpr double kMaxReserve = 0.5;  // of the time limit
 constexpr double kGraceS = 0.02;     // beyond the time limit, to end what has begun
 constexpr double kBytesPerMb = 1e6;
-constexpr double kNotable = 0.995;  // of the cost noted before
+constexpr double kNotableCost = 0.995;  // of the cost noted before
 
 template <class Number>
 void require_positive(const std::optional<Number>& limit, const char* name) {
@@ -66,7 +66,7 @@ void PlannerBudget::keep_for_the_end(double seconds) {
 void PlannerBudget::note(const PlannerProgress& progress) {
   has_plan_ = progress.best_cost_kpa.has_value();
   if (progress.best_cost_kpa &&
-      (events_.empty() || *progress.best_cost_kpa < kNotable * *events_.back().best_cost_kpa)) {
+      (events_.empty() || *progress.best_cost_kpa < kNotableCost * *events_.back().best_cost_kpa)) {
     events_.push_back(progress);
   }
 }

@@ -16,7 +16,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kShapes = 9;          // of the arm along the plan, the last one included
+constexpr int kPlanShapes = 9;      // of the arm along the plan, the last one included
 constexpr double kFaintest = 0.10;  // opacity of the first of them
 constexpr double kStarRadiusM = 0.016;
 constexpr double kPictureWidthPx = 640.0;
@@ -131,7 +131,7 @@ void draw_tree(SvgDrawing& drawing, const std::vector<TreeEdge>& tree) {
 
 void draw_plan(SvgDrawing& drawing, const ArmDescription& arm, const Plan& plan) {
   const int moving = plan.frame_count() - plan.hold_frame_count;
-  const int shapes = std::min(kShapes, moving);
+  const int shapes = std::min(kPlanShapes, moving);
   const std::string color = plan_color(plan);
   for (int k = 0; k < shapes; ++k) {
     const bool last = k + 1 == shapes;

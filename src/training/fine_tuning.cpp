@@ -8,14 +8,15 @@ namespace {
 
 constexpr int kEpochShare = 2;
 constexpr double kRateShare = 0.1;
-constexpr int kMinFrames = 3;  // `evaluate` needs as many
+constexpr int kMinEpisodeFrames = 3;  // `evaluate` needs as many
 
 std::optional<FineTuningReport::Change> change_on(const ForwardModel& no_load,
                                                   const ForwardModel& before,
                                                   const ForwardModel& after,
                                                   const std::vector<Episode>& episodes, int jobs) {
   const bool long_enough = std::ranges::any_of(episodes, [](const Episode& episode) {
-    return episode.frame_count() >= kMinFrames && episode.untracked_count() < episode.frame_count();
+    return episode.frame_count() >= kMinEpisodeFrames &&
+           episode.untracked_count() < episode.frame_count();
   });
   if (!long_enough) {
     return std::nullopt;

@@ -16,8 +16,8 @@ namespace {
 // A column whose numbers spread by less than this (kPa, m or rad) is constant: float32's rounding.
 constexpr float kConstantSpread = 1e-6F;
 // Of poses: no motion capture resolves less.
-constexpr float kMinPositionSpread_m = 1e-4F;
-constexpr float kMinHeadingSpread_rad = 2e-3F;
+constexpr float kMinInputSpread_m = 1e-4F;
+constexpr float kMinInputSpread_rad = 2e-3F;
 
 /// Columns of all episodes' frames in user units, backbones in the network's layout.
 struct RawFrames {
@@ -98,7 +98,7 @@ Eigen::MatrixXf tracked_only(Eigen::MatrixXf columns, const RawFrames& raw) {
 /// Least spread of the numbers of poses (x, y, θ, x, y, …): a number that only noise moves would
 /// otherwise count as much as the arm's end.
 float min_pose_spread(Eigen::Index row) {
-  return row % 3 == 2 ? kMinHeadingSpread_rad : kMinPositionSpread_m;
+  return row % 3 == 2 ? kMinInputSpread_rad : kMinInputSpread_m;
 }
 
 /// Of other numbers: any spread counts.

@@ -18,9 +18,9 @@ namespace limber {
 
 namespace {
 
-constexpr int kWindowFrames = 32;
-constexpr std::int64_t kMinFrames = 200;  // seen: fewer tell a fit nothing
-constexpr double kRunAway = 100.0;        // [m] or [rad]: a linear step that got there stays there
+constexpr int kHorizonFrames = 32;
+constexpr std::int64_t kMinFitFrames = 200;  // seen: fewer tell a fit nothing
+constexpr double kRunAway = 100.0;  // [m] or [rad]: a linear step that got there stays there
 
 /// Predicts the frames of a piece from the recorded backbone at its start.
 using PiecePrediction = std::function<void(const RolloutPiece&, FrameMatrix&)>;
@@ -70,7 +70,7 @@ std::vector<double> episode_means(const std::vector<FrameMatrix>& predicted,
   return means;
 }
 
-PiecePrediction hold(const std::vector<Episode>& episodes) {
+PiecePrediction hold_predictions(const std::vector<Episode>& episodes) {
   return [&](const RolloutPiece& piece, FrameMatrix& predicted) {
     const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
     for (int k = 1; k <= piece.frames; ++k) {
@@ -80,7 +80,7 @@ PiecePrediction hold(const std::vector<Episode>& episodes) {
 }
 
 /// Needs two frames that were seen. Without them it holds the pose; a single step then says nothing.
-PiecePrediction constant_velocity(const std::vector<Episode>& episodes) {
+PiecePrediction constant_velocity_predictions(const std::vector<Episode>& episodes) {
   return [&](const RolloutPiece& piece, FrameMatrix& predicted) {
     const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
     const bool known = piece.first > 0 && episode.was_tracked(piece.first - 1);
@@ -188,7 +188,7 @@ class Measurement {
     report_.yardsticks.push_back({key,
                                   label,
                                   {summarise(step), summarise(moving_frames(step)),
-                                   summarise(series(pieces_of_length(episodes_, kWindowFrames))),
+                                   summarise(series(pieces_of_length(episodes_, kHorizonFrames))),
                                    summarise(series(pieces_of_motions(episodes_))),
                                    summarise(series(pieces_of_length(episodes_, whole)))}});
     add_curve(key, label, [&](const std::vector<RolloutPiece>& pieces) {
@@ -255,10 +255,11 @@ YardstickReport measure_yardsticks(const ArmDescription& arm, const ForwardModel
   if (network != nullptr) {
     measurement.add_model("network", "network", *network, jobs);
   }
-  measurement.add("hold", "hold the pose", hold(episodes));
-  measurement.add("constant_velocity", "constant velocity", constant_velocity(episodes));
-  if (seen_frames(fit_to.empty() ? episodes : fit_to) < kMinFrames) {
-    report.fitted_to = fmt::format("nothing: fewer than {} frames were seen", kMinFrames);
+  measurement.add("hold", "hold the pose", hold_predictions(episodes));
+  measurement.add("constant_velocity", "constant velocity",
+                  constant_velocity_predictions(episodes));
+  if (seen_frames(fit_to.empty() ? episodes : fit_to) < kMinFitFrames) {
+    report.fitted_to = fmt::format("nothing: fewer than {} frames were seen", kMinFitFrames);
     return report;
   }
   const Fits fits = fit_all(arm, episodes, fit_to);

@@ -12,7 +12,7 @@ namespace limber {
 namespace {
 
 constexpr std::uint64_t kMonotoneStream = 1;
-constexpr int kMaxWaypoints = 3;     // of a monotone motion, its end included
+constexpr int kMaxMonotoneWaypoints = 3;  // of a monotone motion, its end included
 constexpr double kAboutGoals = 0.5;  // share of monotone motions that end near a known plan's end
 constexpr double kSpread = 0.15;     // of those ends, as a share of the pressure limit
 
@@ -52,7 +52,7 @@ class SimplePaths {
 
   /// Waypoints between which every pressure only rises or only falls, ending at `end_kpa`.
   std::vector<Pressures> monotone_path(const Pressures& end_kpa, RandomStream& random) const {
-    const std::size_t count = 1 + random.index(kMaxWaypoints);
+    const std::size_t count = 1 + random.index(kMaxMonotoneWaypoints);
     std::vector<Pressures> waypoints(count, end_kpa);
     for (Eigen::Index i = 0; i < end_kpa.size(); ++i) {
       std::vector<double> shares(count - 1);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cross.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/world/environment.hpp"
@@ -48,10 +49,6 @@ Rectangle read_rectangle(const YamlReader& node) {
     result.angle_rad = angle(node.at("angle_rad"));
   }
   return result;
-}
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
 }
 
 /// p on the closed segment a–b, which it is known to be in line with.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cross.hpp"
+
 namespace limber {
 
 namespace {
@@ -12,11 +14,7 @@ using Eigen::Vector2d;
 
 constexpr double kDepthToleranceM = 1e-4;
 constexpr double kRounding = 1e-12;  // relative, and in m²: of two ways to work out one distance
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
+constexpr double kNoDistance = std::numeric_limits<double>::infinity();
 
 /// Whether a box may hold something nearer than `best`, both squared; also if they are equal but
 /// for rounding, so that boxes change no distance by a bit.
@@ -70,7 +68,7 @@ bool cross_properly(const Vector2d& a, const Vector2d& b, const Vector2d& c, con
 }
 
 double distance_to_outline(const ObstacleShape& shape, const Vector2d& p) {
-  double best = kInfinity;
+  double best = kNoDistance;
   visit_edges(
       shape,
       [&](const Box& box) {
@@ -161,7 +159,7 @@ double outside_distance(const ObstacleShape& shape, const Vector2d& a, const Vec
   if (is_inside(shape, a) || is_inside(shape, b)) {
     return 0.0;
   }
-  double best = kInfinity;
+  double best = kNoDistance;
   const Box around = Box::around(a, b);
   const bool is_apart = visit_edges(
       shape, [&](const Box& box) { return may_be_nearer(squared_distance(box, around), best); },

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kSchema = "limber/plan/2";
+constexpr const char* kPlanSchema = "limber/plan/2";
 constexpr const char* kSchemaWithoutValves = "limber/plan/1";  // of older programs
 constexpr double kCostToleranceKpa = 1e-6;
 constexpr double kMax = 1e6;  // of any number in a plan; nothing real comes near
@@ -263,7 +263,7 @@ Plan read_fields(const JsonReader& root, bool has_valves) {
 Plan read_root(const JsonReader& root) {
   const bool has_valves = root.at("schema").text() != kSchemaWithoutValves;
   if (has_valves) {
-    root.require_schema(kSchema);
+    root.require_schema(kPlanSchema);
   }
   Plan plan = read_fields(root, has_valves);
   plan.certified = read_certificate(root);
@@ -274,7 +274,7 @@ Plan read_root(const JsonReader& root) {
 
 void write_plan(const std::filesystem::path& path, const Plan& plan) {
   Json root;
-  root["schema"] = kSchema;
+  root["schema"] = kPlanSchema;
   root["program_version"] = plan.program_version.empty() ? version() : plan.program_version;
   root["arm"] = {{"name", plan.arm_name}, {"hash", plan.arm_hash}};
   if (!plan.arm_description.empty()) {

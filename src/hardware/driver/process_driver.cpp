@@ -44,7 +44,7 @@ std::vector<PressureLimits> limits_in_force(const ArmDescription& arm, double sc
   return limits;
 }
 
-void refuse(const std::string& wrong) {
+void throw_if_wrong(const std::string& wrong) {
   if (!wrong.empty()) {
     throw SystemFault(wrong);
   }
@@ -83,12 +83,12 @@ class ProcessDriver::Session {
     }
     require_size(setpoint_kpa);
     try {
-      refuse(gate_->check_command(setpoint_kpa));
+      throw_if_wrong(gate_->check_command(setpoint_kpa));
       wait_for_slot();
       resting_ = false;
       exchange(setpoint_kpa);
       require_setpoint_in_force();
-      refuse(gate_->check_state(state_));
+      throw_if_wrong(gate_->check_state(state_));
     } catch (const BrokenDriver& broken) {
       stop_broken(broken.what());
     } catch (const SystemFault& fault) {

@@ -10,7 +10,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kMaxReserve = 0.1;  // of a tolerance
+constexpr double kMaxGoalReserve = 0.1;  // of a tolerance
 /// Share of a tolerance that plans may use if the model's error leaves no room in it.
 constexpr double kShareWithoutRoom = 0.8;
 /// Share of a tolerance that plans aim at if there is an error to keep room for. That costs little.
@@ -23,7 +23,7 @@ bool fits(double tolerance, double margin) {
 double with_room(double tolerance, double margin, double reserve) {
   const double inside =
       fits(tolerance, margin) ? tolerance - margin : kShareWithoutRoom * tolerance;
-  return inside - std::min(reserve, kMaxReserve * inside);
+  return inside - std::min(reserve, kMaxGoalReserve * inside);
 }
 
 }  // namespace

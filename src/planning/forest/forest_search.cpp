@@ -13,7 +13,8 @@ constexpr std::size_t kMaxNear = 64;  // tried: then the search has enough nodes
 constexpr double kNearM = 0.10;       // how near the goal's disc those end
 constexpr int kRoundsWithPlan = 2;    // more expensive ones, for the improvers to start from
 constexpr std::ptrdiff_t kMaxNearLookedAt = 2048;
-constexpr int kMaxLooks = 1024;   // checks of the filter in a round; then it is the search's turn
+constexpr int kMaxFilterChecks =
+    1024;                         // checks of the filter in a round; then it is the search's turn
 constexpr int kLooksAtOnce = 64;  // then the time limit is checked
 
 Eigen::Vector2f point_m(const PoseGoal& goal) {
@@ -120,7 +121,7 @@ Path ForestSearch::path_of(const Candidate& candidate) const {
 ForestSearch::Batch ForestSearch::collect(Ranking& nodes, std::size_t wanted, bool step,
                                           const std::function<bool()>& give_up) {
   Batch batch;
-  for (int looks = 1; looks <= kMaxLooks && !nodes.empty() && batch.paths.size() < wanted;
+  for (int looks = 1; looks <= kMaxFilterChecks && !nodes.empty() && batch.paths.size() < wanted;
        ++looks) {
     if (looks % kLooksAtOnce == 0 && give_up()) {
       break;

@@ -65,10 +65,10 @@ void require_limits(const PlannerLimits& limits) {
 }
 
 /// One plan: OMPL's planner on limber's space, and what it found as limber's result.
-class Run {
+class OmplRun {
  public:
-  Run(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
-      const PlannerCallback& callback, const OmplSettings& settings)
+  OmplRun(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
+          const PlannerCallback& callback, const OmplSettings& settings)
       : problem_(problem),
         limits_(limits),
         seed_(seed),
@@ -240,7 +240,7 @@ class OmplPlanner final : public Planner {
       ompl::msg::noOutputHandler();
       ompl::RNG::setSeed(seed == 0 ? 1 : seed);
     });
-    PlanResult result = Run(problem, limits, seed, callback, settings_).run(name_, parameters_);
+    PlanResult result = OmplRun(problem, limits, seed, callback, settings_).run(name_, parameters_);
     for (std::optional<Plan>* plan : {&result.plan, &result.best_partial}) {
       if (*plan) {
         (*plan)->planner = text_;

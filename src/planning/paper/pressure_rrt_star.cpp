@@ -22,11 +22,11 @@ void require_valid(const PressureRrtStarSettings& s) {
 }
 
 /// One run.
-class Run {
+class RrtStarRun {
  public:
-  Run(const PlanningProblem& problem, const CollisionChecker& checker, ParentRule rule,
-      const PressureRrtStarSettings& settings, const char* planner, std::uint64_t seed,
-      PlannerBudget& budget)
+  RrtStarRun(const PlanningProblem& problem, const CollisionChecker& checker, ParentRule rule,
+             const PressureRrtStarSettings& settings, const char* planner, std::uint64_t seed,
+             PlannerBudget& budget)
       : problem_(problem),
         budget_(budget),
         simulator_(problem.arm, problem.model, checker),
@@ -99,7 +99,7 @@ class PressureRrtStar final : public Planner {
     if (is_refused(problem, checker, refused)) {
       return refused;
     }
-    return Run(problem, checker, rule_, settings_, name(), seed, budget).run(name(), seed);
+    return RrtStarRun(problem, checker, rule_, settings_, name(), seed, budget).run(name(), seed);
   }
 
  private:

@@ -10,7 +10,7 @@ namespace limber {
 namespace {
 
 constexpr std::uint64_t kTreeStream = 1;
-constexpr float kSamePoint = 1e-4F;       // of the limit: a sample this close adds nothing
+constexpr float kSameSample = 1e-4F;      // of the limit: a sample this close adds nothing
 constexpr double kImprovementKpa = 1e-6;  // rounding of a sum of pressures
 /// A gain γ of the near radius γ (ln N / N)^(1/n) for which RRT* is asymptotically optimal on a
 /// cube of side 2: 2 (1 + 1/n)^(1/n) (volume / volume of the unit ball)^(1/n), which PRM* needs and
@@ -71,7 +71,7 @@ Pressures RrtStarSearch::sample() {
 std::optional<Pressures> RrtStarSearch::steer(const Pressures& sample, int nearest) const {
   const auto from = tree_.setpoint_kpa(nearest);
   const float distance = scaled(sample - from).norm();
-  if (distance <= kSamePoint) {
+  if (distance <= kSameSample) {
     return std::nullopt;
   }
   const float step = static_cast<float>(settings_.step_size);

@@ -21,11 +21,11 @@ namespace {
 using Solutions = std::vector<BatchSearch::Solution>;
 
 /// One search: its parts, and what they pass to each other. Who has which turn says TurnTaking.
-class Run {
+class DefaultRun {
  public:
-  Run(const PlanningProblem& problem, const CollisionChecker& checker,
-      const DefaultPlannerSettings& settings, const char* planner, std::uint64_t seed,
-      PlannerBudget& budget)
+  DefaultRun(const PlanningProblem& problem, const CollisionChecker& checker,
+             const DefaultPlannerSettings& settings, const char* planner, std::uint64_t seed,
+             PlannerBudget& budget)
       : problem_(problem),
         settings_(settings),
         budget_(budget),
@@ -191,7 +191,7 @@ class DefaultPlanner final : public Planner {
       require_forest_of(*settings_.forest, problem.arm, problem.model.valves().parameters(),
                         start_state(problem.environment, problem.arm));
     }
-    return Run(problem, checker, settings_, name(), seed, budget).run(name(), seed);
+    return DefaultRun(problem, checker, settings_, name(), seed, budget).run(name(), seed);
   }
 
  private:

@@ -10,8 +10,8 @@ namespace limber {
 namespace {
 
 constexpr std::uint64_t kFirstStream = std::uint64_t{1} << 40;  // one stream a change from here
-constexpr double kImprovementKpa = 1e-4;
-constexpr double kNotable = 1e-3;  // of the cost
+constexpr double kMinGainKpa = 1e-4;
+constexpr double kNotableGain = 1e-3;  // of the cost
 constexpr std::size_t kCandidates = 8;
 constexpr int kTries = 128;          // random changes, to find as many that are cheaper
 constexpr std::size_t kRepairs = 4;  // of a round's changes, those that would be the cheapest
@@ -106,7 +106,7 @@ Waypoints PlanImprover::repaired(const Miss& miss) const {
 
 std::optional<PlanImprover::Change> PlanImprover::cheaper(Waypoints waypoints_kpa) const {
   const double cost = path_cost_kpa(waypoints_kpa);
-  if (cost >= merit_kpa_ - kImprovementKpa) {
+  if (cost >= merit_kpa_ - kMinGainKpa) {
     return std::nullopt;
   }
   std::size_t same = 1;
@@ -133,7 +133,7 @@ void PlanImprover::settle(std::vector<Change> changes, std::span<const PathOutco
       continue;
     }
     const double merit_kpa = aim_.merit_kpa(changes[k].cost_kpa, *outcomes[k].held_tip);
-    if (merit_kpa < merit_kpa_ - kImprovementKpa) {
+    if (merit_kpa < merit_kpa_ - kMinGainKpa) {
       by_merit.emplace_back(merit_kpa, k);
     }
   }
@@ -170,7 +170,7 @@ void PlanImprover::accept(Change change, const PathOutcome& outcome) {
   states_.insert(states_.end(), outcome.at.begin(), outcome.at.end());
   before_kpa_ = std::exchange(waypoints_kpa_, std::move(change.waypoints_kpa));
   merit_kpa_ = aim_.merit_kpa(change.cost_kpa, *outcome.held_tip);
-  if (merit_kpa_ < (1.0 - kNotable) * milestone_kpa_) {
+  if (merit_kpa_ < (1.0 - kNotableGain) * milestone_kpa_) {
     milestone_kpa_ = merit_kpa_;
     fruitless_rounds_ = 0;
   }
