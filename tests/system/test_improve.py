@@ -97,6 +97,16 @@ class Improve(InFolder):
         self.assertEqual(len(summary["rounds"]), 2)
         self.assertTrue(summary["driver"]["vent"]["confirmed"])
 
+    def test_ctrl_c_says_how_to_go_on(self):
+        with subprocess.Popen([PROGRAM, *map(str, self.command("out", "--round-min", 60))], cwd=self.folder,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8") as process:
+            while process.poll() is None and not list(self.folder.glob("out/round_1/plans.parts/*.json")):
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            error = process.communicate()[1]
+        self.assertEqual(process.returncode, 1, error)
+        self.assertIn("what was finished is in out: the same command with --resume goes on", error)
+
     def test_what_does_not_fit_is_refused_before_any_work(self):
         for arguments, message in (
             (("--rounds", 0), "--rounds 0"),

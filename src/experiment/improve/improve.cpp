@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -296,7 +297,17 @@ void require_startable(const ImproveSettings& settings) {
 
 nlohmann::ordered_json run_improve(const ImproveSettings& settings, const ImproveArm& on) {
   require_startable(settings);
-  return Improvement(settings, on).run();
+  try {
+    return Improvement(settings, on).run();
+  } catch (const Interrupted& stop) {
+    if (std::string_view(stop.what()).find("--resume") != std::string_view::npos) {
+      throw;
+    }
+    throw Interrupted(fmt::format(
+        "stopped on request; what was finished is in {}: the same command with --resume goes on from "
+        "there",
+        settings.folder.string()));
+  }
 }
 
 }  // namespace limber
