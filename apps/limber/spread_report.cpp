@@ -53,8 +53,8 @@ std::string to_text(const PlanSpread& spread, const std::string& whose, const Ar
   if (spread.closest) {
     const PlanSpread::Closest& closest = *spread.closest;
     text += fmt::format(
-        "; they keep {:.2f} to {:.2f} cm from obstacles. Where the plan comes nearest to one (frame "
-        "{}, {}, {}), {} is up to {:.2f} cm apart",
+        "; they keep {:.2f} to {:.2f} cm from obstacles. Where the plan comes nearest to one "
+        "(frame {}, {}, {}), {} is up to {:.2f} cm apart",
         kCmPerM * closest.clearance.min_m, kCmPerM * closest.clearance.max_m, closest.at.frame,
         gap_name(arm, closest.gap), obstacle_name(environment, closest.obstacle),
         plate_name(closest.at.plate), kCmPerM * closest.at.largest_distance_m);

@@ -55,8 +55,8 @@ class EvaluateVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     if (!out_.empty() && ensemble_.answer() == EnsembleAnswer::mean) {
       throw InputError(
-          "--out: a model stores the error of its first network; leave --ensemble mean out, or give "
-          "the mean's error to limber plan (--margin-m, --goal-margin-m)");
+          "--out: a model stores the error of its first network; leave --ensemble mean out, or "
+          "give the mean's error to limber plan (--margin-m, --goal-margin-m)");
     }
     if (!plots_.empty()) {
       for (const auto& path : evaluation_plot_paths(plots_)) {
