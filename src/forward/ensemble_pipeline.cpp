@@ -6,7 +6,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kTileQueries = 64;  // all networks answer these before the next ones are asked
+constexpr int kEnsembleTileQueries = 64;  // all networks answer these before the next ones are asked
 
 }  // namespace
 
@@ -26,7 +26,7 @@ EnsemblePipeline::EnsemblePipeline(const ArmDescription& arm, const Compensation
 
 std::size_t EnsemblePipeline::scratch_size() const {
   const std::size_t one = members_.front().scratch_size();
-  return members_.size() == 1 ? one : one + static_cast<std::size_t>(3 * numbers_ * kTileQueries);
+  return members_.size() == 1 ? one : one + static_cast<std::size_t>(3 * numbers_ * kEnsembleTileQueries);
 }
 
 void EnsemblePipeline::run(int count, const QueryColumns& queries, float* scratch) const {
@@ -34,8 +34,8 @@ void EnsemblePipeline::run(int count, const QueryColumns& queries, float* scratc
     members_.front().run(count, queries, scratch);
     return;
   }
-  for (int j = 0; j < count; j += kTileQueries) {
-    run_mean(std::min(kTileQueries, count - j), queries.from(j), scratch);
+  for (int j = 0; j < count; j += kEnsembleTileQueries) {
+    run_mean(std::min(kEnsembleTileQueries, count - j), queries.from(j), scratch);
   }
 }
 
@@ -44,9 +44,9 @@ void EnsemblePipeline::run(int count, const QueryColumns& queries, float* scratc
 void EnsemblePipeline::run_mean(int count, const QueryColumns& queries, float* scratch) const {
   const int size = numbers_ * count;
   float* const first = scratch;
-  float* const other = first + numbers_ * kTileQueries;
-  float* const sum = other + numbers_ * kTileQueries;
-  float* const rest = sum + numbers_ * kTileQueries;
+  float* const other = first + numbers_ * kEnsembleTileQueries;
+  float* const sum = other + numbers_ * kEnsembleTileQueries;
+  float* const rest = sum + numbers_ * kEnsembleTileQueries;
   QueryColumns asked = queries;
   asked.next = {first, numbers_};
   members_.front().run(count, asked, rest);

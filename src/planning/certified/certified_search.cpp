@@ -20,17 +20,16 @@ PlanResult certified_search(Planner& planner, const PlanningProblem& problem, As
                             const PlannerCallback& callback) {
   const Environment environment = with_room(problem.environment, problem.goal_margin);
   CertifyingJudge judge(problem, asked);
-  const PlanningProblem searched{problem.arm,
-                                 problem.model,
-                                 environment,
-                                 clearance_with_reserve_m(problem.margin_m),
-                                 {},
-                                 aim_of(problem),
-                                 problem.stay_within,
-                                 &judge,
-                                 false,
-                                 has_room(problem),
-                                 problem.tube};
+  const PlanningProblem searched{.arm = problem.arm,
+                                 .model = problem.model,
+                                 .environment = environment,
+                                 .margin_m = clearance_with_reserve_m(problem.margin_m),
+                                 .aim = aim_of(problem),
+                                 .stay_within = problem.stay_within,
+                                 .limits = problem.limits,
+                                 .judge = &judge,
+                                 .goal_has_room = has_room(problem),
+                                 .tube = problem.tube};
   PlanResult result = planner.plan(searched, limits, seed, callback);
   if (result.best_partial) {
     judge.name_problem(*result.best_partial);
