@@ -1,5 +1,7 @@
 #include "recording_kinds.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
