@@ -31,8 +31,8 @@ TEST(DefaultPlanner, SearchesOnFromWhatItsJudgeLetsStand) {
   const double min_kpa =
       make_default_planner()->plan({s.arm, s.model, s.environment}, limits, 3).plan->cost_kpa;
   Dear judge(1.05 * min_kpa);
-  const PlanningProblem judged{s.arm, s.model,      s.environment, 0.0,
-                               {},    std::nullopt, nullptr,       &judge};
+  PlanningProblem judged{s.arm, s.model, s.environment};
+  judged.judge = &judge;
   const PlanResult result = make_default_planner()->plan(judged, limits, 3);
   ASSERT_EQ(result.status, PlanStatus::solved);
   EXPECT_GE(result.plan->cost_kpa, 1.05 * min_kpa);
