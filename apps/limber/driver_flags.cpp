@@ -159,6 +159,23 @@ void require_within(const Plan& plan, const std::vector<PressureLimits>& limits_
   }
 }
 
+void require_reach(const ArmDescription& arm, double limit_scale, const ProcessDriver& driver) {
+  const std::vector<PressureLimits>& allowed = driver.limits_kpa();
+  for (std::size_t s = 0; s < allowed.size(); ++s) {
+    for (const double sign : {1.0, -1.0}) {
+      const double wanted = limit_scale * arm.segments[s].pressure_limit_kpa.side_kpa(sign);
+      const double found = allowed[s].side_kpa(sign);
+      if (sign * found < sign * wanted) {
+        throw InputError(fmt::format(
+            "the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; --limit-scale "
+            "{:.2g} stays within",
+            found, segment_name(static_cast<Eigen::Index>(s)), wanted,
+            limit_scale * found / wanted));
+      }
+    }
+  }
+}
+
 ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
                         const std::string& driver) {
   if (!driver.starts_with(kExec)) {

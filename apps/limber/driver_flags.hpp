@@ -54,6 +54,9 @@ class DriverFlags {
 void require_within(const Plan& plan, const std::vector<PressureLimits>& limits_kpa,
                     const std::string& file, const std::string& whose);
 
+/// @throws InputError where motions within the arm's limits, scaled, go beyond those of the driver.
+void require_reach(const ArmDescription& arm, double limit_scale, const ProcessDriver& driver);
+
 /// Where the vented arm lies: one look through the driver of `exec:COMMAND`.
 /// @throws SystemFault where nothing tracks the arm.
 ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,

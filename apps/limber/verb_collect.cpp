@@ -98,24 +98,6 @@ class CollectVerb final : public Verb {
   }
 
   /// @throws InputError where the schedule goes beyond what the driver allows, on either side.
-  void require_allowed(const ArmDescription& arm,
-                       const std::vector<PressureLimits>& allowed) const {
-    for (std::size_t s = 0; s < allowed.size(); ++s) {
-      for (const double sign : {1.0, -1.0}) {
-        const double wanted =
-            schedule_.limit_scale * arm.segments[s].pressure_limit_kpa.side_kpa(sign);
-        const double found = allowed[s].side_kpa(sign);
-        if (sign * found < sign * wanted) {
-          throw InputError(fmt::format(
-              "the driver allows {:.1f} kPa in {}, and the schedule asks for {:.1f} kPa; "
-              "--limit-scale {:.2g} stays within",
-              found, segment_name(static_cast<Eigen::Index>(s)), wanted,
-              schedule_.limit_scale * found / wanted));
-        }
-      }
-    }
-  }
-
   /// One process for all episodes, one after the other.
   int run_on_driver(const ArmDescription& arm, const std::string& arm_file,
                     CollectionSettings settings, const CommonFlags& flags) {
@@ -128,7 +110,7 @@ class CollectVerb final : public Verb {
     const bool straight = schedule_.approach == Approach::straight;
     const std::unique_ptr<ProcessDriver> driver =
         driver_.start(arm, arm_file, out_, straight, flags);
-    require_allowed(arm, driver->limits_kpa());
+    require_reach(arm, schedule_.limit_scale, *driver);
     settings.source = describe(*driver);
     settings.driver = "on an arm, by its driver";
     settings.jobs = 1;

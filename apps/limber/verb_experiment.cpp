@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kDefaultTimeLimitS = 10.0;
-
 class ExperimentVerb final : public Verb {
  public:
   const char* name() const override { return "experiment"; }

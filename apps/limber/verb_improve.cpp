@@ -139,7 +139,7 @@ class ImproveVerb final : public Verb {
     const bool jumps = true;  // of random motions' set points; the valves ramp by themselves
     const std::unique_ptr<ProcessDriver> driver =
         driver_.start(settings_.arm, arm_file, out_, !jumps, flags);
-    require_reach(*driver);
+    require_reach(settings_.arm, driver_.limit_scale(), *driver);
     if (!driver->look().backbone) {
       throw SystemFault(
           "the driver's state has no backbone: nothing tracks the arm, so nothing can be learnt");
@@ -147,7 +147,7 @@ class ImproveVerb final : public Verb {
     ImproveArm on;
     on.source = describe(*driver);
     on.about = "on an arm, by its driver";
-    on.limits_kpa = driver->limits_kpa();
+    on.limits = driver->limits_kpa();
     on.limit_scale = driver_.limit_scale();
     on.drivers = on_one_driver(*driver);
     on.start = [&driver = *driver, this] { return vented_start(driver); };
@@ -162,20 +162,6 @@ class ImproveVerb final : public Verb {
     summary["driver"] = to_json(*driver);
     report(summary, flags);
     return driver->last_vent().confirmed ? kExitDone : kExitFault;
-  }
-
-  void require_reach(const ProcessDriver& driver) const {
-    const std::vector<double>& allowed = driver.limits_kpa();
-    for (std::size_t s = 0; s < allowed.size(); ++s) {
-      const double wanted = driver_.limit_scale() * settings_.arm.segments[s].pressure_limit_kpa;
-      if (allowed[s] < wanted) {
-        throw InputError(fmt::format(
-            "the driver allows {:.1f} kPa in {}, and random motions ask for {:.1f} kPa; "
-            "--limit-scale {:.2g} stays within",
-            allowed[s], segment_name(static_cast<Eigen::Index>(s)), wanted,
-            driver_.limit_scale() * allowed[s] / wanted));
-      }
-    }
   }
 
   ArmStart vented_start(ProcessDriver& driver) const {

@@ -22,8 +22,6 @@ namespace limber {
 
 namespace {
 
-constexpr double kDefaultTimeLimitS = 10.0;
-
 int exit_code(PlanStatus status) {
   switch (status) {
     case PlanStatus::solved:

@@ -26,6 +26,7 @@
 #include "limber/report/planner_arena.hpp"
 #include "limber/report/planning_table.hpp"
 #include "limber/report/report_page.hpp"
+#include "optional_json.hpp"
 #include "trial_file.hpp"
 
 namespace limber {
@@ -36,11 +37,7 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kTrialSeed = 128;  // as the demo's plans
-constexpr const char* kSettingsFile = "experiment.json";
-
-Json optional_json(const auto& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
+constexpr const char* kExperimentFile = "experiment.json";
 
 CompensationModel model_of(const ExperimentSettings& settings) {
   CompensationModel model = read_model(settings.model_file);
@@ -144,9 +141,9 @@ class Experiment {
   fs::path file(const std::string& name) const { return settings_.folder / name; }
 
   void prepare_folder() {
-    const bool resumes = settings_.resume && fs::exists(file(kSettingsFile));
+    const bool resumes = settings_.resume && fs::exists(file(kExperimentFile));
     if (resumes) {
-      require_same(file(kSettingsFile), identity_);
+      require_same(file(kExperimentFile), identity_);
     }
     output_.emplace(settings_.folder, "experiment",
                     resumes           ? OutputFolder::Start::resumed
@@ -160,7 +157,7 @@ class Experiment {
     if (!resumes) {
       Json written = identity_;
       written["program_version"] = version();
-      output_->write(kSettingsFile, written.dump(1) + "\n");
+      output_->write(kExperimentFile, written.dump(1) + "\n");
     }
   }
 
@@ -340,7 +337,7 @@ void require_usable(const ExperimentSettings& settings) {
   if (settings.environments.empty()) {
     throw InputError("no environments to plan in");
   }
-  if (fs::exists(settings.folder / kSettingsFile) && !settings.resume && !settings.force) {
+  if (fs::exists(settings.folder / kExperimentFile) && !settings.resume && !settings.force) {
     throw InputError(
         fmt::format("{}: holds an experiment already: --resume continues it, --force replaces it",
                     settings.folder.string()));

@@ -30,7 +30,8 @@ PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
   trial.seed = seed;
   trial.asks_heading = item.environment.goal.theta_rad.has_value();
   const ErrorRoom room = room_of(model, settings);
-  const PlanningProblem problem = problem_with_room(arm, model, item.environment, room);
+  PlanningProblem problem = problem_with_room(arm, model, item.environment, room);
+  problem.limits = settings.within;
   trial.planning = make_planner(settings.planner, settings.planner_jobs, settings.forest)
                        ->plan(problem, settings.limits, seed,
                               [](const PlannerProgress&) { return !interrupt_requested(); });

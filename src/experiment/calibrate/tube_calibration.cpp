@@ -15,6 +15,7 @@
 #include "limber/common/version.hpp"
 #include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/trial/binomial_bound.hpp"
+#include "optional_json.hpp"
 
 namespace limber {
 
@@ -23,17 +24,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr const char* kSettingsFile = "calibration.json";
+constexpr const char* kCalibrationFile = "calibration.json";
 constexpr double kLargestFactor = 2.2;
 constexpr double kStep = 0.94;
 constexpr int kFactors = 20;               // down to 0.68
 constexpr double kScreenConfidence = 0.8;  // a screen only finds what is worth testing
 constexpr int kMaxTests = 3;               // of one level; they share its confidence
 constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
-
-Json optional_json(const auto& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 /// What has to be the same for runs of two starts to be one calibration.
 Json identity(const CalibrationSettings& settings) {
@@ -84,7 +81,7 @@ class Calibration {
 
  private:
   void prepare_folder() {
-    const fs::path file = settings_.folder / kSettingsFile;
+    const fs::path file = settings_.folder / kCalibrationFile;
     const bool resumes = settings_.resume && fs::exists(file);
     if (resumes) {
       require_same(file);
@@ -102,7 +99,7 @@ class Calibration {
     if (!resumes) {
       Json written = identity_;
       written["program_version"] = version();
-      folder_->write(kSettingsFile, written.dump(1) + "\n");
+      folder_->write(kCalibrationFile, written.dump(1) + "\n");
     }
     evidence_ = identity_;
     evidence_["phases"] = Json::array();

@@ -25,7 +25,7 @@ namespace limber {
 namespace {
 
 // Parts of a run that draw by chance, so that none shares another's (derived_seed).
-enum SeedOf : std::uint64_t {
+enum DemoSeed : std::uint64_t {
   kTestSeed = 0,
   kValidationSeed = 1,
   kTrainingSeed = 2,

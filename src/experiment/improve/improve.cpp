@@ -27,14 +27,14 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* kSettingsFile = "improve.json";
-constexpr double kHoldS = 3.0;          // of a random motion, as `collect` has it
-constexpr int kMotionsPerEpisode = 10;  // so that some episodes can be held back
+constexpr const char* kImproveFile = "improve.json";
+constexpr double kHoldS = 3.0;                // of a random motion, as `collect` has it
+constexpr int kRandomMotionsPerEpisode = 10;  // so that some episodes can be held back
 constexpr double kSecondsPerMinute = 60.0;
 
 // Parts of a run that draw by chance: each in environments of its own (derived_seed). Those of a
 // round follow at multiples of kSeedsPerRound.
-enum SeedOf : std::uint64_t { kSelection = 256, kExploration, kPlans, kReported, kRandom };
+enum ImproveSeed : std::uint64_t { kSelection = 256, kExploration, kPlans, kReported, kRandom };
 constexpr std::uint64_t kSeedsPerRound = 16;
 
 std::string in_round(int round, const char* name) {
@@ -82,7 +82,7 @@ class Improvement {
  private:
   fs::path file(const std::string& name) const { return output_->path() / name; }
 
-  std::uint64_t seed_of(SeedOf part, int round) const {
+  std::uint64_t seed_of(ImproveSeed part, int round) const {
     return derived_seed(settings_.seed, part + kSeedsPerRound * std::uint64_t(round));
   }
 
@@ -114,9 +114,9 @@ class Improvement {
 
   void open_folder() {
     const Json wanted = settings_to_json(settings_, on_);
-    const bool resumes = settings_.resume && fs::exists(settings_.folder / kSettingsFile);
+    const bool resumes = settings_.resume && fs::exists(settings_.folder / kImproveFile);
     if (resumes) {
-      require_same_run(settings_.folder / kSettingsFile, wanted);
+      require_same_run(settings_.folder / kImproveFile, wanted);
     }
     std::vector<fs::path> inputs = settings_.data_files;
     inputs.push_back(settings_.model_file);
@@ -130,11 +130,11 @@ class Improvement {
     }
     output_->require_free({"model.safetensors", "summary.json", "report.html", "distance.svg"});
     if (resumes) {
-      output_->write_with({kSettingsFile}, [] {});  // listed, wherever a kill came
+      output_->write_with({kImproveFile}, [] {});  // listed, wherever a kill came
     } else {
       Json written = wanted;
       written["program_version"] = version();
-      output_->write(kSettingsFile, written.dump(1) + "\n");
+      output_->write(kImproveFile, written.dump(1) + "\n");
     }
   }
 
@@ -193,7 +193,7 @@ class Improvement {
     double exploration_s = 0.0;
     if (motions > 0 && settings_.plan_share < 1.0) {
       const Recording exploration =
-          record_motions(in_round(round, "exploration.h5"), motions, kMotionsPerEpisode,
+          record_motions(in_round(round, "exploration.h5"), motions, kRandomMotionsPerEpisode,
                          seed_of(kExploration, round));
       data_.add_exploration(exploration.episodes);
       exploration_s = exploration.duration_s();
@@ -286,7 +286,7 @@ class Improvement {
 
 void require_startable(const ImproveSettings& settings) {
   require_usable(settings);
-  const fs::path there = settings.folder / kSettingsFile;
+  const fs::path there = settings.folder / kImproveFile;
   if (fs::exists(there) && !settings.resume && !settings.force) {
     throw InputError(fmt::format(
         "{}: a run of limber improve; --resume goes on with it, --force starts over (what its arm "

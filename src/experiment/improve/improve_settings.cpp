@@ -11,6 +11,7 @@
 #include "limber/common/json_reader.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/planning/problem_check.hpp"
+#include "optional_json.hpp"
 
 namespace limber {
 
@@ -26,10 +27,6 @@ void require(bool usable, const char* name, double found, const std::string& all
   if (!usable) {
     throw InputError(fmt::format("{} {}: expected {}", name, found, allowed));
   }
-}
-
-Json optional_json(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
 }
 
 Json to_json(const TrainingSettings& training) {

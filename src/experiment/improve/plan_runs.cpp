@@ -23,7 +23,6 @@ namespace {
 
 constexpr int kSideBySide = 8;   // at once on a virtual arm; fixed, so that jobs decide nothing
 constexpr int kMaxInVain = 100;  // environments in a row without an executed plan
-constexpr float kRoundingKpa = 1e-3F;
 
 class Batch {
  public:
@@ -105,6 +104,7 @@ class Batch {
     }
     PlanTrialSettings planning;
     planning.limits.queries = settings_.queries;
+    planning.within = on_.limits;
     planning.room = settings_.room;
     planning.model_hash = models_.planning_hash;
     const PlanTrial trial = plan_trial(settings_.arm, models_.planning, item, planning,
@@ -113,25 +113,9 @@ class Batch {
     if (!trial.planning.plan || interrupt_requested()) {
       return part;
     }
-    if (!is_within_limits(*trial.planning.plan)) {
-      part.run.status = "beyond_limits";
-      return part;
-    }
     const ExecutionResult run = on_.execute(item.environment, *trial.planning.plan);
     note(run, part);
     return part;
-  }
-
-  bool is_within_limits(const Plan& plan) const {
-    return std::ranges::all_of(plan.waypoints_kpa, [&](const Pressures& waypoint) {
-      for (std::size_t s = 0; s < on_.limits_kpa.size(); ++s) {
-        if (std::abs(waypoint[static_cast<Eigen::Index>(s)]) >
-            static_cast<float>(on_.limits_kpa[s]) + kRoundingKpa) {
-          return false;
-        }
-      }
-      return true;
-    });
   }
 
   void note(const ExecutionResult& run, PlanRunPart& part) const {

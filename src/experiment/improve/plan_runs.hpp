@@ -15,7 +15,7 @@ namespace limber {
 /// One environment: planned in, and the plan executed.
 struct PlanRun {
   int environment = 0;    ///< its number
-  std::string status;     ///< PlanStatus, or "beyond_limits"
+  std::string status;     ///< of the planner (PlanStatus)
   bool executed = false;  ///< to its end
   bool collided = false;
   bool arrived = false;  ///< within the goal's tolerances, without collision

@@ -28,9 +28,9 @@ struct ImproveArm {
   std::function<ExecutionResult(const Environment&, const Plan&)> execute;
   /// Where the vented arm lies now; empty: straight.
   std::function<ArmStart()> start;
-  std::vector<double> limits_kpa;  ///< of set points; plans beyond them are not executed
-  double limit_scale = 1.0;        ///< the same for random motions
-  bool side_by_side = false;       ///< whether runs on several threads are runs of the same arm
+  std::vector<PressureLimits> limits;  ///< of plans; empty: the arm's
+  double limit_scale = 1.0;            ///< the same for random motions
+  bool side_by_side = false;           ///< whether runs on several threads are runs of the same arm
 };
 
 /// A fresh virtual arm for every run.

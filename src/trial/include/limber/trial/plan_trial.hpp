@@ -38,9 +38,10 @@ struct PlanTrialSettings {
   std::string planner = "default";
   int planner_jobs = 1;  ///< threads of the planner; trials themselves run side by side
   PlannerLimits limits;
-  AskedRoom room;                  ///< if nothing is asked for, the model's own error
-  const Forest* forest = nullptr;  ///< for the default planner; borrowed
-  std::string model_hash;          ///< goes into the plan of a network; docs/formats.md
+  std::vector<PressureLimits> within;  ///< PlanningProblem::limits
+  AskedRoom room;                      ///< if nothing is asked for, the model's own error
+  const Forest* forest = nullptr;      ///< for the default planner; borrowed
+  std::string model_hash;              ///< goes into the plan of a network; docs/formats.md
 };
 
 /// Plans in the environment with `model`, until its limits or Ctrl-C. The result's execution is not
