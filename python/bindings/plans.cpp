@@ -103,7 +103,7 @@ void bind_plans(py::module_& module) {
   bind_plan(module);
   module.def("read_plan", &read_plan, py::arg("path"),
              "Reads and checks a plan (JSON). Raises InputError naming file and field.");
-  module.def("read_plan_unjudged", &read_plan_unjudged, py::arg("path"),
+  module.def("read_plan_unchecked", &read_plan_unchecked, py::arg("path"),
              "Reads what `certify` is to judge: types and finite numbers alone are checked.");
   module.def("write_plan", &write_plan, py::arg("path"), py::arg("plan"),
              "Writes a plan (JSON), atomically, every number exactly.");

@@ -41,7 +41,7 @@ __all__ = [
     "learnt_region_of", "load_arm", "load_arm_to_characterise", "load_environment",
     "make_planner", "make_recording", "note_unseen", "paper_preset", "plan_animation",
     "plan_picture", "planner_names", "pose_error", "predict", "pressure_picture",
-    "read_bench_csv", "read_model", "read_plan", "read_plan_unjudged", "read_recording",
+    "read_bench_csv", "read_model", "read_plan", "read_plan_unchecked", "read_recording",
     "read_valves", "require_model_of", "require_plan_of", "require_recording_of",
     "rest_positions_m", "set_epoch_count", "set_window_frames", "solve_inverse_kinematics",
     "start_state", "tip_pose", "to_json", "train", "training_preset", "virtual_arm_factory",

@@ -1087,7 +1087,7 @@ class PlanningProblem:
     @property
     def goal_margin(self) -> PoseError:
         """Room for the model's error."""
-    def __init__(self, arm: ArmDescription, model: MotionModel, environment: Environment, margin_m: float = 0.0, goal_margin: PoseError = ..., stay_within: RecordedRegion | None = None, margin_yields_to_start: bool = False, limits_kpa: list[tuple[float, float]] = []) -> None:
+    def __init__(self, arm: ArmDescription, model: MotionModel, environment: Environment, margin_m: float = 0.0, goal_margin: PoseError = ..., stay_within: RecordedRegion | None = None, margin_yields_to_start: bool = False, limits_kpa: Sequence[tuple[float, float]] = ...) -> None:
         """margin_m: clearance kept from obstacles [m]; goal_margin: how far inside the goal's tolerances plans end; limits_kpa: lower and upper of each segment, within the arm's; empty: the arm's."""
 
 class Polygon:
@@ -2007,7 +2007,7 @@ def read_model(path: str | os.PathLike[str]) -> CompensationModel:
 def read_plan(path: str | os.PathLike[str]) -> Plan:
     """Reads and checks a plan (JSON). Raises InputError naming file and field."""
 
-def read_plan_unjudged(path: str | os.PathLike[str]) -> Plan:
+def read_plan_unchecked(path: str | os.PathLike[str]) -> Plan:
     """Reads what `certify` is to judge: types and finite numbers alone are checked."""
 
 def read_recording(path: str | os.PathLike[str]) -> Recording:
@@ -2074,11 +2074,11 @@ def virtual_arm_factory(arm: ArmDescription, options: VirtualArmOptions = ...) -
 def virtual_collection(arm: ArmDescription, schedule: ScheduleSettings, options: VirtualArmOptions = ...) -> CollectionSettings:
     """Settings for the virtual arm, with its source, driver and seed."""
 
+def with_setpoints_only(episodes: Iterable) -> list:
+    """Copies of them without what was measured: set points alone."""
+
 def write_arm(path: str | os.PathLike[str], arm: ArmDescription) -> None:
     """Writes an arm file that load_arm reads."""
-
-def with_setpoints_only(episodes: Iterable) -> list[Episode]:
-    """Copies of them without what was measured: set points alone."""
 
 def write_backbones_csv(path: str | os.PathLike[str], plan: Plan) -> None:
     """Predicted shapes, one row a frame."""

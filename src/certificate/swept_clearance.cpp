@@ -106,16 +106,15 @@ class SweptClearance::MovingArc {
   double tangent_per_time_m_ = 0.0;
 };
 
-namespace {
-
 /// A rectangle of time and position, by its middle and half its sizes.
-struct Cell {
+struct SweptCell {
   double time, fraction, half_time, half_fraction;
 };
 
-std::array<Cell, 2> halves(const Cell& cell, bool by_time) {
-  Cell low = cell;
-  Cell high = cell;
+namespace {
+std::array<SweptCell, 2> halves(const SweptCell& cell, bool by_time) {
+  SweptCell low = cell;
+  SweptCell high = cell;
   if (by_time) {
     low.half_time = high.half_time = cell.half_time / 2.0;
     low.time -= low.half_time;
@@ -284,7 +283,7 @@ class SweptClearance::Search {
     double time = open_.back().time;
     MovingArc::Still still = arc.still(time);
     while (!open_.empty() && !give_up_.seldom()) {
-      const Cell cell = open_.back();
+      const SweptCell cell = open_.back();
       open_.pop_back();
       const double time_reach = cell.half_time * arc.speed_m();
       double fraction_reach = cell.half_fraction * arc.length_m();
@@ -322,7 +321,7 @@ class SweptClearance::Search {
   Result best_{kInfinity};
   std::vector<std::size_t> near_;
   std::vector<CoveringBox> gap_boxes_;
-  std::vector<Cell> open_;
+  std::vector<SweptCell> open_;
 };
 
 SweptClearance::SweptClearance(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,

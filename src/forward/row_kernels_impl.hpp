@@ -184,16 +184,16 @@ struct GapLanes {
 void encode_gaps_of_one(int gaps, const float* base, float* gap) {
   for (int from = 0; from < gaps; from += kLanes) {
     const int count = gaps - from < kLanes ? gaps - from : kLanes;
-    GapLanes way{};
+    GapLanes step{};
     for (int i = 0; i < count; ++i) {
       const float* plate = base + 3 * (from + i);
-      way.x[i] = plate[3] - plate[0];
-      way.y[i] = plate[4] - plate[1];
-      way.theta[i] = plate[2];
+      step.x[i] = plate[3] - plate[0];
+      step.y[i] = plate[4] - plate[1];
+      step.theta[i] = plate[2];
     }
-    const Rotation heading = rotation_of(load(way.theta));
-    const Vector x = load(way.x);
-    const Vector y = load(way.y);
+    const Rotation heading = rotation_of(load(step.theta));
+    const Vector x = load(step.x);
+    const Vector y = load(step.y);
     GapLanes seen;
     store(seen.x, multiply_add(heading.cosine, x, heading.sine * y));
     store(seen.y, multiply_add(heading.cosine, y, -(heading.sine * x)));

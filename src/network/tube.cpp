@@ -73,10 +73,6 @@ std::string audit_to_text(const TubeLevel& level) {
 
 }  // namespace
 
-double Tube::growth_at(int frame) const {
-  return growth[std::min(static_cast<std::size_t>(frame), growth.size() - 1)];
-}
-
 const TubeLevel* Tube::find(double level) const {
   const auto found = std::find_if(levels.begin(), levels.end(), [&](const TubeLevel& one) {
     return std::abs(one.level - level) < kSameLevel;
@@ -102,22 +98,13 @@ void validate_shape(const Tube& tube, const std::string& where) {
   }
   require_scale(where, "end_scale_m", tube.end_scale_m);
   require_scale(where, "end_heading_scale_rad", tube.end_heading_scale_rad);
-  double last = 0.0;
-  for (std::size_t k = 0; k < tube.growth.size(); ++k) {
-    if (!(tube.growth[k] > 0.0 && tube.growth[k] <= 1.0 && tube.growth[k] >= last)) {
-      refuse_tube(where, fmt::format("growth[{}] is {}; expected shares in (0, 1] that never fall",
-                                     k, tube.growth[k]));
-    }
-    last = tube.growth[k];
-  }
 }
 
 }  // namespace
 
 void validate(const Tube& tube, const std::string& where) {
-  for (const auto& [name, is_empty] :
-       {std::pair{"plate_scale_m", tube.plate_scale_m.empty()},
-        std::pair{"growth", tube.growth.empty()}, std::pair{"levels", tube.levels.empty()}}) {
+  for (const auto& [name, is_empty] : {std::pair{"plate_scale_m", tube.plate_scale_m.empty()},
+                                       std::pair{"levels", tube.levels.empty()}}) {
     if (is_empty) {
       refuse_tube(where, fmt::format("{} is empty; expected at least one entry", name));
     }
@@ -148,7 +135,6 @@ std::string tube_to_metadata(const Tube& tube) {
   return nlohmann::ordered_json({{"plate_scale_m", tube.plate_scale_m},
                                  {"end_scale_m", tube.end_scale_m},
                                  {"end_heading_scale_rad", tube.end_heading_scale_rad},
-                                 {"growth", tube.growth},
                                  {"source", tube.source},
                                  {"levels", levels}})
       .dump();
@@ -156,12 +142,11 @@ std::string tube_to_metadata(const Tube& tube) {
 
 Tube read_tube(const YamlReader& root) {
   root.refuse_unknown_keys(
-      {"plate_scale_m", "end_scale_m", "end_heading_scale_rad", "growth", "source", "levels"});
+      {"plate_scale_m", "end_scale_m", "end_heading_scale_rad", "source", "levels"});
   Tube tube;
   tube.plate_scale_m = root.at("plate_scale_m").numbers("lengths in metres");
   tube.end_scale_m = root.at("end_scale_m").positive("a length in metres");
   tube.end_heading_scale_rad = root.at("end_heading_scale_rad").positive("an angle in radians");
-  tube.growth = root.at("growth").numbers("shares");
   tube.source = root.at("source").text();
   for (const YamlReader& level : root.at("levels").elements()) {
     tube.levels.push_back(read_level(level));

@@ -17,8 +17,6 @@ using Eigen::Vector2d;
 constexpr double kShare = 0.9;         // of the runs, below the shape
 constexpr double kMinScaleM = 1e-4;    // as the certificate's deviation: nothing is known better
 constexpr double kMinScaleRad = 1e-3;  // the same
-constexpr double kMinGrowth = 0.05;
-constexpr int kRunsForGrowth = 20;
 
 Vector2d at(const Eigen::Ref<const Backbone>& backbone, Eigen::Index plate) {
   return {double(backbone(plate, 0)), double(backbone(plate, 1))};
@@ -42,14 +40,14 @@ double turned(double a, double b) {
   return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
 }
 
-/// Calls visit(frame of the plan, predicted, true shape) where the arm was tracked.
+/// Calls visit(predicted, true shape) where the arm was tracked.
 template <class Visit>
 void visit_frames(const Plan& plan, const Episode& run, Visit&& visit) {
   const int last = plan.frame_count() - 1;
   for (int t = 0; t < run.frame_count(); ++t) {
     if (run.was_tracked(t)) {
       const int k = std::min(t, last);
-      visit(t, plan.frames[static_cast<std::size_t>(k)].backbone, shape_in(run, t));
+      visit(plan.frames[static_cast<std::size_t>(k)].backbone, shape_in(run, t));
     }
   }
 }
@@ -58,42 +56,12 @@ double quantile(std::vector<double> values) {
   return conformal_quantile(std::move(values), kShare);
 }
 
-/// Of the tip's error in each frame, as long as half of the runs go on.
-std::vector<double> growth_of(const std::vector<MotionErrors>& runs) {
-  std::vector<double> growth;
-  if (runs.size() < kRunsForGrowth) {
-    return {1.0};
-  }
-  double largest = 0.0;
-  for (std::size_t k = 0;; ++k) {
-    std::vector<double> errors;
-    for (const MotionErrors& run : runs) {
-      if (k < run.tip_m.size() && std::isfinite(run.tip_m[k])) {
-        errors.push_back(run.tip_m[k]);
-      }
-    }
-    if (2 * errors.size() < runs.size()) {
-      break;
-    }
-    largest = std::max(largest, quantile(std::move(errors)));
-    growth.push_back(largest);
-  }
-  if (!(largest > 0.0)) {
-    return {1.0};
-  }
-  for (double& share : growth) {
-    share = std::max(kMinGrowth, share / largest);
-  }
-  return growth;
-}
-
 }  // namespace
 
 MotionErrors motion_errors(const Plan& plan, const Episode& run) {
   MotionErrors errors;
   errors.plate_m.assign(static_cast<std::size_t>(plan.frames.front().backbone.rows()), 0.0);
-  errors.tip_m.assign(plan.frames.size(), std::numeric_limits<double>::quiet_NaN());
-  visit_frames(plan, run, [&](int t, const Backbone& predicted, const Backbone& seen) {
+  visit_frames(plan, run, [&](const Backbone& predicted, const Backbone& seen) {
     const Eigen::Index tip = predicted.rows() - 1;
     for (Eigen::Index plate = 0; plate <= tip; ++plate) {
       double& largest = errors.plate_m[static_cast<std::size_t>(plate)];
@@ -101,9 +69,6 @@ MotionErrors motion_errors(const Plan& plan, const Episode& run) {
     }
     errors.end_m = (at(predicted, tip) - at(seen, tip)).norm();
     errors.end_heading_rad = turned(double(predicted(tip, 2)), double(seen(tip, 2)));
-    if (t < plan.frame_count()) {
-      errors.tip_m[static_cast<std::size_t>(t)] = errors.end_m;
-    }
   });
   return errors;
 }
@@ -112,16 +77,14 @@ double tube_score(const Plan& plan, const Episode& run, const Tube& shape) {
   const std::vector<double>& scale = shape.plate_scale_m;
   double score = 0.0;
   double end_score = 0.0;
-  visit_frames(plan, run, [&](int t, const Backbone& predicted, const Backbone& seen) {
-    const double growth = shape.growth_at(t);
+  visit_frames(plan, run, [&](const Backbone& predicted, const Backbone& seen) {
     const Eigen::Index tip = predicted.rows() - 1;
     for (Eigen::Index plate = 0; plate <= tip; ++plate) {
       const auto i = static_cast<std::size_t>(plate);
-      score =
-          std::max(score, (at(predicted, plate) - at(seen, plate)).norm() / (growth * scale[i]));
+      score = std::max(score, (at(predicted, plate) - at(seen, plate)).norm() / scale[i]);
       if (plate < tip) {
         score = std::max(score, (middle(predicted, plate) - middle(seen, plate)).norm() /
-                                    (growth * std::max(scale[i], scale[i + 1])));
+                                    std::max(scale[i], scale[i + 1]));
       }
     }
     end_score = std::max(
@@ -148,7 +111,6 @@ Tube tube_shape(const std::vector<MotionErrors>& runs) {
   tube.end_scale_m = std::max(kMinScaleM, below([](const MotionErrors& r) { return r.end_m; }));
   tube.end_heading_scale_rad =
       std::max(kMinScaleRad, below([](const MotionErrors& r) { return r.end_heading_rad; }));
-  tube.growth = growth_of(runs);
   return tube;
 }
 

@@ -340,7 +340,7 @@ Plan read_plan(const std::filesystem::path& path) {
   return plan;
 }
 
-Plan read_plan_unjudged(const std::filesystem::path& path) {
+Plan read_plan_unchecked(const std::filesystem::path& path) {
   const nlohmann::json root = read_json_object(path);
   return read_root(JsonReader(root, path.string()));
 }

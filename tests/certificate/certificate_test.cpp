@@ -300,7 +300,7 @@ TEST(Certificate, TheSealBreaksWhateverIsChangedInTheFile) {
     ASSERT_NE(changed.find(from), std::string::npos);
     changed.replace(changed.find(from), std::string(from).size(), to);
     write_file_atomically(file, changed);
-    EXPECT_FALSE(read_plan_unjudged(file).certified->seal_is_intact) << from;
+    EXPECT_FALSE(read_plan_unchecked(file).certified->seal_is_intact) << from;
     EXPECT_THAT([&] { (void)read_plan(file); },
                 ThrowsMessage<InputError>(HasSubstr("changed since it was certified")));
   }

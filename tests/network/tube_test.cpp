@@ -24,7 +24,6 @@ Tube awkward_tube(int plates) {
   }
   tube.end_scale_m = 0.1 / 7.0;
   tube.end_heading_scale_rad = 2.0 / 3.0;
-  tube.growth = {0.05, 1.0 / 3.0, 1.0};
   tube.source = "virtual arm";
   tube.levels = {{0.9, 1.0 / 0.7, 4000, 371, 0.95, 4000, 380}, {0.95, 1.9, 4000, 170, 0.95, 0, 0}};
   return tube;
@@ -50,14 +49,6 @@ TEST(TubeText, IsKeptByModelFilesAndAbsentFromOthers) {
               ThrowsMessage<InputError>(HasSubstr("plate_scale_m has 15 numbers; expected 16")));
 }
 
-TEST(Tube, GrowsWithTheFrameAndStaysWide) {
-  const Tube tube = awkward_tube(2);
-  EXPECT_EQ(tube.growth_at(0), 0.05);
-  EXPECT_EQ(tube.growth_at(1), 1.0 / 3.0);
-  EXPECT_EQ(tube.growth_at(2), 1.0);
-  EXPECT_EQ(tube.growth_at(5000), 1.0);
-}
-
 TEST(Tube, HasADefaultLevelOfNinetyFivePercentOrWhatIsBelow) {
   Tube tube = awkward_tube(2);
   EXPECT_EQ(tube.default_level().level, 0.95);
@@ -78,13 +69,10 @@ TEST(Tube, EveryNumberOutOfRangeIsNamed) {
     std::function<void(Tube&)> change;
   } cases[] = {
       {"tube.plate_scale_m is empty", [](Tube& t) { t.plate_scale_m.clear(); }},
-      {"tube.growth is empty", [](Tube& t) { t.growth.clear(); }},
       {"tube.levels is empty", [](Tube& t) { t.levels.clear(); }},
       {"tube.plate_scale_m[1] is 0", [](Tube& t) { t.plate_scale_m[1] = 0.0; }},
       {"tube.end_scale_m is nan", [](Tube& t) { t.end_scale_m = kNan; }},
       {"tube.end_heading_scale_rad is -1", [](Tube& t) { t.end_heading_scale_rad = -1.0; }},
-      {"tube.growth[1] is 0.01", [](Tube& t) { t.growth[1] = 0.01; }},
-      {"tube.growth[2] is 1.5", [](Tube& t) { t.growth[2] = 1.5; }},
       {"tube.levels[0].level is 1", [](Tube& t) { t.levels[0].level = 1.0; }},
       {"tube.levels[1].level is 0.5, after 0.9", [](Tube& t) { t.levels[1].level = 0.5; }},
       {"tube.levels[0].factor is 0", [](Tube& t) { t.levels[0].factor = 0.0; }},

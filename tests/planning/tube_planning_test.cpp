@@ -29,7 +29,6 @@ CompensationModel model_with_tube(const ArmDescription& arm) {
   }
   tube.end_scale_m = 0.004;
   tube.end_heading_scale_rad = 0.02;
-  tube.growth = {1.0};
   tube.source = "a test";
   tube.levels = {{0.9, 1.0, 100, 3, 0.95, 0, 0}, {0.95, 2.0, 100, 0, 0.95, 0, 0}};
   model.tube = tube;

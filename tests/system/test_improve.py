@@ -49,7 +49,9 @@ class Improve(InFolder):
         for round_ in summary["rounds"]:
             self.assertEqual(round_["reported"]["environments"], 3)
             self.assertEqual(round_["selection"]["environments"], 3)
-        self.assertGreaterEqual(summary["rounds"][2]["learning_arm_time_min"], 1.2)
+        half_a_motion_min = 1.5 / 60  # what a round may fall short by
+        self.assertGreaterEqual(summary["rounds"][2]["learning_arm_time_min"],
+                                1.2 - 2 * half_a_motion_min)
         for name in ("model.safetensors", "summary.json", "report.html", "distance.svg", "round_1/plans.h5",
                      "round_1/exploration.h5", "round_2/model.safetensors", "round_2/random.h5"):
             self.assertIn(name, whole)

@@ -1,6 +1,7 @@
 """Logs without measured pressures: set points from import to plan, never called measured, no valves."""
 
 import csv
+import json
 import math
 import unittest
 
@@ -84,11 +85,11 @@ class Setpoints(InFolder):
         errors = self.run_json(*ask, "setpoints.h5")
         self.assertEqual(errors["commands_are"], "setpoints")
         self.assertIsNone(errors["network"]["open_loop_from_setpoints"])
-        for name in ("hold", "static_linear", "linear", "simple"):
+        for name in ("hold", "static_linear", "linear_one_step", "simple_model"):
             error = errors["baselines"][name]["open_loop"]["position_error_cm"]["mean"]
             self.assertTrue(math.isfinite(error) and error > 0.0, name)
         # The fitted lag makes up for what the no-load model does not know: the valves, for one.
-        simple = errors["baselines"]["simple"]["open_loop"]["position_error_cm"]["mean"]
+        simple = errors["baselines"]["simple_model"]["open_loop"]["position_error_cm"]["mean"]
         self.assertLess(simple, 0.8 * errors["no_load"]["open_loop"]["position_error_cm"]["mean"])
         # Asked with the set points of a recording that measured too, it says the same.
         again = self.run_json(*ask, "measured.h5")
@@ -110,8 +111,8 @@ class Setpoints(InFolder):
         search = ("--max-iterations", 2000, "--goal-margin-m", 0, "--margin-m", 0)
         made = self.run_limber("plan", *where, *model, *search, "--out", "plan.json")
         self.assertNotIn("no valve model", made.stderr)
-        plan = (self.folder / "plan.json").read_text(encoding="utf-8")
-        self.assertIn('"valves": ""', plan)
+        plan = json.loads((self.folder / "plan.json").read_text(encoding="utf-8"))
+        self.assertEqual(plan["valves"], {"hash": ""})
         verify = ("verify", "--plan", "plan.json", *where, *model)
         self.run_limber(*verify)
         self.run_limber(*verify, "--no-valves")

@@ -49,7 +49,6 @@ Tube unit_tube() {
   tube.plate_scale_m = {0.01, 0.01, 0.02};
   tube.end_scale_m = 0.02;
   tube.end_heading_scale_rad = 0.1;
-  tube.growth = {1.0};
   return tube;
 }
 
@@ -76,16 +75,6 @@ TEST(TubeScore, IsTheLargestErrorOverItsScale) {
               0.7, 1e-4);
 }
 
-TEST(TubeScore, AllowsLessWhereTheTubeHasNotGrownYet) {
-  Tube tube = unit_tube();
-  tube.growth = {0.1, 0.5, 1.0};
-  const Plan plan = straight_plan(4);
-  EXPECT_NEAR(tube_score(plan, run_of({shape(0.0), shape(0.004), shape(0.0), shape(0.0)}), tube),
-              0.8, 1e-4);
-  EXPECT_NEAR(tube_score(plan, run_of({shape(0.0), shape(0.0), shape(0.0), shape(0.004)}), tube),
-              0.4, 1e-4);
-}
-
 // What is held longer than planned stands beside the plan's last frame; a full turn is none.
 TEST(TubeScore, CountsTheHoldAndTurnsAsRotations) {
   const Plan plan = straight_plan(2);
@@ -109,7 +98,6 @@ TEST(TubeShape, IsWhatNineTenthsOfTheRunsStayBelow) {
   for (int k = 1; k <= 99; ++k) {
     MotionErrors run;
     run.plate_m = {0.0, 0.001 * k};
-    run.tip_m = {0.0, 0.0005 * k, 0.001 * k, 0.0002 * k};
     run.end_m = 0.0002 * k;
     run.end_heading_rad = 0.01 * k;
     runs.push_back(run);
@@ -119,11 +107,6 @@ TEST(TubeShape, IsWhatNineTenthsOfTheRunsStayBelow) {
   EXPECT_NEAR(tube.plate_scale_m[1], 0.090, 1e-12);
   EXPECT_NEAR(tube.end_scale_m, 0.018, 1e-12);
   EXPECT_NEAR(tube.end_heading_scale_rad, 0.9, 1e-12);
-  ASSERT_EQ(tube.growth.size(), 4U);
-  EXPECT_NEAR(tube.growth[0], 0.05, 1e-12);
-  EXPECT_NEAR(tube.growth[1], 0.5, 1e-12);
-  EXPECT_NEAR(tube.growth[2], 1.0, 1e-12);
-  EXPECT_NEAR(tube.growth[3], 1.0, 1e-12);  // never falls
 }
 
 }  // namespace

@@ -234,7 +234,7 @@ TEST(PlanFile, RefusesNestingThatWouldEndTheStack) {
   for (const std::string& text :
        {"{\"schema\":" + nested + "}", "{\"extra\":" + nested + "," + whole.substr(1)}) {
     write_file_atomically(path, text);
-    for (const auto& read : {read_plan, read_plan_unjudged}) {
+    for (const auto& read : {read_plan, read_plan_unchecked}) {
       EXPECT_THAT([&] { read(path); },
                   ThrowsMessage<InputError>(AllOf(HasSubstr("p.json: "), HasSubstr("32 deep"))));
     }

@@ -29,7 +29,6 @@ Tube plain_shape(const ArmDescription& arm, const CompensationModel& model) {
     tube.end_heading_scale_rad = tube.end_scale_m * model.prediction_error->end_orientation_rad /
                                  model.prediction_error->end_position_m;
   }
-  tube.growth = {1.0};
   return tube;
 }
 

@@ -138,7 +138,7 @@ class Calibration {
   }
 
   /// Down the list until no level's bound holds any more. candidates_[l] is the last factor that
-  /// held for level l.
+  /// held for level l; widest_with_plans_ the first one that most environments have a plan with.
   void screen() {
     candidates_.assign(settings_.levels.size(), std::nullopt);
     std::vector<bool> open(settings_.levels.size(), true);
@@ -154,6 +154,7 @@ class Calibration {
       if (runs.executed() < settings_.screen_runs) {
         continue;  // too wide: most environments have no plan
       }
+      widest_with_plans_ = widest_with_plans_.value_or(k);
       const double bound = share_at_most(outside, runs.executed(), kScreenConfidence);
       for (std::size_t l = 0; l < open.size(); ++l) {
         open[l] = open[l] && bound <= 1.0 - settings_.levels[l];
@@ -169,7 +170,13 @@ class Calibration {
         std::find(settings_.levels.begin(), settings_.levels.end(), level) -
         settings_.levels.begin());
     if (!candidates_[l]) {
-      fail(level, fmt::format("even factor {} of the shape is too narrow", factors_.front()));
+      fail(level,
+           widest_with_plans_
+               ? fmt::format("even factor {:.3g} of the shape is too narrow; wider tubes leave "
+                             "too few environments with a plan",
+                             factors_[*widest_with_plans_])
+               : "no tube of the list leaves enough environments with a plan; a model with "
+                 "smaller errors is needed, or a larger budget");
       return std::nullopt;
     }
     std::size_t k = *candidates_[l];
@@ -235,6 +242,7 @@ class Calibration {
   std::optional<OutputFolder> folder_;
   Tube shape_;
   std::vector<std::optional<std::size_t>> candidates_;
+  std::optional<std::size_t> widest_with_plans_;
   Json evidence_;
   CalibrationResult result_;
 };

@@ -45,7 +45,6 @@ Json to_json(const TubeRun& run) {
                {"reached", run.reached}};
   if (run.errors) {
     json["plate_m"] = run.errors->plate_m;
-    json["frame_tip_m"] = run.errors->tip_m;
     json["end_m"] = run.errors->end_m;
     json["end_heading_rad"] = run.errors->end_heading_rad;
   }
@@ -66,7 +65,6 @@ TubeRun read_run(const JsonReader& json) {
   if (json.has("plate_m")) {
     constexpr std::size_t kAny = std::string::npos;
     run.errors = MotionErrors{json.at("plate_m").numbers(kAny, "distances in metres", 0.0),
-                              json.at("frame_tip_m").numbers(kAny, "distances in metres", 0.0),
                               json.at("end_m").number(0.0), json.at("end_heading_rad").number(0.0)};
   }
   return run;

@@ -45,14 +45,10 @@ struct Tube {
   std::vector<double> plate_scale_m;   ///< one per plate, base first, > 0
   double end_scale_m = 0.0;            ///< of the tip after the hold, > 0
   double end_heading_scale_rad = 0.0;  ///< > 0
-  /// Share of these in frame k of a motion, (0, 1], never falling; the last goes on. The start is
-  /// known, and errors grow from there.
-  std::vector<double> growth;
-  std::string source;             ///< "virtual arm", or what the recordings say
-  std::vector<TubeLevel> levels;  ///< rising levels, at least one
+  std::string source;                  ///< "virtual arm", or what the recordings say
+  std::vector<TubeLevel> levels;       ///< rising levels, at least one
 
   static constexpr double kDefaultLevel = 0.95;
-  double growth_at(int frame) const;
   /// None if it holds no such level.
   const TubeLevel* find(double level) const;
   /// kDefaultLevel, or the highest one below it, or the lowest.

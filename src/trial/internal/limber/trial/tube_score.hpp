@@ -11,7 +11,6 @@ namespace limber {
 /// How far an executed plan was from its prediction (docs/tube.md, (1)).
 struct MotionErrors {
   std::vector<double> plate_m;  ///< largest over the plan's frames, one per plate
-  std::vector<double> tip_m;    ///< one per frame of the plan; NaN where nothing was tracked
   double end_m = 0.0;           ///< of the tip at the run's end, after the hold
   double end_heading_rad = 0.0;
 };

@@ -103,7 +103,7 @@ Plan read_plan(const std::filesystem::path& path);
 /// Reads a plan for `certify` to judge: checks types and that numbers are finite, but not what they
 /// say.
 /// @throws InputError naming file and field.
-Plan read_plan_unjudged(const std::filesystem::path& path);
+Plan read_plan_unchecked(const std::filesystem::path& path);
 
 /// @throws InputError if the plan was made for another arm (hashes and keys in the message), or
 /// violates the arm's pressure limits, its own narrower ones, or the arm's rate.
