@@ -7,7 +7,7 @@ from program import InFolder
 from test_plan import PILLAR
 
 ARM = ("--arm", "two_segment")
-SMALL = ("--max-queries", 1500, "--shape-runs", 4, "--screen-runs", 4, "--test-runs", 6,
+SMALL = ("--max-queries", 3000, "--shape-runs", 10, "--screen-runs", 5, "--test-runs", 6,
          "--audit-runs", 4, "--levels", 0.2, 0.3, "--confidence", 0.5)
 
 
@@ -20,8 +20,8 @@ class Calibrate(InFolder):
     def setUp(self):
         super().setUp()
         for name, command in (
-            ("t.h5", ("collect", *ARM, "--schedule", "random", "--count", 100)),
-            ("m.safetensors", ("train", *ARM, "--data", "t.h5", "--epochs", 30)),
+            ("t.h5", ("collect", *ARM, "--schedule", "random", "--count", 400)),
+            ("m.safetensors", ("train", *ARM, "--data", "t.h5", "--epochs", 60, "--windows", 8)),
         ):
             path = self.folder / name
             if name in self.made:
