@@ -27,8 +27,8 @@ MatrixXf random_pressures_kpa(int columns, std::uint64_t stream) {
   RandomStream random(1, stream);
   const ArmDescription& arm = paper_arm();
   return MatrixXf::NullaryExpr(arm.segment_count(), columns, [&](Eigen::Index i, Eigen::Index) {
-    const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-    return static_cast<float>(random.uniform(-limit, limit));
+    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    return static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
   });
 }
 

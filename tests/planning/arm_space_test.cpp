@@ -71,7 +71,7 @@ TEST_F(ArmSpace, DistanceIsThatOfScaledSetPointsAndTips) {
       const MotionState to = world_.motion_state(b.get());
       double squares = 0.0;
       for (int i = 0; i < 3; ++i) {
-        const double limit = setting_.arm.segments[std::size_t(i)].pressure_limit_kpa;
+        const double limit = setting_.arm.segments[std::size_t(i)].pressure_limit_kpa.half_width_kpa();
         squares +=
             std::pow((double(from.setpoint_kpa()[i]) - double(to.setpoint_kpa()[i])) / limit, 2);
       }
@@ -150,11 +150,11 @@ TEST_F(ArmSpace, SamplesAreTargetsAtRestWithinTheLimits) {
     EXPECT_TRUE(space->satisfiesBounds(near.get()));
     for (int i = 0; i < 3; ++i) {
       EXPECT_LE(std::abs(world_.setpoint_kpa(near.get())[i]),
-                float(setting_.arm.segments[std::size_t(i)].pressure_limit_kpa));
+                float(setting_.arm.segments[std::size_t(i)].pressure_limit_kpa.upper_kpa));
     }
   }
   for (int i = 0; i < 3; ++i) {
-    const auto limit = float(setting_.arm.segments[std::size_t(i)].pressure_limit_kpa);
+    const auto limit = float(setting_.arm.segments[std::size_t(i)].pressure_limit_kpa.upper_kpa);
     EXPECT_LE(highest[i], limit);
     EXPECT_GE(lowest[i], -limit);
     EXPECT_GT(highest[i], 0.9F * limit) << "samples reach all there is";
@@ -204,8 +204,8 @@ TEST_F(ArmSpace, APropagationIsOneFrameOfTheModel) {
 TEST_F(ArmSpace, SetPointsStayWithinTheLimits) {
   const double far[] = {1e4, -1e4, 0.0};
   const Pressures next = world_.next_setpoint(Pressures::Constant(3, 5.0F), far);
-  EXPECT_EQ(next[0], float(setting_.arm.segments[0].pressure_limit_kpa));
-  EXPECT_EQ(next[1], -float(setting_.arm.segments[1].pressure_limit_kpa));
+  EXPECT_EQ(next[0], float(setting_.arm.segments[0].pressure_limit_kpa.upper_kpa));
+  EXPECT_EQ(next[1], -float(setting_.arm.segments[1].pressure_limit_kpa.upper_kpa));
   EXPECT_EQ(next[2], 5.0F);
 }
 

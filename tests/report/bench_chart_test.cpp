@@ -26,7 +26,7 @@ TEST_P(OwnArm, HoldsThePolynomialsOfItsBenchTest) {
   const CharacterisedArm fresh = characterise(arm_, bench_test_all(arm_));
   for (std::size_t i = 0; i < arm_.segments.size(); ++i) {
     const double full = fresh.fits[i].full_strain;
-    for (double p = 5.0; p <= arm_.segments[i].pressure_limit_kpa; p += 5.0) {
+    for (double p = 5.0; p <= arm_.segments[i].pressure_limit_kpa.upper_kpa; p += 5.0) {
       EXPECT_NEAR(strain_at(arm_.segments[i].strain_polynomial, p),
                   strain_at(fresh.fits[i].polynomial, p), kStrainTolerance * full)
           << "segment " << i << " at " << p << " kPa";

@@ -59,7 +59,6 @@ TEST(MotionErrors, AreTheLargestOverFramesAndThoseOfTheEnd) {
   EXPECT_NEAR(errors.plate_m[0], 0.0, kFloat);
   EXPECT_NEAR(errors.plate_m[1], 0.01, kFloat);
   EXPECT_NEAR(errors.plate_m[2], 0.02, kFloat);
-  EXPECT_NEAR(errors.tip_m[1], 0.02, kFloat);
   EXPECT_NEAR(errors.end_m, 0.004, kFloat);
   EXPECT_NEAR(errors.end_heading_rad, 0.05, kFloat);
 }

@@ -15,8 +15,8 @@ constexpr double kNearM = 0.003;
 Pressures random_pressures(const ArmDescription& arm, RandomStream& random) {
   Pressures q(arm.segment_count());
   for (int i = 0; i < q.size(); ++i) {
-    const double limit = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-    q[i] = static_cast<float>(random.uniform(-limit, limit));
+    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    q[i] = static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
   }
   return q;
 }

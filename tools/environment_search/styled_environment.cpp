@@ -57,9 +57,9 @@ class Draft {
   Pressures draw_end() {
     Pressures end(arm_.segment_count());
     for (int i = 0; i < arm_.segment_count(); ++i) {
-      const double limit = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
       const double sign = random_.uniform() < 0.5 ? -1.0 : 1.0;
-      end[i] = static_cast<float>(sign * limit * random_.uniform(kMinBend, 1.0));
+      end[i] = static_cast<float>(limits.side_kpa(sign) * random_.uniform(kMinBend, 1.0));
     }
     return end;
   }

@@ -23,8 +23,8 @@ constexpr std::uint64_t kHistories = 1000;
 Pressures random_configuration(const ArmDescription& arm, RandomStream& random) {
   Pressures result(arm.segment_count());
   for (int s = 0; s < arm.segment_count(); ++s) {
-    const double limit = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
-    result[s] = static_cast<float>(random.uniform(-limit, limit));
+    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+    result[s] = static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
   }
   return result;
 }
@@ -32,8 +32,8 @@ Pressures random_configuration(const ArmDescription& arm, RandomStream& random) 
 Pressures uniform(const ArmDescription& arm, double fraction) {
   Pressures result(arm.segment_count());
   for (int s = 0; s < arm.segment_count(); ++s) {
-    result[s] =
-        static_cast<float>(fraction * arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa);
+    result[s] = static_cast<float>(
+        fraction * arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa.upper_kpa);
   }
   return result;
 }
