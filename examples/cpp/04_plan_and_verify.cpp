@@ -35,7 +35,7 @@ int main(int argc, char** argv) try {
 
   // The planner has asked for it already; this is how you ask yourself, of a file from anywhere.
   const limber::Certificate certificate = limber::certify(
-      limber::read_plan_unjudged(argv[3]), arm, &forward.compensation(), valves, environment);
+      limber::read_plan_unchecked(argv[3]), arm, &forward.compensation(), valves, environment);
   for (const limber::CertificateFailure& failure : certificate.failures) {
     std::cout << failure.check << ": " << failure.message << "\n";
   }

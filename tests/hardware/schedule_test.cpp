@@ -124,7 +124,8 @@ TEST(RandomSchedule, StaysWithinTheLimitsOfEachSide) {
   settings.limit_scale = 0.5;
   float low = 0.0F;
   float high = 0.0F;
-  for (const Motion& motion : make_schedule(arm, settings, 1)[0].motions) {
+  const auto schedule = make_schedule(arm, settings, 1);
+  for (const Motion& motion : schedule[0].motions) {
     low = std::min(low, motion.setpoint_kpa[0]);
     high = std::max(high, motion.setpoint_kpa[0]);
   }

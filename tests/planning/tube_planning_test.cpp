@@ -42,7 +42,7 @@ struct TubeSetting {
 
   PlanResult plan(const AskedRoom& asked = {}) const {
     PlannerLimits limits;
-    limits.iterations = 1500;
+    limits.iterations = 8000;
     return make_planner("default")->plan(
         problem_with_room(arm, model, environment, error_room(model, asked)), limits, 3);
   }

@@ -54,8 +54,9 @@ class SameAsProgram(InFolder):
         model = result.model
         model.training = {**model.training,
                           "data": f"train.h5 {limber.content_hash(self.chain.recording)}",
-                          # The program names the episodes too; which they are shows in the bytes.
-                          "validation": limber.read_model(self.chain.model).training["validation"]}
+                          # The program names windows and episodes too; they show in the bytes.
+                          **{key: limber.read_model(self.chain.model).training[key]
+                             for key in ("validation", "windows")}}
         model.set_valves(
             limber.identify_valves(recording.episodes, self.chain.arm, "train.h5"))
         model.learnt = limber.learnt_region_of(data)

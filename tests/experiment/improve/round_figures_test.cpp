@@ -46,7 +46,7 @@ TEST(RoundFigures, NothingExecutedHasNoDistance) {
 
 TEST(RoundFigures, EndDistancesKeepThePlaceOfEachEnvironment) {
   const EndDistances distances = end_distances(some_runs());
-  ASSERT_EQ(distances.size(), 6U);
+  ASSERT_EQ(distances.size(), 5U);
   EXPECT_EQ(distances[1], 0.03);
   EXPECT_FALSE(distances[2]);
 }
