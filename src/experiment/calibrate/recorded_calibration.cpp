@@ -34,11 +34,7 @@ Tube plain_shape(const ArmDescription& arm, const CompensationModel& model) {
 
 void require_run_of(const Plan& plan, const Episode& run, const std::string& plan_file,
                     const std::string& file) {
-  if (run.frame_count() < plan.frame_count()) {
-    throw InputError(fmt::format("{}: {} frames; {} has {}: give runs that ended, open loop", file,
-                                 run.frame_count(), plan_file, plan.frame_count()));
-  }
-  for (int k = 1; k < plan.frame_count(); ++k) {
+  for (int k = 1; k < std::min(plan.frame_count(), int(run.frame_count())); ++k) {
     const Pressures& planned = plan.frames[static_cast<std::size_t>(k)].setpoint_kpa;
     const double apart = (run.setpoint_kpa.row(k).transpose() - planned).cwiseAbs().maxCoeff();
     if (!(apart <= kSameSetpointKpa)) {
@@ -47,6 +43,10 @@ void require_run_of(const Plan& plan, const Episode& run, const std::string& pla
           "loop. Give --plans in the order of --recordings",
           file, k, apart, plan_file));
     }
+  }
+  if (run.frame_count() < plan.frame_count()) {
+    throw InputError(fmt::format("{}: {} frames; {} has {}: give runs that ended, open loop", file,
+                                 run.frame_count(), plan_file, plan.frame_count()));
   }
 }
 
