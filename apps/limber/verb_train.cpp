@@ -100,6 +100,11 @@ class TrainVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     if (epochs_ == 0) {
+      if (!unseen_.empty()) {
+        throw InputError(
+            "--epochs 0 only adds bounds, and does not use --unseen: limber evaluate --model MODEL "
+            "--data UNSEEN --out OTHER measures a model's error again");
+      }
       return add_bounds_to_model({arm_, from_, data_, old_data_, out_}, flags);
     }
     for (const fs::path& path : {fs::path(out_), curve_path(".curve.csv"), curve_path(".curve.svg"),

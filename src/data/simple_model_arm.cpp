@@ -6,6 +6,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/data/simple_model.hpp"
 
 namespace limber {
@@ -17,7 +18,7 @@ constexpr double kLineAtLimit = 0.2;  // strain; McKibben actuators in a segment
 
 /// The same on every machine: fits differ in their last digits.
 double seven_digits(double value) {
-  return std::stod(fmt::format("{:.7g}", value));
+  return number_in(fmt::format("{:.7g}", value)).value_or(value);
 }
 
 nlohmann::ordered_json interval(const Interval& value) {
