@@ -67,6 +67,12 @@ void opening(ReportPage& page, const DemoResults& results) {
       "paper's.");
 }
 
+std::string networks_text(const CompensationModel& model) {
+  return model.member_count() > 1
+             ? fmt::format("{} networks {}", model.member_count(), model.shape())
+             : fmt::format("network {}", model.shape());
+}
+
 void what_was_done(ReportPage& page, const DemoResults& results) {
   const TrainingResult& training = results.training;
   const ErrorRoom room = error_room(*results.network);
@@ -80,10 +86,14 @@ void what_was_done(ReportPage& page, const DemoResults& results) {
                       results.training_recording.frame_count(), hours(results.training_recording),
                       results.training_recording.episodes.size(),
                       results.test_recording.frame_count()),
-          fmt::format("Train: network {}, {} epochs in {:.0f} s; epoch {} was best on the "
-                      "validation episode.",
-                      training.model.shape(), results.recipe.training.epoch_count(),
-                      training.wall_time_s, training.best_epoch),
+          fmt::format("Train: {}, {} epochs in {:.0f} s; epoch {} was best on the "
+                      "validation episode.{}",
+                      networks_text(training.model), results.recipe.training.epoch_count(),
+                      training.wall_time_s, training.best_epoch,
+                      training.model.member_count() > 1
+                          ? " The one that validated best predicts; plans count only where all "
+                            "agree that they are free and end in the goal."
+                          : ""),
           "Evaluate: both models on the test, from one step ahead to the whole episode "
           "uncorrected.",
           fmt::format(
@@ -258,7 +268,8 @@ nlohmann::ordered_json to_json(const StageClock& clock) {
 
 nlohmann::ordered_json to_json(const DemoResults& results) {
   const TrainingResult& training = results.training;
-  return {{"shape", training.model.shape()},
+  return {{"networks", training.model.member_count()},
+          {"shape", training.model.shape()},
           {"preset", training.model.preset},
           {"epochs", results.recipe.training.epoch_count()},
           {"best_epoch", training.best_epoch},
