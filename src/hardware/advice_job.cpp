@@ -32,10 +32,8 @@ std::optional<MotionAdvice> AdviceJob::end() {
   return is_ready ? std::optional(advice_.get()) : std::nullopt;
 }
 
-void AdviceJob::finish() {
-  if (advice_.valid()) {
-    (void)advice_.get();
-  }
+bool AdviceJob::is_busy() const {
+  return advice_.valid() && advice_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
 }
 
 }  // namespace limber

@@ -10,7 +10,7 @@ namespace limber {
 /// One piece of advice at a time, worked out while a frame passes. In real time on a thread of its
 /// own, so that no set point waits for it; in simulated time at once, so that runs can be repeated.
 ///
-/// Threads: used by one. The destructor waits for the thread, if there is one.
+/// Threads: used by one. The destructor waits for the other, if there is one.
 class AdviceJob {
  public:
   explicit AdviceJob(bool in_real_time) : in_real_time_(in_real_time) {}
@@ -22,8 +22,8 @@ class AdviceJob {
   /// The advice for the frame that has just passed; none if it was not asked for, or is late.
   std::optional<MotionAdvice> end();
 
-  /// Waits for one that is late; nobody is asked any more.
-  void finish();
+  /// Whether somebody still thinks, in real time.
+  bool is_busy() const;
 
  private:
   bool in_real_time_;

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kLongestBlindS = 1.0;  // waited for the arm to be tracked, before the next plan
 
-/// What is known of the arm's shape now: measured, or the truth of a virtual arm.
+/// The arm's shape now, where it is known: measured, or the truth of a virtual arm.
 using Look = std::function<std::optional<BackboneD>()>;
 
 class Execution {
@@ -55,7 +55,6 @@ class Execution {
   ExecutionResult run() {
     const VentGuard vent_at_the_end(driver_);
     try {
-      // Unrecorded.
       approach_start(arm_, driver_, plan_->frames.front().setpoint_kpa,
                      [this] { throw_if_stopped(); });
       started_ = true;
@@ -121,7 +120,9 @@ class Execution {
           waits = false;
         }
       }
-      job.finish();
+      while (job.is_busy()) {
+        command(held_kpa());  // nothing else may be asked before that
+      }
       return is_at_end();
     } catch (...) {
       driver_.vent();  // now, not when the search has ended

@@ -47,9 +47,9 @@ void ArmEstimate::predict(const Pressures& setpoint_kpa, const Pressures& pressu
 void ArmEstimate::note_miss(const Backbone& measured) {
   const Pose expected = tip_pose(state_->backbone);
   const Pose found = tip_pose(measured);
-  miss_.tip.x_m += found.x_m - expected.x_m;
-  miss_.tip.y_m += found.y_m - expected.y_m;
-  miss_.tip.theta_rad += found.theta_rad - expected.theta_rad;
+  miss_.latest = {found.x_m - expected.x_m, found.y_m - expected.y_m,
+                  found.theta_rad - expected.theta_rad};
+  miss_.sum += miss_.latest;
 }
 
 }  // namespace limber

@@ -11,10 +11,12 @@ namespace limber {
 /// Where a start in motion is: what MotionState holds, as an environment says it.
 ArmStart start_at(const MotionState& state);
 
-/// What a model has missed since a motion began, as far as it was measured.
+/// What a model has missed since a motion began, as far as it was measured: measured beside
+/// predicted from the frame before. Zero where nothing was measured.
 struct ModelMiss {
-  Pose tip;                    ///< sum over frames: measured beside predicted from the frame before
-  double travelled_kpa = 0.0;  ///< Σ|Δp| of the set points meanwhile
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();     ///< of the tip over all frames: x, y, theta
+  Eigen::Vector3d latest = Eigen::Vector3d::Zero();  ///< of the frame measured last
+  double travelled_kpa = 0.0;                        ///< Σ|Δp| of the set points meanwhile
 };
 
 /// The arm's state from frame to frame: predicted by the model, corrected by what is measured.

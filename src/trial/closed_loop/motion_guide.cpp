@@ -21,7 +21,6 @@ constexpr double kOfPromised = 0.9;  // of a plan's own clearance, where that is
 constexpr double kStraysM = 0.003;
 constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at half the speed
 constexpr double kStopS = 0.5;
-constexpr double kMaxMissM = 0.02;
 constexpr double kRepairReserveM = 2e-4;  // float32 searches, double certifies
 
 std::vector<Pressures> setpoints_after(const Plan& plan, std::size_t next) {
@@ -36,9 +35,20 @@ bool is_at_rest(const std::vector<Pressures>& rest, const Pressures& now) {
   return std::all_of(rest.begin(), rest.end(), [&](const Pressures& kpa) { return kpa == now; });
 }
 
-/// What the model will miss by the end, if it goes on as it did: as much for each kPa.
-Eigen::Vector3d miss_ahead(const ModelMiss& miss, const std::vector<Pressures>& rest,
-                           const Pressures& from_kpa) {
+Eigen::Vector3d bounded(const Eigen::Vector3d& miss, double max_m) {
+  const double size_m = miss.head<2>().norm();
+  return size_m > max_m ? Eigen::Vector3d(miss * (max_m / size_m)) : miss;
+}
+
+/// What the model will miss by the end, if it goes on as it did: as much for each kPa. A model
+/// without memory predicts from pressures alone, so it is off by as much then as it is now.
+Eigen::Vector3d miss_ahead(const MotionModel& model, const ModelMiss& miss,
+                           const std::vector<Pressures>& rest, const Pressures& from_kpa) {
+  constexpr double kMaxMissM = 0.02;
+  constexpr double kMaxOffsetM = 0.1;
+  if (!model.has_network()) {
+    return bounded(miss.latest, kMaxOffsetM);
+  }
   double ahead_kpa = 0.0;
   Pressures before = from_kpa;
   for (const Pressures& kpa : rest) {
@@ -47,10 +57,7 @@ Eigen::Vector3d miss_ahead(const ModelMiss& miss, const std::vector<Pressures>& 
   }
   const double share =
       miss.travelled_kpa > 0.0 ? std::min(1.0, ahead_kpa / miss.travelled_kpa) : 0.0;
-  Eigen::Vector3d ahead(miss.tip.x_m, miss.tip.y_m, miss.tip.theta_rad);
-  ahead *= share;
-  const double size_m = ahead.head<2>().norm();
-  return size_m > kMaxMissM ? Eigen::Vector3d(ahead * (kMaxMissM / size_m)) : ahead;
+  return bounded(share * miss.sum, kMaxMissM);
 }
 
 }  // namespace
@@ -102,10 +109,16 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   MotionState from = now;
   MotionModel::Workspace workspace;
   model_.step(next_kpa, from, workspace);
-  const RestForecast rest = forecast(model_, checker_for(plan), from, rest_kpa, needed_m(plan));
-  const Eigen::Vector3d ahead = miss_ahead(miss, rest_kpa, next_kpa);
+  const CollisionChecker checker = checker_for(plan);
+  // An arm that is nearer already may go on where it comes no nearer.
+  const double start_m = checker.clearance(from.backbone).value_m;
+  const double kept_m = start_m > 0.0 ? kOfPromised * start_m : start_m / kOfPromised;
+  const RestForecast rest =
+      forecast(model_, checker, from, rest_kpa, std::min(needed_m(plan), kept_m));
+  const Eigen::Vector3d ahead = miss_ahead(model_, miss, rest_kpa, next_kpa);
   // The tip will be that much beside where the model has it, so the model is asked for as much less.
-  PoseGoal goal = aim;
+  // The shift of a memoryless model's goal is of the same kind, and known better now.
+  PoseGoal goal = model_.has_network() ? aim : environment_.goal;
   goal.x_m -= ahead.x();
   goal.y_m -= ahead.y();
   if (goal.theta_rad) {

@@ -14,8 +14,7 @@ struct ClosedLoopSettings {
   /// Plans from rest, after a motion.
   ReplannerSettings corrections = {};
   /// Model queries of a search in mid-motion; its result is waited for during one frame: see
-  /// queries_within. 0: the arm is not guided while it moves, and halts where it strays towards an
-  /// obstacle.
+  /// queries_within. 0: the arm is not guided while it moves.
   std::uint64_t motion_queries = 2000;
   /// A moving arm that is not tracked for longer than that is stopped. [s], ≥ 0.
   double blind_s = 0.5;
@@ -37,10 +36,13 @@ class ClosedLoop final : public PlanSource {
   bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
 
+  /// From now on the environment is this one, which outlives the run: an obstacle has appeared.
+  /// @pre simulated time, or an arm that stands: no advice is being worked out
+  void obstacle_appeared(const Environment& now);
+
  private:
   struct Motion;
 
-  Replanner corrections_;
   std::unique_ptr<Motion> motion_;
 };
 
