@@ -6,9 +6,10 @@
 #include "limber/report/execution_picture.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/plan_picture.hpp"
+#include "limber/trial/closed_loop.hpp"
 #include "limber/trial/model_arm.hpp"
-#include "limber/trial/replanner.hpp"
 #include "model_flags.hpp"
+#include "replan_flags.hpp"
 #include "room_flags.hpp"
 #include "verbs.hpp"
 
@@ -39,15 +40,7 @@ class ExecuteVerb final : public Verb {
                    "Largest distance of a plate from where the plan starts, with exec: only; by "
                    "default the plan's margin, which is its model's error, or 1 cm if that is more")
         ->check(CLI::NonNegativeNumber);
-    app.add_flag("--replan", replan_,
-                 "Closed loop: plan again, with --model, from where the arm is measured, until it "
-                 "comes no nearer to the goal's centre");
-    app.add_option("--max-replans", replanning_.max_replans, "With --replan")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-    app.add_option("--replan-queries", replanning_.queries, "Model queries of each search")
-        ->check(CLI::Range(std::uint64_t{100}, std::uint64_t{1'000'000'000}))
-        ->capture_default_str();
+    replan_.add_to(app, false);
     model_.add_to(app, " that the plan was made with; for --replan");
     room_.add_to(app);
     app.add_option("--out", out_, "Recording of the run to write");
@@ -64,8 +57,9 @@ class ExecuteVerb final : public Verb {
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
-    replanning_.limits = limits_of(with_scaled_limits(arm, driver_.limit_scale()));
-    require_within(plan, replanning_.limits, plan_,
+    replan_.settings().corrections.limits =
+        limits_of(with_scaled_limits(arm, driver_.limit_scale()));
+    require_within(plan, replan_.settings().corrections.limits, plan_,
                    fmt::format("--limit-scale {}", driver_.limit_scale()));
     if (driver_.is_dry_run()) {
       return DriverFlags::print_dry_run(arm, flags, [&](ArmDriver& driver) {
@@ -84,7 +78,7 @@ class ExecuteVerb final : public Verb {
       constexpr double kMeasured_m = 0.01;  // what trackers and a base's frame are off by
       settings_.max_start_error_m =
           max_start_error_m_.value_or(std::max(plan.margin_m, kMeasured_m));
-      replanning_.limits = driver->limits_kpa();
+      replan_.settings().corrections.limits = driver->limits_kpa();
       const ExecutionResult result = run_plan(arm, environment, plan, *driver, flags);
       return finish(arm, environment, plan, result, driver.get(), flags);
     }
@@ -103,17 +97,18 @@ class ExecuteVerb final : public Verb {
  private:
   template <class Driver>
   ExecutionResult run_plan(const ArmDescription& arm, const Environment& environment,
-                           const Plan& plan, Driver& driver, const CommonFlags& flags) const {
-    if (!replan_) {
+                           const Plan& plan, Driver& driver, const CommonFlags& flags) {
+    if (!replan_.is_asked_for()) {
       return execute(arm, environment, plan, driver, settings_);
     }
     const ForwardModel forward = model_.planning_model(arm, plan, plan_);
     const MotionModel model = model_.motion_model(arm, forward);
     model_.warn_without_valves(model, flags);
-    Replanner replanner(arm, model, environment, room_.room(forward, flags), replanning_,
-                        flags.seed);
+    replan_.choose_motion_queries(arm, model, std::nullopt, flags);
+    ClosedLoop loop(arm, model, environment, room_.room(forward, flags), replan_.settings(),
+                    flags.seed);
     ExecutionSettings closed_loop = settings_;
-    closed_loop.replanner = &replanner;
+    closed_loop.replanner = &loop;
     return execute(arm, environment, plan, driver, closed_loop);
   }
 
@@ -132,6 +127,9 @@ class ExecuteVerb final : public Verb {
       write_file_atomically(animation_, execution_animation(arm, environment, plan, result));
     }
     nlohmann::ordered_json json = execution_to_json(result, environment);
+    if (replan_.is_asked_for()) {
+      json["motion_queries"] = replan_.settings().motion_queries;
+    }
     if (driver != nullptr) {
       json["driver"] = to_json(*driver);
       if (result.status == ExecutionStatus::fault) {
@@ -176,6 +174,10 @@ class ExecuteVerb final : public Verb {
     recording.settings =
         fmt::format("executed plan, environment '{}', model {}, planner {}, {}",
                     plan.environment_name, plan.model, plan.planner, to_string(result.status));
+    if (replan_.is_asked_for()) {
+      recording.settings +=
+          fmt::format(", closed loop, {} queries in motion", replan_.settings().motion_queries);
+    }
     recording.episodes = {result.episode};
     write_recording(out_, recording);
   }
@@ -190,10 +192,9 @@ class ExecuteVerb final : public Verb {
   std::string animation_;
   std::optional<double> max_start_error_m_;
   ExecutionSettings settings_;
-  bool replan_ = false;
+  ReplanFlags replan_;
   ModelFlags model_;
   RoomFlags room_;
-  ReplannerSettings replanning_;
 };
 
 }  // namespace

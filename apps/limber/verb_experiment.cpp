@@ -10,6 +10,7 @@
 #include "limber/network/gap_bounds.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "model_flags.hpp"
+#include "replan_flags.hpp"
 #include "room_flags.hpp"
 #include "verbs.hpp"
 
@@ -60,8 +61,7 @@ class ExperimentVerb final : public Verb {
     app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan");
     app.add_option("--cost-threshold-kpa", settings_.limits.cost_threshold_kpa,
                    "Stop at a plan this cheap; with a large number, stop at the first plan");
-    app.add_flag("--replan", settings_.replan,
-                 "Execute closed loop: plan again from where the arm is measured");
+    replan_.add_to(app, true);
     room_.add_to(app);
     valves_.add_valves_to(app);
     ensemble_.add_to(app);
@@ -96,6 +96,11 @@ class ExperimentVerb final : public Verb {
     const MotionModel model = valves_.motion_model(settings_.arm, network);
     valves_.warn_without_valves(model, flags);
     settings_.valves = model.valves().parameters();
+    settings_.replan = replan_.is_asked_for();
+    if (settings_.replan) {
+      replan_.choose_motion_queries(settings_.arm, model, known_motion_queries(settings_), flags);
+      settings_.motion_queries = replan_.settings().motion_queries;
+    }
     settings_.room = room_.asked();
     (void)room_.room(network, flags);
     if (forest_.is_asked_for()) {
@@ -148,6 +153,7 @@ class ExperimentVerb final : public Verb {
   ModelFlags valves_;
   EnsembleFlag ensemble_;
   RoomFlags room_;
+  ReplanFlags replan_;
   ForestFlags forest_;
   ExperimentSettings settings_;
 };

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "exact_arm.hpp"
+#include "exact_start.hpp"
 #include "exact_valves.hpp"
 #include "frame_checks.hpp"
 #include "give_up.hpp"
@@ -99,17 +100,11 @@ class Certifier::Certification {
   }
 
   void check_start() {
-    std::vector<double> pressures(arm_.segments.size(), 0.0);
-    ExactArm::Shape shape = problem_.model.no_load(pressures);
-    if (environment_.start) {
-      const ArmStart& start = *environment_.start;
-      pressures.assign(start.pressures_kpa.begin(), start.pressures_kpa.end());
-      shape = shape_of(start.backbone);
-    }
-    if (numbers(plan_.frames.front().setpoint_kpa) != pressures) {
+    start_ = exact_start(environment_, arm_, problem_.model);
+    if (numbers(plan_.frames.front().setpoint_kpa) != start_.setpoint_kpa) {
       fail("start", 0, "the first set points are not the environment's start");
     }
-    simulated_ = {std::move(shape)};
+    simulated_ = {start_.shape};
   }
 
   void simulate_valves() {
@@ -117,7 +112,8 @@ class Certifier::Certification {
     for (const PlanFrame& frame : plan_.frames) {
       setpoints_kpa.push_back(numbers(frame.setpoint_kpa));
     }
-    pressures_kpa_ = ExactValves(arm_, valves_).pressures_along(setpoints_kpa);
+    pressures_kpa_ = ExactValves(arm_, valves_)
+                         .pressures_along(setpoints_kpa, start_.pressure_kpa, start_.before_kpa);
     for (std::size_t k = 0; k < pressures_kpa_.size(); ++k) {
       for (std::size_t i = 0; i < pressures_kpa_[k].size(); ++i) {
         const double stored = double(plan_.frames[k].pressure_kpa[static_cast<Eigen::Index>(i)]);
@@ -301,6 +297,7 @@ class Certifier::Certification {
   const Environment& environment_;
   const std::function<bool()>& ask_;
   GiveUp give_up_;
+  ExactStart start_;
   ExactValves::Configurations pressures_kpa_;
   std::vector<ExactArm::Shape> simulated_;
   Certificate result_;

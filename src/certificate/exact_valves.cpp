@@ -66,20 +66,23 @@ class MovingPressure {
 
 }  // namespace
 
-std::vector<double> ExactValves::segment_pressures(const SegmentValves& valves,
+std::vector<double> ExactValves::segment_pressures(const SegmentValves& valves, double start_kpa,
+                                                   std::size_t before,
                                                    const std::vector<double>& setpoints_kpa) const {
   const double period_s = 1.0 / arm_.frame_rate_hz;
-  MovingPressure pressure(valves, valves_.has_sides, setpoints_kpa.front());
+  MovingPressure pressure(valves, valves_.has_sides, start_kpa);
   std::vector<double> pressures{pressure.kpa()};
-  // Set point k takes effect at (k − 1) periods and a dead time; frame k ends at k periods.
+  // Set point k takes effect at (k − 1) periods and a dead time; frame k ends at k periods. The
+  // first in the list is that of frame −before.
   std::size_t in_force = 0;
   double now_s = 0.0;
-  for (std::size_t k = 1; k < setpoints_kpa.size(); ++k) {
+  for (std::size_t k = 1; k + before < setpoints_kpa.size(); ++k) {
     const double end_s = double(k) * period_s;
     while (now_s < end_s) {
-      const double next_s = in_force + 1 < setpoints_kpa.size()
-                                ? double(in_force) * period_s + valves.dead_time_s
-                                : kNever;
+      const double next_s =
+          in_force + 1 < setpoints_kpa.size()
+              ? (double(in_force) - double(before)) * period_s + valves.dead_time_s
+              : kNever;
       if (next_s <= now_s) {
         ++in_force;
         continue;
@@ -93,15 +96,21 @@ std::vector<double> ExactValves::segment_pressures(const SegmentValves& valves,
   return pressures;
 }
 
-ExactValves::Configurations ExactValves::pressures_along(
-    const Configurations& setpoints_kpa) const {
+ExactValves::Configurations ExactValves::pressures_along(const Configurations& setpoints_kpa,
+                                                         const std::vector<double>& start_kpa,
+                                                         const Configurations& before_kpa) const {
   Configurations pressures = setpoints_kpa;
+  pressures.front() = start_kpa;
   for (std::size_t i = 0; i < valves_.segments.size(); ++i) {
     std::vector<double> setpoints;
+    for (auto frame = before_kpa.rbegin(); frame != before_kpa.rend(); ++frame) {
+      setpoints.push_back((*frame)[i]);
+    }
     for (const std::vector<double>& frame : setpoints_kpa) {
       setpoints.push_back(frame[i]);
     }
-    const std::vector<double> followed = segment_pressures(valves_.segments[i], setpoints);
+    const std::vector<double> followed =
+        segment_pressures(valves_.segments[i], start_kpa[i], before_kpa.size(), setpoints);
     for (std::size_t k = 0; k < followed.size(); ++k) {
       pressures[k][i] = followed[k];
     }

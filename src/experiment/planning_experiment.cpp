@@ -75,6 +75,7 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   json["planner_jobs"] = settings.planner_jobs;
   if (settings.replan) {
     json["replan"] = true;
+    json["motion_queries"] = settings.motion_queries;
   }
   if (settings.ensemble == EnsembleAnswer::mean) {
     json["ensemble"] = to_string(settings.ensemble);
@@ -89,7 +90,7 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
 void require_same(const fs::path& file, const nlohmann::json& wanted) {
   const nlohmann::json root = read_json_object(file);
   nlohmann::json all = wanted;
-  for (const char* asked : {"replan", "ensemble", "tube"}) {
+  for (const char* asked : {"replan", "motion_queries", "ensemble", "tube"}) {
     all.emplace(asked, nullptr);  // written where it is asked for alone
   }
   for (const auto& [key, value] : all.items()) {
@@ -223,6 +224,7 @@ class Experiment {
     trial.room = settings_.room;
     trial.planner_jobs = settings_.planner_jobs;
     trial.model_hash = model_bytes_hash_;
+    trial.motion_queries = settings_.motion_queries;
     Progress progress("experiment", "trials", open.size(), settings_.progress);
     JobArena arena(settings_.jobs);
     arena.execute([&] {
@@ -348,6 +350,18 @@ void require_usable(const ExperimentSettings& settings) {
                         start_state(item.environment, settings.arm));
     }
   }
+}
+
+std::optional<std::uint64_t> known_motion_queries(const ExperimentSettings& settings) {
+  const fs::path file = settings.folder / kExperimentFile;
+  if (!settings.resume || !fs::exists(file)) {
+    return std::nullopt;
+  }
+  const nlohmann::json root = read_json_object(file);
+  const auto found = root.find("motion_queries");
+  return found != root.end() && found->is_number_unsigned()
+             ? std::optional(found->get<std::uint64_t>())
+             : std::nullopt;
 }
 
 Json run_experiment(const ExperimentSettings& settings) {

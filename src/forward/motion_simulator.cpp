@@ -5,14 +5,37 @@
 
 namespace limber {
 
-MotionState state_after(const std::vector<PlanFrame>& frames, const MotionModel& model) {
+namespace {
+
+/// Set points that were commanded `back` ≥ 0 frames before an arm's start.
+const Pressures& setpoint_before(const ArmStart& start, std::size_t back) {
+  const std::vector<Pressures>& known = start.setpoints_kpa;
+  return known.empty() ? start.pressures_kpa : known[std::min(back, known.size() - 1)];
+}
+
+}  // namespace
+
+MotionState state_of(const ArmStart& start, const MotionModel& model) {
+  MotionState state = model.settled_state(start.pressures_kpa, start.backbone);
+  const Eigen::Index n = state.segments;
+  for (int back = 0; back < model.valves().setpoint_count(); ++back) {
+    state.valves.segment((1 + back) * n, n) = setpoint_before(start, std::size_t(back));
+  }
+  return state;
+}
+
+MotionState state_after(const std::vector<PlanFrame>& frames, const MotionModel& model,
+                        const ArmStart* start) {
   const PlanFrame& last = frames.back();
   const Eigen::Index n = last.setpoint_kpa.size();
   MotionState state{n, Eigen::VectorXf(model.valves().state_size()), last.backbone};
   state.valves.head(n) = last.pressure_kpa;
-  for (int back = 0; back < model.valves().setpoint_count(); ++back) {
-    const std::size_t k = frames.size() - 1 - std::min(frames.size() - 1, std::size_t(back));
-    state.valves.segment((1 + back) * n, n) = frames[k].setpoint_kpa;
+  const std::size_t newest = frames.size() - 1;
+  for (std::size_t back = 0; back < std::size_t(model.valves().setpoint_count()); ++back) {
+    const bool is_of_plan = back <= newest || start == nullptr;
+    state.valves.segment(Eigen::Index(1 + back) * n, n) =
+        is_of_plan ? frames[newest - std::min(newest, back)].setpoint_kpa
+                   : setpoint_before(*start, back - newest);
   }
   return state;
 }
@@ -79,18 +102,19 @@ void MotionSimulator::append_frame(const PressuresRef& setpoint_kpa,
   frames.push_back({setpoint_kpa, state_.pressure_kpa(), state_.backbone});
 }
 
-void MotionSimulator::append_motion(const PressuresRef& to_kpa, std::vector<PlanFrame>& frames) {
+void MotionSimulator::append_motion(const PressuresRef& to_kpa, std::vector<PlanFrame>& frames,
+                                    const ArmStart* start) {
   const Pressures from_kpa = frames.back().setpoint_kpa;
   const int count = motion_frame_count(from_kpa, to_kpa, arm_.pressure_step_limit_kpa());
-  state_ = state_after(frames, model_);
+  state_ = state_after(frames, model_, start);
   for (int k = 1; k <= count; ++k) {
     motion_setpoint(from_kpa, to_kpa, k, count, setpoint_kpa_);
     append_frame(setpoint_kpa_, frames);
   }
 }
 
-int MotionSimulator::append_hold(std::vector<PlanFrame>& frames) {
-  state_ = state_after(frames, model_);
+int MotionSimulator::append_hold(std::vector<PlanFrame>& frames, const ArmStart* start) {
+  state_ = state_after(frames, model_, start);
   setpoint_kpa_ = frames.back().setpoint_kpa;
   const int count = hold_frame_count(arm_, model_.valves(), state_.valves);
   for (int k = 0; k < count; ++k) {

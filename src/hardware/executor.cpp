@@ -9,13 +9,15 @@
 
 #include <fmt/format.h>
 
+#include "advice_job.hpp"
 #include "episode_recorder.hpp"
+#include "goal_time.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
-#include "limber/hardware/schedule.hpp"
 #include "limber/hardware/virtual_arm.hpp"
-#include "limber/world/straight_motion.hpp"
+#include "prediction_watch.hpp"
+#include "start_approach.hpp"
 #include "vent_guard.hpp"
 
 namespace limber {
@@ -24,13 +26,8 @@ namespace {
 
 constexpr double kLongestBlindS = 1.0;  // waited for the arm to be tracked, before the next plan
 
-/// What is known of the arm's shape now: measured, or the truth of a virtual arm.
+/// The arm's shape now, where it is known: measured, or the truth of a virtual arm.
 using Look = std::function<std::optional<BackboneD>()>;
-
-double tip_distance_m(const Backbone& a, const BackboneD& b) {
-  const Eigen::Index last = a.rows() - 1;
-  return (a.row(last).head<2>().cast<double>() - b.row(last).head<2>()).norm();
-}
 
 class Execution {
  public:
@@ -43,7 +40,10 @@ class Execution {
         look_(std::move(look)),
         settings_(settings),
         watch_(arm, environment),
-        recorder_(arm) {}
+        recorder_(arm),
+        goal_time_(environment.goal) {
+    result_.planned_goal_time_s = planned_goal_time_s(environment.goal, plan);
+  }
 
   /// Takes in the arm between frames; what happens before the plan starts does not count.
   void observe(double time_s, const BackboneD& backbone) {
@@ -55,11 +55,15 @@ class Execution {
   ExecutionResult run() {
     const VentGuard vent_at_the_end(driver_);
     try {
-      approach_start();
+      approach_start(arm_, driver_, plan_->frames.front().setpoint_kpa,
+                     [this] { throw_if_stopped(); });
       started_ = true;
       start_time_s_ = driver_.state().time_s;
       note_start();
       require_start();
+      if (settings_.replanner != nullptr) {
+        settings_.replanner->observe(plan_->frames.front().setpoint_kpa, driver_.state());
+      }
       recorder_.add(driver_.state(), plan_->frames.front().setpoint_kpa, 0);
       measured_ = driver_.state().backbone.has_value();
       follow();
@@ -81,23 +85,86 @@ class Execution {
  private:
   /// The plan, or its beginning where its rest must not be followed, and the hold.
   void follow() {
-    const std::vector<PlanFrame>& frames = plan_->frames;
-    std::size_t k = 1;
-    for (bool goes_on = true; goes_on && k < frames.size(); ++k) {
-      command(frames[k].setpoint_kpa);
-      compare_with_prediction(k);
-      count_motion(frames[k].setpoint_kpa);
-      goes_on = k + 1 == frames.size() || settings_.replanner == nullptr ||
-                settings_.replanner->may_go_on(*plan_, k, driver_.state());
-    }
-    const bool halted = k < frames.size();
+    const bool halted = !move();
     result_.halts += halted ? 1 : 0;
-    frame_ = k - 1;
     // A plan's own hold counts: planner and executor judge the goal at the same moment.
     for (int held = halted ? 0 : plan_->hold_frame_count; held < arm_.frames_in(settings_.hold_s);
          ++held) {
       command(held_kpa());
     }
+  }
+
+  /// Commands the plan's frames, and those of plans that replace it meanwhile.
+  /// @return whether the last of them came to its end
+  bool move() {
+    AdviceJob job(driver_.is_real_time());
+    frame_ = 0;
+    try {
+      bool goes_on = true;
+      for (bool waits = false; goes_on && frame_ + 1 < plan_->frames.size();) {
+        const std::size_t next = waits ? frame_ : frame_ + 1;
+        ask_for_advice(job, next);
+        command(plan_->frames[next].setpoint_kpa);
+        if (waits) {
+          ++result_.waits;
+        } else {
+          frame_ = next;
+          compare_with_prediction(frame_);
+          count_motion(held_kpa());
+        }
+        goes_on = is_at_end() || may_go_on();
+        if (std::optional<MotionAdvice> advice = job.end(); advice && goes_on) {
+          waits = advice->kind == MotionAdvice::Kind::wait;
+          goes_on = take(std::move(*advice));
+        } else {
+          waits = false;
+        }
+      }
+      while (job.is_busy()) {
+        command(held_kpa());  // nothing else may be asked before that
+      }
+      return is_at_end();
+    } catch (...) {
+      driver_.vent();  // now, not when the search has ended
+      throw;
+    }
+  }
+
+  bool is_at_end() const { return frame_ + 1 == plan_->frames.size(); }
+
+  bool may_go_on() {
+    return settings_.replanner == nullptr ||
+           settings_.replanner->may_go_on(*plan_, frame_, driver_.state());
+  }
+
+  void ask_for_advice(AdviceJob& job, std::size_t next) {
+    if (settings_.replanner != nullptr) {
+      job.begin(settings_.replanner->advise(*plan_, next));
+    }
+  }
+
+  /// @return whether the arm goes on
+  bool take(MotionAdvice advice) {
+    if (advice.kind == MotionAdvice::Kind::stop) {
+      stop_reason_ = std::move(advice.reason);
+      return is_at_end();
+    }
+    if (advice.plan) {
+      go_over_to(std::move(*advice.plan), "the plan that replaces it in motion");
+      ++result_.switches;
+      frame_ = 0;
+    }
+    return true;
+  }
+
+  void go_over_to(Plan next, const std::string& name) {
+    require_plan_of(next, arm_, name);
+    if (next.frames.front().setpoint_kpa != held_kpa()) {
+      throw InputError(name + " does not start at the set points that the arm holds");
+    }
+    more_plans_.push_back(std::move(next));
+    plan_ = &more_plans_.back();
+    first_motion_ = ++motion_;
   }
 
   const Pressures& held_kpa() const { return plan_->frames[frame_].setpoint_kpa; }
@@ -110,19 +177,23 @@ class Execution {
     }
     std::optional<Plan> next = ask_for_next();
     if (!next) {
+      note_stop();
       return false;
     }
-    require_plan_of(*next, arm_, "the next plan");
-    if (next->frames.front().setpoint_kpa != held_kpa()) {
-      throw InputError("the next plan does not start at the set points that the arm holds");
-    }
+    stop_reason_.clear();
+    go_over_to(std::move(*next), "the next plan");
     if (result_.replans++ == 0 && shape_) {
       result_.open_loop_goal_error = pose_error(environment_.goal, tip_pose(*shape_));
     }
-    more_plans_.push_back(std::move(*next));
-    plan_ = &more_plans_.back();
-    first_motion_ = ++motion_;
     return true;
+  }
+
+  /// A run that ends where its arm was stopped in mid-motion was not done.
+  void note_stop() {
+    if (!stop_reason_.empty()) {
+      result_.status = ExecutionStatus::stopped;
+      result_.message = stop_reason_;
+    }
   }
 
   /// A driver in real time gets its set points while the next plan is searched for; simulated time
@@ -146,41 +217,6 @@ class Execution {
     return next.get();
   }
 
-  /// Unrecorded: from rest to where the plan starts. The plan takes the arm to have long stood
-  /// there, so slow valves get their time.
-  void approach_start() {
-    const Pressures& start_kpa = plan_->frames.front().setpoint_kpa;
-    if (start_kpa.isZero()) {
-      return;
-    }
-    constexpr double kSettlingS = 3.0;  // at least: what full reversals take, and shapes to rest
-    constexpr double kLongestSettlingS = 60.0;
-    for (const Pressures& setpoint_kpa :
-         straight_frames(arm_, Pressures::Zero(arm_.segment_count()), start_kpa)) {
-      throw_if_stopped();
-      driver_.command(setpoint_kpa);
-    }
-    const int least = arm_.frames_in(kSettlingS);
-    const int most = arm_.frames_in(kLongestSettlingS);
-    for (int k = 0; k < least || (k < most && !has_arrived(start_kpa)); ++k) {
-      throw_if_stopped();
-      driver_.command(start_kpa);
-    }
-  }
-
-  bool has_arrived(const Pressures& setpoint_kpa) const {
-    constexpr double kArrived = 0.01;  // of the limit, as planning's hold has it
-    for (Eigen::Index i = 0; i < setpoint_kpa.size(); ++i) {
-      const double limit =
-          arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa();
-      if (!(std::abs(double(driver_.state().pressure_kpa[i]) - double(setpoint_kpa[i])) <=
-            kArrived * limit)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
   void throw_if_stopped() const {
     throw_if_interrupted();
     if (settings_.should_stop && settings_.should_stop()) {
@@ -193,6 +229,9 @@ class Execution {
     const ArmState& state = driver_.command(setpoint_kpa);
     ++result_.frames;
     recorder_.add(state, setpoint_kpa, motion_);
+    if (settings_.replanner != nullptr) {
+      settings_.replanner->observe(setpoint_kpa, state);
+    }
     measured_ = measured_ || state.backbone.has_value();
     see();
   }
@@ -203,6 +242,7 @@ class Execution {
       watch_.observe(driver_.state().time_s, *measured);
       shape_ = std::move(measured);
       shape_frame_ = result_.frames;
+      goal_time_.see(driver_.state().time_s, tip_pose(*shape_));
     }
   }
 
@@ -227,14 +267,7 @@ class Execution {
     if (!shape_ || shape_frame_ != result_.frames) {
       return;
     }
-    const double distance_m = tip_distance_m(plan_->frames[frame].backbone, *shape_);
-    prediction_.max_m = std::max(prediction_.max_m, distance_m);
-    prediction_.final_m = distance_m;
-    prediction_sum_m_ += distance_m;
-    ++prediction_count_;
-    if (static_cast<int>(frame) < plan_->frame_count() - plan_->hold_frame_count) {
-      prediction_.before_hold_m = prediction_sum_m_ / prediction_count_;
-    }
+    prediction_.compare(*plan_, frame, *shape_);
   }
 
   /// A motion ends where its edge of the plan does.
@@ -253,16 +286,16 @@ class Execution {
                              is_within(environment_.goal, result_.goal_error);
       result_.episode = measured_ ? recorder_.finish() : Episode{};
     }
-    if (prediction_count_ > 0) {
-      prediction_.mean_m = prediction_sum_m_ / prediction_count_;
-      result_.prediction = prediction_;
-    }
+    result_.prediction = prediction_.error();
     const auto since_start = [&](std::optional<Contact> contact) {
       if (contact) {
         contact->time_s -= start_time_s_;
       }
       return contact;
     };
+    if (const std::optional<double> since_s = goal_time_.inside_since_s()) {
+      result_.goal_time_s = std::max(0.0, *since_s - start_time_s_);
+    }
     result_.closest = since_start(watch_.closest());
     result_.first_collision = since_start(watch_.first_collision());
     result_.collided = result_.first_collision.has_value();
@@ -287,9 +320,9 @@ class Execution {
   int motion_ = 0;
   int first_motion_ = 0;  // of the plan that is followed
   double start_time_s_ = 0.0;
-  ExecutedError prediction_;
-  double prediction_sum_m_ = 0.0;
-  int prediction_count_ = 0;
+  GoalTime goal_time_;
+  std::string stop_reason_;  // of the plan that was left last
+  PredictionWatch prediction_;
 };
 
 /// Sees every simulator step as long as it lives.
@@ -324,6 +357,12 @@ void check(const ArmDescription& arm, const Environment& environment, const Plan
 }
 
 }  // namespace
+
+void PlanSource::observe(const Pressures& /*setpoint_kpa*/, const ArmState& /*state*/) {}
+
+std::function<MotionAdvice()> PlanSource::advise(const Plan& /*plan*/, std::size_t /*next*/) {
+  return {};
+}
 
 const char* to_string(ExecutionStatus status) {
   switch (status) {

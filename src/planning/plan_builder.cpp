@@ -52,12 +52,12 @@ Plan build_partial_plan(const PlanningProblem& problem, MotionSimulator& simulat
   plan.limits = problem.limits;
   plan.program_version = version();
   plan.waypoints_kpa = waypoints_kpa;
-  plan.frames.push_back({waypoints_kpa.front(), waypoints_kpa.front(),
-                         start_state(problem.environment, problem.arm).backbone});
+  const ArmStart start = start_state(problem.environment, problem.arm);
+  plan.frames.push_back({waypoints_kpa.front(), start.pressures_kpa, start.backbone});
   for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
-    simulator.append_motion(waypoints_kpa[w], plan.frames);
+    simulator.append_motion(waypoints_kpa[w], plan.frames, &start);
   }
-  plan.hold_frame_count = simulator.append_hold(plan.frames);
+  plan.hold_frame_count = simulator.append_hold(plan.frames, &start);
   plan.cost_kpa = path_cost_kpa(plan.frames);
   const PoseError error = final_error(problem, plan);
   plan.goal_distance_m = error.position_m;

@@ -1,10 +1,11 @@
 #include "limber/planning/planner.hpp"
 
+#include "limber/forward/motion_simulator.hpp"
+
 namespace limber {
 
 MotionState start_of(const PlanningProblem& problem) {
-  const ArmStart start = start_state(problem.environment, problem.arm);
-  return problem.model.settled_state(start.pressures_kpa, start.backbone);
+  return state_of(start_state(problem.environment, problem.arm), problem.model);
 }
 
 PressureBox setpoints_of(const PlanningProblem& problem) {

@@ -68,7 +68,7 @@ void check_goal_reach(const PlanningProblem& problem, ProblemCheck& result) {
 
 /// A plan's first set points are the start's: they have to be within its limits.
 void check_start_limits(const PlanningProblem& problem, ProblemCheck& result) {
-  const Pressures start_kpa = start_state(problem.environment, problem.arm).pressures_kpa;
+  const Pressures start_kpa = start_state(problem.environment, problem.arm).setpoint_kpa();
   for (std::size_t i = 0; i < problem.limits.size(); ++i) {
     const double value = start_kpa[static_cast<Eigen::Index>(i)];
     if (!problem.limits[i].contains(value)) {

@@ -32,6 +32,10 @@ Json to_json(const std::optional<Contact>& contact, const Environment& environme
           {"plates", {contact->clearance.gap, contact->clearance.gap + 1}}};
 }
 
+Json optional_number(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 }  // namespace
 
 Json execution_to_json(const ExecutionResult& result, const Environment& environment) {
@@ -43,7 +47,11 @@ Json execution_to_json(const ExecutionResult& result, const Environment& environ
   json["orientation_to_goal_rad"] =
       result.final_backbone ? Json(result.goal_error.orientation_rad) : Json(nullptr);
   json["replans"] = result.replans;
+  json["switches"] = result.switches;
+  json["waits"] = result.waits;
   json["halts"] = result.halts;
+  json["goal_time_s"] = optional_number(result.goal_time_s);
+  json["planned_goal_time_s"] = optional_number(result.planned_goal_time_s);
   json["open_loop_distance_to_goal_cm"] =
       result.open_loop_goal_error ? Json(kCmPerM * result.open_loop_goal_error->position_m)
                                   : Json(nullptr);
@@ -84,6 +92,10 @@ std::string execution_to_text(const ExecutionResult& result, const Environment& 
     if (result.open_loop_goal_error) {
       text += fmt::format("; {:.1f} cm off before {} more plans",
                           kCmPerM * result.open_loop_goal_error->position_m, result.replans);
+    }
+    if (result.switches + result.waits > 0) {
+      text += fmt::format("\n  in motion: {} other plans, {} frames of waiting", result.switches,
+                          result.waits);
     }
   } else {
     text += "\n  the arm was not tracked: distance to the goal and collisions are unknown";

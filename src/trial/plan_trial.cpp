@@ -3,7 +3,7 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/planning/planner_factory.hpp"
-#include "limber/trial/replanner.hpp"
+#include "limber/trial/closed_loop.hpp"
 
 namespace limber {
 
@@ -55,9 +55,11 @@ void execute_trial_replanning(const ArmDescription& arm, const MotionModel& mode
     return;
   }
   VirtualArm driver(arm);
-  Replanner replanner(arm, model, environment, room_of(model, settings), {}, trial.seed);
+  ClosedLoopSettings loop_settings;
+  loop_settings.motion_queries = settings.motion_queries;
+  ClosedLoop loop(arm, model, environment, room_of(model, settings), loop_settings, trial.seed);
   ExecutionSettings closed_loop;
-  closed_loop.replanner = &replanner;
+  closed_loop.replanner = &loop;
   trial.execution = execute(arm, environment, *trial.planning.plan, driver, closed_loop);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "closed_loop/plan_repair.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
 
@@ -21,16 +22,6 @@ struct Asked {
 constexpr double kNearM = 0.01;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
 
-/// Both errors as one length: the heading counts as much as the position where each is at its
-/// tolerance.
-double as_length_m(const PoseGoal& goal, const PoseError& error) {
-  if (!goal.theta_rad) {
-    return error.position_m;
-  }
-  const double m_per_rad = goal.position_tolerance_m / goal.orientation_tolerance_rad;
-  return std::hypot(error.position_m, m_per_rad * error.orientation_rad);
-}
-
 double largest_distance_m(const Backbone& a, const Backbone& b) {
   return double((a - b).leftCols<2>().rowwise().norm().maxCoeff());
 }
@@ -47,7 +38,8 @@ Replanner::Replanner(const ArmDescription& arm, const MotionModel& model,
       settings_(settings),
       seed_(seed),
       near_(arm, environment.obstacles, kNearM),
-      planner_(make_planner("default", settings.planner_jobs)) {}
+      planner_(make_planner("default", settings.planner_jobs)),
+      aim_(environment.goal) {}
 
 Replanner::~Replanner() = default;
 
@@ -139,7 +131,8 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   Environment from_here = environment_;
   from_here.start = ArmStart{plan.frames[frame].setpoint_kpa, *state.backbone};
   for (const Asked& asked : kAsked) {
-    from_here.goal = shifted_goal();
+    aim_ = shifted_goal();
+    from_here.goal = aim_;
     from_here.goal.position_tolerance_m *= asked.tolerance;
     from_here.goal.orientation_tolerance_rad *= asked.tolerance;
     std::optional<Plan> found = search(plan, from_here, asked.margin * room_.margin_m);

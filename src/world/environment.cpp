@@ -35,9 +35,19 @@ std::string to_yaml(const ArmStart& start) {
     rows.push_back(fmt::format("[{}, {}, {}]", start.backbone(i, 0), start.backbone(i, 1),
                                start.backbone(i, 2)));
   }
-  const std::vector<float> pressures(start.pressures_kpa.begin(), start.pressures_kpa.end());
-  return fmt::format("\n  pressures_kpa: [{}]\n  backbone: [{}]", fmt::join(pressures, ", "),
-                     fmt::join(rows, ", "));
+  const auto numbers = [](const Pressures& kpa) {
+    return fmt::format("[{}]", fmt::join(std::vector<float>(kpa.begin(), kpa.end()), ", "));
+  };
+  std::string text = fmt::format("\n  pressures_kpa: {}\n  backbone: [{}]",
+                                 numbers(start.pressures_kpa), fmt::join(rows, ", "));
+  if (!start.setpoints_kpa.empty()) {
+    std::vector<std::string> setpoints;
+    for (const Pressures& kpa : start.setpoints_kpa) {
+      setpoints.push_back(numbers(kpa));
+    }
+    text += fmt::format("\n  setpoints_kpa: [{}]", fmt::join(setpoints, ", "));
+  }
+  return text;
 }
 
 std::string to_yaml(const PoseGoal& goal) {

@@ -136,15 +136,23 @@ Obstacle read_obstacle(const YamlReader& node) {
   return read_polygon(node.at("polygon"));
 }
 
-ArmStart read_given_start(const YamlReader& node) {
-  node.refuse_unknown_keys({"pressures_kpa", "backbone"});
-  ArmStart start;
+Pressures read_pressures(const YamlReader& node) {
   const std::vector<double> pressures =
-      node.at("pressures_kpa")
-          .numbers("a signed command, in the unit and with the sign of the arm file");
-  start.pressures_kpa = Eigen::Map<const Eigen::VectorXd>(
-                            pressures.data(), static_cast<Eigen::Index>(pressures.size()))
-                            .cast<float>();
+      node.numbers("a signed command, in the unit and with the sign of the arm file");
+  return Eigen::Map<const Eigen::VectorXd>(pressures.data(),
+                                           static_cast<Eigen::Index>(pressures.size()))
+      .cast<float>();
+}
+
+ArmStart read_given_start(const YamlReader& node) {
+  node.refuse_unknown_keys({"pressures_kpa", "backbone", "setpoints_kpa"});
+  ArmStart start;
+  start.pressures_kpa = read_pressures(node.at("pressures_kpa"));
+  if (node.has("setpoints_kpa")) {
+    for (const YamlReader& row : node.at("setpoints_kpa").elements()) {
+      start.setpoints_kpa.push_back(read_pressures(row));
+    }
+  }
   const std::vector<YamlReader> rows = node.at("backbone").elements();
   start.backbone.resize(static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -196,20 +204,28 @@ PoseGoal read_goal(const YamlReader& node) {
   return goal;
 }
 
-void require_start_fits(const YamlReader& root, const ArmStart& start, const ArmDescription& arm) {
-  const YamlReader pressures = root.at("start").at("pressures_kpa");
-  const YamlReader backbone = root.at("start").at("backbone");
-  if (start.pressures_kpa.size() != arm.segment_count()) {
-    pressures.refuse(fmt::format("{} pressures found; expected {}, one per segment of arm '{}'",
-                                 start.pressures_kpa.size(), arm.segment_count(), arm.name));
+void require_pressures_fit(const YamlReader& node, const Pressures& kpa,
+                           const ArmDescription& arm) {
+  if (kpa.size() != arm.segment_count()) {
+    node.refuse(fmt::format("{} pressures found; expected {}, one per segment of arm '{}'",
+                            kpa.size(), arm.segment_count(), arm.name));
   }
   for (int i = 0; i < arm.segment_count(); ++i) {
     const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-    if (!limits.contains(start.pressures_kpa[i])) {
-      pressures.elements()[static_cast<std::size_t>(i)].refuse(fmt::format(
-          "{} {unit} found; expected {} {unit}, the limits of that segment", start.pressures_kpa[i],
-          to_string(limits), fmt::arg("unit", arm.command.unit)));
+    if (!limits.contains(kpa[i])) {
+      node.elements()[static_cast<std::size_t>(i)].refuse(
+          fmt::format("{} {unit} found; expected {} {unit}, the limits of that segment", kpa[i],
+                      to_string(limits), fmt::arg("unit", arm.command.unit)));
     }
+  }
+}
+
+void require_start_fits(const YamlReader& root, const ArmStart& start, const ArmDescription& arm) {
+  const YamlReader backbone = root.at("start").at("backbone");
+  require_pressures_fit(root.at("start").at("pressures_kpa"), start.pressures_kpa, arm);
+  for (std::size_t k = 0; k < start.setpoints_kpa.size(); ++k) {
+    require_pressures_fit(root.at("start").at("setpoints_kpa").elements()[k],
+                          start.setpoints_kpa[k], arm);
   }
   if (start.backbone.rows() != arm.point_count()) {
     backbone.refuse(fmt::format("{} poses found; expected {}, one per plate of arm '{}'",

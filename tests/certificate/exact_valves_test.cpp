@@ -50,6 +50,36 @@ TEST(ExactValves, AgreesWithTheFastModelInFloatOverLongWalks) {
   EXPECT_GT(farthest_kpa, 0.0) << "float and double differ";
 }
 
+// A motion that is cut anywhere goes on as it would have.
+TEST(ExactValves, GoOnFromMidMotionAsTheWholeMotionDoes) {
+  constexpr double kRoundingKpa = 1e-9;
+  const ArmDescription arm = three_segment_arm();
+  RandomStream random(10, 0);
+  for (int trial = 0; trial < 20; ++trial) {
+    const ValveParameters parameters{
+        true, {random_valves(random), random_valves(random), random_valves(random)}};
+    const ExactValves valves(arm, parameters);
+    ExactValves::Configurations setpoints;
+    for (int k = 0; k < 40; ++k) {
+      const Pressures setpoint = random_pressures(arm, random);
+      setpoints.emplace_back(setpoint.begin(), setpoint.end());
+    }
+    const auto whole = valves.pressures_along(setpoints);
+    for (const std::size_t cut : {1U, 5U, 20U}) {
+      const ExactValves::Configurations rest(setpoints.begin() + std::ptrdiff_t(cut),
+                                             setpoints.end());
+      const ExactValves::Configurations before(setpoints.rend() - std::ptrdiff_t(cut),
+                                               setpoints.rend());
+      const auto after = valves.pressures_along(rest, whole[cut], before);
+      for (std::size_t k = 0; k < after.size(); ++k) {
+        for (std::size_t i = 0; i < 3; ++i) {
+          ASSERT_NEAR(after[k][i], whole[cut + k][i], kRoundingKpa) << cut << ", frame " << k;
+        }
+      }
+    }
+  }
+}
+
 TEST(ExactValves, IdealOnesAreTheSetPoints) {
   const ArmDescription arm = three_segment_arm();
   const ExactValves::Configurations setpoints{{0.0, 0.0, 0.0}, {5.0, -5.0, 2.0}, {9.0, -9.0, 3.0}};

@@ -10,7 +10,7 @@ ARM = ("--arm", "two_segment")
 GOAL = {"x_m": 0.38, "y_m": 0.2, "position_tolerance_m": 0.03}
 KEYS = {
     "status", "collided", "min_clearance_cm", "distance_to_goal_cm", "orientation_to_goal_rad",
-    "replans", "frames",
+    "replans", "switches", "waits", "halts", "goal_time_s", "planned_goal_time_s", "frames",
 }
 
 
@@ -52,15 +52,25 @@ class Execute(InFolder):
         open_loop = self.execute()
         arguments = ("--replan", "--no-load", "--no-valves", "--out", "run.h5")
         found = self.execute(*arguments)
-        self.assertGreater(found["replans"], 0)
-        self.assertEqual(
-            found["open_loop_distance_to_goal_cm"], open_loop["distance_to_goal_cm"])
+        self.assertGreater(found["replans"] + found["switches"], 0)
         self.assertLess(found["distance_to_goal_cm"], 0.5 * open_loop["distance_to_goal_cm"])
         self.assertFalse(found["collided"])
-        self.assertEqual(self.execute(*arguments, "--force"), found)
+        # What a time of this machine was worth in queries repeats the run.
+        queries = ("--motion-queries", found["motion_queries"])
+        self.assertGreater(found["motion_queries"], 0)
+        self.assertEqual(self.execute(*arguments, *queries, "--force"), found)
         message = self.run_limber(
             "execute", *ARM, "--plan", "p.json", "--environment", "e.yaml", "--replan", code=2).stderr
         self.assertIn("--model", message)
+
+    def test_without_queries_in_motion_it_plans_at_rest_alone(self):
+        open_loop = self.execute()
+        found = self.execute("--replan", "--no-load", "--no-valves", "--motion-queries", 0)
+        self.assertGreater(found["replans"], 0)
+        self.assertEqual((found["switches"], found["waits"]), (0, 0))
+        self.assertEqual(
+            found["open_loop_distance_to_goal_cm"], open_loop["distance_to_goal_cm"])
+        self.assertLess(found["distance_to_goal_cm"], 0.5 * open_loop["distance_to_goal_cm"])
 
     def test_repeats_exactly(self):
         self.assertEqual(self.execute(), self.execute())

@@ -74,6 +74,9 @@ TEST(Environment, SurvivesWritingAndReadingExactly) {
     if (trial % 2 == 1) {
       const Pressures q = random_pressures(arm, random);
       e.start = ArmStart{q, no_load_backbone(NoLoadModel(arm), q)};
+      for (int k = 0; k < trial % 4; ++k) {  // in motion
+        e.start->setpoints_kpa.push_back(random_pressures(arm, random));
+      }
     }
     e.goal = {random.uniform(), random.uniform(), std::nullopt, random.uniform(0.001, 0.1), 0.3};
     if (trial % 3 == 0) {
@@ -90,6 +93,7 @@ TEST(Environment, SurvivesWritingAndReadingExactly) {
     if (e.start) {
       EXPECT_EQ(again.start->backbone, e.start->backbone);
       EXPECT_EQ(again.start->pressures_kpa, e.start->pressures_kpa);
+      EXPECT_EQ(again.start->setpoints_kpa, e.start->setpoints_kpa);
     }
   }
 }
@@ -173,6 +177,28 @@ TEST(Environment, RefusesAStartThatDoesNotFitTheArm) {
   EXPECT_THAT(refusal(q, Backbone::Zero(16, 3)),
               AllOf(HasSubstr("e.yaml:9: start.backbone[1]"),
                     HasSubstr("plate 1 is 0 m from plate 0; expected 0.0235 to 0.0705 m")));
+}
+
+TEST(Environment, SetPointsOfAStartInMotionFitTheArmAndCountInTheHash) {
+  const ArmDescription arm = three_segment_arm();
+  Environment e = read(kGood);
+  const Pressures q = Pressures::Constant(3, 20.0F);
+  e.start = ArmStart{q, no_load_backbone(NoLoadModel(arm), q)};
+  const std::string at_rest = environment_hash(e);
+  EXPECT_EQ(e.start->setpoint_kpa(), q);
+  e.start->setpoints_kpa = {q * 1.5F};
+  EXPECT_NE(environment_hash(e), at_rest);
+  EXPECT_EQ(e.start->setpoint_kpa(), q * 1.5F);
+  e.start->setpoints_kpa = {q, q * 6.0F};
+  const auto reading = [&] {
+    (void)read_environment(YamlReader::from_text(environment_to_yaml(e), "e.yaml"), arm);
+  };
+  EXPECT_THAT(reading,
+              ThrowsMessage<InputError>(AllOf(HasSubstr("start.setpoints_kpa[1][0]"),
+                                              HasSubstr("120 kPa found; expected ± 100"))));
+  e.start->setpoints_kpa = {Pressures::Zero(2)};
+  EXPECT_THAT(reading, ThrowsMessage<InputError>(AllOf(HasSubstr("start.setpoints_kpa[0]"),
+                                                       HasSubstr("2 pressures found"))));
 }
 
 TEST(Environment, RefusesABrokenNumberInAnyPlaceOfAStartingPose) {

@@ -189,9 +189,12 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
 
 ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
                      const ValveParameters& valves, const ArmStart& start) {
-  return {arm.hash(), model_hash, valves.hash(),
-          content_hash(bytes_of(start.pressures_kpa.data(), start.pressures_kpa.size()) +
-                       bytes_of(start.backbone.data(), start.backbone.size()))};
+  std::string bytes = bytes_of(start.pressures_kpa.data(), start.pressures_kpa.size()) +
+                      bytes_of(start.backbone.data(), start.backbone.size());
+  for (const Pressures& kpa : start.setpoints_kpa) {
+    bytes += bytes_of(kpa.data(), kpa.size());
+  }
+  return {arm.hash(), model_hash, valves.hash(), content_hash(bytes)};
 }
 
 std::optional<Forest> grow_forest(const ArmDescription& arm, const MotionModel& model,

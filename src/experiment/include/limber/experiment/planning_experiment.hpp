@@ -33,7 +33,8 @@ struct ExperimentSettings {
   std::optional<Forest> forest;
   PlannerLimits limits;
   bool replan = false;  ///< executed closed loop: planned again from where the arm is measured
-  AskedRoom room;       ///< if nothing is asked for, each model's own error
+  std::uint64_t motion_queries = 0;  ///< with `replan`: of a search in mid-motion, 0: none then
+  AskedRoom room;                    ///< if nothing is asked for, each model's own error
   std::uint64_t seed = 1;
   int planner_jobs = 1;  ///< threads of each planner
   int jobs = 0;          ///< trials at once, 0: one per core
@@ -46,6 +47,9 @@ struct ExperimentSettings {
 /// Refuses what can be refused before any work: planners, folder, number of trials.
 /// @throws InputError
 void require_usable(const ExperimentSettings& settings);
+
+/// `motion_queries` of the experiment that is to be resumed; none if it says nothing, or is new.
+std::optional<std::uint64_t> known_motion_queries(const ExperimentSettings& settings);
 
 /// The paper's Table I on the virtual arm: every environment planned in with both models, every
 /// plan certified and executed, open loop unless `replan`. Writes to the folder

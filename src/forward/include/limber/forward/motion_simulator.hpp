@@ -11,6 +11,7 @@
 #include "limber/forward/motion_model.hpp"
 #include "limber/forward/rollout_batch.hpp"
 #include "limber/world/collision.hpp"
+#include "limber/world/environment.hpp"
 #include "limber/world/hold.hpp"
 #include "limber/world/plan.hpp"
 #include "limber/world/straight_motion.hpp"
@@ -25,8 +26,13 @@ inline Pose tip_pose(const BackboneRef& backbone) {
   return {double(last[0]), double(last[1]), double(last[2])};
 }
 
+/// The state of an arm that starts there, at rest or in motion.
+MotionState state_of(const ArmStart& start, const MotionModel& model);
+
 /// The state at the end of a plan's first frames; before them the arm was at rest.
-MotionState state_after(const std::vector<PlanFrame>& frames, const MotionModel& model);
+/// @param start  where the plan starts, if the arm was in motion there
+MotionState state_after(const std::vector<PlanFrame>& frames, const MotionModel& model,
+                        const ArmStart* start = nullptr);
 
 /// Runs motions along straight lines of set points through the motion model, frame by frame, and
 /// checks them for collision. Counts model queries. Threads: one simulator, one thread.
@@ -49,14 +55,14 @@ class MotionSimulator {
   [[nodiscard]] bool hold(const MotionState& from, MotionState& end);
 
   /// The state of the arm where a problem starts.
-  MotionState start(const ArmStart& start) const {
-    return model_.settled_state(start.pressures_kpa, start.backbone);
-  }
+  MotionState start(const ArmStart& start) const { return state_of(start, model_); }
 
   /// Appends the frames of a motion to `frames`, which holds at least its start.
-  void append_motion(const PressuresRef& to_kpa, std::vector<PlanFrame>& frames);
+  /// @param start  of the frames, if the arm was in motion there
+  void append_motion(const PressuresRef& to_kpa, std::vector<PlanFrame>& frames,
+                     const ArmStart* start = nullptr);
   /// Appends as many frames of holding as hold_frame_count says. @return how many
-  int append_hold(std::vector<PlanFrame>& frames);
+  int append_hold(std::vector<PlanFrame>& frames, const ArmStart* start = nullptr);
 
   const CollisionChecker& checker() const { return checker_; }
   const ArmDescription& arm() const { return arm_; }

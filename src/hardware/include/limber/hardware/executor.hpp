@@ -26,10 +26,31 @@ enum class ExecutionStatus {
 
 const char* to_string(ExecutionStatus status);
 
+/// What an arm in motion does after its next frame.
+struct MotionAdvice {
+  enum class Kind {
+    go_on,  ///< follows the plan: its own, or another one
+    wait,   ///< holds its set points for a frame
+    stop    ///< holds them, and leaves the plan
+  };
+  Kind kind = Kind::go_on;
+  /// To go on along, if not along its own: it starts at the set points of that next frame.
+  std::optional<Plan> plan = std::nullopt;
+  std::string reason = {};  ///< of a stop
+};
+
 /// Says how to go on while a plan is executed, from what is measured (docs/planning.md, Closed loop).
 class PlanSource {
  public:
   virtual ~PlanSource() = default;
+  /// Told of every set point and of what was measured after it; first of the start, where the arm
+  /// has long had the plan's first set points.
+  virtual void observe(const Pressures& setpoint_kpa, const ArmState& state);
+  /// Asked before each frame of a motion, whose set points `plan.frames[next]` are then sent without
+  /// waiting for the answer: it takes effect in the frame after that one, or never if it comes
+  /// later. In real time it is called on another thread; meanwhile nothing but `observe` and
+  /// `may_go_on` is called. Empty: the arm goes on.
+  virtual std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next);
   /// Whether the rest of the plan may be followed; asked after each of its frames but the last.
   /// Where not, the arm holds where it is and `next` is asked.
   virtual bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
@@ -76,10 +97,17 @@ struct ExecutionResult {
   bool goal_reached = false;
   std::optional<ExecutedError> prediction;  ///< none if nothing was tracked
 
-  int replans = 0;  ///< plans after the first
-  int halts = 0;    ///< plans that were left before their end, since the arm strayed
+  int replans = 0;   ///< plans after the first that started at rest
+  int switches = 0;  ///< plans that another one replaced in mid-motion
+  int waits = 0;     ///< frames in which the arm waited in mid-motion
+  int halts = 0;     ///< plans that were left before their end, since the arm strayed
   /// Where the first plan's hold ended, if more plans followed.
   std::optional<PoseError> open_loop_goal_error;
+
+  /// When the tip came into the goal's region for good, and when the first plan would have it there;
+  /// none if it was not there at the end. [s]
+  std::optional<double> goal_time_s;
+  std::optional<double> planned_goal_time_s;
 
   /// What was commanded and measured, time 0 being the start; no frames if nothing was tracked.
   /// A motion is one edge of the plan, the hold belongs to the last one.

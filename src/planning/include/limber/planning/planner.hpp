@@ -56,7 +56,7 @@ PlanningProblem problem_with_room(const ArmDescription& arm, const MotionModel& 
 /// Checker of the arm with everything that its plans keep free.
 CollisionChecker checker_of(const PlanningProblem& problem);
 
-/// The state that the environment starts with; the arm is at rest there.
+/// The state that the environment starts with, at rest or in motion.
 MotionState start_of(const PlanningProblem& problem);
 /// Set points that a plan may use.
 PressureBox setpoints_of(const PlanningProblem& problem);

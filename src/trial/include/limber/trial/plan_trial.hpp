@@ -41,6 +41,7 @@ struct PlanTrialSettings {
   std::vector<PressureLimits> within;  ///< PlanningProblem::limits
   AskedRoom room;                      ///< if nothing is asked for, the model's own error
   const Forest* forest = nullptr;      ///< for the default planner; borrowed
+  std::uint64_t motion_queries = 0;    ///< in closed loop: of a search in mid-motion, 0: none then
   std::string model_hash;              ///< goes into the plan of a network; docs/formats.md
 };
 

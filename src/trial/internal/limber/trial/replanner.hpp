@@ -44,6 +44,9 @@ class Replanner final : public PlanSource {
   bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
 
+  /// The goal that the last plan was made for: shifted by what the model misses.
+  const PoseGoal& aim() const { return aim_; }
+
  private:
   bool has_more_to_gain(double error_m);
   void learn_bias(const Plan& ended, const Pose& measured);
@@ -59,6 +62,7 @@ class Replanner final : public PlanSource {
   std::uint64_t seed_;
   CollisionChecker near_;  // what touches this arm is too near to go on beside
   std::unique_ptr<Planner> planner_;
+  PoseGoal aim_;
   int replans_ = 0;
   int small_gains_ = 0;
   std::optional<double> error_before_m_;            // of the correction under way

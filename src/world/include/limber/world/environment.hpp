@@ -50,6 +50,15 @@ std::vector<Eigen::Vector2d> rectangle_corners(const Rectangle& rectangle);
 struct ArmStart {
   Pressures pressures_kpa;  ///< size n
   Backbone backbone;        ///< m×3
+  /// Of an arm in motion: the set points in force, then those before them that dead time may still
+  /// delay, the newest first; the last one counts for all before it. Empty: the arm is at rest, and
+  /// its pressures were the set points for long.
+  std::vector<Pressures> setpoints_kpa = {};
+
+  /// In force.
+  const Pressures& setpoint_kpa() const {
+    return setpoints_kpa.empty() ? pressures_kpa : setpoints_kpa.front();
+  }
 };
 
 /// What a plan is made for: obstacles, start and goal (docs/formats.md, schema

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "limber/trial/closed_loop.hpp"
+#include "verb.hpp"
+
+namespace limber {
+
+/// --replan, and how a plan is then replaced while it is executed.
+class ReplanFlags {
+ public:
+  /// @param experiment  of many runs: --replan and --motion-queries alone
+  void add_to(CLI::App& app, bool experiment);
+
+  bool is_asked_for() const { return replan_; }
+  ClosedLoopSettings& settings() { return settings_; }
+  const ClosedLoopSettings& settings() const { return settings_; }
+
+  /// Sets the queries of a search in mid-motion, where no flag says how many: as many as fit into
+  /// part of a frame on this machine. Says so.
+  /// @param known  of earlier runs that these continue
+  void choose_motion_queries(const ArmDescription& arm, const MotionModel& model,
+                             std::optional<std::uint64_t> known, const CommonFlags& flags);
+
+ private:
+  bool replan_ = false;
+  std::optional<std::uint64_t> motion_queries_;
+  ClosedLoopSettings settings_;
+};
+
+}  // namespace limber

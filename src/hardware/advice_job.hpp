@@ -1,0 +1,34 @@
+#pragma once
+
+#include <future>
+#include <optional>
+
+#include "limber/hardware/executor.hpp"
+
+namespace limber {
+
+/// One piece of advice at a time, worked out while a frame passes. In real time on a thread of its
+/// own, so that no set point waits for it; in simulated time at once, so that runs can be repeated.
+///
+/// Threads: used by one. The destructor waits for the other, if there is one.
+class AdviceJob {
+ public:
+  explicit AdviceJob(bool in_real_time) : in_real_time_(in_real_time) {}
+
+  /// Begins, unless the one before is still being worked out: that one is late, and will be dropped.
+  /// @param question  of whoever advises; empty: nothing to ask
+  void begin(std::function<MotionAdvice()> question);
+
+  /// The advice for the frame that has just passed; none if it was not asked for, or is late.
+  std::optional<MotionAdvice> end();
+
+  /// Whether somebody still thinks, in real time.
+  bool is_busy() const;
+
+ private:
+  bool in_real_time_;
+  bool is_late_ = false;
+  std::future<MotionAdvice> advice_;
+};
+
+}  // namespace limber

@@ -1,0 +1,55 @@
+#include "arm_estimate.hpp"
+
+namespace limber {
+
+ArmStart start_at(const MotionState& state) {
+  ArmStart start{state.pressure_kpa(), state.backbone};
+  const Eigen::Index n = state.segments;
+  for (Eigen::Index at = n; at + n <= state.valves.size(); at += n) {
+    start.setpoints_kpa.emplace_back(state.valves.segment(at, n));
+  }
+  return start;
+}
+
+void ArmEstimate::observe(const Pressures& setpoint_kpa, const ArmState& measured) {
+  const Eigen::Index n = setpoint_kpa.size();
+  if (valves_.size() == 0) {
+    valves_ = model_.valves().settled_state(setpoint_kpa);
+  } else {
+    miss_.travelled_kpa += double((setpoint_kpa - valves_.segment(n, n)).cwiseAbs().sum());
+    predict(setpoint_kpa, measured.pressure_kpa);
+  }
+  if (!measured.backbone) {
+    ++frames_unseen_;
+    return;
+  }
+  if (state_) {
+    note_miss(*measured.backbone);
+  }
+  state_ = MotionState{n, valves_, *measured.backbone};
+  frames_unseen_ = 0;
+}
+
+void ArmEstimate::predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa) {
+  const Eigen::Index n = setpoint_kpa.size();
+  const Pressures before_kpa = valves_.head(n);
+  model_.valves().step(setpoint_kpa, valves_);
+  if (!model_.valves().is_ideal()) {
+    valves_.head(n) = pressure_kpa;
+  }
+  if (state_) {
+    model_.forward().step(before_kpa, valves_.head(n), state_->backbone, state_->backbone,
+                          workspace_);
+    state_->valves = valves_;
+  }
+}
+
+void ArmEstimate::note_miss(const Backbone& measured) {
+  const Pose expected = tip_pose(state_->backbone);
+  const Pose found = tip_pose(measured);
+  miss_.latest = {found.x_m - expected.x_m, found.y_m - expected.y_m,
+                  found.theta_rad - expected.theta_rad};
+  miss_.sum += miss_.latest;
+}
+
+}  // namespace limber

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+
+#include "limber/forward/motion_model.hpp"
+#include "limber/hardware/arm_driver.hpp"
+#include "limber/world/environment.hpp"
+
+namespace limber {
+
+/// Where a start in motion is: what MotionState holds, as an environment says it.
+ArmStart start_at(const MotionState& state);
+
+/// What a model has missed since a motion began, as far as it was measured: measured beside
+/// predicted from the frame before. Zero where nothing was measured.
+struct ModelMiss {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();     ///< of the tip over all frames: x, y, theta
+  Eigen::Vector3d latest = Eigen::Vector3d::Zero();  ///< of the frame measured last
+  double travelled_kpa = 0.0;                        ///< Σ|Δp| of the set points meanwhile
+};
+
+/// The arm's state from frame to frame: predicted by the model, corrected by what is measured.
+/// Pressures are measured in each frame; a frame without a backbone is bridged by prediction.
+/// Behind ideal valves pressures are the set points, as plans for such a model have it.
+///
+/// Threads: one estimate, one thread. One query per frame.
+class ArmEstimate {
+ public:
+  explicit ArmEstimate(const MotionModel& model) : model_(model) {}
+
+  /// The first call is the start, where the arm has long had these set points.
+  void observe(const Pressures& setpoint_kpa, const ArmState& measured);
+
+  /// Whether it was tracked at least once; before that there is no state.
+  bool has_state() const { return state_.has_value(); }
+  /// @pre has_state()
+  const MotionState& state() const { return *state_; }
+  /// Frames since it was tracked last.
+  int frames_unseen() const { return frames_unseen_; }
+
+  /// Of the frames since the last `forget_miss`.
+  const ModelMiss& miss() const { return miss_; }
+  void forget_miss() { miss_ = {}; }
+
+ private:
+  void predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa);
+  void note_miss(const Backbone& measured);
+
+  MotionModel model_;
+  MotionModel::Workspace workspace_;
+  Eigen::VectorXf valves_;  // followed from the start on, tracked or not
+  std::optional<MotionState> state_;
+  int frames_unseen_ = 0;
+  ModelMiss miss_;
+};
+
+}  // namespace limber

@@ -1,0 +1,91 @@
+#include "limber/trial/closed_loop.hpp"
+
+#include <fmt/format.h>
+
+#include "limber/planning/planner_factory.hpp"
+#include "motion_guide.hpp"
+
+namespace limber {
+
+struct ClosedLoop::Motion {
+  Motion(const ArmDescription& the_arm, const MotionModel& the_model, const ErrorRoom& the_room,
+         const ClosedLoopSettings& the_settings, std::uint64_t the_seed)
+      : arm(the_arm),
+        model(the_model),
+        room(the_room),
+        settings(the_settings),
+        seed(the_seed),
+        planner(make_planner("default", settings.corrections.planner_jobs)),
+        estimate(model) {}
+
+  void move_in(const Environment& environment) {
+    corrections.emplace(arm, model, environment, room, settings.corrections, seed);
+    guide.emplace(arm, model, environment, room,
+                  MotionGuideSettings{settings.motion_queries, settings.corrections.min_gain_m,
+                                      settings.corrections.limits},
+                  *planner, certificate_check(arm, model), seed);
+    aim = environment.goal;
+  }
+
+  bool is_blind() const { return estimate.frames_unseen() > arm.frames_in(settings.blind_s); }
+
+  const ArmDescription& arm;
+  MotionModel model;
+  ErrorRoom room;
+  ClosedLoopSettings settings;
+  std::uint64_t seed;
+  std::unique_ptr<Planner> planner;
+  ArmEstimate estimate;
+  std::optional<Replanner> corrections;
+  std::optional<MotionGuide> guide;
+  PoseGoal aim;  // of the plan that is followed
+};
+
+ClosedLoop::ClosedLoop(const ArmDescription& arm, const MotionModel& model,
+                       const Environment& environment, const ErrorRoom& room,
+                       const ClosedLoopSettings& settings, std::uint64_t seed)
+    : motion_(std::make_unique<Motion>(arm, model, room, settings, seed)) {
+  motion_->move_in(environment);
+}
+
+ClosedLoop::~ClosedLoop() = default;
+
+void ClosedLoop::observe(const Pressures& setpoint_kpa, const ArmState& state) {
+  motion_->estimate.observe(setpoint_kpa, state);
+}
+
+std::function<MotionAdvice()> ClosedLoop::advise(const Plan& plan, std::size_t next) {
+  Motion& motion = *motion_;
+  const bool is_moving = static_cast<int>(next) + plan.hold_frame_count < plan.frame_count();
+  if (motion.settings.motion_queries == 0 || !motion.estimate.has_state() || !is_moving) {
+    return {};
+  }
+  if (motion.is_blind()) {
+    return [blind_s = motion.settings.blind_s] {
+      return MotionAdvice{
+          MotionAdvice::Kind::stop, std::nullopt,
+          fmt::format("the arm was not tracked for more than {} s: it was stopped", blind_s)};
+    };
+  }
+  // What is measured meanwhile is the next question's.
+  return [&motion, &plan, next, now = motion.estimate.state(), miss = motion.estimate.miss()] {
+    return motion.guide->advise(plan, next, motion.aim, now, miss);
+  };
+}
+
+bool ClosedLoop::may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) {
+  return motion_->corrections->may_go_on(plan, frame, state);
+}
+
+std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const ArmState& state) {
+  std::optional<Plan> found = motion_->corrections->next(plan, frame, state);
+  motion_->aim = motion_->corrections->aim();
+  motion_->estimate.forget_miss();
+  return found;
+}
+
+void ClosedLoop::obstacle_appeared(const Environment& now) {
+  motion_->move_in(now);
+}
+
+}  // namespace limber

@@ -1,0 +1,221 @@
+#include "motion_guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/certificate/certificate.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/planning/plan_builder.hpp"
+
+namespace limber {
+
+namespace {
+
+/// Of the room for the model's error, what is kept in mid-motion: that error is one of whole
+/// motions, and what is left of one starts where the arm was just measured.
+constexpr double kRoomInMotion = 0.25;
+constexpr double kOfPromised = 0.9;  // of a plan's own clearance, where that is less
+/// Farther than that from where its plan ends, an arm strays; below, it is left to the corrections.
+constexpr double kStraysM = 0.003;
+constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at half the speed
+constexpr double kStopS = 0.5;
+constexpr double kRepairReserveM = 2e-4;  // float32 searches, double certifies
+
+std::vector<Pressures> setpoints_after(const Plan& plan, std::size_t next) {
+  std::vector<Pressures> rest;
+  for (std::size_t k = next + 1; k < plan.frames.size(); ++k) {
+    rest.push_back(plan.frames[k].setpoint_kpa);
+  }
+  return rest;
+}
+
+bool is_at_rest(const std::vector<Pressures>& rest, const Pressures& now) {
+  return std::all_of(rest.begin(), rest.end(), [&](const Pressures& kpa) { return kpa == now; });
+}
+
+Eigen::Vector3d bounded(const Eigen::Vector3d& miss, double max_m) {
+  const double size_m = miss.head<2>().norm();
+  return size_m > max_m ? Eigen::Vector3d(miss * (max_m / size_m)) : miss;
+}
+
+/// What the model will miss by the end, if it goes on as it did: as much for each kPa. A model
+/// without memory predicts from pressures alone, so it is off by as much then as it is now.
+Eigen::Vector3d miss_ahead(const MotionModel& model, const ModelMiss& miss,
+                           const std::vector<Pressures>& rest, const Pressures& from_kpa) {
+  constexpr double kMaxMissM = 0.02;
+  constexpr double kMaxOffsetM = 0.1;
+  if (!model.has_network()) {
+    return bounded(miss.latest, kMaxOffsetM);
+  }
+  double ahead_kpa = 0.0;
+  Pressures before = from_kpa;
+  for (const Pressures& kpa : rest) {
+    ahead_kpa += double((kpa - before).cwiseAbs().sum());
+    before = kpa;
+  }
+  const double share =
+      miss.travelled_kpa > 0.0 ? std::min(1.0, ahead_kpa / miss.travelled_kpa) : 0.0;
+  return bounded(share * miss.sum, kMaxMissM);
+}
+
+}  // namespace
+
+PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model) {
+  return [&arm, &model](Plan& plan, const Environment& environment) {
+    const Certificate certificate =
+        certify(plan, arm, model.has_network() ? &model.compensation() : nullptr,
+                model.valves().parameters(), environment);
+    if (certificate.certified()) {
+      plan.certified = CertifiedFigures{certificate.clearance_m, certificate.max_deviation_m};
+    }
+    return certificate.certified();
+  };
+}
+
+MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
+                         const Environment& environment, const ErrorRoom& room,
+                         const MotionGuideSettings& settings, Planner& planner, PlanCheck check,
+                         std::uint64_t seed)
+    : arm_(arm),
+      model_(model),
+      environment_(environment),
+      room_(room),
+      settings_(settings),
+      planner_(planner),
+      check_(std::move(check)),
+      seed_(seed) {}
+
+CollisionChecker MotionGuide::checker_for(const Plan& plan) const {
+  std::vector<double> radii = plan.tube ? plan.tube->plate_radius_m : std::vector<double>();
+  for (double& radius_m : radii) {
+    radius_m *= kRoomInMotion;
+  }
+  return CollisionChecker(arm_, environment_.obstacles, 0.0, radii);
+}
+
+double MotionGuide::needed_m(const Plan& plan) const {
+  return plan.tube ? 0.0 : std::min(kRoomInMotion * room_.margin_m, kOfPromised * plan.clearance_m);
+}
+
+MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseGoal& aim,
+                                 const MotionState& now, const ModelMiss& miss) {
+  const Pressures& next_kpa = plan.frames[next].setpoint_kpa;
+  const std::vector<Pressures> rest_kpa = setpoints_after(plan, next);
+  if (is_at_rest(rest_kpa, next_kpa)) {
+    return {};  // its hold: corrections follow it
+  }
+  MotionState from = now;
+  MotionModel::Workspace workspace;
+  model_.step(next_kpa, from, workspace);
+  const CollisionChecker checker = checker_for(plan);
+  // An arm that is nearer already may go on where it comes no nearer.
+  const double start_m = checker.clearance(from.backbone).value_m;
+  const double kept_m = start_m > 0.0 ? kOfPromised * start_m : start_m / kOfPromised;
+  const RestForecast rest =
+      forecast(model_, checker, from, rest_kpa, std::min(needed_m(plan), kept_m));
+  const Eigen::Vector3d ahead = miss_ahead(model_, miss, rest_kpa, next_kpa);
+  // The tip will be that much beside where the model has it, so the model is asked for as much less.
+  // The shift of a memoryless model's goal is of the same kind, and known better now.
+  PoseGoal goal = model_.has_network() ? aim : environment_.goal;
+  goal.x_m -= ahead.x();
+  goal.y_m -= ahead.y();
+  if (goal.theta_rad) {
+    *goal.theta_rad -= ahead.z();
+  }
+  const double error_m = as_length_m(goal, pose_error(goal, rest.end));
+  const double promised_m =
+      as_length_m(goal, PoseError{plan.goal_distance_m, plan.goal_orientation_rad});
+  ++seed_;
+  if (rest.is_safe() && error_m <= promised_m + kStraysM) {
+    has_waited_ = false;
+    return {};
+  }
+  if (std::optional<Plan> found = find(plan, next, from, goal, rest.is_safe(), error_m)) {
+    has_waited_ = false;
+    return {MotionAdvice::Kind::go_on, std::move(found)};
+  }
+  return rest.is_safe() ? MotionAdvice{} : slow_down(rest);
+}
+
+std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const MotionState& from,
+                                      const PoseGoal& goal, bool is_safe, double error_m) {
+  Environment from_here = environment_;
+  from_here.start = start_at(from);
+  from_here.goal = goal;
+  const double tolerance_m = environment_.goal.position_tolerance_m;
+  const double max_error_m =
+      is_safe ? std::min(tolerance_m, error_m - settings_.min_gain_m) : tolerance_m;
+  if (max_error_m <= 0.0) {
+    return std::nullopt;
+  }
+  if (std::optional<Plan> found = repaired(plan, next, from, from_here, max_error_m)) {
+    return found;
+  }
+  if (is_safe && error_m <= tolerance_m) {
+    return std::nullopt;  // good enough for the corrections to start from
+  }
+  return searched(plan, from_here);
+}
+
+PlanningProblem MotionGuide::problem_from(const Environment& from_here, const Plan& plan) const {
+  PlanningProblem problem{arm_, model_, from_here, kRoomInMotion * room_.margin_m};
+  problem.limits = plan.limits;
+  if (problem.limits.empty()) {
+    problem.limits = settings_.limits;
+  } else if (!settings_.limits.empty()) {
+    for (std::size_t i = 0; i < problem.limits.size(); ++i) {
+      problem.limits[i] = problem.limits[i].within(settings_.limits[i]);
+    }
+  }
+  problem.margin_yields_to_start = true;
+  return problem;
+}
+
+std::optional<Plan> MotionGuide::repaired(const Plan& plan, std::size_t next,
+                                          const MotionState& from, const Environment& from_here,
+                                          double max_error_m) {
+  PlanningProblem problem = problem_from(from_here, plan);
+  const double start_m =
+      CollisionChecker(arm_, environment_.obstacles).clearance(from.backbone).value_m;
+  problem.margin_m = std::max(0.0, std::min(problem.margin_m, kOfPromised * start_m));
+  const CollisionChecker checker(
+      arm_, environment_.obstacles,
+      std::max(problem.margin_m, Certificate::kMinClearanceM) + kRepairReserveM);
+  MotionSimulator simulator(arm_, model_, checker);
+  PlanRepair repair(simulator, setpoints_of(problem));
+  const std::optional<std::vector<Pressures>> waypoints_kpa =
+      repair.toward(from_here.goal, from,
+                    waypoints_after(plan, next, arm_.pressure_step_limit_kpa()), max_error_m);
+  if (!waypoints_kpa) {
+    return std::nullopt;
+  }
+  Plan found = build_plan(problem, simulator, *waypoints_kpa, "repair", seed_);
+  return check_(found, from_here) ? std::optional(std::move(found)) : std::nullopt;
+}
+
+std::optional<Plan> MotionGuide::searched(const Plan& plan, const Environment& from_here) {
+  PlannerLimits limits;
+  limits.queries = settings_.queries;
+  PlanResult result = planner_.plan(problem_from(from_here, plan), limits, seed_,
+                                    [](const PlannerProgress&) { return !interrupt_requested(); });
+  const bool is_certified = result.plan && result.plan->certified;
+  return is_certified ? std::move(result.plan) : std::nullopt;
+}
+
+MotionAdvice MotionGuide::slow_down(const RestForecast& rest) {
+  const int left = rest.unsafe_frame + 1;
+  if (left > arm_.frames_in(kSlowS)) {
+    return {};
+  }
+  if (left > arm_.frames_in(kStopS)) {
+    has_waited_ = !has_waited_;
+    return {has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
+  }
+  return {MotionAdvice::Kind::stop, std::nullopt,
+          fmt::format("{} is in the way, and no other way was found: the arm was stopped",
+                      obstacle_name(environment_, rest.unsafe_obstacle))};
+}
+
+}  // namespace limber

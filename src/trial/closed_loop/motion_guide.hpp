@@ -1,0 +1,77 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "arm_estimate.hpp"
+#include "limber/forward/error_room.hpp"
+#include "limber/hardware/executor.hpp"
+#include "limber/planning/planner.hpp"
+#include "plan_repair.hpp"
+#include "rest_forecast.hpp"
+
+namespace limber {
+
+/// Whether a plan for this environment may be followed; sets its `certified` if so.
+using PlanCheck = std::function<bool(Plan& plan, const Environment& environment)>;
+
+/// The certificate, for plans of this arm and model. Borrows both.
+PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model);
+
+struct MotionGuideSettings {
+  /// Model queries of a search in mid-motion.
+  std::uint64_t queries = 2000;
+  /// What a plan has to end nearer to the goal, to replace the one that is followed. [m]
+  double min_gain_m = 0.001;
+  std::vector<PressureLimits> limits = {};  ///< ReplannerSettings::limits
+};
+
+/// Says what an arm in mid-motion does after its next frame (docs/planning.md, Closed loop). What is
+/// left of the plan is simulated from the state that the next frame leads to. If that is safe and
+/// ends where the plan promised, or nearer to the goal, the arm goes on. If not, the guide looks for
+/// a plan that starts in that state: the rest of the present one with its end shifted, and then, if
+/// the rest is not safe or would miss the goal, whatever a planner finds within its queries. It
+/// takes one that is certified and better. If there is none and the way is not free, the arm slows
+/// down far from the obstacle, and stops near to it.
+///
+/// Threads: one guide, one thread at a time. All arguments are borrowed.
+class MotionGuide {
+ public:
+  MotionGuide(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
+              const ErrorRoom& room, const MotionGuideSettings& settings, Planner& planner,
+              PlanCheck check, std::uint64_t seed);
+
+  /// @param next  frame of the plan whose set points are commanded next, whatever is said
+  /// @param aim   the goal that the plan was made for
+  /// @param now   after the last frame
+  /// @param miss  of the model, since this motion began
+  MotionAdvice advise(const Plan& plan, std::size_t next, const PoseGoal& aim,
+                      const MotionState& now, const ModelMiss& miss);
+
+ private:
+  /// Obstacles and clearance that the rest of a plan is asked for.
+  CollisionChecker checker_for(const Plan& plan) const;
+  double needed_m(const Plan& plan) const;
+  PlanningProblem problem_from(const Environment& from_here, const Plan& plan) const;
+  /// The best of what is found that is better than going on.
+  std::optional<Plan> find(const Plan& plan, std::size_t next, const MotionState& from,
+                           const PoseGoal& goal, bool is_safe, double error_m);
+  std::optional<Plan> repaired(const Plan& plan, std::size_t next, const MotionState& from,
+                               const Environment& from_here, double max_error_m);
+  std::optional<Plan> searched(const Plan& plan, const Environment& from_here);
+  MotionAdvice slow_down(const RestForecast& rest);
+
+  const ArmDescription& arm_;
+  MotionModel model_;
+  const Environment& environment_;
+  ErrorRoom room_;
+  MotionGuideSettings settings_;
+  Planner& planner_;
+  PlanCheck check_;
+  std::uint64_t seed_;
+  bool has_waited_ = false;  // in the frame before
+};
+
+}  // namespace limber

@@ -1,0 +1,139 @@
+#include "plan_repair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+
+namespace limber {
+
+namespace {
+
+constexpr double kProbeShare = 0.02;     // of a segment's range: what sensitivities are taken from
+constexpr double kRepairDamping = 0.02;  // of the normal matrix, of its mean diagonal
+constexpr int kRepairSteps = 3;
+
+double m_per_rad(const PoseGoal& goal) {
+  return goal.theta_rad ? goal.position_tolerance_m / goal.orientation_tolerance_rad : 0.0;
+}
+
+Eigen::Vector3d missing(const PoseGoal& goal, const Pose& tip) {
+  const double turn = goal.theta_rad
+                          ? std::remainder(*goal.theta_rad - tip.theta_rad, 2.0 * std::numbers::pi)
+                          : 0.0;
+  return {goal.x_m - tip.x_m, goal.y_m - tip.y_m, m_per_rad(goal) * turn};
+}
+
+}  // namespace
+
+double as_length_m(const PoseGoal& goal, const PoseError& error) {
+  return std::hypot(error.position_m, m_per_rad(goal) * error.orientation_rad);
+}
+
+std::vector<Pressures> waypoints_after(const Plan& plan, std::size_t next, double step_limit_kpa) {
+  std::vector<Pressures> rest{plan.frames[next].setpoint_kpa};
+  std::size_t reached = 0;  // the frame in which the plan is at waypoint w
+  for (std::size_t w = 1; w < plan.waypoints_kpa.size(); ++w) {
+    reached += static_cast<std::size_t>(
+        motion_frame_count(plan.waypoints_kpa[w - 1], plan.waypoints_kpa[w], step_limit_kpa));
+    if (reached > next) {
+      rest.push_back(plan.waypoints_kpa[w]);
+    }
+  }
+  if (rest.size() == 1) {
+    rest.push_back(rest.front());  // it holds: a motion to where it is
+  }
+  return rest;
+}
+
+Eigen::MatrixXd PlanRepair::sensitivity(const MotionState& from,
+                                        const std::vector<Pressures>& waypoints_kpa) {
+  const Eigen::Index n = waypoints_kpa.front().size();
+  const Pressures range_kpa = box_.high_kpa - box_.low_kpa;
+  std::vector<std::vector<Pressures>> ways{waypoints_kpa};
+  Eigen::VectorXd probes(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const bool has_room =
+        waypoints_kpa.back()[i] + float(kProbeShare) * range_kpa[i] <= box_.high_kpa[i];
+    probes[i] = (has_room ? kProbeShare : -kProbeShare) * double(range_kpa[i]);
+    ways.push_back(shifted(waypoints_kpa, probes[i] * Eigen::VectorXd::Unit(n, i)));
+  }
+  MotionBatch batch(simulator_);
+  std::vector<MotionState> at(ways.size(), from);
+  Eigen::MatrixXf to(n, static_cast<Eigen::Index>(ways.size()));
+  for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
+    for (std::size_t j = 0; j < ways.size(); ++j) {
+      to.col(static_cast<Eigen::Index>(j)) = ways[j][w];
+    }
+    batch.run(at, to);
+    for (std::size_t j = 0; j < ways.size(); ++j) {
+      at[j] = batch.end(static_cast<int>(j));
+    }
+  }
+  Eigen::MatrixXd result(3, n);
+  const auto settled = [&](std::size_t j) {
+    const Pose tip = simulator_.model().settled_tip(at[j].valves, at[j].backbone);
+    return Eigen::Vector3d(tip.x_m, tip.y_m, tip.theta_rad);
+  };
+  const Eigen::Vector3d middle = settled(0);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    result.col(i) = (settled(static_cast<std::size_t>(i) + 1) - middle) / probes[i];
+  }
+  return result;
+}
+
+std::optional<Pose> PlanRepair::held_tip(const MotionState& from,
+                                         const std::vector<Pressures>& waypoints_kpa) {
+  MotionState state = from;
+  for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
+    if (!simulator_.move(state, waypoints_kpa[w], state)) {
+      return std::nullopt;
+    }
+  }
+  return simulator_.hold(state, state) ? std::optional(tip_pose(state.backbone)) : std::nullopt;
+}
+
+std::vector<Pressures> PlanRepair::shifted(std::vector<Pressures> waypoints_kpa,
+                                           const Eigen::VectorXd& shift_kpa) const {
+  const double whole = path_cost_kpa(waypoints_kpa);
+  double gone = 0.0;
+  Pressures before = waypoints_kpa.front();
+  for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
+    gone += motion_cost_kpa(before, waypoints_kpa[w]);
+    before = waypoints_kpa[w];
+    const bool is_end = w + 1 == waypoints_kpa.size();
+    const double share = is_end || whole <= 0.0 ? 1.0 : gone / whole;
+    waypoints_kpa[w] = box_.limited(waypoints_kpa[w] + (share * shift_kpa).cast<float>());
+  }
+  return waypoints_kpa;
+}
+
+std::optional<std::vector<Pressures>> PlanRepair::toward(
+    const PoseGoal& goal, const MotionState& from, const std::vector<Pressures>& waypoints_kpa,
+    double max_error_m) {
+  Eigen::MatrixXd jacobian = sensitivity(from, waypoints_kpa);
+  jacobian.row(2) *= m_per_rad(goal);
+  Eigen::Matrix3d normal = jacobian * jacobian.transpose();
+  normal.diagonal().array() += kRepairDamping * normal.trace() / 3.0;
+  const auto solver = normal.ldlt();
+  std::optional<std::vector<Pressures>> best;
+  Eigen::VectorXd shift_kpa = Eigen::VectorXd::Zero(waypoints_kpa.front().size());
+  std::vector<Pressures> tried = waypoints_kpa;
+  for (int step = 0; step <= kRepairSteps; ++step) {
+    const std::optional<Pose> tip = held_tip(from, tried);
+    if (!tip) {
+      break;
+    }
+    const double error_m = as_length_m(goal, pose_error(goal, *tip));
+    if (error_m < max_error_m) {
+      max_error_m = error_m;
+      best = tried;
+    }
+    shift_kpa += jacobian.transpose() * solver.solve(missing(goal, *tip));
+    tried = shifted(waypoints_kpa, shift_kpa);
+  }
+  return best;
+}
+
+}  // namespace limber

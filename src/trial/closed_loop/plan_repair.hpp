@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "limber/forward/motion_simulator.hpp"
+#include "limber/world/pose_goal.hpp"
+#include "limber/world/pressure_box.hpp"
+
+namespace limber {
+
+/// What is left of a plan for an arm in motion: the set points of its next frame, then the plan's
+/// waypoints after that frame, its end last.
+std::vector<Pressures> waypoints_after(const Plan& plan, std::size_t next, double step_limit_kpa);
+
+/// Shifts the end of what is left of a plan, and the waypoints before it in proportion to how far
+/// along they are, so that the tip comes to rest nearer to the goal's centre. The model itself says
+/// what a shift does (finite differences, one rollout per segment), then a few damped Newton steps
+/// are taken, each simulated. The nearest of them that is free is the repair.
+///
+/// Threads: as MotionSimulator. Borrows it.
+class PlanRepair {
+ public:
+  /// @param box  set points stay in there
+  PlanRepair(MotionSimulator& simulator, PressureBox box)
+      : simulator_(simulator), box_(std::move(box)) {}
+
+  /// @param from  the state at the first of the waypoints
+  /// @return waypoints, the first one kept; none if nothing free ends nearer than `max_error_m`
+  std::optional<std::vector<Pressures>> toward(const PoseGoal& goal, const MotionState& from,
+                                               const std::vector<Pressures>& waypoints_kpa,
+                                               double max_error_m);
+
+ private:
+  /// Columns: what one kPa at the end of each segment does to the settled tip (x, y, heading).
+  Eigen::MatrixXd sensitivity(const MotionState& from, const std::vector<Pressures>& waypoints_kpa);
+  std::optional<Pose> held_tip(const MotionState& from,
+                               const std::vector<Pressures>& waypoints_kpa);
+  std::vector<Pressures> shifted(std::vector<Pressures> waypoints_kpa,
+                                 const Eigen::VectorXd& shift_kpa) const;
+
+  MotionSimulator& simulator_;
+  PressureBox box_;
+};
+
+/// Both errors of a pose as one length: the heading counts as much as the position where each is at
+/// its tolerance.
+double as_length_m(const PoseGoal& goal, const PoseError& error);
+
+}  // namespace limber

@@ -1,0 +1,227 @@
+// Plans that are replaced, waited with or left while the arm moves along them.
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "limber/hardware/executor.hpp"
+#include "support/bending_plan.hpp"
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
+
+/// Advises what it is told to, and notes what it was shown.
+class Adviser final : public PlanSource {
+ public:
+  using Answer = std::function<MotionAdvice(const Plan& plan, std::size_t next)>;
+  explicit Adviser(Answer answer) : answer_(std::move(answer)) {}
+
+  void observe(const Pressures& setpoint_kpa, const ArmState& state) override {
+    commanded_kpa.push_back(setpoint_kpa);
+    times_s.push_back(state.time_s);
+  }
+  std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next) override {
+    asked_at.push_back(commanded_kpa.size() - 1);
+    return [this, &plan, next] { return answer_(plan, next); };
+  }
+  bool may_go_on(const Plan&, std::size_t, const ArmState&) override { return true; }
+  std::optional<Plan> next(const Plan&, std::size_t, const ArmState&) override {
+    return std::nullopt;
+  }
+
+  std::vector<Pressures> commanded_kpa;
+  std::vector<double> times_s;
+  std::vector<std::size_t> asked_at;  ///< frames of the run after which it was asked
+
+ private:
+  Answer answer_;
+};
+
+/// The rest of a plan from one of its frames on.
+Plan rest_of(const Plan& plan, std::size_t frame) {
+  Plan rest = plan;
+  rest.frames.erase(rest.frames.begin(), rest.frames.begin() + std::ptrdiff_t(frame));
+  rest.waypoints_kpa.front() = rest.frames.front().setpoint_kpa;
+  return rest;
+}
+
+class MotionAdviceTest : public ::testing::Test {
+ protected:
+  ExecutionResult run(Adviser& adviser, ArmDriver& driver) {
+    ExecutionSettings settings;
+    settings.replanner = &adviser;
+    settings.hold_s = 0.5;
+    return execute(arm_, environment_, plan_, driver, settings);
+  }
+  ExecutionResult run(Adviser& adviser) {
+    FakeArm driver(arm_, kInstant_s);
+    return run(adviser, driver);
+  }
+
+  const ArmDescription arm_ = small_arm();
+  const Environment environment_;
+  const Plan plan_ = bending_plan(arm_, environment_);
+};
+
+TEST_F(MotionAdviceTest, IsAskedForBeforeEachFrameOfAMotionAndShownEverySetPoint) {
+  Adviser adviser([](const Plan&, std::size_t) { return MotionAdvice{}; });
+  const ExecutionResult result = run(adviser);
+  FakeArm blind(arm_, kInstant_s);
+  const ExecutionResult open_loop = execute(arm_, environment_, plan_, blind, {0.5});
+  ASSERT_EQ(adviser.asked_at.size(), plan_.frames.size() - 1);
+  for (std::size_t k = 0; k < adviser.asked_at.size(); ++k) {
+    EXPECT_EQ(adviser.asked_at[k], k);
+  }
+  ASSERT_EQ(adviser.commanded_kpa.size(), std::size_t(result.frames) + 1);
+  EXPECT_EQ(adviser.commanded_kpa.front(), plan_.frames.front().setpoint_kpa);
+  EXPECT_EQ(result.episode.setpoint_kpa, open_loop.episode.setpoint_kpa);
+  EXPECT_EQ(result.switches + result.waits + result.halts, 0);
+}
+
+TEST_F(MotionAdviceTest, TakesEffectInTheFrameAfterTheNext) {
+  Adviser adviser([&](const Plan& plan, std::size_t next) {
+    MotionAdvice advice;
+    if (&plan == &plan_ && next == 4) {
+      advice.plan = rest_of(plan, 4);
+      advice.plan->frames[1].setpoint_kpa[1] = 3.0F;  // tells it from the first plan
+    }
+    return advice;
+  });
+  const ExecutionResult result = run(adviser);
+  EXPECT_EQ(result.switches, 1);
+  EXPECT_EQ(result.replans, 0);
+  EXPECT_EQ(adviser.commanded_kpa[4], plan_.frames[4].setpoint_kpa);
+  EXPECT_EQ(adviser.commanded_kpa[5][1], 3.0F);
+  EXPECT_EQ(adviser.commanded_kpa[6], plan_.frames[6].setpoint_kpa);
+  EXPECT_EQ(result.frames, plan_.frame_count() - 1 + arm_.frames_in(0.5));
+}
+
+TEST_F(MotionAdviceTest, WaitingRepeatsAFrame) {
+  int asked = 0;  // in its frame of waiting it is asked about frame 3 again
+  Adviser twice([&](const Plan&, std::size_t next) {
+    const bool waits = next == 3 && asked++ < 2;
+    return MotionAdvice{waits ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
+  });
+  const ExecutionResult result = run(twice);
+  EXPECT_EQ(result.waits, 2);
+  for (const std::size_t k : {3U, 4U, 5U}) {
+    EXPECT_EQ(twice.commanded_kpa[k], plan_.frames[3].setpoint_kpa) << k;
+  }
+  EXPECT_EQ(twice.commanded_kpa[6], plan_.frames[4].setpoint_kpa);
+  EXPECT_EQ(result.status, ExecutionStatus::done);
+}
+
+TEST_F(MotionAdviceTest, AStoppedArmHoldsAndSaysWhy) {
+  Adviser adviser([](const Plan&, std::size_t next) {
+    return next == 3 ? MotionAdvice{MotionAdvice::Kind::stop, std::nullopt, "no way"}
+                     : MotionAdvice{};
+  });
+  const ExecutionResult result = run(adviser);
+  EXPECT_EQ(result.status, ExecutionStatus::stopped);
+  EXPECT_EQ(result.message, "no way");
+  EXPECT_EQ(result.halts, 1);
+  EXPECT_EQ(result.frames, 3 + arm_.frames_in(0.5));
+  EXPECT_EQ(adviser.commanded_kpa.back(), plan_.frames[3].setpoint_kpa);
+}
+
+TEST_F(MotionAdviceTest, RefusesAPlanThatStartsElsewhereOrIsTooFastAndVents) {
+  int vents = 0;
+  const auto running = [&](const Plan& other) {
+    Adviser adviser([&](const Plan&, std::size_t next) {
+      MotionAdvice advice;
+      if (next == 3) {
+        advice.plan = other;
+      }
+      return advice;
+    });
+    FakeArm driver(arm_, kInstant_s, {}, &vents);
+    (void)run(adviser, driver);
+  };
+  EXPECT_THAT([&] { running(plan_); },
+              ThrowsMessage<InputError>(HasSubstr("does not start at the set points")));
+  EXPECT_GE(vents, 1);
+  Plan fast = rest_of(plan_, 3);
+  fast.frames[1].setpoint_kpa[0] += 15.0F;
+  EXPECT_THAT([&] { running(fast); }, ThrowsMessage<InputError>(HasSubstr("in one frame")));
+}
+
+/// In real time: each frame takes a while, whoever searches meanwhile.
+class RealTimeArm final : public ArmDriver {
+ public:
+  RealTimeArm(const ArmDescription& arm, std::chrono::milliseconds frame)
+      : inner_(arm, kInstant_s), frame_(frame) {}
+  const ArmState& state() const override { return inner_.state(); }
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
+    std::this_thread::sleep_for(frame_);
+    return inner_.command(setpoint_kpa);
+  }
+  bool is_real_time() const override { return true; }
+  void vent() noexcept override {}
+
+ private:
+  FakeArm inner_;
+  std::chrono::milliseconds frame_;
+};
+
+TEST_F(MotionAdviceTest, WhatComesLateIsDroppedAndDelaysNoFrame) {
+  std::atomic<int> answers = 0;
+  Adviser slow([&](const Plan& plan, std::size_t next) {
+    ++answers;
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));  // several frames
+    MotionAdvice advice;
+    advice.plan = rest_of(plan, next);
+    return advice;
+  });
+  RealTimeArm driver(arm_, std::chrono::milliseconds(5));
+  const ExecutionResult result = run(slow, driver);
+  EXPECT_EQ(result.switches, 0);
+  EXPECT_EQ(result.status, ExecutionStatus::done);
+  EXPECT_GE(answers, 1);
+  EXPECT_LT(answers, plan_.frame_count() - 1) << "nobody is asked while one is still thinking";
+}
+
+TEST_F(MotionAdviceTest, InRealTimeWhatComesInTimeTakesEffect) {
+  Adviser quick([&](const Plan& plan, std::size_t next) {
+    MotionAdvice advice;
+    if (&plan == &plan_ && next == 3) {
+      advice.plan = rest_of(plan, 3);
+    }
+    return advice;
+  });
+  RealTimeArm driver(arm_, std::chrono::milliseconds(100));  // a loaded machine has time enough
+  const ExecutionResult result = run(quick, driver);
+  EXPECT_EQ(result.switches, 1);
+  EXPECT_EQ(result.frames, plan_.frame_count() - 1 + arm_.frames_in(0.5));
+}
+
+TEST_F(MotionAdviceTest, SaysWhenTheTipWasInTheGoalForGood) {
+  Environment environment = environment_;
+  const Pose end = tip_pose(plan_.frames.back().backbone);
+  environment.goal = {end.x_m, end.y_m, std::nullopt, 0.001, 0.1};
+  Plan plan = plan_;
+  plan.environment_hash = environment_hash(environment);
+  FakeArm driver(arm_, kInstant_s);
+  const ExecutionResult result = execute(arm_, environment, plan, driver, {0.5});
+  const double end_s = (plan.frame_count() - 1) * arm_.frame_period_s();
+  constexpr double kRoundingS = 1e-9;
+  ASSERT_TRUE(result.goal_time_s && result.planned_goal_time_s);
+  EXPECT_NEAR(*result.planned_goal_time_s, end_s, kRoundingS);
+  EXPECT_NEAR(*result.goal_time_s, end_s, kRoundingS);
+  environment.goal.y_m += 0.1;
+  plan.environment_hash = environment_hash(environment);
+  FakeArm again(arm_, kInstant_s);
+  const ExecutionResult missed = execute(arm_, environment, plan, again, {0.5});
+  EXPECT_FALSE(missed.goal_time_s || missed.planned_goal_time_s);
+}
+
+}  // namespace
+}  // namespace limber

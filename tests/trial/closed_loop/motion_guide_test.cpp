@@ -1,0 +1,204 @@
+#include "src/trial/closed_loop/motion_guide.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/planning/planner_factory.hpp"
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kMarginM = 0.02;
+
+/// Finds what it is told to find.
+class FakePlanner final : public Planner {
+ public:
+  const char* name() const override { return "fake"; }
+  PlanResult plan(const PlanningProblem& problem, const PlannerLimits& limits, std::uint64_t seed,
+                  const PlannerCallback& callback) override {
+    ++calls;
+    asked_queries = limits.queries.value_or(0);
+    starts.push_back(*problem.environment.start);
+    PlanResult result;
+    if (searches) {
+      result = make_planner("default", 1)->plan(problem, limits, seed, callback);
+      if (result.plan && !keeps_certificate) {
+        result.plan->certified.reset();
+      }
+    }
+    return result;
+  }
+
+  bool searches = true;
+  bool keeps_certificate = true;
+  int calls = 0;
+  std::uint64_t asked_queries = 0;
+  std::vector<ArmStart> starts;
+};
+
+/// A plan along a straight line of set points, and an arm that is somewhere on it.
+class MotionGuideTest : public ::testing::Test {
+ protected:
+  MotionGuideTest() {
+    environment_.name = "a goal to the right";
+    const Pressures end_kpa = Pressures::Constant(2, 90.0F);
+    MotionModel::Workspace workspace;
+    MotionState end = start();
+    model_.step(end_kpa, end, workspace);
+    const Pose goal = tip_pose(end.backbone);
+    environment_.goal = {goal.x_m, goal.y_m, std::nullopt, 0.02, 0.1};
+    PlannerLimits limits;
+    limits.queries = 20000;
+    PlanResult result =
+        make_planner("default", 1)->plan({arm_, model_, environment_, 0.0}, limits, 1);
+    EXPECT_TRUE(result.plan.has_value()) << result.reason;
+    plan_ = std::move(*result.plan);
+    plan_.margin_m = kMarginM;
+  }
+
+  MotionState start() const {
+    const ArmStart rest = start_state(Environment{}, arm_);
+    return model_.settled_state(rest.pressures_kpa, rest.backbone);
+  }
+
+  /// Where the plan has the arm after one of its frames.
+  MotionState planned(std::size_t frame) const {
+    const std::vector<PlanFrame> until(plan_.frames.begin(),
+                                       plan_.frames.begin() + std::ptrdiff_t(frame) + 1);
+    return state_after(until, model_);
+  }
+
+  /// A small circle where the plan's tip passes in a frame, beside what is there then.
+  void block(std::size_t frame) {
+    const Pose tip = tip_pose(plan_.frames[frame].backbone);
+    environment_.obstacles = {Circle{tip.x_m, tip.y_m, 0.005}};
+  }
+
+  MotionGuide guide(PlanCheck check = {}) {
+    ErrorRoom room;
+    room.margin_m = kMarginM;
+    if (!check) {
+      check = certificate_check(arm_, model_);
+    }
+    return MotionGuide(arm_, model_, environment_, room, {5000, 0.001, {}}, planner_, check, 1);
+  }
+
+  MotionAdvice ask(MotionGuide& guide, std::size_t next, const MotionState& now,
+                   const ModelMiss& miss = {}) {
+    return guide.advise(plan_, next, environment_.goal, now, miss);
+  }
+
+  const ArmDescription arm_ = small_arm();
+  const ForwardModel forward_{arm_};
+  const MotionModel model_{forward_};
+  Environment environment_;
+  Plan plan_;
+  FakePlanner planner_;
+};
+
+TEST_F(MotionGuideTest, GoesOnWhereNothingStraysAndAsksNobody) {
+  MotionGuide one = guide([](Plan&, const Environment&) {
+    ADD_FAILURE() << "nothing to certify";
+    return false;
+  });
+  for (std::size_t k = 0; k + 1 < plan_.frames.size(); ++k) {
+    const MotionAdvice advice = ask(one, k + 1, planned(k));
+    EXPECT_EQ(advice.kind, MotionAdvice::Kind::go_on);
+    EXPECT_FALSE(advice.plan);
+  }
+  EXPECT_EQ(planner_.calls, 0);
+}
+
+TEST_F(MotionGuideTest, WhatTheModelMissesIsMadeUpForByAPlanFromTheNextFrame) {
+  constexpr std::size_t kFrame = 3;
+  MotionGuide one = guide();
+  const ModelMiss miss{
+      {0.0, 0.01, 0.0}, {0.0, 0.01, 0.0}, 1.0};  // and as much for each kPa to come
+  const MotionAdvice advice = ask(one, kFrame + 1, planned(kFrame), miss);
+  ASSERT_TRUE(advice.plan);
+  EXPECT_TRUE(advice.plan->certified);
+  EXPECT_EQ(advice.plan->frames.front().setpoint_kpa, plan_.frames[kFrame + 1].setpoint_kpa);
+  EXPECT_EQ(advice.plan->frames.front().backbone, planned(kFrame + 1).backbone);
+  // It ends as far on the other side of the goal as the model is expected to be off there.
+  const Pose end = tip_pose(advice.plan->frames.back().backbone);
+  constexpr double kNearM = 0.003;
+  EXPECT_NEAR(end.x_m, environment_.goal.x_m, kNearM);
+  EXPECT_NEAR(end.y_m, environment_.goal.y_m - 0.01, kNearM);
+}
+
+TEST_F(MotionGuideTest, NoPlanIsTakenThatItsCertificateRefuses) {
+  planner_.keeps_certificate = false;
+  int asked = 0;
+  MotionGuide one = guide([&](Plan&, const Environment&) {
+    ++asked;
+    return false;
+  });
+  const ModelMiss miss{{0.0, 0.03, 0.0}, {0.0, 0.03, 0.0}, 1.0};
+  EXPECT_FALSE(ask(one, 4, planned(3), miss).plan);
+  EXPECT_GT(asked, 0);
+  block(plan_.frames.size() - 1 - std::size_t(plan_.hold_frame_count));
+  MotionGuide other = guide([](Plan&, const Environment&) { return false; });
+  EXPECT_FALSE(ask(other, 2, planned(1)).plan);
+  EXPECT_GT(planner_.calls, 0) << "it found one, which is not certified";
+}
+
+TEST_F(MotionGuideTest, SlowsDownFarFromWhatIsInTheWayAndStopsNearIt) {
+  planner_.searches = false;
+  const auto refuse = [](Plan&, const Environment&) { return false; };
+  const std::size_t end = plan_.frames.size() - 1 - std::size_t(plan_.hold_frame_count);
+  ASSERT_LE(end, std::size_t(arm_.frames_in(1.0))) << "the whole motion is within slowing down";
+  block(end);
+  MotionGuide one = guide(refuse);
+  const MotionAdvice near = ask(one, end - 2, planned(end - 3));
+  EXPECT_EQ(near.kind, MotionAdvice::Kind::stop);
+  EXPECT_THAT(near.reason, HasSubstr("obstacle 0 (circle) is in the way"));
+  EXPECT_EQ(planner_.asked_queries, 5000U);
+}
+
+TEST_F(MotionGuideTest, EverySecondFrameOfSlowingDownIsAFrameOfWaiting) {
+  planner_.searches = false;
+  ArmDescription slow = arm_;
+  slow.pressure_rate_limit_kpa_per_s = 100.0;  // 18 frames for 90 kPa
+  const ForwardModel forward(slow);
+  const MotionModel model(forward);
+  PlannerLimits limits;
+  limits.queries = 20000;
+  const PlanResult result =
+      make_planner("default", 1)->plan({slow, model, environment_, 0.0}, limits, 1);
+  ASSERT_TRUE(result.plan);
+  const Plan& plan = *result.plan;
+  const std::size_t end = plan.frames.size() - 1 - std::size_t(plan.hold_frame_count);
+  ASSERT_GE(end, 16U);
+  const Pose tip = tip_pose(plan.frames[end].backbone);
+  environment_.obstacles = {Circle{tip.x_m, tip.y_m, 0.001}};
+  MotionGuide one(
+      slow, model, environment_, ErrorRoom{}, {100, 0.001, {}}, planner_,
+      [](Plan&, const Environment&) { return false; }, 1);
+  const MotionState now = state_of(start_state(Environment{}, slow), model);
+  std::vector<MotionAdvice::Kind> kinds;
+  for (int k = 0; k < 4; ++k) {
+    kinds.push_back(one.advise(plan, 1, environment_.goal, now, {}).kind);
+  }
+  using Kind = MotionAdvice::Kind;
+  EXPECT_EQ(kinds, (std::vector{Kind::wait, Kind::go_on, Kind::wait, Kind::go_on}));
+}
+
+TEST_F(MotionGuideTest, FindsAWayAroundWhatIsInTheWay) {
+  const std::size_t end = plan_.frames.size() - 1 - std::size_t(plan_.hold_frame_count);
+  block(end / 2);
+  const Pose tip = tip_pose(plan_.frames[end / 2].backbone);
+  environment_.obstacles = {Circle{tip.x_m + 0.01, tip.y_m, 0.004}};
+  MotionGuide one = guide();
+  const MotionAdvice advice = ask(one, 1, planned(0));
+  if (advice.plan) {  // certified for the environment with the obstacle
+    EXPECT_TRUE(advice.plan->certified);
+    EXPECT_GT(advice.plan->clearance_m, 0.0);
+  } else {
+    EXPECT_NE(advice.kind, MotionAdvice::Kind::go_on);
+  }
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,97 @@
+#include "src/trial/closed_loop/plan_repair.hpp"
+
+#include <gtest/gtest.h>
+
+#include "limber/world/environment.hpp"
+#include "support/bending_plan.hpp"
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+struct RepairSetting {
+  ArmDescription arm = small_arm(3);
+  ForwardModel forward{arm};
+  MotionModel model{forward};
+  CollisionChecker free{arm, {}};
+  MotionSimulator simulator{arm, model, free};
+  MotionState rest = simulator.start(start_state(Environment{}, arm));
+  std::vector<Pressures> waypoints_kpa{Pressures::Zero(3), Pressures::Constant(3, 30.0F),
+                                       Pressures::Constant(3, 60.0F)};
+
+  Pose end(const std::vector<Pressures>& along) {
+    MotionState state = rest;
+    for (std::size_t w = 1; w < along.size(); ++w) {
+      simulator.move_unchecked(state, along[w], state);
+    }
+    return tip_pose(state.backbone);
+  }
+};
+
+TEST(PlanRepair, EndsWhereItIsAskedTo) {
+  RepairSetting s;
+  const Pose now = s.end(s.waypoints_kpa);
+  PlanRepair repair(s.simulator, pressure_box(s.arm));
+  for (const double aside_m : {-0.03, 0.01, 0.03}) {
+    const PoseGoal goal{now.x_m + aside_m, now.y_m - 0.5 * aside_m, std::nullopt, 0.02, 0.1};
+    const auto repaired = repair.toward(goal, s.rest, s.waypoints_kpa, 0.005);
+    ASSERT_TRUE(repaired) << aside_m;
+    EXPECT_LT(pose_error(goal, s.end(*repaired)).position_m, 0.002) << aside_m;
+    EXPECT_EQ(repaired->front(), s.waypoints_kpa.front()) << "it is there already";
+    EXPECT_EQ(repaired->size(), s.waypoints_kpa.size());
+  }
+}
+
+TEST(PlanRepair, TurnsTheTipWhereAHeadingIsAskedFor) {
+  RepairSetting s;
+  const Pose now = s.end(s.waypoints_kpa);
+  const PoseGoal goal{now.x_m, now.y_m, now.theta_rad + 0.1, 0.02, 0.1};
+  PlanRepair repair(s.simulator, pressure_box(s.arm));
+  const auto repaired = repair.toward(goal, s.rest, s.waypoints_kpa, 0.01);
+  ASSERT_TRUE(repaired);
+  EXPECT_LT(as_length_m(goal, pose_error(goal, s.end(*repaired))), 0.005);
+}
+
+TEST(PlanRepair, KeepsTheLimitsAndReturnsNothingThatIsNotNearEnough) {
+  RepairSetting s;
+  const Pose now = s.end(s.waypoints_kpa);
+  PressureBox box = pressure_box(s.arm);
+  box.high_kpa.setConstant(61.0F);
+  box.low_kpa.setConstant(-61.0F);
+  PlanRepair repair(s.simulator, box);
+  const PoseGoal goal{now.x_m, now.y_m - 0.2, std::nullopt, 0.02, 0.1};
+  EXPECT_FALSE(repair.toward(goal, s.rest, s.waypoints_kpa, 0.01));
+  const auto nearer = repair.toward(goal, s.rest, s.waypoints_kpa, 1.0);
+  ASSERT_TRUE(nearer);
+  for (const Pressures& kpa : *nearer) {
+    EXPECT_LE(kpa.cwiseAbs().maxCoeff(), 61.0F);
+  }
+}
+
+TEST(PlanRepair, NothingThatTouchesAnObstacleIsARepair) {
+  RepairSetting s;
+  const Pose now = s.end(s.waypoints_kpa);
+  const CollisionChecker blocked(s.arm, {Circle{now.x_m, now.y_m, 0.01}});
+  MotionSimulator simulator(s.arm, s.model, blocked);
+  PlanRepair repair(simulator, pressure_box(s.arm));
+  const PoseGoal goal{now.x_m, now.y_m, std::nullopt, 0.02, 0.1};
+  EXPECT_FALSE(repair.toward(goal, s.rest, s.waypoints_kpa, 1.0));
+}
+
+TEST(WaypointsAfter, AreThoseStillAheadAndTheFirstIsWhereTheArmIs) {
+  const ArmDescription arm = small_arm();
+  const Plan plan = bending_plan(arm, Environment{});  // 8 frames to the first waypoint, 8 more
+  const auto rest = [&](std::size_t next) {
+    return waypoints_after(plan, next, arm.pressure_step_limit_kpa());
+  };
+  EXPECT_EQ(rest(0), plan.waypoints_kpa);
+  ASSERT_EQ(rest(3).size(), 3U);
+  EXPECT_EQ(rest(3)[0], plan.frames[3].setpoint_kpa);
+  EXPECT_EQ(rest(3)[1], plan.waypoints_kpa[1]);
+  ASSERT_EQ(rest(8).size(), 2U);
+  EXPECT_EQ(rest(8)[1], plan.waypoints_kpa[2]);
+  EXPECT_EQ(rest(16), (std::vector<Pressures>{plan.waypoints_kpa[2], plan.waypoints_kpa[2]}));
+}
+
+}  // namespace
+}  // namespace limber
