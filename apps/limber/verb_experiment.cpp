@@ -11,6 +11,7 @@
 #include "limber/planning/planner_factory.hpp"
 #include "model_flags.hpp"
 #include "room_flags.hpp"
+#include "run_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -60,8 +61,7 @@ class ExperimentVerb final : public Verb {
     app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan");
     app.add_option("--cost-threshold-kpa", settings_.limits.cost_threshold_kpa,
                    "Stop at a plan this cheap; with a large number, stop at the first plan");
-    app.add_flag("--replan", settings_.replan,
-                 "Execute closed loop: plan again from where the arm is measured");
+    runs_.add_to(app);
     room_.add_to(app);
     valves_.add_valves_to(app);
     ensemble_.add_to(app);
@@ -88,6 +88,8 @@ class ExperimentVerb final : public Verb {
         say(flags, "note: {}", note);
       }
     }
+    settings_.controllers = runs_.controllers();
+    settings_.disturbances = runs_.disturbances();
     settings_.with_no_load = !network_only_;
     require_writable_folder(settings_.folder);
     const ForwardModel network(settings_.arm, ensemble_.read(settings_.model_file.string()));
@@ -148,6 +150,7 @@ class ExperimentVerb final : public Verb {
   ModelFlags valves_;
   EnsembleFlag ensemble_;
   RoomFlags room_;
+  RunFlags runs_;
   ForestFlags forest_;
   ExperimentSettings settings_;
 };

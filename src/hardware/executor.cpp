@@ -119,6 +119,10 @@ class Execution {
         compare_with_prediction(static_cast<std::size_t>(result_.frames));
       }
     }
+    if (std::string reason = settings_.controller->stop_reason(); !reason.empty()) {
+      result_.status = ExecutionStatus::stopped;
+      result_.message = std::move(reason);
+    }
   }
 
   const Pressures& held_kpa() const { return plan_->frames[frame_].setpoint_kpa; }

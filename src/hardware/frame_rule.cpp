@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -26,6 +27,21 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
                       segment_name(i), frame, before_kpa[i], value, step_kpa));
     }
   }
+}
+
+Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
+                            const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa) {
+  const double step_kpa = arm.pressure_step_limit_kpa();
+  Pressures result = before_kpa;
+  for (Eigen::Index i = 0; i < arm.segment_count(); ++i) {
+    if (std::isfinite(wanted_kpa[i])) {
+      const double before = before_kpa[i];
+      const double near = std::clamp(wanted_kpa[i], before - step_kpa, before + step_kpa);
+      const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      result[i] = static_cast<float>(limits.clamped(near));
+    }
+  }
+  return result;
 }
 
 }  // namespace limber

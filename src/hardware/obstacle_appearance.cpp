@@ -42,7 +42,7 @@ std::optional<Contact> ObstacleAppearance::earlier(const std::optional<Contact>&
 Environment with_appeared(const Environment& environment, const ExecutionResult& result) {
   Environment all = environment;
   if (result.appeared) {
-    all.obstacles.push_back(result.appeared->obstacle);
+    all.obstacles.push_back(result.appeared->circle);
   }
   return all;
 }

@@ -60,6 +60,7 @@ class VirtualArm::Simulation {
         noise_(options.seed, options.stream),
         setpoint_kpa_(arm.segments.size()) {
     check_options(options);
+    check_weak_side();
     dead_steps_ = std::llround(parameters_.valve_dead_time_s / time_step_s_);
     const auto latency_steps = static_cast<int>(std::lround(options.latency_s / time_step_s_));
     frames_late_ = latency_steps / steps_per_frame_;
@@ -147,6 +148,15 @@ class VirtualArm::Simulation {
   void set_observer(StepObserver observer) { observer_ = std::move(observer); }
 
  private:
+  void check_weak_side() const {
+    if (parameters_.weak_side_loss > 0.0 && parameters_.weak_side >= 2 * arm_.segment_count()) {
+      throw InputError(
+          fmt::format("virtual arm: weak_side = {}; arm '{}' has sides 0 to {} (2 x segment, + 1 "
+                      "for its right side)",
+                      parameters_.weak_side, arm_.name, 2 * arm_.segment_count() - 1));
+    }
+  }
+
   /// Set points within the arm's limits. Changes nothing if it throws.
   std::vector<double> checked(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
     if (setpoint_kpa.size() != arm_.segment_count()) {

@@ -22,7 +22,7 @@ struct AppearingObstacle;
 enum class ExecutionStatus {
   done,    ///< every frame was commanded, and the hold after them
   fault,   ///< the arm failed; `message` says how
-  stopped  ///< by Ctrl-C
+  stopped  ///< by Ctrl-C, or by a controller; `message` says why
 };
 
 const char* to_string(ExecutionStatus status);
@@ -49,11 +49,17 @@ class FrameController {
   /// Set points (size n, kPa) of the next frame; none ends the run. They are within the arm's limits,
   /// and no farther from the last ones than the frame rule allows (`pressure_step_limit_kpa`).
   virtual std::optional<Pressures> next(const ArmState& state) = 0;
+  /// Why it ended the run before its time; empty if it did not.
+  virtual std::string stop_reason() const { return ""; }
 };
 
 /// @throws InputError naming frame, segment and limit if a controller's set points break those laws.
 void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
                         const Pressures& setpoint_kpa);
+
+/// The set points nearest to `wanted_kpa` (segment by segment) that keep them; NaN stays before_kpa.
+Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
+                            const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa);
 
 struct ExecutionSettings {
   /// The last set point is held this long in all, including the plan's own hold (which is never
@@ -83,7 +89,7 @@ struct ExecutedError {
 /// An obstacle that was not there when the run began.
 struct AppearedObstacle {
   double time_s = 0.0;  ///< since the run's start
-  Obstacle obstacle;
+  Circle circle;
 };
 
 struct ExecutionResult {
