@@ -2,14 +2,7 @@
 
 namespace limber {
 
-void ReplanFlags::add_to(CLI::App& app, bool experiment) {
-  app.add_flag("--replan", replan_,
-               experiment
-                   ? "Execute closed loop: plan again from where the arm is measured, while "
-                     "it moves and after"
-                   : "Closed loop: plan again, with --model, from where the arm is measured, "
-                     "while it moves and after, until it comes no nearer to the goal's "
-                     "centre");
+void ReplanFlags::add_motion_queries_to(CLI::App& app) {
   app.add_option(
          "--motion-queries", motion_queries_,
          fmt::format("With --replan: model queries of a search while the arm moves; 0: none "
@@ -17,9 +10,13 @@ void ReplanFlags::add_to(CLI::App& app, bool experiment) {
                      "say how many that were: pass it on to repeat a run",
                      1e3 * kMotionSearchS))
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000}));
-  if (experiment) {
-    return;
-  }
+}
+
+void ReplanFlags::add_to(CLI::App& app) {
+  app.add_flag("--replan", replan_,
+               "Closed loop: plan again, with --model, from where the arm is measured, while it "
+               "moves and after, until it comes no nearer to the goal's centre");
+  add_motion_queries_to(app);
   app.add_option("--max-replans", settings_.corrections.max_replans,
                  "With --replan: plans from rest, after the first")
       ->check(CLI::Range(1, 1000))

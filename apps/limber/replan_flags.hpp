@@ -12,8 +12,9 @@ namespace limber {
 /// --replan, and how a plan is then replaced while it is executed.
 class ReplanFlags {
  public:
-  /// @param experiment  of many runs: --replan and --motion-queries alone
-  void add_to(CLI::App& app, bool experiment);
+  void add_to(CLI::App& app);
+  /// Of these flags --motion-queries alone, for verbs that are told in other ways to replan.
+  void add_motion_queries_to(CLI::App& app);
 
   bool is_asked_for() const { return replan_; }
   ClosedLoopSettings& settings() { return settings_; }

@@ -2,15 +2,18 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/hardware/disturbance.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/report/execution_picture.hpp"
 #include "limber/report/execution_report.hpp"
+#include "limber/report/execution_times.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/trial/closed_loop.hpp"
 #include "limber/trial/model_arm.hpp"
 #include "model_flags.hpp"
 #include "replan_flags.hpp"
 #include "room_flags.hpp"
+#include "track_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -20,18 +23,20 @@ namespace {
 class ExecuteVerb final : public Verb {
  public:
   const char* name() const override { return "execute"; }
-  const char* summary() const override { return "Run a plan on an arm, open or closed loop"; }
+  const char* summary() const override {
+    return "Run a plan on an arm, open or closed loop, or follow a path with its tip";
+  }
   const char* example() const override {
     return "limber execute --plan plan.json --environment environments/01_pillar.yaml --out run.h5";
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("--plan", plan_, "Plan to run, as `limber plan` wrote it")->required();
+    app.add_option("--plan", plan_, "Plan to run, as `limber plan` wrote it");
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
     app.add_option("--environment", environment_,
-                   "Environment that the plan was made for; or the name of one of limber's own")
-        ->required();
+                   "Environment that the plan was made for; or the name of one of limber's own");
+    track_.add_to(app);
     driver_.add_to(app, true);
     app.add_option("--hold-s", settings_.hold_s,
                    "Seconds in all that the last set point is held before the goal is judged")
@@ -40,20 +45,40 @@ class ExecuteVerb final : public Verb {
                    "Largest distance of a plate from where the plan starts, with exec: only; by "
                    "default the plan's margin, which is its model's error, or 1 cm if that is more")
         ->check(CLI::NonNegativeNumber);
-    replan_.add_to(app, false);
+    replan_.add_to(app);
+    app.add_option("--disturbance", disturbance_,
+                   "The virtual arm is not as it was: " + disturbance_kinds() +
+                       "; several at once with commas between; drawn from --seed");
     model_.add_to(app, " that the plan was made with; for --replan");
     room_.add_to(app);
     app.add_option("--out", out_, "Recording of the run to write");
     app.add_option("--svg", svg_, "Picture to write: the run and its prediction");
     app.add_option("--pressures-svg", pressures_svg_,
                    "Picture to write: set points, predicted and measured pressures over time");
+    app.add_option(
+        "--times-svg", times_svg_,
+        "Picture to write: pressures, tip and clearance over time, predicted and measured");
     app.add_option("--animation", animation_, "Page (HTML) to write, in which the arm moves");
   }
 
   int run(const CommonFlags& flags) override {
     driver_.check();
+    const std::vector<Disturbance> disturbances = parse_disturbances(disturbance_);
+    if (!disturbances.empty() && !driver_.is_virtual()) {
+      throw InputError("--disturbance: only the virtual arm can be disturbed (--driver virtual)");
+    }
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_asked_arm(arm_file);
+    if (track_.is_asked()) {
+      return track(arm, arm_file, disturbances, flags);
+    }
+    using Asked = std::pair<const char*, std::string>;
+    for (const auto& [flag, value] :
+         {Asked{"--plan", plan_}, Asked{"--environment", environment_}}) {
+      if (value.empty()) {
+        throw InputError(std::string(flag) + " is required, unless --track follows a path");
+      }
+    }
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
@@ -67,11 +92,7 @@ class ExecuteVerb final : public Verb {
       });
     }
     out_ = driver_.recording_or_default(out_, flags);
-    for (const std::string& file : {out_, svg_, pressures_svg_, animation_}) {
-      if (!file.empty()) {
-        refuse_to_overwrite(file, flags.force);
-      }
-    }
+    refuse_to_overwrite_any(flags);
     if (driver_.is_program()) {
       const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, out_, true, flags);
       require_within(plan, driver->limits_kpa(), plan_, "the driver");
@@ -89,12 +110,106 @@ class ExecuteVerb final : public Verb {
       const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
       return finish(arm, environment, plan, result, nullptr, flags);
     }
-    VirtualArm driver(arm);
+    const DisturbedArm met = disturbed(arm, plan, disturbances, flags.seed);
+    settings_.obstacle = met.obstacle ? &*met.obstacle : nullptr;
+    VirtualArm driver(met.arm, met.options);
     const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
     return finish(arm, environment, plan, result, nullptr, flags);
   }
 
  private:
+  void refuse_to_overwrite_any(const CommonFlags& flags) const {
+    for (const std::string& file : {out_, svg_, pressures_svg_, times_svg_, animation_}) {
+      if (!file.empty()) {
+        refuse_to_overwrite(file, flags.force);
+      }
+    }
+  }
+
+  /// Follows a path with the tip; docs/tracking.md.
+  int track(const ArmDescription& arm, const std::string& arm_file,
+            const std::vector<Disturbance>& disturbances, const CommonFlags& flags) {
+    using Given = std::pair<const char*, bool>;
+    for (const auto& [flag, value] :
+         {Given{"--plan", !plan_.empty()}, Given{"--replan", replan_.is_asked_for()},
+          Given{"--pressures-svg", !pressures_svg_.empty()},
+          Given{"--times-svg", !times_svg_.empty()}, Given{"--animation", !animation_.empty()}}) {
+      if (value) {
+        throw InputError(std::string(flag) + " belongs to a plan; leave it out with --track");
+      }
+    }
+    for (const Disturbance& one : disturbances) {
+      if (one.kind == DisturbanceKind::obstacle || one.kind == DisturbanceKind::lost_tracking) {
+        throw InputError(fmt::format("--disturbance {}: is drawn for a plan; not with --track",
+                                     to_string(one.kind)));
+      }
+    }
+    if (driver_.is_dry_run()) {
+      throw InputError("--dry-run: what --track commands depends on what is measured");
+    }
+    const Environment environment =
+        environment_.empty() ? Environment{}
+                             : load_environment(find_environment_file(environment_), arm);
+    out_ = driver_.recording_or_default(out_, flags);
+    refuse_to_overwrite_any(flags);
+    track_.prepare(arm, model_, flags);
+    std::vector<PressureLimits> limits = limits_of(with_scaled_limits(arm, driver_.limit_scale()));
+    if (driver_.is_program()) {
+      const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, out_, true, flags);
+      limits = driver->limits_kpa();
+      return finish_track(arm, track_.run(arm, environment, *driver, limits, flags), driver.get(),
+                          flags);
+    }
+    if (driver_.is_model()) {
+      CompensationModel network = read_model(driver_.model_file());
+      const ValveParameters valves = network.valves.value_or(ValveParameters{});
+      ModelArm driver(arm, std::move(network), valves);
+      return finish_track(arm, track_.run(arm, environment, driver, limits, flags), nullptr, flags);
+    }
+    const DisturbedArm met = disturbed(arm, Plan{}, disturbances, flags.seed);
+    VirtualArm driver(met.arm, met.options);
+    return finish_track(arm, track_.run(arm, environment, driver, limits, flags), nullptr, flags);
+  }
+
+  int finish_track(const ArmDescription& arm, const TrackRun& run, const ProcessDriver* driver,
+                   const CommonFlags& flags) const {
+    if (!out_.empty() && run.result.episode.frame_count() > 0) {
+      Recording recording = make_recording(arm, source_of(driver), flags.seed);
+      recording.settings = fmt::format("tracked a path with the tip, model {}, {}",
+                                       model_.model_file(), to_string(run.result.status));
+      recording.episodes = {run.result.episode};
+      write_recording(out_, recording);
+    }
+    if (!svg_.empty()) {
+      write_file_atomically(svg_, track_picture(run));
+    }
+    nlohmann::ordered_json json = track_to_json(run);
+    json["seed"] = flags.seed;
+    if (!disturbance_.empty()) {
+      json["disturbance"] = disturbance_;
+    }
+    if (driver != nullptr) {
+      json["driver"] = to_json(*driver);
+    }
+    if (run.result.status != ExecutionStatus::done) {
+      print_error(run.result.message);
+    }
+    print_result(flags, json, track_to_text(run));
+    const bool vented = driver == nullptr || driver->last_vent().confirmed;
+    return exit_code(vented ? run.result.status : ExecutionStatus::fault);
+  }
+
+  static int exit_code(ExecutionStatus status) {
+    switch (status) {
+      case ExecutionStatus::done:
+        return kExitDone;
+      case ExecutionStatus::fault:
+        return kExitFault;
+      default:
+        return kExitNoSolution;
+    }
+  }
+
   template <class Driver>
   ExecutionResult run_plan(const ArmDescription& arm, const Environment& environment,
                            const Plan& plan, Driver& driver, const CommonFlags& flags) {
@@ -123,12 +238,19 @@ class ExecuteVerb final : public Verb {
     if (!pressures_svg_.empty()) {
       write_file_atomically(pressures_svg_, pressure_picture(arm, plan, measured_in(result)));
     }
+    if (!times_svg_.empty()) {
+      write_file_atomically(times_svg_, execution_times_picture(arm, environment, plan, result));
+    }
     if (!animation_.empty()) {
       write_file_atomically(animation_, execution_animation(arm, environment, plan, result));
     }
     nlohmann::ordered_json json = execution_to_json(result, environment);
     if (replan_.is_asked_for()) {
       json["motion_queries"] = replan_.settings().motion_queries;
+    }
+    if (!disturbance_.empty()) {
+      json["disturbance"] = disturbance_;
+      json["seed"] = flags.seed;
     }
     if (driver != nullptr) {
       json["driver"] = to_json(*driver);
@@ -140,21 +262,15 @@ class ExecuteVerb final : public Verb {
     if (driver != nullptr && !driver->last_vent().confirmed) {
       return kExitFault;
     }
-    switch (result.status) {
-      case ExecutionStatus::done:
-        return kExitDone;
-      case ExecutionStatus::fault:
-        return kExitFault;
-      default:
-        return kExitNoSolution;
-    }
+    return exit_code(result.status);
   }
 
   std::string source_of(const ProcessDriver* driver) const {
     if (driver != nullptr) {
       return describe(*driver);
     }
-    return driver_.is_model() ? "model:" + driver_.model_file() : "virtual arm";
+    const std::string arm = disturbance_.empty() ? "virtual arm" : "virtual arm, " + disturbance_;
+    return driver_.is_model() ? "model:" + driver_.model_file() : arm;
   }
 
   static std::vector<Pressures> measured_in(const ExecutionResult& result) {
@@ -186,15 +302,18 @@ class ExecuteVerb final : public Verb {
   std::string arm_ = "three_segment";
   std::string environment_;
   DriverFlags driver_;
+  std::string disturbance_;
   std::string out_;
   std::string svg_;
   std::string pressures_svg_;
+  std::string times_svg_;
   std::string animation_;
   std::optional<double> max_start_error_m_;
   ExecutionSettings settings_;
   ReplanFlags replan_;
   ModelFlags model_;
   RoomFlags room_;
+  TrackFlags track_;
 };
 
 }  // namespace

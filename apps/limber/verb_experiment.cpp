@@ -12,6 +12,7 @@
 #include "model_flags.hpp"
 #include "replan_flags.hpp"
 #include "room_flags.hpp"
+#include "run_flags.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -61,7 +62,8 @@ class ExperimentVerb final : public Verb {
     app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan");
     app.add_option("--cost-threshold-kpa", settings_.limits.cost_threshold_kpa,
                    "Stop at a plan this cheap; with a large number, stop at the first plan");
-    replan_.add_to(app, true);
+    runs_.add_to(app);
+    replan_.add_motion_queries_to(app);
     room_.add_to(app);
     valves_.add_valves_to(app);
     ensemble_.add_to(app);
@@ -88,6 +90,8 @@ class ExperimentVerb final : public Verb {
         say(flags, "note: {}", note);
       }
     }
+    settings_.controllers = runs_.controllers();
+    settings_.disturbances = runs_.disturbances();
     settings_.with_no_load = !network_only_;
     require_writable_folder(settings_.folder);
     const ForwardModel network(settings_.arm, ensemble_.read(settings_.model_file.string()));
@@ -96,8 +100,7 @@ class ExperimentVerb final : public Verb {
     const MotionModel model = valves_.motion_model(settings_.arm, network);
     valves_.warn_without_valves(model, flags);
     settings_.valves = model.valves().parameters();
-    settings_.replan = replan_.is_asked_for();
-    if (settings_.replan) {
+    if (runs_.replans()) {
       replan_.choose_motion_queries(settings_.arm, model, known_motion_queries(settings_), flags);
       settings_.motion_queries = replan_.settings().motion_queries;
     }
@@ -154,6 +157,7 @@ class ExperimentVerb final : public Verb {
   EnsembleFlag ensemble_;
   RoomFlags room_;
   ReplanFlags replan_;
+  RunFlags runs_;
   ForestFlags forest_;
   ExperimentSettings settings_;
 };

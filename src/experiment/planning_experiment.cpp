@@ -18,6 +18,7 @@
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/experiment/output_folder.hpp"
+#include "limber/hardware/disturbance.hpp"
 #include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner_factory.hpp"
@@ -26,6 +27,8 @@
 #include "limber/report/planner_arena.hpp"
 #include "limber/report/planning_table.hpp"
 #include "limber/report/report_page.hpp"
+#include "limber/report/run_table.hpp"
+#include "limber/trial/trial_run.hpp"
 #include "optional_json.hpp"
 #include "trial_file.hpp"
 
@@ -48,6 +51,10 @@ CompensationModel model_of(const ExperimentSettings& settings) {
 std::string forest_hash(const Forest& forest) {
   return content_hash({reinterpret_cast<const char*>(forest.setpoints_kpa.data()),
                        static_cast<std::size_t>(forest.setpoints_kpa.size()) * sizeof(float)});
+}
+
+bool replans(const ExperimentSettings& settings) {
+  return std::ranges::find(settings.controllers, "replan") != settings.controllers.end();
 }
 
 /// What has to be the same for trials of two runs to be in one table. The number of trials may
@@ -73,8 +80,7 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
   json["cost_threshold_kpa"] = optional_json(settings.limits.cost_threshold_kpa);
   json["forest"] = settings.forest ? Json(forest_hash(*settings.forest)) : Json(nullptr);
   json["planner_jobs"] = settings.planner_jobs;
-  if (settings.replan) {
-    json["replan"] = true;
+  if (replans(settings)) {
     json["motion_queries"] = settings.motion_queries;
   }
   if (settings.ensemble == EnsembleAnswer::mean) {
@@ -90,7 +96,7 @@ Json identity(const ExperimentSettings& settings, const std::string& model_hash)
 void require_same(const fs::path& file, const nlohmann::json& wanted) {
   const nlohmann::json root = read_json_object(file);
   nlohmann::json all = wanted;
-  for (const char* asked : {"replan", "motion_queries", "ensemble", "tube"}) {
+  for (const char* asked : {"motion_queries", "ensemble", "tube"}) {
     all.emplace(asked, nullptr);  // written where it is asked for alone
   }
   for (const auto& [key, value] : all.items()) {
@@ -112,10 +118,18 @@ std::string as_file_name(std::string text) {
   return text;
 }
 
+/// Planner, controller and disturbance in a file's name; the usual ones are left out.
+std::string way_of(const TrialKey& key) {
+  std::string name = as_file_name(key.planner);
+  if (key.controller != "open") {
+    name += "_" + as_file_name(key.controller);
+  }
+  return key.disturbance.empty() ? name : name + "_" + as_file_name(key.disturbance);
+}
+
 struct Task {
   const EnvironmentCase* environment;
   const MotionModel* model;
-  const std::string* planner;
   TrialKey key;
 };
 
@@ -164,7 +178,7 @@ class Experiment {
 
   /// Finished trials are only read.
   std::vector<std::string> names_to_write() const {
-    std::vector<std::string> names{"table.json", "table.md", "report.html"};
+    std::vector<std::string> names{"table.json", "table.md", "runs.json", "report.html"};
     for (const EnvironmentCase& item : settings_.environments) {
       names.insert(names.end(), {"figures/" + item.id + ".svg", "figures/" + item.id + "_all.svg",
                                  "planner_arena/" + item.id + ".log"});
@@ -179,30 +193,35 @@ class Experiment {
   }
 
   void list_tasks() {
-    for (const std::string& planner : settings_.planners) {
-      for (const EnvironmentCase& item : settings_.environments) {
-        add_tasks(planner, item, no_load_);
-        add_tasks(planner, item, network_);
+    for (const std::string& disturbance : settings_.disturbances) {
+      for (const std::string& controller : settings_.controllers) {
+        for (const std::string& planner : settings_.planners) {
+          TrialKey key;
+          key.planner = planner;
+          key.controller = controller;
+          key.disturbance = disturbance;
+          for (const EnvironmentCase& item : settings_.environments) {
+            add_tasks(key, item, no_load_);
+            add_tasks(key, item, network_);
+          }
+        }
       }
     }
   }
 
-  void add_tasks(const std::string& planner, const EnvironmentCase& item,
-                 const MotionModel& model) {
+  void add_tasks(TrialKey key, const EnvironmentCase& item, const MotionModel& model) {
     if (!settings_.with_no_load && !model.has_network()) {
       return;
     }
-    TrialKey key;
     key.experiment = content_hash(identity_.dump());
     key.environment = item.id;
     key.environment_hash = environment_hash(item.environment);
     key.model = model.has_network() ? "network" : "no_load";
     key.model_hash = model.has_network() ? model_bytes_hash_ : "";
-    key.planner = planner;
     for (int k = 0; k < settings_.trials; ++k) {
       key.seed = derived_seed(settings_.seed, kTrialSeed + std::uint64_t(k));
-      key.id = fmt::format("{}_{}_{}_{:03}", item.id, key.model, as_file_name(planner), k + 1);
-      tasks_.push_back({&item, &model, &planner, key});
+      key.id = fmt::format("{}_{}_{}_{:03}", item.id, key.model, way_of(key), k + 1);
+      tasks_.push_back({&item, &model, key});
     }
   }
 
@@ -243,18 +262,16 @@ class Experiment {
   }
 
   void run_task(const Task& task, PlanTrialSettings settings) {
-    settings.planner = *task.planner;
-    if (settings_.forest && task.model->has_network() && is_default_planner(*task.planner)) {
+    settings.planner = task.key.planner;
+    settings.controller = task.key.controller;
+    settings.disturbance = task.key.disturbance;
+    if (settings_.forest && task.model->has_network() && is_default_planner(settings.planner)) {
       settings.forest = &*settings_.forest;
     }
     const Environment& environment = task.environment->environment;
     PlanTrial trial =
         plan_trial(settings_.arm, *task.model, *task.environment, settings, task.key.seed);
-    if (settings_.replan) {
-      execute_trial_replanning(settings_.arm, *task.model, environment, settings, trial);
-    } else {
-      execute_trial(settings_.arm, environment, trial);
-    }
+    run_trial(settings_.arm, *task.model, environment, settings, trial);
     if (!interrupt_requested()) {
       write_trial(*output_, task.key, trial, environment);
     }
@@ -271,7 +288,10 @@ class Experiment {
     const std::string title =
         fmt::format("Planning and execution, arm {}, {} trials per cell, seed {}",
                     settings_.arm.name, settings_.trials, settings_.seed);
-    const std::vector<ReportTable> tables = planning_tables(rows);
+    std::vector<ReportTable> tables = planning_tables(rows);
+    const std::vector<RunRow> runs = run_rows(trials);
+    output_->write("runs.json", to_json(runs).dump(1) + "\n");
+    tables.insert(tables.begin(), run_table(runs));
     output_->write("table.md", tables_to_markdown(title, tables));
     write_report(title, tables, rows, trials);
     for (const EnvironmentCase& item : settings_.environments) {
@@ -295,7 +315,9 @@ class Experiment {
     for (const EnvironmentCase& item : settings_.environments) {
       std::vector<PlanTrial> one;
       for (const PlanningRow& row : rows) {
-        if (row.environment == item.id && row.planner == rows.front().planner &&
+        const PlanningRow& first = rows.front();
+        if (row.environment == item.id && row.planner == first.planner &&
+            row.controller == first.controller && row.disturbance == first.disturbance &&
             row.one_plan != nullptr) {
           one.push_back(*row.one_plan);
         }
@@ -335,6 +357,15 @@ void require_usable(const ExperimentSettings& settings) {
   }
   for (const std::string& planner : settings.planners) {
     (void)make_planner(planner);  // refuses an unknown one before any work
+  }
+  if (settings.controllers.empty() || settings.disturbances.empty()) {
+    throw InputError("no controller or no disturbance given; \"\" is no disturbance");
+  }
+  for (const std::string& controller : settings.controllers) {
+    require_controller(controller);
+  }
+  for (const std::string& disturbance : settings.disturbances) {
+    (void)parse_disturbances(disturbance);
   }
   if (settings.environments.empty()) {
     throw InputError("no environments to plan in");

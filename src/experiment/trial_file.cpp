@@ -55,14 +55,23 @@ std::string plan_name(const std::string& id) {
 
 // In the order of the file; every one is compared.
 std::vector<std::pair<const char*, std::string>> texts_of(const TrialKey& key) {
-  return {{"id", key.id},
-          {"experiment", key.experiment},
-          {"environment", key.environment},
-          {"environment_hash", key.environment_hash},
-          {"model", key.model},
-          {"model_hash", key.model_hash},
-          {"planner", key.planner},
-          {"seed", std::to_string(key.seed)}};
+  std::vector<std::pair<const char*, std::string>> texts = {
+      {"id", key.id},
+      {"experiment", key.experiment},
+      {"environment", key.environment},
+      {"environment_hash", key.environment_hash},
+      {"model", key.model},
+      {"model_hash", key.model_hash},
+      {"planner", key.planner},
+      {"seed", std::to_string(key.seed)}};
+  // As usual: not written, so that trials of before are still read.
+  if (key.controller != "open") {
+    texts.emplace_back("controller", key.controller);
+  }
+  if (!key.disturbance.empty()) {
+    texts.emplace_back("disturbance", key.disturbance);
+  }
+  return texts;
 }
 
 void require_key(const JsonReader& field, const TrialKey& key) {
@@ -93,6 +102,11 @@ Backbone read_backbone(const JsonReader& field, const ArmDescription& arm) {
   return backbone;
 }
 
+AppearedObstacle read_appeared(const JsonReader& json) {
+  return {json.at("time_s").number(0.0),
+          {json.at("x_m").number(), json.at("y_m").number(), json.at("radius_m").number(0.0)}};
+}
+
 ExecutionResult read_execution(const JsonReader& json, const ArmDescription& arm) {
   ExecutionResult run;
   run.status = read_status(json.at("status"), kExecutionStatuses);
@@ -101,6 +115,12 @@ ExecutionResult read_execution(const JsonReader& json, const ArmDescription& arm
   run.goal_reached = json.at("goal_reached").boolean();
   run.frames = json.at("frames").integer(0, std::numeric_limits<int>::max());
   run.replans = json.at("replans").integer(0, std::numeric_limits<int>::max());
+  if (json.has("stopped_ahead")) {
+    run.stopped_ahead = json.at("stopped_ahead").boolean();
+  }
+  if (json.has("obstacle_appeared") && !json.at("obstacle_appeared").is_null()) {
+    run.appeared = read_appeared(json.at("obstacle_appeared"));
+  }
   if (!json.at("final_backbone").is_null()) {
     run.goal_error.position_m = json.at("distance_to_goal_cm").number(0.0) / kCmPerM;
     run.goal_error.orientation_rad = json.at("orientation_to_goal_rad").number(0.0);
@@ -123,6 +143,8 @@ PlanTrial read_fields(const JsonReader& json, const TrialKey& key, const ArmDesc
   trial.environment = key.environment;
   trial.model = key.model;
   trial.planner = key.planner;
+  trial.controller = key.controller;
+  trial.disturbance = key.disturbance;
   trial.seed = key.seed;
   PlanResult& planning = trial.planning;
   planning.status = read_status(json.at("status"), kPlanStatuses);

@@ -19,6 +19,8 @@ struct TrialKey {
   std::string model;       ///< "no_load" or "network"
   std::string model_hash;  ///< empty for "no_load"
   std::string planner;
+  std::string controller = "open";
+  std::string disturbance;  ///< empty: none
   std::uint64_t seed = 0;
 };
 

@@ -30,7 +30,9 @@ ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& pa
       RandomStream stream(parameters_.strength_seed,
                           2 * static_cast<std::uint64_t>(link.segment) + side);
       const double spread = parameters_.strength_spread * stream.uniform(-1.0, 1.0);
-      const double strength = parameters_.actuators_per_side * (1.0 + spread);
+      const bool is_weak = 2 * link.segment + static_cast<int>(side) == parameters_.weak_side;
+      const double left = is_weak ? 1.0 - parameters_.weak_side_loss : 1.0;
+      const double strength = parameters_.actuators_per_side * (1.0 + spread) * left;
       sides_.push_back({kSides[side] * 0.5 * link.width_m, strength,
                         strength * actuator_.tension_n(0.0, kReferencePressureKpa)});
     }

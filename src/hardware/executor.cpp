@@ -18,6 +18,8 @@
 #include "limber/hardware/virtual_arm.hpp"
 #include "prediction_watch.hpp"
 #include "start_approach.hpp"
+#include "limber/world/straight_motion.hpp"
+#include "obstacle_appearance.hpp"
 #include "vent_guard.hpp"
 
 namespace limber {
@@ -40,6 +42,7 @@ class Execution {
         look_(std::move(look)),
         settings_(settings),
         watch_(arm, environment),
+        appearance_(arm, environment, settings.obstacle),
         recorder_(arm),
         goal_time_(environment.goal) {
     result_.planned_goal_time_s = planned_goal_time_s(environment.goal, plan);
@@ -49,6 +52,7 @@ class Execution {
   void observe(double time_s, const BackboneD& backbone) {
     if (started_) {
       watch_.observe(time_s, backbone);
+      appearance_.observe(time_s, backbone);
     }
   }
 
@@ -66,8 +70,12 @@ class Execution {
       }
       recorder_.add(driver_.state(), plan_->frames.front().setpoint_kpa, 0);
       measured_ = driver_.state().backbone.has_value();
-      follow();
-      while (settings_.replanner != nullptr && go_on()) {
+      if (settings_.controller != nullptr) {
+        follow_controller();
+      } else {
+        follow();
+      }
+      while (settings_.controller == nullptr && settings_.replanner != nullptr && go_on()) {
         follow();
       }
     } catch (const SystemFault& fault) {
@@ -167,6 +175,24 @@ class Execution {
     first_motion_ = ++motion_;
   }
 
+  /// Every frame's set points from the controller, until it ends the run.
+  void follow_controller() {
+    const std::vector<PlanFrame>& frames = plan_->frames;
+    Pressures before_kpa = frames.front().setpoint_kpa;
+    while (const std::optional<Pressures> next = settings_.controller->next(driver_.state())) {
+      require_frame_rule(arm_, result_.frames, before_kpa, *next);
+      command(*next);
+      before_kpa = *next;
+      if (result_.frames < static_cast<int>(frames.size())) {
+        compare_with_prediction(static_cast<std::size_t>(result_.frames));
+      }
+    }
+    if (std::string reason = settings_.controller->stop_reason(); !reason.empty()) {
+      result_.status = ExecutionStatus::stopped;
+      result_.message = std::move(reason);
+    }
+  }
+
   const Pressures& held_kpa() const { return plan_->frames[frame_].setpoint_kpa; }
 
   /// @return whether there is another plan to follow
@@ -177,6 +203,7 @@ class Execution {
     }
     std::optional<Plan> next = ask_for_next();
     if (!next) {
+      result_.stopped_ahead = frame_ + 1 < plan_->frames.size();
       note_stop();
       return false;
     }
@@ -234,12 +261,17 @@ class Execution {
     }
     measured_ = measured_ || state.backbone.has_value();
     see();
+    const Environment* now = appearance_.advance(result_.frames, state.time_s, shape_);
+    if (now != nullptr && settings_.replanner != nullptr) {
+      settings_.replanner->obstacle_appeared(*now);
+    }
   }
 
   /// Takes in the arm's shape of this frame, if there is one.
   void see() {
     if (std::optional<BackboneD> measured = look_()) {
       watch_.observe(driver_.state().time_s, *measured);
+      appearance_.observe(driver_.state().time_s, *measured);
       shape_ = std::move(measured);
       shape_frame_ = result_.frames;
       goal_time_.see(driver_.state().time_s, tip_pose(*shape_));
@@ -296,8 +328,12 @@ class Execution {
     if (const std::optional<double> since_s = goal_time_.inside_since_s()) {
       result_.goal_time_s = std::max(0.0, *since_s - start_time_s_);
     }
-    result_.closest = since_start(watch_.closest());
-    result_.first_collision = since_start(watch_.first_collision());
+    result_.closest = since_start(appearance_.nearer(watch_.closest()));
+    result_.first_collision = since_start(appearance_.earlier(watch_.first_collision()));
+    result_.appeared = appearance_.appeared();
+    if (result_.appeared) {
+      result_.appeared->time_s -= start_time_s_;
+    }
     result_.collided = result_.first_collision.has_value();
   }
 
@@ -310,6 +346,7 @@ class Execution {
   Look look_;
   const ExecutionSettings& settings_;
   CollisionWatch watch_;
+  ObstacleAppearance appearance_;
   EpisodeRecorder recorder_;
   ExecutionResult result_;
   std::optional<BackboneD> shape_;

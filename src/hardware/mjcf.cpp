@@ -69,6 +69,8 @@ std::vector<ChainLink> chain_links(const ArmDescription& arm, const VirtualArmPa
       links.push_back(link);
     }
   }
+  // The load lies on the plate's middle: it adds mass, and no inertia about it.
+  links.back().mass_kg += p.tip_load_kg;
   return links;
 }
 

@@ -28,12 +28,15 @@ void check_option(const char* name, double value, double high) {
 
 void check_options(const VirtualArmOptions& options) {
   constexpr double kLongestLatencyS = 10.0;
+  constexpr double kLongestLossS = 1e6;
   constexpr double kMaxNoise = 1e3;
   check_option("noise_m", options.noise_m, kMaxNoise);
   check_option("noise_rad", options.noise_rad, kMaxNoise);
   check_option("noise_kpa", options.noise_kpa, kMaxNoise);
   check_option("drop_rate", options.drop_rate, 1.0);
   check_option("latency_s", options.latency_s, kLongestLatencyS);
+  check_option("lost_from_s", options.lost_from_s, kLongestLossS);
+  check_option("lost_for_s", options.lost_for_s, kLongestLossS);
 }
 
 /// Simulator steps per frame: the fewest that keep the step within the arm's `time_step_s`.
@@ -57,6 +60,7 @@ class VirtualArm::Simulation {
         noise_(options.seed, options.stream),
         setpoint_kpa_(arm.segments.size()) {
     check_options(options);
+    check_weak_side();
     dead_steps_ = std::llround(parameters_.valve_dead_time_s / time_step_s_);
     const auto latency_steps = static_cast<int>(std::lround(options.latency_s / time_step_s_));
     frames_late_ = latency_steps / steps_per_frame_;
@@ -144,6 +148,15 @@ class VirtualArm::Simulation {
   void set_observer(StepObserver observer) { observer_ = std::move(observer); }
 
  private:
+  void check_weak_side() const {
+    if (parameters_.weak_side_loss > 0.0 && parameters_.weak_side >= 2 * arm_.segment_count()) {
+      throw InputError(
+          fmt::format("virtual arm: weak_side = {}; arm '{}' has sides 0 to {} (2 x segment, + 1 "
+                      "for its right side)",
+                      parameters_.weak_side, arm_.name, 2 * arm_.segment_count() - 1));
+    }
+  }
+
   /// Set points within the arm's limits. Changes nothing if it throws.
   std::vector<double> checked(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
     if (setpoint_kpa.size() != arm_.segment_count()) {
@@ -219,10 +232,15 @@ class VirtualArm::Simulation {
       backbone(row, 2) += noise(options_.noise_rad);
     }
     const bool lost = options_.drop_rate > 0.0 && noise_.uniform() < options_.drop_rate;
-    if (!lost) {
+    if (!lost && !is_in_outage()) {
       state.backbone = backbone.cast<float>();
     }
     return state;
+  }
+
+  bool is_in_outage() const {
+    const double since_s = time_s() - options_.lost_from_s;
+    return since_s >= 0.0 && since_s < options_.lost_for_s;
   }
 
   double noise(double deviation) { return deviation > 0.0 ? deviation * noise_.normal() : 0.0; }

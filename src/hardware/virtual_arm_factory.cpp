@@ -28,6 +28,9 @@ std::string describe(const ArmDescription& arm, const VirtualArmOptions& options
   add("noise", options.noise_kpa, " kPa");
   add("drop rate", options.drop_rate, "");
   add("latency", options.latency_s, " s");
+  if (options.lost_for_s > 0.0) {
+    text += fmt::format(", lost from {} s for {} s", options.lost_from_s, options.lost_for_s);
+  }
   return text;
 }
 

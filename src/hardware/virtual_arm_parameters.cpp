@@ -71,6 +71,8 @@ constexpr std::array kFields = {
     Field{"vent_rate_limit_kpa_per_s", &Parameters::vent_rate_limit_kpa_per_s, kAboveZero,
           kUnlimited, true},
     Field{"valve_dead_time_s", &Parameters::valve_dead_time_s, 0.0, 5.0, true},
+    Field{"tip_load_kg", &Parameters::tip_load_kg, 0.0, 100.0, true},
+    Field{"weak_side_loss", &Parameters::weak_side_loss, 0.0, 1.0, true},
     Field{"time_step_s", &Parameters::time_step_s, 1e-5, 0.01},
 };
 
@@ -87,6 +89,7 @@ constexpr std::array kQuarticFields = {
 };
 
 constexpr const char* kSection = "virtual_arm";
+constexpr const char* kWeakSide = "weak_side";
 constexpr const char* kParameter = "a parameter of the virtual arm (docs/virtual-arm.md)";
 
 template <class Table>
@@ -117,6 +120,9 @@ VirtualArmParameters read_parameters(const YamlReader& node) {
     if (key == "strength_seed") {
       parameters.strength_seed =
           static_cast<std::uint64_t>(value.integer("a seed", 0, 1'000'000'000));
+    } else if (key == kWeakSide) {
+      parameters.weak_side = static_cast<int>(
+          value.integer("2 x segment, + 1 for its right side", 0, 2 * kMaxSegments - 1));
     } else if (const Field* field = find_field(kFields, key)) {
       parameters.*(field->member) = value.number(kParameter, field->low, field->high);
     } else if (const QuarticField* quartic = find_field(kQuarticFields, key)) {
@@ -138,6 +144,9 @@ std::string to_yaml(const VirtualArmParameters& parameters) {
   }
   for (const QuarticField& field : kQuarticFields) {
     text += fmt::format("  {}: [{}]\n", field.key, fmt::join(parameters.*(field.member), ", "));
+  }
+  if (parameters.weak_side_loss > 0.0) {
+    text += fmt::format("  {}: {}\n", kWeakSide, parameters.weak_side);
   }
   return text + fmt::format("  strength_seed: {}\n", parameters.strength_seed);
 }

@@ -77,8 +77,9 @@ void draw_collision(SvgDrawing& drawing, const ArmDescription& arm, const Episod
 
 }  // namespace
 
-std::string execution_picture(const ArmDescription& arm, const Environment& environment,
+std::string execution_picture(const ArmDescription& arm, const Environment& before,
                               const Plan& plan, const ExecutionResult& result) {
+  const Environment environment = with_appeared(before, result);
   SvgDrawing drawing(picture_box(arm, environment), 640.0, title_of(environment, result));
   drawing.axes();
   draw_environment(drawing, environment);
@@ -98,8 +99,9 @@ std::string execution_picture(const ArmDescription& arm, const Environment& envi
   return drawing.svg();
 }
 
-std::string execution_animation(const ArmDescription& arm, const Environment& environment,
+std::string execution_animation(const ArmDescription& arm, const Environment& before,
                                 const Plan& plan, const ExecutionResult& result) {
+  const Environment environment = with_appeared(before, result);
   const bool network = plan.model == "network";
   AnimationTrack predicted{
       fmt::format("as the {} model predicts it", network ? "network" : "no-load"),

@@ -38,7 +38,8 @@ Json optional_number(const std::optional<double>& value) {
 
 }  // namespace
 
-Json execution_to_json(const ExecutionResult& result, const Environment& environment) {
+Json execution_to_json(const ExecutionResult& result, const Environment& before) {
+  const Environment environment = with_appeared(before, result);
   Json json = {{"status", to_string(result.status)}, {"collided", result.collided}};
   json["min_clearance_cm"] =
       result.closest ? Json(kCmPerM * result.closest->clearance.value_m) : Json(nullptr);
@@ -61,6 +62,15 @@ Json execution_to_json(const ExecutionResult& result, const Environment& environ
   json["closest"] = to_json(result.closest, environment);
   json["first_collision"] = to_json(result.first_collision, environment);
   json["start_error_cm"] = kCmPerM * result.start_error_m;
+  json["stopped_ahead"] = result.stopped_ahead;
+  json["obstacle_appeared"] = nullptr;
+  if (result.appeared) {
+    const Circle& circle = result.appeared->circle;
+    json["obstacle_appeared"] = {{"time_s", result.appeared->time_s},
+                                 {"x_m", circle.x_m},
+                                 {"y_m", circle.y_m},
+                                 {"radius_m", circle.radius_m}};
+  }
   json["prediction_error_cm"] = nullptr;
   if (result.prediction) {
     json["prediction_error_cm"] = {{"mean", kCmPerM * result.prediction->mean_m},
@@ -78,7 +88,8 @@ Json execution_to_json(const ExecutionResult& result, const Environment& environ
   return json;
 }
 
-std::string execution_to_text(const ExecutionResult& result, const Environment& environment) {
+std::string execution_to_text(const ExecutionResult& result, const Environment& before) {
+  const Environment environment = with_appeared(before, result);
   std::string text = fmt::format("{}, {} frames", to_string(result.status), result.frames);
   if (!result.message.empty()) {
     text += ": " + result.message;
@@ -99,6 +110,12 @@ std::string execution_to_text(const ExecutionResult& result, const Environment& 
     }
   } else {
     text += "\n  the arm was not tracked: distance to the goal and collisions are unknown";
+  }
+  if (result.appeared) {
+    const Circle& circle = result.appeared->circle;
+    text += fmt::format("\n  an obstacle appeared after {:.2f} s at ({:.3f}, {:.3f}) m{}",
+                        result.appeared->time_s, circle.x_m, circle.y_m,
+                        result.stopped_ahead ? "; no plan leads past it: the arm stopped" : "");
   }
   if (result.first_collision) {
     text += "\n  collided with " + contact_text(*result.first_collision, environment);

@@ -21,12 +21,16 @@ struct Pair {
   const PlanningRow& network;
 };
 
+bool is_run_as(const PlanningRow& a, const PlanningRow& b) {
+  return a.planner == b.planner && a.controller == b.controller && a.disturbance == b.disturbance;
+}
+
 std::vector<Pair> pairs_of(const std::vector<PlanningRow>& rows) {
   std::vector<Pair> pairs;
   for (const PlanningRow& a : rows) {
     for (const PlanningRow& b : rows) {
       if (a.model == "no_load" && b.model == "network" && a.environment == b.environment &&
-          a.planner == rows.front().planner && b.planner == a.planner) {
+          is_run_as(a, rows.front()) && is_run_as(b, a)) {
         pairs.push_back({a, b});
       }
     }

@@ -29,6 +29,7 @@ void add_execution(const PlanTrial& trial, PlanningRow& row, Samples& samples) {
   ++row.executed;
   row.collided += run.collided ? 1 : 0;
   row.reached += run.goal_reached && !run.collided ? 1 : 0;
+  row.stopped_ahead += is_clean_stop(run) ? 1 : 0;
   samples.distance_cm.push_back(run.goal_error.position_m * kCmPerM);
   if (!run.collided) {
     samples.distance_free_cm.push_back(run.goal_error.position_m * kCmPerM);
@@ -43,7 +44,8 @@ void add_execution(const PlanTrial& trial, PlanningRow& row, Samples& samples) {
 
 bool is_of(const PlanTrial& trial, const PlanningRow& row) {
   return trial.environment == row.environment && trial.model == row.model &&
-         trial.planner == row.planner;
+         trial.planner == row.planner && trial.controller == row.controller &&
+         trial.disturbance == row.disturbance;
 }
 
 void fill(PlanningRow& row, const std::vector<PlanTrial>& trials) {
@@ -85,10 +87,12 @@ Json to_json(const SampleFigures& figures) {
           {"count", figures.count}};
 }
 
-/// The model, and the planner if it is not limber's own.
+/// The model; planner, controller and disturbance if they are not the usual ones.
 std::string model_name(const PlanningRow& row) {
   const std::string model = row.model == "network" ? "Network" : "No load";
-  return row.planner == "default" ? model : model + ", " + row.planner;
+  std::string name = row.planner == "default" ? model : model + ", " + row.planner;
+  name += row.controller == "open" ? "" : ", " + row.controller;
+  return row.disturbance.empty() ? name : name + ", " + row.disturbance;
 }
 
 std::string show(const std::optional<double>& value, int digits) {
@@ -218,6 +222,8 @@ std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials) {
       row.environment = trial.environment;
       row.model = trial.model;
       row.planner = trial.planner;
+      row.controller = trial.controller;
+      row.disturbance = trial.disturbance;
       fill(row, trials);
       rows.push_back(std::move(row));
     }
@@ -232,6 +238,8 @@ Json to_json(const std::vector<PlanningRow>& rows) {
         {{"environment", row.environment},
          {"model", row.model},
          {"planner", row.planner},
+         {"controller", row.controller},
+         {"disturbance", row.disturbance},
          {"trials", row.trials},
          {"solved", row.solved},
          {"not_certified", row.not_certified},
@@ -241,12 +249,17 @@ Json to_json(const std::vector<PlanningRow>& rows) {
          {"executed", row.executed},
          {"collided", row.collided},
          {"reached", row.reached},
+         {"stopped_ahead", row.stopped_ahead},
          {"distance_to_goal_cm", to_json(row.distance_cm)},
          {"distance_to_goal_without_collision_cm", to_json(row.distance_free_cm)},
          {"orientation_to_goal_rad", to_json(row.orientation_rad)},
          {"orientation_to_goal_without_collision_rad", to_json(row.orientation_free_rad)}});
   }
   return table;
+}
+
+bool is_clean_stop(const ExecutionResult& run) {
+  return run.appeared && run.stopped_ahead && !run.collided && !run.goal_reached;
 }
 
 std::vector<ReportTable> planning_tables(const std::vector<PlanningRow>& rows) {

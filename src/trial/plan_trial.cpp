@@ -3,22 +3,16 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/planning/planner_factory.hpp"
-#include "limber/trial/closed_loop.hpp"
+#include "limber/trial/trial_run.hpp"
 
 namespace limber {
 
-namespace {
-
-/// A tube is asked for of the network; the no-load model has none.
-ErrorRoom room_of(const MotionModel& model, const PlanTrialSettings& settings) {
-  AskedRoom asked = settings.room;
+ErrorRoom room_of(const MotionModel& model, AskedRoom asked) {
   if (!model.has_network()) {
     asked.tube_level.reset();
   }
   return error_room(model.forward(), asked);
 }
-
-}  // namespace
 
 PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
                      const EnvironmentCase& item, const PlanTrialSettings& settings,
@@ -29,7 +23,7 @@ PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
   trial.planner = settings.planner;
   trial.seed = seed;
   trial.asks_heading = item.environment.goal.theta_rad.has_value();
-  const ErrorRoom room = room_of(model, settings);
+  const ErrorRoom room = room_of(model, settings.room);
   PlanningProblem problem = problem_with_room(arm, model, item.environment, room);
   problem.limits = settings.within;
   trial.planning = make_planner(settings.planner, settings.planner_jobs, settings.forest)
@@ -46,21 +40,6 @@ void execute_trial(const ArmDescription& arm, const Environment& environment, Pl
     VirtualArm driver(arm);
     trial.execution = execute(arm, environment, *trial.planning.plan, driver);
   }
-}
-
-void execute_trial_replanning(const ArmDescription& arm, const MotionModel& model,
-                              const Environment& environment, const PlanTrialSettings& settings,
-                              PlanTrial& trial) {
-  if (!trial.planning.plan) {
-    return;
-  }
-  VirtualArm driver(arm);
-  ClosedLoopSettings loop_settings;
-  loop_settings.motion_queries = settings.motion_queries;
-  ClosedLoop loop(arm, model, environment, room_of(model, settings), loop_settings, trial.seed);
-  ExecutionSettings closed_loop;
-  closed_loop.replanner = &loop;
-  trial.execution = execute(arm, environment, *trial.planning.plan, driver, closed_loop);
 }
 
 namespace {

@@ -32,9 +32,11 @@ struct ExperimentSettings {
   /// planner's trials with the network. None: everything is searched.
   std::optional<Forest> forest;
   PlannerLimits limits;
-  bool replan = false;  ///< executed closed loop: planned again from where the arm is measured
-  std::uint64_t motion_queries = 0;  ///< with `replan`: of a search in mid-motion, 0: none then
-  AskedRoom room;                    ///< if nothing is asked for, each model's own error
+  /// How plans are executed, and what the arm then meets: rows of their own for each of both.
+  std::vector<std::string> controllers = {"open"};
+  std::vector<std::string> disturbances = {""};
+  std::uint64_t motion_queries = 0;  ///< of controller "replan": of a search in mid-motion, 0: none then
+  AskedRoom room;  ///< if nothing is asked for, each model's own error
   std::uint64_t seed = 1;
   int planner_jobs = 1;  ///< threads of each planner
   int jobs = 0;          ///< trials at once, 0: one per core
@@ -52,13 +54,14 @@ void require_usable(const ExperimentSettings& settings);
 std::optional<std::uint64_t> known_motion_queries(const ExperimentSettings& settings);
 
 /// The paper's Table I on the virtual arm: every environment planned in with both models, every
-/// plan certified and executed, open loop unless `replan`. Writes to the folder
+/// plan certified and executed by every controller under every disturbance. Writes to the folder
 ///
 ///   experiment.json         the settings; `resume` asks for the same
 ///   trials/ID.json          keys of `plan --json`, and of `execute --json` under "execution"
 ///   plans/ID.json           the plans
 ///   figures/ENVIRONMENT.svg the paper's Fig. 5: one final shape of each model; …_all.svg: all
 ///   table.json, table.md    planning_table.hpp
+///   runs.json               run_table.hpp: arrivals, collisions and stops over all environments
 ///   report.html             tables and figures on one page
 ///   planner_arena/*.log     OMPL's benchmark logs, one for each environment
 ///

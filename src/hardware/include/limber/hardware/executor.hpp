@@ -17,11 +17,12 @@
 namespace limber {
 
 class VirtualArm;
+struct AppearingObstacle;
 
 enum class ExecutionStatus {
   done,    ///< every frame was commanded, and the hold after them
   fault,   ///< the arm failed; `message` says how
-  stopped  ///< by Ctrl-C
+  stopped  ///< by Ctrl-C, or by a controller; `message` says why
 };
 
 const char* to_string(ExecutionStatus status);
@@ -58,7 +59,28 @@ class PlanSource {
   /// `plan` for the hold: the last one, or the one after which it was not allowed to go on. It starts
   /// there. None ends the run.
   virtual std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
+  /// An obstacle has appeared: from now on the environment is this one, which outlives the run.
+  virtual void obstacle_appeared(const Environment& now) { (void)now; }
 };
+
+/// Decides each frame's set points from what is measured: a controller beside or in place of a plan.
+class FrameController {
+ public:
+  virtual ~FrameController() = default;
+  /// Set points (size n, kPa) of the next frame; none ends the run. They are within the arm's limits,
+  /// and no farther from the last ones than the frame rule allows (`pressure_step_limit_kpa`).
+  virtual std::optional<Pressures> next(const ArmState& state) = 0;
+  /// Why it ended the run before its time; empty if it did not.
+  virtual std::string stop_reason() const { return ""; }
+};
+
+/// @throws InputError naming frame, segment and limit if a controller's set points break those laws.
+void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
+                        const Pressures& setpoint_kpa);
+
+/// The set points nearest to `wanted_kpa` (segment by segment) that keep them; NaN stays before_kpa.
+Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
+                            const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa);
 
 struct ExecutionSettings {
   /// The last set point is held this long in all, including the plan's own hold (which is never
@@ -66,6 +88,11 @@ struct ExecutionSettings {
   double hold_s = 1.0;
   /// Asked for more plans; borrowed. None: the plan is executed open loop.
   PlanSource* replanner = nullptr;
+  /// Decides every set point in place of the plan's, which is then what predictions are compared
+  /// with; it also decides how long the end is held. Borrowed. None: the plan's own.
+  FrameController* controller = nullptr;
+  /// Appears during the run; borrowed (internal/limber/hardware/appearing_obstacle.hpp).
+  const AppearingObstacle* obstacle = nullptr;
   /// Asked before every set point; true stops the execution as Ctrl-C does. Empty: never.
   std::function<bool()> should_stop = {};
   /// A start whose plates are seen farther than that from the plan's is refused; none: any start.
@@ -78,6 +105,12 @@ struct ExecutedError {
   double before_hold_m = 0.0;  ///< mean over the frames before the plan's hold: while it moves
   double max_m = 0.0;
   double final_m = 0.0;  ///< at the plan's last frame
+};
+
+/// An obstacle that was not there when the run began.
+struct AppearedObstacle {
+  double time_s = 0.0;  ///< since the run's start
+  Circle circle;
 };
 
 struct ExecutionResult {
@@ -101,6 +134,9 @@ struct ExecutionResult {
   int switches = 0;  ///< plans that another one replaced in mid-motion
   int waits = 0;     ///< frames in which the arm waited in mid-motion
   int halts = 0;     ///< plans that were left before their end, since the arm strayed
+  std::optional<AppearedObstacle> appeared;
+  /// A plan was left before its end, and none was found that leads on: the arm held and stayed.
+  bool stopped_ahead = false;
   /// Where the first plan's hold ended, if more plans followed.
   std::optional<PoseError> open_loop_goal_error;
 
@@ -113,6 +149,9 @@ struct ExecutionResult {
   /// A motion is one edge of the plan, the hold belongs to the last one.
   Episode episode;
 };
+
+/// The environment in which the run ended: an obstacle that appeared is the last one.
+Environment with_appeared(const Environment& environment, const ExecutionResult& result);
 
 /// Commands a plan's frames as they stand, one frame period each, then holds; open loop, unless the
 /// settings name a source of more plans. Whatever happens (end, fault, Ctrl-C, exception), the arm is

@@ -21,6 +21,8 @@ struct VirtualArmOptions {
   double noise_kpa = 0.0;    ///< of every measured pressure, ≥ 0
   double drop_rate = 0.0;    ///< probability that a frame has no backbone, in [0, 1]
   double latency_s = 0.0;    ///< what is measured was true this long ago, ≥ 0
+  double lost_from_s = 0.0;  ///< what is true from then on has no backbone, ≥ 0
+  double lost_for_s = 0.0;   ///< for so long, ≥ 0
   std::uint64_t seed = 0;    ///< of noise and drops
   std::uint64_t stream = 0;  ///< unit of work (episode, trial), so that each has its own faults
 };

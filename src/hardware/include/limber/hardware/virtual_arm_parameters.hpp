@@ -44,6 +44,11 @@ struct VirtualArmParameters {
   double hysteresis_stiffness_n_per_m = 2e4;
   double hysteresis_damping_n_s_per_m = 0.0;
 
+  // What is worn or added; off while 0.
+  double tip_load_kg = 0.0;     ///< on the last plate
+  double weak_side_loss = 0.0;  ///< share of its strength that one side of one segment has lost
+  int weak_side = 0;            ///< 2 × segment, + 1 for its right side
+
   // Silicone creep, a spring and dashpot in series beside each side; off while the fraction is 0.
   double creep_fraction = 0.0;  ///< of side_elasticity_n
   double creep_time_s = 20.0;

@@ -22,11 +22,14 @@ struct SampleFigures {
 
 SampleFigures figures_of(std::vector<double> values);
 
-/// One line of the paper's Table I: one environment, one model.
+/// One line of the paper's Table I: one environment, one model; and where they are compared, one
+/// controller and one disturbance.
 struct PlanningRow {
   std::string environment;  ///< EnvironmentCase::id
   std::string model;        ///< "no_load" or "network"
   std::string planner;
+  std::string controller = "open";
+  std::string disturbance;  ///< empty: none
   int trials = 0;
   int solved = 0;
   int not_certified = 0;  ///< defects: plans that were found and refused
@@ -36,6 +39,7 @@ struct PlanningRow {
   int executed = 0;
   int collided = 0;
   int reached = 0;                 ///< within the goal's tolerances, without collision
+  int stopped_ahead = 0;           ///< stopped clear of an obstacle that had appeared
   SampleFigures distance_cm;       ///< executed, runs that collided included
   SampleFigures distance_free_cm;  ///< without them
   SampleFigures orientation_rad;   ///< where the goal asks for a heading
@@ -44,7 +48,10 @@ struct PlanningRow {
   const PlanTrial* one_plan = nullptr;
 };
 
-/// A row for every planner, environment and model that has trials, in the order of their first
+/// Stopped because of an obstacle that appeared, without touching anything.
+bool is_clean_stop(const ExecutionResult& run);
+
+/// A row for every planner, environment, model, controller and disturbance that has trials, in the order of their first
 /// trials. Trials are borrowed.
 std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials);
 

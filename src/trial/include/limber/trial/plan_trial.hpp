@@ -26,6 +26,8 @@ struct PlanTrial {
   std::string environment;  ///< EnvironmentCase::id
   std::string model;        ///< "no_load" or "network"
   std::string planner;
+  std::string controller = "open";  ///< that executed the plan
+  std::string disturbance;          ///< "friction", "tip_load=0.1,noise"; empty: none
   std::uint64_t seed = 0;
   bool asks_heading = false;  ///< whether the goal does
   PlanResult planning;
@@ -43,6 +45,9 @@ struct PlanTrialSettings {
   const Forest* forest = nullptr;      ///< for the default planner; borrowed
   std::uint64_t motion_queries = 0;    ///< in closed loop: of a search in mid-motion, 0: none then
   std::string model_hash;              ///< goes into the plan of a network; docs/formats.md
+  /// How plans are executed, and what the arm then meets (docs/experiments.md).
+  std::string controller = "open";
+  std::string disturbance;
 };
 
 /// Plans in the environment with `model`, until its limits or Ctrl-C. The result's execution is not
@@ -53,11 +58,6 @@ PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
 
 /// Executes the trial's plan, if it has one, on a fresh virtual arm at rest without sensor faults.
 void execute_trial(const ArmDescription& arm, const Environment& environment, PlanTrial& trial);
-
-/// The same, and plans again from where the arm is measured (docs/planning.md, Closed loop).
-void execute_trial_replanning(const ArmDescription& arm, const MotionModel& model,
-                              const Environment& environment, const PlanTrialSettings& settings,
-                              PlanTrial& trial);
 
 /// Means over the trials of one model in one environment, or in all of them; none where nothing
 /// counts.

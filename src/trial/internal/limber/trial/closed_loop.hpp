@@ -36,9 +36,8 @@ class ClosedLoop final : public PlanSource {
   bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
 
-  /// From now on the environment is this one, which outlives the run: an obstacle has appeared.
   /// @pre simulated time, or an arm that stands: no advice is being worked out
-  void obstacle_appeared(const Environment& now);
+  void obstacle_appeared(const Environment& now) override;
 
  private:
   struct Motion;

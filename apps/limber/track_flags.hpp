@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "driver_flags.hpp"
+#include "limber/hardware/virtual_arm.hpp"
+#include "limber/report/track_report.hpp"
+#include "limber/trial/tip_tracker.hpp"
+#include "model_flags.hpp"
+
+namespace limber {
+
+/// `limber execute --track`: a path of the tip over time in place of a plan.
+class TrackFlags {
+ public:
+  /// --track, --laps and --track-queries.
+  void add_to(CLI::App& app);
+
+  bool is_asked() const { return !path_.empty(); }
+
+  /// Reads the path, and looks for set points that bring the tip to its start.
+  /// @throws InputError naming file and line where path and arm do not fit.
+  void prepare(const ArmDescription& arm, const ModelFlags& model, const CommonFlags& flags);
+
+  /// @pre prepared. @param limits  narrower than the arm's; empty: the arm's
+  template <class Driver>
+  TrackRun run(const ArmDescription& arm, const Environment& environment, Driver& driver,
+               const std::vector<PressureLimits>& limits, const CommonFlags& flags) {
+    settings_.limits = limits;
+    TipTracker tracker(arm, *motion_, tip_path_, start_.setpoint_kpa, settings_, flags.seed);
+    ExecutionSettings execution;
+    execution.controller = &tracker;
+    TrackRun run;
+    run.path = tip_path_;
+    run.result = execute(arm, environment, stay_at_rest(arm, environment), driver, execution);
+    run.start_frame = tracker.path_start_frame();
+    run.queries = tracker.queries();
+    run.errors = track_errors(tip_path_, run.result.episode, run.start_frame);
+    return run;
+  }
+
+ private:
+  /// A plan of one frame: the controller decides all others.
+  static Plan stay_at_rest(const ArmDescription& arm, const Environment& environment);
+  void require_start(const ArmDescription& arm, const CommonFlags& flags);
+
+  std::string path_;
+  int laps_ = 1;
+  TipTrackerSettings settings_;
+  TipPath tip_path_;
+  TrackStart start_;
+  std::unique_ptr<ForwardModel> forward_;
+  std::unique_ptr<MotionModel> motion_;
+};
+
+}  // namespace limber

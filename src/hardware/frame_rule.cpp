@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+#include "limber/hardware/executor.hpp"
+
+namespace limber {
+
+void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
+                        const Pressures& setpoint_kpa) {
+  constexpr double kRounding = 1e-3;  // [kPa] of float32 set points and their sums
+  const double step_kpa = arm.pressure_step_limit_kpa();
+  for (Eigen::Index i = 0; i < arm.segment_count(); ++i) {
+    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const double value = setpoint_kpa[i];
+    if (!limits.contains(value)) {
+      throw InputError(fmt::format("controller: set point of {} in frame {} is {} kPa; expected {}",
+                                   segment_name(i), frame, value, to_string(limits)));
+    }
+    if (!(std::abs(value - double(before_kpa[i])) <= step_kpa + kRounding)) {
+      throw InputError(
+          fmt::format("controller: set point of {} in frame {} changes from {} to {} kPa; a frame "
+                      "allows {} kPa",
+                      segment_name(i), frame, before_kpa[i], value, step_kpa));
+    }
+  }
+}
+
+Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
+                            const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa) {
+  const double step_kpa = arm.pressure_step_limit_kpa();
+  Pressures result = before_kpa;
+  for (Eigen::Index i = 0; i < arm.segment_count(); ++i) {
+    if (std::isfinite(wanted_kpa[i])) {
+      const double before = before_kpa[i];
+      const double near = std::clamp(wanted_kpa[i], before - step_kpa, before + step_kpa);
+      const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+      result[i] = static_cast<float>(limits.clamped(near));
+    }
+  }
+  return result;
+}
+
+}  // namespace limber

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "limber/report/planning_table.hpp"
+
+namespace limber {
+
+/// What became of all executed plans of one model, planner, controller and disturbance, over all
+/// environments.
+struct RunRow {
+  std::string model;
+  std::string planner;
+  std::string controller;
+  std::string disturbance;
+  int executed = 0;
+  int reached = 0;
+  int collided = 0;
+  int stopped_ahead = 0;  ///< clean stops for an obstacle that had appeared
+  int appeared = 0;       ///< runs in which one did
+  int not_ended = 0;      ///< faults, Ctrl-C
+  SampleFigures distance_cm;
+  SampleFigures time_ratio;  ///< frames of the run over the plan's
+  SampleFigures replans;
+};
+
+/// In the order of the first trials.
+std::vector<RunRow> run_rows(const std::vector<PlanTrial>& trials);
+
+/// runs.json: a list with one object per row.
+nlohmann::ordered_json to_json(const std::vector<RunRow>& rows);
+
+ReportTable run_table(const std::vector<RunRow>& rows);
+
+}  // namespace limber

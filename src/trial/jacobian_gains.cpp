@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/trial/jacobian_controller.hpp"
+
+namespace limber {
+
+namespace {
+
+// Found by tools/tune_baselines.py.
+constexpr JacobianGains kNoLoadGains{0.2, 1.0, 0.002, 0.0};
+constexpr JacobianGains kOnlineGains{0.2, 1.0, 0.002, 0.1};
+
+struct GainField {
+  const char* name;
+  double JacobianGains::*member;
+  double min;
+  double max;
+};
+
+constexpr std::array kGainFields = {
+    GainField{"proportional", &JacobianGains::proportional, 0.0, 10.0},
+    GainField{"integral", &JacobianGains::integral_per_s, 0.0, 100.0},
+    GainField{"damping", &JacobianGains::damping_m_per_kpa, 1e-6, 1.0},
+    GainField{"update", &JacobianGains::update, 1e-6, 1.0},
+};
+
+void read_gain(const std::string& text, bool is_online, JacobianGains& gains) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::string name = text.substr(0, equals);
+  std::string names;
+  for (const GainField& field : kGainFields) {
+    if (field.member == &JacobianGains::update && !is_online) {
+      continue;
+    }
+    names += (names.empty() ? "" : ", ") + std::string(field.name);
+    if (name != field.name) {
+      continue;
+    }
+    const char* end = text.data() + text.size();
+    double value = 0.0;
+    const auto [stop, error] =
+        std::from_chars(text.data() + std::min(equals + 1, text.size()), end, value);
+    if (error != std::errc{} || stop != end || !(value >= field.min && value <= field.max)) {
+      throw InputError(fmt::format("controller: {}: expected {}=NUMBER, from {} to {}", text, name,
+                                   field.min, field.max));
+    }
+    gains.*(field.member) = value;
+    return;
+  }
+  throw InputError(fmt::format("controller: '{}': no such gain; expected {}", text, names));
+}
+
+}  // namespace
+
+std::optional<JacobianGains> parse_jacobian(const std::string& text) {
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const std::string name = text.substr(0, comma);
+  const bool is_online = name == "online_jacobian";
+  if (name != "jacobian" && !is_online) {
+    return std::nullopt;
+  }
+  JacobianGains gains = is_online ? kOnlineGains : kNoLoadGains;
+  for (std::size_t begin = comma; begin < text.size();) {
+    const std::size_t end = std::min(text.find(',', begin + 1), text.size());
+    read_gain(text.substr(begin + 1, end - begin - 1), is_online, gains);
+    begin = end;
+  }
+  return gains;
+}
+
+}  // namespace limber

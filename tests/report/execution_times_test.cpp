@@ -1,0 +1,62 @@
+#include "limber/report/execution_times.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/hardware/appearing_obstacle.hpp"
+#include "limber/report/track_report.hpp"
+#include "support/bending_plan.hpp"
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr double kLag_s = 0.1;
+
+TEST(ExecutionTimes, ShowPressuresTipAndClearancePredictedAndAsTheyWere) {
+  const ArmDescription arm = small_arm();
+  Environment environment;
+  environment.name = "a pillar";
+  environment.obstacles = {Circle{0.3, 0.3, 0.02}};
+  const Plan plan = bending_plan(arm, environment);
+  FakeArm driver(arm, kLag_s);
+  const ExecutionResult result = execute(arm, environment, plan, driver);
+  const std::string svg = execution_times_picture(arm, environment, plan, result);
+  for (const char* text : {"a pillar, over time", "segment 0: set point", "segment 1: predicted",
+                           "segment 1: measured", "x: predicted", "y: the arm", "clearance [cm]",
+                           "contact", "</svg>"}) {
+    EXPECT_THAT(svg, HasSubstr(text));
+  }
+}
+
+TEST(ExecutionTimes, ARunThatNobodySawHasNoTip) {
+  const ArmDescription arm = small_arm();
+  const Environment environment;
+  const Plan plan = bending_plan(arm, environment);
+  FakeFaults blind;
+  blind.drop_every = 1;
+  FakeArm driver(arm, kLag_s, blind);
+  const ExecutionResult result = execute(arm, environment, plan, driver);
+  const std::string svg = execution_times_picture(arm, environment, plan, result);
+  EXPECT_THAT(svg, HasSubstr("segment 0: predicted"));
+  EXPECT_THAT(svg, Not(HasSubstr("y: the arm")));
+}
+
+TEST(ExecutionTimes, ClearanceFallsWhenAnObstacleAppears) {
+  const ArmDescription arm = small_arm();
+  const Environment environment;
+  const Plan plan = bending_plan(arm, environment);
+  const AppearingObstacle obstacle{5, {Circle{0.2, 0.2, 0.02}}};
+  ExecutionSettings settings;
+  settings.obstacle = &obstacle;
+  FakeArm driver(arm, kLag_s);
+  const ExecutionResult result = execute(arm, environment, plan, driver, settings);
+  ASSERT_TRUE(result.appeared);
+  // Before it, there is no obstacle and so nothing to draw.
+  EXPECT_THAT(execution_times_picture(arm, environment, plan, result), HasSubstr("clearance [cm]"));
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,63 @@
+#include "limber/report/run_table.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace limber {
+namespace {
+
+PlanTrial run_of(const char* environment, const char* controller, const char* disturbance,
+                 double distance_m) {
+  PlanTrial trial;
+  trial.environment = environment;
+  trial.model = "network";
+  trial.planner = "default";
+  trial.controller = controller;
+  trial.disturbance = disturbance;
+  trial.planning.status = PlanStatus::solved;
+  trial.planning.first_solution.emplace();
+  trial.planning.plan.emplace();
+  trial.planning.plan->frames.resize(41);
+  trial.execution.emplace();
+  trial.execution->frames = 50;
+  trial.execution->goal_error.position_m = distance_m;
+  trial.execution->goal_reached = distance_m < 0.02;
+  return trial;
+}
+
+TEST(RunTable, HasARowForEveryControllerAndDisturbanceOverAllEnvironments) {
+  std::vector<PlanTrial> trials{run_of("a", "open", "", 0.01), run_of("b", "open", "", 0.03),
+                                run_of("a", "replan", "", 0.01),
+                                run_of("a", "replan", "friction", 0.01)};
+  trials[2].execution->collided = true;
+  const std::vector<RunRow> rows = run_rows(trials);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].executed, 2);
+  EXPECT_EQ(rows[0].reached, 1);
+  EXPECT_DOUBLE_EQ(*rows[0].distance_cm.mean, 2.0);
+  EXPECT_DOUBLE_EQ(*rows[0].time_ratio.median, 50.0 / 40.0);
+  EXPECT_EQ(rows[1].collided, 1);
+  EXPECT_EQ(rows[1].reached, 0) << "it collided on the way";
+  EXPECT_EQ(rows[2].disturbance, "friction");
+  EXPECT_EQ(to_json(rows)[2]["disturbance"], "friction");
+  EXPECT_EQ(run_table(rows).rows.size(), 3U);
+}
+
+TEST(RunTable, OnlyAStopForAnObstacleThatAppearedWithoutContactIsClean) {
+  PlanTrial trial = run_of("a", "replan", "obstacle", 0.2);
+  ExecutionResult& run = *trial.execution;
+  EXPECT_FALSE(is_clean_stop(run));
+  run.stopped_ahead = true;
+  EXPECT_FALSE(is_clean_stop(run)) << "nothing appeared";
+  run.appeared = AppearedObstacle{1.0, {0.3, 0.1, 0.02}};
+  EXPECT_TRUE(is_clean_stop(run));
+  EXPECT_EQ(run_rows({trial})[0].stopped_ahead, 1);
+  run.collided = true;
+  EXPECT_FALSE(is_clean_stop(run));
+  run.collided = false;
+  run.goal_reached = true;
+  EXPECT_FALSE(is_clean_stop(run)) << "it arrived";
+}
+
+}  // namespace
+}  // namespace limber

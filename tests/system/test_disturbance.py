@@ -1,0 +1,79 @@
+"""`--disturbance` and `--controller`: rows of their own, the same for any number of jobs; what there is
+not is refused by name."""
+
+import json
+import unittest
+
+from program import InFolder
+from test_plan import PILLAR
+
+ARM = ("--arm", "two_segment")
+
+
+class Disturbance(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.write("e.yaml", json.dumps(PILLAR))
+
+    def plan(self):
+        self.run_limber("plan", *ARM, "--no-load", "--max-iterations", 300, "--environment",
+                        "e.yaml", "--out", "p.json")
+
+    def execute(self, *arguments, code=0):
+        return self.run_json("execute", *ARM, "--plan", "p.json", "--environment", "e.yaml",
+                             *arguments, code=code)
+
+    def test_a_disturbed_arm_ends_elsewhere_and_its_seed_repeats_it(self):
+        self.plan()
+        calm = self.execute()
+        self.assertNotIn("disturbance", calm)
+        for kind in ("tip_load=0.2", "friction", "weak_actuator"):
+            found = self.execute("--disturbance", kind, "--seed", 4)
+            self.assertEqual(found["disturbance"], kind)
+            self.assertNotEqual(found["final_backbone"], calm["final_backbone"], kind)
+            self.assertEqual(found, self.execute("--disturbance", kind, "--seed", 4))
+        # Noise and lost tracking are the sensor's: the arm itself moves as it did.
+        for kind in ("noise", "lost_tracking", "noise,lost_tracking"):
+            found = self.execute("--disturbance", kind)
+            self.assertEqual(found["final_backbone"], calm["final_backbone"], kind)
+
+    def test_what_there_is_not_is_refused(self):
+        self.plan()
+        command = ("execute", *ARM, "--plan", "p.json", "--environment", "e.yaml")
+        error = self.run_limber(*command, "--disturbance", "wind", code=2).stderr
+        self.assertIn("disturbance 'wind': no such kind; expected tip_load", error)
+        error = self.run_limber(*command, "--disturbance", "noise", "--driver", "exec:true",
+                                code=2).stderr
+        self.assertIn("only the virtual arm can be disturbed", error)
+
+    def test_an_experiment_has_a_row_for_each_and_can_be_resumed_with_more(self):
+        self.run_limber("collect", *ARM, "--schedule", "random", "--count", 20, "--out", "t.h5")
+        self.run_limber("train", *ARM, "--data", "t.h5", "--epochs", 3, "--out", "m.safetensors")
+        (self.folder / "environments").mkdir()
+        self.write("environments/a.yaml", json.dumps(PILLAR))
+        command = ("experiment", *ARM, "--model", "m.safetensors", "--environments",
+                   "environments", "--max-iterations", 150, "--trials", 2)
+        more = ("--controller", "open", "--controller", "replan", "--disturbance", "none",
+                "--disturbance", "friction")
+        self.run_json(*command, "--out", "one", "--disturbance", "friction")
+        one = json.loads((self.folder / "one/runs.json").read_text(encoding="utf-8"))
+        self.assertEqual([(row["model"], row["disturbance"]) for row in one],
+                         [("no_load", "friction"), ("network", "friction")])
+        self.run_json(*command, "--out", "one", *more, "--resume", "--jobs", 2)
+        self.run_json(*command, "--out", "two", *more, "--jobs", 1)
+        runs = [(self.folder / out / "runs.json").read_text(encoding="utf-8")
+                for out in ("one", "two")]
+        self.assertEqual(*runs)
+        rows = json.loads(runs[0])
+        self.assertEqual(
+            [(row["model"], row["controller"], row["disturbance"]) for row in rows],
+            [(model, controller, disturbance) for disturbance in ("", "friction")
+             for controller in ("open", "replan") for model in ("no_load", "network")])
+        self.assertTrue(all(row["replans"]["mean"] in (0, None) for row in rows
+                            if row["controller"] == "open"))
+        error = self.run_limber(*command, "--out", "x", "--controller", "magic", code=2).stderr
+        self.assertIn("controller 'magic': no such one; expected open, replan", error)
+
+
+if __name__ == "__main__":
+    unittest.main()
