@@ -57,6 +57,7 @@ void DriverFlags::add_to(CLI::App& app, bool may_be_model) {
     help += "; or model:OTHER.safetensors, an arm that is what another network says";
   }
   app.add_option("--driver", driver_, help)->capture_default_str();
+  calibration_.add_to(app);
   app.add_option("--limit-scale", limit_scale_,
                  "Factor on the arm's pressure limits, over 0 and at most 1")
       ->capture_default_str();
@@ -77,6 +78,9 @@ void DriverFlags::check() const {
   if (!(limit_scale_ > 0.0 && limit_scale_ <= 1.0)) {
     throw InputError(
         fmt::format("--limit-scale {}: expected a number over 0, at most 1", limit_scale_));
+  }
+  if (!is_program() && calibration_.is_given()) {
+    throw InputError("--calibration: goes with --driver exec:COMMAND, which it is of");
   }
   if (!is_program() && !log_.empty()) {
     throw InputError("--driver-log: the virtual arm has none; it goes with --driver exec:COMMAND");
@@ -110,6 +114,7 @@ std::unique_ptr<ProcessDriver> DriverFlags::start(const ArmDescription& arm,
   settings.limit_scale = limit_scale_;
   settings.check_rate = check_rate;
   settings.safety = load_safety(arm_file);
+  settings.calibration = calibration_.read(arm);
   if (log_.empty()) {
     settings.log = free_log_name(out);
   } else {
@@ -177,7 +182,7 @@ void require_reach(const ArmDescription& arm, double limit_scale, const ProcessD
 }
 
 ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
-                        const std::string& driver) {
+                        const std::string& driver, const CalibrationFlag& calibration) {
   if (!driver.starts_with(kExec)) {
     throw InputError(
         fmt::format("--start-from-driver {}: expected exec:COMMAND (docs/driver.md)", driver));
@@ -185,6 +190,7 @@ ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
   ProcessDriverSettings settings;
   settings.command = driver.substr(kExec.size());
   settings.safety = load_safety(arm_file);
+  settings.calibration = calibration.read(arm);
   const ProcessDriver started(arm, settings);
   if (!started.state().backbone) {
     throw SystemFault(

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "calibration_flag.hpp"
 #include "limber/hardware/collection.hpp"
 #include "limber/hardware/process_driver.hpp"
 #include "limber/world/environment.hpp"
@@ -44,6 +45,7 @@ class DriverFlags {
 
  private:
   std::string driver_ = "virtual";
+  CalibrationFlag calibration_;
   std::string log_;
   double limit_scale_ = 1.0;
   bool dry_run_ = false;
@@ -60,7 +62,7 @@ void require_reach(const ArmDescription& arm, double limit_scale, const ProcessD
 /// Where the vented arm lies: one look through the driver of `exec:COMMAND`.
 /// @throws SystemFault where nothing tracks the arm.
 ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
-                        const std::string& driver);
+                        const std::string& driver, const CalibrationFlag& calibration);
 
 /// Every episode on the same driver, which has to outlive the factory.
 DriverFactory on_one_driver(ProcessDriver& driver);

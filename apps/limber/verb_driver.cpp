@@ -1,3 +1,5 @@
+#include "calibration_flag.hpp"
+#include "driver_calibrate.hpp"
 #include "driver_flags.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_file.hpp"
@@ -17,34 +19,52 @@ namespace fs = std::filesystem;
 class DriverVerb final : public Verb {
  public:
   const char* name() const override { return "driver"; }
-  const char* summary() const override { return "Check a driver: timing, units, valves, deadmen"; }
+  const char* summary() const override {
+    return "Check a driver (timing, units, valves, deadmen), or calibrate it";
+  }
   const char* example() const override {
-    return "limber driver check --driver \"exec:limber virtual-arm --serve\" --out checked";
+    return "limber driver check --driver \"exec:limber virtual-arm --serve\" --out checked\n"
+           "  limber driver calibrate --driver \"exec:limber virtual-arm --serve --misassembled 1\" "
+           "--yes --handedness left --out calibration.yaml";
   }
 
   void add_flags(CLI::App& app) override {
-    app.add_option("action", action_, "check")->option_text("check")->required();
+    app.add_option("action", action_, "check or calibrate")
+        ->option_text("check|calibrate")
+        ->required();
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
-    app.add_option("--driver", driver_, "exec:COMMAND, the program to check (docs/driver.md)")
-        ->required();
-    app.add_option("--limit-scale", limit_scale_,
-                   "Pressure limits are this times the arm's, over 0 and at most 1")
+    app.add_option("--driver", driver_, "exec:COMMAND, the program (docs/driver.md)")->required();
+    app.add_option(
+           "--limit-scale", limit_scale_,
+           "check: pressure limits are this times the arm's, over 0 and at most 1; calibrate "
+           "always moves within a tenth")
         ->capture_default_str();
     app.add_option("--out", out_,
-                   "Folder for check.json, report.html, valves.yaml and the driver's log")
+                   "check: folder for check.json, report.html, valves.yaml and the driver's log; "
+                   "calibrate: the calibration's file")
         ->required();
+    calibration_.add_to(app);
+    calibrate_.add_to(app);
   }
 
   int run(const CommonFlags& flags) override {
     constexpr std::string_view kExec = "exec:";
-    if (action_ != "check") {
-      throw InputError(fmt::format("limber driver {}: expected 'limber driver check'", action_));
+    if (action_ != "check" && action_ != "calibrate") {
+      throw InputError(fmt::format(
+          "limber driver {}: expected 'limber driver check' or 'limber driver calibrate'",
+          action_));
     }
     if (!driver_.starts_with(kExec)) {
       throw InputError(fmt::format("--driver {}: expected exec:COMMAND", driver_));
     }
     const std::string arm_file = find_arm_file(arm_);
+    if (action_ == "calibrate") {
+      if (calibration_.is_given()) {
+        throw InputError("--calibration: calibrate finds one; it goes with check");
+      }
+      return calibrate_.run(arm_file, driver_.substr(kExec.size()), out_, flags);
+    }
     const ArmDescription arm = load_arm(arm_file);
     const fs::path folder = out_;
     require_writable_folder(folder);
@@ -57,6 +77,7 @@ class DriverVerb final : public Verb {
     settings.limit_scale = limit_scale_;
     settings.safety = load_safety(arm_file);
     settings.log = folder / "check.driver.jsonl";
+    settings.calibration = calibration_.read(arm);
     settings.say = [&](const std::string& message) { print_to_stderr(printable(message) + "\n"); };
     say(flags, "checking the driver: the arm moves for about a minute");
     const DriverCheck check = check_driver(arm, settings);
@@ -90,6 +111,8 @@ class DriverVerb final : public Verb {
   std::string arm_ = "three_segment";
   std::string driver_;
   std::string out_;
+  CalibrationFlag calibration_;
+  DriverCalibrate calibrate_;
   double limit_scale_ = 1.0;
 };
 

@@ -28,6 +28,11 @@ class VirtualArmVerb final : public Verb {
                  "Answer as fast as possible, instead of keeping frames of wall time");
     app.add_option("--fault", fault_,
                    "Go wrong from a frame on, as in die@12; an unknown kind lists all of them");
+    app.add_option("--misassembled", misassembled_,
+                   "Seed: be put together wrongly (channels, signs, zeros, tracker), for trying "
+                   "limber driver calibrate");
+    app.add_option("--truth", truth_,
+                   "File for what a calibration has to find, with --misassembled");
     app.add_option("--device-log", settings_.device_log,
                    "What the simulated device was told, with times of the monotonic clock");
     app.add_option("--noise-m", settings_.arm.noise_m,
@@ -50,14 +55,32 @@ class VirtualArmVerb final : public Verb {
     if (!settings_.device_log.empty()) {
       refuse_to_overwrite(settings_.device_log, flags.force);
     }
+    const ArmDescription arm = load_arm(find_arm_file(arm_));
     settings_.arm.seed = flags.seed;
-    serve_virtual_arm(load_arm(find_arm_file(arm_)), settings_);
+    misassemble(arm, flags);
+    serve_virtual_arm(arm, settings_);
     return kExitDone;
   }
 
  private:
+  void misassemble(const ArmDescription& arm, const CommonFlags& flags) {
+    if (!misassembled_) {
+      if (!truth_.empty()) {
+        throw InputError("--truth: goes with --misassembled SEED, whose truth it is");
+      }
+      return;
+    }
+    settings_.misassembly = draw_misassembly(arm, *misassembled_);
+    if (!truth_.empty()) {
+      refuse_to_overwrite(truth_, flags.force);
+      write_file_atomically(truth_, to_yaml(settings_.misassembly->truth));
+    }
+  }
+
   std::string arm_ = "three_segment";
   std::string fault_;
+  std::optional<std::uint64_t> misassembled_;
+  std::string truth_;
   bool serve_ = false;
   ServerSettings settings_;
 };

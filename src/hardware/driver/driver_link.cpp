@@ -22,11 +22,17 @@ constexpr std::size_t kQuoted = 80;               // bytes of a wrong line in a 
 }  // namespace
 
 DriverLink::DriverLink(const ArmDescription& arm, const std::string& command,
-                       const std::filesystem::path& log)
-    : host_(host_hello(arm)),
+                       const std::filesystem::path& log, std::optional<WireCalibration> calibration)
+    : calibration_(std::move(calibration)),
+      host_(host_hello(arm)),
       period_s_(arm.frame_period_s()),
       child_(command_words(command), kMaxDriverLine),
-      log_(log, command) {}
+      log_(log, command) {
+  if (calibration_) {
+    host_.limit_kpa = calibration_->to_wire(host_.limit_kpa);
+    log_.note("calibration: " + to_yaml(*calibration_));
+  }
+}
 
 const DriverHello& DriverLink::exchange_hellos() {
   try_to_send(to_line(host_));
@@ -46,12 +52,16 @@ const DriverHello& DriverLink::exchange_hellos() {
   } catch (const InputError& error) {
     throw BrokenDriver(fmt::format("does not fit: {}", error.what()));
   }
+  if (calibration_ && !hello_.limit_kpa.empty()) {
+    hello_.limit_kpa = calibration_->from_wire(hello_.limit_kpa);
+  }
   return hello_;
 }
 
 ArmState DriverLink::set(const Pressures& setpoint_kpa, Clock::duration reply_time) {
   ++seq_;
-  ArmState state = exchange(set_line(seq_, since_start_s(), setpoint_kpa), reply_time);
+  const Pressures on_wire = calibration_ ? calibration_->to_wire(setpoint_kpa) : setpoint_kpa;
+  ArmState state = exchange(set_line(seq_, since_start_s(), on_wire), reply_time);
   paced_ = true;
   return state;
 }
@@ -82,7 +92,12 @@ ArmState DriverLink::receive(Time deadline) {
   }
   require_order(reply);
   sample_s_ = reply.state.time_s;
-  return std::move(reply.state);
+  tracker_s_ = reply.tracker_s;
+  return calibrated(std::move(reply.state));
+}
+
+ArmState DriverLink::calibrated(ArmState state) const {
+  return calibration_ ? calibration_->from_wire(std::move(state)) : state;
 }
 
 void DriverLink::require_order(const DriverReply& reply) const {
@@ -144,7 +159,7 @@ std::optional<ArmState> DriverLink::vent_and_close(Time until) {
       DriverReply reply = parse_state(line, host_);
       if (reply.seq == seq_) {
         log_.received(line);
-        return std::move(reply.state);
+        return calibrated(std::move(reply.state));
       }
     } catch (const std::runtime_error&) {
       continue;  // that it is broken is known

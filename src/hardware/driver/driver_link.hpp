@@ -10,6 +10,7 @@
 #include "driver_log.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/driver_protocol.hpp"
+#include "limber/hardware/wire_calibration.hpp"
 
 namespace limber {
 
@@ -27,9 +28,10 @@ class DriverLink {
   using Clock = ChildProcess::Clock;
   using Time = Clock::time_point;
 
-  /// Starts the program. @throws InputError where that can't be done.
+  /// Starts the program. Everything but the log is on the arm's side of `calibration`.
+  /// @throws InputError where that can't be done.
   DriverLink(const ArmDescription& arm, const std::string& command,
-             const std::filesystem::path& log);
+             const std::filesystem::path& log, std::optional<WireCalibration> calibration);
 
   /// @throws BrokenDriver, Interrupted.
   const DriverHello& exchange_hellos();
@@ -56,6 +58,10 @@ class DriverLink {
   bool is_open() const { return open_; }
 
   DriverLog& log() { return log_; }
+  /// limber's clock, as requests have it.
+  double since_start_s() const;
+  /// Of the last state, where the driver gives it.
+  std::optional<double> tracker_s() const { return tracker_s_; }
 
  private:
   ArmState exchange(const std::string& line, Clock::duration reply_time);
@@ -65,8 +71,9 @@ class DriverLink {
   void try_to_send(const std::string& line);
   void close_input();
   [[noreturn]] void say_why_it_is_silent(const std::string& otherwise);
-  double since_start_s() const;
+  ArmState calibrated(ArmState state) const;
 
+  std::optional<WireCalibration> calibration_;
   HostHello host_;
   double period_s_;
   ChildProcess child_;
@@ -75,8 +82,9 @@ class DriverLink {
   Time start_ = Clock::now();
   std::int64_t seq_ = 0;
   std::optional<double> sample_s_;  // of the last state, by the driver's clock
-  bool paced_ = false;              // the next sample is about a frame after it
-  std::optional<Time> closed_at_;   // its input
+  std::optional<double> tracker_s_;
+  bool paced_ = false;             // the next sample is about a frame after it
+  std::optional<Time> closed_at_;  // its input
   bool open_ = true;
 };
 

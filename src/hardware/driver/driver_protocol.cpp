@@ -15,9 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMaxKpa = 1e5;      // 1000 bar: no soft arm comes near
-constexpr double kMaxLengthM = 1e3;  // of a coordinate
-constexpr double kMaxAngleRad = 1e4;
+constexpr double kMaxKpa = 1e5;     // 1000 bar: no soft arm comes near
+constexpr double kMaxLength = 1e5;  // of a coordinate; before calibration in mm, too
+constexpr double kMaxAngle = 1e5;
 constexpr double kMaxTimeS = 1e12;
 constexpr std::uint64_t kMaxSeq = std::uint64_t{1} << 53U;  // what a double holds exactly
 constexpr double kRateTolerance = 0.01;                     // of the arm's frame rate
@@ -48,8 +48,8 @@ std::optional<Backbone> backbone(const JsonReader& root, int points) {
   Backbone result(points, 3);
   for (int i = 0; i < points; ++i) {
     const std::vector<double> pose = rows[static_cast<std::size_t>(i)].numbers(
-        3, "numbers: x, y and theta", -kMaxAngleRad, kMaxAngleRad);
-    if (std::abs(pose[0]) > kMaxLengthM || std::abs(pose[1]) > kMaxLengthM) {
+        3, "numbers: x, y and theta", -kMaxAngle, kMaxAngle);
+    if (std::abs(pose[0]) > kMaxLength || std::abs(pose[1]) > kMaxLength) {
       rows[static_cast<std::size_t>(i)].refuse_found("expected x and y in metres");
     }
     result.row(i) << static_cast<float>(pose[0]), static_cast<float>(pose[1]),
@@ -161,7 +161,7 @@ std::string bye_line() {
   return Json{{"type", "bye"}}.dump();
 }
 
-std::string state_line(std::int64_t seq, const ArmState& state) {
+std::string state_line(std::int64_t seq, const ArmState& state, std::optional<double> tracker_s) {
   Json json = {{"type", "state"},
                {"seq", seq},
                {"t", state.time_s},
@@ -176,6 +176,9 @@ std::string state_line(std::int64_t seq, const ArmState& state) {
       rows.push_back({double(pose[0]), double(pose[1]), double(pose[2])});
     }
     json["backbone"] = std::move(rows);
+  }
+  if (tracker_s) {
+    json["tracker_t"] = *tracker_s;
   }
   return json.dump();
 }
@@ -224,6 +227,9 @@ DriverReply parse_state(std::string_view line, const HostHello& arm) {
     reply.state.setpoint_kpa = pressures(root.at("setpoint_kpa"), arm.segments);
   }
   reply.state.backbone = backbone(root, arm.points);
+  if (root.has("tracker_t") && !root.at("tracker_t").is_null()) {
+    reply.tracker_s = root.at("tracker_t").number(-kMaxTimeS, kMaxTimeS);
+  }
   return reply;
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "calibration/misassembled_wire.hpp"
 #include "device_process.hpp"
 #include "limber/common/broken_pipe.hpp"
 #include "limber/common/error.hpp"
@@ -39,6 +40,7 @@ class DriverServer {
         description_(arm),
         host_(host_hello(arm)),
         arm_(arm, settings.arm),
+        wire_(settings.misassembly, arm_, !settings.fast),
         input_(::dup(STDIN_FILENO), kMaxDriverLine),
         in_force_(Pressures::Zero(arm.segment_count())) {}
 
@@ -98,9 +100,9 @@ class DriverServer {
     if (resting_) {
       arm_.vent();
     }
-    ArmState state = arm_.command(setpoint_kpa);
-    state.setpoint_kpa = in_force_;
-    return state;
+    ArmState state = arm_.command(wire_.from_wire(setpoint_kpa));
+    state.setpoint_kpa = wire_.from_wire(in_force_);
+    return wire_.to_wire(std::move(state));
   }
 
   void answer(const std::string& line) {
@@ -136,9 +138,9 @@ class DriverServer {
     hello.segments = host_.segments + (plays(Kind::hello) ? 1 : 0);
     hello.real_time = !settings_.fast;
     if (!plays(Kind::hello)) {
-      hello.limit_kpa = host_.limit_kpa;
+      hello.limit_kpa = wire_.to_wire(host_.limit_kpa);
     }
-    write(to_line(hello) + "\n");
+    write(limber::to_line(hello) + "\n");
   }
 
   void set(const DriverRequest& request) {
@@ -153,6 +155,10 @@ class DriverServer {
     reply(request.seq, state);
   }
 
+  std::string to_line(std::int64_t seq, const ArmState& state) const {
+    return state_line(seq, state, wire_.tracker_s(state)) + "\n";
+  }
+
   /// Whether the fault plays from this frame on.
   bool due() const { return settings_.fault && frame_ >= settings_.fault->frame; }
   bool plays(Kind kind) const { return settings_.fault && settings_.fault->kind == kind; }
@@ -161,13 +167,13 @@ class DriverServer {
     if (due()) {
       wrong_reply(seq, state);
     } else {
-      write(state_line(seq, state) + "\n");
+      write(to_line(seq, state));
       last_ = state;
     }
   }
 
   void wrong_reply(std::int64_t seq, ArmState state) {
-    const std::string line = state_line(seq, state) + "\n";
+    const std::string line = to_line(seq, state);
     switch (settings_.fault->kind) {
       case Kind::late:
         std::this_thread::sleep_for(duration(kLateFrames * period_s()));
@@ -177,7 +183,7 @@ class DriverServer {
         write(line + line);
         break;
       case Kind::old:
-        write(state_line(seq - 1, state) + "\n");
+        write(to_line(seq - 1, state));
         break;
       case Kind::half:
         write(line.substr(0, line.size() / 2));
@@ -193,7 +199,7 @@ class DriverServer {
         break;
       case Kind::clock:
         state.time_s -= 2.0 * period_s();
-        write(state_line(seq, state) + "\n");
+        write(to_line(seq, state));
         break;
       case Kind::die:
         ::_exit(9);
@@ -205,7 +211,7 @@ class DriverServer {
         }
         break;
       default:
-        write(state_line(seq, wrong_state(std::move(state))) + "\n");
+        write(to_line(seq, wrong_state(std::move(state))));
     }
   }
 
@@ -275,6 +281,7 @@ class DriverServer {
   ArmDescription description_;
   HostHello host_;
   VirtualArm arm_;
+  MisassembledWire wire_;
   LineReader input_;
   Pressures in_force_;
   Clock::time_point last_request_ = Clock::now();

@@ -56,7 +56,9 @@ void throw_if_wrong(const std::string& wrong) {
 class ProcessDriver::Session {
  public:
   Session(const ArmDescription& arm, const ProcessDriverSettings& settings)
-      : arm_(arm), settings_(settings), link_((prepare(arm), arm), settings.command, settings.log) {
+      : arm_(arm),
+        settings_(settings),
+        link_((prepare(arm), arm), settings.command, settings.log, settings.calibration) {
     try {
       limits_kpa_ = limits_in_force(arm_, settings.limit_scale, link_.exchange_hellos());
       gate_.emplace(arm_, limits_kpa_, settings.check_rate, settings.safety);
@@ -206,7 +208,9 @@ class ProcessDriver::Session {
       setpoints_kpa_.pop_back();
     }
     asked_ = Clock::now();
+    const double sent_s = link_.since_start_s();
     state_ = link_.set(setpoint_kpa, reply_time());
+    timing_.last = {sent_s, link_.since_start_s(), link_.tracker_s()};
     timing_.round_trip_s.push_back(seconds(Clock::now() - asked_));
     timing_.frames_unseen += hello().tracked && !state_.backbone ? 1 : 0;
   }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,6 +56,7 @@ struct DriverRequest {
 struct DriverReply {
   std::int64_t seq = 0;
   ArmState state;
+  std::optional<double> tracker_s;  ///< when the shape was seen, on the tracker's own clock
 };
 
 HostHello host_hello(const ArmDescription& arm);
@@ -65,7 +67,8 @@ std::string to_line(const DriverHello& hello);
 std::string set_line(std::int64_t seq, double time_s, const Pressures& setpoint_kpa);
 std::string vent_line(std::int64_t seq, double time_s);
 std::string bye_line();
-std::string state_line(std::int64_t seq, const ArmState& state);
+std::string state_line(std::int64_t seq, const ArmState& state,
+                       std::optional<double> tracker_s = std::nullopt);
 
 /// A driver that has failed says so in place of a state; it has vented.
 std::string fault_line(const std::string& message);

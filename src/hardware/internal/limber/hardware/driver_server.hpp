@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
+#include "limber/hardware/misassembly.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 
 namespace limber {
@@ -49,6 +50,7 @@ struct ServerSettings {
   std::optional<ServerFault> fault;
   std::filesystem::path device_log;  ///< what the simulated device was told, and when; empty: none
   VirtualArmOptions arm;
+  std::optional<Misassembly> misassembly;
 };
 
 /// The virtual arm behind the driver protocol: requests on standard input, states on standard

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "limber/hardware/arm_driver.hpp"
 #include "limber/hardware/driver_protocol.hpp"
 #include "limber/hardware/safety_settings.hpp"
+#include "limber/hardware/wire_calibration.hpp"
 
 namespace limber {
 
@@ -22,6 +24,15 @@ struct ProcessDriverSettings {
   /// Told what becomes of the arm at a vent, "vented: 0.8 kPa after 0.6 s"; may be empty.
   std::function<void(const std::string&)> say;
   std::filesystem::path log;  ///< every line of both sides with its time; empty: none
+  std::optional<WireCalibration> calibration;  ///< none: the wire is the arm's
+};
+
+/// When the last `set` was sent and its state was there, on limber's clock; and when the tracker saw
+/// the shape, on its own.
+struct DriverExchange {
+  double sent_s = 0.0;
+  double received_s = 0.0;
+  std::optional<double> tracker_s;
 };
 
 /// How well both sides kept to the frames.
@@ -30,6 +41,7 @@ struct DriverTiming {
   std::vector<double> round_trip_s;  ///< of every `set`, until its state was there
   int skipped_slots = 0;  ///< frames in which no `set` was sent, as the one before took so long
   int frames_unseen = 0;  ///< states without a backbone, of a driver that tracks
+  DriverExchange last;    ///< of the last `set`
 };
 
 /// What came of the last vent.

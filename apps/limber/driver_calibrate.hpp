@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limber/hardware/calibrate_driver.hpp"
+#include "verb.hpp"
+
+namespace limber {
+
+/// `limber driver calibrate`: its flags, its questions and its file.
+class DriverCalibrate {
+ public:
+  void add_to(CLI::App& app);
+  /// @param command  what follows `exec:`
+  /// @param out      the calibration's file
+  int run(const std::string& arm_file, const std::string& command, const std::string& out,
+          const CommonFlags& flags) const;
+
+ private:
+  OperatorAnswer answer(int channel) const;
+
+  bool yes_ = false;
+  std::string handedness_;
+  CalibrationTolerance tolerance_;
+};
+
+}  // namespace limber

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "limber/hardware/calibration_log.hpp"
+#include "limber/hardware/wire_calibration.hpp"
+#include "seen_poses.hpp"
+
+namespace limber {
+
+/// Where frame B lies in the tracker's, and where each body sits on its plate.
+struct BaseFrame {
+  Pose base;
+  std::vector<Pose> marker_offsets;
+  double position_interval_m = 0.0;  ///< half of what is 95 % sure
+  double heading_interval_rad = 0.0;
+};
+
+/// From the straight arm at rest, and from how the bodies turn about their segments in each pulse
+/// (docs/hardware.md). At rest body i is at X_TB · (x_i, 0, 0) · offset_i; where gaps turn by what
+/// headings say, a hinge in the middle of each, the same offsets have to explain where it goes. The
+/// unknowns are X_TB, and by how much each segment gets shorter under pressure.
+///
+/// `poses`: in metres, not mirrored. @throws CalibrationRefused where the base moves.
+BaseFrame base_frame(const ArmDescription& arm, const CalibrationLog& log, const SeenPoses& poses,
+                     const std::vector<WireChannel>& valves);
+
+}  // namespace limber

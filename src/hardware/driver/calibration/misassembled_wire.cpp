@@ -1,0 +1,63 @@
+#include "misassembled_wire.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace limber {
+
+namespace {
+
+constexpr double kLongestSeenS = 1.0;  // more than any latency that is drawn
+
+}  // namespace
+
+MisassembledWire::MisassembledWire(std::optional<Misassembly> misassembly, VirtualArm& arm,
+                                   bool real_time)
+    : misassembly_(std::move(misassembly)), real_time_(real_time) {
+  if (misassembly_) {
+    seen_.emplace_back(0.0, arm.true_backbone());
+    arm.set_observer([this](double time_s, const BackboneD& backbone) {
+      seen_.emplace_back(time_s, backbone);
+      while (seen_.front().first < time_s - kLongestSeenS) {
+        seen_.pop_front();
+      }
+    });
+  }
+}
+
+Pressures MisassembledWire::from_wire(const Pressures& setpoint_kpa) const {
+  return misassembly_ ? misassembly_->truth.from_wire(setpoint_kpa) : setpoint_kpa;
+}
+
+ArmState MisassembledWire::to_wire(ArmState state) const {
+  if (!misassembly_) {
+    return state;
+  }
+  if (state.backbone) {  // with the noise that it was measured with
+    const double then_s = seen_.back().first - misassembly_->tracker_latency_s;
+    const auto then = std::lower_bound(seen_.begin(), seen_.end(), then_s,
+                                       [](const auto& one, double t) { return one.first < t; });
+    *state.backbone += (then->second - seen_.back().second).cast<float>();
+  }
+  state = misassembly_->truth.to_wire(std::move(state));
+  if (real_time_) {
+    state.time_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  state.time_s += misassembly_->driver_ahead_s;
+  return state;
+}
+
+std::vector<PressureLimits> MisassembledWire::to_wire(
+    std::vector<PressureLimits> limits_kpa) const {
+  return misassembly_ ? misassembly_->truth.to_wire(limits_kpa) : limits_kpa;
+}
+
+std::optional<double> MisassembledWire::tracker_s(const ArmState& on_wire) const {
+  if (!misassembly_ || !on_wire.backbone) {
+    return std::nullopt;
+  }
+  return on_wire.time_s - misassembly_->tracker_latency_s + misassembly_->tracker_ahead_s;
+}
+
+}  // namespace limber

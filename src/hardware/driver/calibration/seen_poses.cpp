@@ -1,0 +1,132 @@
+#include "seen_poses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace limber {
+
+namespace {
+
+constexpr double kBeforeMeanS = 0.5;
+constexpr double kPoseMeanS = 1.0;  // at the end of a hold
+constexpr int kFewestSeen = 3;
+
+/// Takes leaps of a whole turn out of a column; what is not seen is passed over.
+template <class Column>
+void unwrap_over_time(Column column) {
+  constexpr double kWholeTurn = 2.0 * std::numbers::pi;
+  double before = std::numeric_limits<double>::quiet_NaN();
+  for (double& value : column) {
+    if (std::isfinite(value)) {
+      if (std::isfinite(before)) {
+        value -= kWholeTurn * std::round((value - before) / kWholeTurn);
+      }
+      before = value;
+    }
+  }
+}
+
+double squared(double value) {
+  return value * value;
+}
+
+}  // namespace
+
+SeenPoses seen_poses(const CalibrationLog& log) {
+  const auto first = std::find_if(log.frames.begin(), log.frames.end(),
+                                  [](const auto& f) { return f.state.backbone.has_value(); });
+  if (first == log.frames.end()) {
+    throw CalibrationRefused(
+        "no state has a backbone: nothing tracks the arm, so which channel moves what can't be "
+        "seen");
+  }
+  const auto frames = static_cast<Eigen::Index>(log.frames.size());
+  const double unseen = std::numeric_limits<double>::quiet_NaN();
+  SeenPoses poses;
+  poses.x.setConstant(frames, first->state.backbone->rows(), unseen);
+  poses.y = poses.x;
+  poses.theta = poses.x;
+  for (Eigen::Index k = 0; k < frames; ++k) {
+    const auto& backbone = log.frames[static_cast<std::size_t>(k)].state.backbone;
+    if (backbone) {
+      poses.x.row(k) = backbone->col(0).cast<double>().transpose();
+      poses.y.row(k) = backbone->col(1).cast<double>().transpose();
+      poses.theta.row(k) = backbone->col(2).cast<double>().transpose();
+    }
+  }
+  return poses;
+}
+
+SeenPoses in_metres(const SeenPoses& raw, double metres_per_unit, double radians_per_unit,
+                    bool mirrored) {
+  SeenPoses poses;
+  const double side = mirrored ? -1.0 : 1.0;
+  poses.x = metres_per_unit * raw.x;
+  poses.y = side * metres_per_unit * raw.y;
+  poses.theta = side * radians_per_unit * raw.theta;
+  for (Eigen::Index body = 0; body < poses.bodies(); ++body) {
+    unwrap_over_time(poses.theta.col(body));
+  }
+  return poses;
+}
+
+MeanPose mean_pose(const SeenPoses& poses, std::size_t first, std::size_t end, const char* when) {
+  MeanPose mean;
+  mean.pose.setZero(poses.bodies(), 3);
+  for (std::size_t frame = first; frame < end; ++frame) {
+    if (poses.seen(frame)) {
+      const auto k = static_cast<Eigen::Index>(frame);
+      mean.pose.col(0) += poses.x.row(k).transpose();
+      mean.pose.col(1) += poses.y.row(k).transpose();
+      mean.pose.col(2) += poses.theta.row(k).transpose();
+      ++mean.count;
+    }
+  }
+  if (mean.count < kFewestSeen) {
+    throw CalibrationRefused(
+        fmt::format("the tracker saw the arm in {} of {} frames {}; expected at least {}",
+                    mean.count, end - first, when, kFewestSeen));
+  }
+  mean.pose /= mean.count;
+  return mean;
+}
+
+PoseNoise pose_noise(const SeenPoses& poses, std::size_t first, std::size_t end) {
+  double positions = 0.0;
+  double angles = 0.0;
+  int count = 0;
+  for (std::size_t frame = first + 1; frame < end; ++frame) {
+    if (!poses.seen(frame) || !poses.seen(frame - 1)) {
+      continue;
+    }
+    const auto k = static_cast<Eigen::Index>(frame);
+    for (Eigen::Index body = 0; body < poses.bodies(); ++body) {
+      positions += squared(poses.x(k, body) - poses.x(k - 1, body)) +
+                   squared(poses.y(k, body) - poses.y(k - 1, body));
+      angles += squared(poses.theta(k, body) - poses.theta(k - 1, body));
+      ++count;
+    }
+  }
+  // Two neighbours differ by √2 of what one is off by.
+  const double pairs = std::max(count, 1);
+  return {std::sqrt(positions / (4.0 * pairs)), std::sqrt(angles / (2.0 * pairs))};
+}
+
+std::vector<PulsePoses> pulse_poses(const SeenPoses& poses, const CalibrationLog& log,
+                                    double frame_period_s) {
+  const auto before = static_cast<std::size_t>(std::lround(kBeforeMeanS / frame_period_s));
+  const auto frames = static_cast<std::size_t>(std::lround(kPoseMeanS / frame_period_s));
+  std::vector<PulsePoses> result;
+  for (const CalibrationPulse& pulse : log.pulses) {
+    result.push_back({mean_pose(poses, pulse.first, pulse.first + before, "before a pulse"),
+                      mean_pose(poses, pulse.hold_end - frames, pulse.hold_end, "of a held pulse"),
+                      mean_pose(poses, pulse.end - frames, pulse.end, "after a pulse")});
+  }
+  return result;
+}
+
+}  // namespace limber

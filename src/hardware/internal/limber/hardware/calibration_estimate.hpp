@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/hardware/calibration_log.hpp"
+#include "limber/hardware/wire_calibration.hpp"
+
+namespace limber {
+
+/// What no log can tell: a mirrored tracker with all sides swapped reads the same. One of both.
+struct OperatorAnswer {
+  std::optional<bool> mirrored;     ///< whether the tracker's y points to the right of its x
+  std::optional<bool> bends_right;  ///< which way the arm bent in the timing step, seen from above
+};
+
+/// What a calibration has to be known to, or it is refused: half widths of 95 % intervals.
+struct CalibrationTolerance {
+  double position_m = 0.003;
+  double heading_rad = 0.01;
+};
+
+struct CalibrationEstimate {
+  WireCalibration calibration;
+  std::string refusal;  ///< why there is none, with what would fit; empty where there is one
+};
+
+/// A pure function of the log. @pre `answer` has one of both.
+CalibrationEstimate estimate_calibration(const ArmDescription& arm, const CalibrationLog& log,
+                                         const OperatorAnswer& answer,
+                                         const CalibrationTolerance& tolerance = {});
+
+}  // namespace limber

@@ -1,0 +1,227 @@
+#pragma once
+
+#include <cmath>
+#include <deque>
+#include <vector>
+
+#include "limber/common/random_stream.hpp"
+#include "limber/hardware/calibration_log.hpp"
+#include "limber/hardware/misassembly.hpp"
+
+namespace limber {
+
+/// What no calibration can put right.
+enum class Flaw {
+  none,
+  crossed_hoses,    ///< the negative sides of channels 0 and 1 are changed over
+  dead_channel,     ///< channel 1 moves nothing
+  millibar,         ///< readings are ten times too large
+  bodies_reversed,  ///< tip first
+  bodies_swapped,   ///< two of them
+  other_arm,        ///< a third longer
+  untracked,
+};
+
+/// An arm of its own kind, with nothing of the virtual arm's: valves of first order, turns that follow
+/// pressures with play (friction) and drag the neighbours along, sides that contract unlike. It is put
+/// together wrongly, and measured with noise and late.
+class SimulatedRig {
+ public:
+  SimulatedRig(const ArmDescription& arm, const Misassembly& wrong, Flaw flaw, std::uint64_t seed)
+      : arm_(arm), wrong_(wrong), flaw_(flaw), chance_(seed, 1), along_m_(rest_positions_m(arm)) {
+    const auto n = arm.segments.size();
+    pressure_kpa_.assign(n, 0.0);
+    setpoint_kpa_.assign(n, 0.0);
+    play_rad_.assign(n, 0.0);
+    for (std::size_t s = 0; s < n; ++s) {
+      gain_.push_back(1.5e-4 / arm.segments[s].width_m * chance_.uniform(0.8, 1.2));
+      asymmetry_.push_back(chance_.uniform(-0.05, 0.05));
+    }
+    remember();
+  }
+
+  CalibrationRig rig() {
+    return {[this](const Pressures& setpoint_kpa) { return frame(setpoint_kpa); },
+            [this] { settle(); }, [](const std::string&) {}};
+  }
+
+  CalibrationFrame frame(const Pressures& on_wire) {
+    set(on_wire);
+    CalibrationFrame frame;
+    frame.setpoint_kpa = on_wire;
+    frame.sent_s = time_s_ + chance_.uniform(0.0, 5e-4);
+    const double sampled_s = frame.sent_s + chance_.uniform(1e-4, 1e-3);
+    frame.received_s = sampled_s + chance_.uniform(2e-4, 2e-3);
+    while (time_s_ < sampled_s - 0.5 * kStepS) {
+      advance();
+    }
+    frame.state = seen();
+    frame.state.time_s = sampled_s + wrong_.driver_ahead_s;
+    if (frame.state.backbone) {
+      frame.tracker_s = frame.state.time_s - wrong_.tracker_latency_s + wrong_.tracker_ahead_s;
+    }
+    const double end_s = std::round(frame_end_s_ * 1e3 + 50.0) * 1e-3;
+    while (time_s_ < end_s - 0.5 * kStepS) {
+      advance();
+    }
+    frame_end_s_ = end_s;
+    return frame;
+  }
+
+  /// Shapes of the arm as they are now, without noise and latency; and what the wire says of them.
+  Backbone true_backbone() const { return backbone_of(history_.back()); }
+  ArmState on_wire(const Backbone& backbone) const {
+    ArmState state;
+    state.pressure_kpa = Pressures::Zero(arm_.segment_count());
+    state.backbone = backbone;
+    return wrong_.truth.to_wire(state);
+  }
+
+ private:
+  static constexpr double kStepS = 0.001;
+  static constexpr double kValveS = 0.08;
+  static constexpr double kPlayRad = 0.004;
+  static constexpr double kDrag = -0.25;
+  static constexpr double kContraction = 0.015;  // m per rad of a turn, over the width
+  static constexpr double kNoiseM = 1e-4;
+  static constexpr double kNoiseRad = 3e-4;
+  static constexpr double kNoiseKpa = 0.02;
+
+  struct Moment {
+    double time_s = 0.0;
+    std::vector<double> turn_rad;
+    std::vector<double> shorter_m;
+  };
+
+  void set(const Pressures& on_wire) {
+    Pressures wire = on_wire;
+    if (flaw_ == Flaw::dead_channel) {
+      wire[1] = 0.0F;
+    }
+    if (flaw_ == Flaw::crossed_hoses) {
+      const float a = std::min(wire[0], 0.0F);
+      const float b = std::min(wire[1], 0.0F);
+      wire[0] += b - a;
+      wire[1] += a - b;
+    }
+    const Pressures kpa = wrong_.truth.from_wire(wire);
+    for (std::size_t s = 0; s < setpoint_kpa_.size(); ++s) {
+      setpoint_kpa_[s] = kpa[static_cast<Eigen::Index>(s)];
+    }
+  }
+
+  void advance() {
+    for (std::size_t s = 0; s < pressure_kpa_.size(); ++s) {
+      pressure_kpa_[s] += (setpoint_kpa_[s] - pressure_kpa_[s]) * kStepS / kValveS;
+      const double wanted = -gain_[s] * arm_.segments[s].length_m * 10.0 * pressure_kpa_[s];
+      play_rad_[s] = std::clamp(play_rad_[s], wanted - kPlayRad, wanted + kPlayRad);
+    }
+    time_s_ += kStepS;
+    remember();
+  }
+
+  void settle() {
+    setpoint_kpa_.assign(setpoint_kpa_.size(), 0.0);
+    for (int k = 0; k < 500; ++k) {
+      advance();
+    }
+    frame_end_s_ = time_s_;
+  }
+
+  void remember() {
+    Moment now{time_s_, {}, {}};
+    for (std::size_t s = 0; s < play_rad_.size(); ++s) {
+      double turn = play_rad_[s];
+      if (s > 0) {
+        turn += kDrag * play_rad_[s - 1];
+      }
+      now.turn_rad.push_back(turn);
+      const double side = pressure_kpa_[s] > 0.0 ? 1.0 + asymmetry_[s] : 1.0 - asymmetry_[s];
+      now.shorter_m.push_back(kContraction * gain_[s] * std::abs(pressure_kpa_[s]) * side);
+    }
+    history_.push_back(now);
+    if (history_.size() > 700) {
+      history_.pop_front();
+    }
+  }
+
+  Backbone backbone_of(const Moment& moment) const {
+    Backbone backbone(arm_.point_count(), 3);
+    backbone.row(0).setZero();
+    double x = 0.0;
+    double y = 0.0;
+    double theta = 0.0;
+    for (int gap = 0; gap + 1 < arm_.point_count(); ++gap) {
+      const auto g = static_cast<std::size_t>(gap);
+      const auto s = static_cast<std::size_t>(arm_.segment_of_gap(gap));
+      const double half =
+          0.5 * (along_m_[g + 1] - along_m_[g] - moment.shorter_m[s] / arm_.segments[s].gaps);
+      x += half * std::cos(theta);
+      y += half * std::sin(theta);
+      theta += moment.turn_rad[s] / arm_.segments[s].gaps;
+      x += half * std::cos(theta);
+      y += half * std::sin(theta);
+      backbone.row(gap + 1) << static_cast<float>(x), static_cast<float>(y),
+          static_cast<float>(theta);
+    }
+    return flaw_ == Flaw::other_arm
+               ? Backbone(backbone * Eigen::Vector3f(1.33F, 1.33F, 1.0F).asDiagonal())
+               : backbone;
+  }
+
+  ArmState seen() {
+    ArmState state;
+    state.pressure_kpa.resize(arm_.segment_count());
+    for (int s = 0; s < arm_.segment_count(); ++s) {
+      state.pressure_kpa[s] = static_cast<float>(pressure_kpa_[static_cast<std::size_t>(s)] +
+                                                 kNoiseKpa * chance_.normal());
+    }
+    const auto late = static_cast<std::size_t>(std::lround(wrong_.tracker_latency_s / kStepS));
+    const std::size_t newest = history_.size() - 1;
+    Backbone backbone = backbone_of(history_[newest - std::min(newest, late)]);
+    for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+      backbone(i, 0) += static_cast<float>(kNoiseM * chance_.normal());
+      backbone(i, 1) += static_cast<float>(kNoiseM * chance_.normal());
+      backbone(i, 2) += static_cast<float>(kNoiseRad * chance_.normal());
+    }
+    state.backbone = backbone;
+    state = wrong_.truth.to_wire(state);
+    spoil(state);
+    return state;
+  }
+
+  void spoil(ArmState& state) const {
+    switch (flaw_) {
+      case Flaw::millibar:
+        state.pressure_kpa *= 10.0F;
+        break;
+      case Flaw::bodies_reversed:
+        state.backbone = Backbone(state.backbone->colwise().reverse());
+        break;
+      case Flaw::bodies_swapped:
+        state.backbone->row(1).swap(state.backbone->row(state.backbone->rows() - 2));
+        break;
+      case Flaw::untracked:
+        state.backbone.reset();
+        break;
+      default:
+        break;
+    }
+  }
+
+  ArmDescription arm_;
+  Misassembly wrong_;
+  Flaw flaw_;
+  RandomStream chance_;
+  std::vector<double> along_m_;
+  std::vector<double> gain_;
+  std::vector<double> asymmetry_;
+  std::vector<double> pressure_kpa_;
+  std::vector<double> setpoint_kpa_;
+  std::vector<double> play_rad_;
+  std::deque<Moment> history_;
+  double time_s_ = 0.0;
+  double frame_end_s_ = 0.0;
+};
+
+}  // namespace limber

@@ -1,0 +1,139 @@
+#include "limber/hardware/wire_calibration.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "limber/hardware/misassembly.hpp"
+#include "limber/hardware/safety_settings.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr float kRoundingM = 1e-5F;  // float32 some metres away, in mm
+constexpr float kRoundingKpa = 1e-4F;
+
+ArmDescription three_segments() {
+  ArmDescription arm;
+  arm.name = "mine";
+  arm.segments.assign(3, {0.2, 0.03, 4, PressureLimits(-50.0, 80.0)});
+  arm.frame_rate_hz = 20.0;
+  arm.pressure_rate_limit_kpa_per_s = 100.0;
+  return arm;
+}
+
+ArmState bent(const ArmDescription& arm) {
+  ArmState state;
+  state.pressure_kpa = Pressures::LinSpaced(arm.segment_count(), -20.0F, 40.0F);
+  state.setpoint_kpa = Pressures::LinSpaced(arm.segment_count(), -10.0F, 30.0F);
+  Backbone backbone(arm.point_count(), 3);
+  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+    const auto t = static_cast<float>(i);
+    backbone.row(i) << 0.04F * t, 0.002F * t * t, 0.5F * t;  // more than a whole turn
+  }
+  state.backbone = backbone;
+  return state;
+}
+
+// What one direction does, the other undoes; with every seed.
+TEST(WireCalibration, FromWireIsTheInverseOfToWire) {
+  const ArmDescription arm = three_segments();
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const WireCalibration truth = draw_misassembly(arm, seed).truth;
+    const ArmState state = bent(arm);
+    const ArmState back = truth.from_wire(truth.to_wire(state));
+    EXPECT_LT((back.pressure_kpa - state.pressure_kpa).cwiseAbs().maxCoeff(), kRoundingKpa);
+    EXPECT_EQ(*back.setpoint_kpa, *state.setpoint_kpa);
+    EXPECT_LT((*back.backbone - *state.backbone).cwiseAbs().maxCoeff(), kRoundingM);
+    const Pressures set = *state.setpoint_kpa;
+    EXPECT_EQ(truth.from_wire(truth.to_wire(set)), set);
+    const std::vector<PressureLimits> limits(3, PressureLimits(-50.0, 80.0));
+    EXPECT_EQ(truth.from_wire(truth.to_wire(limits)), limits);
+  }
+}
+
+TEST(WireCalibration, IdentityChangesNothing) {
+  const ArmDescription arm = three_segments();
+  const ArmState state = bent(arm);
+  const ArmState same = identity_calibration(arm).from_wire(state);
+  EXPECT_EQ(same.pressure_kpa, state.pressure_kpa);
+  EXPECT_EQ(*same.backbone, *state.backbone);
+}
+
+// A limit of one side goes where that side went.
+TEST(WireCalibration, LimitsTurnWithTheirChannel) {
+  WireCalibration calibration = identity_calibration(three_segments());
+  calibration.valves = {{2, -1.0}, {0, 1.0}, {1, 1.0}};
+  const auto of_segments =
+      calibration.from_wire({PressureLimits(-1, 2), PressureLimits(-3, 4), PressureLimits(-5, 6)});
+  EXPECT_EQ(of_segments[0], PressureLimits(-6, 5));
+  EXPECT_EQ(of_segments[1], PressureLimits(-1, 2));
+  EXPECT_EQ(of_segments[2], PressureLimits(-3, 4));
+}
+
+// A shape that the tracker wraps at half a turn comes back unwrapped along the arm.
+TEST(WireCalibration, HeadingsAreUnwrappedAlongTheArm) {
+  const ArmDescription arm = three_segments();
+  WireCalibration calibration = identity_calibration(arm);
+  calibration.tracker = TrackerCalibration{};
+  calibration.tracker->marker_offsets.resize(static_cast<std::size_t>(arm.point_count()));
+  const ArmState state = bent(arm);
+  ArmState wrapped = state;
+  for (Eigen::Index i = 0; i < wrapped.backbone->rows(); ++i) {
+    float& theta = (*wrapped.backbone)(i, 2);
+    theta = std::remainder(theta, 6.2831853F);
+  }
+  EXPECT_LT((*calibration.from_wire(wrapped).backbone - *state.backbone).cwiseAbs().maxCoeff(),
+            kRoundingM);
+}
+
+TEST(WireCalibrationFile, SaysTheSameWhenReadAgain) {
+  const ArmDescription arm = three_segments();
+  WireCalibration truth = draw_misassembly(arm, 5).truth;
+  truth.clocks.driver = TimeInterval{1.5, 1.4, 1.6};
+  truth.clocks.driver_drift = 2e-5;
+  const std::string text = to_yaml(truth);
+  const WireCalibration back = parse_wire_calibration(text, "c.yaml");
+  EXPECT_EQ(to_yaml(back), text);
+  EXPECT_EQ(back.valves, truth.valves);
+  EXPECT_EQ(back.tracker->base.x_m, truth.tracker->base.x_m);
+}
+
+TEST(WireCalibrationFile, NamesWhatIsWrong) {
+  const ArmDescription arm = three_segments();
+  const std::string good = to_yaml(draw_misassembly(arm, 5).truth);
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const auto expect = [](const std::string& text, const std::string& message) {
+    EXPECT_THAT([&] { parse_wire_calibration(text, "c.yaml"); },
+                ThrowsMessage<InputError>(HasSubstr(message)));
+  };
+  expect(with("driver_calibration/1", "driver_calibration/9"), "schema");
+  expect(with("sign: 1", "sign: 0"), "0; expected 1 or -1");
+  expect(with("valves: [{channel: ", "valves: [{channel: 9"), "channel");
+  expect(with("mirrored:", "mirored:"), "mirored");
+  WireCalibration twice = draw_misassembly(arm, 5).truth;
+  twice.valves[1].channel = twice.valves[0].channel;
+  expect(to_yaml(twice), "is another segment's too");
+}
+
+TEST(WireCalibrationFile, BelongsToOneArm) {
+  const ArmDescription arm = three_segments();
+  const WireCalibration truth = draw_misassembly(arm, 5).truth;
+  EXPECT_NO_THROW(require_calibration_of(truth, arm, "c.yaml"));
+  ArmDescription longer = arm;
+  longer.segments[0].length_m = 0.21;
+  EXPECT_THAT([&] { require_calibration_of(truth, longer, "c.yaml"); },
+              ThrowsMessage<InputError>(HasSubstr("limber driver calibrate")));
+  ArmDescription shorter = arm;
+  shorter.segments.pop_back();
+  EXPECT_THAT([&] { require_calibration_of(truth, shorter, "c.yaml"); },
+              ThrowsMessage<InputError>(HasSubstr("with 3 segments")));
+}
+
+}  // namespace
+}  // namespace limber
