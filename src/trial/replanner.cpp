@@ -6,6 +6,7 @@
 
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
+#include "limber/trial/plan_trial.hpp"
 
 namespace limber {
 
@@ -149,6 +150,12 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
     }
   }
   return std::nullopt;
+}
+
+std::unique_ptr<PlanSource> make_replanner(const ArmDescription& arm, const MotionModel& model,
+                                           const Environment& environment, const ErrorRoom& room,
+                                           std::uint64_t seed) {
+  return std::make_unique<Replanner>(arm, model, environment, room, ReplannerSettings{}, seed);
 }
 
 }  // namespace limber

@@ -2,6 +2,7 @@
 // For those who compare planners and models over many trials.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,6 +58,13 @@ void execute_trial(const ArmDescription& arm, const Environment& environment, Pl
 void execute_trial_replanning(const ArmDescription& arm, const MotionModel& model,
                               const Environment& environment, const PlanTrialSettings& settings,
                               PlanTrial& trial);
+
+/// Plans again from where the arm is measured (docs/planning.md, Closed loop): for
+/// ExecutionSettings::replanner. Each search takes 20 000 queries. Without tracking it asks for no
+/// plan. Borrows arm, environment and what the model borrows. Threads: one run at a time.
+std::unique_ptr<PlanSource> make_replanner(const ArmDescription& arm, const MotionModel& model,
+                                           const Environment& environment, const ErrorRoom& room,
+                                           std::uint64_t seed);
 
 /// Means over the trials of one model in one environment, or in all of them; none where nothing
 /// counts.
