@@ -17,7 +17,8 @@ def main() -> int:
     goal.y_m = float(sys.argv[2]) if len(sys.argv) > 2 else 0.30
 
     random = limber.RandomStream(1, 0)  # seed, stream
-    result = limber.solve_inverse_kinematics(model, goal, random=random)
+    result = limber.solve_inverse_kinematics(
+        model, goal, limber.InverseKinematicsSettings(), random)
     if not result.reachable:
         print(result.reason)
         return 1
