@@ -41,7 +41,8 @@ def main() -> None:
 
     torch.manual_seed(1)
     pressure, seen, alone = map(torch.tensor, arrays)
-    (in_offset, in_scale), (out_offset, out_scale) = map(torch.tensor, inputs), map(torch.tensor, outputs)
+    in_offset, in_scale = map(torch.tensor, inputs)
+    out_offset, out_scale = map(torch.tensor, outputs)
     sizes = [len(inputs[0]), 100, 100, 100, len(outputs[0])]
     layers = [torch.nn.Linear(a, b) for a, b in zip(sizes, sizes[1:])]
     adam = torch.optim.Adam([p for layer in layers for p in layer.parameters()], lr=1e-3)

@@ -1,8 +1,9 @@
-"""Writes a network that was trained elsewhere as a model that limber reads: safetensors, docs/formats.md.
+"""Writes a network that was trained elsewhere as a model that limber reads: safetensors,
+docs/formats.md.
 
 Layout base_poses, output compensation: the network is asked with (pressures before, pressures now,
-backbone before, no-load backbone now), n + n + 3m + 3m numbers, and answers with what the backbone has
-beside the no-load one, 3m numbers. ReLU is behind every layer but the last.
+backbone before, no-load backbone now), n + n + 3m + 3m numbers, and answers with what the backbone
+has beside the no-load one, 3m numbers. ReLU is behind every layer but the last.
 """
 
 import json

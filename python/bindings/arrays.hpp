@@ -21,7 +21,7 @@ class FloatArray : public py::array_t<float, py::array::c_style | py::array::for
  public:
   using Base = py::array_t<float, py::array::c_style | py::array::forcecast>;
   FloatArray() : Base(py::handle(), borrowed_t{}) {}  // none yet
-  FloatArray(Base array) : Base(std::move(array)) {}  // NOLINT(google-explicit-constructor)
+  FloatArray(Base other) : Base(std::move(other)) {}  // NOLINT(google-explicit-constructor)
 };
 /// Whether that is such an array already.
 bool is_float_array(py::handle object);

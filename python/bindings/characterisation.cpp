@@ -19,7 +19,8 @@ void bind_simple_model(py::module_& module) {
   py::class_<SimpleFit>(module, "SimpleFit",
                         "Gains, offsets and lengths of the simple model, fitted to recordings.")
       .def(
-          "describe", [](const SimpleFit& fit, const ArmDescription& arm) { return to_text(fit, arm); },
+          "describe",
+          [](const SimpleFit& fit, const ArmDescription& arm) { return to_text(fit, arm); },
           py::arg("arm"), "Each number with its 95 % interval, as text.");
   module.def(
       "fit_simple_model",

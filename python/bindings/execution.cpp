@@ -95,11 +95,12 @@ void bind_execution(py::module_& module) {
           },
           "float32 (m, 3) after the hold, or None.")
       .def_readonly("episode", &ExecutionResult::episode, "What was commanded and measured.");
-  module.def("execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
-             py::arg("driver"), py::arg("settings") = ExecutionSettings{},
-             py::arg("replanner") = py::none(),
-             "Commands a plan's frames as they stand, then holds; a Replanner plans again. The arm is vented before this "
-             "returns, whatever happens; Ctrl-C raises KeyboardInterrupt.");
+  module.def(
+      "execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
+      py::arg("driver"), py::arg("settings") = ExecutionSettings{},
+      py::arg("replanner") = py::none(),
+      "Commands a plan's frames as they stand, then holds; a Replanner plans again. The arm is "
+      "vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt.");
 }
 
 }  // namespace limber::python

@@ -42,7 +42,8 @@ void bind_tube(py::module_& module) {
 
 void bind_error_room(py::module_& module) {
   Record<ErrorRoom>(module, "ErrorRoom", "What plans keep in hand for the model's error.")
-      .read_only("margin_m", &ErrorRoom::margin_m, "Clearance from obstacles [m]; of a tube its largest radius.")
+      .read_only("margin_m", &ErrorRoom::margin_m,
+                 "Clearance from obstacles [m]; of a tube its largest radius.")
       .read_only("goal_margin", &ErrorRoom::goal_margin, "Way to the goal's rim.")
       .read_only("tube", &ErrorRoom::tube, "PlanTube of a calibrated model, or None.")
       .read_only("margin_yields_to_start", &ErrorRoom::margin_yields_to_start,

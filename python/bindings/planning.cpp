@@ -227,8 +227,8 @@ void bind_planning(py::module_& module) {
       py::arg("name") = "default", py::arg("jobs") = 0,
       "By name; settings may follow it: \"default,improved_plans=0\". jobs: threads, 0: one a "
       "core; they never change a result.");
-  module.def("plan_along", &along, py::arg("problem"), py::arg("waypoints_kpa"),
-             py::arg("planner"), py::arg("seed") = 0,
+  module.def("plan_along", &along, py::arg("problem"), py::arg("waypoints_kpa"), py::arg("planner"),
+             py::arg("seed") = 0,
              "The motion that a planner of your own proposes, from the start straight to each of "
              "the waypoints (w, n) [kPa]: simulated, held and certified. Not certified: "
              "best_partial is the motion, reason what is wrong with it.");

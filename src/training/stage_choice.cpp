@@ -89,7 +89,8 @@ std::vector<int> windows_of(const TrainingSettings& settings) {
 StageChoice choose_stages(const ArmDescription& arm, const TrainingData& data,
                           TrainingSettings& settings, const TrainingHooks& hooks) {
   if (data.validation.empty()) {
-    throw InputError("no validation episodes to choose windows by; hold_back_validation holds some back");
+    throw InputError(
+        "no validation episodes to choose windows by; hold_back_validation holds some back");
   }
   StageChoice choice;
   choice.race_epochs = race_epochs(data, settings.epoch_count());

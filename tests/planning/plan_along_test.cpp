@@ -83,8 +83,11 @@ TEST(PlanAlong, RefusesWaypointsThatAreNone) {
   Pressures high = Pressures::Zero(3);
   for (const float bad : {1000.0F, std::numeric_limits<float>::quiet_NaN()}) {
     high[1] = bad;
-    EXPECT_THAT([&] { (void)plan_along(problem, {Pressures::Zero(3), high}, "mine"); },
-                ThrowsMessage<InputError>(HasSubstr("waypoint 1: segment 1 at ")));
+    EXPECT_THAT(
+        [&] {
+          (void)plan_along(problem, {Pressures::Zero(3), high}, "mine");
+        },
+        ThrowsMessage<InputError>(HasSubstr("waypoint 1: segment 1 at ")));
   }
 }
 

@@ -1,5 +1,5 @@
-"""examples/python/whole_chain.ipynb: its cells run in their order, in plain Python, and what they end
-with draws itself. Jupyter's kernel is not asked: with what it needs it is 36 Debian packages."""
+"""examples/python/whole_chain.ipynb: its cells run in their order, in plain Python, and what they
+end with draws itself. Jupyter's kernel is not asked: with what it needs it is 36 Debian packages."""
 
 import ast
 import json
@@ -11,7 +11,7 @@ NOTEBOOK = EXAMPLES / "whole_chain.ipynb"
 
 
 def run_cell(source, names):
-    """As a notebook does: the value of a last expression is the cell's, None where there is none."""
+    """As a notebook does: the value of a last expression is the cell's; None where there is none."""
     tree = ast.parse(source, NOTEBOOK.name)
     last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
     exec(compile(tree, NOTEBOOK.name, "exec"), names)

@@ -1,5 +1,5 @@
-"""docs/tutorial_python.md: its blocks, pasted one behind the other into a fresh folder with logs that the
-page has not seen, end with a verified plan."""
+"""docs/tutorial_python.md: its blocks, pasted one behind the other into a fresh folder with logs that
+the page has not seen, end with a verified plan."""
 
 import csv
 import re

@@ -1,6 +1,6 @@
 """Every code block of README.md and docs/: it is run here, in a folder with the files that the pages
-speak of, or it stands below with the test that runs it or why nobody does. A new block that is neither
-fails. Commands are shortened by SHORTER alone, since a test has minutes."""
+speak of, or it stands below with the test that runs it or why nobody does. A new block that is
+neither fails. Commands are shortened by SHORTER alone, since a test has minutes."""
 
 import json
 import os
@@ -19,11 +19,13 @@ ELSEWHERE = {
     ("README.md", "./demo.sh"): "test_demo.py; test.sh is what runs this",
     ("README.md", "const auto arm"): "installed_package.sh compiles it",
     ("README.md", "import limber"): "tests/python_module/test_examples.py",
-    ("docs/python.md", "export PYTHONPATH"): "installed_package.sh, debian_package.sh, python_wheel.sh",
+    ("docs/python.md", "export PYTHONPATH"):
+        "installed_package.sh, debian_package.sh, python_wheel.sh",
     ("docs/python.md", "import"): "tests/python_module/test_examples.py",
     ("docs/tutorial.md", "limber"): "test_tutorial.py",
     ("docs/tutorial_python.md", ""): "tests/python_module/test_tutorial.py",
-    ("docs/driver.md", "limber collect --arm mine.yaml"): "needs a board; test_example_drivers.py has one",
+    ("docs/driver.md", "limber collect --arm mine.yaml"):
+        "needs a board; test_example_drivers.py has one",
     ("docs/hardware.md", "limber driver check"): "in real time; test_driver.py checks drivers",
     ("docs/hardware.md", "limber execute"): "as below it, with --start-from-driver",
     ("docs/importing.md", "schema: limber/import/1"): "an excerpt; test_import.py reads mappings",
@@ -31,14 +33,17 @@ ELSEWHERE = {
     ("docs/importing.md", "command:"): "an excerpt; test_import.py has such arms",
     ("docs/improving.md", "limber improve"): "an hour; test_improve.py runs a small one",
     ("docs/tube.md", "limber calibrate"): "hours; test_calibrate.py runs small ones",
-    ("docs/tube.md", "limber plan --model model.safetensors"): "59 runs; test_calibrate.py has them",
+    ("docs/tube.md", "limber plan --model model.safetensors"):
+        "59 runs; test_calibrate.py has them",
     ("docs/valves.md", "limber characterize --valves short_1.4h.h5"): "recordings of hours",
 }
 SHORTER = (
     (r"--trials 20 --time-limit-s 10", "--trials 1 --time-limit-s 0.1"),
-    (r"(collect +--arm arms/mine.yaml) --out", r"\1 --schedule random --count 15 --episodes 3 --out"),
+    (r"(collect +--arm arms/mine.yaml) --out",
+     r"\1 --schedule random --count 15 --episodes 3 --out"),
     (r"(limber train .*)", r"\1 --hidden 16 --epochs 6"),
-    (r"(limber plan .*)", r"\1 --time-limit-s 5 --margin-m 0.001 --goal-margin-m 0 --goal-margin-rad 0"),
+    (r"(limber plan .*)",
+     r"\1 --time-limit-s 5 --margin-m 0.001 --goal-margin-m 0 --goal-margin-rad 0"),
 )
 # Exit codes besides 0 that are what the page says, or what small models make of it.
 CODES = (("--fault die@30", (3,)), ("environments/03_gap_in_a_wall.yaml", (0, 1)),
@@ -100,7 +105,7 @@ class Blocks(InFolder):
             "limber train --data recorded.h5 --hidden 16 16 --epochs 30 --out model.safetensors",
             "mkdir out && cp model.safetensors out/ && cp recorded.h5 out/test.h5",
             "limber export recorded.h5 --motive take",
-            "cp take/*000.csv take1.csv 2>/dev/null || cp $(ls take/*.csv | grep -v press | head -1) take1.csv",
+            "cp $(ls take/*.csv | grep -v press | head -1) take1.csv",
             "cp $(ls take/*press*.csv | head -1) pressures1.csv",
             "cp recorded.h5 recording.h5",
         ):
@@ -111,7 +116,8 @@ class Blocks(InFolder):
         for line in commands(text):
             with self.subTest(page=page, line=line):
                 codes = next((codes for part, codes in CODES if part in line), (0,))
-                self.run_line(re.sub(r"^limber [a-z-]+( csv| motive)?", r"\g<0> --force", line), codes)
+                forced = re.sub(r"^limber [a-z-]+( csv| motive)?", r"\g<0> --force", line)
+                self.run_line(forced, codes)
 
     def run_data(self, page, language, text):
         if language == "json":
