@@ -20,54 +20,72 @@ import numpy as np
 
 import limber
 
-BATCHES = (256, 4096)
+BATCHES = (256, 1024)
+QUERIES = 4096  # of a pass over different ones, as `limber bench` has them
 REPEATS = 5
-SECONDS = 0.5  # each measurement
+SECONDS = 3.0  # each measurement
 
 
-def rate(function, units):
-    """Best units per second of some repeats."""
-    best = 0.0
-    for _ in range(REPEATS):
-        count, begin = 0, time.perf_counter()
-        while time.perf_counter() - begin < SECONDS:
-            function()
-            count += 1
-        best = max(best, count * units / (time.perf_counter() - begin))
-    return best
+def rate(one_pass, units):
+    """Units per second in the median pass, as `limber bench` measures."""
+    passes, end = [], time.perf_counter() + SECONDS
+    while time.perf_counter() < end:
+        begin = time.perf_counter()
+        one_pass()
+        passes.append(time.perf_counter() - begin)
+    return units / statistics.median(passes)
 
 
 def queries(arm, count):
     random = np.random.default_rng(1)
     limits = arm.pressure_limits_kpa
-    before, after = (random.uniform(-limits, limits, (count, len(limits))).astype(np.float32)
-                     for _ in range(2))
-    return before, after, limber.NoLoadModel(arm).backbone(before)
+    before, after, earlier = (
+        random.uniform(-limits, limits, (count, len(limits))).astype(np.float32) for _ in range(3))
+    return before, after, limber.NoLoadModel(arm).backbone(earlier)
 
 
-def speed(program, arm_file, model_file):
-    """Queries per second in batches and one by one, from Python and from the program."""
+def program_rates(program, arm_file, model_file):
     bench = json.loads(subprocess.run(
         [program, "bench", "--arm", arm_file, "--model", model_file, "--jobs", "1", "--json"],
         capture_output=True, check=True).stdout)
     network = bench.get("model", bench["network"])
+    rates = {row["size"]: row["queries_per_s"] for row in network["batches"]
+             if row.get("threads", 1) == 1}
+    return {"single": network["single"]["queries_per_s"], **{size: rates[size] for size in BATCHES}}
+
+
+def python_rates(arm_file, model_file):
     arm = limber.load_arm(arm_file)
     model = limber.ForwardModel(arm, limber.read_model(model_file))
-    sizes = {row["size"]: row["queries_per_s"] for row in network["batches"]
-             if row.get("threads", 1) == 1}
-    for size in BATCHES:
-        before, after, backbones = queries(arm, size)
-        out = np.empty_like(backbones)
-        own = rate(lambda: model.step_batch(before, after, backbones, out), size)
-        theirs = sizes.get(size, network["batch"]["queries_per_s"])
-        print(f"batch of {size}: {own:,.0f} queries/s in Python, {theirs:,.0f} in C++: "
-              f"{100 * own / theirs:.0f} %")
-    before, after, backbones = (array[0] for array in queries(arm, 1))
+    before, after, backbones = queries(arm, QUERIES)
     out = np.empty_like(backbones)
-    alone = 1 / rate(lambda: model.step(before, after, backbones, out), 1)
-    program_alone = 1 / network["single"]["queries_per_s"]
-    print(f"one query: {alone * 1e6:.2f} us in Python, {program_alone * 1e6:.2f} us in C++: "
-          f"{(alone - program_alone) * 1e6:.2f} us more")
+    rates = {}
+    for size in BATCHES:
+        parts = [tuple(array[k:k + size] for array in (before, after, backbones, out))
+                 for k in range(0, QUERIES, size)]
+        rates[size] = rate(lambda: [model.step_batch(*part) for part in parts], QUERIES)
+    ones = [tuple(array[k] for array in (before, after, backbones, out)) for k in range(QUERIES)]
+
+    def one_by_one():
+        for one in ones:
+            model.step(*one)
+    rates["single"] = rate(one_by_one, QUERIES)
+    return rates
+
+
+def speed(program, arm_file, model_file):
+    """Queries per second in batches and one by one, from Python and from the program, in turns."""
+    own, theirs = [], []
+    for _ in range(REPEATS):
+        theirs.append(program_rates(program, arm_file, model_file))
+        own.append(python_rates(arm_file, model_file))
+    best = {key: (max(one[key] for one in own), max(one[key] for one in theirs)) for key in own[0]}
+    for size in BATCHES:
+        print(f"batch of {size}: {best[size][0]:,.0f} queries/s in Python, {best[size][1]:,.0f} in "
+              f"C++: {100 * best[size][0] / best[size][1]:.0f} %")
+    alone, program_alone = 1e6 / best["single"][0], 1e6 / best["single"][1]
+    print(f"one query: {alone:.2f} us in Python, {program_alone:.2f} us in C++: "
+          f"{alone - program_alone:.2f} us more")
 
 
 def import_time():

@@ -6,7 +6,7 @@
 The arm is limber's virtual one with other lengths, widths, friction and valves than its arm file in
 docs/tutorial says. It is seen 12 times a second at five of its nine plates, in millimetres, with
 0.5 mm of noise, somewhere in the laboratory's frame; pressures are logged in psi, one column a side.
-In trial_6 the pressures are those of another trial. Same seed, same logs.
+In trial_6 (--broken) the pressures are those of another trial. Same --seed, same logs.
 """
 
 import argparse
@@ -76,6 +76,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--limber", type=pathlib.Path, default=ROOT / "build/release/bin/limber")
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "docs/tutorial/logs")
+    parser.add_argument("--seed", type=int, default=SEED)
+    parser.add_argument("--broken", type=int, default=BROKEN, help="trial, 1 to 8")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -83,7 +85,7 @@ def main():
         for command in (
             ["collect", "--arm", "arm.yaml", "--schedule", "random", "--approach", "straight",
              "--count", "22", "--hold-s", "1.2", "--hold-min-s", "0.2", "--episodes", str(TRIALS),
-             "--seed", str(SEED), "--out", "log.h5"],
+             "--seed", str(options.seed), "--out", "log.h5"],
             ["export", "log.h5", "--csv", "tables"],
         ):
             subprocess.run([options.limber.resolve(), *command], cwd=folder, check=True,
@@ -91,8 +93,8 @@ def main():
         tables = [rows_of(folder / "tables" / f"episode_{i:03}.csv") for i in range(TRIALS)]
         options.out.mkdir(parents=True, exist_ok=True)
         for i, motion in enumerate(tables):
-            pressures = tables[i - 1] if i == BROKEN else motion
-            text = table(motion, pressures, random.Random(SEED + i))
+            pressures = tables[i - 1] if i == options.broken else motion
+            text = table(motion, pressures, random.Random(options.seed + i))
             (options.out / f"trial_{i}.csv").write_text(text, encoding="utf-8")
 
 

@@ -1,6 +1,6 @@
 """Where does the arm go, says a network, when the first segment is inflated for two seconds?
 
-    01_query_the_model.py MODEL.safetensors [KPA]      (in C++: 03_query_the_model)
+    01_query_the_model.py MODEL.safetensors [KPA]      (in C++: the same name)
 """
 
 import sys

@@ -1,8 +1,7 @@
 """The virtual arm recorded, and a network trained on what it did: a little of the recording is held
 back, to choose the epoch and to measure the error that plans keep clear of.
 
-    02_record_and_train.py RECORDING.h5 MODEL.safetensors [EPOCHS]
-                                            (in C++: 06_train_from_a_recording)
+    02_record_and_train.py RECORDING.h5 MODEL.safetensors [EPOCHS]     (in C++: the same name)
 """
 
 import sys
@@ -21,8 +20,8 @@ def main() -> None:
     limber.require_recording_of(recording, arm, sys.argv[1])
 
     settings = limber.best_preset()
-    for stage in settings.stages:
-        stage.epochs = int(sys.argv[3]) if len(sys.argv) > 3 else stage.epochs
+    if len(sys.argv) > 3:
+        limber.set_epoch_count(settings, int(sys.argv[3]))
     data = limber.hold_back_validation(recording.episodes, HELD_BACK, settings.seed)
     limber.hold_back_unseen(data, HELD_BACK, settings.seed)
     result = limber.train(arm, data, settings,

@@ -1,7 +1,6 @@
 """A plan with a network of one's own, and a second opinion on it.
 
-    03_plan_and_verify.py MODEL.safetensors ENVIRONMENT.yaml PLAN.json
-                                            (in C++: 04_plan_and_verify)
+    03_plan_and_verify.py MODEL.safetensors ENVIRONMENT.yaml PLAN.json     (in C++: the same name)
 """
 
 import sys
@@ -15,10 +14,9 @@ def main() -> int:
     network = limber.read_model(sys.argv[1])
     forward = limber.ForwardModel(arm, network)
     valves = network.valves or limber.ValveParameters()
+    model = limber.MotionModel(forward, limber.ValveModel(arm, valves))
     room = limber.error_room(forward)  # the error that the model states
-    problem = limber.PlanningProblem(
-        arm, limber.MotionModel(forward, limber.ValveModel(arm, valves)), environment,
-        margin_m=room.margin_m, goal_margin=room.goal_margin)
+    problem = limber.problem_with_room(arm, model, environment, room)
     limits = limber.PlannerLimits(time_s=2.0)
     result = limber.make_planner("default").plan(problem, limits, seed=1)
     if not result.plan:

@@ -1,6 +1,7 @@
-"""A plan executed, open loop, on the virtual arm. Another arm needs an ArmDriver of its own.
+"""A plan executed on the virtual arm: open loop, and planned again from where the arm is measured.
+Another arm needs an ArmDriver of its own.
 
-    04_execute.py PLAN.json ENVIRONMENT.yaml           (in C++: 05_execute)
+    04_execute.py PLAN.json ENVIRONMENT.yaml MODEL.safetensors     (in C++: the same name)
 """
 
 import sys
@@ -8,20 +9,32 @@ import sys
 import limber
 
 
+def show(how: str, result: limber.ExecutionResult) -> None:
+    print(f"{how}: {result.status.name}, {result.frames} frames, "
+          f"{result.goal_error.position_m * 100:.2f} cm from the goal's centre"
+          f"{', reached' if result.goal_reached else ', not reached'}"
+          f"{', collided' if result.collided else ''}, planned again {result.replans} times")
+
+
 def main() -> int:
     arm = limber.load_arm(limber.data_folder() / "arms" / "three_segment.yaml")
     environment = limber.load_environment(sys.argv[2], arm)
     plan = limber.read_plan(sys.argv[1])
-    virtual_arm = limber.VirtualArm(arm)
-    result = limber.execute(arm, environment, plan, virtual_arm)
+    open_loop = limber.execute(arm, environment, plan, limber.VirtualArm(arm))
+    show("open loop", open_loop)
+    if open_loop.prediction:
+        print(f"the tip was {open_loop.prediction.mean_m * 100:.2f} cm from its prediction on "
+              "average")
 
-    print(f"{result.status.name}: {result.frames} frames, "
-          f"{result.goal_error.position_m * 100:.2f} cm from the goal's centre"
-          f"{', reached' if result.goal_reached else ', not reached'}"
-          f"{', collided' if result.collided else ''}")
-    if result.prediction:
-        print(f"the tip was {result.prediction.mean_m * 100:.2f} cm from its prediction on average")
-    return 0 if result.goal_reached and not result.collided else 1
+    network = limber.read_model(sys.argv[3])
+    forward = limber.ForwardModel(arm, network)
+    valves = network.valves or limber.ValveParameters()
+    model = limber.MotionModel(forward, limber.ValveModel(arm, valves))
+    replanner = limber.Replanner(arm, model, environment, limber.error_room(forward), seed=1)
+    closed_loop = limber.execute(arm, environment, plan, limber.VirtualArm(arm),
+                                 replanner=replanner)
+    show("closed loop", closed_loop)
+    return 0 if closed_loop.goal_reached and not closed_loop.collided else 1
 
 
 if __name__ == "__main__":

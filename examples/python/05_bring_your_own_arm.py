@@ -2,7 +2,7 @@
 
     05_bring_your_own_arm.py ARM.yaml MAPPING.yaml ENVIRONMENT.yaml PLAN.json EPOCHS LOG.csv…
 
-MAPPING.yaml names the logs' columns and units (docs/importing.md).
+MAPPING.yaml names the logs' columns and units (docs/importing.md). In C++: the same name.
 """
 
 import sys
@@ -28,18 +28,16 @@ def main() -> int:
     limber.note_unseen(arm, network, data.unseen)
 
     forward = limber.ForwardModel(arm, network)
-    print(limber.evaluate(limber.ForwardModel(arm), forward, data.validation))
     environment = limber.load_environment(environment_file, arm)
-    room = limber.error_room(forward)
     model = limber.MotionModel(forward, limber.ValveModel(arm, network.valves))
-    problem = limber.PlanningProblem(arm, model, environment, margin_m=room.margin_m,
-                                     goal_margin=room.goal_margin)
+    room = limber.error_room(forward)
+    problem = limber.problem_with_room(arm, model, environment, room)
     result = limber.make_planner().plan(problem, limber.PlannerLimits(time_s=5.0), seed=1)
     if not result.plan:
         print(f"no plan: {result.reason}")
         return 1
     limber.write_plan(plan_file, result.plan)
-    limber.write_setpoints_csv(plan_file.replace(".json", ".csv"), result.plan)
+    limber.write_setpoints_csv(plan_file + ".csv", result.plan)
     print(f"{plan_file}: {result.plan.frame_count} frames, {result.plan.cost_kpa:.1f} kPa")
     return 0
 

@@ -48,6 +48,16 @@ void require_all_finite(const Array& array, const char* name) {
 
 }  // namespace
 
+bool is_float_array(py::handle object) {
+  // NumPy has one description of native float32, unless somebody makes another.
+  static const PyObject* const float32 = py::dtype::of<float>().release().ptr();
+  using Api = py::detail::npy_api;
+  constexpr int kAsItIs = Api::NPY_ARRAY_C_CONTIGUOUS_ | Api::NPY_ARRAY_ALIGNED_;
+  return Api::get().PyArray_Check_(object.ptr()) &&
+         py::detail::array_proxy(object.ptr())->descr == float32 &&
+         py::detail::check_flags(object.ptr(), kAsItIs);
+}
+
 std::string to_text(const Shape& shape) {
   return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
 }

@@ -5,13 +5,45 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "episodes.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/data/simple_model.hpp"
 #include "limber/hardware/bench_test.hpp"
 #include "record.hpp"
 
 namespace limber::python {
 
+namespace {
+
+void bind_simple_model(py::module_& module) {
+  py::class_<SimpleFit>(module, "SimpleFit",
+                        "Gains, offsets and lengths of the simple model, fitted to recordings.")
+      .def(
+          "describe",
+          [](const SimpleFit& fit, const ArmDescription& arm) { return to_text(fit, arm); },
+          py::arg("arm"), "Each number with its 95 % interval, as text.");
+  module.def(
+      "fit_simple_model",
+      [](const ArmDescription& arm, const py::iterable& episodes) {
+        const std::vector<Episode> runs = episodes_from(episodes);
+        const py::gil_scoped_release others_may_run;
+        return fit_simple_model(arm, runs);
+      },
+      py::arg("arm"), py::arg("episodes"),
+      "How much a pressure bends each segment, and how long it is, from the recordings.");
+  module.def(
+      "fitted_arm",
+      [](const ArmDescription& arm, const SimpleFit& fit, const py::iterable& episodes) {
+        return fitted_arm(arm, fit, episodes_from(episodes));
+      },
+      py::arg("arm"), py::arg("fit"), py::arg("episodes"),
+      "The arm with the fit's polynomials and lengths.");
+}
+
+}  // namespace
+
 void bind_characterisation(py::module_& module) {
+  bind_simple_model(module);
   Record<BenchPoint>(module, "BenchPoint", "One settled reading of a bench test.")
       .field("pressure_kpa", &BenchPoint::pressure_kpa, "Of the inflated side, gauge [kPa].")
       .field("strain", &BenchPoint::strain, "Change of length over l0, negative: contracted.")

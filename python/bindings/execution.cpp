@@ -4,6 +4,7 @@
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "limber/hardware/executor.hpp"
+#include "limber/trial/plan_trial.hpp"
 #include "python_driver.hpp"
 #include "record.hpp"
 #include "virtual_arm.hpp"
@@ -14,8 +15,9 @@ namespace {
 
 ExecutionResult execute_with(const ArmDescription& arm, const Environment& environment,
                              const Plan& plan, const py::object& driver,
-                             const ExecutionSettings& asked) {
+                             const ExecutionSettings& asked, PlanSource* replanner) {
   ExecutionSettings settings = asked;
+  settings.replanner = replanner;
   CallerThread caller;
   settings.should_stop = [&] { return caller.should_stop(); };
   if (py::isinstance<SharedVirtualArm>(driver)) {
@@ -48,10 +50,26 @@ void bind_findings(py::module_& module) {
       .done();
 }
 
+void bind_replanner(py::module_& module) {
+  py::class_<PlanSource>(module, "Replanner",
+                         "Plans again from where the arm is measured, whenever it stands off the "
+                         "goal or has strayed. One run at a time.")
+      .def(py::init([](const ArmDescription& arm, const MotionModel& model,
+                       const Environment& environment, const std::optional<ErrorRoom>& room,
+                       std::uint64_t seed) {
+             return make_replanner(arm, model, environment,
+                                   room ? *room : error_room(model.forward()), seed);
+           }),
+           py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room") = py::none(),
+           py::arg("seed") = 1, py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
+           py::keep_alive<1, 4>(), "room: what plans keep in hand; None: error_room's.");
+}
+
 }  // namespace
 
 void bind_execution(py::module_& module) {
   bind_findings(module);
+  bind_replanner(module);
   Record<ExecutionResult>(module, "ExecutionResult", "What came of executing a plan.")
       .read_only("status", &ExecutionResult::status, "ExecutionStatus.")
       .read_only("message", &ExecutionResult::message, "Of a fault; else empty.")
@@ -61,6 +79,10 @@ void bind_execution(py::module_& module) {
       .read_only("collided", &ExecutionResult::collided, "Whether it touched an obstacle.")
       .read_only("prediction", &ExecutionResult::prediction, "ExecutedError, or None.")
       .done()
+      .def_readonly("replans", &ExecutionResult::replans, "Plans after the first.")
+      .def_readonly("halts", &ExecutionResult::halts, "Plans that were left before their end.")
+      .def_readonly("open_loop_goal_error", &ExecutionResult::open_loop_goal_error,
+                    "PoseError where the first plan's hold ended, if more followed; or None.")
       .def_readonly("start_error_m", &ExecutionResult::start_error_m,
                     "Of a plate, before the first set point [m].")
       .def_readonly("first_collision", &ExecutionResult::first_collision, "Contact, or None.")
@@ -73,10 +95,12 @@ void bind_execution(py::module_& module) {
           },
           "float32 (m, 3) after the hold, or None.")
       .def_readonly("episode", &ExecutionResult::episode, "What was commanded and measured.");
-  module.def("execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
-             py::arg("driver"), py::arg("settings") = ExecutionSettings{},
-             "Commands a plan's frames as they stand, then holds. The arm is vented before this "
-             "returns, whatever happens; Ctrl-C raises KeyboardInterrupt.");
+  module.def(
+      "execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
+      py::arg("driver"), py::arg("settings") = ExecutionSettings{},
+      py::arg("replanner") = py::none(),
+      "Commands a plan's frames as they stand, then holds; a Replanner plans again. The arm is "
+      "vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt.");
 }
 
 }  // namespace limber::python

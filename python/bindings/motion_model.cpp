@@ -26,10 +26,26 @@ void step(const MotionModel& model, const FloatArray& setpoint_kpa, MotionState&
   model.step(pressures_map(setpoint_kpa), state, scratch);
 }
 
+void bind_tube(py::module_& module) {
+  Record<PlanTube>(module, "PlanTube",
+                   "How far the arm may be from where a plan predicts it, in a share of all runs; "
+                   "`limber calibrate` measures it.")
+      .field("level", &PlanTube::level, "Share of runs, in (0, 1).")
+      .field("plate_radius_m", &PlanTube::plate_radius_m, "One a plate, base first [m].")
+      .field("end_radius_m", &PlanTube::end_radius_m, "Of the tip after the hold [m].")
+      .field("end_heading_rad", &PlanTube::end_heading_rad, "Of its heading [rad].")
+      .keywords()
+      .done()
+      .def_readonly("goal_inside", &PlanTube::goal_inside,
+                    "Of a plan: whether its end lies so far inside the goal.");
+}
+
 void bind_error_room(py::module_& module) {
   Record<ErrorRoom>(module, "ErrorRoom", "What plans keep in hand for the model's error.")
-      .read_only("margin_m", &ErrorRoom::margin_m, "Clearance from obstacles [m].")
+      .read_only("margin_m", &ErrorRoom::margin_m,
+                 "Clearance from obstacles [m]; of a tube its largest radius.")
       .read_only("goal_margin", &ErrorRoom::goal_margin, "Way to the goal's rim.")
+      .read_only("tube", &ErrorRoom::tube, "PlanTube of a calibrated model, or None.")
       .read_only("margin_yields_to_start", &ErrorRoom::margin_yields_to_start,
                  "Whether nobody has asked for this very amount.")
       .read_only("note", &ErrorRoom::note, "Why the amounts are no measured ones.")
@@ -37,12 +53,14 @@ void bind_error_room(py::module_& module) {
   module.def(
       "error_room",
       [](const ForwardModel& model, std::optional<double> margin_m,
-         std::optional<double> goal_margin_m, std::optional<double> goal_margin_rad) {
-        return error_room(model, {margin_m, goal_margin_m, goal_margin_rad, std::nullopt});
+         std::optional<double> goal_margin_m, std::optional<double> goal_margin_rad,
+         std::optional<double> tube_level) {
+        return error_room(model, {margin_m, goal_margin_m, goal_margin_rad, tube_level});
       },
       py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
-      py::arg("goal_margin_rad") = py::none(),
-      "The error that a model states, or the amounts that are given instead.");
+      py::arg("goal_margin_rad") = py::none(), py::arg("tube_level") = py::none(),
+      "The tube that a model carries, or the error that it states, or the amounts that are given "
+      "instead.");
 }
 
 }  // namespace
@@ -104,6 +122,7 @@ void bind_motion_model(py::module_& module) {
                              "Judges whether motions stay within what the recordings held.")
       .def(py::init<const LearntRegion&, double>(), py::arg("learnt"), py::arg("frame_rate_hz"),
            py::keep_alive<1, 2>());
+  bind_tube(module);
   bind_error_room(module);
 }
 

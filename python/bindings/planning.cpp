@@ -90,29 +90,58 @@ void bind_problem(py::module_& module) {
           py::init([](const ArmDescription& arm, const MotionModel& model,
                       const Environment& environment, double margin_m, const PoseError& goal_margin,
                       const RecordedRegion* stay_within, bool margin_yields_to_start,
-                      const std::vector<std::pair<double, double>>& limits_kpa) {
+                      const std::vector<std::pair<double, double>>& limits_kpa,
+                      const std::optional<PlanTube>& tube) {
             PlanningProblem problem{arm, model, environment, margin_m, goal_margin};
             problem.stay_within = stay_within;
             problem.margin_yields_to_start = margin_yields_to_start;
             for (const auto& [lower, upper] : limits_kpa) {
               problem.limits.emplace_back(lower, upper);
             }
+            problem.tube = tube;
             return problem;
           }),
           py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("margin_m") = 0.0,
           py::arg("goal_margin") = PoseError{}, py::arg("stay_within") = py::none(),
           py::arg("margin_yields_to_start") = false,
-          py::arg("limits_kpa") = std::vector<std::pair<double, double>>{}, py::keep_alive<1, 2>(),
-          py::keep_alive<1, 3>(), py::keep_alive<1, 4>(), py::keep_alive<1, 7>(),
+          py::arg("limits_kpa") = std::vector<std::pair<double, double>>{},
+          py::arg("tube") = py::none(), py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
+          py::keep_alive<1, 4>(), py::keep_alive<1, 7>(),
           "margin_m: clearance kept from obstacles [m]; goal_margin: how far inside the goal's "
           "tolerances plans end; limits_kpa: lower and upper of each segment, within the arm's; "
-          "empty: the arm's.")
+          "empty: the arm's; tube: kept free beside the margin.")
       .def_readonly("margin_m", &PlanningProblem::margin_m, "[m]")
       .def_readonly("goal_margin", &PlanningProblem::goal_margin, "Room for the model's error.")
+      .def_readonly("tube", &PlanningProblem::tube, "PlanTube, or None.")
       .def("__repr__", [](const PlanningProblem& problem) {
         return fmt::format("PlanningProblem(arm='{}', environment='{}', margin_m={})",
                            problem.arm.name, problem.environment.name, problem.margin_m);
       });
+}
+
+void bind_problem_with_room(py::module_& module) {
+  module.def("problem_with_room", &problem_with_room, py::arg("arm"), py::arg("model"),
+             py::arg("environment"), py::arg("room"), py::keep_alive<0, 1>(),
+             py::keep_alive<0, 2>(), py::keep_alive<0, 3>(),
+             "The problem whose plans keep that room: the model's tube, or one clearance "
+             "everywhere.");
+}
+
+/// A motion of somebody else's planner, in (w, n) set points.
+PlanResult along(const PlanningProblem& problem, const FloatArray& waypoints_kpa,
+                 const std::string& planner, std::uint64_t seed) {
+  const auto n = py::ssize_t{problem.arm.segment_count()};
+  require_shape(waypoints_kpa, {batch_size(waypoints_kpa, "waypoints_kpa"), n}, "waypoints_kpa");
+  require_finite(waypoints_kpa, "waypoints_kpa");
+  if (problem.model.has_network()) {
+    require_bounded(problem.model.compensation(), "the model");
+  }
+  std::vector<Pressures> waypoints;
+  for (py::ssize_t w = 0; w < waypoints_kpa.shape(0); ++w) {
+    waypoints.emplace_back(Eigen::Map<const Pressures>(waypoints_kpa.data(w, 0), n));
+  }
+  const py::gil_scoped_release others_may_run;
+  return plan_along(problem, waypoints, planner, seed);
 }
 
 py::array_t<float> tree_of(const PlanResult& result) {
@@ -178,6 +207,7 @@ void bind_result(py::module_& module) {
 void bind_planning(py::module_& module) {
   bind_limits(module);
   bind_problem(module);
+  bind_problem_with_room(module);
   bind_result(module);
   py::class_<OnePlanner>(module, "Planner", "A planner in pressure space: one caller at a time.")
       .def_property_readonly("name", &OnePlanner::name, "As make_planner knows it.")
@@ -197,6 +227,11 @@ void bind_planning(py::module_& module) {
       py::arg("name") = "default", py::arg("jobs") = 0,
       "By name; settings may follow it: \"default,improved_plans=0\". jobs: threads, 0: one a "
       "core; they never change a result.");
+  module.def("plan_along", &along, py::arg("problem"), py::arg("waypoints_kpa"), py::arg("planner"),
+             py::arg("seed") = 0,
+             "The motion that a planner of your own proposes, from the start straight to each of "
+             "the waypoints (w, n) [kPa]: simulated, held and certified. Not certified: "
+             "best_partial is the motion, reason what is wrong with it.");
 }
 
 }  // namespace limber::python

@@ -10,6 +10,7 @@
 #include "limber/data/recording_export.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/valve_identification.hpp"
+#include "record.hpp"
 
 namespace limber::python {
 
@@ -170,6 +171,31 @@ void bind_export(py::module_& module) {
   module.def("export_csv", &export_csv, py::arg("recording"), py::arg("folder"),
              py::call_guard<py::gil_scoped_release>(),
              "Each episode as one CSV table, and mapping.yaml to read them back with.");
+  Record<EpisodeErrors>(module, "EpisodeErrors", "The simple model's error in every episode.")
+      .property("outliers", &EpisodeErrors::outliers, "Numbers of broken episodes, rising.")
+      .read_only("median_cm", &EpisodeErrors::median_cm, "At the tip [cm].")
+      .read_only("limit_cm", &EpisodeErrors::limit_cm, "Above it an episode is an outlier [cm].")
+      .done()
+      .def_property_readonly(
+          "tip_cm",
+          [](const EpisodeErrors& errors) {
+            std::vector<double> tips;
+            for (const EpisodeError& one : errors.episodes) {
+              tips.push_back(one.tip_cm);
+            }
+            return tips;
+          },
+          "Mean error of each episode [cm]; NaN where nothing was tracked.")
+      .def("__str__", &outliers_to_text);
+  module.def(
+      "episode_errors",
+      [](const ArmDescription& arm, const py::iterable& episodes) {
+        const std::vector<Episode> copies = episodes_from(episodes);
+        const py::gil_scoped_release others_may_run;
+        return episode_errors(arm, copies);
+      },
+      py::arg("arm"), py::arg("episodes"),
+      "Errors of the simple model, fitted to all episodes; one far above the others' was broken.");
   module.def(
       "inspect",
       [](const Recording& recording, const ArmDescription* arm, const std::string& file) {

@@ -9,6 +9,7 @@
 #include "limber/training/fine_tuning.hpp"
 #include "limber/training/gap_bounds_fit.hpp"
 #include "limber/training/learnt_region_fit.hpp"
+#include "limber/training/stage_choice.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
 #include "record.hpp"
@@ -137,6 +138,8 @@ void bind_data(py::module_& module) {
           "unseen", [](const TrainingData& data) { return episodes_to(data.unseen); },
           [](TrainingData& data, const py::iterable& e) { data.unseen = episodes_from(e); },
           "Never looked at by `train`.")
+      .def_readonly("held_back", &TrainingData::held_back,
+                    "Which of the episodes given to hold_back_validation validate.")
       .def("__repr__", [](const TrainingData& data) {
         return "TrainingData(training=" + std::to_string(data.training.size()) +
                " episodes, validation=" + std::to_string(data.validation.size()) +
@@ -164,6 +167,14 @@ void bind_result(py::module_& module) {
                  "Of the tip [cm]; NaN where not measured.")
       .read_only("elapsed_s", &LearningCurvePoint::elapsed_s, "[s]")
       .done();
+  Record<LongRollout>(module, "LongRollout", "How far a model drifts if it is never corrected.")
+      .read_only("frames", &LongRollout::frames, "Rolled out.")
+      .read_only("max_distance_m", &LongRollout::max_distance_m, "Of a plate from the base [m].")
+      .read_only("max_heading_rad", &LongRollout::max_heading_rad, "Of a plate [rad].")
+      .read_only("bounded", &LongRollout::bounded, "No plate beyond twice the arm's length.")
+      .read_only("held_share", &LongRollout::held_share, "Of the frames, at a bound.")
+      .property("ran_away", &LongRollout::ran_away, "Unbounded, or leaning on its bounds.")
+      .done();
   Record<TrainingResult>(module, "TrainingResult", "What came of training.")
       .read_only("status", &TrainingResult::status, "TrainingStatus.")
       .read_only("message", &TrainingResult::message, "Why it diverged, and what to try.")
@@ -173,11 +184,41 @@ void bind_result(py::module_& module) {
       .read_only("wall_time_s", &TrainingResult::wall_time_s, "[s]")
       .done()
       .def_readonly("model", &TrainingResult::model, "The best by validation.")
+      .def_readonly("passed_over_epochs", &TrainingResult::passed_over_epochs,
+                    "Better by validation, but their networks ran away in a long rollout.")
+      .def_readonly("long_rollout", &TrainingResult::long_rollout, "LongRollout of the best epoch.")
       .def_readonly("curve", &TrainingResult::curve, "LearningCurvePoint, one an epoch.")
       .def_readonly("member_validation_position_error_cm",
                     &TrainingResult::member_validation_position_error_cm, "Of an ensemble [cm].")
       .def("_repr_svg_",
            [](const TrainingResult& result) { return learning_curve_svg(result.curve); });
+}
+
+void bind_stage_choice(py::module_& module) {
+  Record<WindowsTried>(module, "WindowsTried", "Windows of stages, and how a short run did.")
+      .read_only("window_frames", &WindowsTried::window_frames, "Of each stage.")
+      .read_only("one_step_cm", &WindowsTried::one_step_cm, "Tip error by validation [cm].")
+      .read_only("window_32_cm", &WindowsTried::window_32_cm, "Over rollouts of 32 frames.")
+      .read_only("window_600_cm", &WindowsTried::window_600_cm, "Of 600 frames: what decides.")
+      .done();
+  Record<StageChoice>(module, "StageChoice", "What a race between windows found.")
+      .read_only("tried", &StageChoice::tried, "WindowsTried, the preset's first.")
+      .read_only("chosen", &StageChoice::chosen, "Index in `tried`.")
+      .read_only("race_epochs", &StageChoice::race_epochs, "Of each short run.")
+      .read_only("epochs", &StageChoice::epochs, "Left for the chosen windows.")
+      .done()
+      .def("__str__", [](const StageChoice& choice) { return to_text(choice); });
+  module.def(
+      "choose_stages",
+      [](const ArmDescription& arm, const TrainingData& data, TrainingSettings& settings,
+         const py::object& on_epoch) {
+        CallerThread caller;
+        const TrainingHooks hooks = hooks_for(caller, on_epoch);
+        return caller.run([&] { return choose_stages(arm, data, settings, hooks); });
+      },
+      py::arg("arm"), py::arg("data"), py::arg("settings"), py::arg("on_epoch") = py::none(),
+      "Chooses windows by validation in short runs, as the program does without --windows; "
+      "`settings` gets the chosen stages and the epochs that are left.");
 }
 
 void bind_runs(py::module_& module) {
@@ -230,6 +271,7 @@ void bind_training(py::module_& module) {
   bind_settings(module);
   bind_data(module);
   bind_result(module);
+  bind_stage_choice(module);
   bind_runs(module);
 }
 

@@ -450,14 +450,33 @@ class Episode:
         """Copies its arrays once: (T,), (T, n), (T, n), (T, m, 3), (T,), and (T,) or None. With setpoints_only, pressure_kpa has to be setpoint_kpa."""
     def __len__(self) -> int: ...
 
+class EpisodeErrors:
+    """The simple model's error in every episode."""
+    @property
+    def outliers(self) -> list[int]:
+        """Numbers of broken episodes, rising."""
+    @property
+    def median_cm(self) -> float:
+        """At the tip [cm]."""
+    @property
+    def limit_cm(self) -> float:
+        """Above it an episode is an outlier [cm]."""
+    @property
+    def tip_cm(self) -> list[float]:
+        """Mean error of each episode [cm]; NaN where nothing was tracked."""
+    def __str__(self) -> str: ...
+
 class ErrorRoom:
     """What plans keep in hand for the model's error."""
     @property
     def margin_m(self) -> float:
-        """Clearance from obstacles [m]."""
+        """Clearance from obstacles [m]; of a tube its largest radius."""
     @property
     def goal_margin(self) -> PoseError:
         """Way to the goal's rim."""
+    @property
+    def tube(self) -> PlanTube | None:
+        """PlanTube of a calibrated model, or None."""
     @property
     def margin_yields_to_start(self) -> bool:
         """Whether nobody has asked for this very amount."""
@@ -537,6 +556,15 @@ class ExecutionResult:
     @property
     def prediction(self) -> ExecutedError | None:
         """ExecutedError, or None."""
+    @property
+    def replans(self) -> int:
+        """Plans after the first."""
+    @property
+    def halts(self) -> int:
+        """Plans that were left before their end."""
+    @property
+    def open_loop_goal_error(self) -> PoseError | None:
+        """PoseError where the first plan's hold ended, if more followed; or None."""
     @property
     def start_error_m(self) -> float:
         """Of a plate, before the first set point [m]."""
@@ -742,6 +770,27 @@ class LearningCurvePoint:
 class LearntRegion:
     """What the training recordings held: ranges of pressures, rates, shapes."""
 
+class LongRollout:
+    """How far a model drifts if it is never corrected."""
+    @property
+    def frames(self) -> int:
+        """Rolled out."""
+    @property
+    def max_distance_m(self) -> float:
+        """Of a plate from the base [m]."""
+    @property
+    def max_heading_rad(self) -> float:
+        """Of a plate [rad]."""
+    @property
+    def bounded(self) -> bool:
+        """No plate beyond twice the arm's length."""
+    @property
+    def held_share(self) -> float:
+        """Of the frames, at a bound."""
+    @property
+    def ran_away(self) -> bool:
+        """Unbounded, or leaning on its bounds."""
+
 class LossReduction:
     """How windows' errors become one number."""
     sum_over_batch: LossReduction
@@ -911,6 +960,9 @@ class Plan:
     def margin_m(self) -> float:
         """Clearance asked for [m]."""
     @property
+    def tube(self) -> PlanTube | None:
+        """PlanTube that it keeps free, or None."""
+    @property
     def frame_rate_hz(self) -> float:
         """Frames a second."""
     @property
@@ -1009,6 +1061,32 @@ class PlanStatus:
     @property
     def value(self) -> int: ...
 
+class PlanTube:
+    """How far the arm may be from where a plan predicts it, in a share of all runs; `limber calibrate` measures it."""
+    @property
+    def level(self) -> float:
+        """Share of runs, in (0, 1)."""
+    @level.setter
+    def level(self, value: float) -> None: ...
+    @property
+    def plate_radius_m(self) -> list[float]:
+        """One a plate, base first [m]."""
+    @plate_radius_m.setter
+    def plate_radius_m(self, value: list[float]) -> None: ...
+    @property
+    def end_radius_m(self) -> float:
+        """Of the tip after the hold [m]."""
+    @end_radius_m.setter
+    def end_radius_m(self, value: float) -> None: ...
+    @property
+    def end_heading_rad(self) -> float:
+        """Of its heading [rad]."""
+    @end_heading_rad.setter
+    def end_heading_rad(self, value: float) -> None: ...
+    @property
+    def goal_inside(self) -> bool:
+        """Whether a plan's end lies so far inside the goal; False: it holds for obstacles."""
+
 class Planner:
     """A planner in pressure space: one caller at a time."""
     @property
@@ -1087,8 +1165,11 @@ class PlanningProblem:
     @property
     def goal_margin(self) -> PoseError:
         """Room for the model's error."""
-    def __init__(self, arm: ArmDescription, model: MotionModel, environment: Environment, margin_m: float = 0.0, goal_margin: PoseError = ..., stay_within: RecordedRegion | None = None, margin_yields_to_start: bool = False, limits_kpa: Sequence[tuple[float, float]] = ...) -> None:
-        """margin_m: clearance kept from obstacles [m]; goal_margin: how far inside the goal's tolerances plans end; limits_kpa: lower and upper of each segment, within the arm's; empty: the arm's."""
+    @property
+    def tube(self) -> PlanTube | None:
+        """PlanTube, or None."""
+    def __init__(self, arm: ArmDescription, model: MotionModel, environment: Environment, margin_m: float = 0.0, goal_margin: PoseError = ..., stay_within: RecordedRegion | None = None, margin_yields_to_start: bool = False, limits_kpa: Sequence[tuple[float, float]] = ..., tube: PlanTube | None = None) -> None:
+        """margin_m: clearance kept from obstacles [m]; goal_margin: how far inside the goal's tolerances plans end; limits_kpa: lower and upper of each segment, within the arm's; empty: the arm's; tube: kept free beside the margin."""
 
 class Polygon:
     """A simple polygon, convex or not; the inside is solid."""
@@ -1287,6 +1368,11 @@ class Rectangle:
     def angle_rad(self, value: float) -> None: ...
     def __init__(self, *, x_m: float = ..., y_m: float = ..., width_m: float = ..., height_m: float = ..., angle_rad: float = ...) -> None: ...
 
+class Replanner:
+    """Plans again from where the arm is measured, whenever it stands off the goal or has strayed. One run at a time."""
+    def __init__(self, arm: ArmDescription, model: MotionModel, environment: Environment, room: ErrorRoom | None = None, seed: int = 1) -> None:
+        """room: what plans keep in hand; None: error_room's."""
+
 class Restart:
     """How often a prediction is corrected."""
     every_frame: Restart
@@ -1443,6 +1529,22 @@ class SegmentValves:
     def dead_band_kpa(self, value: float) -> None: ...
     def __init__(self, *, inflating: ValveDirection = ..., venting: ValveDirection = ..., dead_time_s: float = ..., dead_band_kpa: float = ...) -> None: ...
 
+class StageChoice:
+    """What a race between windows found."""
+    @property
+    def tried(self) -> list[WindowsTried]:
+        """WindowsTried, the preset's first."""
+    @property
+    def chosen(self) -> int:
+        """Index in `tried`."""
+    @property
+    def race_epochs(self) -> int:
+        """Of each short run."""
+    @property
+    def epochs(self) -> int:
+        """Left for the chosen windows."""
+    def __str__(self) -> str: ...
+
 class StrainFit:
     """A strain polynomial and how well it fits."""
     @property
@@ -1498,6 +1600,9 @@ class TrainingData:
         """Never looked at by `train`."""
     @unseen.setter
     def unseen(self, value: Iterable[Episode]) -> None: ...
+    @property
+    def held_back(self) -> list[int]:
+        """Which of the episodes given to hold_back_validation validate."""
     def __init__(self, training: Iterable, validation: Iterable = ..., replay: Iterable = ..., unseen: Iterable = ...) -> None: ...
 
 class TrainingResult:
@@ -1520,6 +1625,12 @@ class TrainingResult:
     @property
     def model(self) -> CompensationModel:
         """The best by validation."""
+    @property
+    def passed_over_epochs(self) -> list[int]:
+        """Better by validation, but their networks ran away in a long rollout."""
+    @property
+    def long_rollout(self) -> LongRollout:
+        """LongRollout of the best epoch."""
     @property
     def curve(self) -> list[LearningCurvePoint]:
         """LearningCurvePoint, one an epoch."""
@@ -1869,6 +1980,21 @@ class VirtualArmOptions:
     def stream(self, value: int) -> None: ...
     def __init__(self, *, noise_m: float = ..., noise_rad: float = ..., noise_kpa: float = ..., drop_rate: float = ..., latency_s: float = ..., seed: int = ..., stream: int = ...) -> None: ...
 
+class WindowsTried:
+    """Windows of stages, and how a short run did."""
+    @property
+    def window_frames(self) -> list[int]:
+        """Of each stage."""
+    @property
+    def one_step_cm(self) -> float:
+        """Tip error by validation [cm]."""
+    @property
+    def window_32_cm(self) -> float:
+        """Over rollouts of 32 frames."""
+    @property
+    def window_600_cm(self) -> float:
+        """Of 600 frames: what decides."""
+
 def arm_differences(there: ArmDescription, here: ArmDescription) -> list[str]:
     """Keys in which the arms differ, with both values; empty where they are the same arm."""
 
@@ -1890,6 +2016,9 @@ def certify(plan: Plan, arm: ArmDescription, network: CompensationModel | None, 
 def characterise(arm: ArmDescription, bench: Sequence[list[BenchPoint]]) -> CharacterisedArm:
     """Fits a monotone quartic to every segment's bench points."""
 
+def choose_stages(arm: ArmDescription, data: TrainingData, settings: TrainingSettings, on_epoch: Callable[[LearningCurvePoint], bool | None] | None = None) -> StageChoice:
+    """Chooses windows by validation in short runs, as the program does without --windows; `settings` gets the chosen stages and the epochs that are left."""
+
 def collect(arm: ArmDescription, settings: CollectionSettings, make_driver: DriverFactory | Callable[[int], ArmDriver], path: str | os.PathLike[str]) -> CollectionResult:
     """Records a schedule to `path` (HDF5). make_driver: virtual_arm_factory(...), or a function of the episode's index that returns an ArmDriver. Ctrl-C vents the arm and raises KeyboardInterrupt; finished episodes stay, for resume=True."""
 
@@ -1905,14 +2034,17 @@ def environment_picture(arm: ArmDescription, environment: Environment) -> str:
 def environment_to_yaml(environment: Environment) -> str:
     """The environment as the text of a file that load_environment reads."""
 
-def error_room(model: ForwardModel, margin_m: float | None = None, goal_margin_m: float | None = None, goal_margin_rad: float | None = None) -> ErrorRoom:
-    """The error that a model states, or the amounts that are given instead."""
+def episode_errors(arm: ArmDescription, episodes: Iterable) -> EpisodeErrors:
+    """Errors of the simple model, fitted to all episodes; one far above the others' was broken."""
+
+def error_room(model: ForwardModel, margin_m: float | None = None, goal_margin_m: float | None = None, goal_margin_rad: float | None = None, tube_level: float | None = None) -> ErrorRoom:
+    """The tube that a model carries, or the error that it states, or the amounts that are given instead."""
 
 def evaluate(no_load: ForwardModel, network: ForwardModel | None, episodes: Iterable, jobs: int = 0) -> Evaluation:
     """Errors of the no-load model and, unless None, of a network."""
 
-def execute(arm: ArmDescription, environment: Environment, plan: Plan, driver: ArmDriver | VirtualArm, settings: ExecutionSettings = ...) -> ExecutionResult:
-    """Commands a plan's frames as they stand, then holds. The arm is vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt."""
+def execute(arm: ArmDescription, environment: Environment, plan: Plan, driver: ArmDriver | VirtualArm, settings: ExecutionSettings = ..., replanner: Replanner | None = None) -> ExecutionResult:
+    """Commands a plan's frames as they stand, then holds; a Replanner plans again. The arm is vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt."""
 
 def execution_animation(arm: ArmDescription, environment: Environment, plan: Plan, result: ExecutionResult) -> str:
     """A page in which the arm moves, as predicted and as measured."""
@@ -1980,6 +2112,9 @@ def note_unseen(arm: ArmDescription, model: CompensationModel, unseen: Iterable,
 def paper_preset() -> TrainingSettings:
     """As published."""
 
+def plan_along(problem: PlanningProblem, waypoints_kpa: npt.ArrayLike, planner: str, seed: int = 0) -> PlanResult:
+    """The motion that a planner of your own proposes, from the start straight to each of the waypoints (w, n) [kPa]: simulated, held and certified. Not certified: best_partial is the motion, reason what is wrong with it."""
+
 def plan_animation(arm: ArmDescription, environment: Environment, plan: Plan) -> str:
     """One self-contained HTML page in which the arm moves."""
 
@@ -1997,6 +2132,9 @@ def predict(model: ForwardModel, episode: Episode, restart: Restart, jobs: int =
 
 def pressure_picture(arm: ArmDescription, plan: Plan) -> str:
     """Set points and the pressures predicted from them over time, as SVG text."""
+
+def problem_with_room(arm: ArmDescription, model: MotionModel, environment: Environment, room: ErrorRoom) -> PlanningProblem:
+    """The problem whose plans keep that room: the model's tube, or one clearance everywhere."""
 
 def read_bench_csv(path: str | os.PathLike[str], arm: ArmDescription) -> list[list[BenchPoint]]:
     """Bench points of every segment from a CSV file with the columns pressure_kpa, strain and, optionally, segment."""

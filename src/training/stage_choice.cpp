@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/atomic_file.hpp"
+#include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/json_reader.hpp"
 #include "rollout.hpp"
@@ -52,7 +53,7 @@ void set_windows(TrainingSettings& settings, const std::vector<int>& preset,
 
 /// A short run, of one network, in memory alone.
 WindowsTried raced(const ArmDescription& arm, const TrainingData& data, TrainingSettings settings,
-                   const std::vector<int>& windows, int epochs) {
+                   const std::vector<int>& windows, int epochs, const TrainingHooks& hooks) {
   set_windows(settings, windows_of(settings), windows);
   set_epoch_count(settings, epochs);
   settings.ensemble = 1;
@@ -61,8 +62,11 @@ WindowsTried raced(const ArmDescription& arm, const TrainingData& data, Training
   settings.progress = Progress::Mode::quiet;
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   WindowsTried tried{windows, kInfinite, kInfinite, kInfinite};
-  const TrainingResult result = train(arm, data, settings);
+  const TrainingResult result = train(arm, data, settings, hooks);
   throw_if_interrupted();
+  if (result.status == TrainingStatus::interrupted) {
+    throw Interrupted("stopped while windows were tried");
+  }
   if (result.best_epoch > 0) {
     const ForwardModel model(arm, result.model);
     tried.one_step_cm = error_cm(model, data.validation, 1, settings.jobs);
@@ -83,12 +87,16 @@ std::vector<int> windows_of(const TrainingSettings& settings) {
 }
 
 StageChoice choose_stages(const ArmDescription& arm, const TrainingData& data,
-                          TrainingSettings& settings) {
+                          TrainingSettings& settings, const TrainingHooks& hooks) {
+  if (data.validation.empty()) {
+    throw InputError(
+        "no validation episodes to choose windows by; hold_back_validation holds some back");
+  }
   StageChoice choice;
   choice.race_epochs = race_epochs(data, settings.epoch_count());
   const std::vector<std::vector<int>> schemes = {windows_of(settings), {8, 32}, {32}};
   for (const std::vector<int>& windows : schemes) {
-    choice.tried.push_back(raced(arm, data, settings, windows, choice.race_epochs));
+    choice.tried.push_back(raced(arm, data, settings, windows, choice.race_epochs, hooks));
   }
   choice.epochs = settings.epoch_count() - static_cast<int>(schemes.size()) * choice.race_epochs;
   const auto best = std::ranges::min_element(choice.tried, {},

@@ -6,7 +6,7 @@ import sys
 import unittest
 
 import limber
-from chain import ROOT, InFolder, chain, run_example
+from chain import EXAMPLES, ROOT, InFolder, chain, run_example
 
 PUBLIC = sorted(name for name in vars(limber) if not name.startswith("_")
                 and getattr(getattr(limber, name), "__module__", "").startswith("limber"))
@@ -28,7 +28,7 @@ class Examples(InFolder):
         return result.stdout
 
     def test_the_chain(self):
-        trained = self.run_to_end("02_record_and_train.py", "train.h5", "model.safetensors", 3)
+        trained = self.run_to_end("02_record_and_train.py", "train.h5", "model.safetensors", 9)
         self.assertIn("epoch 9: loss", trained)
         self.assertIn("unseen runs", trained)
         queried = self.run_to_end("01_query_the_model.py", "model.safetensors", 60)
@@ -41,8 +41,31 @@ class Examples(InFolder):
                                   "plan.json", codes=(0, 1))
         self.assertRegex(planned, "(?m)^certified: |^no plan: ")
         if (self.folder / "plan.json").exists():
-            executed = self.run_to_end("04_execute.py", "plan.json", environment, codes=(0, 1))
-            self.assertRegex(executed, "(?m)^done: ")
+            executed = self.run_to_end("04_execute.py", "plan.json", environment,
+                                       "model.safetensors", codes=(0, 1))
+            self.assertRegex(executed, "(?m)^open loop: done")
+            self.assertRegex(executed, "(?m)^closed loop: done")
+        own = self.run_to_end("06_plug_in_a_planner.py", "model.safetensors", environment,
+                              "own.json", codes=(0, 1))
+        self.assertRegex(own, "(?m)^own.json: .* certified$|^no plan: ")
+        beside = run_example("07_ompl.py", "model.safetensors", environment, folder=self.folder)
+        self.assertRegex(beside.stdout, "(?m)^default: ")
+        if beside.returncode:  # limber without OMPL says so, and how to get it
+            self.assertIn("libompl-dev", beside.stderr)
+        else:
+            self.assertRegex(beside.stdout, "(?m)^ompl:RRT: ")
+
+    def test_without_a_network(self):
+        self.assertIn(" -> ", self.run_to_end("09_reach_a_pose.py", 0.45, 0.3))
+        self.run_to_end("09_reach_a_pose.py", 5, 5, codes=(1,))
+        self.run_to_end("10_draw_the_arm.py", "arm.svg", 40, -40, 40)
+        self.assertIn("<svg", (self.folder / "arm.svg").read_text(encoding="utf-8"))
+
+    def test_every_example_has_its_twin(self):
+        own = {path.stem for path in EXAMPLES.glob("[0-9]*.py")}
+        theirs = {path.stem for path in (ROOT / "examples" / "cpp").glob("[0-9]*.cpp")}
+        self.assertEqual(own - theirs, {"08_train_in_pytorch"})
+        self.assertEqual(theirs - own, set())
 
     def run_readme(self):
         """The README's lines, in a folder that has what they name."""

@@ -63,6 +63,26 @@ TEST(ChooseStages, DoesNotDependOnThreads) {
   EXPECT_EQ(texts[0], texts[1]);
 }
 
+TEST(ChooseStages, EndsWhereItsCallerSaysSo) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = small_settings();
+  int epochs = 0;
+  TrainingHooks hooks;
+  hooks.on_epoch = [&](const LearningCurvePoint&) { ++epochs; };
+  hooks.should_stop = [&] { return epochs >= 3; };
+  EXPECT_THROW(choose_stages(arm, toy_data(arm), settings, hooks), Interrupted);
+  EXPECT_EQ(epochs, 3);
+}
+
+TEST(ChooseStages, RefusesDataThatChooseNothing) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = small_settings();
+  TrainingData data = toy_data(arm);
+  data.validation.clear();
+  EXPECT_THAT([&] { choose_stages(arm, data, settings); },
+              ThrowsMessage<InputError>(HasSubstr("hold_back_validation")));
+}
+
 TEST(StageChoice, ComesBackFromItsFile) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "choice.json";

@@ -1,5 +1,7 @@
 #include "limber/trial/closed_loop.hpp"
 
+#include "limber/trial/plan_trial.hpp"
+
 #include <fmt/format.h>
 
 #include "limber/planning/planner_factory.hpp"
@@ -86,6 +88,12 @@ std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const 
 
 void ClosedLoop::obstacle_appeared(const Environment& now) {
   motion_->move_in(now);
+}
+
+std::unique_ptr<PlanSource> make_replanner(const ArmDescription& arm, const MotionModel& model,
+                                           const Environment& environment, const ErrorRoom& room,
+                                           std::uint64_t seed) {
+  return std::make_unique<ClosedLoop>(arm, model, environment, room, ClosedLoopSettings{}, seed);
 }
 
 }  // namespace limber

@@ -80,7 +80,7 @@ class Chart {
   Chart& horizontal_line(std::string label, double y, SeriesStyle style = {});
   Chart& vertical_line(std::string label, double x, SeriesStyle style = {});
 
-  /// The whole picture: well-formed XML, one <svg> element, nothing external.
+  /// The whole picture: well-formed XML, one `svg` element, nothing external.
   std::string svg() const;
 
   /// How many values svg() leaves out because they can't be drawn.

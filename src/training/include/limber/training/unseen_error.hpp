@@ -7,6 +7,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/data/recording.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/training/trainer.hpp"
 
 namespace limber {
 
@@ -28,6 +29,11 @@ std::optional<PredictionError> measure_prediction_error(const ArmDescription& ar
                                                         const CompensationModel& model,
                                                         const std::vector<Episode>& unseen,
                                                         int jobs = 0);
+
+/// What a model has learnt that was trained on `data`, for CompensationModel::learnt: of its training
+/// and its replayed episodes, and the region of the model that it started from.
+/// @param start  of the model that was fine-tuned; null: none
+LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* start = nullptr);
 
 /// Measures the error of a finished model and stores it (none if it can't be measured). Also widens
 /// the region that the model stores as learnt, if any, by its own predictions along the same runs:

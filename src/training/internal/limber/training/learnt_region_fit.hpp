@@ -5,6 +5,7 @@
 #include "limber/data/recording.hpp"
 #include "limber/network/learnt_region.hpp"
 #include "limber/training/trainer.hpp"
+#include "limber/training/unseen_error.hpp"
 
 namespace limber {
 
@@ -21,11 +22,6 @@ LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episode
 /// `region`, with its axes' ranges widened by the shapes in `episodes`, in those frames whose
 /// pressures it holds. Its pressures and rates stay, because a predicted frame teaches nothing.
 LearntRegion with_shapes_of(LearntRegion region, const std::vector<Episode>& episodes);
-
-/// The region of a model trained on `data`: its training and its replayed episodes, and the region
-/// of the model that it started from.
-/// @param start  of the model that was fine-tuned; null: none
-LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* start = nullptr);
 
 /// Smallest share of its half range by which an axis' border lies outside of the frames.
 inline constexpr double kAxisWidening = 0.1;

@@ -38,10 +38,11 @@ struct StageChoice {
 /// kClearlyBetter. Leaves in `settings` the chosen stages and the epochs that the race did not use,
 /// so that both together take no longer than the preset alone. Depends on data, settings and seed,
 /// not on threads.
-/// @pre data.validation is not empty
-/// @throws Interrupted on Ctrl-C; InputError as `train`.
+/// @param hooks  of the short runs
+/// @throws InputError without validation data, and as `train`; Interrupted on Ctrl-C, or where
+/// hooks.should_stop says so.
 StageChoice choose_stages(const ArmDescription& arm, const TrainingData& data,
-                          TrainingSettings& settings);
+                          TrainingSettings& settings, const TrainingHooks& hooks = {});
 inline constexpr double kClearlyBetter = 0.1;
 
 /// The stages of `choice`, for `settings` as they were before it was made.

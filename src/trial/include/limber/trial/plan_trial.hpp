@@ -2,6 +2,7 @@
 // For those who compare planners and models over many trials.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,6 +59,14 @@ PlanTrial plan_trial(const ArmDescription& arm, const MotionModel& model,
 
 /// Executes the trial's plan, if it has one, on a fresh virtual arm at rest without sensor faults.
 void execute_trial(const ArmDescription& arm, const Environment& environment, PlanTrial& trial);
+
+/// Plans again from where the arm is measured, while it moves and after (docs/planning.md, Closed
+/// loop): for ExecutionSettings::replanner. A search takes 2000 queries while the arm moves, 20 000
+/// when it stands. Without tracking the run is open loop. Borrows arm, environment and what the
+/// model borrows. Threads: one run at a time.
+std::unique_ptr<PlanSource> make_replanner(const ArmDescription& arm, const MotionModel& model,
+                                           const Environment& environment, const ErrorRoom& room,
+                                           std::uint64_t seed);
 
 /// Means over the trials of one model in one environment, or in all of them; none where nothing
 /// counts.

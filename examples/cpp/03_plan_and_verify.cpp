@@ -1,29 +1,25 @@
 // A plan with a network of one's own, and a second opinion on it.
 //
-//   04_plan_and_verify MODEL.safetensors ENVIRONMENT.yaml PLAN.json
+//   03_plan_and_verify MODEL.safetensors ENVIRONMENT.yaml PLAN.json
 
 #include <iostream>
 
 #include "limber/common/data_folder.hpp"
-#include "limber/forward/error_room.hpp"
 #include "limber/planning/planner_factory.hpp"
 
 int main(int argc, char** argv) try {
   if (argc < 4) {
-    std::cerr << "04_plan_and_verify MODEL.safetensors ENVIRONMENT.yaml PLAN.json\n";
+    std::cerr << "03_plan_and_verify MODEL.safetensors ENVIRONMENT.yaml PLAN.json\n";
     return 2;
   }
-  const limber::ArmDescription arm =
-      limber::load_arm(limber::data_folder() / "arms" / "three_segment.yaml");
+  const auto arm = limber::load_arm(limber::data_folder() / "arms" / "three_segment.yaml");
   const limber::Environment environment = limber::load_environment(argv[2], arm);
-  const limber::ForwardModel forward(arm, limber::read_model(argv[1]));
-  const limber::ValveParameters valves =
-      forward.compensation().valves.value_or(limber::ValveParameters{});
-  limber::PlanningProblem problem{arm, {forward, limber::ValveModel(arm, valves)}, environment};
-
-  const limber::ErrorRoom room = limber::error_room(forward);  // for the model's error
-  problem.margin_m = room.margin_m;
-  problem.goal_margin = room.goal_margin;
+  const limber::CompensationModel network = limber::read_model(argv[1]);
+  const limber::ForwardModel forward(arm, network);
+  const limber::ValveParameters valves = network.valves.value_or(limber::ValveParameters{});
+  const limber::MotionModel model(forward, limber::ValveModel(arm, valves));
+  const limber::ErrorRoom room = limber::error_room(forward);  // the error that the model states
+  const auto problem = limber::problem_with_room(arm, model, environment, room);
   limber::PlannerLimits limits;
   limits.time_s = 2.0;
   const limber::PlanResult result = limber::make_planner("default")->plan(problem, limits, 1);
@@ -34,8 +30,8 @@ int main(int argc, char** argv) try {
   limber::write_plan(argv[3], *result.plan);
 
   // The planner has asked for it already; this is how you ask yourself, of a file from anywhere.
-  const limber::Certificate certificate = limber::certify(
-      limber::read_plan_unchecked(argv[3]), arm, &forward.compensation(), valves, environment);
+  const limber::Certificate certificate =
+      limber::certify(limber::read_plan_unchecked(argv[3]), arm, &network, valves, environment);
   for (const limber::CertificateFailure& failure : certificate.failures) {
     std::cout << failure.check << ": " << failure.message << "\n";
   }

@@ -1,6 +1,6 @@
 // Which pressures bring the end effector to a place, where nothing rubs or pulls?
 //
-//   01_reach_a_pose [X_M Y_M]
+//   09_reach_a_pose [X_M Y_M]
 
 #include <cstdlib>
 #include <iostream>

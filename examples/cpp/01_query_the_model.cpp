@@ -1,6 +1,6 @@
 // Where does the arm go, says a network, when the first segment is inflated for two seconds?
 //
-//   03_query_the_model MODEL.safetensors [KPA]
+//   01_query_the_model MODEL.safetensors [KPA]
 
 #include <cstdlib>
 #include <iostream>
@@ -12,7 +12,7 @@
 
 int main(int argc, char** argv) try {
   if (argc < 2) {
-    std::cerr << "03_query_the_model MODEL.safetensors [KPA]\n";
+    std::cerr << "01_query_the_model MODEL.safetensors [KPA]\n";
     return 2;
   }
   const limber::ArmDescription arm =

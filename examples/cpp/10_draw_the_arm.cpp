@@ -1,6 +1,6 @@
 // Draws the arm's shape at given pressures as an SVG picture.
 //
-//   02_draw_the_arm PICTURE.svg [PRESSURE_KPA…]
+//   10_draw_the_arm PICTURE.svg [PRESSURE_KPA…]
 
 #include <cstdlib>
 #include <iostream>
@@ -13,7 +13,7 @@
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::cerr << "usage: 02_draw_the_arm PICTURE.svg [PRESSURE_KPA…]\n";
+    std::cerr << "usage: 10_draw_the_arm PICTURE.svg [PRESSURE_KPA…]\n";
     return 2;
   }
   const limber::ArmDescription arm =

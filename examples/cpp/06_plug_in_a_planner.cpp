@@ -1,0 +1,56 @@
+// A planner of your own: it says where the set points go, limber simulates, holds and certifies the
+// motion. This one climbs: it changes the best motion so far, and keeps what ends nearer to the goal.
+//
+//   06_plug_in_a_planner MODEL.safetensors ENVIRONMENT.yaml PLAN.json
+
+#include <iostream>
+
+#include "limber/common/data_folder.hpp"
+#include "limber/common/random_stream.hpp"
+#include "limber/planning/planner_factory.hpp"
+
+constexpr int kTries = 2000;
+constexpr double kSpread = 0.2;  // of the limits: how far a try is from the best so far
+
+limber::PlanResult climb(const limber::PlanningProblem& problem, std::uint64_t seed) {
+  limber::RandomStream random(seed, 0);  // seed, stream
+  limber::Pressures best_kpa = limber::Pressures::Zero(problem.arm.segment_count());
+  limber::PlanResult best = limber::plan_along(problem, {best_kpa}, "climber", seed);
+  for (int i = 0; i < kTries && best.status == limber::PlanStatus::not_certified; ++i) {
+    limber::Pressures kpa = best_kpa;
+    for (int s = 0; s < kpa.size(); ++s) {
+      const auto limits = problem.arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+      const double change_kpa = kSpread * limits.half_width_kpa() * random.normal();
+      kpa[s] = static_cast<float>(limits.clamped(kpa[s] + change_kpa));
+    }
+    limber::PlanResult tried = limber::plan_along(problem, {kpa}, "climber", seed);
+    if (tried.plan || tried.best_partial->goal_distance_m < best.best_partial->goal_distance_m) {
+      best_kpa = kpa;
+      best = std::move(tried);
+    }
+  }
+  return best;
+}
+
+int main(int argc, char** argv) try {
+  if (argc < 4) {
+    std::cerr << "06_plug_in_a_planner MODEL.safetensors ENVIRONMENT.yaml PLAN.json\n";
+    return 2;
+  }
+  const auto arm = limber::load_arm(limber::data_folder() / "arms" / "three_segment.yaml");
+  const limber::Environment environment = limber::load_environment(argv[2], arm);
+  const limber::ForwardModel forward(arm, limber::read_model(argv[1]));
+  const limber::MotionModel model(forward);  // pressures are the set points
+  const limber::PlanResult result = climb({arm, model, environment}, 1);
+  if (!result.plan) {
+    std::cout << "no plan: " << result.reason << "\n";
+    return 1;
+  }
+  limber::write_plan(argv[3], *result.plan);
+  std::cout << argv[3] << ": " << result.plan->frame_count() << " frames, " << result.plan->cost_kpa
+            << " kPa, certified\n";
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
+}

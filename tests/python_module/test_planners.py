@@ -1,0 +1,136 @@
+"""Planners of one's own, tubes, and plans made again while the arm moves."""
+
+import json
+import struct
+import unittest
+
+import numpy as np
+
+import limber
+from chain import TWO_SEGMENT, InFolder, chain, run_json, run_program
+
+LEVELS = [{"level": 0.9, "factor": 0.8, "runs": 0, "outside": 0, "confidence": 0.9,
+           "audit_runs": 0, "audit_outside": 0},
+          {"level": 0.95, "factor": 1.0, "runs": 0, "outside": 0, "confidence": 0.9,
+           "audit_runs": 0, "audit_outside": 0}]
+SCALE_M = 0.004
+
+
+def with_tube(model, path):
+    """The model's file with a tube in its metadata: SCALE_M at the tip, less towards the base."""
+    content = model.read_bytes()
+    (size,) = struct.unpack_from("<Q", content)
+    header = json.loads(content[8:8 + size])
+    points = int(header["__metadata__"]["point_count"])
+    header["__metadata__"]["tube"] = json.dumps({
+        "plate_scale_m": [SCALE_M * (i + 1) / points for i in range(points)],
+        "end_scale_m": 0.002, "end_heading_scale_rad": 0.01, "source": "made up",
+        "levels": LEVELS})
+    text = json.dumps(header).encode()
+    text += b" " * (-len(text) % 8)
+    path.write_bytes(struct.pack("<Q", len(text)) + text + content[8 + size:])
+    return path
+
+
+class PlansAlong(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.chain = chain()
+        self.network = limber.read_model(self.chain.model)
+        self.forward = limber.ForwardModel(self.chain.arm, self.network)
+        self.model = limber.MotionModel(self.forward)
+        self.problem = limber.PlanningProblem(self.chain.arm, self.model, self.chain.environment)
+
+    def test_a_planners_own_motion_is_certified_again(self):
+        found = limber.make_planner().plan(self.problem, limber.PlannerLimits(iterations=300), 1)
+        self.assertTrue(found.plan, found.reason)
+        along = limber.plan_along(self.problem, found.plan.waypoints_kpa[1:], "mine", 3)
+        self.assertEqual(along.status, limber.PlanStatus.solved)
+        self.assertTrue(along.certificate.certified)
+        self.assertEqual((along.plan.planner, along.plan.seed), ("mine", 3))
+        np.testing.assert_array_equal(along.plan.backbone, found.plan.backbone)
+        limber.write_plan(self.folder / "plan.json", along.plan)
+        judged = limber.certify(limber.read_plan(self.folder / "plan.json"), self.chain.arm,
+                                self.network, limber.ValveParameters(), self.chain.environment)
+        self.assertTrue(judged.certified, judged.failures)
+
+    def test_a_miss_says_by_how_much(self):
+        along = limber.plan_along(self.problem, [[0.0, 0.0]], "mine")
+        self.assertEqual(along.status, limber.PlanStatus.not_certified)
+        self.assertIsNone(along.plan)
+        tip = limber.tip_pose(along.best_partial.backbone[-1])
+        error = limber.pose_error(self.chain.environment.goal, tip)
+        self.assertAlmostEqual(along.best_partial.goal_distance_m, error.position_m, delta=1e-6)
+        self.assertIn(f"{100 * error.position_m:.2f} cm", along.reason)
+
+    def test_bad_waypoints_are_named(self):
+        for waypoints, words in (([[0.0]], r"\(1, 1\)"), ([[0.0, np.nan]], "finite"),
+                                 ([[0.0, 1e4]], "waypoint 0: segment 1"),
+                                 (np.zeros((0, 2)), "no waypoints")):
+            with self.assertRaisesRegex(limber.InputError, words):
+                limber.plan_along(self.problem, waypoints, "mine")
+
+    def test_plans_keep_the_tube_to_the_byte_as_the_program(self):
+        calibrated = with_tube(self.chain.model, self.folder / "calibrated.safetensors")
+        network = limber.read_model(calibrated)
+        forward = limber.ForwardModel(self.chain.arm, network)
+        valves = network.valves or limber.ValveParameters()
+        model = limber.MotionModel(forward, limber.ValveModel(self.chain.arm, valves))
+        room = limber.error_room(forward)
+        self.assertEqual(room.tube.level, 0.95)
+        self.assertAlmostEqual(room.tube.plate_radius_m[-1], SCALE_M)
+        self.assertAlmostEqual(room.margin_m, SCALE_M)
+        problem = limber.problem_with_room(self.chain.arm, model, self.chain.environment, room)
+        self.assertEqual(problem.tube.plate_radius_m, room.tube.plate_radius_m)
+        result = limber.make_planner().plan(problem, limber.PlannerLimits(iterations=300), 5)
+        self.assertTrue(result.plan, result.reason)
+        self.assertEqual(result.plan.tube.level, 0.95)
+        self.assertEqual(result.plan.margin_m, 0.0)
+        result.plan.model_hash = limber.content_hash(calibrated)
+        limber.write_plan(self.folder / "own.json", result.plan)
+        run_json("plan", "--arm", TWO_SEGMENT, "--model", calibrated, "--environment",
+                 self.chain.environment_file, "--max-iterations", 300, "--seed", 5, "--out",
+                 "program.json", folder=self.folder)
+        self.assertEqual((self.folder / "own.json").read_bytes(),
+                         (self.folder / "program.json").read_bytes())
+        with self.assertRaisesRegex(limber.InputError, "0.9, 0.95"):
+            limber.error_room(forward, tube_level=0.5)
+        self.assertIsNone(limber.error_room(forward, margin_m=0.01).tube)
+
+    def test_a_tube_of_ones_own_is_kept(self):
+        points = self.chain.arm.point_count
+        tube = limber.PlanTube(level=0.5, plate_radius_m=[0.003] * points, end_radius_m=0.0,
+                               end_heading_rad=0.0)
+        problem = limber.PlanningProblem(self.chain.arm, self.model, self.chain.environment,
+                                         tube=tube)
+        result = limber.make_planner().plan(problem, limber.PlannerLimits(iterations=300), 1)
+        self.assertTrue(result.plan, result.reason)
+        self.assertEqual(result.plan.tube.plate_radius_m, tube.plate_radius_m)
+
+    def test_plans_made_again_end_nearer_to_the_goal_as_the_programs(self):
+        plan = limber.make_planner().plan(
+            self.problem, limber.PlannerLimits(iterations=300), 1).plan
+        plan.model_hash = limber.content_hash(self.chain.model)
+        limber.write_plan(self.folder / "plan.json", plan)
+        run = [limber.execute(
+            self.chain.arm, self.chain.environment, plan, limber.VirtualArm(self.chain.arm),
+            replanner=limber.Replanner(self.chain.arm, self.model, self.chain.environment))
+            for _ in range(2)]
+        self.assertEqual(run[0].replans, run[1].replans)
+        np.testing.assert_array_equal(run[0].episode.backbone, run[1].episode.backbone)
+        open_loop = limber.execute(self.chain.arm, self.chain.environment, plan,
+                                   limber.VirtualArm(self.chain.arm))
+        self.assertEqual(open_loop.replans, 0)
+        self.assertIsNone(open_loop.open_loop_goal_error)
+        if run[0].replans:
+            self.assertAlmostEqual(run[0].open_loop_goal_error.position_m,
+                                   open_loop.goal_error.position_m, delta=1e-6)
+        theirs = json.loads(run_program(
+            "execute", "--arm", TWO_SEGMENT, "--environment", self.chain.environment_file,
+            "--plan", "plan.json", "--model", self.chain.model, "--no-valves", "--replan",
+            "--json", folder=self.folder).stdout)
+        self.assertEqual(theirs["replans"], run[0].replans)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,88 @@
+"""Training beyond `train` itself: windows chosen by short runs, the simple model fitted to
+recordings, broken episodes found."""
+
+import unittest
+
+import numpy as np
+
+import limber
+from chain import TWO_SEGMENT, InFolder, chain, run_json, run_program
+
+
+def settings_of(epochs):
+    settings = limber.best_preset()
+    settings.hidden_units = [8]
+    limber.set_epoch_count(settings, epochs)
+    return settings
+
+
+class Training(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.chain = chain()
+        self.episodes = limber.read_recording(self.chain.recording).episodes
+
+    def data(self):
+        return limber.hold_back_validation(self.episodes, 0.1, 1)
+
+    def test_windows_are_chosen_by_short_runs(self):
+        settings, epochs = settings_of(90), []
+        choice = limber.choose_stages(self.chain.arm, self.data(), settings,
+                                      lambda point: epochs.append(point.epoch))
+        self.assertEqual([tried.window_frames for tried in choice.tried],
+                         [[2, 8, 32], [8, 32], [32]])
+        self.assertEqual(choice.epochs + 3 * choice.race_epochs, 90)
+        self.assertEqual(settings.epoch_count, choice.epochs)
+        self.assertEqual([stage.window_frames for stage in settings.stages],
+                         choice.tried[choice.chosen].window_frames)
+        self.assertEqual(len(epochs), 3 * choice.race_epochs)
+        self.assertIn("chosen", str(choice))
+
+    def test_a_callback_stops_the_short_runs(self):
+        with self.assertRaises(limber.Interrupted):
+            limber.choose_stages(self.chain.arm, self.data(), settings_of(90), lambda point: False)
+
+    def test_without_validation_nothing_is_chosen(self):
+        with self.assertRaisesRegex(limber.InputError, "hold_back_validation"):
+            limber.choose_stages(self.chain.arm, limber.TrainingData(self.episodes),
+                                 settings_of(90))
+
+    def test_results_say_how_the_model_drifts(self):
+        data = self.data()
+        self.assertEqual(len(data.held_back), len(data.validation))
+        result = limber.train(self.chain.arm, data, settings_of(20))
+        self.assertEqual(result.long_rollout.frames, 20_000)
+        self.assertTrue(result.long_rollout.bounded)
+        self.assertEqual(result.long_rollout.ran_away, result.long_rollout.held_share > 0.1)
+        self.assertIsInstance(result.passed_over_epochs, list)
+
+    def test_the_fitted_arm_is_the_programs(self):
+        theirs = run_json("characterize", "--arm", TWO_SEGMENT, "--recording",
+                          self.chain.recording, "--out", "fitted.yaml", folder=self.folder)
+        fit = limber.fit_simple_model(self.chain.arm, self.episodes)
+        arm = limber.fitted_arm(self.chain.arm, fit, self.episodes)
+        self.assertEqual(limber.arm_differences(limber.load_arm(self.folder / "fitted.yaml"), arm),
+                         "")
+        self.assertIn("95 %", fit.describe(self.chain.arm))
+        self.assertEqual(len(theirs["segments"]), 2)
+
+    def test_a_broken_episode_is_found(self):
+        run_program("collect", "--arm", TWO_SEGMENT, "--schedule", "random", "--count", 8,
+                    "--episodes", 6, "--hold-s", 1, "--seed", 8, "--out", "six.h5",
+                    folder=self.folder)
+        episodes = limber.read_recording(self.folder / "six.h5").episodes
+        self.assertEqual(limber.episode_errors(self.chain.arm, episodes).outliers, [])
+        one, other = episodes[2], episodes[3]
+        count = min(len(one), len(other))
+        episodes[2] = limber.Episode(one.time_s[:count], other.pressure_kpa[:count],
+                                     other.setpoint_kpa[:count], one.backbone[:count],
+                                     one.motion_index[:count])
+        errors = limber.episode_errors(self.chain.arm, episodes)
+        self.assertEqual(errors.outliers, [2])
+        self.assertGreater(errors.tip_cm[2], errors.limit_cm)
+        self.assertLess(np.median(errors.tip_cm), errors.limit_cm)
+        self.assertIn("episode 2", str(errors))
+
+
+if __name__ == "__main__":
+    unittest.main()
