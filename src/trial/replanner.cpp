@@ -7,7 +7,6 @@
 #include "closed_loop/plan_repair.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
-#include "limber/trial/plan_trial.hpp"
 
 namespace limber {
 

@@ -25,7 +25,7 @@ struct DemoRecipe {
   int random_environments = 3;            ///< for any other arm, for which none are drawn up
   int plans_per_environment = 3;          ///< of each model, each by its own seed
   /// At most: improvement ends by queries, mostly long before.
-  double planning_time_limit_s = 2.0;
+  double planning_time_limit_s = 5.0;
 };
 
 /// Everything, in under six minutes on two cores.

@@ -1,10 +1,9 @@
 #include "limber/trial/closed_loop.hpp"
 
-#include "limber/trial/plan_trial.hpp"
-
 #include <fmt/format.h>
 
 #include "limber/planning/planner_factory.hpp"
+#include "limber/trial/plan_trial.hpp"
 #include "motion_guide.hpp"
 
 namespace limber {
