@@ -1,5 +1,7 @@
 #include "limber/trial/closed_loop.hpp"
 
+#include <mutex>
+
 #include <fmt/format.h>
 
 #include "limber/planning/planner_factory.hpp"
@@ -37,6 +39,7 @@ struct ClosedLoop::Motion {
   std::uint64_t seed;
   std::unique_ptr<Planner> planner;
   ArmEstimate estimate;
+  std::mutex estimate_mutex;  // in real time the arm is observed while `next` searches
   std::optional<Replanner> corrections;
   std::optional<MotionGuide> guide;
   PoseGoal aim;  // of the plan that is followed
@@ -52,6 +55,7 @@ ClosedLoop::ClosedLoop(const ArmDescription& arm, const MotionModel& model,
 ClosedLoop::~ClosedLoop() = default;
 
 void ClosedLoop::observe(const Pressures& setpoint_kpa, const ArmState& state) {
+  const std::lock_guard lock(motion_->estimate_mutex);
   motion_->estimate.observe(setpoint_kpa, state);
 }
 
@@ -81,6 +85,7 @@ bool ClosedLoop::may_go_on(const Plan& plan, std::size_t frame, const ArmState& 
 std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const ArmState& state) {
   std::optional<Plan> found = motion_->corrections->next(plan, frame, state);
   motion_->aim = motion_->corrections->aim();
+  const std::lock_guard lock(motion_->estimate_mutex);
   motion_->estimate.forget_miss();
   return found;
 }
