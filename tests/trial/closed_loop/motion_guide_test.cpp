@@ -115,7 +115,7 @@ TEST_F(MotionGuideTest, WhatTheModelMissesIsMadeUpForByAPlanFromTheNextFrame) {
   constexpr std::size_t kFrame = 3;
   MotionGuide one = guide();
   const ModelMiss miss{
-      {0.0, 0.01, 0.0}, {0.0, 0.01, 0.0}, 1.0};  // and as much for each kPa to come
+      {0.0, 0.015, 0.0}, {0.0, 0.015, 0.0}, 1.0};  // and as much for each kPa to come
   const MotionAdvice advice = ask(one, kFrame + 1, planned(kFrame), miss);
   ASSERT_TRUE(advice.plan);
   EXPECT_TRUE(advice.plan->certified);
@@ -125,7 +125,7 @@ TEST_F(MotionGuideTest, WhatTheModelMissesIsMadeUpForByAPlanFromTheNextFrame) {
   const Pose end = tip_pose(advice.plan->frames.back().backbone);
   constexpr double kNearM = 0.003;
   EXPECT_NEAR(end.x_m, environment_.goal.x_m, kNearM);
-  EXPECT_NEAR(end.y_m, environment_.goal.y_m - 0.01, kNearM);
+  EXPECT_NEAR(end.y_m, environment_.goal.y_m - 0.015, kNearM);
 }
 
 TEST_F(MotionGuideTest, NoPlanIsTakenThatItsCertificateRefuses) {
@@ -135,7 +135,7 @@ TEST_F(MotionGuideTest, NoPlanIsTakenThatItsCertificateRefuses) {
     ++asked;
     return false;
   });
-  const ModelMiss miss{{0.0, 0.03, 0.0}, {0.0, 0.03, 0.0}, 1.0};
+  const ModelMiss miss{{0.0, 0.015, 0.0}, {0.0, 0.015, 0.0}, 1.0};
   EXPECT_FALSE(ask(one, 4, planned(3), miss).plan);
   EXPECT_GT(asked, 0);
   block(plan_.frames.size() - 1 - std::size_t(plan_.hold_frame_count));
