@@ -46,6 +46,12 @@ class Adviser final : public PlanSource {
   Answer answer_;
 };
 
+ExecutionSettings held_shortly() {
+  ExecutionSettings settings;
+  settings.hold_s = 0.5;
+  return settings;
+}
+
 /// The rest of a plan from one of its frames on.
 Plan rest_of(const Plan& plan, std::size_t frame) {
   Plan rest = plan;
@@ -57,9 +63,8 @@ Plan rest_of(const Plan& plan, std::size_t frame) {
 class MotionAdviceTest : public ::testing::Test {
  protected:
   ExecutionResult run(Adviser& adviser, ArmDriver& driver) {
-    ExecutionSettings settings;
+    ExecutionSettings settings = held_shortly();
     settings.replanner = &adviser;
-    settings.hold_s = 0.5;
     return execute(arm_, environment_, plan_, driver, settings);
   }
   ExecutionResult run(Adviser& adviser) {
@@ -76,7 +81,7 @@ TEST_F(MotionAdviceTest, IsAskedForBeforeEachFrameOfAMotionAndShownEverySetPoint
   Adviser adviser([](const Plan&, std::size_t) { return MotionAdvice{}; });
   const ExecutionResult result = run(adviser);
   FakeArm blind(arm_, kInstant_s);
-  const ExecutionResult open_loop = execute(arm_, environment_, plan_, blind, {0.5});
+  const ExecutionResult open_loop = execute(arm_, environment_, plan_, blind, held_shortly());
   ASSERT_EQ(adviser.asked_at.size(), plan_.frames.size() - 1);
   for (std::size_t k = 0; k < adviser.asked_at.size(); ++k) {
     EXPECT_EQ(adviser.asked_at[k], k);
@@ -210,7 +215,7 @@ TEST_F(MotionAdviceTest, SaysWhenTheTipWasInTheGoalForGood) {
   Plan plan = plan_;
   plan.environment_hash = environment_hash(environment);
   FakeArm driver(arm_, kInstant_s);
-  const ExecutionResult result = execute(arm_, environment, plan, driver, {0.5});
+  const ExecutionResult result = execute(arm_, environment, plan, driver, held_shortly());
   const double end_s = (plan.frame_count() - 1) * arm_.frame_period_s();
   constexpr double kRoundingS = 1e-9;
   ASSERT_TRUE(result.goal_time_s && result.planned_goal_time_s);
@@ -219,7 +224,7 @@ TEST_F(MotionAdviceTest, SaysWhenTheTipWasInTheGoalForGood) {
   environment.goal.y_m += 0.1;
   plan.environment_hash = environment_hash(environment);
   FakeArm again(arm_, kInstant_s);
-  const ExecutionResult missed = execute(arm_, environment, plan, again, {0.5});
+  const ExecutionResult missed = execute(arm_, environment, plan, again, held_shortly());
   EXPECT_FALSE(missed.goal_time_s || missed.planned_goal_time_s);
 }
 

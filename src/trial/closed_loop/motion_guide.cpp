@@ -13,12 +13,14 @@ namespace limber {
 
 namespace {
 
-/// Of the room for the model's error, what is kept in mid-motion: that error is one of whole
-/// motions, and what is left of one starts where the arm was just measured.
+/// Of the room for the model's error, what the rest of a plan has to keep in mid-motion: that error
+/// is one of whole motions, and what is left of one starts where the arm was just measured.
 constexpr double kRoomInMotion = 0.25;
-constexpr double kOfPromised = 0.9;  // of a plan's own clearance, where that is less
-/// Farther than that from where its plan ends, an arm strays; below, it is left to the corrections.
-constexpr double kStraysM = 0.003;
+constexpr double kRoomOfNewPlans = 0.5;  // more, so that they are not given up at once
+constexpr double kOfPromised = 0.9;      // of a plan's own clearance, where that is less
+/// Of the goal's tolerance: an arm that will end farther from the goal than promised by more than
+/// that strays. Less is left to the corrections, which are predicted better.
+constexpr double kStrays = 0.5;
 constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at half the speed
 constexpr double kStopS = 0.5;
 constexpr double kRepairReserveM = 2e-4;  // float32 searches, double certifies
@@ -128,7 +130,7 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   const double promised_m =
       as_length_m(goal, PoseError{plan.goal_distance_m, plan.goal_orientation_rad});
   ++seed_;
-  if (rest.is_safe() && error_m <= promised_m + kStraysM) {
+  if (rest.is_safe() && error_m <= promised_m + kStrays * goal.position_tolerance_m) {
     has_waited_ = false;
     return {};
   }
@@ -160,7 +162,7 @@ std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const 
 }
 
 PlanningProblem MotionGuide::problem_from(const Environment& from_here, const Plan& plan) const {
-  PlanningProblem problem{arm_, model_, from_here, kRoomInMotion * room_.margin_m};
+  PlanningProblem problem{arm_, model_, from_here, kRoomOfNewPlans * room_.margin_m};
   problem.limits = plan.limits;
   if (problem.limits.empty()) {
     problem.limits = settings_.limits;

@@ -11,8 +11,8 @@ namespace limber {
 namespace {
 
 constexpr double kProbeShare = 0.02;     // of a segment's range: what sensitivities are taken from
-constexpr double kRepairDamping = 0.02;  // of the normal matrix, of its mean diagonal
-constexpr int kRepairSteps = 3;
+constexpr double kRepairDamping = 1e-3;  // of the normal matrix, of its mean diagonal
+constexpr int kRepairSteps = 4;
 
 double m_per_rad(const PoseGoal& goal) {
   return goal.theta_rad ? goal.position_tolerance_m / goal.orientation_tolerance_rad : 0.0;

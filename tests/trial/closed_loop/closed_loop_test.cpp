@@ -18,7 +18,7 @@ class ClosedLoopTest : public ::testing::Test {
  protected:
   ClosedLoopTest() {
     environment_.name = "a goal to the right";
-    const Pressures setpoint_kpa = Pressures::Constant(2, 80.0F);
+    const Pressures setpoint_kpa = Pressures::Constant(2, 50.0F);
     Backbone there(arm_.point_count(), 3);
     NoLoadModel(arm_).backbone(Eigen::Ref<const Eigen::VectorXf>(setpoint_kpa),
                                Eigen::Ref<Backbone>(there));
@@ -34,10 +34,24 @@ class ClosedLoopTest : public ::testing::Test {
     return arm;
   }
 
+  /// 5 kPa per frame.
+  static ArmDescription slow(ArmDescription arm) {
+    arm.pressure_rate_limit_kpa_per_s = 100.0;
+    return arm;
+  }
+
+  static ClosedLoopSettings few_queries() {
+    ClosedLoopSettings settings;
+    settings.corrections.queries = 2000;
+    settings.corrections.max_replans = 2;
+    settings.motion_queries = 1000;
+    return settings;
+  }
+
   Plan plan_of(const ArmDescription& arm) const {
     const ForwardModel forward(arm);
     PlannerLimits limits;
-    limits.queries = 20000;
+    limits.queries = 5000;
     const PlanResult result =
         make_planner("default", 1)->plan({arm, MotionModel(forward), environment_, 0.0}, limits, 1);
     EXPECT_TRUE(result.plan.has_value()) << result.reason;
@@ -57,7 +71,7 @@ class ClosedLoopTest : public ::testing::Test {
     return execute(arm, environment_, plan, driver, settings);
   }
 
-  const ArmDescription arm_ = small_arm();
+  const ArmDescription arm_ = slow(small_arm());
   Environment environment_;
 };
 
@@ -66,7 +80,7 @@ TEST_F(ClosedLoopTest, WithAPerfectModelItGoesOnAsOpenLoopUntilThePlanEnds) {
   FakeArm one(arm_, kInstant_s);
   FakeArm other(arm_, kInstant_s);
   const ExecutionResult open_loop = run(arm_, plan, one, std::nullopt);
-  const ExecutionResult closed = run(arm_, plan, other, ClosedLoopSettings{});
+  const ExecutionResult closed = run(arm_, plan, other, few_queries());
   EXPECT_EQ(closed.switches, 0);
   EXPECT_EQ(closed.waits, 0);
   EXPECT_EQ(closed.halts, 0);
@@ -76,12 +90,12 @@ TEST_F(ClosedLoopTest, WithAPerfectModelItGoesOnAsOpenLoopUntilThePlanEnds) {
 }
 
 TEST_F(ClosedLoopTest, APlanThatTheArmDoesNotFollowIsReplacedInMotionAndArrives) {
-  const ArmDescription weaker = known(arm_, 0.8);
+  const ArmDescription weaker = known(arm_, 0.6);
   const Plan plan = plan_of(weaker);
   FakeArm one(arm_, kInstant_s);
   ASSERT_FALSE(run(weaker, plan, one, std::nullopt).goal_reached);
   FakeArm other(arm_, kInstant_s);
-  ClosedLoopSettings settings;
+  ClosedLoopSettings settings = few_queries();
   settings.corrections.max_replans = 1;
   const ExecutionResult closed = run(weaker, plan, other, settings);
   EXPECT_GT(closed.switches, 0);
@@ -128,10 +142,10 @@ class LosingArm final : public ArmDriver {
 };
 
 TEST_F(ClosedLoopTest, NeverTrackedItIsOpenLoopToTheBit) {
-  const ArmDescription weaker = known(arm_, 0.8);
+  const ArmDescription weaker = known(arm_, 0.6);
   const Plan plan = plan_of(weaker);
   LosingArm driver(arm_, 0, 1000);
-  const ExecutionResult result = run(weaker, plan, driver, ClosedLoopSettings{});
+  const ExecutionResult result = run(weaker, plan, driver, few_queries());
   EXPECT_EQ(result.status, ExecutionStatus::done);
   EXPECT_EQ(result.switches + result.waits + result.halts + result.replans, 0);
   ASSERT_GE(driver.commanded_kpa.size() + 1, plan.frames.size());
@@ -145,7 +159,7 @@ TEST_F(ClosedLoopTest, NeverTrackedItIsOpenLoopToTheBit) {
 TEST_F(ClosedLoopTest, LostForShortItGoesOnByPrediction) {
   const Plan plan = plan_of(arm_);
   LosingArm driver(arm_, 2, 3);
-  const ExecutionResult result = run(arm_, plan, driver, ClosedLoopSettings{});
+  const ExecutionResult result = run(arm_, plan, driver, few_queries());
   EXPECT_EQ(result.status, ExecutionStatus::done);
   EXPECT_EQ(result.switches + result.waits + result.halts, 0);
   EXPECT_TRUE(result.goal_reached);
@@ -155,7 +169,7 @@ TEST_F(ClosedLoopTest, LostForLongItGoesOnAsOpenLoopThenHoldsAndSaysSo) {
   const Plan plan = plan_of(arm_);
   ASSERT_GT(plan.frame_count() - plan.hold_frame_count, 8);
   LosingArm driver(arm_, 2, 1000);
-  ClosedLoopSettings settings;
+  ClosedLoopSettings settings = few_queries();
   settings.blind_s = 0.1;  // two frames
   const ExecutionResult result = run(arm_, plan, driver, settings);
   EXPECT_EQ(result.status, ExecutionStatus::stopped);
@@ -169,12 +183,12 @@ TEST_F(ClosedLoopTest, LostForLongItGoesOnAsOpenLoopThenHoldsAndSaysSo) {
 }
 
 TEST_F(ClosedLoopTest, SameSeedSameRunWhateverTheThreads) {
-  const ArmDescription weaker = known(arm_, 0.8);
+  const ArmDescription weaker = known(arm_, 0.6);
   const Plan plan = plan_of(weaker);
   std::vector<Eigen::MatrixXf> runs;
   for (const int jobs : {1, 2}) {
     FakeArm driver(arm_, kInstant_s);
-    ClosedLoopSettings settings;
+    ClosedLoopSettings settings = few_queries();
     settings.corrections.planner_jobs = jobs;
     runs.push_back(run(weaker, plan, driver, settings).episode.setpoint_kpa);
   }
@@ -182,10 +196,10 @@ TEST_F(ClosedLoopTest, SameSeedSameRunWhateverTheThreads) {
 }
 
 TEST_F(ClosedLoopTest, WithoutQueriesInMotionItPlansAtRestAlone) {
-  const ArmDescription weaker = known(arm_, 0.8);
+  const ArmDescription weaker = known(arm_, 0.6);
   const Plan plan = plan_of(weaker);
   FakeArm driver(arm_, kInstant_s);
-  ClosedLoopSettings settings;
+  ClosedLoopSettings settings = few_queries();
   settings.motion_queries = 0;
   const ExecutionResult result = run(weaker, plan, driver, settings);
   EXPECT_EQ(result.switches, 0);

@@ -30,13 +30,15 @@ struct RepairSetting {
 
 TEST(PlanRepair, EndsWhereItIsAskedTo) {
   RepairSetting s;
-  const Pose now = s.end(s.waypoints_kpa);
   PlanRepair repair(s.simulator, pressure_box(s.arm));
-  for (const double aside_m : {-0.03, 0.01, 0.03}) {
-    const PoseGoal goal{now.x_m + aside_m, now.y_m - 0.5 * aside_m, std::nullopt, 0.02, 0.1};
+  for (const float share : {-1.0F, 0.3F, 1.0F}) {
+    std::vector<Pressures> there = s.waypoints_kpa;
+    there.back() += share * Eigen::Vector3f(15.0F, -10.0F, 20.0F);
+    const Pose tip = s.end(there);
+    const PoseGoal goal{tip.x_m, tip.y_m, std::nullopt, 0.02, 0.1};
     const auto repaired = repair.toward(goal, s.rest, s.waypoints_kpa, 0.005);
-    ASSERT_TRUE(repaired) << aside_m;
-    EXPECT_LT(pose_error(goal, s.end(*repaired)).position_m, 0.002) << aside_m;
+    ASSERT_TRUE(repaired) << share;
+    EXPECT_LT(pose_error(goal, s.end(*repaired)).position_m, 0.001) << share;
     EXPECT_EQ(repaired->front(), s.waypoints_kpa.front()) << "it is there already";
     EXPECT_EQ(repaired->size(), s.waypoints_kpa.size());
   }
