@@ -113,7 +113,7 @@ bool JacobianController::has_ended(const std::optional<Eigen::VectorXd>& error) 
   }
   const auto after = static_cast<int>(frame_ + 1 - plan_.frames.size());
   settled_ = error && error->norm() < kSettledM ? settled_ + 1 : 0;
-  return settled_ >= arm_.frames_in(kSettledS) || after > arm_.frames_in(kAfterPlanS);
+  return settled_ >= arm_.frames_in(kSettledS) || after >= arm_.frames_in(kAfterPlanS);
 }
 
 /// What the tip is to move in this frame: PI in velocity form.

@@ -12,7 +12,7 @@ namespace limber {
 
 namespace {
 
-// Found by tools/tune_baselines.py.
+// Chosen by hand; tools/tune_baselines.py searches for better ones.
 constexpr JacobianGains kNoLoadGains{0.2, 1.0, 0.002, 0.0};
 constexpr JacobianGains kOnlineGains{0.2, 1.0, 0.002, 0.1};
 

@@ -104,7 +104,12 @@ void TipTracker::learn_bias() {
   commanded_.pop_front();
 }
 
+/// A network starts from the measured shape, and errs more the farther ahead; the no-load model errs
+/// as much in the next frame.
 Eigen::Vector2d TipTracker::bias_ahead_m(int frames) const {
+  if (!model_.has_network()) {
+    return bias_m_;
+  }
   return std::min(double(frames) / kBiasFrames, kMaxBiasFactor) * bias_m_;
 }
 

