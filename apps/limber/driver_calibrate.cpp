@@ -66,6 +66,11 @@ void DriverCalibrate::add_to(CLI::App& app) {
                  "calibrate: of the tracker's frame seen from above, right (y to the left of x) or "
                  "left (mirrored); by default you are asked which way the arm bends")
       ->check(CLI::IsMember({"right", "left"}));
+  app.add_option("--base-marker", base_marker_m_,
+                 "calibrate: X,Y where the base's marker body sits as built, in metres from the "
+                 "base's origin, x along the arm, y to its left; by default unknown")
+      ->delimiter(',')
+      ->expected(2);
   app.add_option("--tolerance-m", tolerance_.position_m,
                  "calibrate: refuse a base known less well than that")
       ->check(CLI::PositiveNumber)
@@ -77,6 +82,9 @@ void DriverCalibrate::add_to(CLI::App& app) {
 
 OperatorAnswer DriverCalibrate::answer(int channel) const {
   OperatorAnswer result;
+  if (!base_marker_m_.empty()) {
+    result.base_marker_m = Eigen::Vector2d(base_marker_m_[0], base_marker_m_[1]);
+  }
   if (!handedness_.empty()) {
     result.mirrored = handedness_ == "left";
     return result;

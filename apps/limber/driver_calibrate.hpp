@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "limber/hardware/calibrate_driver.hpp"
 #include "verb.hpp"
@@ -22,6 +23,7 @@ class DriverCalibrate {
 
   bool yes_ = false;
   std::string handedness_;
+  std::vector<double> base_marker_m_;
   CalibrationTolerance tolerance_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <fmt/ranges.h>
 
+#include "driver_flags.hpp"
 #include "limber/arm/characterisation.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_file.hpp"
@@ -14,6 +15,7 @@
 #include "limber/data/simple_model.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/hardware/bench_test.hpp"
+#include "limber/hardware/segment_bench.hpp"
 #include "limber/report/bench_chart.hpp"
 #include "limber/report/valve_plot.hpp"
 #include "recording_kinds.hpp"
@@ -68,14 +70,16 @@ class CharacterizeVerb final : public Verb {
   }
   const char* example() const override {
     return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg\n"
-           "  limber characterize --arm mine.yaml --recording train.h5 --out fitted.yaml";
+           "  limber characterize --arm mine.yaml --recording train.h5 --out fitted.yaml\n"
+           "  limber characterize --arm one_segment.yaml --driver \"exec:python3 my_driver.py\" --out fitted.yaml";
   }
 
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
         ->capture_default_str();
     auto* csv = app.add_option("--csv", csv_, kCsvHelp);
-    app.add_option("--steps", steps_, "Pressure steps of the virtual arm's bench test")
+    driver_.add_to(app);
+    app.add_option("--steps", steps_, "Pressure steps of the bench test, of each side")
         ->capture_default_str()
         ->check(CLI::Range(4, 1000));
     auto* plot = app.add_option("--plot", plot_, "Draw points and curves to this SVG file");
@@ -98,6 +102,11 @@ class CharacterizeVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    driver_.check();
+    const bool fits_files = !csv_.empty() || !valves_.empty() || !recordings_.empty();
+    if (fits_files && (driver_.is_program() || driver_.is_dry_run())) {
+      throw InputError("--driver: does a bench test; --csv, --valves and --recording need none");
+    }
     if (!recordings_.empty()) {
       return run_recordings(flags);
     }
@@ -105,7 +114,7 @@ class CharacterizeVerb final : public Verb {
   }
 
  private:
-  int run_bench(const CommonFlags& flags) const {
+  int run_bench(const CommonFlags& flags) {
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_asked_arm(arm_file, PolynomialsOf::characterisation);
     require_characterisable(arm);
@@ -114,7 +123,16 @@ class CharacterizeVerb final : public Verb {
         refuse_to_overwrite(path, flags.force);
       }
     }
-    const BenchData bench = csv_.empty() ? bench_test_all(arm, steps_) : read_bench_csv(csv_, arm);
+    if (driver_.is_dry_run()) {
+      const ArmDescription lines = with_lines_for_missing_polynomials(arm);
+      return DriverFlags::print_dry_run(lines, flags, [&](ArmDriver& driver) {
+        Episode episode;
+        (void)measure_segment(arm, in_force(arm), steps_, driver, episode);
+      });
+    }
+    const BenchData bench = driver_.is_program() ? bench_on_driver(arm, arm_file, flags)
+                            : csv_.empty()       ? bench_test_all(arm, steps_)
+                                                 : read_bench_csv(csv_, arm);
     const CharacterisedArm result = fit(arm, bench);
     warn(flags, result);
     // Everything is ready before the first file is written.
@@ -128,6 +146,44 @@ class CharacterizeVerb final : public Verb {
     }
     report(flags, result, bench);
     return kExitDone;
+  }
+
+  PressureLimits in_force(const ArmDescription& arm) const {
+    return with_scaled_limits(arm, driver_.limit_scale()).segments.front().pressure_limit_kpa;
+  }
+
+  /// One mounted segment; the run is recorded beside --out.
+  BenchData bench_on_driver(const ArmDescription& arm, const std::string& arm_file,
+                            const CommonFlags& flags) {
+    const std::string file = out_.empty() ? driver_.recording_or_default("", flags)
+                                          : fs::path(out_).replace_extension(".bench.h5").string();
+    refuse_to_overwrite(file, flags.force);
+    const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, file, true, flags);
+    Recording recording = make_recording(arm, describe(*driver), flags.seed);
+    source_ = recording.source;
+    recording.settings = fmt::format("bench test of one segment, {} steps", steps_);
+    Episode episode;
+    BenchData bench;
+    const auto keep = [&](const std::string& path) {
+      if (episode.frame_count() > 0) {
+        recording.episodes = {episode};
+        write_recording(path, recording);
+        say(flags, "{}: the run, recorded", path);
+      }
+    };
+    try {
+      bench = {measure_segment(arm, driver->limits_kpa().front(), steps_, *driver, episode)};
+      driver->vent();
+    } catch (const std::exception&) {
+      driver->vent();
+      keep(fs::path(file).replace_extension(".partial.h5").string());
+      throw;
+    }
+    keep(file);
+    if (!driver->last_vent().confirmed) {
+      throw SystemFault(driver->last_vent().message);
+    }
+    return bench;
   }
 
   int run_recordings(const CommonFlags& flags) const {
@@ -227,7 +283,9 @@ class CharacterizeVerb final : public Verb {
               const BenchData& bench) const {
     nlohmann::ordered_json json;
     json["arm"] = result.arm.name;
-    json["source"] = csv_.empty() ? "bench test on the virtual arm" : csv_;
+    json["source"] = !source_.empty() ? "bench test on " + source_
+                     : csv_.empty()   ? "bench test on the virtual arm"
+                                      : csv_;
     json["segments"] = nlohmann::ordered_json::array();
     std::string text;
     for (std::size_t i = 0; i < result.fits.size(); ++i) {
@@ -249,6 +307,8 @@ class CharacterizeVerb final : public Verb {
   }
 
   std::string arm_ = "three_segment";
+  DriverFlags driver_;
+  std::string source_;  // of a bench test on a driver
   std::string csv_;
   std::string out_;
   std::string plot_;

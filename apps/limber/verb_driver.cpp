@@ -24,7 +24,7 @@ class DriverVerb final : public Verb {
   }
   const char* example() const override {
     return "limber driver check --driver \"exec:limber virtual-arm --serve\" --out checked\n"
-           "  limber driver calibrate --driver \"exec:limber virtual-arm --serve --misassembled 1\" "
+           "  limber driver calibrate --driver \"exec:limber virtual-arm --serve --fast --misassembled 1\" "
            "--yes --handedness left --out calibration.yaml";
   }
 

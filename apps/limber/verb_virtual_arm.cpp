@@ -55,7 +55,7 @@ class VirtualArmVerb final : public Verb {
     if (!settings_.device_log.empty()) {
       refuse_to_overwrite(settings_.device_log, flags.force);
     }
-    const ArmDescription arm = load_arm(find_arm_file(arm_));
+    const ArmDescription arm = load_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
     settings_.arm.seed = flags.seed;
     misassemble(arm, flags);
     serve_virtual_arm(arm, settings_);

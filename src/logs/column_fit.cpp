@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "assignment.hpp"
+#include "limber/data/assignment.hpp"
 
 namespace limber {
 

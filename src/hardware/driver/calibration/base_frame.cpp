@@ -14,34 +14,40 @@ namespace limber {
 namespace {
 
 constexpr int kBaseUnknowns = 3;  // x, y, heading
-constexpr int kMaxIterations = 20;
-constexpr double kModelErrorM = 5e-5;       // of hinges in the middle of gaps, beside the noise
-constexpr double kOffsetDeviationM = 0.02;  // of a body from its plate, to begin with
-constexpr double kAsymmetryShare =
-    0.15;  // by which the two sides of a segment contract differently
+constexpr int kMaxIterations = 30;
+constexpr double kModelErrorM = 2e-5;       // of hinges in the middle of gaps, beside the noise
+constexpr double kGapErrorM = 4e-5;         // by which gaps of a segment contract unlike
+constexpr double kAlikeShare = 0.1;         // by which a segment's contraction differs
+constexpr double kLeastUnlikeM = 2e-5;      // where nothing contracts
+constexpr double kOffsetDeviationM = 0.01;  // of a body from its plate, where it is not known
+constexpr double kKnownDeviationM = 3e-4;   // of what was measured as built
 constexpr double kMaxBaseMotionM = 0.003;
 constexpr double kTwoDeviations = 2.0;
 
-/// A shape to explain: mean poses, and which segment was under pressure, on which side.
+/// A shape to explain: mean poses, and which segment was or had been under pressure.
 struct HeldShape {
   const MeanPose* mean = nullptr;
-  int segment = -1;  ///< −1: vented
-  int side = 0;      ///< 0: the first pulse of a channel, 1: the second
+  int segment = 0;
+  bool vented = false;
 };
 
 class BaseFrameFit {
  public:
   BaseFrameFit(const ArmDescription& arm, const MeanPose& rest, const PoseNoise& noise,
-               std::vector<HeldShape> shapes)
+               std::vector<HeldShape> shapes, const std::optional<Eigen::Vector2d>& base_marker)
       : arm_(arm),
         along_m_(rest_positions_m(arm)),
         rest_(rest.pose),
         shapes_(std::move(shapes)),
-        deviation_m_(
-            std::hypot(kModelErrorM, noise.position_m / std::sqrt(shapes_[0].mean->count))) {}
+        base_marker_(base_marker) {
+    const double noise_m = noise.position_m / std::sqrt(shapes_.front().mean->count);
+    across_m_ = std::hypot(kModelErrorM, std::sqrt(2.0) * noise_m);
+    along_gap_m_ = std::hypot(kGapErrorM, std::sqrt(2.0) * noise_m);
+  }
 
   BaseFrame run() {
     Eigen::VectorXd unknowns = first_guess();
+    weigh(unknowns);
     Eigen::MatrixXd normal;
     Eigen::VectorXd residual = residuals(unknowns);
     for (int k = 0; k < kMaxIterations; ++k) {
@@ -50,7 +56,7 @@ class BaseFrameFit {
       const Eigen::VectorXd step = normal.ldlt().solve(-jacobian.transpose() * residual);
       unknowns += step;
       residual = residuals(unknowns);
-      if (step.head<kBaseUnknowns>().norm() < 1e-10) {
+      if (step.head<kBaseUnknowns>().norm() < 1e-9) {
         break;
       }
     }
@@ -86,51 +92,91 @@ class BaseFrameFit {
     return in_B - Eigen::Vector2d(along_m_[static_cast<std::size_t>(body)], 0.0);
   }
 
-  /// By how much a gap of `segment` is shorter in `shape`.
-  double contraction_m(const Eigen::VectorXd& unknowns, const HeldShape& shape, int segment) const {
-    if (shape.segment != segment) {
-      return 0.0;
-    }
-    const Eigen::Index at = kBaseUnknowns + 2 * segment;
-    const double whole_m = unknowns[at] + (shape.side == 0 ? 1.0 : -1.0) * unknowns[at + 1];
-    return whole_m / arm_.segments[static_cast<std::size_t>(segment)].gaps;
+  /// Turn of a body since rest.
+  double turn_rad(const HeldShape& shape, Eigen::Index body) const {
+    return body == 0 ? 0.0 : shape.mean->pose(body, 2) - rest_(body, 2);
   }
 
-  /// Where bodies are off what the unknowns say, over the noise; then what is known beforehand.
-  Eigen::VectorXd residuals(const Eigen::VectorXd& unknowns) const {
-    const Eigen::Index seen = static_cast<Eigen::Index>(shapes_.size()) * 2 * bodies();
-    Eigen::VectorXd result(seen + 2 * bodies() + arm_.segment_count());
-    Eigen::Index row = 0;
-    const Eigen::Rotation2Dd turn(unknowns[2]);
+  /// Where the plate of a body is in T, turned back into B's axes.
+  Eigen::Vector2d plate(const Eigen::VectorXd& unknowns, const HeldShape& shape,
+                        Eigen::Index body) const {
+    return Eigen::Rotation2Dd(-unknowns[2]) *
+               (shape.mean->pose.row(body).head<2>().transpose() - unknowns.head<2>()) -
+           Eigen::Rotation2Dd(turn_rad(shape, body)) * offset(unknowns, body);
+  }
+
+  /// Each gap of `shape`: by how much it is longer than at rest, and how far off its hinge's
+  /// direction its end is.
+  Eigen::MatrixX2d gaps(const Eigen::VectorXd& unknowns, const HeldShape& shape) const {
+    Eigen::MatrixX2d result(bodies() - 1, 2);
+    Eigen::Vector2d before = plate(unknowns, shape, 0);
+    for (Eigen::Index g = 0; g + 1 < bodies(); ++g) {
+      const auto at = static_cast<std::size_t>(g);
+      const Eigen::Vector2d after = plate(unknowns, shape, g + 1);
+      const double half_rad = 0.5 * (turn_rad(shape, g + 1) - turn_rad(shape, g));
+      const double middle_rad = turn_rad(shape, g) + half_rad;
+      const Eigen::Vector2d seen = Eigen::Rotation2Dd(-middle_rad) * (after - before);
+      // Two straight halves that meet at the hinge.
+      const double chord_m = (along_m_[at + 1] - along_m_[at]) * std::cos(half_rad);
+      result.row(g) << seen.x() - chord_m, seen.y();
+      before = after;
+    }
+    return result;
+  }
+
+  /// Unknown that `shape` makes `segment` shorter by, per gap; −1: none.
+  Eigen::Index shortening(const HeldShape& shape, int segment) const {
+    return shape.segment != segment ? -1 : kBaseUnknowns + 2 * segment + (shape.vented ? 1 : 0);
+  }
+
+  /// How unlike the contractions of a segment may be: a share of what pressure makes of it.
+  void weigh(const Eigen::VectorXd& unknowns) {
+    unlike_m_.assign(arm_.segments.size(), 0.0);
     for (const HeldShape& shape : shapes_) {
-      Eigen::Vector2d plate = Eigen::Vector2d::Zero();
-      double theta_rad = 0.0;
-      for (Eigen::Index i = 0; i < bodies(); ++i) {
-        if (i > 0) {
-          const auto to = static_cast<std::size_t>(i);
-          const int segment = arm_.segment_of_gap(static_cast<int>(i) - 1);
-          const double half_m =
-              0.5 * (along_m_[to] - along_m_[to - 1] - contraction_m(unknowns, shape, segment));
-          plate += half_m * Eigen::Vector2d(std::cos(theta_rad), std::sin(theta_rad));
-          theta_rad = shape.mean->pose(i, 2) - rest_(i, 2);
-          plate += half_m * Eigen::Vector2d(std::cos(theta_rad), std::sin(theta_rad));
+      if (!shape.vented) {
+        const Eigen::MatrixX2d seen = gaps(unknowns, shape);
+        Eigen::Index first = 0;
+        for (int s = 0; s < shape.segment; ++s) {
+          first += arm_.segments[static_cast<std::size_t>(s)].gaps;
         }
-        const Eigen::Vector2d predicted =
-            unknowns.head<2>() +
-            turn * (plate + Eigen::Rotation2Dd(theta_rad) * offset(unknowns, i));
-        result.segment<2>(row) =
-            (shape.mean->pose.row(i).head<2>().transpose() - predicted) / deviation_m_;
-        row += 2;
+        const auto s = static_cast<std::size_t>(shape.segment);
+        const double mean_m = seen.col(0).segment(first, arm_.segments[s].gaps).mean();
+        unlike_m_[s] = std::max({unlike_m_[s], kAlikeShare * std::abs(mean_m), kLeastUnlikeM});
+      }
+    }
+  }
+
+  /// Over what they may be: gaps of each shape, then what is known of offsets beforehand.
+  Eigen::VectorXd residuals(const Eigen::VectorXd& unknowns) const {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(shapes_.size()) * 2 * (bodies() - 1) +
+                           2 * bodies());
+    Eigen::Index row = 0;
+    for (const HeldShape& shape : shapes_) {
+      const Eigen::MatrixX2d seen = gaps(unknowns, shape);
+      Eigen::Index first = 0;
+      for (int s = 0; s < arm_.segment_count(); ++s) {
+        const auto at = static_cast<std::size_t>(s);
+        const Eigen::Index count = arm_.segments[at].gaps;
+        const Eigen::Index unknown = shortening(shape, s);
+        Eigen::VectorXd along = seen.col(0).segment(first, count);
+        along.array() += unknown < 0 ? 0.0 : unknowns[unknown];
+        // Gaps go together by `unlike_m_`: their mean weighs less than their differences.
+        const double ratio = unlike_m_[at] / along_gap_m_;
+        const double mean_weight =
+            1.0 / std::sqrt(1.0 + static_cast<double>(count) * ratio * ratio);
+        const double mean_m = along.mean();
+        along.array() += (mean_weight - 1.0) * mean_m;
+        result.segment(row, count) = along / along_gap_m_;
+        result.segment(row + count, count) = seen.col(1).segment(first, count) / across_m_;
+        row += 2 * count;
+        first += count;
       }
     }
     for (Eigen::Index i = 0; i < bodies(); ++i, row += 2) {
-      result.segment<2>(row) = offset(unknowns, i) / kOffsetDeviationM;
-    }
-    for (int s = 0; s < arm_.segment_count(); ++s, ++row) {
-      const Eigen::Index at = kBaseUnknowns + 2 * s;
-      // Half a millimetre where nothing contracts: what sides differ by is then no share of it.
-      const double allowed_m = kAsymmetryShare * std::max(std::abs(unknowns[at]), 1e-4);
-      result[row] = unknowns[at + 1] / allowed_m;
+      const bool known = i == 0 && base_marker_;
+      result.segment<2>(row) =
+          (offset(unknowns, i) - (known ? *base_marker_ : Eigen::Vector2d::Zero())) /
+          (known ? kKnownDeviationM : kOffsetDeviationM);
     }
     return result;
   }
@@ -154,10 +200,8 @@ class BaseFrameFit {
 
   BaseFrame finish(const Eigen::VectorXd& unknowns, const Eigen::MatrixXd& normal,
                    const Eigen::VectorXd& residual) const {
-    // Errors of the bodies of one shape go together, as headings' errors move all that follow.
-    constexpr double kTogether = 2.0;
-    const double scatter =
-        kTogether * residual.squaredNorm() / static_cast<double>(residual.size() - unknowns.size());
+    const double scatter = std::max(
+        1.0, residual.squaredNorm() / static_cast<double>(residual.size() - unknowns.size()));
     const Eigen::MatrixXd covariance =
         scatter * normal.ldlt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols()));
     const Eigen::Matrix2d of_position = covariance.topLeftCorner<2, 2>();
@@ -179,7 +223,10 @@ class BaseFrameFit {
   std::vector<double> along_m_;
   Eigen::MatrixX3d rest_;
   std::vector<HeldShape> shapes_;
-  double deviation_m_;
+  std::optional<Eigen::Vector2d> base_marker_;
+  double across_m_ = 0.0;
+  double along_gap_m_ = 0.0;
+  std::vector<double> unlike_m_;  // of each segment, per gap
 };
 
 int segment_on(const std::vector<WireChannel>& valves, int channel) {
@@ -191,7 +238,8 @@ int segment_on(const std::vector<WireChannel>& valves, int channel) {
 }  // namespace
 
 BaseFrame base_frame(const ArmDescription& arm, const CalibrationLog& log, const SeenPoses& poses,
-                     const std::vector<WireChannel>& valves) {
+                     const std::vector<WireChannel>& valves,
+                     const std::optional<Eigen::Vector2d>& base_marker) {
   const MeanPose rest = mean_pose(poses, 0, log.rest_end, "at rest");
   const std::vector<PulsePoses> pulses = pulse_poses(poses, log, arm.frame_period_s());
   std::vector<HeldShape> shapes;
@@ -203,11 +251,12 @@ BaseFrame base_frame(const ArmDescription& arm, const CalibrationLog& log, const
                       "to sit on the base, which stands still",
                       1e3 * moved_m, log.pulses[k].channel, log.pulses[k].setpoint_kpa));
     }
-    shapes.push_back({&pulses[k].held, segment_on(valves, log.pulses[k].channel),
-                      log.pulses[k].setpoint_kpa > 0.0 ? 0 : 1});
-    shapes.push_back({&pulses[k].after, -1, 0});
+    const int segment = segment_on(valves, log.pulses[k].channel);
+    shapes.push_back({&pulses[k].held, segment, false});
+    shapes.push_back({&pulses[k].after, segment, true});
   }
-  return BaseFrameFit(arm, rest, pose_noise(poses, 0, log.rest_end), std::move(shapes)).run();
+  return BaseFrameFit(arm, rest, pose_noise(poses, 0, log.rest_end), std::move(shapes), base_marker)
+      .run();
 }
 
 }  // namespace limber

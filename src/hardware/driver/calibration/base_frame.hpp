@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "limber/hardware/calibration_log.hpp"
 #include "limber/hardware/wire_calibration.hpp"
@@ -17,12 +20,16 @@ struct BaseFrame {
 };
 
 /// From the straight arm at rest, and from how the bodies turn about their segments in each pulse
-/// (docs/hardware.md). At rest body i is at X_TB · (x_i, 0, 0) · offset_i; where gaps turn by what
-/// headings say, a hinge in the middle of each, the same offsets have to explain where it goes. The
-/// unknowns are X_TB, and by how much each segment gets shorter under pressure.
+/// (docs/hardware.md). At rest body i is at X_TB · (x_i, 0, 0) · offset_i. Once gaps turn by what
+/// headings say, a hinge in the middle of each, the same offsets have to explain where it goes.
+/// Across the arm that tells where the base is along it. Along the arm, pressure and friction make
+/// gaps shorter: a segment's two sides alike up to a share, which tells where the arm's middle is.
 ///
-/// `poses`: in metres, not mirrored. @throws CalibrationRefused where the base moves.
+/// `poses`: in metres, not mirrored.
+/// @param base_marker  (x, y) of body 0 in frame B, where it is known as built
+/// @throws CalibrationRefused where the base moves.
 BaseFrame base_frame(const ArmDescription& arm, const CalibrationLog& log, const SeenPoses& poses,
-                     const std::vector<WireChannel>& valves);
+                     const std::vector<WireChannel>& valves,
+                     const std::optional<Eigen::Vector2d>& base_marker);
 
 }  // namespace limber

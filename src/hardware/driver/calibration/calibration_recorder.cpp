@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kRestS = 3.0;
 constexpr double kBeforeS = 0.5;  // of a pulse, at zero
-constexpr double kHoldS = 2.0;
-constexpr double kAfterS = 2.0;
+constexpr double kHoldS = 3.0;
+constexpr double kAfterS = 3.0;
 constexpr double kSlowRampS = 2.0;
 constexpr double kFastRampS = 0.4;
 constexpr double kTurnS = 0.6;  // held at either end of a ramp

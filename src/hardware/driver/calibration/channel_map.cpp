@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/data/assignment.hpp"
 #include "limber/hardware/driver_check.hpp"
 
 namespace limber {
@@ -52,9 +53,9 @@ int clear_largest(const std::vector<double>& values) {
   return static_cast<int>(largest - values.begin());
 }
 
-SideMoved what_moved(const ArmDescription& arm, const CalibrationPulse& pulse,
-                     const PulsePoses& poses, double noise_rad) {
-  const std::vector<double> turns = turns_of(arm, poses);
+/// Throws where a pulse turned no segment.
+void require_motion(const CalibrationPulse& pulse, const PulsePoses& poses,
+                    const std::vector<double>& turns, double noise_rad) {
   const double least_rad =
       std::max(kLeastTurnRad, kNoiseFactor * noise_rad / std::sqrt(poses.held.count));
   const double largest = std::abs(*std::max_element(
@@ -65,14 +66,45 @@ SideMoved what_moved(const ArmDescription& arm, const CalibrationPulse& pulse,
         "supply, hose and valve",
         pulse.channel, pulse.setpoint_kpa, largest));
   }
-  const int segment = clear_largest(turns);
-  if (segment < 0) {
-    throw CalibrationRefused(
-        fmt::format("channel {} at {:.3g} kPa moves several segments alike: they turned by {:.4f} "
-                    "rad. Do they share air?",
-                    pulse.channel, pulse.setpoint_kpa, fmt::join(turns, ", ")));
+}
+
+/// What each pulse moved. Friction turns neighbours back, at times farther than the segment itself
+/// turned: so each side is given to one pulse, such that all turns together are largest.
+std::vector<SideMoved> sides_moved(const ArmDescription& arm, const CalibrationLog& log,
+                                   const std::vector<PulsePoses>& pulses, double noise_rad) {
+  constexpr double kFloorRad = 1e-4;  // a turn to the other side, or none
+  const auto count = static_cast<Eigen::Index>(pulses.size());
+  Eigen::MatrixXd gain(count, count);  // columns: right and left of each segment
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    const std::vector<double> turns = turns_of(arm, pulses[at]);
+    require_motion(log.pulses[at], pulses[at], turns, noise_rad);
+    for (int s = 0; s < arm.segment_count(); ++s) {
+      const double turn = turns[static_cast<std::size_t>(s)];
+      gain(k, 2 * s) = std::log(std::max(kFloorRad, -turn));
+      gain(k, 2 * s + 1) = std::log(std::max(kFloorRad, turn));
+    }
   }
-  return {segment, turns[static_cast<std::size_t>(segment)] < 0.0 ? 1.0 : -1.0};
+  const std::vector<Eigen::Index> columns = best_assignment(gain);
+  if (assignment_margin(gain, columns) < std::log(kClearFactor)) {
+    throw CalibrationRefused(
+        "which channel moves which segment can't be told: two of them turn the same segments "
+        "alike. Do they share air?");
+  }
+  std::vector<SideMoved> moved;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Eigen::Index column = columns[static_cast<std::size_t>(k)];
+    if (gain(k, column) <= std::log(kFloorRad)) {
+      const CalibrationPulse& pulse = log.pulses[static_cast<std::size_t>(k)];
+      throw CalibrationRefused(fmt::format(
+          "the {} of {} never moved, and channel {} at {:.3g} kPa moves what another channel does: "
+          "two channels move the same side",
+          side_name(column % 2 == 0 ? 1.0 : -1.0), segment_name(column / 2), pulse.channel,
+          pulse.setpoint_kpa));
+    }
+    moved.push_back({static_cast<int>(column / 2), column % 2 == 0 ? 1.0 : -1.0});
+  }
+  return moved;
 }
 
 /// Every side that is on another channel than its other one, and where its hose is.
@@ -98,11 +130,6 @@ void require_one_segment_per_channel(const CalibrationLog& log,
           "channel {} moves {} when positive and {} when negative: hoses are crossed between "
           "segments. As found, {}. Move hoses until both sides of each segment are on one channel",
           channel, segment_name(up.segment), segment_name(down.segment), hoses(log, moved)));
-    }
-    if (up.side == down.side) {
-      throw CalibrationRefused(
-          fmt::format("channel {} bends {} to the {} whether positive or negative. As found, {}",
-                      channel, segment_name(up.segment), side_name(up.side), hoses(log, moved)));
     }
   }
 }
@@ -149,10 +176,7 @@ std::vector<WireChannel> valve_channels(const ArmDescription& arm, const Calibra
                                         const SeenPoses& poses) {
   const std::vector<PulsePoses> pulses = pulse_poses(poses, log, arm.frame_period_s());
   const PoseNoise noise = pose_noise(poses, 0, log.rest_end);
-  std::vector<SideMoved> moved;
-  for (std::size_t k = 0; k < pulses.size(); ++k) {
-    moved.push_back(what_moved(arm, log.pulses[k], pulses[k], noise.theta_rad));
-  }
+  const std::vector<SideMoved> moved = sides_moved(arm, log, pulses, noise.theta_rad);
   require_one_segment_per_channel(log, moved);
   std::vector<int> segments;
   std::vector<double> signs;

@@ -12,7 +12,7 @@ namespace limber {
 namespace {
 
 constexpr double kBeforeMeanS = 0.5;
-constexpr double kPoseMeanS = 1.0;  // at the end of a hold
+constexpr double kPoseMeanS = 2.0;  // at the end of a hold
 constexpr int kFewestSeen = 3;
 
 /// Takes leaps of a whole turn out of a column; what is not seen is passed over.

@@ -216,9 +216,9 @@ void fit_shape_delay(const ArmDescription& arm, const CalibrationLog& log, const
   clocks.shape_delay = TimeInterval{fit.delay_s, fit.delay_s - fit.half_interval_s,
                                     fit.delay_s + fit.half_interval_s};
   if (apart) {
-    const double ahead_s = *apart - fit.delay_s;
+    // How much of the delay is the arm's own lag is not known: all of it, or nothing.
     clocks.tracker =
-        TimeInterval{ahead_s, ahead_s - fit.half_interval_s, ahead_s + fit.half_interval_s};
+        TimeInterval{*apart - fit.delay_s, *apart - fit.delay_s - fit.half_interval_s, *apart};
   }
 }
 

@@ -35,7 +35,7 @@ class SimulatedRig {
     play_rad_.assign(n, 0.0);
     for (std::size_t s = 0; s < n; ++s) {
       gain_.push_back(1.5e-4 / arm.segments[s].width_m * chance_.uniform(0.8, 1.2));
-      asymmetry_.push_back(chance_.uniform(-0.05, 0.05));
+      asymmetry_.push_back(chance_.uniform(-kAsymmetry, kAsymmetry));
     }
     remember();
   }
@@ -83,6 +83,7 @@ class SimulatedRig {
   static constexpr double kPlayRad = 0.004;
   static constexpr double kDrag = -0.25;
   static constexpr double kContraction = 0.015;  // m per rad of a turn, over the width
+  static constexpr double kAsymmetry = 0.05;     // of it, between the sides of a segment
   static constexpr double kNoiseM = 1e-4;
   static constexpr double kNoiseRad = 3e-4;
   static constexpr double kNoiseKpa = 0.02;

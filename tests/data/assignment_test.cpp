@@ -1,4 +1,4 @@
-#include "src/logs/assignment.hpp"
+#include "limber/data/assignment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +58,15 @@ TEST(Assignment, FindsAShuffledDiagonalOf64) {
     gain(i, shuffled[static_cast<std::size_t>(i)]) = 2.0;
   }
   EXPECT_EQ(best_assignment(gain), shuffled);
+}
+
+// Of two rows there is one other order; what it loses is the margin.
+TEST(AssignmentMargin, IsWhatTheNextBestExchangeLoses) {
+  Eigen::Matrix2d gain;
+  gain << 3.0, 1.0, 0.5, 2.0;
+  EXPECT_NEAR(assignment_margin(gain, {0, 1}), 3.5, kRounding);
+  EXPECT_NEAR(assignment_margin(gain, {1, 0}), -3.5, kRounding);
+  EXPECT_TRUE(std::isinf(assignment_margin(gain.topLeftCorner<1, 1>(), {0})));
 }
 
 }  // namespace

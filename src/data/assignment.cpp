@@ -1,4 +1,4 @@
-#include "assignment.hpp"
+#include "limber/data/assignment.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -89,6 +89,18 @@ class Assigner {
 
 std::vector<Eigen::Index> best_assignment(const Eigen::MatrixXd& gain) {
   return Assigner(gain).run();
+}
+
+double assignment_margin(const Eigen::MatrixXd& gain, const std::vector<Eigen::Index>& column) {
+  double margin = std::numeric_limits<double>::infinity();
+  for (Eigen::Index a = 0; a < gain.rows(); ++a) {
+    for (Eigen::Index b = a + 1; b < gain.rows(); ++b) {
+      const Eigen::Index of_a = column[static_cast<std::size_t>(a)];
+      const Eigen::Index of_b = column[static_cast<std::size_t>(b)];
+      margin = std::min(margin, gain(a, of_a) + gain(b, of_b) - gain(a, of_b) - gain(b, of_a));
+    }
+  }
+  return margin;
 }
 
 double assigned_sum(const Eigen::MatrixXd& gain, const std::vector<Eigen::Index>& column) {
