@@ -1,9 +1,11 @@
 // A planner of your own: it says where the set points go, limber simulates, holds and certifies the
-// motion. This one climbs: it changes the best motion so far, and keeps what ends nearer to the goal.
+// motion. This one climbs: it changes the best motion so far, and keeps what is nearer to a solution.
 //
 //   06_plug_in_a_planner MODEL.safetensors ENVIRONMENT.yaml PLAN.json
 
+#include <algorithm>
 #include <iostream>
+#include <vector>
 
 #include "limber/common/data_folder.hpp"
 #include "limber/common/random_stream.hpp"
@@ -12,19 +14,27 @@
 constexpr int kTries = 2000;
 constexpr double kSpread = 0.2;  // of the limits: how far a try is from the best so far
 
+// How far a motion ends from the goal, and how deep it goes into obstacles.
+double fault_m(const limber::Plan& plan) {
+  return plan.goal_distance_m - std::min(plan.clearance_m, 0.0);
+}
+
 limber::PlanResult climb(const limber::PlanningProblem& problem, std::uint64_t seed) {
   limber::RandomStream random(seed, 0);  // seed, stream
-  limber::Pressures best_kpa = limber::Pressures::Zero(problem.arm.segment_count());
-  limber::PlanResult best = limber::plan_along(problem, {best_kpa}, "climber", seed);
+  const limber::Pressures rest = limber::Pressures::Zero(problem.arm.segment_count());
+  std::vector best_kpa = {rest, rest};  // over one waypoint to another
+  limber::PlanResult best = limber::plan_along(problem, best_kpa, "climber", seed);
   for (int i = 0; i < kTries && best.status == limber::PlanStatus::not_certified; ++i) {
-    limber::Pressures kpa = best_kpa;
-    for (int s = 0; s < kpa.size(); ++s) {
-      const auto limits = problem.arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
-      const double change_kpa = kSpread * limits.half_width_kpa() * random.normal();
-      kpa[s] = static_cast<float>(limits.clamped(kpa[s] + change_kpa));
+    std::vector kpa = best_kpa;
+    for (limber::Pressures& waypoint : kpa) {
+      for (int s = 0; s < waypoint.size(); ++s) {
+        const auto limits = problem.arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
+        const double change_kpa = kSpread * limits.half_width_kpa() * random.normal();
+        waypoint[s] = float(limits.clamped(waypoint[s] + change_kpa));
+      }
     }
-    limber::PlanResult tried = limber::plan_along(problem, {kpa}, "climber", seed);
-    if (tried.plan || tried.best_partial->goal_distance_m < best.best_partial->goal_distance_m) {
+    limber::PlanResult tried = limber::plan_along(problem, kpa, "climber", seed);
+    if (tried.plan || fault_m(*tried.best_partial) < fault_m(*best.best_partial)) {
       best_kpa = kpa;
       best = std::move(tried);
     }
@@ -40,15 +50,13 @@ int main(int argc, char** argv) try {
   const auto arm = limber::load_arm(limber::data_folder() / "arms" / "three_segment.yaml");
   const limber::Environment environment = limber::load_environment(argv[2], arm);
   const limber::ForwardModel forward(arm, limber::read_model(argv[1]));
-  const limber::MotionModel model(forward);  // pressures are the set points
-  const limber::PlanResult result = climb({arm, model, environment}, 1);
+  const limber::PlanResult result = climb({arm, forward, environment}, 1);
   if (!result.plan) {
     std::cout << "no plan: " << result.reason << "\n";
     return 1;
   }
   limber::write_plan(argv[3], *result.plan);
-  std::cout << argv[3] << ": " << result.plan->frame_count() << " frames, " << result.plan->cost_kpa
-            << " kPa, certified\n";
+  std::cout << argv[3] << ": " << result.plan->cost_kpa << " kPa, certified\n";
   return 0;
 } catch (const std::exception& error) {
   std::cerr << error.what() << "\n";

@@ -30,11 +30,10 @@ void bind_tube(py::module_& module) {
   Record<PlanTube>(module, "PlanTube",
                    "How far the arm may be from where a plan predicts it, in a share of all runs; "
                    "`limber calibrate` measures it.")
-      .field("level", &PlanTube::level, "Share of runs, in (0, 1).")
-      .field("plate_radius_m", &PlanTube::plate_radius_m, "One a plate, base first [m].")
-      .field("end_radius_m", &PlanTube::end_radius_m, "Of the tip after the hold [m].")
-      .field("end_heading_rad", &PlanTube::end_heading_rad, "Of its heading [rad].")
-      .keywords()
+      .read_only("level", &PlanTube::level, "Share of runs, in (0, 1).")
+      .read_only("plate_radius_m", &PlanTube::plate_radius_m, "One a plate, base first [m].")
+      .read_only("end_radius_m", &PlanTube::end_radius_m, "Of the tip after the hold [m].")
+      .read_only("end_heading_rad", &PlanTube::end_heading_rad, "Of its heading [rad].")
       .done()
       .def_readonly("goal_inside", &PlanTube::goal_inside,
                     "Of a plan: whether its end lies so far inside the goal.");

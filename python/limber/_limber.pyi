@@ -1066,26 +1066,18 @@ class PlanTube:
     @property
     def level(self) -> float:
         """Share of runs, in (0, 1)."""
-    @level.setter
-    def level(self, value: float) -> None: ...
     @property
     def plate_radius_m(self) -> list[float]:
         """One a plate, base first [m]."""
-    @plate_radius_m.setter
-    def plate_radius_m(self, value: list[float]) -> None: ...
     @property
     def end_radius_m(self) -> float:
         """Of the tip after the hold [m]."""
-    @end_radius_m.setter
-    def end_radius_m(self, value: float) -> None: ...
     @property
     def end_heading_rad(self) -> float:
         """Of its heading [rad]."""
-    @end_heading_rad.setter
-    def end_heading_rad(self, value: float) -> None: ...
     @property
     def goal_inside(self) -> bool:
-        """Whether a plan's end lies so far inside the goal; False: it holds for obstacles."""
+        """Of a plan: whether its end lies so far inside the goal."""
 
 class Planner:
     """A planner in pressure space: one caller at a time."""
@@ -1528,6 +1520,11 @@ class SegmentValves:
     @dead_band_kpa.setter
     def dead_band_kpa(self, value: float) -> None: ...
     def __init__(self, *, inflating: ValveDirection = ..., venting: ValveDirection = ..., dead_time_s: float = ..., dead_band_kpa: float = ...) -> None: ...
+
+class SimpleFit:
+    """Gains, offsets and lengths of the simple model, fitted to recordings."""
+    def describe(self, arm: ArmDescription) -> str:
+        """Each number with its 95 % interval, as text."""
 
 class StageChoice:
     """What a race between windows found."""
@@ -2060,6 +2057,12 @@ def fine_tune(arm: ArmDescription, data: TrainingData, settings: TrainingSetting
 
 def fine_tuning_of(preset: TrainingSettings) -> TrainingSettings:
     """Settings to train a model on that has learnt already."""
+
+def fit_simple_model(arm: ArmDescription, episodes: Iterable) -> SimpleFit:
+    """How much a pressure bends each segment, and how long it is, from the recordings."""
+
+def fitted_arm(arm: ArmDescription, fit: SimpleFit, episodes: Iterable) -> ArmDescription:
+    """The arm with the fit's polynomials and lengths."""
 
 def gap_bounds_of(episodes: Iterable) -> GapBounds:
     """The bounds of a model that learnt from these episodes, for the model.bounds of an old one."""

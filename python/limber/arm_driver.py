@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import abc
-
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING
 
 from ._limber import ArmState, VirtualArm
+
+if TYPE_CHECKING:  # numpy.typing alone takes a tenth of the import
+    import numpy as np
+    import numpy.typing as npt
 
 
 class ArmDriver(abc.ABC):

@@ -6,7 +6,7 @@ import sys
 import unittest
 
 import limber
-from chain import EXAMPLES, ROOT, InFolder, chain, run_example
+from chain import EXAMPLES, ROOT, InFolder, chain, run_example, run_program
 
 PUBLIC = sorted(name for name in vars(limber) if not name.startswith("_")
                 and getattr(getattr(limber, name), "__module__", "").startswith("limber"))
@@ -40,11 +40,13 @@ class Examples(InFolder):
         planned = self.run_to_end("03_plan_and_verify.py", "model.safetensors", environment,
                                   "plan.json", codes=(0, 1))
         self.assertRegex(planned, "(?m)^certified: |^no plan: ")
-        if (self.folder / "plan.json").exists():
-            executed = self.run_to_end("04_execute.py", "plan.json", environment,
-                                       "model.safetensors", codes=(0, 1))
-            self.assertRegex(executed, "(?m)^open loop: done")
-            self.assertRegex(executed, "(?m)^closed loop: done")
+        run_program("plan", "--model", "model.safetensors", "--environment", "01_pillar",
+                    "--margin-m", 0, "--goal-margin-m", 0, "--goal-margin-rad", 0,
+                    "--max-queries", 100000, "--out", "wrong.json", folder=self.folder)
+        executed = self.run_to_end("04_execute.py", "wrong.json", environment,
+                                   "model.safetensors", codes=(0, 1))
+        self.assertRegex(executed, "(?m)^open loop: done")
+        self.assertRegex(executed, "(?m)^closed loop: done")
         own = self.run_to_end("06_plug_in_a_planner.py", "model.safetensors", environment,
                               "own.json", codes=(0, 1))
         self.assertRegex(own, "(?m)^own.json: .* certified$|^no plan: ")

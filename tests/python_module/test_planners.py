@@ -97,14 +97,16 @@ class PlansAlong(InFolder):
             limber.error_room(forward, tube_level=0.5)
         self.assertIsNone(limber.error_room(forward, margin_m=0.01).tube)
 
-    def test_a_tube_of_ones_own_is_kept(self):
-        points = self.chain.arm.point_count
-        tube = limber.PlanTube(level=0.5, plate_radius_m=[0.003] * points, end_radius_m=0.0,
-                               end_heading_rad=0.0)
-        problem = limber.PlanningProblem(self.chain.arm, self.model, self.chain.environment,
-                                         tube=tube)
+    def test_another_level_of_the_tube_is_kept_where_it_is_asked_for(self):
+        forward = limber.ForwardModel(self.chain.arm, limber.read_model(
+            with_tube(self.chain.model, self.folder / "calibrated.safetensors")))
+        tube = limber.error_room(forward, tube_level=0.9).tube
+        self.assertAlmostEqual(tube.plate_radius_m[-1], 0.8 * SCALE_M)
+        problem = limber.PlanningProblem(self.chain.arm, limber.MotionModel(forward),
+                                         self.chain.environment, tube=tube)
         result = limber.make_planner().plan(problem, limber.PlannerLimits(iterations=300), 1)
         self.assertTrue(result.plan, result.reason)
+        self.assertEqual(result.plan.tube.level, 0.9)
         self.assertEqual(result.plan.tube.plate_radius_m, tube.plate_radius_m)
 
     def test_plans_made_again_end_nearer_to_the_goal_as_the_programs(self):

@@ -61,8 +61,8 @@ class Training(InFolder):
                           self.chain.recording, "--out", "fitted.yaml", folder=self.folder)
         fit = limber.fit_simple_model(self.chain.arm, self.episodes)
         arm = limber.fitted_arm(self.chain.arm, fit, self.episodes)
-        self.assertEqual(limber.arm_differences(limber.load_arm(self.folder / "fitted.yaml"), arm),
-                         "")
+        theirs_arm = limber.load_arm(self.folder / "fitted.yaml")
+        self.assertEqual(limber.arm_differences(theirs_arm, arm), [])
         self.assertIn("95 %", fit.describe(self.chain.arm))
         self.assertEqual(len(theirs["segments"]), 2)
 
