@@ -52,7 +52,7 @@ bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& s
   return !strays || replans_ >= settings_.max_replans;
 }
 
-bool Replanner::has_more_to_gain(double error_m) {
+bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
   if (error_m < settings_.min_gain_m) {
     return false;
   }
@@ -60,7 +60,7 @@ bool Replanner::has_more_to_gain(double error_m) {
     small_gains_ = *error_before_m_ - error_m < settings_.min_gain_m ? small_gains_ + 1 : 0;
   }
   error_before_m_ = error_m;
-  return small_gains_ < 2;
+  return small_gains_ < 2 || !has_arrived;
 }
 
 /// The plan's, as its start is within them, and what the run allows.
@@ -125,7 +125,8 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   if (!halted) {
     learn_bias(plan, measured);
   }
-  if (!halted && !has_more_to_gain(as_length_m(environment_.goal, error))) {
+  if (!halted && !has_more_to_gain(as_length_m(environment_.goal, error),
+                                   is_within(environment_.goal, error))) {
     return std::nullopt;
   }
   Environment from_here = environment_;

@@ -17,8 +17,9 @@ struct ReplannerSettings {
   /// Of each search; a number of queries, so that runs in simulated time can be repeated.
   std::uint64_t queries = 20000;
   int max_replans = 12;
-  /// Corrections end once they gain less than that, twice in a row, or nothing is left to gain:
-  /// about what the tracker's noise hides. [m], > 0.
+  /// Corrections of an arm that has arrived end once they gain less than that, twice in a row, or
+  /// nothing is left to gain: about what the tracker's noise hides. Short of the goal they go on,
+  /// since friction may hide what several of them add up to. [m], > 0.
   double min_gain_m = 0.001;
   int planner_jobs = 1;
   /// Of set points, where they are narrower than the arm's; empty: the arm's. Plans stay within
@@ -48,7 +49,7 @@ class Replanner final : public PlanSource {
   const PoseGoal& aim() const { return aim_; }
 
  private:
-  bool has_more_to_gain(double error_m);
+  bool has_more_to_gain(double error_m, bool has_arrived);
   void learn_bias(const Plan& ended, const Pose& measured);
   PoseGoal shifted_goal() const;
   std::vector<PressureLimits> limits_after(const Plan& plan) const;
