@@ -205,7 +205,8 @@ TEST_F(MotionAdviceTest, InRealTimeWhatComesInTimeTakesEffect) {
   RealTimeArm driver(arm_, std::chrono::milliseconds(100));  // a loaded machine has time enough
   const ExecutionResult result = run(quick, driver);
   EXPECT_EQ(result.switches, 1);
-  EXPECT_EQ(result.frames, plan_.frame_count() - 1 + arm_.frames_in(0.5));
+  // While somebody still thinks at the end of the motion, the arm gets the set points it holds.
+  EXPECT_GE(result.frames, plan_.frame_count() - 1 + arm_.frames_in(0.5));
 }
 
 TEST_F(MotionAdviceTest, SaysWhenTheTipWasInTheGoalForGood) {
