@@ -65,8 +65,8 @@ TEST_F(TipPathTest, APointThatTheArmIsTooShortForIsNamed) {
   const TipPath path = read("time_s,x_m,y_m\n0,0.1,0.2\n1,0.6,0.6\n");
   EXPECT_NO_THROW(path.require_within(0.9, "p.csv"));
   EXPECT_THAT([&] { path.require_within(0.7, "p.csv"); },
-              ThrowsMessage<InputError>(
-                  HasSubstr("p.csv:3: (0.600, 0.600) m is 0.849 m from the base; the arm is 0.700")));
+              ThrowsMessage<InputError>(HasSubstr(
+                  "p.csv:3: (0.600, 0.600) m is 0.849 m from the base; the arm is 0.700")));
 }
 
 TEST_F(TipPathTest, ErrorsAreTakenAtEqualTimesAndTheFirstLapApart) {

@@ -30,14 +30,15 @@ class TipTrackerTest : public ::testing::Test {
     environment_.name = "nothing there";
   }
 
-  ExecutionResult run(const ArmDescription& real, const TipTrackerSettings& settings = {},
-                      FakeFaults faults = {}, double lag_s = kInstant_s) {
+  ExecutionResult run(const ArmDescription& real, TipTrackerSettings settings = {},
+                      FakeFaults faults = {}) {
+    settings.queries = 1200;
     const TrackStart start = find_track_start(arm_, model_, path_.point_m.front(), 1);
     EXPECT_LT(start.distance_m, 0.002);
     TipTracker tracker(arm_, model_, path_, start.setpoint_kpa, settings, 1);
     ExecutionSettings execution;
     execution.controller = &tracker;
-    FakeArm driver(real, lag_s, faults);
+    FakeArm driver(real, kInstant_s, faults);
     Plan plan;
     plan.arm_name = arm_.name;
     plan.arm_hash = arm_.hash();
