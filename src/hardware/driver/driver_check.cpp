@@ -26,6 +26,7 @@ constexpr double kSilenceS = 0.65;     // three frames, and time for the valves
 constexpr double kMaxCrosstalk = 0.5;  // of a pulse, in a segment that was not told to move
 constexpr double kSlotS = 0.005;       // a `set` later than that is late
 constexpr double kMaxLateShare = 0.001;
+constexpr double kMaxLateS = 0.025;  // of any
 constexpr double kNoiseDeviations = 4.0;
 constexpr double kMovedShare = 0.05;  // of the jump: the reading has moved
 constexpr double kVentedShare = 0.5;  // of the pressure before: less says that a deadman vented
@@ -237,11 +238,13 @@ class Check {
     const std::vector<double>& late = result_.timing.late_s;
     const auto count = std::count_if(late.begin(), late.end(), [](double s) { return s > kSlotS; });
     const double share = late.empty() ? 0.0 : double(count) / double(late.size());
-    if (result_.hello.real_time && (share > kMaxLateShare || result_.timing.skipped_slots > 0)) {
+    const double latest_s = late.empty() ? 0.0 : *std::max_element(late.begin(), late.end());
+    if (result_.hello.real_time &&
+        (share > kMaxLateShare || latest_s > kMaxLateS || result_.timing.skipped_slots > 0)) {
       complain(fmt::format(
-          "{} of {} set points left more than 5 ms after their slot, and {} slots passed without "
-          "one: the driver answers too late, or this computer is too busy",
-          count, late.size(), result_.timing.skipped_slots));
+          "{} of {} set points left more than 5 ms after their slot, the latest {:.0f} ms, and {} "
+          "slots passed without one: the driver answers too late, or this computer is too busy",
+          count, late.size(), 1e3 * latest_s, result_.timing.skipped_slots));
     }
   }
 

@@ -42,6 +42,8 @@ TEST_F(DriverProtocol, StatesSurviveTheWireToTheBit) {
   EXPECT_EQ(reply.state.pressure_kpa, sent.pressure_kpa);
   EXPECT_EQ(*reply.state.setpoint_kpa, *sent.setpoint_kpa);
   EXPECT_EQ(*reply.state.backbone, *sent.backbone);
+  EXPECT_FALSE(reply.tracker_s);
+  EXPECT_EQ(parse_state(state_line(7, sent, -3.25), host_).tracker_s, -3.25);
 }
 
 TEST_F(DriverProtocol, RequestsSurviveTheWireToTheBit) {

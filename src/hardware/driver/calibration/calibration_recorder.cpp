@@ -13,13 +13,13 @@ namespace limber {
 
 namespace {
 
-constexpr double kRestS = 3.0;
-constexpr double kBeforeS = 0.5;  // of a pulse, at zero
-constexpr double kHoldS = 3.0;
-constexpr double kAfterS = 3.0;
+constexpr double kCalibrationRestS = 3.0;
+constexpr double kBeforePulseS = 0.5;  // of a pulse, at zero
+constexpr double kPulseHoldS = 3.0;
+constexpr double kAfterPulseS = 3.0;
 constexpr double kSlowRampS = 2.0;
 constexpr double kFastRampS = 0.4;
-constexpr double kTurnS = 0.6;  // held at either end of a ramp
+constexpr double kRampTurnS = 0.6;  // held at either end of a ramp
 constexpr int kSlowCycles = 2;
 constexpr int kFastCycles = 5;
 
@@ -32,8 +32,8 @@ class CalibrationRecorder {
     rig_.confirm(fmt::format(
         "Lay the arm straight along its base's axis, vented, and step back. It is looked at for "
         "{:g} s; nothing moves",
-        kRestS));
-    hold(0, 0.0, kRestS);
+        kCalibrationRestS));
+    hold(0, 0.0, kCalibrationRestS);
     log_.rest_end = log_.frames.size();
     rig_.vent();
     for (int channel = 0; channel < arm_.segment_count(); ++channel) {
@@ -68,12 +68,12 @@ class CalibrationRecorder {
   void pulse(int channel, double kpa) {
     rig_.confirm(fmt::format("Channel {} goes to {:.3g} kPa, and back", channel, kpa));
     CalibrationPulse pulse{channel, kpa, log_.frames.size(), 0, 0};
-    hold(channel, 0.0, kBeforeS);
+    hold(channel, 0.0, kBeforePulseS);
     ramp(channel, 0.0, kpa, 0.0);
-    hold(channel, kpa, kHoldS);
+    hold(channel, kpa, kPulseHoldS);
     pulse.hold_end = log_.frames.size();
     ramp(channel, kpa, 0.0, 0.0);
-    hold(channel, 0.0, kAfterS);
+    hold(channel, 0.0, kAfterPulseS);
     pulse.end = log_.frames.size();
     log_.pulses.push_back(pulse);
     rig_.vent();
@@ -103,9 +103,9 @@ class CalibrationRecorder {
     if (log_.timing.peak == 0) {
       log_.timing.peak = log_.frames.size();
     }
-    hold(channel, pulse_kpa_, kTurnS);
+    hold(channel, pulse_kpa_, kRampTurnS);
     ramp(channel, pulse_kpa_, 0.0, ramp_s);
-    hold(channel, 0.0, kTurnS);
+    hold(channel, 0.0, kRampTurnS);
   }
 
   void time_shapes(int channel) {
@@ -114,7 +114,7 @@ class CalibrationRecorder {
         "the arm bends, seen from above along the arm",
         channel, pulse_kpa_, kSlowCycles, kFastCycles));
     log_.timing = {channel, log_.frames.size(), 0, 0, 0};
-    hold(channel, 0.0, kBeforeS);
+    hold(channel, 0.0, kBeforePulseS);
     for (int k = 0; k < kSlowCycles; ++k) {
       cycle(channel, kSlowRampS);
     }
@@ -135,7 +135,7 @@ class CalibrationRecorder {
 }  // namespace
 
 double calibration_pulse_kpa(const ArmDescription& arm) {
-  constexpr double kPulseShare = 0.1;
+  constexpr double kCalibrationPulseShare = 0.1;
   double smallest = arm.segments.front().pressure_limit_kpa.upper_kpa;
   for (int s = 0; s < arm.segment_count(); ++s) {
     const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
@@ -147,7 +147,7 @@ double calibration_pulse_kpa(const ArmDescription& arm) {
     }
     smallest = std::min({smallest, limits.upper_kpa, -limits.lower_kpa});
   }
-  return kPulseShare * smallest;
+  return kCalibrationPulseShare * smallest;
 }
 
 CalibrationLog record_calibration(const ArmDescription& arm, double pulse_kpa,

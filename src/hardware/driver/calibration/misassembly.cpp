@@ -10,12 +10,12 @@ namespace limber {
 
 namespace {
 
-constexpr double kMaxZeroKpa = 1.5;  // less than what a vented arm may read
-constexpr double kMaxFramePositionM = 3.0;
+constexpr double kMaxDrawnZeroKpa = 1.5;  // less than what a vented arm may read
+constexpr double kMaxDrawnPositionM = 3.0;
 constexpr double kMaxOffsetM = 0.008;
 constexpr double kMaxOffsetRad = 0.5;
 constexpr double kMaxLatencyS = 0.15;
-constexpr double kMaxClockS = 1000.0;
+constexpr double kMaxDrawnClockS = 1000.0;
 
 std::vector<WireChannel> drawn_channels(int count, RandomStream& stream) {
   std::vector<WireChannel> channels;
@@ -38,14 +38,14 @@ Misassembly draw_misassembly(const ArmDescription& arm, std::uint64_t seed) {
   result.truth.valves = drawn_channels(arm.segment_count(), stream);
   result.truth.sensors = drawn_channels(arm.segment_count(), stream);
   for (double& zero : result.truth.zero_kpa) {
-    zero = stream.uniform(-kMaxZeroKpa, kMaxZeroKpa);
+    zero = stream.uniform(-kMaxDrawnZeroKpa, kMaxDrawnZeroKpa);
   }
   TrackerCalibration tracker;
   tracker.metres_per_unit = kUnits[stream.index(3)];
   tracker.radians_per_unit = stream.index(2) == 0 ? 1.0 : std::numbers::pi / 180.0;
   tracker.mirrored = stream.index(2) == 0;
-  tracker.base = {stream.uniform(-kMaxFramePositionM, kMaxFramePositionM),
-                  stream.uniform(-kMaxFramePositionM, kMaxFramePositionM),
+  tracker.base = {stream.uniform(-kMaxDrawnPositionM, kMaxDrawnPositionM),
+                  stream.uniform(-kMaxDrawnPositionM, kMaxDrawnPositionM),
                   stream.uniform(-std::numbers::pi, std::numbers::pi)};
   for (int i = 0; i < arm.point_count(); ++i) {
     tracker.marker_offsets.push_back({stream.uniform(-kMaxOffsetM, kMaxOffsetM),
@@ -56,8 +56,8 @@ Misassembly draw_misassembly(const ArmDescription& arm, std::uint64_t seed) {
   result.tracker_latency_s = stream.uniform(0.0, kMaxLatencyS);
   result.truth.clocks.shape_delay =
       TimeInterval{result.tracker_latency_s, result.tracker_latency_s, result.tracker_latency_s};
-  result.driver_ahead_s = stream.uniform(-kMaxClockS, kMaxClockS);
-  result.tracker_ahead_s = stream.uniform(-kMaxClockS, kMaxClockS);
+  result.driver_ahead_s = stream.uniform(-kMaxDrawnClockS, kMaxDrawnClockS);
+  result.tracker_ahead_s = stream.uniform(-kMaxDrawnClockS, kMaxDrawnClockS);
   result.truth.clocks.tracker =
       TimeInterval{-result.tracker_ahead_s, -result.tracker_ahead_s, -result.tracker_ahead_s};
   return result;
