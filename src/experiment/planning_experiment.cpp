@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "demo/demo_recipe.hpp"
+#include "experiment_identity.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
@@ -48,68 +49,6 @@ CompensationModel model_of(const ExperimentSettings& settings) {
   return model;
 }
 
-std::string forest_hash(const Forest& forest) {
-  return content_hash({reinterpret_cast<const char*>(forest.setpoints_kpa.data()),
-                       static_cast<std::size_t>(forest.setpoints_kpa.size()) * sizeof(float)});
-}
-
-bool replans(const ExperimentSettings& settings) {
-  return std::ranges::find(settings.controllers, "replan") != settings.controllers.end();
-}
-
-/// What has to be the same for trials of two runs to be in one table. The number of trials may
-/// differ: more can be added.
-Json identity(const ExperimentSettings& settings, const std::string& model_hash) {
-  Json json;
-  json["schema"] = "limber/experiment/1";
-  json["arm"] = {{"name", settings.arm.name}, {"hash", settings.arm.hash()}};
-  json["virtual_arm"] = content_hash(virtual_arm_to_yaml(settings.arm));
-  json["model"] = model_hash;
-  json["valves"] = settings.valves.hash();
-  json["margin_m"] = optional_json(settings.room.margin_m);  // null: the model's own
-  json["goal_margin_m"] = optional_json(settings.room.goal_margin_m);
-  json["goal_margin_rad"] = optional_json(settings.room.goal_margin_rad);
-  if (settings.room.tube_level) {
-    json["tube"] = *settings.room.tube_level;
-  }
-  json["seed"] = settings.seed;
-  json["time_limit_s"] = optional_json(settings.limits.time_s);
-  json["max_iterations"] = optional_json(settings.limits.iterations);
-  json["max_queries"] = optional_json(settings.limits.queries);
-  json["max_memory_mb"] = optional_json(settings.limits.memory_mb);
-  json["cost_threshold_kpa"] = optional_json(settings.limits.cost_threshold_kpa);
-  json["forest"] = settings.forest ? Json(forest_hash(*settings.forest)) : Json(nullptr);
-  json["planner_jobs"] = settings.planner_jobs;
-  if (replans(settings)) {
-    json["motion_queries"] = settings.motion_queries;
-  }
-  if (settings.ensemble == EnsembleAnswer::mean) {
-    json["ensemble"] = to_string(settings.ensemble);
-  }
-  json["environments"] = Json::object();
-  for (const EnvironmentCase& item : settings.environments) {
-    json["environments"][item.id] = environment_hash(item.environment);
-  }
-  return json;
-}
-
-void require_same(const fs::path& file, const nlohmann::json& wanted) {
-  const nlohmann::json root = read_json_object(file);
-  nlohmann::json all = wanted;
-  for (const char* asked : {"motion_queries", "ensemble", "tube"}) {
-    all.emplace(asked, nullptr);  // written where it is asked for alone
-  }
-  for (const auto& [key, value] : all.items()) {
-    const nlohmann::json there = root.value(key, nlohmann::json(nullptr));
-    if (there != value) {
-      throw InputError(fmt::format(
-          "{}: {} = {}; this run has {}: --resume continues the same experiment only; choose "
-          "another --out, or drop --resume",
-          file.string(), key, in_few_words(there), in_few_words(value)));
-    }
-  }
-}
-
 /// "ompl:SST,frames=5" → "ompl-SST-frames-5".
 std::string as_file_name(std::string text) {
   for (char& c : text) {
@@ -142,7 +81,7 @@ class Experiment {
         network_forward_(settings.arm, model_of(settings)),
         no_load_(no_load_forward_, ValveModel(settings.arm, settings.valves)),
         network_(network_forward_, ValveModel(settings.arm, settings.valves)),
-        identity_(identity(settings, model_bytes_hash_)) {}
+        identity_(experiment_identity(settings, model_bytes_hash_)) {}
 
   Json run() {
     list_tasks();
@@ -158,7 +97,7 @@ class Experiment {
   void prepare_folder() {
     const bool resumes = settings_.resume && fs::exists(file(kExperimentFile));
     if (resumes) {
-      require_same(file(kExperimentFile), identity_);
+      require_same_experiment(file(kExperimentFile), identity_);
     }
     output_.emplace(settings_.folder, "experiment",
                     resumes           ? OutputFolder::Start::resumed

@@ -10,16 +10,13 @@
 #include <fmt/format.h>
 
 #include "advice_job.hpp"
-#include "episode_recorder.hpp"
-#include "goal_time.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/hardware/virtual_arm.hpp"
-#include "prediction_watch.hpp"
-#include "start_approach.hpp"
 #include "limber/world/straight_motion.hpp"
-#include "obstacle_appearance.hpp"
+#include "run_watch.hpp"
+#include "start_approach.hpp"
 #include "vent_guard.hpp"
 
 namespace limber {
@@ -28,48 +25,32 @@ namespace {
 
 constexpr double kLongestBlindS = 1.0;  // waited for the arm to be tracked, before the next plan
 
-/// The arm's shape now, where it is known: measured, or the truth of a virtual arm.
-using Look = std::function<std::optional<BackboneD>()>;
-
 class Execution {
  public:
   Execution(const ArmDescription& arm, const Environment& environment, const Plan& plan,
-            ArmDriver& driver, Look look, const ExecutionSettings& settings)
+            ArmDriver& driver, RunWatch::Look look, const ExecutionSettings& settings)
       : arm_(arm),
         environment_(environment),
         plan_(&plan),
         driver_(driver),
-        look_(std::move(look)),
         settings_(settings),
-        watch_(arm, environment),
-        appearance_(arm, environment, settings.obstacle),
-        recorder_(arm),
-        goal_time_(environment.goal) {
+        watch_(arm, environment, driver, std::move(look), settings) {
     result_.planned_goal_time_s = planned_goal_time_s(environment.goal, plan);
   }
 
-  /// Takes in the arm between frames; what happens before the plan starts does not count.
-  void observe(double time_s, const BackboneD& backbone) {
-    if (started_) {
-      watch_.observe(time_s, backbone);
-      appearance_.observe(time_s, backbone);
-    }
-  }
+  /// Takes in the arm between frames.
+  void observe(double time_s, const BackboneD& backbone) { watch_.observe(time_s, backbone); }
 
   ExecutionResult run() {
     const VentGuard vent_at_the_end(driver_);
     try {
       approach_start(arm_, driver_, plan_->frames.front().setpoint_kpa,
                      [this] { throw_if_stopped(); });
-      started_ = true;
-      start_time_s_ = driver_.state().time_s;
-      note_start();
+      watch_.start(*plan_);
       require_start();
       if (settings_.replanner != nullptr) {
         settings_.replanner->observe(plan_->frames.front().setpoint_kpa, driver_.state());
       }
-      recorder_.add(driver_.state(), plan_->frames.front().setpoint_kpa, 0);
-      measured_ = driver_.state().backbone.has_value();
       if (settings_.controller != nullptr) {
         follow_controller();
       } else {
@@ -84,9 +65,9 @@ class Execution {
     } catch (const Interrupted&) {
       result_.status = ExecutionStatus::stopped;
       result_.message =
-          fmt::format("stopped on request after {} frames; the arm was vented", result_.frames);
+          fmt::format("stopped on request after {} frames; the arm was vented", watch_.frames());
     }
-    judge();
+    watch_.judge(result_);
     return std::move(result_);
   }
 
@@ -117,7 +98,7 @@ class Execution {
           ++result_.waits;
         } else {
           frame_ = next;
-          compare_with_prediction(frame_);
+          watch_.compare(*plan_, frame_);
           count_motion(held_kpa());
         }
         goes_on = is_at_end() || may_go_on();
@@ -180,11 +161,11 @@ class Execution {
     const std::vector<PlanFrame>& frames = plan_->frames;
     Pressures before_kpa = frames.front().setpoint_kpa;
     while (const std::optional<Pressures> next = settings_.controller->next(driver_.state())) {
-      require_frame_rule(arm_, result_.frames, before_kpa, *next);
+      require_frame_rule(arm_, watch_.frames(), before_kpa, *next);
       command(*next);
       before_kpa = *next;
-      if (result_.frames < static_cast<int>(frames.size())) {
-        compare_with_prediction(static_cast<std::size_t>(result_.frames));
+      if (watch_.frames() < static_cast<int>(frames.size())) {
+        watch_.compare(*plan_, static_cast<std::size_t>(watch_.frames()));
       }
     }
     if (std::string reason = settings_.controller->stop_reason(); !reason.empty()) {
@@ -209,8 +190,8 @@ class Execution {
     }
     stop_reason_.clear();
     go_over_to(std::move(*next), "the next plan");
-    if (result_.replans++ == 0 && shape_) {
-      result_.open_loop_goal_error = pose_error(environment_.goal, tip_pose(*shape_));
+    if (result_.replans++ == 0 && watch_.shape()) {
+      result_.open_loop_goal_error = pose_error(environment_.goal, tip_pose(*watch_.shape()));
     }
     return true;
   }
@@ -254,52 +235,23 @@ class Execution {
   void command(const Pressures& setpoint_kpa) {
     throw_if_stopped();
     const ArmState& state = driver_.command(setpoint_kpa);
-    ++result_.frames;
-    recorder_.add(state, setpoint_kpa, motion_);
-    if (settings_.replanner != nullptr) {
-      settings_.replanner->observe(setpoint_kpa, state);
+    const Environment* now = watch_.take_in(setpoint_kpa, motion_);
+    if (settings_.replanner == nullptr) {
+      return;
     }
-    measured_ = measured_ || state.backbone.has_value();
-    see();
-    const Environment* now = appearance_.advance(result_.frames, state.time_s, shape_);
-    if (now != nullptr && settings_.replanner != nullptr) {
+    settings_.replanner->observe(setpoint_kpa, state);
+    if (now != nullptr) {
       settings_.replanner->obstacle_appeared(*now);
     }
   }
 
-  /// Takes in the arm's shape of this frame, if there is one.
-  void see() {
-    if (std::optional<BackboneD> measured = look_()) {
-      watch_.observe(driver_.state().time_s, *measured);
-      appearance_.observe(driver_.state().time_s, *measured);
-      shape_ = std::move(measured);
-      shape_frame_ = result_.frames;
-      goal_time_.see(driver_.state().time_s, tip_pose(*shape_));
-    }
-  }
-
-  void note_start() {
-    see();
-    if (shape_) {
-      const BackboneD planned = plan_->frames.front().backbone.cast<double>();
-      result_.start_error_m = (*shape_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
-    }
-  }
-
   void require_start() const {
-    if (settings_.max_start_error_m && result_.start_error_m > *settings_.max_start_error_m) {
+    if (settings_.max_start_error_m && watch_.start_error_m() > *settings_.max_start_error_m) {
       throw InputError(fmt::format(
           "the arm is {:.1f} cm from where the plan starts; at most {:.1f} cm are allowed. Plan from "
           "where it is (`start` in the environment file), or allow more (--max-start-error-m)",
-          kCmPerM * result_.start_error_m, kCmPerM * *settings_.max_start_error_m));
+          kCmPerM * watch_.start_error_m(), kCmPerM * *settings_.max_start_error_m));
     }
-  }
-
-  void compare_with_prediction(std::size_t frame) {
-    if (!shape_ || shape_frame_ != result_.frames) {
-      return;
-    }
-    prediction_.compare(*plan_, frame, *shape_);
   }
 
   /// A motion ends where its edge of the plan does.
@@ -310,56 +262,18 @@ class Execution {
     }
   }
 
-  void judge() {
-    if (shape_) {
-      result_.final_backbone = shape_->cast<float>();
-      result_.goal_error = pose_error(environment_.goal, tip_pose(*shape_));
-      result_.goal_reached = result_.status == ExecutionStatus::done &&
-                             is_within(environment_.goal, result_.goal_error);
-      result_.episode = measured_ ? recorder_.finish() : Episode{};
-    }
-    result_.prediction = prediction_.error();
-    const auto since_start = [&](std::optional<Contact> contact) {
-      if (contact) {
-        contact->time_s -= start_time_s_;
-      }
-      return contact;
-    };
-    if (const std::optional<double> since_s = goal_time_.inside_since_s()) {
-      result_.goal_time_s = std::max(0.0, *since_s - start_time_s_);
-    }
-    result_.closest = since_start(appearance_.nearer(watch_.closest()));
-    result_.first_collision = since_start(appearance_.earlier(watch_.first_collision()));
-    result_.appeared = appearance_.appeared();
-    if (result_.appeared) {
-      result_.appeared->time_s -= start_time_s_;
-    }
-    result_.collided = result_.first_collision.has_value();
-  }
-
   const ArmDescription& arm_;
   const Environment& environment_;
   const Plan* plan_;  // the one that is followed
   std::list<Plan> more_plans_;
   std::size_t frame_ = 0;  // the last one of it that was commanded
   ArmDriver& driver_;
-  Look look_;
   const ExecutionSettings& settings_;
-  CollisionWatch watch_;
-  ObstacleAppearance appearance_;
-  EpisodeRecorder recorder_;
+  RunWatch watch_;
   ExecutionResult result_;
-  std::optional<BackboneD> shape_;
-  int shape_frame_ = -1;
-  bool started_ = false;
-  // Whether some frame was measured; a virtual arm knows its shape even if none was delivered.
-  bool measured_ = false;
   int motion_ = 0;
-  int first_motion_ = 0;  // of the plan that is followed
-  double start_time_s_ = 0.0;
-  GoalTime goal_time_;
+  int first_motion_ = 0;     // of the plan that is followed
   std::string stop_reason_;  // of the plan that was left last
-  PredictionWatch prediction_;
 };
 
 /// Sees every simulator step as long as it lives.
@@ -415,7 +329,7 @@ const char* to_string(ExecutionStatus status) {
 ExecutionResult execute(const ArmDescription& arm, const Environment& environment, const Plan& plan,
                         ArmDriver& driver, const ExecutionSettings& settings) {
   check(arm, environment, plan, settings);
-  const Look measured = [&driver]() -> std::optional<BackboneD> {
+  const RunWatch::Look measured = [&driver]() -> std::optional<BackboneD> {
     const std::optional<Backbone>& backbone = driver.state().backbone;
     return backbone ? std::optional<BackboneD>(backbone->cast<double>()) : std::nullopt;
   };

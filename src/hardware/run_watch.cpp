@@ -1,0 +1,91 @@
+#include "run_watch.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace limber {
+
+RunWatch::RunWatch(const ArmDescription& arm, const Environment& environment,
+                   const ArmDriver& driver, Look look, const ExecutionSettings& settings)
+    : environment_(environment),
+      driver_(driver),
+      look_(std::move(look)),
+      contacts_(arm, environment),
+      appearance_(arm, environment, settings.obstacle),
+      recorder_(arm),
+      goal_time_(environment.goal) {}
+
+void RunWatch::start(const Plan& plan) {
+  started_ = true;
+  start_time_s_ = driver_.state().time_s;
+  see();
+  if (shape_) {
+    const BackboneD planned = plan.frames.front().backbone.cast<double>();
+    start_error_m_ = (*shape_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
+  }
+  recorder_.add(driver_.state(), plan.frames.front().setpoint_kpa, 0);
+  measured_ = driver_.state().backbone.has_value();
+}
+
+void RunWatch::observe(double time_s, const BackboneD& backbone) {
+  if (started_) {
+    contacts_.observe(time_s, backbone);
+    appearance_.observe(time_s, backbone);
+  }
+}
+
+const Environment* RunWatch::take_in(const Pressures& setpoint_kpa, int motion) {
+  const ArmState& state = driver_.state();
+  ++frames_;
+  recorder_.add(state, setpoint_kpa, motion);
+  measured_ = measured_ || state.backbone.has_value();
+  see();
+  return appearance_.advance(frames_, state.time_s, shape_);
+}
+
+void RunWatch::see() {
+  if (std::optional<BackboneD> seen = look_()) {
+    const double time_s = driver_.state().time_s;
+    observe(time_s, *seen);
+    shape_ = std::move(seen);
+    shape_frame_ = frames_;
+    goal_time_.see(time_s, tip_pose(*shape_));
+  }
+}
+
+void RunWatch::compare(const Plan& plan, std::size_t frame) {
+  if (shape_ && shape_frame_ == frames_) {
+    prediction_.compare(plan, frame, *shape_);
+  }
+}
+
+void RunWatch::judge(ExecutionResult& result) {
+  result.frames = frames_;
+  result.start_error_m = start_error_m_;
+  if (shape_) {
+    result.final_backbone = shape_->cast<float>();
+    result.goal_error = pose_error(environment_.goal, tip_pose(*shape_));
+    result.goal_reached =
+        result.status == ExecutionStatus::done && is_within(environment_.goal, result.goal_error);
+    result.episode = measured_ ? recorder_.finish() : Episode{};
+  }
+  result.prediction = prediction_.error();
+  const auto since_start = [&](std::optional<Contact> contact) {
+    if (contact) {
+      contact->time_s -= start_time_s_;
+    }
+    return contact;
+  };
+  if (const std::optional<double> since_s = goal_time_.inside_since_s()) {
+    result.goal_time_s = std::max(0.0, *since_s - start_time_s_);
+  }
+  result.closest = since_start(appearance_.nearer(contacts_.closest()));
+  result.first_collision = since_start(appearance_.earlier(contacts_.first_collision()));
+  result.collided = result.first_collision.has_value();
+  result.appeared = appearance_.appeared();
+  if (result.appeared) {
+    result.appeared->time_s -= start_time_s_;
+  }
+}
+
+}  // namespace limber
