@@ -29,7 +29,8 @@ bool replans(const ExperimentSettings& settings) {
 
 }  // namespace
 
-nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings, const std::string& model_hash) {
+nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
+                                           const std::string& model_hash) {
   Json json;
   json["schema"] = "limber/experiment/1";
   json["arm"] = {{"name", settings.arm.name}, {"hash", settings.arm.hash()}};
