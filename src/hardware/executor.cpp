@@ -114,7 +114,9 @@ class Execution {
       }
       return is_at_end();
     } catch (...) {
-      driver_.vent();  // now, not when the search has ended
+      if (job.is_busy()) {
+        driver_.vent();  // now, not when the search has ended
+      }
       throw;
     }
   }

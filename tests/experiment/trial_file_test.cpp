@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 class TrialFile : public ::testing::Test {
  protected:
   void SetUp() override {
-    key_ = {"a_no_load_default_001", "e1", "a", "h1", "no_load", "", "default", 7};
+    key_ = {"a_no_load_default_001", "e1", "a", "h1", "no_load", "", "default", "open", "", 7};
     PlanTrial trial;
     trial.environment = key_.environment;
     trial.model = key_.model;

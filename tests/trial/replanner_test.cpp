@@ -4,7 +4,6 @@
 
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/planning/planner_factory.hpp"
-#include "limber/trial/plan_trial.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
@@ -134,18 +133,6 @@ TEST_F(ReplannerTest, SameSeedSameRun) {
     ends.push_back(run(driver, &source).goal_error.position_m);
   }
   EXPECT_EQ(ends[0], ends[1]);
-}
-
-TEST_F(ReplannerTest, TheOneForUsersIsTheSame) {
-  FakeArm one(arm_, kInstant_s);
-  Replanner source = replanner();
-  const ExecutionResult own = run(one, &source);
-  FakeArm other(arm_, kInstant_s);
-  const auto made = make_replanner(known_, model_, environment_, ErrorRoom{}, 1);
-  const ExecutionResult theirs = run(other, made.get());
-  EXPECT_GT(own.replans, 0);
-  EXPECT_EQ(own.replans, theirs.replans);
-  EXPECT_EQ(*own.final_backbone, *theirs.final_backbone);
 }
 
 TEST_F(ReplannerTest, HaltsWhereTheArmStraysTowardsAnObstacle) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "limber/planning/planner_factory.hpp"
+#include "limber/trial/plan_trial.hpp"
 #include "limber/world/collision.hpp"
 #include "support/fake_arm.hpp"
 
@@ -87,6 +88,22 @@ TEST_F(ClosedLoopTest, WithAPerfectModelItGoesOnAsOpenLoopUntilThePlanEnds) {
   const Eigen::Index frames = open_loop.episode.setpoint_kpa.rows();
   ASSERT_GE(closed.episode.setpoint_kpa.rows(), frames);
   EXPECT_EQ(closed.episode.setpoint_kpa.topRows(frames), open_loop.episode.setpoint_kpa);
+}
+
+TEST_F(ClosedLoopTest, TheOneForUsersIsTheSameWithDefaultSettings) {
+  const ArmDescription weaker = known(arm_, 0.6);
+  const Plan plan = plan_of(weaker);
+  FakeArm one(arm_, kInstant_s);
+  const ExecutionResult own = run(weaker, plan, one, ClosedLoopSettings{});
+  const ForwardModel forward(weaker);
+  const MotionModel model(forward);
+  const auto made = make_replanner(weaker, model, environment_, ErrorRoom{}, 1);
+  ExecutionSettings settings;
+  settings.replanner = made.get();
+  FakeArm other(arm_, kInstant_s);
+  const ExecutionResult theirs = execute(weaker, environment_, plan, other, settings);
+  EXPECT_GT(own.replans + own.switches, 0);
+  EXPECT_EQ(own.episode.setpoint_kpa, theirs.episode.setpoint_kpa);
 }
 
 TEST_F(ClosedLoopTest, APlanThatTheArmDoesNotFollowIsReplacedInMotionAndArrives) {
