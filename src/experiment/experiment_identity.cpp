@@ -1,7 +1,5 @@
 #include "experiment_identity.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -21,10 +19,6 @@ using Json = nlohmann::ordered_json;
 std::string forest_hash(const Forest& forest) {
   return content_hash({reinterpret_cast<const char*>(forest.setpoints_kpa.data()),
                        static_cast<std::size_t>(forest.setpoints_kpa.size()) * sizeof(float)});
-}
-
-bool replans(const ExperimentSettings& settings) {
-  return std::ranges::find(settings.controllers, "replan") != settings.controllers.end();
 }
 
 }  // namespace
@@ -51,9 +45,6 @@ nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
   json["cost_threshold_kpa"] = optional_json(settings.limits.cost_threshold_kpa);
   json["forest"] = settings.forest ? Json(forest_hash(*settings.forest)) : Json(nullptr);
   json["planner_jobs"] = settings.planner_jobs;
-  if (replans(settings)) {
-    json["motion_queries"] = settings.motion_queries;
-  }
   if (settings.ensemble == EnsembleAnswer::mean) {
     json["ensemble"] = to_string(settings.ensemble);
   }
@@ -67,7 +58,7 @@ nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
 void require_same_experiment(const std::filesystem::path& file, const nlohmann::json& wanted) {
   const nlohmann::json root = read_json_object(file);
   nlohmann::json all = wanted;
-  for (const char* asked : {"motion_queries", "ensemble", "tube"}) {
+  for (const char* asked : {"ensemble", "tube"}) {
     all.emplace(asked, nullptr);  // written where it is asked for alone
   }
   for (const auto& [key, value] : all.items()) {

@@ -97,7 +97,11 @@ class Experiment {
   void prepare_folder() {
     const bool resumes = settings_.resume && fs::exists(file(kExperimentFile));
     if (resumes) {
-      require_same_experiment(file(kExperimentFile), identity_);
+      Json wanted = identity_;
+      if (replans() && known_motion_queries(settings_)) {
+        wanted["motion_queries"] = settings_.motion_queries;
+      }
+      require_same_experiment(file(kExperimentFile), wanted);
     }
     output_.emplace(settings_.folder, "experiment",
                     resumes           ? OutputFolder::Start::resumed
@@ -108,11 +112,27 @@ class Experiment {
       settings_.say(output_->about_left());
     }
     output_->require_free(names_to_write());
-    if (!resumes) {
+    if (!resumes || adds_replanning()) {
       Json written = identity_;
+      if (replans()) {
+        written["motion_queries"] = settings_.motion_queries;
+      }
       written["program_version"] = version();
       output_->write(kExperimentFile, written.dump(1) + "\n");
     }
+  }
+
+  bool replans() const {
+    return std::ranges::find(settings_.controllers, "replan") != settings_.controllers.end();
+  }
+  /// Whether the experiment that is resumed had no closed loop so far.
+  bool adds_replanning() const { return replans() && !known_motion_queries(settings_); }
+
+  /// What a trial is one of: trials in closed loop depend on its budget too.
+  std::string hash_for(const std::string& controller) const {
+    return content_hash(controller == "replan"
+                            ? fmt::format("{} {}", identity_.dump(), settings_.motion_queries)
+                            : identity_.dump());
   }
 
   /// Finished trials are only read.
@@ -152,7 +172,7 @@ class Experiment {
     if (!settings_.with_no_load && !model.has_network()) {
       return;
     }
-    key.experiment = content_hash(identity_.dump());
+    key.experiment = hash_for(key.controller);
     key.environment = item.id;
     key.environment_hash = environment_hash(item.environment);
     key.model = model.has_network() ? "network" : "no_load";

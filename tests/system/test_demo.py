@@ -49,7 +49,7 @@ class Demo(InFolder):
         loaded = re.findall(r"""(?:src|href)\s*=\s*["'](?!#)[^"']*|url\([^)]*|<script""",
                             without_namespace)
         self.assertEqual(loaded, [])
-        self.assertIn("1 plans of each model, 0.5 s each", html)
+        self.assertIn("1 plans of each model, 5 s each", html)
         self.assertNotIn("nan", re.findall(r'="[^"]*\bnan\b', html))
 
     def check_results_table(self):

@@ -54,7 +54,7 @@ class Disturbance(InFolder):
         command = ("experiment", *ARM, "--model", "m.safetensors", "--environments",
                    "environments", "--max-iterations", 150, "--trials", 2)
         more = ("--controller", "open", "--controller", "replan", "--disturbance", "none",
-                "--disturbance", "friction")
+                "--disturbance", "friction", "--motion-queries", 500)
         self.run_json(*command, "--out", "one", "--disturbance", "friction")
         one = json.loads((self.folder / "one/runs.json").read_text(encoding="utf-8"))
         self.assertEqual([(row["model"], row["disturbance"]) for row in one],
@@ -69,6 +69,8 @@ class Disturbance(InFolder):
             [(row["model"], row["controller"], row["disturbance"]) for row in rows],
             [(model, controller, disturbance) for disturbance in ("", "friction")
              for controller in ("open", "replan") for model in ("no_load", "network")])
+        error = self.run_limber(*command, "--out", "one", *more[:-1], 600, "--resume", code=2).stderr
+        self.assertIn("motion_queries = 500; this run has 600", error)
         self.assertTrue(all(row["replans"]["mean"] in (0, None) for row in rows
                             if row["controller"] == "open"))
         error = self.run_limber(*command, "--out", "x", "--controller", "magic", code=2).stderr

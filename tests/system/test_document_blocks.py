@@ -28,6 +28,14 @@ ELSEWHERE = {
         "needs a board; test_example_drivers.py has one",
     ("docs/hardware.md", "limber driver check"): "in real time; test_driver.py checks drivers",
     ("docs/hardware.md", "limber execute"): "as below it, with --start-from-driver",
+    ("docs/hardware.md", "limber collect --arm mine.yaml --schedule random --count 3"):
+        "in real time; test_driver.py collects",
+    ("docs/hardware.md", "limber characterize --arm one_segment.yaml"):
+        "test_characterize_driver.py",
+    ("docs/hardware.md", "limber driver calibrate"): "in real time; test_driver_calibrate.py",
+    ("docs/hardware.md", "limber collect --schedule random --approach straight"):
+        "measures in real time how punctual a machine is",
+    ("docs/tracking.md", "tools/track_paths.py"): "test_track.py, with a shorter path",
     ("docs/importing.md", "schema: limber/import/1"): "an excerpt; test_import.py reads mappings",
     ("docs/importing.md", "pressures:"): "an excerpt; test_setpoints.py reads one",
     ("docs/importing.md", "command:"): "an excerpt; test_import.py has such arms",

@@ -68,7 +68,11 @@ class Calibrating(InFolder):
 
     def test_in_real_time_clocks_are_found_too(self):
         truth = self.truth(5)
-        self.calibrate(5, truth)
+        for _ in range(3):
+            if "machine too busy" not in self.calibrate(5, truth, code=None).stderr:
+                break
+        else:
+            self.skipTest("the machine is too busy for an arm in real time")
         found = yaml.safe_load((self.folder / "calibration.yaml").read_text())
         self.expect_truth(truth, found)
         clock = found["clocks"]["driver"]

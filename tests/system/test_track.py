@@ -32,7 +32,8 @@ class Track(InFolder):
                            "model:m.safetensors", "--out", "run.h5", "--svg", "run.svg")
         self.assertEqual((found["status"], found["path"]["laps"]), ("done", 2))
         self.assertAlmostEqual(found["path"]["length_cm"], 2.0 * math.pi, places=1)
-        self.assertLess(found["later_laps"]["rmse_cm"], 0.1)
+        # Half the circle's radius: a tip that stayed in the middle would be off by all of it.
+        self.assertLess(found["later_laps"]["rmse_cm"], 0.5)
         self.assertEqual(found["first_lap"]["frames"] + found["later_laps"]["frames"], 161)
         self.assertIn("</svg>", (self.folder / "run.svg").read_text(encoding="utf-8"))
         inspected = self.run_json("inspect", "run.h5")
