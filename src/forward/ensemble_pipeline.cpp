@@ -6,7 +6,8 @@ namespace limber {
 
 namespace {
 
-constexpr int kEnsembleTileQueries = 64;  // all networks answer these before the next ones are asked
+constexpr int kEnsembleTileQueries =
+    64;  // all networks answer these before the next ones are asked
 
 }  // namespace
 
@@ -26,7 +27,8 @@ EnsemblePipeline::EnsemblePipeline(const ArmDescription& arm, const Compensation
 
 std::size_t EnsemblePipeline::scratch_size() const {
   const std::size_t one = members_.front().scratch_size();
-  return members_.size() == 1 ? one : one + static_cast<std::size_t>(3 * numbers_ * kEnsembleTileQueries);
+  return members_.size() == 1 ? one
+                              : one + static_cast<std::size_t>(3 * numbers_ * kEnsembleTileQueries);
 }
 
 void EnsemblePipeline::run(int count, const QueryColumns& queries, float* scratch) const {

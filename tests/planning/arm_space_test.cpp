@@ -71,7 +71,8 @@ TEST_F(ArmSpace, DistanceIsThatOfScaledSetPointsAndTips) {
       const MotionState to = world_.motion_state(b.get());
       double squares = 0.0;
       for (int i = 0; i < 3; ++i) {
-        const double limit = setting_.arm.segments[std::size_t(i)].pressure_limit_kpa.half_width_kpa();
+        const double limit =
+            setting_.arm.segments[std::size_t(i)].pressure_limit_kpa.half_width_kpa();
         squares +=
             std::pow((double(from.setpoint_kpa()[i]) - double(to.setpoint_kpa()[i])) / limit, 2);
       }

@@ -35,7 +35,8 @@ struct ExperimentSettings {
   /// How plans are executed, and what the arm then meets: rows of their own for each of both.
   std::vector<std::string> controllers = {"open"};
   std::vector<std::string> disturbances = {""};
-  std::uint64_t motion_queries = 0;  ///< of controller "replan": of a search in mid-motion, 0: none then
+  std::uint64_t motion_queries =
+      0;           ///< of controller "replan": of a search in mid-motion, 0: none then
   AskedRoom room;  ///< if nothing is asked for, each model's own error
   std::uint64_t seed = 1;
   int planner_jobs = 1;  ///< threads of each planner
