@@ -1066,27 +1066,18 @@ class PlanTube:
     @property
     def level(self) -> float:
         """Share of runs, in (0, 1)."""
-    @level.setter
-    def level(self, value: float) -> None: ...
     @property
     def plate_radius_m(self) -> list[float]:
         """One a plate, base first [m]."""
-    @plate_radius_m.setter
-    def plate_radius_m(self, value: list[float]) -> None: ...
     @property
     def end_radius_m(self) -> float:
         """Of the tip after the hold [m]."""
-    @end_radius_m.setter
-    def end_radius_m(self, value: float) -> None: ...
     @property
     def end_heading_rad(self) -> float:
         """Of its heading [rad]."""
-    @end_heading_rad.setter
-    def end_heading_rad(self, value: float) -> None: ...
     @property
     def goal_inside(self) -> bool:
         """Of a plan: whether its end lies so far inside the goal."""
-    def __init__(self, *, level: float = ..., plate_radius_m: list[float] = ..., end_radius_m: float = ..., end_heading_rad: float = ...) -> None: ...
 
 class Planner:
     """A planner in pressure space: one caller at a time."""
