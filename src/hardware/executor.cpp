@@ -14,7 +14,6 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/hardware/virtual_arm.hpp"
-#include "limber/world/straight_motion.hpp"
 #include "run_watch.hpp"
 #include "start_approach.hpp"
 #include "vent_guard.hpp"

@@ -11,16 +11,11 @@ namespace {
 
 constexpr double kSlopeStepKpa = 1.0;    // of the central difference
 constexpr double kUpdateWindowS = 0.25;  // Broyden's Δy and Δp are taken over it
-constexpr double kLeastMotionKpa = 0.5;  // |Δp| below which nothing is learnt
+constexpr double kMinMotionKpa = 0.5;    // |Δp| below which nothing is learnt
 constexpr double kMaxGrowth = 10.0;      // of a learnt Jacobian's norm over the first one's
 constexpr double kAfterPlanS = 10.0;
 constexpr double kSettledM = 0.001;
 constexpr double kSettledS = 1.0;
-
-Pose tip_of(const Backbone& backbone) {
-  const auto tip = backbone.bottomRows<1>();
-  return {double(tip(0, 0)), double(tip(0, 1)), double(tip(0, 2))};
-}
 
 /// Within the plan's limits, too.
 ArmDescription narrowed(ArmDescription arm, const std::vector<PressureLimits>& limits) {
@@ -56,7 +51,7 @@ Eigen::VectorXd JacobianController::in_metres(const Pose& pose) const {
 }
 
 Eigen::VectorXd JacobianController::predicted(std::size_t frame) const {
-  return in_metres(tip_of(plan_.frames[frame].backbone));
+  return in_metres(tip_pose<float>(plan_.frames[frame].backbone));
 }
 
 Eigen::VectorXd JacobianController::reference() const {
@@ -89,7 +84,7 @@ void JacobianController::learn(const Seen& now) {
   const Seen& then = seen_[seen_.size() - window];
   const Eigen::VectorXd moved_kpa = now.pressure_kpa - then.pressure_kpa;
   const double square = moved_kpa.squaredNorm();
-  if (square < kLeastMotionKpa * kLeastMotionKpa) {
+  if (square < kMinMotionKpa * kMinMotionKpa) {
     return;
   }
   const Eigen::VectorXd missed = now.tip - then.tip - jacobian_ * moved_kpa;
@@ -146,7 +141,7 @@ std::optional<Pressures> JacobianController::next(const ArmState& state) {
   std::optional<Eigen::VectorXd> error;
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(rows_);
   if (state.backbone) {
-    const Seen now{in_metres(tip_of(*state.backbone)), state.pressure_kpa.cast<double>()};
+    const Seen now{in_metres(tip_pose<float>(*state.backbone)), state.pressure_kpa.cast<double>()};
     error = reference() - now.tip;
     velocity = feedback(now, *error);
     remember(now);

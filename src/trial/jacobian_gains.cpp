@@ -1,11 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
 #include "limber/trial/jacobian_controller.hpp"
 
 namespace limber {
@@ -42,15 +43,13 @@ void read_gain(const std::string& text, bool is_online, JacobianGains& gains) {
     if (name != field.name) {
       continue;
     }
-    const char* end = text.data() + text.size();
-    double value = 0.0;
-    const auto [stop, error] =
-        std::from_chars(text.data() + std::min(equals + 1, text.size()), end, value);
-    if (error != std::errc{} || stop != end || !(value >= field.min && value <= field.max)) {
+    const std::optional<double> value =
+        number_in(std::string_view(text).substr(std::min(equals + 1, text.size())));
+    if (!value || !(*value >= field.min && *value <= field.max)) {
       throw InputError(fmt::format("controller: {}: expected {}=NUMBER, from {} to {}", text, name,
                                    field.min, field.max));
     }
-    gains.*(field.member) = value;
+    gains.*(field.member) = *value;
     return;
   }
   throw InputError(fmt::format("controller: '{}': no such gain; expected {}", text, names));

@@ -63,12 +63,12 @@ bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
   return small_gains_ < 2 || !has_arrived;
 }
 
-/// The plan's, as its start is within them, and what the run allows.
-std::vector<PressureLimits> Replanner::limits_after(const Plan& plan) const {
-  if (plan.limits.empty() || settings_.limits.empty()) {
-    return plan.limits.empty() ? settings_.limits : plan.limits;
+std::vector<PressureLimits> limits_after(const Plan& plan,
+                                         const std::vector<PressureLimits>& in_force) {
+  if (plan.limits.empty() || in_force.empty()) {
+    return plan.limits.empty() ? in_force : plan.limits;
   }
-  std::vector<PressureLimits> limits = settings_.limits;
+  std::vector<PressureLimits> limits = in_force;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     limits[i] = limits[i].within(plan.limits[i]);
   }
@@ -105,7 +105,7 @@ PoseGoal Replanner::shifted_goal() const {
 std::optional<Plan> Replanner::search(const Plan& before, const Environment& from_here,
                                       double margin_m) {
   PlanningProblem problem{arm_, model_, from_here, margin_m};
-  problem.limits = limits_after(before);
+  problem.limits = limits_after(before, settings_.limits);
   problem.margin_yields_to_start = true;
   PlannerLimits limits;
   limits.queries = settings_.queries;

@@ -3,6 +3,7 @@
 
 #include "limber/common/random_stream.hpp"
 #include "limber/trial/tip_tracker.hpp"
+#include "limber/world/environment.hpp"
 #include "limber/world/straight_motion.hpp"
 
 namespace limber {
@@ -17,17 +18,15 @@ constexpr double kStartSettlingS = 1.5;
 /// Tips where these set points (n×k) leave the arm, from rest.
 std::vector<Eigen::Vector2d> settled_tips(const ArmDescription& arm, const MotionModel& model,
                                           const Eigen::MatrixXf& setpoints_kpa) {
-  Backbone straight(model.point_count(), 3);
-  const Pressures none = Pressures::Zero(model.segment_count());
-  model.no_load().backbone(Eigen::Ref<const Eigen::VectorXf>(none), Eigen::Ref<Backbone>(straight));
-  const MotionState rest = model.settled_state(none, straight);
+  const ArmStart vented = start_state(Environment{}, arm);
+  const MotionState rest = model.settled_state(vented.pressures_kpa, vented.backbone);
   const auto count = static_cast<std::size_t>(setpoints_kpa.cols());
   std::vector<Eigen::Vector2d> tips(count);
   std::vector<bool> arrived(count, false);
   RolloutBatch rollouts(model);
   for (Eigen::Index c = 0; c < setpoints_kpa.cols(); ++c) {
-    const int frames =
-        motion_frame_count(none, setpoints_kpa.col(c), arm.pressure_step_limit_kpa());
+    const int frames = motion_frame_count(vented.pressures_kpa, setpoints_kpa.col(c),
+                                          arm.pressure_step_limit_kpa());
     rollouts.add(static_cast<int>(c), rest, setpoints_kpa.col(c), frames);
   }
   while (rollouts.size() > 0) {

@@ -8,6 +8,7 @@
 #include "limber/certificate/certificate.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/plan_builder.hpp"
+#include "limber/trial/replanner.hpp"
 
 namespace limber {
 
@@ -163,14 +164,7 @@ std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const 
 
 PlanningProblem MotionGuide::problem_from(const Environment& from_here, const Plan& plan) const {
   PlanningProblem problem{arm_, model_, from_here, kRoomOfNewPlans * room_.margin_m};
-  problem.limits = plan.limits;
-  if (problem.limits.empty()) {
-    problem.limits = settings_.limits;
-  } else if (!settings_.limits.empty()) {
-    for (std::size_t i = 0; i < problem.limits.size(); ++i) {
-      problem.limits[i] = problem.limits[i].within(settings_.limits[i]);
-    }
-  }
+  problem.limits = limits_after(plan, settings_.limits);
   problem.margin_yields_to_start = true;
   return problem;
 }

@@ -27,6 +27,11 @@ struct ReplannerSettings {
   std::vector<PressureLimits> limits = {};
 };
 
+/// Of plans that follow `plan`: its own, as its end is within them, and what the run allows. Empty:
+/// the arm's.
+std::vector<PressureLimits> limits_after(const Plan& plan,
+                                         const std::vector<PressureLimits>& in_force);
+
 /// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
 /// goal, and where it has strayed so far from its plan that it comes near an obstacle. Every
 /// plan is certified. Small corrections from rest are predicted well, since the network's error
@@ -52,7 +57,6 @@ class Replanner final : public PlanSource {
   bool has_more_to_gain(double error_m, bool has_arrived);
   void learn_bias(const Plan& ended, const Pose& measured);
   PoseGoal shifted_goal() const;
-  std::vector<PressureLimits> limits_after(const Plan& plan) const;
   std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
 
   const ArmDescription& arm_;
