@@ -18,7 +18,7 @@ constexpr int kMaxIterations = 30;
 constexpr double kModelErrorM = 2e-5;       // of hinges in the middle of gaps, beside the noise
 constexpr double kGapErrorM = 4e-5;         // by which gaps of a segment contract unlike
 constexpr double kAlikeShare = 0.1;         // by which a segment's contraction differs
-constexpr double kLeastUnlikeM = 2e-5;      // where nothing contracts
+constexpr double kMinUnlikeM = 2e-5;        // where nothing contracts
 constexpr double kOffsetDeviationM = 0.01;  // of a body from its plate, where it is not known
 constexpr double kKnownDeviationM = 3e-4;   // of what was measured as built
 constexpr double kMaxBaseMotionM = 0.003;
@@ -141,7 +141,7 @@ class BaseFrameFit {
         }
         const auto s = static_cast<std::size_t>(shape.segment);
         const double mean_m = seen.col(0).segment(first, arm_.segments[s].gaps).mean();
-        unlike_m_[s] = std::max({unlike_m_[s], kAlikeShare * std::abs(mean_m), kLeastUnlikeM});
+        unlike_m_[s] = std::max({unlike_m_[s], kAlikeShare * std::abs(mean_m), kMinUnlikeM});
       }
     }
   }

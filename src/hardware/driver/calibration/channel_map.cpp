@@ -15,7 +15,7 @@ namespace limber {
 namespace {
 
 constexpr double kNoiseFactor = 6.0;  // standard deviations of a mean: more is motion
-constexpr double kLeastTurnRad = 0.002;
+constexpr double kMinTurnRad = 0.002;
 constexpr double kClearFactor = 1.25;  // what moves most moves so much more than the next
 constexpr double kReadingMeanS = 0.5;
 
@@ -57,7 +57,7 @@ int clear_largest(const std::vector<double>& values) {
 void require_motion(const CalibrationPulse& pulse, const PulsePoses& poses,
                     const std::vector<double>& turns, double noise_rad) {
   const double least_rad =
-      std::max(kLeastTurnRad, kNoiseFactor * noise_rad / std::sqrt(poses.held.count));
+      std::max(kMinTurnRad, kNoiseFactor * noise_rad / std::sqrt(poses.held.count));
   const double largest = std::abs(*std::max_element(
       turns.begin(), turns.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
   if (largest < least_rad) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBeforeMeanS = 0.5;
 constexpr double kPoseMeanS = 2.0;  // at the end of a hold
-constexpr int kFewestSeen = 3;
+constexpr int kMinSeenFrames = 3;
 
 /// Takes leaps of a whole turn out of a column; what is not seen is passed over.
 template <class Column>
@@ -86,10 +86,10 @@ MeanPose mean_pose(const SeenPoses& poses, std::size_t first, std::size_t end, c
       ++mean.count;
     }
   }
-  if (mean.count < kFewestSeen) {
+  if (mean.count < kMinSeenFrames) {
     throw CalibrationRefused(
         fmt::format("the tracker saw the arm in {} of {} frames {}; expected at least {}",
-                    mean.count, end - first, when, kFewestSeen));
+                    mean.count, end - first, when, kMinSeenFrames));
   }
   mean.pose /= mean.count;
   return mean;

@@ -65,7 +65,7 @@ struct LoopMisfit {
 /// to frame, so between two samples a pressure bends as a valve of first order bends it.
 double share_per_frame(const CalibrationLog& log, int channel, double sign, double zero_kpa,
                        int sensor) {
-  constexpr double kLeastShare = 0.05;
+  constexpr double kMinSpreadShare = 0.05;
   constexpr double kMostShare = 0.95;
   double product = 0.0;
   double square = 0.0;
@@ -76,7 +76,7 @@ double share_per_frame(const CalibrationLog& log, int channel, double sign, doub
     product += left * step;
     square += left * left;
   }
-  return square > 0.0 ? std::clamp(product / square, kLeastShare, kMostShare) : kLeastShare;
+  return square > 0.0 ? std::clamp(product / square, kMinSpreadShare, kMostShare) : kMinSpreadShare;
 }
 
 /// How far slow and fast loops are from one curve each way, were shapes `delay_s` late.
