@@ -61,7 +61,8 @@ TEST(Yardsticks, ASimpleArmIsPredictedByTheSimpleModel) {
     episodes.push_back(toy_episode(arm, 10, 30, seed));
     episodes.back().backbone = predict(truth, arm, episodes.back());
   }
-  const HorizonErrors& errors = named(measured(episodes), "simple_model").errors;
+  const YardstickReport report = measured(episodes);
+  const HorizonErrors& errors = named(report, "simple_model").errors;
   EXPECT_LT(errors.open_loop.position_cm.mean, 0.5);
   EXPECT_NEAR(errors.open_loop.position_cm.mean, errors.window_32.position_cm.mean, 0.1);
 }
