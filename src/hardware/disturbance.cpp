@@ -104,7 +104,7 @@ std::vector<Disturbance> parse_disturbances(const std::string& text) {
 std::string to_string(const std::vector<Disturbance>& disturbances) {
   std::string text;
   for (const Disturbance& one : disturbances) {
-    text += (text.empty() ? "" : ",") + std::string(to_string(one.kind));
+    text += fmt::format("{}{}", text.empty() ? "" : ",", to_string(one.kind));
     if (one.amount != facts_of(one.kind).usual) {
       text += fmt::format("={}", one.amount);
     }

@@ -27,12 +27,22 @@ constexpr double kRaceFrames = 1000.0 * 2048.0;
 constexpr int kMinRaceEpochs = 10;
 constexpr int kMaxRaceShare = 15;  // of the epochs, for each run: 1/15
 
-int race_epochs(const TrainingData& data, int epochs) {
+// Between these, three networks were measured to arrive more often than one (docs/training.md).
+constexpr double kMinHoursToShare = 1.0;
+constexpr double kMaxHoursToShare = 4.0;
+constexpr int kNetworksThatShare = 3;
+
+double frames_to_train_on(const TrainingData& data) {
   double frames = 0.0;
   for (const Episode& episode : data.training) {
     frames += episode.frame_count();
   }
-  const int wanted = static_cast<int>(std::lround(kRaceFrames / std::max(frames, 1.0)));
+  return frames;
+}
+
+int race_epochs(const TrainingData& data, int epochs) {
+  const int wanted =
+      static_cast<int>(std::lround(kRaceFrames / std::max(frames_to_train_on(data), 1.0)));
   return std::clamp(wanted, kMinRaceEpochs, std::max(epochs / kMaxRaceShare, kMinRaceEpochs));
 }
 
@@ -112,6 +122,17 @@ void apply(const StageChoice& choice, TrainingSettings& settings) {
   set_windows(settings, windows_of(settings),
               choice.tried[static_cast<std::size_t>(choice.chosen)].window_frames);
   set_epoch_count(settings, choice.epochs);
+}
+
+int network_count_for(const ArmDescription& arm, const TrainingData& data) {
+  const double hours = frames_to_train_on(data) * arm.frame_period_s() / 3600.0;
+  return hours >= kMinHoursToShare && hours <= kMaxHoursToShare ? kNetworksThatShare : 1;
+}
+
+void share_epochs(TrainingSettings& settings, int networks) {
+  settings.ensemble = networks;
+  const int stages = static_cast<int>(settings.stages.size());
+  set_epoch_count(settings, std::max(settings.epoch_count() / networks, stages));
 }
 
 nlohmann::ordered_json to_json(const StageChoice& choice) {
