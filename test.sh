@@ -10,8 +10,8 @@ root=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
 install_packages build test
 # Unit tests run with assertions; the program that users run is the one that system tests run.
 build release
-build dev -DLIMBER_SYSTEM_BUILD_DIR="$root/build/release"
+build test -DLIMBER_SYSTEM_BUILD_DIR="$root/build/release"
 
 say "testing"
 cd -- "$root"
-exec ctest --preset dev --no-tests=error "$@"
+exec ctest --preset test --no-tests=error "$@"

@@ -15,5 +15,6 @@ function(limber_cpu_level_sources variable stem)
     set_source_files_properties(${stem}_avx512.cpp PROPERTIES
       COMPILE_OPTIONS "${options};-mavx2;-mfma;-mavx512f;-mavx512vl")
   endif()
+  set_source_files_properties(${sources} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)  # other flags
   set(${variable} ${sources} PARENT_SCOPE)
 endfunction()

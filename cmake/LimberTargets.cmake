@@ -41,6 +41,7 @@ function(limber_add_library module)
   target_link_libraries(limber_${module}
     PUBLIC ${ARG_DEPENDS}
     PRIVATE ${ARG_PRIVATE_DEPENDS} $<BUILD_INTERFACE:limber_private_settings>)
+  limber_reuse_headers(limber_${module} limber_precompiled)
   set_property(GLOBAL APPEND PROPERTY LIMBER_LIBRARIES limber_${module})
 endfunction()
 
@@ -55,6 +56,9 @@ function(limber_add_test module)
     set(ARG_TIMEOUT 300)
   endif()
   add_executable(${module}_test ${ARG_SOURCES})
+  set_target_properties(${module}_test PROPERTIES
+    UNITY_BUILD OFF                   # tests name their helpers alike
+    POSITION_INDEPENDENT_CODE OFF)    # the flags of the headers they reuse
   target_compile_features(${module}_test PRIVATE cxx_std_20)
   # Headers shared by tests; and, from the root, the private ones of the module that is tested.
   target_include_directories(${module}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR})
@@ -63,6 +67,7 @@ function(limber_add_test module)
     LIMBER_PYTHON="${LIMBER_PYTHON}")
   target_link_libraries(${module}_test PRIVATE
     ${ARG_DEPENDS} GTest::gmock GTest::gtest_main limber_private_settings)
+  limber_reuse_headers(${module}_test limber_test_precompiled)
   gtest_discover_tests(${module}_test DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
 endfunction()
