@@ -166,6 +166,9 @@ void bind_progress(py::module_& module) {
       .read_only("time_s", &FirstSolution::time_s, "[s]")
       .read_only("cost_kpa", &FirstSolution::cost_kpa, "[kPa]")
       .read_only("queries", &FirstSolution::queries, "Until it was found.")
+      .read_only("candidate_s", &FirstSolution::candidate_s, "When it was found [s].")
+      .read_only("certificate_s", &FirstSolution::certificate_s,
+                 "What building and certifying it then took [s].")
       .done();
   Record<PlannerStatistics>(module, "PlannerStatistics", "What a search took.")
       .read_only("time_s", &PlannerStatistics::time_s, "[s]")
