@@ -19,6 +19,8 @@ namespace {
 constexpr double kPatience = 0.9;
 constexpr double kMaxForSmallerS = 1.0;
 
+constexpr double kMinSearchS = 1e-3;  // a time limit is positive
+
 constexpr double kYield = 0.95;  // of what an arm starts with: it has to get away from there
 
 bool is_refusal(PlanStatus status) {
@@ -58,6 +60,9 @@ class CertifiedPlanner final : public Planner {
       stopped = stopped || (callback && !callback(now));
       return !stopped;
     };
+    if (limits.time_s) {
+      patient.time_s = std::max(kMinSearchS, *limits.time_s - seconds_since(start));
+    }
     PlanResult result = certified_search(*planner_, problem, shared, patient, seed, watched);
     result.warnings.insert(result.warnings.begin(), notes.begin(), notes.end());
     if (!result.plan && !stopped) {
