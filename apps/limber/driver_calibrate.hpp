@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "limber/hardware/calibrate_driver.hpp"
+#include "limber/calibration/calibrate_driver.hpp"
 #include "verb.hpp"
 
 namespace limber {

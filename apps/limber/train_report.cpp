@@ -104,6 +104,31 @@ void say_what_ran_away(const CommonFlags& flags, const TrainingResult& result) {
 
 }  // namespace
 
+void say_episodes(const CommonFlags& flags, const EpisodeChoice& choice) {
+  for (const std::string& broken : choice.broken) {
+    say(flags, "warning: {} is broken by the simple model: leave it out of the data", broken);
+  }
+  say(flags, "validating on {}", fmt::join(choice.validation, "; "));
+}
+
+void say_training(const CommonFlags& flags, const TrainingData& data,
+                  const TrainingSettings& settings) {
+  say(flags, "training {} on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
+      settings.ensemble > 1 ? fmt::format("{} networks", settings.ensemble) : "a network",
+      data.training.size(), data.validation.size(), settings.preset, settings.epoch_count(),
+      settings.seed);
+}
+
+void print_no_model(const CommonFlags& flags, const TrainingResult& result) {
+  const std::string why = "no epoch was validated before training ended; no model was written";
+  const bool interrupted = result.status == TrainingStatus::interrupted;
+  print_error(why);
+  print_result(flags,
+               {{"status", interrupted ? "interrupted" : "diverged"},
+                {"message", interrupted ? why : result.message}},
+               "");
+}
+
 void print_training_result(const CommonFlags& flags, const Command& command,
                            const TrainingFiles& files, const TrainingResult& result,
                            const std::optional<FineTuningReport>& changes,

@@ -17,6 +17,13 @@ struct TrainingFiles {
   std::filesystem::path learning_curve;
 };
 
+/// Which episodes choose the best epoch, and which are broken.
+void say_episodes(const CommonFlags& flags, const EpisodeChoice& choice);
+/// What is trained, on how much, for how long.
+void say_training(const CommonFlags& flags, const TrainingData& data,
+                  const TrainingSettings& settings);
+/// Prints that no epoch was validated, and why.
+void print_no_model(const CommonFlags& flags, const TrainingResult& result);
 /// Prints what `train` found: one JSON object, or lines for people.
 void print_training_result(const CommonFlags& flags, const Command& command,
                            const TrainingFiles& files, const TrainingResult& result,

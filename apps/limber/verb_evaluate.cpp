@@ -53,6 +53,41 @@ class EvaluateVerb final : public Verb {
   }
 
   int run(const CommonFlags& flags) override {
+    require_free_paths(flags);
+    const ArmDescription arm = load_asked_arm(arm_);
+    const ForwardModel no_load(arm);
+    ensemble_.require_model(model_);
+    std::optional<ForwardModel> network;
+    if (!model_.empty()) {
+      network.emplace(arm, ensemble_.read(model_));
+    }
+    const std::string data_hash = content_hash(read_file(data_));  // names why it can't be read
+    const Recording recording = asked_with(read_usable(arm, data_), network, data_);
+    tell_if_trained_on(flags, network, data_hash);
+    const ForwardModel* compared = network ? &*network : nullptr;
+    const Evaluation evaluation = compare(no_load, compared, recording, flags.jobs);
+    const YardstickReport yardsticks =
+        measure_yardsticks(arm, no_load, compared, recording.episodes,
+                           episodes_to_fit(arm, network, recording.setpoints_only()), flags.jobs);
+    write_pictures(flags, no_load, compared, recording, yardsticks);
+    nlohmann::ordered_json json = to_json(evaluation);
+    json["commands_are"] = commands_are(recording.setpoints_only());
+    add_to_json(yardsticks, recording.episodes, json);
+    std::string text = evaluation_to_text(evaluation) + yardsticks_to_text(yardsticks);
+    if (recording.setpoints_only()) {
+      text += "all models were asked with set points\n";
+    }
+    if (network) {
+      add_ensemble(*network, arm, recording, flags.jobs, json, text);
+      add_unseen_error(*network, arm, recording, flags.jobs, json, text);
+    }
+    print_result(flags, json, text);
+    return kExitDone;
+  }
+
+ private:
+  /// @throws InputError where a file is in the way, or --out can't hold what is measured.
+  void require_free_paths(const CommonFlags& flags) const {
     if (!out_.empty() && ensemble_.answer() == EnsembleAnswer::mean) {
       throw InputError(
           "--out: a model stores the error of its first network; leave --ensemble mean out, or "
@@ -72,31 +107,29 @@ class EvaluateVerb final : public Verb {
     if (!out_.empty()) {
       refuse_to_overwrite(out_, flags.force);
     }
-    const ArmDescription arm = load_asked_arm(arm_);
-    const ForwardModel no_load(arm);
-    ensemble_.require_model(model_);
-    std::optional<ForwardModel> network;
-    if (!model_.empty()) {
-      network.emplace(arm, ensemble_.read(model_));
+  }
+
+  /// Errors on what a model was trained on are shown with a warning, and never stored.
+  void tell_if_trained_on(const CommonFlags& flags, const std::optional<ForwardModel>& network,
+                          const std::string& data_hash) const {
+    if (!network || !was_trained_on(network->compensation(), data_hash)) {
+      return;
     }
-    const std::string data_hash = content_hash(read_file(data_));  // names why it can't be read
-    const Recording recording = asked_with(read_usable(arm, data_), network, data_);
-    if (network && was_trained_on(network->compensation(), data_hash)) {
-      const std::string fault =
-          fmt::format("the model was trained on {}; its errors there say nothing", data_);
-      if (!out_.empty()) {
-        throw InputError(fmt::format("--out: {}", fault));
-      }
-      say(flags, "warning: {}", fault);
+    const std::string fault =
+        fmt::format("the model was trained on {}; its errors there say nothing", data_);
+    if (!out_.empty()) {
+      throw InputError(fmt::format("--out: {}", fault));
     }
-    const ForwardModel* compared = network ? &*network : nullptr;
-    const Evaluation evaluation = compare(no_load, compared, recording, flags.jobs);
-    const YardstickReport yardsticks =
-        measure_yardsticks(arm, no_load, compared, recording.episodes,
-                           episodes_to_fit(arm, network, recording.setpoints_only()), flags.jobs);
+    say(flags, "warning: {}", fault);
+  }
+
+  /// --plots and --predictions.
+  void write_pictures(const CommonFlags& flags, const ForwardModel& no_load,
+                      const ForwardModel* network, const Recording& recording,
+                      const YardstickReport& yardsticks) const {
     if (!plots_.empty()) {
       const EvaluationPlots plots =
-          plot_evaluation(no_load, compared, recording.episodes, flags.jobs);
+          plot_evaluation(no_load, network, recording.episodes, flags.jobs);
       for (const auto& path : write_evaluation_plots(plots_, plots)) {
         say(flags, "wrote {}", path.string());
       }
@@ -105,44 +138,44 @@ class EvaluateVerb final : public Verb {
     }
     if (!predictions_.empty()) {
       for (const auto& path :
-           write_predictions(predictions_, no_load, compared, recording.episodes, flags.jobs)) {
+           write_predictions(predictions_, no_load, network, recording.episodes, flags.jobs)) {
         say(flags, "wrote {}", path.string());
       }
     }
-    nlohmann::ordered_json json = to_json(evaluation);
-    json["commands_are"] = commands_are(recording.setpoints_only());
-    add_to_json(yardsticks, recording.episodes, json);
-    std::string text = evaluation_to_text(evaluation) + yardsticks_to_text(yardsticks);
-    if (recording.setpoints_only()) {
-      text += "all models were asked with set points\n";
-    }
-    if (network && network->compensation().member_count() > 1) {
-      const EnsembleForward ensemble(arm, network->compensation());
-      const EnsembleEvaluation errors = evaluate_ensemble(ensemble, recording.episodes, flags.jobs);
-      json["ensemble"] = to_json(errors);
-      text +=
-          (ensemble_.answer() == EnsembleAnswer::mean
-               ? "network: the mean with one backbone for all, as used by plan --ensemble mean; "
-                 "below: each with a backbone of its own\n"
-               : "network: the member that validated best, as used for planning\n") +
-          ensemble_evaluation_to_text(errors);
-    }
-    if (network) {
-      CompensationModel model = network->compensation();
-      note_unseen(arm, model, recording.episodes, flags.jobs);
-      const std::optional<PredictionError>& error = model.prediction_error;
-      json["prediction_error"] = nullptr;
-      if (error) {
-        json["prediction_error"] = to_json(*error);
-        text += prediction_error_to_text(*error) + "\n";
-      }
-      store(model);
-    }
-    print_result(flags, json, text);
-    return kExitDone;
   }
 
- private:
+  /// Errors of an ensemble's networks and of their mean; nothing of a single network.
+  void add_ensemble(const ForwardModel& network, const ArmDescription& arm,
+                    const Recording& recording, int jobs, nlohmann::ordered_json& json,
+                    std::string& text) const {
+    if (network.compensation().member_count() <= 1) {
+      return;
+    }
+    const EnsembleForward ensemble(arm, network.compensation());
+    const EnsembleEvaluation errors = evaluate_ensemble(ensemble, recording.episodes, jobs);
+    json["ensemble"] = to_json(errors);
+    text += (ensemble_.answer() == EnsembleAnswer::mean
+                 ? "network: the mean with one backbone for all, as used by plan --ensemble mean; "
+                   "below: each with a backbone of its own\n"
+                 : "network: the member that validated best, as used for planning\n") +
+            ensemble_evaluation_to_text(errors);
+  }
+
+  /// The model's error on this recording, which is stored with --out.
+  void add_unseen_error(const ForwardModel& network, const ArmDescription& arm,
+                        const Recording& recording, int jobs, nlohmann::ordered_json& json,
+                        std::string& text) const {
+    CompensationModel model = network.compensation();
+    note_unseen(arm, model, recording.episodes, jobs);
+    const std::optional<PredictionError>& error = model.prediction_error;
+    json["prediction_error"] = nullptr;
+    if (error) {
+      json["prediction_error"] = to_json(*error);
+      text += prediction_error_to_text(*error) + "\n";
+    }
+    store(model);
+  }
+
   std::filesystem::path horizon_plot_path() const {
     return std::filesystem::path(plots_) / "error_over_horizon.svg";
   }

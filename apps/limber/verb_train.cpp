@@ -85,10 +85,11 @@ class TrainVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--hidden", hidden_, "Units of each hidden layer, such as --hidden 100 100 100")
         ->check(CLI::Range(1, 4096));
-    app.add_option("--ensemble", ensemble_,
-                   "Networks to train together; their spread says how certain they are. Without this "
-                   "flag, best trains 3 for a third of the epochs where the data hold 1 to 4 hours "
-                   "and nothing says how long to train; else 1")
+    app.add_option(
+           "--ensemble", ensemble_,
+           "Networks to train together; their spread says how certain they are. Without this "
+           "flag, best trains 3 for a third of the epochs where the data hold 1 to 4 hours "
+           "and nothing says how long to train; else 1")
         ->check(CLI::Range(1, 64));
     app.add_option("--checkpoint-interval-s", checkpoint_interval_s_,
                    "Seconds between checkpoints: the most that a killed run loses")
@@ -102,35 +103,11 @@ class TrainVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     if (epochs_ == 0) {
-      if (!unseen_.empty()) {
-        throw InputError(
-            "--epochs 0 only adds bounds, and does not use --unseen: limber evaluate --model MODEL "
-            "--data UNSEEN --out OTHER measures a model's error again");
-      }
-      return add_bounds_to_model({arm_, from_, data_, old_data_, out_}, flags);
+      return only_add_bounds(flags);
     }
-    for (const fs::path& path : {fs::path(out_), curve_path(".curve.csv"), curve_path(".curve.svg"),
-                                 fs::path(checkpoint_path())}) {
-      refuse_to_overwrite(path, flags.force || resume_ || path == checkpoint_path());
-    }
-    if (resume_ && !fs::exists(checkpoint_path())) {
-      throw InputError(fmt::format("--resume: there is no checkpoint {}; leave --resume out",
-                                   checkpoint_path().string()));
-    }
-    if (!resume_ && !flags.force && fs::exists(checkpoint_path())) {
-      throw InputError(
-          fmt::format("{}: a run that was stopped; --resume goes on with it, --force "
-                      "starts over",
-                      checkpoint_path().string()));
-    }
+    require_free_paths(flags);
     const ArmDescription arm = load_asked_arm(arm_);
-    std::optional<CompensationModel> start;
-    if (!from_.empty()) {
-      start = read_model(from_);
-      require_model_of(*start, arm, from_);
-      require_no_contradiction(*start);
-      kinds_.add(from_, start->learnt_from_setpoints);
-    }
+    const std::optional<CompensationModel> start = read_start(arm);
     TrainingSettings settings = make_settings(flags, start.has_value());
     std::string sources;
     IdentifiedValves valves;
@@ -138,18 +115,9 @@ class TrainVerb final : public Verb {
     TrainingData& data = choice.data;
     const TrainingData old_data = load_old_data(flags, arm, settings, sources);
     data.replay = old_data.training;
-    tell(flags, choice);
-    std::optional<StageChoice> stages;
-    if (chooses_windows()) {
-      stages = choose_windows(flags, arm, data, settings);
-      if (!ensemble_) {
-        share_epochs(settings, network_count_for(arm, data));
-      }
-    }
-    say(flags, "training {} on {} episodes, validating on {}; preset {}, {} epochs, seed {}",
-        settings.ensemble > 1 ? fmt::format("{} networks", settings.ensemble) : "a network",
-        data.training.size(), data.validation.size(), settings.preset, settings.epoch_count(),
-        settings.seed);
+    say_episodes(flags, choice);
+    const std::optional<StageChoice> stages = choose_stages(flags, arm, data, settings);
+    say_training(flags, data, settings);
     keep_known_valves(flags, arm, start, valves);
     TrainingResult result =
         start ? fine_tune(arm, data, settings, *start) : train(arm, data, settings);
@@ -158,28 +126,14 @@ class TrainVerb final : public Verb {
       remove_checkpoint();  // --resume would only end here again
     }
     if (result.best_epoch == 0) {
-      const std::string why = "no epoch was validated before training ended; no model was written";
-      const bool interrupted = result.status == TrainingStatus::interrupted;
-      print_error(why);
-      print_result(flags,
-                   {{"status", interrupted ? "interrupted" : "diverged"},
-                    {"message", interrupted ? why : result.message}},
-                   "");
+      print_no_model(flags, result);
       return kExitNoSolution;
     }
-    result.model.training["data"] = sources;
-    result.model.training["windows"] = fmt::format("{}", fmt::join(windows_of(settings), " "));
-    if (stages) {
-      result.model.training["windows_choice"] = to_text(*stages);
-    }
-    result.model.training["validation"] = fmt::format("{}", fmt::join(choice.validation, "; "));
     result.model.set_valves(valves);
     result.model.learnt =
         learnt_region_of(data, start && start->learnt ? &*start->learnt : nullptr);
+    record_origin(result.model, sources, settings, stages, choice);
     note_unseen(arm, result.model, data.unseen, flags.jobs);
-    if (!from_.empty()) {
-      result.model.training["from"] = content_hash(read_file(from_));
-    }
     write(result);
     std::optional<FineTuningReport> changes;
     if (start && result.status != TrainingStatus::interrupted) {
@@ -198,9 +152,63 @@ class TrainVerb final : public Verb {
   }
 
  private:
+  /// --epochs 0.
+  int only_add_bounds(const CommonFlags& flags) const {
+    if (!unseen_.empty()) {
+      throw InputError(
+          "--epochs 0 only adds bounds, and does not use --unseen: limber evaluate --model MODEL "
+          "--data UNSEEN --out OTHER measures a model's error again");
+    }
+    return add_bounds_to_model({arm_, from_, data_, old_data_, out_}, flags);
+  }
+
+  /// @throws InputError where a file is in the way, or --resume has nothing to go on with.
+  void require_free_paths(const CommonFlags& flags) const {
+    for (const fs::path& path : {fs::path(out_), curve_path(".curve.csv"), curve_path(".curve.svg"),
+                                 fs::path(checkpoint_path())}) {
+      refuse_to_overwrite(path, flags.force || resume_ || path == checkpoint_path());
+    }
+    if (resume_ && !fs::exists(checkpoint_path())) {
+      throw InputError(fmt::format("--resume: there is no checkpoint {}; leave --resume out",
+                                   checkpoint_path().string()));
+    }
+    if (!resume_ && !flags.force && fs::exists(checkpoint_path())) {
+      throw InputError(
+          fmt::format("{}: a run that was stopped; --resume goes on with it, --force "
+                      "starts over",
+                      checkpoint_path().string()));
+    }
+  }
+
+  /// The model of --from; none without that flag.
+  std::optional<CompensationModel> read_start(const ArmDescription& arm) {
+    if (from_.empty()) {
+      return std::nullopt;
+    }
+    CompensationModel start = read_model(from_);
+    require_model_of(start, arm, from_);
+    require_no_contradiction(start);
+    kinds_.add(from_, start.learnt_from_setpoints);
+    return start;
+  }
+
   /// The default preset looks for windows that suit the data, unless anything says how to train.
   bool chooses_windows() const {
     return preset_ == "best" && from_.empty() && windows_.empty() && !epochs_ && !time_limit_s_;
+  }
+
+  /// Sets the windows, and how many networks share the epochs. None where flags say how to train.
+  std::optional<StageChoice> choose_stages(const CommonFlags& flags, const ArmDescription& arm,
+                                           const TrainingData& data,
+                                           TrainingSettings& settings) const {
+    if (!chooses_windows()) {
+      return std::nullopt;
+    }
+    std::optional<StageChoice> stages = choose_windows(flags, arm, data, settings);
+    if (!ensemble_) {
+      share_epochs(settings, network_count_for(arm, data));
+    }
+    return stages;
   }
 
   /// A model keeps its shape; flags that ask for another shape are a mistake.
@@ -303,11 +311,19 @@ class TrainVerb final : public Verb {
     return choice;
   }
 
-  static void tell(const CommonFlags& flags, const EpisodeChoice& choice) {
-    for (const std::string& broken : choice.broken) {
-      say(flags, "warning: {} is broken by the simple model: leave it out of the data", broken);
+  /// What the model's file says of its training, beside what the training itself wrote.
+  void record_origin(CompensationModel& model, const std::string& sources,
+                     const TrainingSettings& settings, const std::optional<StageChoice>& stages,
+                     const EpisodeChoice& choice) const {
+    model.training["data"] = sources;
+    model.training["windows"] = fmt::format("{}", fmt::join(windows_of(settings), " "));
+    if (stages) {
+      model.training["windows_choice"] = to_text(*stages);
     }
-    say(flags, "validating on {}", fmt::join(choice.validation, "; "));
+    model.training["validation"] = fmt::format("{}", fmt::join(choice.validation, "; "));
+    if (!from_.empty()) {
+      model.training["from"] = content_hash(read_file(from_));
+    }
   }
 
   void remove_checkpoint() const {

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kSchema = "limber/output/1";
+constexpr const char* kOutputSchema = "limber/output/1";
 constexpr std::size_t kMaxNamed = 3;  // of the files that stay
 
 /// Without links, dots and a slash at the end, as far as it exists.
@@ -134,7 +134,7 @@ bool OutputFolder::read_manifest() {
   try {
     const nlohmann::json root = read_json_object(manifest_path());
     const JsonReader reader(root, manifest_path().string());
-    reader.require_schema(kSchema);
+    reader.require_schema(kOutputSchema);
     const JsonReader files = reader.at("files");
     if (!files.value().is_object()) {
       files.refuse_found("expected names with their hashes");
@@ -154,7 +154,7 @@ bool OutputFolder::read_manifest() {
 
 void OutputFolder::write_manifest() const {
   const nlohmann::ordered_json root = {
-      {"schema", kSchema},
+      {"schema", kOutputSchema},
       {"about", fmt::format("Files that limber {} wrote here, with their hashes; the next run "
                             "removes them, and nothing else.",
                             verb_)},

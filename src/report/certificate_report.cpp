@@ -1,24 +1,15 @@
 #include "limber/report/certificate_report.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "json_number.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
-
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-}  // namespace
 
 Json to_json(const Certificate& certificate, const Command& command,
              const Environment& environment) {
@@ -31,19 +22,19 @@ Json to_json(const Certificate& certificate, const Command& command,
                                 {"message", failure.message}});
   }
   json["frames"] = certificate.frames;
-  json["clearance_cm"] = finite(certificate.clearance_m * kCmPerM);
+  json["clearance_cm"] = json_number(certificate.clearance_m * kCmPerM);
   json["clearance_frame"] =
       certificate.clearance_frame >= 0 ? Json(certificate.clearance_frame) : Json(nullptr);
-  json["largest_deviation_m"] = finite(certificate.max_deviation_m);
-  json["largest_step_deviation_m"] = finite(certificate.max_step_deviation_m);
-  json["largest_heading_deviation_rad"] = finite(certificate.max_heading_deviation_rad);
+  json["largest_deviation_m"] = json_number(certificate.max_deviation_m);
+  json["largest_step_deviation_m"] = json_number(certificate.max_step_deviation_m);
+  json["largest_heading_deviation_rad"] = json_number(certificate.max_heading_deviation_rad);
   json[command.is_pressure_kpa() ? "largest_pressure_deviation_kpa" : "largest_command_deviation"] =
-      finite(certificate.max_pressure_deviation_kpa);
+      json_number(certificate.max_pressure_deviation_kpa);
   json[quantity_key(command, "cost")] = certificate.cost_kpa;
   json[quantity_key(command, "largest_step")] = certificate.max_step_kpa;
-  json["distance_to_goal_cm"] = finite(certificate.goal_distance_m * kCmPerM);
+  json["distance_to_goal_cm"] = json_number(certificate.goal_distance_m * kCmPerM);
   json["orientation_to_goal_rad"] =
-      environment.goal.theta_rad ? finite(certificate.goal_orientation_rad) : Json(nullptr);
+      environment.goal.theta_rad ? json_number(certificate.goal_orientation_rad) : Json(nullptr);
   return json;
 }
 

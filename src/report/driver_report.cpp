@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "frame_column.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/plot/chart.hpp"
@@ -43,11 +44,6 @@ double quantile_ms(std::vector<double> seconds, double share) {
   return kMsPerS * seconds[static_cast<std::size_t>(std::lround(share * last))];
 }
 
-std::vector<double> column(const FrameMatrix& values, int segment) {
-  const Eigen::VectorXd numbers = values.col(segment).cast<double>();
-  return {numbers.begin(), numbers.end()};
-}
-
 std::string pressures_svg(const DriverCheck& check) {
   ChartGrid grid(1, "Set points and what was measured");
   const Eigen::VectorXd& time_s = check.episode.time_s;
@@ -58,8 +54,8 @@ std::string pressures_svg(const DriverCheck& check) {
     set.dashed = true;
     set.width_px = 1.0;
     const std::vector<double> time(time_s.begin(), time_s.end());
-    chart.line("set point in force", time, column(check.episode.setpoint_kpa, s), set);
-    chart.line("measured", time, column(check.episode.pressure_kpa, s));
+    chart.line("set point in force", time, frame_column(check.episode.setpoint_kpa, s), set);
+    chart.line("measured", time, frame_column(check.episode.pressure_kpa, s));
     grid.add(chart);
   }
   return grid.svg();

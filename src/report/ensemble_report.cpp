@@ -1,9 +1,9 @@
 #include "limber/report/training_report.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "json_number.hpp"
 
 namespace limber {
 
@@ -11,16 +11,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
-
 Json to_json(const EnsembleErrors& errors) {
   Json json = to_json(errors.mean);
-  json["spread"] = {{"mean_cm", number(errors.spread.mean_cm)},
-                    {"rank_correlation", number(errors.spread.rank_correlation)},
-                    {"covered_by_two", number(errors.spread.covered_by_two)},
-                    {"factor_for_95", number(errors.spread.factor_for_95)}};
+  json["spread"] = {{"mean_cm", json_number(errors.spread.mean_cm)},
+                    {"rank_correlation", json_number(errors.spread.rank_correlation)},
+                    {"covered_by_two", json_number(errors.spread.covered_by_two)},
+                    {"factor_for_95", json_number(errors.spread.factor_for_95)}};
   return json;
 }
 

@@ -5,21 +5,19 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "json_number.hpp"
+
 namespace limber {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
-
 Json to_json(const ErrorStatistics& value) {
-  return {{"mean", number(value.mean)},
-          {"std", number(value.std)},
-          {"p95", number(value.p95)},
-          {"worst_motion", number(value.worst_motion)}};
+  return {{"mean", json_number(value.mean)},
+          {"std", json_number(value.std)},
+          {"p95", json_number(value.p95)},
+          {"worst_motion", json_number(value.worst_motion)}};
 }
 
 std::string cells(const ErrorStatistics& value, int digits) {
@@ -73,8 +71,9 @@ Json to_json(const Evaluation& evaluation) {
       {"one_step", to_json(evaluation.constant_velocity_one_step)},
       {"one_step_moving", to_json(evaluation.constant_velocity_one_step_moving)}};
   if (evaluation.network) {
-    json["reduction_percent"] = {{"position", number(evaluation.position_reduction_percent)},
-                                 {"orientation", number(evaluation.orientation_reduction_percent)}};
+    json["reduction_percent"] = {
+        {"position", json_number(evaluation.position_reduction_percent)},
+        {"orientation", json_number(evaluation.orientation_reduction_percent)}};
   }
   return json;
 }

@@ -1,10 +1,9 @@
 #include "limber/report/plan_report.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "json_number.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/units.hpp"
@@ -14,11 +13,6 @@ namespace limber {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-/// NaN and infinities have no JSON; null says "none".
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 Json to_json(const std::optional<Plan>& partial, const PoseGoal& goal) {
   if (!partial) {
@@ -86,19 +80,20 @@ Json to_json(const PlanResult& result, const Command& command, const PoseGoal& g
   json["distance_to_goal_cm"] = plan ? Json(plan->goal_distance_m * kCmPerM) : nullptr;
   json["orientation_to_goal_rad"] =
       plan && goal.theta_rad ? Json(plan->goal_orientation_rad) : nullptr;
-  json["clearance_cm"] = plan ? finite(plan->clearance_m * kCmPerM) : nullptr;
+  json["clearance_cm"] = plan ? json_number(plan->clearance_m * kCmPerM) : nullptr;
   json["tube"] = plan && plan->tube ? tube_to_json(*plan->tube) : Json(nullptr);
   json["frames"] = plan ? Json(plan->frame_count()) : nullptr;
   for (std::size_t i = 0; plan && i < plan->limits.size(); ++i) {
     json[quantity_key(command, "limits")].push_back(to_json(plan->limits[i]));
   }
   json["largest_clearance_cm"] =
-      result.max_clearance_m ? finite(*result.max_clearance_m * kCmPerM) : nullptr;
+      result.max_clearance_m ? json_number(*result.max_clearance_m * kCmPerM) : nullptr;
   json["certificate"] = nullptr;
   if (result.certificate) {
-    json["certificate"] = {{"certified", result.certificate->certified()},
-                           {"clearance_cm", finite(result.certificate->clearance_m * kCmPerM)},
-                           {"largest_deviation_m", finite(result.certificate->max_deviation_m)}};
+    json["certificate"] = {
+        {"certified", result.certificate->certified()},
+        {"clearance_cm", json_number(result.certificate->clearance_m * kCmPerM)},
+        {"largest_deviation_m", json_number(result.certificate->max_deviation_m)}};
   }
   json["events"] = Json::array();
   for (const PlannerProgress& event : result.events) {

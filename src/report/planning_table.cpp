@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "json_number.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -81,15 +82,11 @@ void fill(PlanningRow& row, const std::vector<PlanTrial>& trials) {
   row.orientation_free_rad = figures_of(samples.orientation_free_rad);
 }
 
-Json number(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json to_json(const SampleFigures& figures) {
-  return {{"mean", number(figures.mean)},
-          {"median", number(figures.median)},
-          {"p95", number(figures.p95)},
-          {"standard_error", number(figures.standard_error)},
+  return {{"mean", json_number(figures.mean)},
+          {"median", json_number(figures.median)},
+          {"p95", json_number(figures.p95)},
+          {"standard_error", json_number(figures.standard_error)},
           {"count", figures.count}};
 }
 

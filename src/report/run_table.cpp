@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "json_number.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -44,12 +45,9 @@ void add_run(const PlanTrial& trial, RunRow& row, RunSamples& samples) {
 }
 
 Json run_figures(const SampleFigures& figures) {
-  const auto number = [](const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-  };
-  return {{"mean", number(figures.mean)},
-          {"median", number(figures.median)},
-          {"p95", number(figures.p95)}};
+  return {{"mean", json_number(figures.mean)},
+          {"median", json_number(figures.median)},
+          {"p95", json_number(figures.p95)}};
 }
 
 std::string shown(const std::optional<double>& value, int digits) {

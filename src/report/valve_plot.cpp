@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "frame_column.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/valve_identification.hpp"
@@ -46,11 +47,6 @@ FrameRange liveliest(const Recording& recording) {
   return best;
 }
 
-std::vector<double> column(const FrameMatrix& values, int segment) {
-  const Eigen::VectorXd numbers = values.col(segment).cast<double>();
-  return {numbers.begin(), numbers.end()};
-}
-
 }  // namespace
 
 std::string valve_plot_svg(const ValveParameters& valves, const Recording& recording) {
@@ -70,14 +66,14 @@ std::string valve_plot_svg(const ValveParameters& valves, const Recording& recor
     set.dashed = true;
     set.width_px = 1.0;
     chart.line("set point", time,
-               column(episode.setpoint_kpa.middleRows(range.first, range.count), i), set);
+               frame_column(episode.setpoint_kpa.middleRows(range.first, range.count), i), set);
     SeriesStyle thick;
     thick.width_px = 4.0;
     thick.opacity = 0.5;
     chart.line("measured", time,
-               column(episode.pressure_kpa.middleRows(range.first, range.count), i), thick);
+               frame_column(episode.pressure_kpa.middleRows(range.first, range.count), i), thick);
     if (!valves.is_ideal()) {
-      chart.line("modelled from the set points", time, column(modelled, i));
+      chart.line("modelled from the set points", time, frame_column(modelled, i));
     }
     grid.add(chart);
   }

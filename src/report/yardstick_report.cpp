@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "json_number.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/plot/palette.hpp"
@@ -26,10 +27,6 @@ constexpr std::array<std::pair<const char*, Restart>, 4> kHorizons = {
      {"window_32", Restart::every_32_frames},
      {"per_motion", Restart::every_motion},
      {"open_loop", Restart::at_the_start_only}}};
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
 
 std::string cell(double value) {
   return std::isfinite(value) ? fmt::format("{:>11.2f}", value) : fmt::format("{:>11}", "-");
@@ -127,10 +124,10 @@ void add_to_json(const YardstickReport& report, const std::vector<Episode>& epis
   for (const PredictorCurve& curve : report.curves) {
     Json& horizon = json["horizons"]["tip_error_cm"][curve.key];
     for (const double value : curve.tip_cm) {
-      horizon.push_back(number(value));
+      horizon.push_back(json_number(value));
     }
     for (std::size_t e = 0; e < curve.episode_cm.size(); ++e) {
-      json["episodes"][e]["tip_error_cm"][curve.key] = number(curve.episode_cm[e]);
+      json["episodes"][e]["tip_error_cm"][curve.key] = json_number(curve.episode_cm[e]);
     }
   }
 }

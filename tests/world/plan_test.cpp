@@ -161,52 +161,12 @@ struct Broken {
   std::vector<std::string> message;
 };
 
-TEST(PlanFile, NamesFileAndFieldOfEveryBrokenPlan) {
+/// Each damage is done to a good file, alone.
+void expect_refused(const std::vector<Broken>& cases) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "p.json";
   write_plan(path, small_plan(three_segment_arm()));
   const Json good = Json::parse(read_file(path));
-  const std::vector<Broken> cases{
-      {"other schema",
-       [](Json& j) { j["schema"] = "limber/arm/1"; },
-       {"schema", "'limber/arm/1' found", "limber/plan/2"}},
-      {"no schema", [](Json& j) { j.erase("schema"); }, {"schema: missing"}},
-      {"no hash", [](Json& j) { j["arm"].erase("hash"); }, {"arm.hash: missing"}},
-      {"arm is a text", [](Json& j) { j["arm"] = "mine"; }, {"arm.name: missing"}},
-      {"unknown model",
-       [](Json& j) { j["model"]["kind"] = "magic"; },
-       {"model.kind", "'magic' found", "no_load or network"}},
-      {"negative seed", [](Json& j) { j["seed"] = -1; }, {"seed", "-1 found"}},
-      {"text as number",
-       [](Json& j) { j["cost_kpa"] = "12"; },
-       {"cost_kpa", "'12' found", "finite number"}},
-      {"null as number",
-       [](Json& j) { j["frames"][2]["setpoint_kpa"][1] = nullptr; },
-       {"frames[2].setpoint_kpa[1]", "null found"}},
-      {"wrong cost", [](Json& j) { j["cost_kpa"] = 1.0; }, {"cost_kpa", "its frames add up to"}},
-      {"rate", [](Json& j) { j["frame_rate_hz"] = 0; }, {"frame_rate_hz", "from 1 to 1000"}},
-      {"no frames", [](Json& j) { j["frames"] = Json::array(); }, {"frames", "no frame found"}},
-      {"frames no list", [](Json& j) { j["frames"] = 3; }, {"frames", "a list of frames"}},
-      {"short pressures",
-       [](Json& j) { j["frames"][3]["setpoint_kpa"].erase(0); },
-       {"frames[3].setpoint_kpa", "2 numbers found; expected 3"}},
-      {"short backbone",
-       [](Json& j) { j["frames"][3]["backbone"].erase(0); },
-       {"frames[3].backbone", "15 poses found; expected 16"}},
-      {"short pose",
-       [](Json& j) { j["frames"][0]["backbone"][5].erase(0); },
-       {"frames[0].backbone[5]", "2 numbers found; expected 3"}},
-      {"huge",
-       [](Json& j) { j["frames"][0]["backbone"][5][0] = 1e30; },
-       {"frames[0].backbone[5][0]", "1e+30 found"}},
-      {"hold too long",
-       [](Json& j) { j["hold_frame_count"] = 9; },
-       {"hold_frame_count", "9 found; expected less than the 7 frames"}},
-      {"hold moves", [](Json& j) { j["hold_frame_count"] = 4; }, {"frames", "should hold still"}},
-      {"waypoints elsewhere",
-       [](Json& j) { j["waypoints_kpa"][0][0] = 5.0; },
-       {"waypoints_kpa", "at its ends"}},
-  };
   for (const Broken& broken : cases) {
     Json json = good;
     broken.damage(json);
@@ -222,6 +182,60 @@ TEST(PlanFile, NamesFileAndFieldOfEveryBrokenPlan) {
       EXPECT_THAT(message, HasSubstr(part)) << broken.what;
     }
   }
+}
+
+TEST(PlanFile, NamesFileAndFieldOfBrokenKeys) {
+  expect_refused({
+      {"other schema",
+       [](Json& j) { j["schema"] = "limber/arm/1"; },
+       {"schema", "'limber/arm/1' found", "limber/plan/2"}},
+      {"no schema", [](Json& j) { j.erase("schema"); }, {"schema: missing"}},
+      {"no hash", [](Json& j) { j["arm"].erase("hash"); }, {"arm.hash: missing"}},
+      {"arm is a text", [](Json& j) { j["arm"] = "mine"; }, {"arm.name: missing"}},
+      {"unknown model",
+       [](Json& j) { j["model"]["kind"] = "magic"; },
+       {"model.kind", "'magic' found", "no_load or network"}},
+      {"negative seed", [](Json& j) { j["seed"] = -1; }, {"seed", "-1 found"}},
+      {"text as number",
+       [](Json& j) { j["cost_kpa"] = "12"; },
+       {"cost_kpa", "'12' found", "finite number"}},
+      {"rate", [](Json& j) { j["frame_rate_hz"] = 0; }, {"frame_rate_hz", "from 1 to 1000"}},
+  });
+}
+
+TEST(PlanFile, NamesFrameAndFieldOfBrokenFrames) {
+  expect_refused({
+      {"null as number",
+       [](Json& j) { j["frames"][2]["setpoint_kpa"][1] = nullptr; },
+       {"frames[2].setpoint_kpa[1]", "null found"}},
+      {"no frames", [](Json& j) { j["frames"] = Json::array(); }, {"frames", "no frame found"}},
+      {"frames no list", [](Json& j) { j["frames"] = 3; }, {"frames", "a list of frames"}},
+      {"short pressures",
+       [](Json& j) { j["frames"][3]["setpoint_kpa"].erase(0); },
+       {"frames[3].setpoint_kpa", "2 numbers found; expected 3"}},
+      {"short backbone",
+       [](Json& j) { j["frames"][3]["backbone"].erase(0); },
+       {"frames[3].backbone", "15 poses found; expected 16"}},
+      {"short pose",
+       [](Json& j) { j["frames"][0]["backbone"][5].erase(0); },
+       {"frames[0].backbone[5]", "2 numbers found; expected 3"}},
+      {"huge",
+       [](Json& j) { j["frames"][0]["backbone"][5][0] = 1e30; },
+       {"frames[0].backbone[5][0]", "1e+30 found"}},
+  });
+}
+
+TEST(PlanFile, RefusesFramesThatContradictTheRest) {
+  expect_refused({
+      {"wrong cost", [](Json& j) { j["cost_kpa"] = 1.0; }, {"cost_kpa", "its frames add up to"}},
+      {"hold too long",
+       [](Json& j) { j["hold_frame_count"] = 9; },
+       {"hold_frame_count", "9 found; expected less than the 7 frames"}},
+      {"hold moves", [](Json& j) { j["hold_frame_count"] = 4; }, {"frames", "should hold still"}},
+      {"waypoints elsewhere",
+       [](Json& j) { j["waypoints_kpa"][0][0] = 5.0; },
+       {"waypoints_kpa", "at its ends"}},
+  });
 }
 
 // The seal is a hash over everything, so an extra key counts, however deep it goes.

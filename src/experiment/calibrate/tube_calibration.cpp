@@ -14,6 +14,7 @@
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/hardware/virtual_arm_parameters.hpp"
+#include "limber/report/evidence_page.hpp"
 #include "limber/trial/binomial_bound.hpp"
 #include "optional_json.hpp"
 

@@ -51,7 +51,7 @@ Json to_json(const TubeRun& run) {
   return json;
 }
 
-TubeRun read_run(const JsonReader& json) {
+TubeRun read_tube_run(const JsonReader& json) {
   TubeRun run;
   run.number = json.at("number").count(std::uint64_t{1} << 53U);
   run.status = json.at("status").text();
@@ -169,7 +169,7 @@ class PhaseRunner {
     const JsonReader json(root, path.string());
     std::vector<TubeRun> runs;
     for (const JsonReader& run : json.at("runs").elements("a list of runs")) {
-      runs.push_back(read_run(run));
+      runs.push_back(read_tube_run(run));
     }
     if (json.at("phase").text() != phase_.name ||
         runs.size() != static_cast<std::size_t>(block_size_)) {

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* kSchema = "limber/plan-runs/1";
+constexpr const char* kPlanRunsSchema = "limber/plan-runs/1";
 constexpr double kMaxDistanceM = 1e3;
 constexpr double kMaxDurationS = 1e6;
 constexpr int kMaxEnvironment = 1'000'000;
@@ -28,7 +28,7 @@ Json to_json(const PlanRun& run) {
           {"duration_s", run.duration_s}};
 }
 
-PlanRun read_run(const JsonReader& json) {
+PlanRun read_plan_run(const JsonReader& json) {
   PlanRun run;
   run.environment = json.at("environment").integer(0, kMaxEnvironment);
   run.status = json.at("status").text();
@@ -44,7 +44,7 @@ PlanRun read_run(const JsonReader& json) {
 
 void write_json(OutputFolder& output, const std::string& name, const std::vector<PlanRun>& runs,
                 bool recorded) {
-  Json json = {{"schema", kSchema}, {"recorded", recorded}, {"runs", Json::array()}};
+  Json json = {{"schema", kPlanRunsSchema}, {"recorded", recorded}, {"runs", Json::array()}};
   for (const PlanRun& run : runs) {
     json["runs"].push_back(to_json(run));
   }
@@ -78,13 +78,13 @@ std::optional<PlanRunPart> read_part(const fs::path& folder, const std::string& 
   }
   const nlohmann::json root = read_json_object(file);
   const JsonReader json(root, file.string());
-  json.require_schema(kSchema);
+  json.require_schema(kPlanRunsSchema);
   const std::vector<JsonReader> runs = json.at("runs").elements("a list of one run");
   if (runs.size() != 1) {
     json.at("runs").refuse_found("expected one run");
   }
   PlanRunPart part;
-  part.run = read_run(runs.front());
+  part.run = read_plan_run(runs.front());
   if (part.run.environment != environment) {
     runs.front().refuse(
         fmt::format("is of environment {}; expected {}", part.run.environment, environment));
@@ -133,10 +133,10 @@ PlanRuns read_plan_runs(const OutputFolder& output, const std::string& name) {
   const fs::path file = output.path() / (name + ".json");
   const nlohmann::json root = read_json_object(file);
   const JsonReader json(root, file.string());
-  json.require_schema(kSchema);
+  json.require_schema(kPlanRunsSchema);
   PlanRuns result;
   for (const JsonReader& run : json.at("runs").elements("a list of runs")) {
-    result.runs.push_back(read_run(run));
+    result.runs.push_back(read_plan_run(run));
     result.arm_time_s += result.runs.back().duration_s;
   }
   if (json.at("recorded").boolean()) {

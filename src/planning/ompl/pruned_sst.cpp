@@ -111,6 +111,37 @@ void PrunedSst::keep_solution(const Motion* end) {
   }
 }
 
+void PrunedSst::sample_state(Motion& sample) {
+  auto* region = dynamic_cast<ob::GoalSampleableRegion*>(pdef_->getGoal().get());
+  if (region != nullptr && rng_.uniform01() < goalBias_ && region->canSample()) {
+    region->sampleGoal(sample.state_);
+  } else {
+    sampler_->sampleUniform(sample.state_);
+  }
+}
+
+oc::SST::Motion* PrunedSst::extend(Motion& sample) {
+  Motion* from = selectNode(&sample);
+  controlSampler_->sample(sample.control_);
+  const auto frames =
+      static_cast<unsigned int>(rng_.uniformInt(static_cast<int>(siC_->getMinControlDuration()),
+                                                static_cast<int>(siC_->getMaxControlDuration())));
+  if (siC_->propagateWhileValid(from->state_, sample.control_, static_cast<int>(frames),
+                                sample.state_) != frames) {
+    return nullptr;
+  }
+  return accept(&sample, from, frames);
+}
+
+ob::PlannerStatus PrunedSst::hand_over(bool exact, double nearest) {
+  if (prevSolution_.empty()) {
+    return ob::PlannerStatus::TIMEOUT;
+  }
+  const auto path = std::make_shared<oc::PathControl>(kept_path());
+  pdef_->addSolutionPath(path, !exact, exact ? 0.0 : nearest, getName());
+  return {true, !exact};
+}
+
 ob::PlannerStatus PrunedSst::solve(const ob::PlannerTerminationCondition& stop) {
   checkValidity();
   add_starts();
@@ -123,27 +154,13 @@ ob::PlannerStatus PrunedSst::solve(const ob::PlannerTerminationCondition& stop) 
   if (!controlSampler_) {
     controlSampler_ = siC_->allocControlSampler();
   }
-  ob::Goal* goal = pdef_->getGoal().get();
-  auto* region = dynamic_cast<ob::GoalSampleableRegion*>(goal);
-  Motion reached(siC_);
+  const ob::Goal* goal = pdef_->getGoal().get();
+  Motion sample(siC_);
   double nearest = std::numeric_limits<double>::infinity();
   bool exact = false;
   while (!stop) {
-    if (region != nullptr && rng_.uniform01() < goalBias_ && region->canSample()) {
-      region->sampleGoal(reached.state_);
-    } else {
-      sampler_->sampleUniform(reached.state_);
-    }
-    Motion* from = selectNode(&reached);
-    controlSampler_->sample(reached.control_);
-    const auto frames =
-        static_cast<unsigned int>(rng_.uniformInt(static_cast<int>(siC_->getMinControlDuration()),
-                                                  static_cast<int>(siC_->getMaxControlDuration())));
-    if (siC_->propagateWhileValid(from->state_, reached.control_, static_cast<int>(frames),
-                                  reached.state_) != frames) {
-      continue;
-    }
-    Motion* node = accept(&reached, from, frames);
+    sample_state(sample);
+    const Motion* node = extend(sample);
     if (node == nullptr) {
       continue;
     }
@@ -161,14 +178,9 @@ ob::PlannerStatus PrunedSst::solve(const ob::PlannerTerminationCondition& stop) 
       keep_solution(node);
     }
   }
-  si_->freeState(reached.state_);
-  siC_->freeControl(reached.control_);
-  if (prevSolution_.empty()) {
-    return ob::PlannerStatus::TIMEOUT;
-  }
-  const auto path = std::make_shared<oc::PathControl>(kept_path());
-  pdef_->addSolutionPath(path, !exact, exact ? 0.0 : nearest, getName());
-  return {true, !exact};
+  si_->freeState(sample.state_);
+  siC_->freeControl(sample.control_);
+  return hand_over(exact, nearest);
 }
 
 }  // namespace limber

@@ -39,6 +39,13 @@ class PrunedSst final : public CountedSst {
   Motion* accept(Motion* reached, Motion* from, unsigned int frames);
   void prune(Motion* dominated);
   void keep_solution(const Motion* end);
+  /// A random state, biased towards the goal, into `sample`.
+  void sample_state(Motion& sample);
+  /// Extends the tree towards the state of `sample`, which is overwritten. @return the new node, or
+  /// null where the motion collides or a cheaper node is near.
+  Motion* extend(Motion& sample);
+  /// The kept solution as OMPL's path; `nearest` is how far a partial one stays from the goal.
+  ompl::base::PlannerStatus hand_over(bool exact, double nearest);
 };
 
 }  // namespace limber

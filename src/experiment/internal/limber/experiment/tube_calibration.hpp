@@ -60,7 +60,4 @@ struct RecordedCalibration {
 };
 Tube tube_from_recordings(const RecordedCalibration& settings);
 
-/// Page about a calibration's evidence.
-std::string evidence_page(const nlohmann::ordered_json& evidence);
-
 }  // namespace limber

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "limber/hardware/calibration_log.hpp"
+#include "limber/calibration/calibration_log.hpp"
 #include "limber/hardware/wire_calibration.hpp"
 
 namespace limber {

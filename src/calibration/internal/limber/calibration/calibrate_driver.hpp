@@ -4,7 +4,7 @@
 #include <string>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/hardware/calibration_estimate.hpp"
+#include "limber/calibration/calibration_estimate.hpp"
 #include "limber/hardware/process_driver.hpp"
 
 namespace limber {

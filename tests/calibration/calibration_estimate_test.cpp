@@ -1,4 +1,4 @@
-#include "limber/hardware/calibration_estimate.hpp"
+#include "limber/calibration/calibration_estimate.hpp"
 
 #include <cstdlib>
 #include <numbers>

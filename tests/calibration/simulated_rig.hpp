@@ -4,8 +4,8 @@
 #include <deque>
 #include <vector>
 
+#include "limber/calibration/calibration_log.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/hardware/calibration_log.hpp"
 #include "limber/hardware/misassembly.hpp"
 
 namespace limber {

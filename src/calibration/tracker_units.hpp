@@ -1,7 +1,7 @@
 #pragma once
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/hardware/calibration_log.hpp"
+#include "limber/calibration/calibration_log.hpp"
 #include "seen_poses.hpp"
 
 namespace limber {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/calibration/calibration_log.hpp"
 #include "limber/common/error.hpp"
-#include "limber/hardware/calibration_log.hpp"
 #include "limber/hardware/safety_settings.hpp"
 #include "limber/world/straight_motion.hpp"
 

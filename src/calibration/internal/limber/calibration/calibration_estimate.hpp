@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/hardware/calibration_log.hpp"
+#include "limber/calibration/calibration_log.hpp"
 #include "limber/hardware/wire_calibration.hpp"
 
 namespace limber {

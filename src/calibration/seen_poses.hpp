@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "limber/hardware/calibration_log.hpp"
+#include "limber/calibration/calibration_log.hpp"
 
 namespace limber {
 

@@ -1,4 +1,4 @@
-#include "limber/hardware/calibrate_driver.hpp"
+#include "limber/calibration/calibrate_driver.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,11 @@
+#include "limber/report/evidence_page.hpp"
+
+#include <cstdint>
+#include <vector>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "limber/experiment/tube_calibration.hpp"
 #include "limber/report/report_page.hpp"
 
 namespace limber {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "limber/hardware/calibration_log.hpp"
+#include "limber/calibration/calibration_log.hpp"
 #include "limber/hardware/wire_calibration.hpp"
 #include "seen_poses.hpp"
 
