@@ -66,8 +66,8 @@ std::string prediction_error_line(const CompensationModel& model, bool has_unsee
   }
   return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
                       "arm was not tracked often enough"
-                    : "no motions were left to measure the model's error on; give --unseen "
-                      "RECORDING";
+                    : "no motions were left to measure the "
+                      "model's error on; give --unseen RECORDING";
 }
 
 }  // namespace limber

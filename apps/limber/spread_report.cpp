@@ -45,8 +45,8 @@ Json to_json(const PlanSpread& spread) {
 std::string to_text(const PlanSpread& spread, const std::string& whose, const ArmDescription& arm,
                     const Environment& environment) {
   std::string text = fmt::format(
-      "the {} networks of {}, each by itself, put the end {:.2f} to {:.2f} cm from the goal, {} up "
-      "to {:.2f} cm apart",
+      "the {} networks of {}, each by itself, put the end {:.2f} "
+      "to {:.2f} cm from the goal, {} up to {:.2f} cm apart",
       spread.members, whose, kCmPerM * spread.goal_distance.min_m,
       kCmPerM * spread.goal_distance.max_m, plate_name(spread.end.plate),
       kCmPerM * spread.end.largest_distance_m);

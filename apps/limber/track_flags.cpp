@@ -24,8 +24,8 @@ void TrackFlags::prepare(const ArmDescription& arm, const ModelFlags& model,
   if (laps_ > 1 && !tip_path_.closes()) {
     throw InputError(
         tip_path_.place(path_, tip_path_.point_m.size() - 1) +
-        fmt::format(": ends {:.1f} mm from where the path starts; --laps {} needs one that ends at "
-                    "its start, to 1 mm",
+        fmt::format(": ends {:.1f} mm from where the path starts; "
+                    "--laps {} needs one that ends at its start, to 1 mm",
                     1000.0 * (tip_path_.point_m.back() - tip_path_.point_m.front()).norm(), laps_));
   }
   tip_path_.laps = laps_;

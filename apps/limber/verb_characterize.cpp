@@ -71,7 +71,8 @@ class CharacterizeVerb final : public Verb {
   const char* example() const override {
     return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg\n"
            "  limber characterize --arm mine.yaml --recording train.h5 --out fitted.yaml\n"
-           "  limber characterize --arm one_segment.yaml --driver \"exec:python3 my_driver.py\" --out fitted.yaml";
+           "  limber characterize --arm one_segment.yaml --driver "
+           "\"exec:python3 my_driver.py\" --out fitted.yaml";
   }
 
   void add_flags(CLI::App& app) override {

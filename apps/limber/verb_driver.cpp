@@ -24,8 +24,8 @@ class DriverVerb final : public Verb {
   }
   const char* example() const override {
     return "limber driver check --driver \"exec:limber virtual-arm --serve\" --out checked\n"
-           "  limber driver calibrate --driver \"exec:limber virtual-arm --serve --fast --misassembled 1\" "
-           "--yes --handedness left --out calibration.yaml";
+           "  limber driver calibrate --driver \"exec:limber virtual-arm --serve "
+           "--fast --misassembled 1\" --yes --handedness left --out calibration.yaml";
   }
 
   void add_flags(CLI::App& app) override {

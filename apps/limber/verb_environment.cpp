@@ -54,8 +54,8 @@ class EnvironmentVerb final : public Verb {
     const bool check = words_.size() == 2 && words_.front() == "check";
     if (check == random_ || (!check && !words_.empty())) {
       throw InputError(
-          "expected either 'limber environment check FILE' or 'limber environment --random "
-          "--count N --out DIR'");
+          "expected either 'limber environment check FILE' or "
+          "'limber environment --random --count N --out DIR'");
     }
     const ArmDescription arm = load_asked_arm(arm_);
     const ForwardModel forward =
@@ -89,8 +89,7 @@ class EnvironmentVerb final : public Verb {
         check.refusal
             ? fmt::format("{}: {}: {}", words_[1], to_string(*check.refusal), check.reason)
             : fmt::format(
-                  "{}: '{}' is fine: {} obstacles, start {}, a straight motion in "
-                  "pressure {} it",
+                  "{}: '{}' is fine: {} obstacles, start {}, a straight motion in pressure {} it",
                   words_[1], environment.name, environment.obstacles.size(),
                   has_clearance ? fmt::format("{:.2f} cm clear of {}", start.value_m * kCmPerM,
                                               obstacle_name(environment, start.obstacle))

@@ -169,10 +169,10 @@ class EvaluateVerb final : public Verb {
       if (setpoints_only && !recording.setpoints_only()) {
         recording.episodes = with_setpoints_only(std::move(recording.episodes));
       } else if (recording.setpoints_only() != setpoints_only) {
-        throw InputError(fmt::format(
-            "--fit {}: holds set points only, --data {} what was measured; give recordings of one "
-            "kind",
-            path, data_));
+        throw InputError(
+            fmt::format("--fit {}: holds set points only, --data {} "
+                        "what was measured; give recordings of one kind",
+                        path, data_));
       }
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
     }

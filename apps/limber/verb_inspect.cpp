@@ -53,8 +53,7 @@ Finding inspect_arm(const YamlReader& root) {
                   {"frame_rate_hz", arm.frame_rate_hz},
                   {"pressure_rate_limit_kpa_per_s", arm.pressure_rate_limit_kpa_per_s}};
   finding.text = fmt::format(
-      "arm '{}', hash {}\n  {} segments, {} plates, {:.3f} m long, {} Hz, "
-      "at most {} {}/s",
+      "arm '{}', hash {}\n  {} segments, {} plates, {:.3f} m long, {} Hz, at most {} {}/s",
       arm.name, arm.hash(), arm.segment_count(), arm.point_count(), arm.length_m(),
       arm.frame_rate_hz, arm.pressure_rate_limit_kpa_per_s, arm.command.unit);
   for (int i = 0; i < arm.segment_count(); ++i) {
@@ -87,8 +86,8 @@ Finding inspect_environment(const YamlReader& root, const std::optional<ArmDescr
   finding.json["goal"] = {
       {"x_m", goal.x_m}, {"y_m", goal.y_m}, {"position_tolerance_m", goal.position_tolerance_m}};
   finding.text = fmt::format(
-      "environment '{}', hash {}\n  {} obstacles{}; start {}\n  goal ({:.3f}, {:.3f}) m within "
-      "{} m",
+      "environment '{}', hash {}\n  {} obstacles{}; "
+      "start {}\n  goal ({:.3f}, {:.3f}) m within {} m",
       environment.name, environment_hash(environment), environment.obstacles.size(),
       environment.obstacles.empty()
           ? ""
@@ -145,10 +144,10 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
   if (schema.text() == "limber/valves/1") {
     return inspect_valves(root, arm, file);
   }
-  schema.refuse(fmt::format(
-      "{} found; this program reads 'limber/arm/1', 'limber/environment/1' and 'limber/valves/1' "
-      "as YAML",
-      schema.found()));
+  schema.refuse(
+      fmt::format("{} found; this program reads 'limber/arm/1', "
+                  "'limber/environment/1' and 'limber/valves/1' as YAML",
+                  schema.found()));
 }
 
 /// How large the model's error is, and what its recordings held.

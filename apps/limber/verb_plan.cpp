@@ -87,8 +87,8 @@ class PlanVerb final : public Verb {
     model_.add_to(app, " to plan with");
     ensemble_.add_to(app);
     app.add_option("--environment", environment_,
-                   "Environment file, or the name of one of limber's own; not needed to "
-                   "--build-forest alone");
+                   "Environment file, or the name of one of "
+                   "limber's own; not needed to --build-forest alone");
     app.add_option(
            "--planner", planner_,
            "default: keeps several backbones for similar pressures, then improves plans; paper: "
@@ -259,8 +259,8 @@ class PlanVerb final : public Verb {
     }
     if (!forward.has_network() || !forward.compensation().learnt) {
       throw InputError(
-          "--stay-recorded: the model does not store what its recordings held; limber train stores "
-          "it");
+          "--stay-recorded: the model does not store what "
+          "its recordings held; limber train stores it");
     }
     return std::optional<RecordedRegion>(std::in_place, *forward.compensation().learnt,
                                          arm.frame_rate_hz);

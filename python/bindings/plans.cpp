@@ -42,8 +42,8 @@ void bind_plan(py::module_& module) {
                  "False where the file was changed since.")
       .done();
   Record<Plan>(module, "Plan",
-               "A motion in pressure space. Its frames are executed as they stand, never "
-               "resampled.")
+               "A motion in pressure space. Its frames are "
+               "executed as they stand, never resampled.")
       .read_only("arm_name", &Plan::arm_name, "Of the arm.")
       .read_only("model", &Plan::model, "\"no_load\" or \"network\".")
       .read_only("environment_name", &Plan::environment_name, "Of the environment.")

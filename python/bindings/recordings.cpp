@@ -216,8 +216,8 @@ void bind_export(py::module_& module) {
         return identify_valves(copies, arm, source);
       },
       py::arg("episodes"), py::arg("arm"), py::arg("source") = "recordings",
-      "Valves between set points and measured pressures; the findings say how well they fit, or "
-      "why there are none.");
+      "Valves between set points and measured pressures; the "
+      "findings say how well they fit, or why there are none.");
 }
 
 }  // namespace
@@ -251,8 +251,8 @@ void bind_recordings(py::module_& module) {
         return recording;
       },
       py::arg("arm"), py::arg("episodes"), py::arg("source") = "python", py::arg("seed") = 0,
-      "A recording of these episodes (copied), checked: sizes agree, times increase, numbers are "
-      "finite.");
+      "A recording of these episodes (copied), checked: "
+      "sizes agree, times increase, numbers are finite.");
   module.def(
       "with_setpoints_only",
       [](const py::iterable& episodes) {

@@ -130,17 +130,17 @@ void add_warnings(std::size_t given, StrainFit& fit) {
   }
   if (fit.rms_residual > kNotedResidual) {
     fit.warnings.push_back(
-        fmt::format("the residual is {:.1f} % of full strain: scattered data, or a shape that a "
-                    "quartic cannot follow",
+        fmt::format("the residual is {:.1f} % of full strain: scattered "
+                    "data, or a shape that a quartic cannot follow",
                     100.0 * fit.rms_residual));
   }
   if (fit.full_strain > kBareActuatorStrain) {
-    fit.warnings.push_back(fmt::format(
-        "full strain is {:.2f}. Was a bare actuator measured? It contracts about a third more than "
-        "the side of a whole segment, whose elasticity holds it back; the error of the no-load "
-        "model is then 27 cm instead of 16 on limber's virtual arm. Measure one whole, free "
-        "segment",
-        fit.full_strain));
+    fit.warnings.push_back(
+        fmt::format("full strain is {:.2f}. Was a bare actuator measured? It contracts "
+                    "about a third more than the side of a whole segment, whose elasticity "
+                    "holds it back; the error of the no-load model is then 27 cm instead "
+                    "of 16 on limber's virtual arm. Measure one whole, free segment",
+                    fit.full_strain));
   }
 }
 

@@ -125,8 +125,8 @@ class Certifier::Certification {
         }
         if (agreed && !(apart <= Certificate::kPressureDeviationKpa)) {
           fail("valves", static_cast<int>(k),
-               fmt::format("{} is said to be at {:.6g} {unit}; its valves bring it to "
-                           "{:.6g} {unit}",
+               fmt::format("{} is said to be at {:.6g} {unit}; "
+                           "its valves bring it to {:.6g} {unit}",
                            segment_name(i), stored, pressures_kpa_[k][i],
                            fmt::arg("unit", arm_.command.unit)));
         }
@@ -199,8 +199,8 @@ class Certifier::Certification {
     fail(
         "model", frame,
         fmt::format(
-            "{} is {:.4g} mm and {:.4g} rad from where the model puts it; allowed: "
-            "{} mm and {} rad{}",
+            "{} is {:.4g} mm and {:.4g} rad from where the "
+            "model puts it; allowed: {} mm and {} rad{}",
             plate_name(found.plate), found.apart_m * 1e3, found.turned_rad,
             Certificate::kDeviationM * 1e3, Certificate::kHeadingDeviationRad,
             is_rounding

@@ -285,8 +285,8 @@ std::vector<fs::path> export_motive(const Recording& recording, const fs::path& 
   std::string points;
   for (int p = 0; p < recording.point_count; ++p) {
     points += settings.markers ? fmt::format(
-                                     "    - {{plate: {0}, right: 'Arm:Right{0:02}', left: "
-                                     "'Arm:Left{0:02}'}}\n",
+                                     "    - {{plate: {0}, right: "
+                                     "'Arm:Right{0:02}', left: 'Arm:Left{0:02}'}}\n",
                                      p)
                                : fmt::format("    - {{plate: {0}, body: Plate{0:02}}}\n", p);
   }

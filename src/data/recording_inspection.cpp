@@ -325,8 +325,8 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
   if (inspection.episode_errors) {
     const EpisodeErrors& errors = *inspection.episode_errors;
     text += fmt::format(
-        "  the simple model (fitted gains, offsets, lengths, lag) is off by {:.2f} cm at the tip in "
-        "the middle one of the episodes\n",
+        "  the simple model (fitted gains, offsets, lengths, lag) is "
+        "off by {:.2f} cm at the tip in the middle one of the episodes\n",
         errors.median_cm);
     outliers = outliers_to_text(errors);
     text += outliers.empty() ? "" : "  broken: " + outliers + "\n";

@@ -247,10 +247,10 @@ PlanTrial read_trial(const fs::path& folder, const TrialKey& key, const ArmDescr
     }
     return trial;
   } catch (const InputError& error) {
-    throw InputError(fmt::format(
-        "{}. The trial is damaged, or another experiment's: remove {} and {} to run it again, or "
-        "choose another --out",
-        error.what(), path.string(), (folder / plan_name(key.id)).string()));
+    throw InputError(
+        fmt::format("{}. The trial is damaged, or another experiment's: "
+                    "remove {} and {} to run it again, or choose another --out",
+                    error.what(), path.string(), (folder / plan_name(key.id)).string()));
   }
 }
 

@@ -285,10 +285,10 @@ void record_or_say_how_to_go_on(const ArmDescription& arm, const CollectionSetti
     if (count_done(done) == 0) {
       throw Interrupted("stopped on request, before the first episode was finished");
     }
-    throw Interrupted(fmt::format(
-        "stopped on request; {} of {} episodes are kept in {}: the same command with --resume "
-        "goes on from there",
-        count_done(done), schedule.size(), parts.folder().string()));
+    throw Interrupted(
+        fmt::format("stopped on request; {} of {} episodes are kept in "
+                    "{}: the same command with --resume goes on from there",
+                    count_done(done), schedule.size(), parts.folder().string()));
   }
 }
 

@@ -22,8 +22,8 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
     }
     if (!(std::abs(value - double(before_kpa[i])) <= step_kpa + kRounding)) {
       throw InputError(
-          fmt::format("controller: set point of {} in frame {} changes from {} to {} kPa; a frame "
-                      "allows {} kPa",
+          fmt::format("controller: set point of {} in frame {} changes "
+                      "from {} to {} kPa; a frame allows {} kPa",
                       segment_name(i), frame, before_kpa[i], value, step_kpa));
     }
   }

@@ -120,11 +120,11 @@ double side_strain(const Backbone& rest, const Backbone& bent, double width_m, d
 std::vector<BenchPoint> measure_segment(const ArmDescription& arm, const PressureLimits& limits,
                                         int steps, ArmDriver& driver, Episode& episode) {
   if (arm.segment_count() != 1) {
-    throw InputError(fmt::format(
-        "arm '{}' has {} segments; on a driver, one mounted free segment is characterised: give it "
-        "an arm file of its own. A whole arm is characterised from recordings: limber characterize "
-        "--recording",
-        arm.name, arm.segment_count()));
+    throw InputError(
+        fmt::format("arm '{}' has {} segments; on a driver, one mounted free segment "
+                    "is characterised: give it an arm file of its own. A whole arm is "
+                    "characterised from recordings: limber characterize --recording",
+                    arm.name, arm.segment_count()));
   }
   if (steps < kFewestBenchSteps) {
     throw InputError(

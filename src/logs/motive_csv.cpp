@@ -138,9 +138,9 @@ class MotiveFile {
       double version = 0.0;
       if (!parse_number(take_.format_version, version) || version < kOldestFormat) {
         refuse(
-            fmt::format("'Format Version' is '{}'; this program reads 1.2 and later. Export the "
-                        "take again with a newer Motive, or bring it as plain CSV ('limber "
-                        "import csv')",
+            fmt::format("'Format Version' is '{}'; this program reads 1.2 and "
+                        "later. Export the take again with a newer Motive, or "
+                        "bring it as plain CSV ('limber import csv')",
                         take_.format_version));
       }
       return;
@@ -351,8 +351,8 @@ class MotiveFile {
   void require_euler_order(const std::string& order) const {
     if (!is_euler_order(order)) {
       refuse(
-          fmt::format("'Rotation Type' is '{}'; expected Quaternion or an order of Euler angles, "
-                      "XYZ … ZYX. {}",
+          fmt::format("'Rotation Type' is '{}'; expected Quaternion "
+                      "or an order of Euler angles, XYZ … ZYX. {}",
                       order, kHowToExport));
     }
   }

@@ -100,8 +100,8 @@ std::string evaluation_to_text(const Evaluation& evaluation) {
   text += row("constant velocity, one step", evaluation.constant_velocity_one_step);
   text += row("the same, moving", evaluation.constant_velocity_one_step_moving);
   text +=
-      "worst: the mean over the worst motion; moving: over frames in which the tip moves; -: there "
-      "are none\n";
+      "worst: the mean over the worst motion; moving: over "
+      "frames in which the tip moves; -: there are none\n";
   if (evaluation.network) {
     text += fmt::format("open loop, the network's errors are {:.1f} % and {:.1f} % smaller\n",
                         evaluation.position_reduction_percent,

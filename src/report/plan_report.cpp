@@ -42,8 +42,8 @@ Json tube_to_json(const PlanTube& tube) {
 
 std::string tube_note(const std::optional<PlanTube>& tube) {
   return tube ? fmt::format(
-                    "\nkeeps the tube of {:.4g} % of runs free, {:.2f} cm wide at the tip; "
-                    "the goal {} its end",
+                    "\nkeeps the tube of {:.4g} % of runs free, "
+                    "{:.2f} cm wide at the tip; the goal {} its end",
                     100.0 * tube->level, tube->plate_radius_m.back() * kCmPerM,
                     tube->goal_inside ? "holds" : "is too small for")
               : "";
@@ -126,11 +126,10 @@ std::string plan_result_to_text(const PlanResult& result, const Command& command
   const std::string psi =
       command.is_pressure_kpa() ? fmt::format(" ({:.1f} psi)", plan.cost_kpa / kKpaPerPsi) : "";
   return fmt::format(
-             "plan: {} frames, {:.1f} s, cost {:.1f} {}{}; ends {:.2f} cm from the "
-             "goal, "
-             "clearance {:.2f} cm, both as the {} model predicts\n"
-             "first certified plan after {:.4f} s ({:.1f} {}); {} nodes, {} rewires of {} tried, "
-             "{} model queries in {:.2f} s ({:.0f} per second); {}",
+             "plan: {} frames, {:.1f} s, cost {:.1f} {}{}; ends {:.2f} cm from "
+             "the goal, clearance {:.2f} cm, both as the {} model predicts\n"
+             "first certified plan after {:.4f} s ({:.1f} {}); {} nodes, {} rewires "
+             "of {} tried, {} model queries in {:.2f} s ({:.0f} per second); {}",
              plan.frame_count(), plan.duration_s(), plan.cost_kpa, command.unit, psi,
              plan.goal_distance_m * kCmPerM, plan.clearance_m * kCmPerM, plan.model,
              result.first_solution->time_s, result.first_solution->cost_kpa, command.unit,

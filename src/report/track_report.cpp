@@ -28,12 +28,13 @@ Json laps_to_json(const TrackRun& run, const std::optional<TrackError>& error) {
 
 std::string laps_to_text(const char* laps, const TrackRun& run,
                          const std::optional<TrackError>& error) {
-  return error
-             ? fmt::format(
-                   "\n  {}: off by {:.2f} cm (RMS), {:.2f} % of the path's length; at most {:.2f} cm",
-                   laps, kCmPerM * error->rms_m, percent_of_length(run, *error),
-                   kCmPerM * error->max_m)
-             : "";
+  if (!error) {
+    return "";
+  }
+  return fmt::format(
+      "\n  {}: off by {:.2f} cm (RMS), {:.2f} % of the path's length; "
+      "at most {:.2f} cm",
+      laps, kCmPerM * error->rms_m, percent_of_length(run, *error), kCmPerM * error->max_m);
 }
 
 /// Where the tip was in a frame, in cm.

@@ -100,9 +100,9 @@ std::string predictions_csv(const std::vector<Episode>& episodes,
 }  // namespace
 
 std::string frames_counted_in_words() {
-  return "every frame after the first of its episode in which the arm was tracked; a frame that a "
-         "rollout was given as its start is no prediction, and one that rests on no tracked frame "
-         "counts for nothing";
+  return "every frame after the first of its episode in which the arm was "
+         "tracked; a frame that a rollout was given as its start is no "
+         "prediction, and one that rests on no tracked frame counts for nothing";
 }
 
 void add_to_json(const YardstickReport& report, const std::vector<Episode>& episodes, Json& json) {

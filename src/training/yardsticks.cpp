@@ -79,7 +79,8 @@ PiecePrediction hold_predictions(const std::vector<Episode>& episodes) {
   };
 }
 
-/// Needs two frames that were seen. Without them it holds the pose; a single step then says nothing.
+/// Needs two frames that were seen. Without them it holds the pose; a single
+/// step then says nothing.
 PiecePrediction constant_velocity_predictions(const std::vector<Episode>& episodes) {
   return [&](const RolloutPiece& piece, FrameMatrix& predicted) {
     const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
@@ -238,8 +239,8 @@ std::string fitted_to_words(const std::vector<Episode>& episodes,
              ? fmt::format("this recording, each fifth predicted by a fit to the other {}",
                            folds - 1)
              : fmt::format(
-                   "this recording, its episodes in {} parts, each predicted by a fit to "
-                   "the others",
+                   "this recording, its episodes in {} parts, "
+                   "each predicted by a fit to the others",
                    folds);
 }
 

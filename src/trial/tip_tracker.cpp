@@ -104,8 +104,8 @@ void TipTracker::learn_bias() {
   commanded_.pop_front();
 }
 
-/// A network starts from the measured shape, and errs more the farther ahead; the no-load model errs
-/// as much in the next frame.
+/// A network starts from the measured shape, and errs more the farther ahead; the no-load model
+/// errs as much in the next frame.
 Eigen::Vector2d TipTracker::bias_ahead_m(int frames) const {
   if (!model_.has_network()) {
     return bias_m_;

@@ -54,8 +54,8 @@ TEST(Environment, ReadsEveryKindOfObstacle) {
 }
 
 TEST(Environment, OrientationIsOptionalAndItsToleranceHasADefault) {
-  EXPECT_FALSE(read(with("theta_rad: 1.2, position_tolerance_m: 0.02, orientation_tolerance_rad: "
-                         "0.25",
+  EXPECT_FALSE(read(with("theta_rad: 1.2, position_tolerance_m: "
+                         "0.02, orientation_tolerance_rad: 0.25",
                          "position_tolerance_m: 0.02"))
                    .goal.theta_rad);
   EXPECT_EQ(read(with(", orientation_tolerance_rad: 0.25", "")).goal.orientation_tolerance_rad,
@@ -203,8 +203,8 @@ TEST(Environment, SetPointsOfAStartInMotionFitTheArmAndCountInTheHash) {
 
 TEST(Environment, RefusesABrokenNumberInAnyPlaceOfAStartingPose) {
   for (const char* pose : {"[x, 0, 0]", "[0, .nan, 0]", "[0, 0, 1e9]", "[5000, 0, 0]"}) {
-    expect_refused(with("start: rest", std::string("start: {pressures_kpa: [0, 0, 0], backbone: "
-                                                   "[[0, 0, 0], ") +
+    expect_refused(with("start: rest", std::string("start: {pressures_kpa: [0, "
+                                                   "0, 0], backbone: [[0, 0, 0], ") +
                                            pose + "]}"),
                    "e.yaml:7: start.backbone[1]", "found; expected");
   }

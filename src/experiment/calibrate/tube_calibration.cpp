@@ -283,8 +283,7 @@ void require_usable(const CalibrationSettings& settings) {
         std::tuple{"--test-runs", settings.test_runs, confidence}}) {
     if (const int least = min_runs(highest, sure); runs < least) {
       throw InputError(
-          fmt::format("{} {}: so few can't show a level of {}: at least {}, or lower "
-                      "--levels",
+          fmt::format("{} {}: so few can't show a level of {}: at least {}, or lower --levels",
                       flag, runs, highest, least));
     }
   }

@@ -303,10 +303,10 @@ nlohmann::ordered_json run_improve(const ImproveSettings& settings, const Improv
     if (std::string_view(stop.what()).find("--resume") != std::string_view::npos) {
       throw;
     }
-    throw Interrupted(fmt::format(
-        "stopped on request; what was finished is in {}: the same command with --resume goes on from "
-        "there",
-        settings.folder.string()));
+    throw Interrupted(
+        fmt::format("stopped on request; what was finished is in {}: "
+                    "the same command with --resume goes on from there",
+                    settings.folder.string()));
   }
 }
 

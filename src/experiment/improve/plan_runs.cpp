@@ -169,11 +169,11 @@ class Batch {
 
   void require_some_solved() const {
     if (in_vain_ >= kMaxInVain) {
-      throw InputError(fmt::format(
-          "{}: {} environments in a row gave no plan that could be executed (the last: {}). The "
-          "model's error leaves no room beside obstacles: --margin-m 0.01 --goal-margin-m 0.01 asks "
-          "for less, --max-queries for a longer search",
-          asked_.what, in_vain_, result_.runs.back().status));
+      throw InputError(
+          fmt::format("{}: {} environments in a row gave no plan that could be executed (the "
+                      "last: {}). The model's error leaves no room beside obstacles: --margin-m "
+                      "0.01 --goal-margin-m 0.01 asks for less, --max-queries for a longer search",
+                      asked_.what, in_vain_, result_.runs.back().status));
     }
   }
 

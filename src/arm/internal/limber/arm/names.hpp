@@ -8,8 +8,8 @@
 
 #include "limber/arm/arm_description.hpp"
 
-// What messages call an arm's parts. All of them are counted from 0 at the base, as in YAML paths, in
-// JSON and in the columns of CSV files.
+// What messages call an arm's parts. All of them are counted from 0 at the base, as in YAML paths,
+// in JSON and in the columns of CSV files.
 namespace limber {
 
 inline std::string segment_name(Eigen::Index segment) {
