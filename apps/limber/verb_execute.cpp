@@ -48,7 +48,7 @@ class ExecuteVerb final : public Verb {
     replan_.add_to(app);
     app.add_option("--disturbance", disturbance_,
                    "The virtual arm is not as it was: " + disturbance_kinds() +
-                       "; several at once with commas between; drawn from --seed");
+                       "; several at once with commas between; sampled from --seed");
     model_.add_to(app, " that the plan was made with; for --replan");
     room_.add_to(app);
     app.add_option("--out", out_, "Recording of the run to write");
@@ -140,7 +140,7 @@ class ExecuteVerb final : public Verb {
     }
     for (const Disturbance& one : disturbances) {
       if (one.kind == DisturbanceKind::obstacle || one.kind == DisturbanceKind::lost_tracking) {
-        throw InputError(fmt::format("--disturbance {}: is drawn for a plan; not with --track",
+        throw InputError(fmt::format("--disturbance {}: is sampled for a plan; not with --track",
                                      to_string(one.kind)));
       }
     }

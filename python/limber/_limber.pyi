@@ -1267,7 +1267,7 @@ class ProgressMode:
     def value(self) -> int: ...
 
 class RandomStream:
-    """Counter-based random numbers (Philox): the k-th draw depends on seed, stream and k alone. One stream, one thread."""
+    """Counter-based random numbers (Philox): the k-th sample depends on seed, stream and k alone. One stream, one thread."""
     def __init__(self, seed: int, stream: int = 0) -> None: ...
     def next_u32(self) -> int:
         """Uniform over all 32-bit words."""
@@ -1450,7 +1450,7 @@ class ScheduleSettings:
     def hold_s(self, value: float) -> None: ...
     @property
     def hold_min_s(self) -> float | None:
-        """Holds are drawn between this and hold_s [s]; or None."""
+        """Holds are sampled between this and hold_s [s]; or None."""
     @hold_min_s.setter
     def hold_min_s(self, value: float | None) -> None: ...
     def __init__(self, *, kind: ScheduleKind = ..., count: int = ..., episodes: int = ..., approach: Approach = ..., hold_s: float = ..., hold_min_s: float | None = ...) -> None: ...

@@ -234,13 +234,13 @@ class Certifier::Certification {
     result_.clearance_frame = swept.frame;
     result_.clearance_gap = swept.gap;
     result_.clearance_obstacle = swept.obstacle;
-    const double least = std::max(plan_.margin_m, Certificate::kMinClearanceM);
-    if (!(swept.value_m >= least)) {
+    const double min_m = std::max(plan_.margin_m, Certificate::kMinClearanceM);
+    if (!(swept.value_m >= min_m)) {
       fail("collision", swept.frame,
            fmt::format("the arm{}, {}, comes within {:.3f} mm of {}; {:.3f} mm are asked for",
                        plan_.tube ? " with its tube" : "", gap_name(arm_, swept.gap),
                        swept.value_m * 1e3, obstacle_name(environment_, swept.obstacle),
-                       least * 1e3));
+                       min_m * 1e3));
     }
     const bool both_infinite = std::isinf(plan_.clearance_m) && std::isinf(swept.value_m);
     if (!both_infinite && !(std::abs(plan_.clearance_m - swept.value_m) <= kReportedClearanceM)) {

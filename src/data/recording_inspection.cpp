@@ -216,8 +216,8 @@ std::string transitions_to_text(const Recording& recording, const RecordingInspe
 /// By the arm file, or by the arm that the recording describes.
 std::optional<EpisodeErrors> errors_of(const Recording& recording, const ArmDescription* arm,
                                        const std::string& file) {
-  const bool seen = recording.untracked_count() < recording.frame_count();
-  if (!seen || (arm == nullptr && recording.arm_description.empty())) {
+  const bool tracked = recording.untracked_count() < recording.frame_count();
+  if (!tracked || (arm == nullptr && recording.arm_description.empty())) {
     return std::nullopt;
   }
   return episode_errors(arm != nullptr ? *arm : read_arm_keys(recording.arm_description, file),
@@ -308,7 +308,7 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
   std::string text = fmt::format(
       "recording of arm '{}' ({}), seed {}, limber {}\n"
       "  {}\n"
-      "  {} episodes, {} frames at {} Hz ({:.1f} s), {} dropped\n"
+      "  {} episodes, {} frames at {} Hz ({:.1f} s), {} not tracked\n"
       "  {} segments, driven by {} [{}], {} backbone points [m, m, rad]\n",
       recording.arm_name, recording.source, recording.seed, recording.program_version,
       recording.settings.empty() ? "no settings stored" : recording.settings,

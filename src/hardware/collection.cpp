@@ -80,11 +80,12 @@ class EpisodeRun {
   }
 
   void hold(const Motion& motion) {
-    const int least = std::max(1, arm_.frames_in(motion.hold_s));
-    const int most = std::max(least, arm_.frames_in(settings_.hold_limit_s));
-    for (int k = 0; k < least || (motion.until_reached && !reached(motion.setpoint_kpa)); ++k) {
-      if (k == most) {
-        refuse_unreached(motion, most * arm_.frame_period_s());
+    const int min_frames = std::max(1, arm_.frames_in(motion.hold_s));
+    const int max_frames = std::max(min_frames, arm_.frames_in(settings_.hold_limit_s));
+    for (int k = 0; k < min_frames || (motion.until_reached && !reached(motion.setpoint_kpa));
+         ++k) {
+      if (k == max_frames) {
+        refuse_unreached(motion, max_frames * arm_.frame_period_s());
       }
       command(motion.setpoint_kpa);
     }

@@ -215,7 +215,7 @@ class VirtualArm::Simulation {
   }
 
   /// The true state at this moment with the options' noise and drops; always the same number of
-  /// draws.
+  /// samples.
   ArmState measure() {
     BackboneD backbone;
     write_backbone(backbone);

@@ -13,7 +13,7 @@ namespace limber {
 namespace {
 
 constexpr std::size_t kFewLogs = 3;     // more of them get a line each
-constexpr double kNoteworthy = 0.9999;  // points seen less often are listed
+constexpr double kNoteworthy = 0.9999;  // points tracked less often are listed
 
 nlohmann::ordered_json to_json(const RunReport& run) {
   nlohmann::ordered_json json;
@@ -24,7 +24,7 @@ nlohmann::ordered_json to_json(const RunReport& run) {
   json["points"] = nlohmann::ordered_json::array();
   for (const PointReport& point : run.points) {
     json["points"].push_back(
-        {{"name", point.name}, {"plate", point.plate}, {"seen", point.tracked_share}});
+        {{"name", point.name}, {"plate", point.plate}, {"tracked", point.tracked_share}});
   }
   json["base"] = {{"x_m", run.base.x_m},
                   {"y_m", run.base.y_m},
@@ -73,7 +73,7 @@ std::string to_text(const RunReport& run) {
     }
   }
   text += fmt::format("\n  {} points{}", run.points.size(),
-                      rarely.empty() ? ", all seen throughout" : "; seen in: " + rarely);
+                      rarely.empty() ? ", all tracked throughout" : "; tracked in: " + rarely);
   text += fmt::format(
       "\n  base: the log's ({:.4f}, {:.4f}) m, {:.4f} rad; it scatters by {:.1f} mm; the arm "
       "measures {:.1f} % of its file's length",

@@ -85,15 +85,15 @@ std::string track_picture(const TrackRun& run) {
     time_s.push_back(since_s);
     off_cm.push_back((tip - kCmPerM * run.path.at(since_s)).norm());
   }
-  Chart way("The tip's way");
-  way.x_axis("x [cm]").y_axis("y [cm]").equal_aspect().size_px(560, 480);
-  way.line("path", path_x, path_y, {.width_px = 4.0, .opacity = 0.4}).line("tip", x, y);
+  Chart paths("The tip's path");
+  paths.x_axis("x [cm]").y_axis("y [cm]").equal_aspect().size_px(560, 480);
+  paths.line("path", path_x, path_y, {.width_px = 4.0, .opacity = 0.4}).line("tip", x, y);
   Chart off("Distance between tip and path at equal times");
   off.x_axis("time [s]").y_axis("distance [cm]").size_px(900, 300);
   off.line("distance", time_s, off_cm);
   off.horizontal_line("1 % of the length", run.path.length_m() * kCmPerM / 100.0,
                       {.width_px = 1.0, .dashed = true});
-  return ChartGrid(1).add(std::move(way)).add(std::move(off)).svg();
+  return ChartGrid(1).add(std::move(paths)).add(std::move(off)).svg();
 }
 
 }  // namespace limber

@@ -92,13 +92,14 @@ class Batch {
   PlanRunPart plan_and_execute(int number) const {
     PlanRunPart part;
     part.run.environment = number;
-    std::optional<RandomEnvironment> drawn = random_environment(
-        settings_.arm, models_.drawing, asked_.seed, static_cast<std::uint64_t>(number));
-    if (!drawn) {
+    std::optional<RandomEnvironment> sampled = random_environment(
+        settings_.arm, models_.sampling, asked_.seed, static_cast<std::uint64_t>(number));
+    if (!sampled) {
       part.run.status = "no_environment";
       return part;
     }
-    EnvironmentCase item{fmt::format("{}_{}", asked_.seed, number), std::move(drawn->environment)};
+    EnvironmentCase item{fmt::format("{}_{}", asked_.seed, number),
+                         std::move(sampled->environment)};
     if (on_.start) {
       item.environment.start = on_.start();
     }

@@ -56,11 +56,11 @@ int clear_largest(const std::vector<double>& values) {
 /// Throws where a pulse turned no segment.
 void require_motion(const CalibrationPulse& pulse, const PulsePoses& poses,
                     const std::vector<double>& turns, double noise_rad) {
-  const double least_rad =
+  const double min_rad =
       std::max(kMinTurnRad, kNoiseFactor * noise_rad / std::sqrt(poses.held.count));
   const double largest = std::abs(*std::max_element(
       turns.begin(), turns.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
-  if (largest < least_rad) {
+  if (largest < min_rad) {
     throw CalibrationRefused(fmt::format(
         "channel {} at {:.3g} kPa moved nothing: no segment turned by more than {:.4f} rad. Check "
         "supply, hose and valve",

@@ -48,7 +48,7 @@ struct SimpleFit {
   int blocks = 0;  ///< pieces of the recordings that the intervals come from
 };
 
-/// Fits the simple model to the frames in which the arm was seen. Robustly: Huber's weights, so
+/// Fits the simple model to the frames in which the arm was tracked. Robustly: Huber's weights, so
 /// that a broken episode among good ones moves it little. Intervals are the jackknife's, leaving
 /// out one episode at a time, or a tenth of a single one.
 /// @throws InputError where no frame was tracked.

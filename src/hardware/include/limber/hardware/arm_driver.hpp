@@ -15,7 +15,7 @@ struct ArmState {
   Pressures pressure_kpa;  ///< measured, size n
   /// In force when this was measured, where the arm says so; else the one last commanded.
   std::optional<Pressures> setpoint_kpa;
-  std::optional<Backbone> backbone;  ///< m×3; none where nothing tracks it or the frame was dropped
+  std::optional<Backbone> backbone;  ///< m×3; none where nothing tracks it or the frame was lost
 };
 
 /// An arm that takes set points frame by frame: the virtual one, or the user's behind an external

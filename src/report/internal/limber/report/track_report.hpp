@@ -22,7 +22,7 @@ struct TrackRun {
 nlohmann::ordered_json track_to_json(const TrackRun& run);
 std::string track_to_text(const TrackRun& run);
 
-/// The path, the tip's way, and the distance between them over time, as an SVG file's text.
+/// The path wanted, the tip's own, and the distance between them over time, as an SVG file's text.
 std::string track_picture(const TrackRun& run);
 
 }  // namespace limber
