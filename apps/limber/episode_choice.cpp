@@ -62,7 +62,7 @@ EpisodeChoice choose_episodes(const ArmDescription& arm, NamedEpisodes all,
 
 std::string prediction_error_line(const CompensationModel& model, bool has_unseen) {
   if (model.prediction_error) {
-    return prediction_error_to_text(*model.prediction_error);
+    return to_text(*model.prediction_error);
   }
   return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
                       "arm was not tracked often enough"

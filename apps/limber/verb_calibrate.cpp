@@ -137,8 +137,8 @@ class CalibrateVerb final : public Verb {
     }
     print_result(flags, result.evidence,
                  result.model.tube
-                     ? fmt::format("{}\n  evidence: {}/evidence.html",
-                                   tube_to_text(*result.model.tube), settings_.folder.string())
+                     ? fmt::format("{}\n  evidence: {}/evidence.html", to_text(*result.model.tube),
+                                   settings_.folder.string())
                      : "");
     return result.failures.empty() ? kExitDone : kExitNoSolution;
   }
@@ -156,7 +156,7 @@ class CalibrateVerb final : public Verb {
     model.tube = tube_from_recordings(settings);
     validate(model, model_file_);
     write_model(out_, model);
-    print_result(flags, {{"tube", to_json(*model.tube)}}, tube_to_text(*model.tube));
+    print_result(flags, {{"tube", to_json(*model.tube)}}, to_text(*model.tube));
     return kExitDone;
   }
 

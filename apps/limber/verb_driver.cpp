@@ -95,7 +95,7 @@ class DriverVerb final : public Verb {
       write_valves(folder / "valves.yaml", valves);
     }
     print_result(flags, json,
-                 driver_check_to_text(check) + "\n  " + valves_to_text(valves) +
+                 to_text(check) + "\n  " + to_text(valves) +
                      fmt::format("\n{}: report.html{}", out_,
                                  valves.parameters.is_ideal()
                                      ? ""

@@ -111,8 +111,8 @@ class EvaluateVerb final : public Verb {
     }
     nlohmann::ordered_json json = to_json(evaluation);
     json["commands_are"] = commands_are(recording.setpoints_only());
-    add_to_json(yardsticks, recording.episodes, json);
-    std::string text = evaluation_to_text(evaluation) + yardsticks_to_text(yardsticks);
+    json.update(to_json(yardsticks, recording.episodes), true);
+    std::string text = to_text(evaluation) + to_text(yardsticks);
     if (recording.setpoints_only()) {
       text += "all models were asked with set points\n";
     }
@@ -125,7 +125,7 @@ class EvaluateVerb final : public Verb {
                ? "network: the mean with one backbone for all, as used by plan --ensemble mean; "
                  "below: each with a backbone of its own\n"
                : "network: the member that validated best, as used for planning\n") +
-          ensemble_evaluation_to_text(errors);
+          to_text(errors);
     }
     if (network) {
       CompensationModel model = network->compensation();
@@ -134,7 +134,7 @@ class EvaluateVerb final : public Verb {
       json["prediction_error"] = nullptr;
       if (error) {
         json["prediction_error"] = to_json(*error);
-        text += prediction_error_to_text(*error) + "\n";
+        text += to_text(*error) + "\n";
       }
       store(model);
     }

@@ -159,14 +159,14 @@ class PlanVerb final : public Verb {
     const std::string model_name = model.has_network() ? "network" : "no_load";
     nlohmann::ordered_json json =
         to_json(result, arm.command, environment.goal, planner_, model_name, flags.seed);
-    std::string text = result.plan ? plan_result_to_text(result, arm.command) : "";
+    std::string text = result.plan ? to_text(result, arm.command) : "";
     add_spread(forward, arm, environment, result, json, text);
     print_result(flags, json, text);
     const int code = exit_code(result.status);
     if (code == kExitBadInput) {
-      print_error(plan_result_to_text(result, arm.command));
+      print_error(to_text(result, arm.command));
     } else if (!result.plan) {
-      say(flags, "{}", plan_result_to_text(result, arm.command));
+      say(flags, "{}", to_text(result, arm.command));
     }
     return code;
   }

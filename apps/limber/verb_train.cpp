@@ -317,10 +317,10 @@ class TrainVerb final : public Verb {
                                 const std::optional<CompensationModel>& start,
                                 IdentifiedValves& valves) {
     if (valves.parameters.is_ideal() && start && start->valves) {
-      say(flags, "{}; the model's own are kept", valves_to_text(valves, arm.command.unit));
+      say(flags, "{}; the model's own are kept", to_text(valves, arm.command.unit));
       valves = start->identified_valves();
     }
-    say(flags, "{}", valves_to_text(valves, arm.command.unit));
+    say(flags, "{}", to_text(valves, arm.command.unit));
     for (const std::string& warning : valves.findings.warnings) {
       say(flags, "warning: {}", warning);
     }

@@ -51,7 +51,7 @@ void bind_evaluation(py::module_& module) {
       .read_only("orientation_reduction_percent", &Evaluation::orientation_reduction_percent,
                  "The same of headings [%].")
       .done()
-      .def("__str__", &evaluation_to_text);
+      .def("__str__", [](const Evaluation& evaluation) { return to_text(evaluation); });
   module.def(
       "predict",
       [](const ForwardModel& model, const Episode& episode, Restart restart, int jobs) {

@@ -186,7 +186,7 @@ void bind_export(py::module_& module) {
             return tips;
           },
           "Mean error of each episode [cm]; NaN where nothing was tracked.")
-      .def("__str__", &outliers_to_text);
+      .def("__str__", [](const EpisodeErrors& errors) { return to_text(errors); });
   module.def(
       "episode_errors",
       [](const ArmDescription& arm, const py::iterable& episodes) {
@@ -202,7 +202,7 @@ void bind_export(py::module_& module) {
         std::string text;
         {
           const py::gil_scoped_release others_may_run;
-          text = inspection_to_text(recording, inspect(recording, arm, file));
+          text = to_text(recording, inspect(recording, arm, file));
         }
         return text;
       },

@@ -102,7 +102,7 @@ EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episod
   return errors;
 }
 
-std::string outliers_to_text(const EpisodeErrors& errors) {
+std::string to_text(const EpisodeErrors& errors) {
   std::vector<std::string> parts;
   for (const int number : errors.outliers()) {
     const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];

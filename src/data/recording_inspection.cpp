@@ -304,7 +304,7 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
   return json;
 }
 
-std::string inspection_to_text(const Recording& recording, const RecordingInspection& inspection) {
+std::string to_text(const Recording& recording, const RecordingInspection& inspection) {
   std::string text = fmt::format(
       "recording of arm '{}' ({}), seed {}, limber {}\n"
       "  {}\n"
@@ -317,7 +317,7 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
       recording.command.unit, recording.point_count);
   text += ranges_to_text(recording, inspection.pressures);
   text += transitions_to_text(recording, inspection);
-  text += "  " + valves_to_text(inspection.valves, recording.command.unit) + "\n";
+  text += "  " + to_text(inspection.valves, recording.command.unit) + "\n";
   for (const std::string& warning : inspection.valves.findings.warnings) {
     text += "    warning: " + warning + "\n";
   }
@@ -328,7 +328,7 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
         "  the simple model (fitted gains, offsets, lengths, lag) is "
         "off by {:.2f} cm at the tip in the middle one of the episodes\n",
         errors.median_cm);
-    outliers = outliers_to_text(errors);
+    outliers = to_text(errors);
     text += outliers.empty() ? "" : "  broken: " + outliers + "\n";
   }
   if (inspection.suspicions.empty() && outliers.empty()) {

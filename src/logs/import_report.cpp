@@ -166,7 +166,7 @@ std::string notes_of_all(const std::vector<RunReport>& runs) {
 }
 
 /// What the simple model says of each episode; outliers by the logs that they came from.
-std::string errors_to_text(const ImportReport& report, const EpisodeErrors& errors) {
+std::string to_text(const ImportReport& report, const EpisodeErrors& errors) {
   std::string text = fmt::format(
       "simple model: its error at the tip is {:.2f} cm in the median episode\n", errors.median_cm);
   for (const int number : errors.outliers()) {
@@ -250,7 +250,7 @@ std::string to_text(const ImportReport& report) {
   text += many ? notes_of_all(report.runs) : std::string();
   text += to_text(report.columns);
   if (report.episode_errors) {
-    text += errors_to_text(report, *report.episode_errors);
+    text += to_text(report, *report.episode_errors);
   }
   return text + fmt::format("{} episodes, {} frames, {} of them not tracked", report.episodes(),
                             report.frames(), report.frames_not_tracked());

@@ -47,8 +47,8 @@ Json to_json(const Certificate& certificate, const Command& command,
   return json;
 }
 
-std::string certificate_to_text(const Certificate& certificate, const ArmDescription& arm,
-                                const Environment& environment) {
+std::string to_text(const Certificate& certificate, const ArmDescription& arm,
+                    const Environment& environment) {
   std::string text;
   for (const CertificateFailure& failure : certificate.failures) {
     text += failure.frame >= 0 ? fmt::format("refused: {}: frame {}: {}\n", failure.check,

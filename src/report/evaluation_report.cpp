@@ -79,7 +79,7 @@ Json to_json(const Evaluation& evaluation) {
   return json;
 }
 
-std::string evaluation_to_text(const Evaluation& evaluation) {
+std::string to_text(const Evaluation& evaluation) {
   const std::string columns = fmt::format("{:>6} {:>6} {:>6} {:>6}", "mean", "std", "p95", "worst");
   std::string text = fmt::format("{:<32} {:>27}   {:>27}\n{:<32} {}   {}\n",
                                  fmt::format("{} frames", evaluation.frames), "tip position [cm]",

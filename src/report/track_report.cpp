@@ -16,7 +16,7 @@ double percent_of_length(const TrackRun& run, const TrackError& error) {
   return 100.0 * error.rms_m / run.path.length_m();
 }
 
-Json laps_to_json(const TrackRun& run, const std::optional<TrackError>& error) {
+Json to_json(const TrackRun& run, const std::optional<TrackError>& error) {
   if (!error) {
     return nullptr;
   }
@@ -45,22 +45,22 @@ Eigen::Vector2d tip_cm(const Episode& episode, int frame) {
 
 }  // namespace
 
-Json track_to_json(const TrackRun& run) {
+Json to_json(const TrackRun& run) {
   return {{"status", to_string(run.result.status)},
           {"message", run.result.message},
           {"path",
            {{"length_cm", kCmPerM * run.path.length_m()},
             {"lap_s", run.path.lap_s()},
             {"laps", run.path.laps}}},
-          {"first_lap", laps_to_json(run, run.errors.first_lap)},
-          {"later_laps", laps_to_json(run, run.errors.later_laps)},
+          {"first_lap", to_json(run, run.errors.first_lap)},
+          {"later_laps", to_json(run, run.errors.later_laps)},
           {"collided", run.result.collided},
           {"frames", run.result.frames},
           {"path_starts_at_frame", run.start_frame},
           {"queries", run.queries}};
 }
 
-std::string track_to_text(const TrackRun& run) {
+std::string to_text(const TrackRun& run) {
   std::string text = fmt::format("{}, {} frames", to_string(run.result.status), run.result.frames);
   if (!run.result.message.empty()) {
     text += ": " + run.result.message;

@@ -105,7 +105,8 @@ std::string frames_counted_in_words() {
          "prediction, and one that rests on no tracked frame counts for nothing";
 }
 
-void add_to_json(const YardstickReport& report, const std::vector<Episode>& episodes, Json& json) {
+Json to_json(const YardstickReport& report, const std::vector<Episode>& episodes) {
+  Json json;
   Json& baselines = json["baselines"];
   for (const Yardstick& yardstick : report.yardsticks) {
     const HorizonErrors& errors = yardstick.errors;
@@ -133,9 +134,10 @@ void add_to_json(const YardstickReport& report, const std::vector<Episode>& epis
       json["episodes"][e]["tip_error_cm"][curve.key] = number(curve.episode_cm[e]);
     }
   }
+  return json;
 }
 
-std::string yardsticks_to_text(const YardstickReport& report) {
+std::string to_text(const YardstickReport& report) {
   std::string text =
       fmt::format("{:<26}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "yardsticks, mean tip [cm]", "one step",
                   "32 frames", "per motion", "open loop", "all plates");

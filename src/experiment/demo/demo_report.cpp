@@ -148,8 +148,7 @@ void learning(ReportPage& page, const DemoResults& results) {
           "Pressures follow their set points late, at a limited rate, and through zero one side "
           "empties before the other inflates. This model of the valves was identified from the "
           "recording (docs/valves.md): " +
-          valves_to_text(results.training.model.identified_valves(), results.arm().command.unit) +
-          ".")
+          to_text(results.training.model.identified_valves(), results.arm().command.unit) + ".")
       .figure({results.valve_plot_svg, "A recorded motion that the valves were not fitted to"})
       .heading("Learning")
       .figure({learning_curve_svg(results.training.curve),

@@ -113,7 +113,7 @@ class Improvement {
   }
 
   void open_folder() {
-    const Json wanted = settings_to_json(settings_, on_);
+    const Json wanted = to_json(settings_, on_);
     const bool resumes = settings_.resume && fs::exists(settings_.folder / kImproveFile);
     if (resumes) {
       require_same_run(settings_.folder / kImproveFile, wanted);
