@@ -154,10 +154,10 @@ void require_within(const Plan& plan, const std::vector<PressureLimits>& limits_
       const PressureLimits& limits = limits_kpa[static_cast<std::size_t>(s)];
       if (value > limits.upper_kpa + kRoundingKpa || value < limits.lower_kpa - kRoundingKpa) {
         throw InputError(fmt::format(
-            "{}: frame {}: set point of {} is {:.1f} {unit}; {} allows {} {unit}. Nothing was "
+            "{}: {}: set point of {} is {:.1f} {unit}; {} allows {} {unit}. Nothing was "
             "moved; plan again within that: limber plan --limit {}:{:.6g},{:.6g}",
-            file, k, segment_name(s), value, whose, to_string(limits), s, limits.lower_kpa,
-            limits.upper_kpa, fmt::arg("unit", plan.command.unit)));
+            file, frame_name(k), segment_name(s), value, whose, to_string(limits), s,
+            limits.lower_kpa, limits.upper_kpa, fmt::arg("unit", plan.command.unit)));
       }
     }
   }

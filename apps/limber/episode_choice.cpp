@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/data/recording_inspection.hpp"
 
 namespace limber {
 
 void NamedEpisodes::add(const std::string& file, std::vector<Episode> more) {
   for (std::size_t i = 0; i < more.size(); ++i) {
-    names.push_back(fmt::format("{}, episode {}", file, i));
+    names.push_back(fmt::format("{}, {}", file, episode_name(i)));
     episodes.push_back(std::move(more[i]));
   }
 }

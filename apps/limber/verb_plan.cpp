@@ -107,8 +107,10 @@ class PlanVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--max-memory-mb", limits_.memory_mb,
                    "Stop when the tree takes so many megabytes");
-    app.add_option("--cost-threshold-kpa", limits_.cost_threshold_kpa,
-                   "Stop at a plan this cheap; with a large number, stop at the first plan");
+    app.add_option(
+        "--cost-threshold,--cost-threshold-kpa", limits_.cost_threshold_kpa,
+        "Stop at a plan this cheap, in the command's unit (kPa of pressures); with a large "
+        "number, stop at the first plan");
     narrower_.add_to(app);
     room_.add_to(app);
     app.add_flag(

@@ -192,8 +192,8 @@ class FrameChecks {
         at += max_frames;
       } else {
         fail("waypoints", bad,
-             fmt::format("is not on the straight motion, in {} frames, from waypoint {} to {}",
-                         min_frames, w, w + 1));
+             fmt::format("is not on the straight motion, in {} frames, from {} to {}", min_frames,
+                         waypoint_name(w - 1), waypoint_name(w)));
         return;
       }
     }

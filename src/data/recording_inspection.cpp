@@ -341,8 +341,9 @@ std::string to_text(const Recording& recording, const RecordingInspection& inspe
   }
   text += "  suspicious:";
   for (const Suspicion& suspicion : inspection.suspicions) {
-    text += fmt::format("\n    {}: {} times, first in episode {}, frame {}: {}", suspicion.what,
-                        suspicion.count, suspicion.episode, suspicion.frame, suspicion.first);
+    text +=
+        fmt::format("\n    {}: {} times, first in {}, {}: {}", suspicion.what, suspicion.count,
+                    episode_name(suspicion.episode), frame_name(suspicion.frame), suspicion.first);
   }
   return text;
 }

@@ -78,8 +78,8 @@ void add_novelty(const LearntRegion& learnt, const Plan& plan, std::vector<std::
   if (beyond > 0) {
     found.push_back(fmt::format(
         "in {} of {} frames pressures and shape together are beyond what was recorded, farthest in "
-        "frame {}: novelty {:.2f}; 1 is the border",
-        beyond, plan.frames.size() - 1, worst, max_novelty));
+        "{}: novelty {:.2f}; 1 is the border",
+        beyond, plan.frames.size() - 1, frame_name(worst), max_novelty));
   }
 }
 

@@ -126,10 +126,12 @@ class EpisodeRun {
       }
     }
     throw SystemFault(fmt::format(
-        "motion {}: {} is at {:.1f} kPa after {} s at set point {:.1f} kPa; expected to be "
-        "within {:.1f} kPa. Check supply pressure and leaks",
-        motion_index_, segment_name(worst), driver_.state().pressure_kpa[worst], waited_s,
-        motion.setpoint_kpa[worst], tolerance_kpa(worst)));
+        "{}: {} is at {:.1f} {unit} after {} s at set point {:.1f} {unit}; expected to be within "
+        "{:.1f} {unit}{}",
+        motion_name(motion_index_), segment_name(worst), driver_.state().pressure_kpa[worst],
+        waited_s, motion.setpoint_kpa[worst], tolerance_kpa(worst),
+        arm_.command.is_pressure_kpa() ? ". Check supply pressure and leaks" : "",
+        fmt::arg("unit", arm_.command.unit)));
   }
 
   const ArmDescription& arm_;
@@ -266,7 +268,7 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
       done[i] = record_or_keep_a_part(arm, *driver, schedule[i], settings, parts.identity(), done,
                                       [&] { progress.advance(); });
     } catch (const SystemFault& fault) {
-      throw SystemFault(fmt::format("episode {}: {}", i, fault.what()));
+      throw SystemFault(fmt::format("{}: {}", episode_name(i), fault.what()));
     }
     parts.write(i, *done[i]);
   };

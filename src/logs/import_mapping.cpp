@@ -177,7 +177,7 @@ std::vector<PointSource> read_points(const YamlReader& node, const ArmDescriptio
                                      : (p.body == q.body && p.marker == q.marker &&
                                         p.right == q.right && p.left == q.left);
       if (same) {
-        element.refuse(fmt::format("the same source as point {} before it", i));
+        element.refuse(fmt::format("the same source as {} before it", point_name(i)));
       }
     }
   }

@@ -172,9 +172,10 @@ std::string to_text(const ImportReport& report, const EpisodeErrors& errors) {
   for (const int number : errors.outliers()) {
     const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
     text += fmt::format(
-        "  episode {} ({}) is broken: {:.2f} cm, more than {:.2f} cm; its levels correlate by "
+        "  {} ({}) is broken: {:.2f} cm, more than {:.2f} cm; its levels correlate by "
         "{:.2f}. Leave that log out\n",
-        number, report.log_of(number), episode.tip_cm, errors.limit_cm, episode.correlation);
+        episode_name(number), report.log_of(number), episode.tip_cm, errors.limit_cm,
+        episode.correlation);
   }
   return text;
 }

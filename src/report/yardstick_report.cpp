@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/plot/palette.hpp"
@@ -56,7 +57,7 @@ std::string worst_episodes(const YardstickReport& report) {
                            [&](std::size_t i) { return shown.episode_cm[i]; });
   std::string text = fmt::format("worst episodes, {} open loop [cm]:", shown.label);
   for (std::size_t k = 0; k < std::min(kShownEpisodes, order.size()); ++k) {
-    text += fmt::format("{} episode {} {:.2f}", k == 0 ? "" : ",", order[k],
+    text += fmt::format("{} {} {:.2f}", k == 0 ? "" : ",", episode_name(order[k]),
                         shown.episode_cm[order[k]]);
   }
   return text + fmt::format(" (of {})\n", order.size());

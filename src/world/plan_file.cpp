@@ -155,7 +155,7 @@ void require_consistent(const JsonReader& root, const Plan& plan) {
   for (std::size_t k = plan.frames.size() - held; k < plan.frames.size(); ++k) {
     if (plan.frames[k].setpoint_kpa != plan.frames[k - 1].setpoint_kpa) {
       root.at("frames").refuse(
-          fmt::format("frame {} moves; the last {} frames should hold still", k, held));
+          fmt::format("{} moves; the last {} frames should hold still", frame_name(k), held));
     }
   }
   if (plan.waypoints_kpa.size() < 1 ||
