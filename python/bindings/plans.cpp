@@ -64,7 +64,7 @@ void bind_plan(py::module_& module) {
       .def_readonly("environment_hash", &Plan::environment_hash, "Of the environment.")
       .def_readonly("margin_m", &Plan::margin_m, "Clearance asked for [m].")
       .def_readonly("tube", &Plan::tube, "PlanTube that it keeps free, or None.")
-      .def_readonly("frame_rate_hz", &Plan::frame_rate_hz, "Frames a second.")
+      .def_readonly("frame_rate_hz", &Plan::frame_rate_hz, "Frames per second.")
       .def_readonly("hold_frame_count", &Plan::hold_frame_count,
                     "The last frames, which repeat the final set point.")
       .def_readonly("goal_orientation_rad", &Plan::goal_orientation_rad, "Predicted [rad].")

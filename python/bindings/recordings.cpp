@@ -138,7 +138,7 @@ void bind_recording(py::module_& module) {
       .def_readonly("arm_hash", &Recording::arm_hash, "ArmDescription.hash() of it.")
       .def_readonly("segment_count", &Recording::segment_count, "n.")
       .def_readonly("point_count", &Recording::point_count, "m.")
-      .def_readonly("rate_hz", &Recording::rate_hz, "Frames a second.")
+      .def_readonly("rate_hz", &Recording::rate_hz, "Frames per second.")
       .def_readonly("seed", &Recording::seed, "Of the schedule and of noise.")
       .def_readonly("source", &Recording::source, "\"virtual arm\", \"motive log.csv\", ...")
       .def_readwrite("settings", &Recording::settings, "How it was collected, in words.")

@@ -17,8 +17,8 @@ constexpr int kDifferenceGrid = 200;
 
 }  // namespace
 
-MinSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa) {
-  MinSlope min{0.0, c[0]};
+LeastSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa) {
+  LeastSlope min{0.0, c[0]};
   const auto consider = [&](double pressure_kpa) {
     if (pressure_kpa > 0.0 && pressure_kpa <= pressure_limit_kpa) {
       const double slope = strain_slope_at(c, pressure_kpa);
@@ -58,7 +58,7 @@ std::string why_unusable(const StrainPolynomial& c, double pressure_limit_kpa) {
     return fmt::format("gives a strain of {:.4g} at the limit of {} kPa; expected between 0 and 1",
                        full, pressure_limit_kpa);
   }
-  const MinSlope min = min_strain_slope(c, pressure_limit_kpa);
+  const LeastSlope min = min_strain_slope(c, pressure_limit_kpa);
   if (min.slope_per_kpa * pressure_limit_kpa < -kRoundingOfSlope * full) {
     return fmt::format(
         "falls at {:.4g} kPa; expected strain that never falls between 0 and the limit of {} kPa "

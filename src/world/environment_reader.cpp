@@ -145,7 +145,7 @@ Pressures read_pressures(const YamlReader& node) {
       .cast<float>();
 }
 
-/// `neutral` is the key for arms that are driven by anything but pressures, `in_kpa` for the others.
+/// `neutral` is the key for arms driven by anything but pressures, `in_kpa` that for the others.
 const char* key_of(const YamlReader& node, const char* neutral, const char* in_kpa) {
   if (node.has(neutral) && node.has(in_kpa)) {
     node.at(neutral).refuse(fmt::format("given beside {}; expected one of both", in_kpa));

@@ -237,7 +237,7 @@ TEST(LeastStrainSlope, IsTheSmallestOnADenseGrid) {
     for (int k = 0; k <= 20000; ++k) {
       least = std::min(least, strain_slope_at(c, 2.0 * k / 20000.0));
     }
-    const MinSlope found = min_strain_slope(c, 2.0);
+    const LeastSlope found = min_strain_slope(c, 2.0);
     EXPECT_LE(found.slope_per_kpa, least + 1e-12);
     EXPECT_GE(found.slope_per_kpa, least - 1e-6);
     EXPECT_DOUBLE_EQ(strain_slope_at(c, found.pressure_kpa), found.slope_per_kpa);

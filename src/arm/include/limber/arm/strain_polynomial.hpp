@@ -23,13 +23,13 @@ inline double strain_slope_at(const StrainPolynomial& c, double pressure_kpa) {
 }
 
 /// Where on [0, p_max] the strain rises least, and how fast: negative where it falls.
-struct MinSlope {
+struct LeastSlope {
   double pressure_kpa = 0.0;
   double slope_per_kpa = 0.0;
 };
 
 /// Exact: it looks at the ends and at the two points where the slope's own derivative vanishes.
-MinSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa);
+LeastSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa);
 
 /// Strains this close over the whole pressure range are those of the same segment. This is ten
 /// times the rounding difference between two machines for one bench test, and too little for a

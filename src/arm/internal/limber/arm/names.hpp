@@ -8,9 +8,9 @@
 
 #include "limber/arm/arm_description.hpp"
 
-// What messages call an arm's parts, and what lies in a row. All of it is counted from 0, parts from
-// the base, as in YAML paths and in JSON. Lines of text files alone are counted from 1, as editors
-// count them.
+// What messages call an arm's parts, and what lies in a row. All of it is counted from 0, parts
+// from the base, as in YAML paths and in JSON. Lines of text files alone are counted from 1, as
+// editors count them.
 namespace limber {
 
 inline std::string segment_name(Eigen::Index segment) {

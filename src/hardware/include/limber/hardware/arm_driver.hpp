@@ -38,8 +38,7 @@ class ArmDriver {
   /// @throws SystemFault if the arm fails; it has been vented.
   virtual const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) = 0;
 
-  /// Whether a frame takes its time: then a set point is due in every one, also
-  /// while somebody thinks.
+  /// Whether a frame takes its time: then a set point is due in each, also while somebody thinks.
   virtual bool is_real_time() const { return false; }
 
   /// Opens every vent valve; safe to call at any time, more than once.

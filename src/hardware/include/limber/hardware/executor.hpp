@@ -40,8 +40,7 @@ struct MotionAdvice {
   std::string reason = {};  ///< of a stop
 };
 
-/// Says how to go on while a plan is executed, from what is measured
-/// (docs/planning.md, Closed loop).
+/// How to go on while a plan is executed, from what is measured (docs/planning.md, Closed loop).
 class PlanSource {
  public:
   virtual ~PlanSource() = default;
@@ -65,26 +64,22 @@ class PlanSource {
   virtual void obstacle_appeared(const Environment& now) { (void)now; }
 };
 
-/// Decides each frame's set points from what is measured: a controller beside
-/// or in place of a plan.
+/// A controller beside or in place of a plan: each frame's set points from what is measured.
 class FrameController {
  public:
   virtual ~FrameController() = default;
-  /// Set points (size n, kPa) of the next frame; none ends the run. They are within the arm's
-  /// limits, and no farther from the last ones than the frame rule allows
-  /// (`pressure_step_limit_kpa`).
+  /// Set points (size n, kPa) of the next frame; none ends the run. They are within the limits,
+  /// and no farther from the last ones than the frame rule allows (`pressure_step_limit_kpa`).
   virtual std::optional<Pressures> next(const ArmState& state) = 0;
   /// Why it ended the run before its time; empty if it did not.
   virtual std::string stop_reason() const { return ""; }
 };
 
-/// @throws InputError naming frame, segment and limit if a controller's set
-/// points break those laws.
+/// @throws InputError naming frame, segment and limit if a controller's set points break them.
 void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
                         const Pressures& setpoint_kpa);
 
-/// The set points nearest to `wanted_kpa` (segment by segment) that keep them;
-/// NaN stays before_kpa.
+/// The set points nearest to `wanted_kpa`, each by itself, that keep them; NaN stays before_kpa.
 Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
                             const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa);
 
