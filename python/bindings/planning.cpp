@@ -216,8 +216,8 @@ void bind_planning(py::module_& module) {
       .def_property_readonly("name", &OnePlanner::name, "As make_planner knows it.")
       .def("plan", &OnePlanner::plan, py::arg("problem"), py::arg("limits"), py::arg("seed"),
            py::arg("callback") = py::none(),
-           "Searches; the plan is certified. `callback(progress)` comes about ten times a second; "
-           "False stops the search. Ctrl-C ends it with KeyboardInterrupt. With limits of "
+           "Searches; the plan is certified. `callback(progress)` comes about ten times per "
+           "second; False stops the search. Ctrl-C ends it with KeyboardInterrupt. With limits of "
            "iterations or queries alone the seed decides everything.")
       .def("__repr__",
            [](const OnePlanner& planner) { return fmt::format("Planner('{}')", planner.name()); });
@@ -228,7 +228,7 @@ void bind_planning(py::module_& module) {
         return std::make_unique<OnePlanner>(make_planner(name, jobs));
       },
       py::arg("name") = "default", py::arg("jobs") = 0,
-      "By name; settings may follow it: \"default,improved_plans=0\". jobs: threads, 0: one a "
+      "By name; settings may follow it: \"default,improved_plans=0\". jobs: threads, 0: one per "
       "core; they never change a result.");
   module.def("plan_along", &along, py::arg("problem"), py::arg("waypoints_kpa"), py::arg("planner"),
              py::arg("seed") = 0,

@@ -26,7 +26,7 @@ Json to_json(const std::optional<Plan>& partial, const PoseGoal& goal) {
   return json;
 }
 
-Json tube_to_json(const PlanTube& tube) {
+Json to_json(const PlanTube& tube) {
   return {{"level", tube.level},
           {"tip_radius_cm", tube.plate_radius_m.back() * kCmPerM},
           {"end_radius_cm", tube.end_radius_m * kCmPerM},
@@ -36,8 +36,8 @@ Json tube_to_json(const PlanTube& tube) {
 
 std::string tube_note(const std::optional<PlanTube>& tube) {
   return tube ? fmt::format(
-                    "\nkeeps the tube of {:.4g} % of runs free, {:.2f} cm wide at the tip; "
-                    "the goal {} its end",
+                    "\nkeeps the tube of {:.4g} % of runs free, "
+                    "{:.2f} cm wide at the tip; the goal {} its end",
                     100.0 * tube->level, tube->plate_radius_m.back() * kCmPerM,
                     tube->goal_inside ? "holds" : "is too small for")
               : "";
@@ -81,7 +81,7 @@ Json to_json(const PlanResult& result, const Command& command, const PoseGoal& g
   json["orientation_to_goal_rad"] =
       plan && goal.theta_rad ? Json(plan->goal_orientation_rad) : nullptr;
   json["clearance_cm"] = plan ? json_number(plan->clearance_m * kCmPerM) : nullptr;
-  json["tube"] = plan && plan->tube ? tube_to_json(*plan->tube) : Json(nullptr);
+  json["tube"] = plan && plan->tube ? to_json(*plan->tube) : Json(nullptr);
   json["frames"] = plan ? Json(plan->frame_count()) : nullptr;
   for (std::size_t i = 0; plan && i < plan->limits.size(); ++i) {
     json[quantity_key(command, "limits")].push_back(to_json(plan->limits[i]));
@@ -106,7 +106,7 @@ Json to_json(const PlanResult& result, const Command& command, const PoseGoal& g
   return json;
 }
 
-std::string plan_result_to_text(const PlanResult& result, const Command& command) {
+std::string to_text(const PlanResult& result, const Command& command) {
   if (!result.plan) {
     return fmt::format("no plan: {}: {}", to_string(result.status), result.reason);
   }

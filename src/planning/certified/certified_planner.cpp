@@ -90,14 +90,15 @@ class CertifiedPlanner final : public Planner {
       return;  // nothing is near, or it starts in an obstacle, which is refused
     }
     notes.push_back(fmt::format(
-        "the arm starts {:.2f} cm from {}: plans keep that distance instead of the model's error, "
-        "{:.2f} cm",
+        "the arm starts {:.2f} cm from {}: plans keep that "
+        "distance instead of the model's error, {:.2f} cm",
         at_start.value_m * kCmPerM, obstacle_name(problem.environment, at_start.obstacle),
         problem.margin_m * kCmPerM));
     problem.margin_m = kYield * max_m;
   }
 
-  /// Where the arm starts with an obstacle in its tube, plans keep one clearance everywhere instead.
+  /// Where the arm starts with an obstacle in its tube, plans keep one
+  /// clearance everywhere instead.
   static void leave_tube_at_start(PlanningProblem& problem, const Backbone& start, double max_m,
                                   std::vector<std::string>& notes) {
     const double inside_m = checker_of(problem).clearance(start).value_m;
@@ -131,8 +132,8 @@ class CertifiedPlanner final : public Planner {
       result.reason = check.reason;
     } else if (problem.goal_margin.position_m > 0.0) {
       result.reason += fmt::format(
-          "; {:.2f} cm of the tolerance are kept for the model's error: --goal-margin-m 0 keeps "
-          "none",
+          "; {:.2f} cm of the tolerance are kept for the "
+          "model's error: --goal-margin-m 0 keeps none",
           problem.goal_margin.position_m * kCmPerM);
     }
   }

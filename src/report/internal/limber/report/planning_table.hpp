@@ -53,8 +53,8 @@ struct PlanningRow {
 /// Stopped because of an obstacle that appeared, without touching anything.
 bool is_clean_stop(const ExecutionResult& run);
 
-/// A row for every planner, environment, model, controller and disturbance that has trials, in the order of their first
-/// trials. Trials are borrowed.
+/// A row for every planner, environment, model, controller and disturbance that has trials, in the
+/// order of their first trials. Trials are borrowed.
 std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials);
 
 /// What the paper found when it compared both models, and whether it was found here too.
