@@ -33,6 +33,26 @@ std::string row(const char* name, const TipErrors& errors) {
                      cells(errors.orientation_rad, 3));
 }
 
+Json to_json(const NovelFrames& novel) {
+  const auto count = [](const NovelFrames::Count& frames) {
+    return Json{{"frames", frames.frames}, {"novel", frames.novel}};
+  };
+  return {{"pressures_within", count(novel.pressures_within)},
+          {"pressures_beyond", count(novel.pressures_beyond)}};
+}
+
+std::string to_text(const NovelFrames& novel) {
+  const auto share = [](const NovelFrames::Count& frames) {
+    return frames.frames == 0
+               ? "none"
+               : fmt::format("{:.1f} % of {}", 100.0 * double(frames.novel) / double(frames.frames),
+                             frames.frames);
+  };
+  return fmt::format(
+      "frames beyond what the model learnt from: {} with pressures that it knows, {} with others\n",
+      share(novel.pressures_within), share(novel.pressures_beyond));
+}
+
 }  // namespace
 
 Json to_json(const TipErrors& value) {
@@ -63,6 +83,7 @@ Json to_json(const Evaluation& evaluation) {
     const std::optional<TipErrors>& planned = evaluation.network->open_loop_from_setpoints;
     network["open_loop_from_setpoints"] = planned ? to_json(*planned) : Json();
     json["long_rollout"] = to_json(evaluation.long_rollout);
+    json["novel_frames"] = evaluation.novel ? to_json(*evaluation.novel) : Json();
   }
   Json& baselines = json["baselines"];
   baselines["hold"] = {{"one_step", to_json(evaluation.hold_one_step)},
@@ -109,6 +130,7 @@ std::string to_text(const Evaluation& evaluation) {
     text += fmt::format("{} frames without correction: {}, no plate is farther than {:.2f} m\n",
                         rollout.frames, rollout.bounded ? "bounded" : "NOT BOUNDED",
                         rollout.max_distance_m);
+    text += evaluation.novel ? to_text(*evaluation.novel) : "";
     if (rollout.held_share > 0.0) {
       text += fmt::format("in {:.1f} % of them the model's bounds held a gap\n",
                           100.0 * rollout.held_share);

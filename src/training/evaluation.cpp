@@ -209,6 +209,9 @@ Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
     errors.open_loop = errors_of(*network, Restart::at_the_start_only);
     errors.open_loop_from_setpoints = errors_from_setpoints(*network, episodes, jobs);
     result.long_rollout = roll_out_long(*network, episodes);
+    if (network->compensation().learnt) {
+      result.novel = find_novel_frames(*network->compensation().learnt, episodes);
+    }
     result.position_reduction_percent = reduction_percent(result.no_load_open_loop.position_cm.mean,
                                                           errors.open_loop.position_cm.mean);
     result.orientation_reduction_percent = reduction_percent(

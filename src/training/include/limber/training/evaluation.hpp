@@ -35,14 +35,27 @@ struct RolloutErrors {
   std::optional<TipErrors> open_loop_from_setpoints;
 };
 
+/// Tracked frames of a recording, and how many of them lie beyond what a model learnt from
+/// (LearntRegion, docs/training.md), apart for pressures within its recorded ranges and beyond.
+struct NovelFrames {
+  struct Count {
+    std::int64_t frames = 0;
+    std::int64_t novel = 0;
+  };
+  Count pressures_within;
+  Count pressures_beyond;
+};
+NovelFrames find_novel_frames(const LearntRegion& learnt, const std::vector<Episode>& episodes);
+
 /// Errors of the models and of two trivial predictors on one recording (INTERFACE: evaluate
 /// --json).
 struct Evaluation {
   std::int64_t frames = 0;  ///< tracked ones after the first of each episode: those that count
   TipErrors no_load_open_loop;
   std::optional<RolloutErrors> network;
-  LongRollout long_rollout;  ///< of the network, if there is one
-  TipErrors hold_one_step;   ///< B_t = B_{t−1}
+  LongRollout long_rollout;          ///< of the network, if there is one
+  std::optional<NovelFrames> novel;  ///< to the network, where it knows what it learnt from
+  TipErrors hold_one_step;           ///< B_t = B_{t−1}
   TipErrors hold_one_step_moving;
   TipErrors constant_velocity_one_step;  ///< B_t = 2 B_{t−1} − B_{t−2}
   TipErrors constant_velocity_one_step_moving;

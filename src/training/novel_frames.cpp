@@ -1,0 +1,34 @@
+#include "limber/training/evaluation.hpp"
+
+namespace limber {
+
+namespace {
+
+bool is_beyond(const LearntRegion& learnt, const Eigen::Ref<const Pressures>& kpa) {
+  return (kpa.array() < learnt.low_kpa.array()).any() ||
+         (kpa.array() > learnt.high_kpa.array()).any();
+}
+
+}  // namespace
+
+NovelFrames find_novel_frames(const LearntRegion& learnt, const std::vector<Episode>& episodes) {
+  NovelFrames found;
+  for (const Episode& episode : episodes) {
+    for (int t = 0; t < episode.frame_count(); ++t) {
+      if (!episode.was_tracked(t)) {
+        continue;
+      }
+      const Pressures kpa = episode.pressure_kpa.row(t).transpose();
+      const Eigen::Map<const Backbone> backbone(episode.backbone.row(t).data(),
+                                                episode.backbone.cols() / 3, 3);
+      const bool novel = !learnt.contains(kpa, backbone);
+      NovelFrames::Count& count =
+          is_beyond(learnt, kpa) ? found.pressures_beyond : found.pressures_within;
+      ++count.frames;
+      count.novel += novel ? 1 : 0;
+    }
+  }
+  return found;
+}
+
+}  // namespace limber
