@@ -15,12 +15,12 @@ def main(path):
         about = file.attrs
         episodes = [file["episodes"][name] for name in sorted(file["episodes"])]
         frames = sum(len(episode["time_s"]) for episode in episodes)
-        dropped = sum(int(np.sum(episode["tracked"][:] == 0)) for episode in episodes)
+        untracked = sum(int(np.sum(episode["tracked"][:] == 0)) for episode in episodes)
         print(
             f"arm '{about['arm_name']}', {about['segments']} segments,"
             f" {about['points']} points, {about['rate_hz']:g} Hz"
         )
-        print(f"{len(episodes)} episodes, {frames} frames, {dropped} of them dropped")
+        print(f"{len(episodes)} episodes, {frames} frames, {untracked} of them not tracked")
         for number, episode in enumerate(episodes[:5]):
             tip = episode["backbone"][:, -1, :]  # frames × [x_m, y_m, theta_rad]
             peak = np.abs(episode["pressure_kpa"][:]).max(axis=0)

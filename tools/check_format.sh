@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Checks that every C++ file is as clang-format 14 and .clang-format want it; --fix rewrites them.
+# Checks that every C++ file is as clang-format 14 and .clang-format want it, and that no line of one
+# is longer than 100 characters (comments and texts are wrapped by hand); --fix rewrites what can be.
 set -euo pipefail
 cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.."
 program=$(command -v clang-format-14 || command -v clang-format) || {
@@ -9,3 +10,8 @@ program=$(command -v clang-format-14 || command -v clang-format) || {
 mode=(--dry-run --Werror)
 [ "${1:-}" != --fix ] || mode=(-i)
 git ls-files -z '*.cpp' '*.hpp' | xargs -0 "$program" "${mode[@]}"
+# Characters, not bytes: names and units in comments are UTF-8.
+if long=$(git ls-files -z '*.cpp' '*.hpp' | LC_ALL=C.UTF-8 xargs -0 grep -nHP '^.{101,}$'); then
+  printf '%s\n' "$long" "error: lines of more than 100 characters: wrap them by hand" >&2
+  exit 1
+fi

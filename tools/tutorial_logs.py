@@ -4,7 +4,7 @@
     tools/tutorial_logs.py --limber build/release/bin/limber --out docs/tutorial/logs
 
 The arm is limber's virtual one with other lengths, widths, friction and valves than its arm file in
-docs/tutorial says. It is seen 12 times a second at five of its nine plates, in millimetres, with
+docs/tutorial says. It is seen 12 times per second at five of its nine plates, in millimetres, with
 0.5 mm of noise, somewhere in the laboratory's frame; pressures are logged in psi, one column a side.
 In trial_6 (--broken) the pressures are those of another trial. Same --seed, same logs.
 """

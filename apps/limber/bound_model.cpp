@@ -58,14 +58,14 @@ int add_bounds_to_model(const BoundModelRequest& request, const CommonFlags& fla
         "without them. Train it again, which picks another epoch",
         100.0 * rollout.held_share, rollout.frames);
   }
-  print_result(flags,
-               {{"status", "bounded"},
-                {"model", request.out},
-                {"from", request.from},
-                {"bounds", to_json(*model.bounds)},
-                {"long_rollout", to_json(rollout)}},
-               fmt::format("{}: {} as it was, and {}", request.out, request.from,
-                           gap_bounds_to_text(*model.bounds)));
+  print_result(
+      flags,
+      {{"status", "bounded"},
+       {"model", request.out},
+       {"from", request.from},
+       {"bounds", to_json(*model.bounds)},
+       {"long_rollout", to_json(rollout)}},
+      fmt::format("{}: {} as it was, and {}", request.out, request.from, to_text(*model.bounds)));
   return kExitDone;
 }
 

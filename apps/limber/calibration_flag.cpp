@@ -4,8 +4,8 @@ namespace limber {
 
 void CalibrationFlag::add_to(CLI::App& app) {
   app.add_option("--calibration", file_,
-                 "File of limber driver calibrate: channels, signs, zeros and the tracker's frame "
-                 "of a driver");
+                 "File of limber driver calibrate: channels, "
+                 "signs, zeros and the tracker's frame of a driver");
 }
 
 std::optional<WireCalibration> CalibrationFlag::read(const ArmDescription& arm) const {

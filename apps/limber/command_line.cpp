@@ -89,8 +89,8 @@ int run_command_line(int argc, char** argv) {
   open_missing_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is then an error like a full disk
   CLI::App app(
-      "limber makes soft robot arms plannable: characterise, collect, train, evaluate, plan, "
-      "execute.");
+      "limber makes soft robot arms plannable: characterise, "
+      "collect, train, evaluate, plan, execute.");
   app.set_version_flag("--version", std::string("limber ") + version());
   app.require_subcommand(1);
   app.fallthrough(false);

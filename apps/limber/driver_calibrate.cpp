@@ -22,14 +22,14 @@ void wait_for_operator(const std::string& step) {
   }
 }
 
-Json interval_to_json(const std::optional<TimeInterval>& time) {
+Json to_json(const std::optional<TimeInterval>& time) {
   if (!time) {
     return nullptr;
   }
   return {{"value_s", time->value_s}, {"low_s", time->low_s}, {"high_s", time->high_s}};
 }
 
-Json channels_to_json(const std::vector<WireChannel>& channels) {
+Json to_json(const std::vector<WireChannel>& channels) {
   Json json = Json::array();
   for (const WireChannel& one : channels) {
     json.push_back({{"channel", one.channel}, {"sign", one.sign > 0.0 ? 1 : -1}});
@@ -39,8 +39,8 @@ Json channels_to_json(const std::vector<WireChannel>& channels) {
 
 Json to_json(const WireCalibration& calibration) {
   const TrackerCalibration& tracker = *calibration.tracker;
-  return {{"valves", channels_to_json(calibration.valves)},
-          {"sensors", channels_to_json(calibration.sensors)},
+  return {{"valves", to_json(calibration.valves)},
+          {"sensors", to_json(calibration.sensors)},
           {"zero_kpa", calibration.zero_kpa},
           {"noise_kpa", calibration.noise_kpa},
           {"metres_per_unit", tracker.metres_per_unit},
@@ -52,10 +52,10 @@ Json to_json(const WireCalibration& calibration) {
             {"theta_rad", tracker.base.theta_rad}}},
           {"position_interval_m", tracker.position_interval_m},
           {"heading_interval_rad", tracker.heading_interval_rad},
-          {"driver_clock", interval_to_json(calibration.clocks.driver)},
+          {"driver_clock", to_json(calibration.clocks.driver)},
           {"driver_drift", calibration.clocks.driver_drift},
-          {"tracker_clock", interval_to_json(calibration.clocks.tracker)},
-          {"shape_delay", interval_to_json(calibration.clocks.shape_delay)}};
+          {"tracker_clock", to_json(calibration.clocks.tracker)},
+          {"shape_delay", to_json(calibration.clocks.shape_delay)}};
 }
 
 }  // namespace

@@ -61,10 +61,9 @@ void DriverFlags::add_to(CLI::App& app, bool may_be_model) {
   app.add_option("--limit-scale", limit_scale_,
                  "Factor on the arm's pressure limits, over 0 and at most 1")
       ->capture_default_str();
-  app.add_option(
-      "--driver-log", log_,
-      "What limber and the driver said to each other, one JSON object per line; by default "
-      "beside the recording");
+  app.add_option("--driver-log", log_,
+                 "What limber and the driver said to each other, one "
+                 "JSON object per line; by default beside the recording");
   app.add_flag("--dry-run", dry_run_, "Print the requests that a driver would get; move nothing");
 }
 
@@ -155,10 +154,10 @@ void require_within(const Plan& plan, const std::vector<PressureLimits>& limits_
       const PressureLimits& limits = limits_kpa[static_cast<std::size_t>(s)];
       if (value > limits.upper_kpa + kRoundingKpa || value < limits.lower_kpa - kRoundingKpa) {
         throw InputError(fmt::format(
-            "{}: frame {}: set point of {} is {:.1f} {unit}; {} allows {} {unit}. Nothing was "
+            "{}: {}: set point of {} is {:.1f} {unit}; {} allows {} {unit}. Nothing was "
             "moved; plan again within that: limber plan --limit {}:{:.6g},{:.6g}",
-            file, k, segment_name(s), value, whose, to_string(limits), s, limits.lower_kpa,
-            limits.upper_kpa, fmt::arg("unit", plan.command.unit)));
+            file, frame_name(k), segment_name(s), value, whose, to_string(limits), s,
+            limits.lower_kpa, limits.upper_kpa, fmt::arg("unit", plan.command.unit)));
       }
     }
   }
@@ -171,11 +170,11 @@ void require_reach(const ArmDescription& arm, double limit_scale, const ProcessD
       const double wanted = limit_scale * arm.segments[s].pressure_limit_kpa.side_kpa(sign);
       const double found = allowed[s].side_kpa(sign);
       if (sign * found < sign * wanted) {
-        throw InputError(fmt::format(
-            "the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; --limit-scale "
-            "{:.2g} stays within",
-            found, segment_name(static_cast<Eigen::Index>(s)), wanted,
-            limit_scale * found / wanted));
+        throw InputError(
+            fmt::format("the driver allows {:.1f} kPa in {}, and motions ask "
+                        "for {:.1f} kPa; --limit-scale {:.2g} stays within",
+                        found, segment_name(static_cast<Eigen::Index>(s)), wanted,
+                        limit_scale * found / wanted));
       }
     }
   }

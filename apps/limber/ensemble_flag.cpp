@@ -45,10 +45,10 @@ CompensationModel read_model_of_plan(const std::string& model_file, const Plan& 
     return model;
   }
   if (model.member_count() == 1) {
-    throw InputError(fmt::format(
-        "{}: made with the mean of an ensemble; {} holds one network. Give the model that the plan "
-        "was made with",
-        plan_file, model_file));
+    throw InputError(
+        fmt::format("{}: made with the mean of an ensemble; {} holds one "
+                    "network. Give the model that the plan was made with",
+                    plan_file, model_file));
   }
   model.answer = EnsembleAnswer::mean;
   return model;

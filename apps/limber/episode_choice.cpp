@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/data/recording_inspection.hpp"
 
 namespace limber {
 
 void NamedEpisodes::add(const std::string& file, std::vector<Episode> more) {
   for (std::size_t i = 0; i < more.size(); ++i) {
-    names.push_back(fmt::format("{}, episode {}", file, i));
+    names.push_back(fmt::format("{}, {}", file, episode_name(i)));
     episodes.push_back(std::move(more[i]));
   }
 }
@@ -62,12 +63,12 @@ EpisodeChoice choose_episodes(const ArmDescription& arm, NamedEpisodes all,
 
 std::string prediction_error_line(const CompensationModel& model, bool has_unseen) {
   if (model.prediction_error) {
-    return prediction_error_to_text(*model.prediction_error);
+    return to_text(*model.prediction_error);
   }
   return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
                       "arm was not tracked often enough"
-                    : "no motions were left to measure the model's error on; give --unseen "
-                      "RECORDING";
+                    : "no motions were left to measure the "
+                      "model's error on; give --unseen RECORDING";
 }
 
 }  // namespace limber

@@ -31,7 +31,8 @@ struct EpisodeChoice {
 };
 
 /// Holds back for validation and for the model's error. An episode in which the arm does not do
-/// what it does in the others (`episode_errors`) doesn't choose the epoch, unless there is no other.
+/// what it does in the others (`episode_errors`) doesn't choose the epoch,
+/// unless there is no other.
 /// @param validation  what validates; where there is none, episodes are held back.
 /// @throws InputError as `hold_back_validation`.
 EpisodeChoice choose_episodes(const ArmDescription& arm, NamedEpisodes all,

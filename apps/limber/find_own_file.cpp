@@ -29,8 +29,7 @@ std::string find_own_file(const std::string& name_or_path, const char* folder,
 std::string find_arm_file(const std::string& name_or_path) {
   return find_own_file(name_or_path, "arms",
                        "--arm {}: no such file, and none of limber's own arms has that name "
-                       "(three_segment, two_segment, five_segment, motor_driven, "
-                       "uneven_limits)");
+                       "(three_segment, two_segment, five_segment, motor_driven, uneven_limits)");
 }
 
 ArmDescription load_asked_arm(const std::string& name_or_path, PolynomialsOf polynomials) {

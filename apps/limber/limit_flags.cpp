@@ -37,8 +37,8 @@ PressureLimits limits_in(const std::string& text, const std::string& range) {
   const bool finite = first && second && std::isfinite(*first) && std::isfinite(*second);
   if (!finite || !(limits.lower_kpa < limits.upper_kpa)) {
     refuse(text,
-           "expected LOWER,UPPER, as in -8,10, or SEGMENT:LOWER,UPPER for one segment, with LOWER "
-           "less than UPPER");
+           "expected LOWER,UPPER, as in -8,10, or SEGMENT:LOWER,UPPER "
+           "for one segment, with LOWER less than UPPER");
   }
   return limits;
 }

@@ -32,8 +32,8 @@ class ModelFlags {
   /// Those of --valves FILE, else those that `network` was trained with; none with --no-valves, and
   /// none before a network that learnt from set points.
   /// @param network  null: the no-load model
-  /// @throws InputError if they do not fit the arm, or if --valves FILE names some for a network that
-  /// learnt from set points.
+  /// @throws InputError if they do not fit the arm, or if --valves FILE names some for a network
+  /// that learnt from set points.
   ValveParameters valves(const ArmDescription& arm, const CompensationModel* network) const;
   MotionModel motion_model(const ArmDescription& arm, const ForwardModel& forward) const;
   /// Warns if no valve model is known, one is needed and --no-valves was not given.

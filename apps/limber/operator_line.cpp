@@ -21,8 +21,7 @@ std::string operator_line() {
     char letter = 0;
     if (::read(STDIN_FILENO, &letter, 1) != 1) {
       throw Interrupted(
-          "stopped: standard input ended, so nobody confirmed the next step; --yes "
-          "confirms all");
+          "stopped: standard input ended, so nobody confirmed the next step; --yes confirms all");
     }
     if (letter == '\n') {
       return line;

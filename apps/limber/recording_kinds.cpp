@@ -21,10 +21,10 @@ void RecordingKinds::add(const std::string& file, bool setpoints_only) {
     first_ = file;
     setpoints_only_ = setpoints_only;
   } else if (setpoints_only != setpoints_only_) {
-    throw InputError(fmt::format(
-        "{}: {}; {}: {}. What is learnt from the one is wrong of the other: give files of one kind. "
-        "'limber train --setpoints' leaves out what was measured",
-        first_, kind(setpoints_only_), file, kind(setpoints_only)));
+    throw InputError(
+        fmt::format("{}: {}; {}: {}. What is learnt from the one is wrong of the other: give "
+                    "files of one kind. 'limber train --setpoints' leaves out what was measured",
+                    first_, kind(setpoints_only_), file, kind(setpoints_only)));
   }
 }
 

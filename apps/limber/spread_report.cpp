@@ -45,8 +45,8 @@ Json to_json(const PlanSpread& spread) {
 std::string to_text(const PlanSpread& spread, const std::string& whose, const ArmDescription& arm,
                     const Environment& environment) {
   std::string text = fmt::format(
-      "the {} networks of {}, each by itself, put the end {:.2f} to {:.2f} cm from the goal, {} up "
-      "to {:.2f} cm apart",
+      "the {} networks of {}, each by itself, put the end {:.2f} "
+      "to {:.2f} cm from the goal, {} up to {:.2f} cm apart",
       spread.members, whose, kCmPerM * spread.goal_distance.min_m,
       kCmPerM * spread.goal_distance.max_m, plate_name(spread.end.plate),
       kCmPerM * spread.end.largest_distance_m);
@@ -54,10 +54,11 @@ std::string to_text(const PlanSpread& spread, const std::string& whose, const Ar
     const PlanSpread::Closest& closest = *spread.closest;
     text += fmt::format(
         "; they keep {:.2f} to {:.2f} cm from obstacles. Where the plan comes nearest to one "
-        "(frame {}, {}, {}), {} is up to {:.2f} cm apart",
-        kCmPerM * closest.clearance.min_m, kCmPerM * closest.clearance.max_m, closest.at.frame,
-        gap_name(arm, closest.gap), obstacle_name(environment, closest.obstacle),
-        plate_name(closest.at.plate), kCmPerM * closest.at.largest_distance_m);
+        "({}, {}, {}), {} is up to {:.2f} cm apart",
+        kCmPerM * closest.clearance.min_m, kCmPerM * closest.clearance.max_m,
+        frame_name(closest.at.frame), gap_name(arm, closest.gap),
+        obstacle_name(environment, closest.obstacle), plate_name(closest.at.plate),
+        kCmPerM * closest.at.largest_distance_m);
   }
   return text;
 }

@@ -23,9 +23,9 @@ void TrackFlags::prepare(const ArmDescription& arm, const ModelFlags& model,
   tip_path_.require_within(arm.length_m(), path_);
   if (laps_ > 1 && !tip_path_.closes()) {
     throw InputError(
-        tip_path_.place(path_, tip_path_.point_m.size() - 1) +
-        fmt::format(": ends {:.1f} mm from where the path starts; --laps {} needs one that ends at "
-                    "its start, to 1 mm",
+        tip_path_.source_of(path_, tip_path_.point_m.size() - 1) +
+        fmt::format(": ends {:.1f} mm from where the path starts; "
+                    "--laps {} needs one that ends at its start, to 1 mm",
                     1000.0 * (tip_path_.point_m.back() - tip_path_.point_m.front()).norm(), laps_));
   }
   tip_path_.laps = laps_;
@@ -40,7 +40,7 @@ void TrackFlags::require_start(const ArmDescription& arm, const CommonFlags& fla
   start_ = find_track_start(arm, *motion_, tip_path_.point_m.front(), flags.seed);
   if (start_.distance_m > kStartWithinM) {
     throw InputError(
-        tip_path_.place(path_, 0) +
+        tip_path_.source_of(path_, 0) +
         fmt::format(
             ": the path starts at ({:.3f}, {:.3f}) m; the nearest that the model brings the "
             "tip is {:.1f} cm from there, at most {:.0f} cm are allowed. Move the path, or "

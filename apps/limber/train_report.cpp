@@ -27,12 +27,12 @@ const char* status_of(const TrainingResult& result) {
 /// How large the model's error is on motions that it has not seen, or why that is not known.
 std::string error_line(const CompensationModel& model, bool has_unseen) {
   if (model.prediction_error) {
-    return prediction_error_to_text(*model.prediction_error);
+    return to_text(*model.prediction_error);
   }
   return has_unseen ? "the model's error could not be measured: its predictions diverge, or the "
                       "arm was not tracked often enough"
-                    : "no motions were left to measure the model's error on; give --unseen "
-                      "RECORDING";
+                    : "no motions were left to measure the "
+                      "model's error on; give --unseen RECORDING";
 }
 
 /// Which epoch was chosen, and why.

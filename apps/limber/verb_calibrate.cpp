@@ -137,8 +137,8 @@ class CalibrateVerb final : public Verb {
     }
     print_result(flags, result.evidence,
                  result.model.tube
-                     ? fmt::format("{}\n  evidence: {}/evidence.html",
-                                   tube_to_text(*result.model.tube), settings_.folder.string())
+                     ? fmt::format("{}\n  evidence: {}/evidence.html", to_text(*result.model.tube),
+                                   settings_.folder.string())
                      : "");
     return result.failures.empty() ? kExitDone : kExitNoSolution;
   }
@@ -156,16 +156,14 @@ class CalibrateVerb final : public Verb {
     model.tube = tube_from_recordings(settings);
     validate(model, model_file_);
     write_model(out_, model);
-    print_result(flags, {{"tube", to_json(*model.tube)}}, tube_to_text(*model.tube));
+    print_result(flags, {{"tube", to_json(*model.tube)}}, to_text(*model.tube));
     return kExitDone;
   }
 
   int check(const ArmDescription& arm, CompensationModel model, const CommonFlags& flags) {
     if (!model.tube) {
-      throw InputError(
-          fmt::format("{}: carries no tube to check: limber calibrate --out measures "
-                      "one",
-                      model_file_));
+      throw InputError(fmt::format(
+          "{}: carries no tube to check: limber calibrate --out measures one", model_file_));
     }
     const Tube tube = *model.tube;
     const TubeLevel* level = level_ ? tube.find(*level_) : &tube.default_level();
@@ -180,9 +178,9 @@ class CalibrateVerb final : public Verb {
     const auto& coverage = json["coverage"];
     print_result(
         flags, json,
-        fmt::format("level {}: {:.2f} % of {} runs inside ({:.2f} to {:.2f} %); {} of {} "
-                    "environments solved, {} arrived, {} collided; first certified plan {:.2f} ms "
-                    "(median)",
+        fmt::format("level {}: {:.2f} % of {} runs inside ({:.2f} to "
+                    "{:.2f} %); {} of {} environments solved, {} arrived, "
+                    "{} collided; first certified plan {:.2f} ms (median)",
                     level->level, 100.0 * coverage["share"].get<double>(), json["runs"].get<int>(),
                     100.0 * coverage["low"].get<double>(), 100.0 * coverage["high"].get<double>(),
                     json["solved"].get<int>(), json["environments"].get<int>(),

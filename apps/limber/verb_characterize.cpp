@@ -71,7 +71,8 @@ class CharacterizeVerb final : public Verb {
   const char* example() const override {
     return "limber characterize --arm three_segment --out my_arm.yaml --plot bench.svg\n"
            "  limber characterize --arm mine.yaml --recording train.h5 --out fitted.yaml\n"
-           "  limber characterize --arm one_segment.yaml --driver \"exec:python3 my_driver.py\" --out fitted.yaml";
+           "  limber characterize --arm one_segment.yaml --driver "
+           "\"exec:python3 my_driver.py\" --out fitted.yaml";
   }
 
   void add_flags(CLI::App& app) override {
@@ -206,7 +207,7 @@ class CharacterizeVerb final : public Verb {
     json["episode_errors"] = to_json(errors);
     text += fmt::format("\nmiddle error at the tip over {} episodes: {:.2f} cm", episodes.size(),
                         errors.median_cm);
-    if (const std::string broken = outliers_to_text(errors); !broken.empty()) {
+    if (const std::string broken = to_text(errors); !broken.empty()) {
       say(flags, "warning: broken: {}", broken);
     }
     if (!out_.empty()) {
@@ -242,7 +243,7 @@ class CharacterizeVerb final : public Verb {
     }
     nlohmann::ordered_json json = to_json(valves);
     json["hash"] = valves.parameters.hash();
-    std::string text = valves_to_text(valves, arm.command.unit);
+    std::string text = to_text(valves, arm.command.unit);
     if (!plot.empty()) {
       write_file_atomically(plot, valve_plot_svg(valves.parameters, recording));
       json["plot"] = plot.string();

@@ -24,8 +24,8 @@ class DriverVerb final : public Verb {
   }
   const char* example() const override {
     return "limber driver check --driver \"exec:limber virtual-arm --serve\" --out checked\n"
-           "  limber driver calibrate --driver \"exec:limber virtual-arm --serve --fast --misassembled 1\" "
-           "--yes --handedness left --out calibration.yaml";
+           "  limber driver calibrate --driver \"exec:limber virtual-arm --serve "
+           "--fast --misassembled 1\" --yes --handedness left --out calibration.yaml";
   }
 
   void add_flags(CLI::App& app) override {
@@ -95,7 +95,7 @@ class DriverVerb final : public Verb {
       write_valves(folder / "valves.yaml", valves);
     }
     print_result(flags, json,
-                 driver_check_to_text(check) + "\n  " + valves_to_text(valves) +
+                 to_text(check) + "\n  " + to_text(valves) +
                      fmt::format("\n{}: report.html{}", out_,
                                  valves.parameters.is_ideal()
                                      ? ""

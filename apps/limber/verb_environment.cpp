@@ -23,7 +23,7 @@ constexpr int kStraightLineStarts = 100;
 class EnvironmentVerb final : public Verb {
  public:
   const char* name() const override { return "environment"; }
-  const char* summary() const override { return "Check an environment file, or draw random ones"; }
+  const char* summary() const override { return "Check an environment file, or sample some"; }
   const char* example() const override {
     return "limber environment --random --seed 7 --count 5 --out my_environments\n"
            "  limber environment check my_environments/random_7_001.yaml";
@@ -34,8 +34,8 @@ class EnvironmentVerb final : public Verb {
                    "check FILE: is the start free, and the goal in reach and free?")
         ->expected(0, 2)
         ->option_text("[check FILE]");
-    app.add_flag("--random", random_, "Draw environments by the rules of limber's own eight");
-    app.add_option("--count", count_, "How many to draw")
+    app.add_flag("--random", random_, "Sample environments by the rules of limber's own eight");
+    app.add_option("--count", count_, "How many to sample")
         ->capture_default_str()
         ->check(CLI::Range(1, 100000));
     app.add_option("--out", out_, "Folder for random environments");
@@ -54,8 +54,8 @@ class EnvironmentVerb final : public Verb {
     const bool check = words_.size() == 2 && words_.front() == "check";
     if (check == random_ || (!check && !words_.empty())) {
       throw InputError(
-          "expected either 'limber environment check FILE' or 'limber environment --random "
-          "--count N --out DIR'");
+          "expected either 'limber environment check FILE' or "
+          "'limber environment --random --count N --out DIR'");
     }
     const ArmDescription arm = load_asked_arm(arm_);
     const ForwardModel forward =
@@ -89,8 +89,7 @@ class EnvironmentVerb final : public Verb {
         check.refusal
             ? fmt::format("{}: {}: {}", words_[1], to_string(*check.refusal), check.reason)
             : fmt::format(
-                  "{}: '{}' is fine: {} obstacles, start {}, a straight motion in "
-                  "pressure {} it",
+                  "{}: '{}' is fine: {} obstacles, start {}, a straight motion in pressure {} it",
                   words_[1], environment.name, environment.obstacles.size(),
                   has_clearance ? fmt::format("{:.2f} cm clear of {}", start.value_m * kCmPerM,
                                               obstacle_name(environment, start.obstacle))
@@ -119,14 +118,14 @@ class EnvironmentVerb final : public Verb {
     for (int k = 1; k <= count_; ++k) {
       refuse_to_overwrite(path(k), flags.force);
     }
-    Progress progress("environments", "drawn", static_cast<std::uint64_t>(count_),
+    Progress progress("environments", "sampled", static_cast<std::uint64_t>(count_),
                       flags.progress());
     Json files = Json::array();
     for (int k = 1; k <= count_; ++k) {
       throw_if_interrupted();
-      const std::optional<Environment> drawn =
+      const std::optional<Environment> sampled =
           sample_proven_environment(arm, model, flags.seed, static_cast<std::uint64_t>(k));
-      if (!drawn) {
+      if (!sampled) {
         throw InputError(fmt::format(
             "no environment {} of seed {} for arm '{}' whose motion, executed on the virtual arm, "
             "reaches its goal; try another --seed{}",
@@ -134,7 +133,7 @@ class EnvironmentVerb final : public Verb {
             model_.empty() ? ", or --model MODEL, which is nearer to the arm than the no-load model"
                            : ""));
       }
-      write_file_atomically(path(k), environment_to_yaml(*drawn));
+      write_file_atomically(path(k), environment_to_yaml(*sampled));
       files.push_back(path(k).string());
       progress.advance();
     }

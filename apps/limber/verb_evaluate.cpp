@@ -72,8 +72,8 @@ class EvaluateVerb final : public Verb {
     write_pictures(flags, no_load, compared, recording, yardsticks);
     nlohmann::ordered_json json = to_json(evaluation);
     json["commands_are"] = commands_are(recording.setpoints_only());
-    add_to_json(yardsticks, recording.episodes, json);
-    std::string text = evaluation_to_text(evaluation) + yardsticks_to_text(yardsticks);
+    json.update(to_json(yardsticks, recording.episodes), true);
+    std::string text = to_text(evaluation) + to_text(yardsticks);
     if (recording.setpoints_only()) {
       text += "all models were asked with set points\n";
     }
@@ -158,7 +158,7 @@ class EvaluateVerb final : public Verb {
                  ? "network: the mean with one backbone for all, as used by plan --ensemble mean; "
                    "below: each with a backbone of its own\n"
                  : "network: the member that validated best, as used for planning\n") +
-            ensemble_evaluation_to_text(errors);
+            to_text(errors);
   }
 
   /// The model's error on this recording, which is stored with --out.
@@ -171,7 +171,7 @@ class EvaluateVerb final : public Verb {
     json["prediction_error"] = nullptr;
     if (error) {
       json["prediction_error"] = to_json(*error);
-      text += prediction_error_to_text(*error) + "\n";
+      text += to_text(*error) + "\n";
     }
     store(model);
   }
@@ -202,10 +202,10 @@ class EvaluateVerb final : public Verb {
       if (setpoints_only && !recording.setpoints_only()) {
         recording.episodes = with_setpoints_only(std::move(recording.episodes));
       } else if (recording.setpoints_only() != setpoints_only) {
-        throw InputError(fmt::format(
-            "--fit {}: holds set points only, --data {} what was measured; give recordings of one "
-            "kind",
-            path, data_));
+        throw InputError(
+            fmt::format("--fit {}: holds set points only, --data {} "
+                        "what was measured; give recordings of one kind",
+                        path, data_));
       }
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
     }

@@ -48,7 +48,7 @@ class ExecuteVerb final : public Verb {
     replan_.add_to(app);
     app.add_option("--disturbance", disturbance_,
                    "The virtual arm is not as it was: " + disturbance_kinds() +
-                       "; several at once with commas between; drawn from --seed");
+                       "; several at once with commas between; sampled from --seed");
     model_.add_to(app, " that the plan was made with; for --replan");
     room_.add_to(app);
     app.add_option("--out", out_, "Recording of the run to write");
@@ -140,7 +140,7 @@ class ExecuteVerb final : public Verb {
     }
     for (const Disturbance& one : disturbances) {
       if (one.kind == DisturbanceKind::obstacle || one.kind == DisturbanceKind::lost_tracking) {
-        throw InputError(fmt::format("--disturbance {}: is drawn for a plan; not with --track",
+        throw InputError(fmt::format("--disturbance {}: is sampled for a plan; not with --track",
                                      to_string(one.kind)));
       }
     }
@@ -183,7 +183,7 @@ class ExecuteVerb final : public Verb {
     if (!svg_.empty()) {
       write_file_atomically(svg_, track_picture(run));
     }
-    nlohmann::ordered_json json = track_to_json(run);
+    nlohmann::ordered_json json = to_json(run);
     json["seed"] = flags.seed;
     if (!disturbance_.empty()) {
       json["disturbance"] = disturbance_;
@@ -194,7 +194,7 @@ class ExecuteVerb final : public Verb {
     if (run.result.status != ExecutionStatus::done) {
       print_error(run.result.message);
     }
-    print_result(flags, json, track_to_text(run));
+    print_result(flags, json, to_text(run));
     const bool vented = driver == nullptr || driver->last_vent().confirmed;
     return exit_code(vented ? run.result.status : ExecutionStatus::fault);
   }
@@ -244,7 +244,7 @@ class ExecuteVerb final : public Verb {
     if (!animation_.empty()) {
       write_file_atomically(animation_, execution_animation(arm, environment, plan, result));
     }
-    nlohmann::ordered_json json = execution_to_json(result, environment);
+    nlohmann::ordered_json json = to_json(result, environment);
     if (replan_.is_asked_for()) {
       json["motion_queries"] = replan_.settings().motion_queries;
     }
@@ -258,7 +258,7 @@ class ExecuteVerb final : public Verb {
         print_error(result.message);
       }
     }
-    print_result(flags, json, execution_to_text(result, environment));
+    print_result(flags, json, to_text(result, environment));
     if (driver != nullptr && !driver->last_vent().confirmed) {
       return kExitFault;
     }

@@ -28,8 +28,8 @@ class ExportVerb final : public Verb {
   }
   const char* example() const override {
     return "limber export arms/three_segment.yaml --mjcf arm.xml\n"
-           "  limber export train.h5 --motive logs --time-offset-s 12.5 --noise-m 0.0005 "
-           "--occlusions 20\n"
+           "  limber export train.h5 --motive logs --time-offset-s "
+           "12.5 --noise-m 0.0005 --occlusions 20\n"
            "  limber export model.safetensors --onnx model.onnx";
   }
 
@@ -38,10 +38,9 @@ class ExportVerb final : public Verb {
     app.add_option("--csv", csv_,
                    "Folder for tables: a recording's episodes, a plan's set points and shapes, a "
                    "model's reference queries");
-    app.add_option(
-        "--motive", motive_,
-        "Folder for a recording as OptiTrack Motive would have logged it, with pressures in a log "
-        "of their own");
+    app.add_option("--motive", motive_,
+                   "Folder for a recording as OptiTrack Motive would "
+                   "have logged it, with pressures in a log of their own");
     app.add_option("--onnx", onnx_, "File for a model's network with its normalisation");
     app.add_option("--mjcf", mjcf_, "File for an arm's chain as MuJoCo's XML");
     app.add_option("--arm", arm_,

@@ -20,8 +20,8 @@ class ImportVerb final : public Verb {
     return "Make a recording of motion-capture and pressure logs";
   }
   const char* example() const override {
-    return "limber import motive take1.csv --pressures pressures1.csv --arm mine.yaml --out "
-           "train.h5\n"
+    return "limber import motive take1.csv --pressures "
+           "pressures1.csv --arm mine.yaml --out train.h5\n"
            "  limber import csv run1.csv run2.csv --mapping mapping.yaml --arm mine.yaml --dry-run";
   }
 
@@ -56,8 +56,8 @@ class ImportVerb final : public Verb {
     const ArmDescription arm = load_asked_arm(arm_);
     if (format_ == "csv" && mapping_.empty()) {
       throw InputError(
-          "import csv needs --mapping MAP.yaml, which says what the columns are "
-          "(docs/importing.md)");
+          "import csv needs --mapping MAP.yaml, which "
+          "says what the columns are (docs/importing.md)");
     }
     ImportOptions options;
     options.mapping =

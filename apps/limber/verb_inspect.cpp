@@ -33,7 +33,7 @@ struct Finding {
 Finding inspect_recording(const std::string& file, const std::optional<ArmDescription>& arm) {
   const Recording recording = read_recording(file);
   const RecordingInspection inspection = inspect(recording, arm ? &*arm : nullptr, file);
-  return {to_json(recording, inspection), inspection_to_text(recording, inspection)};
+  return {to_json(recording, inspection), to_text(recording, inspection)};
 }
 
 Finding inspect_arm(const YamlReader& root) {
@@ -53,8 +53,7 @@ Finding inspect_arm(const YamlReader& root) {
                   {"frame_rate_hz", arm.frame_rate_hz},
                   {"pressure_rate_limit_kpa_per_s", arm.pressure_rate_limit_kpa_per_s}};
   finding.text = fmt::format(
-      "arm '{}', hash {}\n  {} segments, {} plates, {:.3f} m long, {} Hz, "
-      "at most {} {}/s",
+      "arm '{}', hash {}\n  {} segments, {} plates, {:.3f} m long, {} Hz, at most {} {}/s",
       arm.name, arm.hash(), arm.segment_count(), arm.point_count(), arm.length_m(),
       arm.frame_rate_hz, arm.pressure_rate_limit_kpa_per_s, arm.command.unit);
   for (int i = 0; i < arm.segment_count(); ++i) {
@@ -87,8 +86,8 @@ Finding inspect_environment(const YamlReader& root, const std::optional<ArmDescr
   finding.json["goal"] = {
       {"x_m", goal.x_m}, {"y_m", goal.y_m}, {"position_tolerance_m", goal.position_tolerance_m}};
   finding.text = fmt::format(
-      "environment '{}', hash {}\n  {} obstacles{}; start {}\n  goal ({:.3f}, {:.3f}) m within "
-      "{} m",
+      "environment '{}', hash {}\n  {} obstacles{}; "
+      "start {}\n  goal ({:.3f}, {:.3f}) m within {} m",
       environment.name, environment_hash(environment), environment.obstacles.size(),
       environment.obstacles.empty()
           ? ""
@@ -117,7 +116,7 @@ Finding inspect_valves(const YamlReader& root, const std::optional<ArmDescriptio
   finding.json = {{"kind", "valves"}, {"hash", valves.parameters.hash()}};
   finding.json.update(to_json(valves));
   finding.text = fmt::format(
-      "{}\n  from {}, hash {}", valves_to_text(valves),
+      "{}\n  from {}, hash {}", arm ? to_text(valves, arm->command.unit) : to_text(valves),
       valves.findings.source.empty() ? "a source that is not stored" : valves.findings.source,
       valves.parameters.hash());
   for (const std::string& warning : valves.findings.warnings) {
@@ -145,23 +144,23 @@ Finding inspect_yaml(const std::string& file, const std::string& content,
   if (schema.text() == "limber/valves/1") {
     return inspect_valves(root, arm, file);
   }
-  schema.refuse(fmt::format(
-      "{} found; this program reads 'limber/arm/1', 'limber/environment/1' and 'limber/valves/1' "
-      "as YAML",
-      schema.found()));
+  schema.refuse(
+      fmt::format("{} found; this program reads 'limber/arm/1', "
+                  "'limber/environment/1' and 'limber/valves/1' as YAML",
+                  schema.found()));
 }
 
 /// How large the model's error is, and what its recordings held.
 void add_what_is_known(const CompensationModel& model, Finding& finding) {
   if (model.prediction_error) {
     finding.json["prediction_error"] = to_json(*model.prediction_error);
-    finding.text += "\n  " + prediction_error_to_text(*model.prediction_error);
+    finding.text += "\n  " + to_text(*model.prediction_error);
   } else {
     finding.text += "\n  error on unseen motions: not measured";
   }
   if (model.tube) {
     finding.json["tube"] = to_json(*model.tube);
-    finding.text += "\n  " + tube_to_text(*model.tube);
+    finding.text += "\n  " + to_text(*model.tube);
   }
   if (model.learnt) {
     const Command command = model.arm_description.empty()
@@ -177,7 +176,7 @@ void add_what_is_known(const CompensationModel& model, Finding& finding) {
   }
   if (model.bounds) {
     finding.json["bounds"] = to_json(*model.bounds);
-    finding.text += "\n  " + gap_bounds_to_text(*model.bounds);
+    finding.text += "\n  " + to_text(*model.bounds);
   } else {
     finding.text += "\n  no bounds: plan refuses it, and says how to add them";
   }
@@ -221,7 +220,7 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
   if (model.valves || !valves.findings.reason.empty()) {
     finding.json["valves"] = to_json(valves);
   }
-  finding.text += "\n  " + valves_to_text(valves);
+  finding.text += "\n  " + to_text(valves);
   add_what_is_known(model, finding);
   return finding;
 }

@@ -87,8 +87,8 @@ class PlanVerb final : public Verb {
     model_.add_to(app, " to plan with");
     ensemble_.add_to(app);
     app.add_option("--environment", environment_,
-                   "Environment file, or the name of one of limber's own; not needed to "
-                   "--build-forest alone");
+                   "Environment file, or the name of one of "
+                   "limber's own; not needed to --build-forest alone");
     app.add_option(
            "--planner", planner_,
            "default: keeps several backbones for similar pressures, then improves plans; paper: "
@@ -107,8 +107,10 @@ class PlanVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--max-memory-mb", limits_.memory_mb,
                    "Stop when the tree takes so many megabytes");
-    app.add_option("--cost-threshold-kpa", limits_.cost_threshold_kpa,
-                   "Stop at a plan this cheap; with a large number, stop at the first plan");
+    app.add_option(
+        "--cost-threshold,--cost-threshold-kpa", limits_.cost_threshold_kpa,
+        "Stop at a plan this cheap, in the command's unit (kPa of pressures); with a large "
+        "number, stop at the first plan");
     narrower_.add_to(app);
     room_.add_to(app);
     app.add_flag(
@@ -159,14 +161,14 @@ class PlanVerb final : public Verb {
     const std::string model_name = model.has_network() ? "network" : "no_load";
     nlohmann::ordered_json json =
         to_json(result, arm.command, environment.goal, planner_, model_name, flags.seed);
-    std::string text = result.plan ? plan_result_to_text(result, arm.command) : "";
+    std::string text = result.plan ? to_text(result, arm.command) : "";
     add_spread(forward, arm, environment, result, json, text);
     print_result(flags, json, text);
     const int code = exit_code(result.status);
     if (code == kExitBadInput) {
-      print_error(plan_result_to_text(result, arm.command));
+      print_error(to_text(result, arm.command));
     } else if (!result.plan) {
-      say(flags, "{}", plan_result_to_text(result, arm.command));
+      say(flags, "{}", to_text(result, arm.command));
     }
     return code;
   }
@@ -259,8 +261,8 @@ class PlanVerb final : public Verb {
     }
     if (!forward.has_network() || !forward.compensation().learnt) {
       throw InputError(
-          "--stay-recorded: the model does not store what its recordings held; limber train stores "
-          "it");
+          "--stay-recorded: the model does not store what "
+          "its recordings held; limber train stores it");
     }
     return std::optional<RecordedRegion>(std::in_place, *forward.compensation().learnt,
                                          arm.frame_rate_hz);

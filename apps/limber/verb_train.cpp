@@ -49,10 +49,9 @@ class TrainVerb final : public Verb {
     app.add_option("--unseen", unseen_,
                    "Recording for measuring the model's error, used neither for training nor for "
                    "choosing; else whole episodes are held back");
-    app.add_flag(
-        "--setpoints", setpoints_,
-        "Learn from set points alone, also where pressures were measured: for recordings of "
-        "both kinds");
+    app.add_flag("--setpoints", setpoints_,
+                 "Learn from set points alone, also where pressures "
+                 "were measured: for recordings of both kinds");
     app.add_option("--preset", preset_, "paper: as published; best: the default")
         ->check(CLI::IsMember({"paper", "best"}))
         ->capture_default_str();
@@ -61,17 +60,15 @@ class TrainVerb final : public Verb {
                    "Recording that --from was trained on: errors on it are shown before and after, "
                    "and it is replayed; repeat for more")
         ->needs(from);
-    app.add_option(
-           "--replay", replay_share_,
-           fmt::format("Share of each epoch's windows that come from --old-data, 0 to 0.95; "
-                       "else {}",
-                       TrainingSettings().replay_share))
+    app.add_option("--replay", replay_share_,
+                   fmt::format("Share of each epoch's windows that come "
+                               "from --old-data, 0 to 0.95; else {}",
+                               TrainingSettings().replay_share))
         ->check(CLI::Range(0.0, 0.95))
         ->needs("--old-data");
-    app.add_option(
-           "--epochs", epochs_,
-           "Epochs in all, in the preset's proportions and with its windows; 0 with --from only adds bounds to an old "
-           "model")
+    app.add_option("--epochs", epochs_,
+                   "Epochs in all, in the preset's proportions and with its "
+                   "windows; 0 with --from only adds bounds to an old model")
         ->check(CLI::Range(0, 10'000'000));
     app.add_option("--time-limit-s", time_limit_s_,
                    "Fix the number of epochs, at the start, to what fits in this time")
@@ -85,11 +82,10 @@ class TrainVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--hidden", hidden_, "Units of each hidden layer, such as --hidden 100 100 100")
         ->check(CLI::Range(1, 4096));
-    app.add_option(
-           "--ensemble", ensemble_,
-           "Networks to train together; their spread says how certain they are. Without this "
-           "flag, best trains 3 for a third of the epochs where the data hold 1 to 4 hours "
-           "and nothing says how long to train; else 1")
+    app.add_option("--ensemble", ensemble_,
+                   "Networks to train together; their spread says how certain they are. "
+                   "Without this flag, best trains 3 for a third of the epochs where the "
+                   "data hold 1 to 4 hours and nothing says how long to train; else 1")
         ->check(CLI::Range(1, 64));
     app.add_option("--checkpoint-interval-s", checkpoint_interval_s_,
                    "Seconds between checkpoints: the most that a killed run loses")
@@ -337,10 +333,10 @@ class TrainVerb final : public Verb {
                                 const std::optional<CompensationModel>& start,
                                 IdentifiedValves& valves) {
     if (valves.parameters.is_ideal() && start && start->valves) {
-      say(flags, "{}; the model's own are kept", valves_to_text(valves, arm.command.unit));
+      say(flags, "{}; the model's own are kept", to_text(valves, arm.command.unit));
       valves = start->identified_valves();
     }
-    say(flags, "{}", valves_to_text(valves, arm.command.unit));
+    say(flags, "{}", to_text(valves, arm.command.unit));
     for (const std::string& warning : valves.findings.warnings) {
       say(flags, "warning: {}", warning);
     }

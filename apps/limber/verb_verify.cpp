@@ -57,7 +57,7 @@ class VerifyVerb final : public Verb {
       throw InputError(fmt::format("{}: {}", plan_, error.what()));
     }
     nlohmann::ordered_json json = to_json(certificate, arm.command, environment);
-    std::string text = certificate_to_text(certificate, arm, environment);
+    std::string text = to_text(certificate, arm, environment);
     const bool is_plan = std::ranges::none_of(
         certificate.failures, [](const auto& failure) { return failure.check == "sizes"; });
     if (used != nullptr && used->member_count() > 1 && is_plan) {

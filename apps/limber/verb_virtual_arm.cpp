@@ -46,8 +46,8 @@ class VirtualArmVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     if (!serve_) {
       throw InputError(
-          "expected --serve: 'limber virtual-arm --serve' speaks the driver protocol on standard "
-          "input and output");
+          "expected --serve: 'limber virtual-arm --serve' speaks "
+          "the driver protocol on standard input and output");
     }
     if (!fault_.empty()) {
       settings_.fault = parse_server_fault(fault_);

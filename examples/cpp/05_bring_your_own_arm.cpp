@@ -26,7 +26,7 @@ int main(int argc, char** argv) try {
   std::cout << limber::to_text(imported.report) << "\n";
   const limber::Recording& recording = imported.recording;
   const auto inspection = limber::inspect(recording, &arm, "the logs");
-  std::cout << limber::inspection_to_text(recording, inspection) << "\n";
+  std::cout << limber::to_text(recording, inspection) << "\n";
 
   limber::TrainingSettings settings = limber::best_preset();
   limber::set_epoch_count(settings, std::atoi(argv[5]));

@@ -1,5 +1,6 @@
 // A planner of your own: it says where the set points go, limber simulates, holds and certifies the
-// motion. This one climbs: it changes the best motion so far, and keeps what is nearer to a solution.
+// motion. This one climbs: it changes the best motion so far, and keeps what is
+// nearer to a solution.
 //
 //   06_plug_in_a_planner MODEL.safetensors ENVIRONMENT.yaml PLAN.json
 

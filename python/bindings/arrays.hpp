@@ -15,8 +15,8 @@ namespace limber::python {
 namespace py = pybind11;
 
 /// What limber computes with. A C-contiguous float32 array is taken as it is; anything else that
-/// NumPy understands is copied once. An own class for its caster: pybind11's makes an empty array for
-/// every argument, and asks NumPy to convert what needs no conversion, half a microsecond each.
+/// NumPy understands is copied once. An own class for its caster: pybind11's makes an empty array
+/// for every argument, and asks NumPy to convert what needs no conversion, half a microsecond each.
 class FloatArray : public py::array_t<float, py::array::c_style | py::array::forcecast> {
  public:
   using Base = py::array_t<float, py::array::c_style | py::array::forcecast>;

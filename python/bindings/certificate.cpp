@@ -46,16 +46,16 @@ void bind_findings(py::module_& module) {
 void bind_certificate(py::module_& module) {
   bind_findings(module);
   py::class_<Certifier>(module, "Certifier",
-                        "Certifies plans for one problem with nothing of the planner's. Constant: "
-                        "share it freely.")
+                        "Certifies plans for one problem with nothing "
+                        "of the planner's. Constant: share it freely.")
       .def(py::init<const ArmDescription&, const CompensationModel*, const ValveParameters&,
                     const Environment&>(),
            py::arg("arm"), py::arg("network"), py::arg("valves"), py::arg("environment"),
            py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 4>(),
            py::keep_alive<1, 5>(), "Without network (None): the no-load model.")
       .def("certify", &certified, py::arg("plan"),
-           "Raises InputError where the plan was made for something else; all else is a failure "
-           "in the result.")
+           "Raises InputError where the plan was made for "
+           "something else; all else is a failure in the result.")
       .def_property_readonly("environment_hash", &Certifier::environment_hash,
                              "What plans have to state.");
   module.def(

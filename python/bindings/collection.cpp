@@ -55,7 +55,7 @@ void bind_schedule(py::module_& module) {
       .field("approach", &ScheduleSettings::approach, "Approach.")
       .field("hold_s", &ScheduleSettings::hold_s, "Of a motion's final set point [s].")
       .field("hold_min_s", &ScheduleSettings::hold_min_s,
-             "Holds are drawn between this and hold_s [s]; or None.")
+             "Holds are sampled between this and hold_s [s]; or None.")
       .keywords()
       .done();
 }

@@ -51,7 +51,7 @@ void bind_evaluation(py::module_& module) {
       .read_only("orientation_reduction_percent", &Evaluation::orientation_reduction_percent,
                  "The same of headings [%].")
       .done()
-      .def("__str__", &evaluation_to_text);
+      .def("__str__", [](const Evaluation& evaluation) { return to_text(evaluation); });
   module.def(
       "predict",
       [](const ForwardModel& model, const Episode& episode, Restart restart, int jobs) {
@@ -63,8 +63,8 @@ void bind_evaluation(py::module_& module) {
         return copy_of<float>(predicted, {predicted.rows(), predicted.cols() / 3, 3});
       },
       py::arg("model"), py::arg("episode"), py::arg("restart"), py::arg("jobs") = 0,
-      "Backbones float32 (T, m, 3) of an episode, fed with its pressures; NaN where a frame is "
-      "only a start.");
+      "Backbones float32 (T, m, 3) of an episode, fed with "
+      "its pressures; NaN where a frame is only a start.");
   module.def(
       "evaluate",
       [](const ForwardModel& no_load, const ForwardModel* network, const py::iterable& episodes,

@@ -47,7 +47,7 @@ void bind_json(py::module_& module) {
   module.def(
       "to_json",
       [](const ExecutionResult& result, const Environment& environment) {
-        return to_python(execution_to_json(result, environment));
+        return to_python(to_json(result, environment));
       },
       py::arg("result"), py::arg("environment"), "The dict of `limber execute --json`.");
   module.def(

@@ -40,8 +40,8 @@ void bind_logs(py::module_& module) {
   module.def("import_csv", &import_all<&limber::import_csv>, py::arg("logs"), py::arg("arm"),
              py::arg("mapping") = py::none(), py::arg("command_logs") = Paths{},
              py::arg("time_offset_s") = py::none(),
-             "A recording from CSV logs; the mapping file names their columns and units "
-             "(docs/importing.md).");
+             "A recording from CSV logs; the mapping file names "
+             "their columns and units (docs/importing.md).");
   module.def("import_motive", &import_all<&limber::import_motive>, py::arg("logs"), py::arg("arm"),
              py::arg("mapping") = py::none(), py::arg("command_logs") = Paths{},
              py::arg("time_offset_s") = py::none(),

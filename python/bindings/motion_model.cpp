@@ -58,8 +58,8 @@ void bind_error_room(py::module_& module) {
       },
       py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
       py::arg("goal_margin_rad") = py::none(), py::arg("tube_level") = py::none(),
-      "The tube that a model carries, or the error that it states, or the amounts that are given "
-      "instead.");
+      "The tube that a model carries, or the error that "
+      "it states, or the amounts that are given instead.");
 }
 
 }  // namespace

@@ -94,8 +94,8 @@ void bind_networks(py::module_& module) {
             }
             model.answer = answer == "mean" ? EnsembleAnswer::mean : EnsembleAnswer::first;
           },
-          "Of an ensemble: \"first\", its first network's, or \"mean\" of all. No part of the "
-          "file.")
+          "Of an ensemble: \"first\", its first network's, "
+          "or \"mean\" of all. No part of the file.")
       .def_property_readonly("shape", &CompensationModel::shape, "\"102-100-100-100-48\".")
       .def_readonly("arm_name", &CompensationModel::arm_name, "Of the arm it was trained for.")
       .def_readonly("arm_hash", &CompensationModel::arm_hash, "ArmDescription.hash() of it.")

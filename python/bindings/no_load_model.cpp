@@ -59,10 +59,9 @@ void bind_no_load_model(py::module_& module) {
       .read_only("reachable", &SegmentPressure::reachable,
                  "False where more than the limit would be needed.")
       .done();
-  py::class_<NoLoadModel>(
-      module, "NoLoadModel",
-      "Shape of the unloaded, frictionless arm at given pressures. Constant: any number of "
-      "threads may share it.")
+  py::class_<NoLoadModel>(module, "NoLoadModel",
+                          "Shape of the unloaded, frictionless arm at given "
+                          "pressures. Constant: any number of threads may share it.")
       .def(py::init<const ArmDescription&>(), py::arg("arm"))
       .def_property_readonly("segment_count", &NoLoadModel::segment_count, "n.")
       .def_property_readonly("point_count", &NoLoadModel::point_count, "m.")

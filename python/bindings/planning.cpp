@@ -166,6 +166,9 @@ void bind_progress(py::module_& module) {
       .read_only("time_s", &FirstSolution::time_s, "[s]")
       .read_only("cost_kpa", &FirstSolution::cost_kpa, "[kPa]")
       .read_only("queries", &FirstSolution::queries, "Until it was found.")
+      .read_only("candidate_s", &FirstSolution::candidate_s, "When it was found [s].")
+      .read_only("certificate_s", &FirstSolution::certificate_s,
+                 "What building and certifying it then took [s].")
       .done();
   Record<PlannerStatistics>(module, "PlannerStatistics", "What a search took.")
       .read_only("time_s", &PlannerStatistics::time_s, "[s]")
@@ -213,8 +216,8 @@ void bind_planning(py::module_& module) {
       .def_property_readonly("name", &OnePlanner::name, "As make_planner knows it.")
       .def("plan", &OnePlanner::plan, py::arg("problem"), py::arg("limits"), py::arg("seed"),
            py::arg("callback") = py::none(),
-           "Searches; the plan is certified. `callback(progress)` comes about ten times a second; "
-           "False stops the search. Ctrl-C ends it with KeyboardInterrupt. With limits of "
+           "Searches; the plan is certified. `callback(progress)` comes about ten times per "
+           "second; False stops the search. Ctrl-C ends it with KeyboardInterrupt. With limits of "
            "iterations or queries alone the seed decides everything.")
       .def("__repr__",
            [](const OnePlanner& planner) { return fmt::format("Planner('{}')", planner.name()); });
@@ -225,7 +228,7 @@ void bind_planning(py::module_& module) {
         return std::make_unique<OnePlanner>(make_planner(name, jobs));
       },
       py::arg("name") = "default", py::arg("jobs") = 0,
-      "By name; settings may follow it: \"default,improved_plans=0\". jobs: threads, 0: one a "
+      "By name; settings may follow it: \"default,improved_plans=0\". jobs: threads, 0: one per "
       "core; they never change a result.");
   module.def("plan_along", &along, py::arg("problem"), py::arg("waypoints_kpa"), py::arg("planner"),
              py::arg("seed") = 0,

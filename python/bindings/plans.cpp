@@ -42,8 +42,8 @@ void bind_plan(py::module_& module) {
                  "False where the file was changed since.")
       .done();
   Record<Plan>(module, "Plan",
-               "A motion in pressure space. Its frames are executed as they stand, never "
-               "resampled.")
+               "A motion in pressure space. Its frames are "
+               "executed as they stand, never resampled.")
       .read_only("arm_name", &Plan::arm_name, "Of the arm.")
       .read_only("model", &Plan::model, "\"no_load\" or \"network\".")
       .read_only("environment_name", &Plan::environment_name, "Of the environment.")
@@ -64,7 +64,7 @@ void bind_plan(py::module_& module) {
       .def_readonly("environment_hash", &Plan::environment_hash, "Of the environment.")
       .def_readonly("margin_m", &Plan::margin_m, "Clearance asked for [m].")
       .def_readonly("tube", &Plan::tube, "PlanTube that it keeps free, or None.")
-      .def_readonly("frame_rate_hz", &Plan::frame_rate_hz, "Frames a second.")
+      .def_readonly("frame_rate_hz", &Plan::frame_rate_hz, "Frames per second.")
       .def_readonly("hold_frame_count", &Plan::hold_frame_count,
                     "The last frames, which repeat the final set point.")
       .def_readonly("goal_orientation_rad", &Plan::goal_orientation_rad, "Predicted [rad].")

@@ -6,9 +6,10 @@ namespace limber::python {
 namespace py = pybind11;
 
 void bind_random(py::module_& module) {
-  py::class_<RandomStream>(module, "RandomStream",
-                           "Counter-based random numbers (Philox): the k-th draw depends on seed, "
-                           "stream and k alone. One stream, one thread.")
+  py::class_<RandomStream>(
+      module, "RandomStream",
+      "Counter-based random numbers (Philox): the k-th sample depends on seed, "
+      "stream and k alone. One stream, one thread.")
       .def(py::init<std::uint64_t, std::uint64_t>(), py::arg("seed"), py::arg("stream") = 0)
       .def("next_u32", &RandomStream::next_u32, "Uniform over all 32-bit words.")
       .def("uniform", py::overload_cast<double, double>(&RandomStream::uniform),

@@ -138,7 +138,7 @@ void bind_recording(py::module_& module) {
       .def_readonly("arm_hash", &Recording::arm_hash, "ArmDescription.hash() of it.")
       .def_readonly("segment_count", &Recording::segment_count, "n.")
       .def_readonly("point_count", &Recording::point_count, "m.")
-      .def_readonly("rate_hz", &Recording::rate_hz, "Frames a second.")
+      .def_readonly("rate_hz", &Recording::rate_hz, "Frames per second.")
       .def_readonly("seed", &Recording::seed, "Of the schedule and of noise.")
       .def_readonly("source", &Recording::source, "\"virtual arm\", \"motive log.csv\", ...")
       .def_readwrite("settings", &Recording::settings, "How it was collected, in words.")
@@ -186,7 +186,7 @@ void bind_export(py::module_& module) {
             return tips;
           },
           "Mean error of each episode [cm]; NaN where nothing was tracked.")
-      .def("__str__", &outliers_to_text);
+      .def("__str__", [](const EpisodeErrors& errors) { return to_text(errors); });
   module.def(
       "episode_errors",
       [](const ArmDescription& arm, const py::iterable& episodes) {
@@ -202,7 +202,7 @@ void bind_export(py::module_& module) {
         std::string text;
         {
           const py::gil_scoped_release others_may_run;
-          text = inspection_to_text(recording, inspect(recording, arm, file));
+          text = to_text(recording, inspect(recording, arm, file));
         }
         return text;
       },
@@ -216,8 +216,8 @@ void bind_export(py::module_& module) {
         return identify_valves(copies, arm, source);
       },
       py::arg("episodes"), py::arg("arm"), py::arg("source") = "recordings",
-      "Valves between set points and measured pressures; the findings say how well they fit, or "
-      "why there are none.");
+      "Valves between set points and measured pressures; the "
+      "findings say how well they fit, or why there are none.");
 }
 
 }  // namespace
@@ -251,8 +251,8 @@ void bind_recordings(py::module_& module) {
         return recording;
       },
       py::arg("arm"), py::arg("episodes"), py::arg("source") = "python", py::arg("seed") = 0,
-      "A recording of these episodes (copied), checked: sizes agree, times increase, numbers are "
-      "finite.");
+      "A recording of these episodes (copied), checked: "
+      "sizes agree, times increase, numbers are finite.");
   module.def(
       "with_setpoints_only",
       [](const py::iterable& episodes) {

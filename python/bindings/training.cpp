@@ -112,9 +112,9 @@ void bind_settings(py::module_& module) {
 
 void bind_data(py::module_& module) {
   py::class_<TrainingData>(module, "TrainingData",
-                           "What is learnt from, what chooses the best epoch, what is replayed, "
-                           "and what the error is measured on. Lists of Episode: copies; assign "
-                           "whole lists.")
+                           "What is learnt from, what chooses the best epoch, "
+                           "what is replayed, and what the error is measured "
+                           "on. Lists of Episode: copies; assign whole lists.")
       .def(py::init([](const py::iterable& training, const py::iterable& validation,
                        const py::iterable& replay, const py::iterable& unseen) {
              return TrainingData{episodes_from(training), episodes_from(validation),

@@ -964,7 +964,7 @@ class Plan:
         """PlanTube that it keeps free, or None."""
     @property
     def frame_rate_hz(self) -> float:
-        """Frames a second."""
+        """Frames per second."""
     @property
     def hold_frame_count(self) -> int:
         """The last frames, which repeat the final set point."""
@@ -1085,7 +1085,7 @@ class Planner:
     def name(self) -> str:
         """As make_planner knows it."""
     def plan(self, problem: PlanningProblem, limits: PlannerLimits, seed: int, callback: Callable[[PlannerProgress], bool | None] | None = None) -> PlanResult:
-        """Searches; the plan is certified. `callback(progress)` comes about ten times a second; False stops the search. Ctrl-C ends it with KeyboardInterrupt. With limits of iterations or queries alone the seed decides everything."""
+        """Searches; the plan is certified. `callback(progress)` comes about ten times per second; False stops the search. Ctrl-C ends it with KeyboardInterrupt. With limits of iterations or queries alone the seed decides everything."""
 
 class PlannerLimits:
     """When to stop; whichever comes first. At least one of time_s, iterations and queries is set."""
@@ -1267,7 +1267,7 @@ class ProgressMode:
     def value(self) -> int: ...
 
 class RandomStream:
-    """Counter-based random numbers (Philox): the k-th draw depends on seed, stream and k alone. One stream, one thread."""
+    """Counter-based random numbers (Philox): the k-th sample depends on seed, stream and k alone. One stream, one thread."""
     def __init__(self, seed: int, stream: int = 0) -> None: ...
     def next_u32(self) -> int:
         """Uniform over all 32-bit words."""
@@ -1300,7 +1300,7 @@ class Recording:
         """m."""
     @property
     def rate_hz(self) -> float:
-        """Frames a second."""
+        """Frames per second."""
     @property
     def seed(self) -> int:
         """Of the schedule and of noise."""
@@ -1450,7 +1450,7 @@ class ScheduleSettings:
     def hold_s(self, value: float) -> None: ...
     @property
     def hold_min_s(self) -> float | None:
-        """Holds are drawn between this and hold_s [s]; or None."""
+        """Holds are sampled between this and hold_s [s]; or None."""
     @hold_min_s.setter
     def hold_min_s(self, value: float | None) -> None: ...
     def __init__(self, *, kind: ScheduleKind = ..., count: int = ..., episodes: int = ..., approach: Approach = ..., hold_s: float = ..., hold_min_s: float | None = ...) -> None: ...
@@ -2104,7 +2104,7 @@ def load_environment(path: str | os.PathLike[str], arm: ArmDescription | None = 
     """Reads and checks an environment file (YAML); with an arm, that its start fits."""
 
 def make_planner(name: str = 'default', jobs: int = 0) -> Planner:
-    """By name; settings may follow it: "default,improved_plans=0". jobs: threads, 0: one a core; they never change a result."""
+    """By name; settings may follow it: "default,improved_plans=0". jobs: threads, 0: one per core; they never change a result."""
 
 def make_recording(arm: ArmDescription, episodes: Iterable, source: str = 'python', seed: int = 0) -> Recording:
     """A recording of these episodes (copied), checked: sizes agree, times increase, numbers are finite."""

@@ -151,8 +151,8 @@ Command read_command(const YamlReader& node) {
 
 std::string segment_to_yaml(const Segment& s) {
   return fmt::format(
-      "{{length_m: {}, width_m: {}, gaps: {}, pressure_limit_kpa: {},\n     strain_polynomial: "
-      "[{}]}}",
+      "{{length_m: {}, width_m: {}, gaps: {}, "
+      "pressure_limit_kpa: {},\n     strain_polynomial: [{}]}}",
       s.length_m, s.width_m, s.gaps, limits_to_yaml(s.pressure_limit_kpa),
       fmt::join(s.strain_polynomial, ", "));
 }

@@ -89,8 +89,7 @@ class BenchCsv {
     if (std::abs(strain) >= 1.0) {
       csv_.refuse(
           strain_cell.column,
-          fmt::format("strain {}; expected a fraction between -1 and 1 (per cent: divide by "
-                      "100)",
+          fmt::format("strain {}; expected a fraction between -1 and 1 (per cent: divide by 100)",
                       strain));
     }
     if (!segment_) {

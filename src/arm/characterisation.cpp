@@ -46,20 +46,20 @@ void require_plain_values(const std::vector<BenchPoint>& points, double limit_kp
   for (std::size_t i = 0; i < points.size(); ++i) {
     const BenchPoint& point = points[i];
     if (!std::isfinite(point.pressure_kpa) || !std::isfinite(point.strain)) {
-      throw InputError(fmt::format("bench point {}: ({} kPa, strain {}); expected finite numbers",
-                                   i + 1, point.pressure_kpa, point.strain));
+      throw InputError(fmt::format("bench {}: ({} kPa, strain {}); expected finite numbers",
+                                   point_name(i), point.pressure_kpa, point.strain));
     }
     if (point.pressure_kpa < -kBenchNoiseAroundZero * limit_kpa) {
       throw InputError(
-          fmt::format("bench point {}: {} kPa; expected the gauge pressure of the inflated side, "
+          fmt::format("bench {}: {} kPa; expected the gauge pressure of the inflated side, "
                       "≥ 0 whichever side it is",
-                      i + 1, point.pressure_kpa));
+                      point_name(i), point.pressure_kpa));
     }
     if (std::abs(point.strain) >= 1.0) {
       throw InputError(
-          fmt::format("bench point {}: strain {}; expected a fraction of the length, between -1 "
+          fmt::format("bench {}: strain {}; expected a fraction of the length, between -1 "
                       "and 1 (per cent: divide by 100)",
-                      i + 1, point.strain));
+                      point_name(i), point.strain));
     }
   }
 }
@@ -130,17 +130,17 @@ void add_warnings(std::size_t given, StrainFit& fit) {
   }
   if (fit.rms_residual > kNotedResidual) {
     fit.warnings.push_back(
-        fmt::format("the residual is {:.1f} % of full strain: scattered data, or a shape that a "
-                    "quartic cannot follow",
+        fmt::format("the residual is {:.1f} % of full strain: scattered "
+                    "data, or a shape that a quartic cannot follow",
                     100.0 * fit.rms_residual));
   }
   if (fit.full_strain > kBareActuatorStrain) {
-    fit.warnings.push_back(fmt::format(
-        "full strain is {:.2f}. Was a bare actuator measured? It contracts about a third more than "
-        "the side of a whole segment, whose elasticity holds it back; the error of the no-load "
-        "model is then 27 cm instead of 16 on limber's virtual arm. Measure one whole, free "
-        "segment",
-        fit.full_strain));
+    fit.warnings.push_back(
+        fmt::format("full strain is {:.2f}. Was a bare actuator measured? It contracts "
+                    "about a third more than the side of a whole segment, whose elasticity "
+                    "holds it back; the error of the no-load model is then 27 cm instead "
+                    "of 16 on limber's virtual arm. Measure one whole, free segment",
+                    fit.full_strain));
   }
 }
 

@@ -18,12 +18,12 @@ constexpr int kDifferenceGrid = 200;
 }  // namespace
 
 LeastSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa) {
-  LeastSlope least{0.0, c[0]};
+  LeastSlope min{0.0, c[0]};
   const auto consider = [&](double pressure_kpa) {
     if (pressure_kpa > 0.0 && pressure_kpa <= pressure_limit_kpa) {
       const double slope = strain_slope_at(c, pressure_kpa);
-      if (slope < least.slope_per_kpa) {
-        least = {pressure_kpa, slope};
+      if (slope < min.slope_per_kpa) {
+        min = {pressure_kpa, slope};
       }
     }
   };
@@ -36,7 +36,7 @@ LeastSlope min_strain_slope(const StrainPolynomial& c, double pressure_limit_kpa
     consider(q / (12.0 * c[3]));
     consider(2.0 * c[1] / q);
   }
-  return least;
+  return min;
 }
 
 StrainDifference max_strain_difference(const StrainPolynomial& a, const StrainPolynomial& b,
@@ -58,12 +58,12 @@ std::string why_unusable(const StrainPolynomial& c, double pressure_limit_kpa) {
     return fmt::format("gives a strain of {:.4g} at the limit of {} kPa; expected between 0 and 1",
                        full, pressure_limit_kpa);
   }
-  const LeastSlope least = min_strain_slope(c, pressure_limit_kpa);
-  if (least.slope_per_kpa * pressure_limit_kpa < -kRoundingOfSlope * full) {
+  const LeastSlope min = min_strain_slope(c, pressure_limit_kpa);
+  if (min.slope_per_kpa * pressure_limit_kpa < -kRoundingOfSlope * full) {
     return fmt::format(
         "falls at {:.4g} kPa; expected strain that never falls between 0 and the limit of {} kPa "
         "('limber characterize' fits such a polynomial)",
-        least.pressure_kpa, pressure_limit_kpa);
+        min.pressure_kpa, pressure_limit_kpa);
   }
   return {};
 }

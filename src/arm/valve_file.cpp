@@ -118,7 +118,7 @@ std::string direction_to_text(const char* name, const ValveDirection& direction,
   return text;
 }
 
-std::string segment_to_text(const SegmentValves& valves, bool has_sides, const std::string& unit) {
+std::string to_text(const SegmentValves& valves, bool has_sides, const std::string& unit) {
   return fmt::format("{}, {}, dead time {:.3f} s, dead band {:.3g} {}",
                      direction_to_text(has_sides ? "inflate" : "rise", valves.inflating, unit),
                      direction_to_text(has_sides ? "vent" : "fall", valves.venting, unit),
@@ -161,7 +161,7 @@ std::string valves_to_yaml(const IdentifiedValves& valves) {
   return text;
 }
 
-std::string valves_to_text(const IdentifiedValves& valves, const std::string& unit) {
+std::string to_text(const IdentifiedValves& valves, const std::string& unit) {
   const ValveParameters& parameters = valves.parameters;
   if (parameters.is_ideal()) {
     return "valves: none known" +
@@ -173,7 +173,7 @@ std::string valves_to_text(const IdentifiedValves& valves, const std::string& un
   std::string text = "valves: ";
   for (std::size_t i = 0; i < (alike ? 1 : parameters.segments.size()); ++i) {
     text += (i > 0 ? "; " : "") + (alike ? std::string() : fmt::format("{}: ", segment_name(i))) +
-            segment_to_text(parameters.segments[i], parameters.has_sides, unit);
+            to_text(parameters.segments[i], parameters.has_sides, unit);
   }
   const ValveErrors& errors = valves.findings.held_back;
   if (errors.frames > 0) {

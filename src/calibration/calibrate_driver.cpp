@@ -109,8 +109,8 @@ DriverCalibration calibrate_driver(const ArmDescription& arm,
   const double pulse_kpa = smallest_limit_kpa(driver);
   if (!(pulse_kpa > 0.0)) {
     throw InputError(
-        "the driver allows nothing on one side of a channel; a calibration moves each "
-        "to either side");
+        "the driver allows nothing on one side of a "
+        "channel; a calibration moves each to either side");
   }
   result.log = record_calibration(arm, pulse_kpa, rig);
   result.log.real_time = driver.is_real_time();

@@ -54,12 +54,12 @@ WireCalibration estimate(const ArmDescription& arm, const CalibrationLog& log,
   const BaseFrame frame = base_frame(arm, log, poses, result.valves, answer.base_marker_m);
   if (frame.position_interval_m > tolerance.position_m ||
       frame.heading_interval_rad > tolerance.heading_rad) {
-    throw CalibrationRefused(fmt::format(
-        "the base's frame is known to ± {:.1f} mm and ± {:.4f} rad only; asked for are {:.1f} mm "
-        "and {:.4f} rad. Say where the base's marker body sits as built (--base-marker), or ask for "
-        "less (--tolerance-m, --tolerance-rad)",
-        1e3 * frame.position_interval_m, frame.heading_interval_rad, 1e3 * tolerance.position_m,
-        tolerance.heading_rad));
+    throw CalibrationRefused(
+        fmt::format("the base's frame is known to ± {:.1f} mm and ± {:.4f} rad only; asked for "
+                    "are {:.1f} mm and {:.4f} rad. Say where the base's marker body sits as "
+                    "built (--base-marker), or ask for less (--tolerance-m, --tolerance-rad)",
+                    1e3 * frame.position_interval_m, frame.heading_interval_rad,
+                    1e3 * tolerance.position_m, tolerance.heading_rad));
   }
   tracker.base = frame.base;
   tracker.marker_offsets = frame.marker_offsets;

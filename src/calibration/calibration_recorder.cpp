@@ -28,10 +28,10 @@ class CalibrationRecorder {
       : arm_(arm), pulse_kpa_(pulse_kpa), rig_(rig) {}
 
   CalibrationLog run() {
-    rig_.confirm(fmt::format(
-        "Lay the arm straight along its base's axis, vented, and step back. It is looked at for "
-        "{:g} s; nothing moves",
-        kCalibrationRestS));
+    rig_.confirm(
+        fmt::format("Lay the arm straight along its base's axis, vented, and "
+                    "step back. It is looked at for {:g} s; nothing moves",
+                    kCalibrationRestS));
     hold(0, 0.0, kCalibrationRestS);
     log_.rest_end = log_.frames.size();
     rig_.vent();
@@ -139,10 +139,10 @@ double calibration_pulse_kpa(const ArmDescription& arm) {
   for (int s = 0; s < arm.segment_count(); ++s) {
     const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
     if (limits.lower_kpa == 0.0 || limits.upper_kpa == 0.0) {
-      throw InputError(fmt::format(
-          "{} has one side only; a calibration moves each segment to either side, since channels "
-          "may be crossed",
-          segment_name(s)));
+      throw InputError(
+          fmt::format("{} has one side only; a calibration moves each "
+                      "segment to either side, since channels may be crossed",
+                      segment_name(s)));
     }
     smallest = std::min({smallest, limits.upper_kpa, -limits.lower_kpa});
   }

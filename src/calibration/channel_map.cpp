@@ -56,11 +56,11 @@ int clear_largest(const std::vector<double>& values) {
 /// Throws where a pulse turned no segment.
 void require_motion(const CalibrationPulse& pulse, const PulsePoses& poses,
                     const std::vector<double>& turns, double noise_rad) {
-  const double least_rad =
+  const double min_rad =
       std::max(kMinTurnRad, kNoiseFactor * noise_rad / std::sqrt(poses.held.count));
   const double largest = std::abs(*std::max_element(
       turns.begin(), turns.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
-  if (largest < least_rad) {
+  if (largest < min_rad) {
     throw CalibrationRefused(fmt::format(
         "channel {} at {:.3g} kPa moved nothing: no segment turned by more than {:.4f} rad. Check "
         "supply, hose and valve",
@@ -142,9 +142,8 @@ std::vector<WireChannel> by_segment(const std::vector<int>& segments,
     WireChannel& one = result[static_cast<std::size_t>(segments[c])];
     if (one.channel >= 0) {
       throw CalibrationRefused(
-          fmt::format("{} {} and {} both belong to {}; none is left for "
-                      "another segment",
-                      what, one.channel, c, segment_name(segments[c])));
+          fmt::format("{} {} and {} both belong to {}; none is left for another segment", what,
+                      one.channel, c, segment_name(segments[c])));
     }
     one = {static_cast<int>(c), signs[c]};
   }
@@ -200,10 +199,10 @@ std::vector<WireChannel> sensor_channels(const ArmDescription& arm, const Calibr
         mean_readings(log, pulse.hold_end - frames, pulse.hold_end) - zero;
     const int reading = clear_largest({change.begin(), change.end()});
     if (reading < 0) {
-      throw CalibrationRefused(fmt::format(
-          "channel {} at {:.3g} kPa changes several readings alike, by {:.2f} kPa: check the "
-          "sensors",
-          pulse.channel, pulse.setpoint_kpa, fmt::join(change, ", ")));
+      throw CalibrationRefused(
+          fmt::format("channel {} at {:.3g} kPa changes several "
+                      "readings alike, by {:.2f} kPa: check the sensors",
+                      pulse.channel, pulse.setpoint_kpa, fmt::join(change, ", ")));
     }
     const auto valve = std::find_if(valves.begin(), valves.end(), [&](const WireChannel& one) {
       return one.channel == pulse.channel;

@@ -41,8 +41,8 @@ SeenPoses seen_poses(const CalibrationLog& log) {
                                   [](const auto& f) { return f.state.backbone.has_value(); });
   if (first == log.frames.end()) {
     throw CalibrationRefused(
-        "no state has a backbone: nothing tracks the arm, so which channel moves what can't be "
-        "seen");
+        "no state has a backbone: nothing tracks the "
+        "arm, so which channel moves what can't be seen");
   }
   const auto frames = static_cast<Eigen::Index>(log.frames.size());
   const double unseen = std::numeric_limits<double>::quiet_NaN();

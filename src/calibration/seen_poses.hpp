@@ -15,8 +15,8 @@ class CalibrationRefused : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Marker bodies over all frames of a log, in the tracker's frame: frames × bodies. Frames without a
-/// shape are NaN.
+/// Marker bodies over all frames of a log, in the tracker's frame: frames ×
+/// bodies. Frames without a shape are NaN.
 struct SeenPoses {
   Eigen::MatrixXd x, y;
   Eigen::MatrixXd theta;

@@ -66,7 +66,7 @@ struct LoopMisfit {
 double share_per_frame(const CalibrationLog& log, int channel, double sign, double zero_kpa,
                        int sensor) {
   constexpr double kMinSpreadShare = 0.05;
-  constexpr double kMostShare = 0.95;
+  constexpr double kMaxSpreadShare = 0.95;
   double product = 0.0;
   double square = 0.0;
   for (std::size_t k = log.timing.first + 1; k < log.timing.end; ++k) {
@@ -76,7 +76,8 @@ double share_per_frame(const CalibrationLog& log, int channel, double sign, doub
     product += left * step;
     square += left * left;
   }
-  return square > 0.0 ? std::clamp(product / square, kMinSpreadShare, kMostShare) : kMinSpreadShare;
+  return square > 0.0 ? std::clamp(product / square, kMinSpreadShare, kMaxSpreadShare)
+                      : kMinSpreadShare;
 }
 
 /// How far slow and fast loops are from one curve each way, were shapes `delay_s` late.

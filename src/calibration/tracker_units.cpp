@@ -102,10 +102,10 @@ double metres_per_unit(const ArmDescription& arm, const MeanPose& rest,
                     fmt::join(order, ", ")));
   }
   if (sent.misfit_m > near_m) {
-    throw CalibrationRefused(fmt::format(
-        "the marker bodies do not lie on a straight line as the plates do: one is {:.1f} cm off. "
-        "Lay the arm straight",
-        100.0 * sent.misfit_m));
+    throw CalibrationRefused(
+        fmt::format("the marker bodies do not lie on a straight line as the "
+                    "plates do: one is {:.1f} cm off. Lay the arm straight",
+                    100.0 * sent.misfit_m));
   }
   for (const NamedUnit& unit : kLengthUnits) {
     if (std::abs(sent.units_per_metre * unit.si - 1.0) < kUnitTolerance) {

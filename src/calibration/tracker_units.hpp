@@ -13,8 +13,8 @@ struct TrackerUnits {
 };
 
 /// From the arm's length at rest, and from how headings turn while positions do. `raw` is as the
-/// wire has it. @throws CalibrationRefused where the bodies are not the arm's plates in their order,
-/// with the order that would fit, or no unit fits.
+/// wire has it. @throws CalibrationRefused where the bodies are not the arm's plates in their
+/// order, with the order that would fit, or no unit fits.
 TrackerUnits tracker_units(const ArmDescription& arm, const SeenPoses& raw,
                            const CalibrationLog& log);
 

@@ -125,8 +125,8 @@ class Certifier::Certification {
         }
         if (agreed && !(apart <= Certificate::kPressureDeviationKpa)) {
           fail("valves", static_cast<int>(k),
-               fmt::format("{} is said to be at {:.6g} {unit}; its valves bring it to "
-                           "{:.6g} {unit}",
+               fmt::format("{} is said to be at {:.6g} {unit}; "
+                           "its valves bring it to {:.6g} {unit}",
                            segment_name(i), stored, pressures_kpa_[k][i],
                            fmt::arg("unit", arm_.command.unit)));
         }
@@ -199,8 +199,8 @@ class Certifier::Certification {
     fail(
         "model", frame,
         fmt::format(
-            "{} is {:.4g} mm and {:.4g} rad from where the model puts it; allowed: "
-            "{} mm and {} rad{}",
+            "{} is {:.4g} mm and {:.4g} rad from where the "
+            "model puts it; allowed: {} mm and {} rad{}",
             plate_name(found.plate), found.apart_m * 1e3, found.turned_rad,
             Certificate::kDeviationM * 1e3, Certificate::kHeadingDeviationRad,
             is_rounding
@@ -234,13 +234,13 @@ class Certifier::Certification {
     result_.clearance_frame = swept.frame;
     result_.clearance_gap = swept.gap;
     result_.clearance_obstacle = swept.obstacle;
-    const double least = std::max(plan_.margin_m, Certificate::kMinClearanceM);
-    if (!(swept.value_m >= least)) {
+    const double min_m = std::max(plan_.margin_m, Certificate::kMinClearanceM);
+    if (!(swept.value_m >= min_m)) {
       fail("collision", swept.frame,
            fmt::format("the arm{}, {}, comes within {:.3f} mm of {}; {:.3f} mm are asked for",
                        plan_.tube ? " with its tube" : "", gap_name(arm_, swept.gap),
                        swept.value_m * 1e3, obstacle_name(environment_, swept.obstacle),
-                       least * 1e3));
+                       min_m * 1e3));
     }
     const bool both_infinite = std::isinf(plan_.clearance_m) && std::isinf(swept.value_m);
     if (!both_infinite && !(std::abs(plan_.clearance_m - swept.value_m) <= kReportedClearanceM)) {

@@ -127,10 +127,11 @@ Pose within(const GapBounds& bounds, std::size_t gap, const Pose& step) {
   const double length = std::hypot(step.x_m, step.y_m);
   const double kept =
       std::clamp(length, double(bounds.min_length_m[i]), double(bounds.max_length_m[i]));
-  const Complex way = length < 1e-6 ? Complex(1.0, 0.0) : Complex(step.x_m, step.y_m) / length;
+  const Complex direction =
+      length < 1e-6 ? Complex(1.0, 0.0) : Complex(step.x_m, step.y_m) / length;
   const double turn =
       std::clamp(step.theta_rad, double(bounds.min_turn_rad[i]), double(bounds.max_turn_rad[i]));
-  return {kept * way.real(), kept * way.imag(), turn};
+  return {kept * direction.real(), kept * direction.imag(), turn};
 }
 
 /// The coordinates of a shape whose gaps keep the bounds; its base is at the origin.

@@ -18,11 +18,11 @@ class ExactValves {
   ExactValves(const ArmDescription& arm, const ValveParameters& valves)
       : arm_(arm), valves_(valves) {}
 
-  /// Pressures at the end of each frame. Frame 0 is the start; frame k's set points are commanded at
-  /// its beginning, (k − 1)/rate.
+  /// Pressures at the end of each frame. Frame 0 is the start; frame k's set points are commanded
+  /// at its beginning, (k − 1)/rate.
   /// @param start_kpa   pressures at the end of frame 0: of an arm at rest its set points
-  /// @param before_kpa  set points of the frames before frame 0, the newest first; the oldest of all
-  ///                    that are given were in force for ever
+  /// @param before_kpa  set points of the frames before frame 0, the newest first; the oldest of
+  ///                    all that are given were in force for ever
   Configurations pressures_along(const Configurations& setpoints_kpa,
                                  const std::vector<double>& start_kpa,
                                  const Configurations& before_kpa) const;

@@ -183,17 +183,17 @@ class FrameChecks {
       for (Eigen::Index i = 0; i < from.size(); ++i) {
         frames = std::max(frames, std::abs(change_kpa(from, to, i)) / step_limit);
       }
-      const auto fewest = static_cast<std::size_t>(std::max(1.0, std::ceil(frames - kFrames)));
-      const auto most = static_cast<std::size_t>(std::max(1.0, std::ceil(frames + kFrames)));
+      const auto min_frames = static_cast<std::size_t>(std::max(1.0, std::ceil(frames - kFrames)));
+      const auto max_frames = static_cast<std::size_t>(std::max(1.0, std::ceil(frames + kFrames)));
       std::size_t bad = 0;
-      if (runs_straight(at, fewest, from, to, bad)) {
-        at += fewest;
-      } else if (most != fewest && runs_straight(at, most, from, to, bad)) {
-        at += most;
+      if (runs_straight(at, min_frames, from, to, bad)) {
+        at += min_frames;
+      } else if (max_frames != min_frames && runs_straight(at, max_frames, from, to, bad)) {
+        at += max_frames;
       } else {
         fail("waypoints", bad,
-             fmt::format("is not on the straight motion, in {} frames, from waypoint {} to {}",
-                         fewest, w, w + 1));
+             fmt::format("is not on the straight motion, in {} frames, from {} to {}", min_frames,
+                         waypoint_name(w - 1), waypoint_name(w)));
         return;
       }
     }

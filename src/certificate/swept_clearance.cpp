@@ -41,13 +41,13 @@ class SweptClearance::MovingArc {
     // With φ the turn, a point is s + c·w(u, φ), w = ∫₀ᵘ e^{iφ(σ−½)} dσ / D, D = sinc(φ/2) ≥ 2/π.
     // |w| ≤ 1 up to half a turn, |∂w/∂u| = 1/D, |∂w/∂φ| ≤ (¼ + |D'|)/D ≤ (¼ + 2/π²)·π/2, and
     // |∂²w/∂u∂φ| ≤ ½/D + |D'|/D² ≤ π/4 + 2/π²·π²/4.
-    constexpr double kPlacePerTurn = 0.72;
+    constexpr double kPointPerTurn = 0.72;
     constexpr double kTangentPerTurn = 1.29;
     const double longest = std::max(std::abs(chord_), std::abs(chord_ + chord_shift_));
     const double max_turn = std::max(std::abs(turn_), std::abs(turn_ + turn_shift_));
     const double end_speed = std::abs(start_shift_ + chord_shift_);
     speed_m_ = std::min(std::abs(start_shift_), end_speed) + std::abs(chord_shift_) +
-               kPlacePerTurn * longest * std::abs(turn_shift_);
+               kPointPerTurn * longest * std::abs(turn_shift_);
     length_m_ = longest / sinc_of(max_turn / 2.0, std::sin(max_turn / 2.0));
     tangent_per_fraction_m_ = length_m_ * max_turn;
     tangent_per_time_m_ = std::numbers::pi / 2.0 * std::abs(chord_shift_) +

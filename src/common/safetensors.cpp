@@ -142,8 +142,8 @@ void require_contiguous(std::vector<Range> ranges, std::size_t size, const std::
   for (const Range& range : ranges) {
     if (range.begin != end) {
       refuse(where,
-             fmt::format("tensor {}: data begins at byte {}; expected {}, the end of the "
-                         "tensor before it ({})",
+             fmt::format("tensor {}: data begins at byte {}; expected "
+                         "{}, the end of the tensor before it ({})",
                          range.tensor, range.begin, end, range.begin < end ? "overlap" : "hole"));
     }
     end = range.end;

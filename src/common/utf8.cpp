@@ -10,11 +10,11 @@ std::size_t find_invalid_utf8(std::string_view text) {
                              : static_cast<std::size_t>(found - text.begin());
 }
 
-std::string shortened(std::string_view text, std::size_t most) {
-  if (text.size() <= most) {
+std::string shortened(std::string_view text, std::size_t max_bytes) {
+  if (text.size() <= max_bytes) {
     return std::string(text);
   }
-  const std::string_view cut = text.substr(0, most);
+  const std::string_view cut = text.substr(0, max_bytes);
   return std::string(cut.substr(0, find_invalid_utf8(cut))) + "…";
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/simple_model.hpp"
@@ -102,11 +103,11 @@ EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episod
   return errors;
 }
 
-std::string outliers_to_text(const EpisodeErrors& errors) {
+std::string to_text(const EpisodeErrors& errors) {
   std::vector<std::string> parts;
   for (const int number : errors.outliers()) {
     const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
-    parts.push_back(fmt::format("episode {}: {:.1f} cm (correlation {:.2f})", number,
+    parts.push_back(fmt::format("{}: {:.1f} cm (correlation {:.2f})", episode_name(number),
                                 episode.tip_cm, episode.correlation));
   }
   return parts.empty() ? std::string()

@@ -54,12 +54,12 @@ std::string unit_suspicion(double ratio, const std::string& unit) {
     return {};
   }
   const Unit* best = nullptr;
-  double least = kLogRatioTolerance;
+  double min_mismatch = kLogRatioTolerance;
   for (const Unit& other : kUnits) {
     const double mismatch = std::abs(std::log(ratio * other.size / given->size));
-    if (other.kind == given->kind && mismatch < least) {
+    if (other.kind == given->kind && mismatch < min_mismatch) {
       best = &other;
-      least = mismatch;
+      min_mismatch = mismatch;
     }
   }
   return best == nullptr || best == given ? std::string() : fmt::format("is it in {}?", best->name);

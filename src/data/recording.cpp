@@ -41,8 +41,8 @@ class EpisodeCheck {
     for (Eigen::Index t = 0; t < matrix.rows(); ++t) {
       for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
         if (!std::isfinite(matrix(t, j))) {
-          refuse(data_set, fmt::format("frame {}, number {} is {}; expected a finite number", t, j,
-                                       matrix(t, j)));
+          refuse(data_set, fmt::format("{}, number {} is {}; expected a finite number",
+                                       frame_name(t), j, matrix(t, j)));
         }
       }
     }
@@ -62,12 +62,11 @@ class EpisodeCheck {
     }
     for (Eigen::Index t = 0; t < time_s.size(); ++t) {
       if (!std::isfinite(time_s[t])) {
-        refuse("time_s", fmt::format("frame {} is {}; expected a finite time", t, time_s[t]));
+        refuse("time_s", fmt::format("{} is {}; expected a finite time", frame_name(t), time_s[t]));
       }
       if (t > 0 && time_s[t] <= time_s[t - 1]) {
-        refuse("time_s",
-               fmt::format("frame {} at {} s follows frame {} at {} s; expected times to increase",
-                           t, time_s[t], t - 1, time_s[t - 1]));
+        refuse("time_s", fmt::format("{} at {} s follows {} at {} s; expected times to increase",
+                                     frame_name(t), time_s[t], frame_name(t - 1), time_s[t - 1]));
       }
     }
   }
@@ -76,9 +75,9 @@ class EpisodeCheck {
     for (std::size_t t = 0; t < motion_index.size(); ++t) {
       const int before = t == 0 ? 0 : motion_index[t - 1];
       if (motion_index[t] < before) {
-        refuse("motion_index", fmt::format("frame {} is {}; expected {} or more: motions are "
+        refuse("motion_index", fmt::format("{} is {}; expected {} or more: motions are "
                                            "numbered from 0 and do not decrease",
-                                           t, motion_index[t], before));
+                                           frame_name(t), motion_index[t], before));
       }
     }
   }
@@ -247,11 +246,11 @@ void require_commands_within(const FrameMatrix& commands, const ArmDescription& 
     if (double(beyond) > kMaxFarBeyond * double(commands.rows()) ||
         largest > kNeverBelieved * limit) {
       throw InputError(fmt::format(
-          "{}: {}: {} is at {:.4g} {} in frame {}; the limit of arm '{}' is {} {}. If the "
+          "{}: {}: {} is at {:.4g} {} in {}; the limit of arm '{}' is {} {}. If the "
           "arm can take that, raise the limit in its arm file; if not, the unit or the column was "
           "wrong when the recording was made: import it again",
-          file, where, segment_name(i), double(commands(worst, i)), arm.command.unit, worst,
-          arm.name, limits_to_yaml(limits), arm.command.unit));
+          file, where, segment_name(i), double(commands(worst, i)), arm.command.unit,
+          frame_name(worst), arm.name, limits_to_yaml(limits), arm.command.unit));
     }
   }
 }

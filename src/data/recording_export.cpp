@@ -169,8 +169,8 @@ class MotionLog {
     const double step = episode_.time_s[after] - episode_.time_s[before];
     const double part = step > 0.0 ? (time_s - episode_.time_s[before]) / step : 0.0;
     constexpr double kOnFrame = 1e-9;
-    const bool seen = (part > 1.0 - kOnFrame || is_tracked(episode_, before)) &&
-                      (part < kOnFrame || is_tracked(episode_, after));
+    const bool tracked = (part > 1.0 - kOnFrame || is_tracked(episode_, before)) &&
+                         (part < kOnFrame || is_tracked(episode_, after));
     const Eigen::RowVectorXd poses = (1.0 - part) * episode_.backbone.row(before).cast<double>() +
                                      part * episode_.backbone.row(after).cast<double>();
     std::string text;
@@ -179,25 +179,25 @@ class MotionLog {
       const double x = poses[3 * p] + settings_.noise_m * random_.normal();
       const double y = poses[3 * p + 1] + settings_.noise_m * random_.normal();
       const double theta = poses[3 * p + 2] + settings_.noise_rad * random_.normal();
-      text += plate_cells(x, y, theta, seen && !is_hidden(p, time_s));
+      text += plate_cells(x, y, theta, tracked && !is_hidden(p, time_s));
     }
     return text;
   }
 
   /// Motive's own axes, y up: a point (x, y) of the plane lies at (x, height, −y).
-  std::string plate_cells(double x, double y, double theta, bool seen) const {
+  std::string plate_cells(double x, double y, double theta, bool tracked) const {
     if (settings_.markers) {
       std::string text;
       for (const double side : {-kMarkerToSide_m, kMarkerToSide_m}) {
-        text += seen ? fmt::format(",{:.7f},{:.7f},{:.7f}", x - side * std::sin(theta),
-                                   kPlateHeight_m, -(y + side * std::cos(theta)))
-                     : ",,,";
+        text += tracked ? fmt::format(",{:.7f},{:.7f},{:.7f}", x - side * std::sin(theta),
+                                      kPlateHeight_m, -(y + side * std::cos(theta)))
+                        : ",,,";
       }
       return text;
     }
-    return seen ? fmt::format(",0,{:.7f},0,{:.7f},{:.7f},{:.7f},{:.7f}", std::sin(0.5 * theta),
-                              std::cos(0.5 * theta), x, kPlateHeight_m, -y)
-                : ",,,,,,,";
+    return tracked ? fmt::format(",0,{:.7f},0,{:.7f},{:.7f},{:.7f},{:.7f}", std::sin(0.5 * theta),
+                                 std::cos(0.5 * theta), x, kPlateHeight_m, -y)
+                   : ",,,,,,,";
   }
 
   const Recording& recording_;
@@ -285,8 +285,8 @@ std::vector<fs::path> export_motive(const Recording& recording, const fs::path& 
   std::string points;
   for (int p = 0; p < recording.point_count; ++p) {
     points += settings.markers ? fmt::format(
-                                     "    - {{plate: {0}, right: 'Arm:Right{0:02}', left: "
-                                     "'Arm:Left{0:02}'}}\n",
+                                     "    - {{plate: {0}, right: "
+                                     "'Arm:Right{0:02}', left: 'Arm:Left{0:02}'}}\n",
                                      p)
                                : fmt::format("    - {{plate: {0}, body: Plate{0:02}}}\n", p);
   }

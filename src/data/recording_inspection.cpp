@@ -216,8 +216,8 @@ std::string transitions_to_text(const Recording& recording, const RecordingInspe
 /// By the arm file, or by the arm that the recording describes.
 std::optional<EpisodeErrors> errors_of(const Recording& recording, const ArmDescription* arm,
                                        const std::string& file) {
-  const bool seen = recording.untracked_count() < recording.frame_count();
-  if (!seen || (arm == nullptr && recording.arm_description.empty())) {
+  const bool tracked = recording.untracked_count() < recording.frame_count();
+  if (!tracked || (arm == nullptr && recording.arm_description.empty())) {
     return std::nullopt;
   }
   return episode_errors(arm != nullptr ? *arm : read_arm_keys(recording.arm_description, file),
@@ -304,11 +304,11 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
   return json;
 }
 
-std::string inspection_to_text(const Recording& recording, const RecordingInspection& inspection) {
+std::string to_text(const Recording& recording, const RecordingInspection& inspection) {
   std::string text = fmt::format(
       "recording of arm '{}' ({}), seed {}, limber {}\n"
       "  {}\n"
-      "  {} episodes, {} frames at {} Hz ({:.1f} s), {} dropped\n"
+      "  {} episodes, {} frames at {} Hz ({:.1f} s), {} not tracked\n"
       "  {} segments, driven by {} [{}], {} backbone points [m, m, rad]\n",
       recording.arm_name, recording.source, recording.seed, recording.program_version,
       recording.settings.empty() ? "no settings stored" : recording.settings,
@@ -317,7 +317,7 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
       recording.command.unit, recording.point_count);
   text += ranges_to_text(recording, inspection.pressures);
   text += transitions_to_text(recording, inspection);
-  text += "  " + valves_to_text(inspection.valves, recording.command.unit) + "\n";
+  text += "  " + to_text(inspection.valves, recording.command.unit) + "\n";
   for (const std::string& warning : inspection.valves.findings.warnings) {
     text += "    warning: " + warning + "\n";
   }
@@ -325,10 +325,10 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
   if (inspection.episode_errors) {
     const EpisodeErrors& errors = *inspection.episode_errors;
     text += fmt::format(
-        "  the simple model (fitted gains, offsets, lengths, lag) is off by {:.2f} cm at the tip in "
-        "the middle one of the episodes\n",
+        "  the simple model (fitted gains, offsets, lengths, lag) is "
+        "off by {:.2f} cm at the tip in the middle one of the episodes\n",
         errors.median_cm);
-    outliers = outliers_to_text(errors);
+    outliers = to_text(errors);
     text += outliers.empty() ? "" : "  broken: " + outliers + "\n";
   }
   if (inspection.suspicions.empty() && outliers.empty()) {
@@ -341,8 +341,9 @@ std::string inspection_to_text(const Recording& recording, const RecordingInspec
   }
   text += "  suspicious:";
   for (const Suspicion& suspicion : inspection.suspicions) {
-    text += fmt::format("\n    {}: {} times, first in episode {}, frame {}: {}", suspicion.what,
-                        suspicion.count, suspicion.episode, suspicion.frame, suspicion.first);
+    text +=
+        fmt::format("\n    {}: {} times, first in {}, {}: {}", suspicion.what, suspicion.count,
+                    episode_name(suspicion.episode), frame_name(suspicion.frame), suspicion.first);
   }
   return text;
 }

@@ -234,12 +234,9 @@ class Reader {
     const hsize_t bytes = numbers * found.getDataType().getSize();
     const hsize_t stored = found.getStorageSize();
     if (numbers > 0 && (stored == 0 || (bytes > kSmallData && bytes / kMaxCompression > stored))) {
-      refuse(
-          path,
-          fmt::format(
-              "its shape says {} numbers, but the file holds {} bytes: they were never written, or "
-              "the file is damaged",
-              numbers, stored));
+      refuse(path, fmt::format("its shape says {} numbers, but the file holds {} "
+                               "bytes: they were never written, or the file is damaged",
+                               numbers, stored));
     }
   }
 

@@ -83,8 +83,8 @@ void look_at_episode(const Recording& recording, std::size_t index, Suspicions& 
   }
   if (const std::string offset = base_offset(episode); !offset.empty()) {
     suspicions.add(
-        "a base that is not the origin of the arm's frame: import it with 'alignment: base' in the "
-        "mapping",
+        "a base that is not the origin of the arm's frame: "
+        "import it with 'alignment: base' in the mapping",
         index, 0, offset);
   }
 }

@@ -36,24 +36,24 @@ int block_count(const std::vector<Episode>& episodes) {
                              : kBlocksOfOne;
 }
 
-/// Frames in which the arm was seen, thinned evenly.
+/// Frames in which the arm was tracked, thinned evenly.
 std::vector<FrameOf> frames_of(const std::vector<Episode>& episodes) {
   const int blocks = block_count(episodes);
   const auto count = static_cast<int>(episodes.size());
-  std::vector<FrameOf> seen;
+  std::vector<FrameOf> tracked;
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     const int frames = episodes[e].frame_count();
     for (int t = 0; t < frames; ++t) {
       if (episodes[e].was_tracked(t)) {
         const int block = count > 1 ? int(e) * blocks / count : t * blocks / frames;
-        seen.push_back({int(e), t, block});
+        tracked.push_back({int(e), t, block});
       }
     }
   }
-  const std::size_t step = seen.size() / kMaxRows + 1;
+  const std::size_t step = tracked.size() / kMaxRows + 1;
   std::vector<FrameOf> kept;
-  for (std::size_t k = 0; k < seen.size(); k += step) {
-    kept.push_back(seen[k]);
+  for (std::size_t k = 0; k < tracked.size(); k += step) {
+    kept.push_back(tracked[k]);
   }
   return kept;
 }

@@ -110,11 +110,11 @@ void OutputFolder::require_usable(Start start, bool has_manifest) const {
   }
   const bool foreign = !has_manifest && fs::is_directory(folder_) && !fs::is_empty(folder_);
   if (foreign && start != Start::forced) {
-    throw InputError(fmt::format(
-        "{}: holds files, but no list of those that limber {} wrote (older versions kept none); "
-        "choose another folder with --out, or write into this one with --force, which removes "
-        "nothing",
-        folder_.string(), verb_));
+    throw InputError(
+        fmt::format("{}: holds files, but no list of those that limber {} wrote "
+                    "(older versions kept none); choose another folder with --out, "
+                    "or write into this one with --force, which removes nothing",
+                    folder_.string(), verb_));
   }
   // Even --force must not fill a home folder or the folder that the user works in.
   for (const fs::path& kept : {fs::current_path(), fs::path("/")}) {

@@ -218,8 +218,7 @@ void write_trial(OutputFolder& folder, const TrialKey& key, const PlanTrial& tri
     belongs["plan"] = content_hash(read_file(folder.path() / name));
   }
   Json json = planning_to_json(trial, environment);
-  json["execution"] =
-      trial.execution ? execution_to_json(*trial.execution, environment) : Json(nullptr);
+  json["execution"] = trial.execution ? to_json(*trial.execution, environment) : Json(nullptr);
   json["belongs_to"] = belongs;
   folder.write(trial_name(key.id), json.dump(1) + "\n");
 }
@@ -247,10 +246,10 @@ PlanTrial read_trial(const fs::path& folder, const TrialKey& key, const ArmDescr
     }
     return trial;
   } catch (const InputError& error) {
-    throw InputError(fmt::format(
-        "{}. The trial is damaged, or another experiment's: remove {} and {} to run it again, or "
-        "choose another --out",
-        error.what(), path.string(), (folder / plan_name(key.id)).string()));
+    throw InputError(
+        fmt::format("{}. The trial is damaged, or another experiment's: "
+                    "remove {} and {} to run it again, or choose another --out",
+                    error.what(), path.string(), (folder / plan_name(key.id)).string()));
   }
 }
 

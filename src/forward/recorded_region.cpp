@@ -65,21 +65,21 @@ void add_rates(const LearntRegion& learnt, const Plan& plan, Eigen::Index i,
 
 void add_novelty(const LearntRegion& learnt, const Plan& plan, std::vector<std::string>& found) {
   int beyond = 0;
-  double most = 0.0;
+  double max_novelty = 0.0;
   std::size_t worst = 0;
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
     const double novelty = learnt.novelty(plan.frames[k].pressure_kpa, plan.frames[k].backbone);
     beyond += novelty > 1.0 ? 1 : 0;
-    if (novelty > most) {
-      most = novelty;
+    if (novelty > max_novelty) {
+      max_novelty = novelty;
       worst = k;
     }
   }
   if (beyond > 0) {
     found.push_back(fmt::format(
         "in {} of {} frames pressures and shape together are beyond what was recorded, farthest in "
-        "frame {}: novelty {:.2f}; 1 is the border",
-        beyond, plan.frames.size() - 1, worst, most));
+        "{}: novelty {:.2f}; 1 is the border",
+        beyond, plan.frames.size() - 1, frame_name(worst), max_novelty));
   }
 }
 

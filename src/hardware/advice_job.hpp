@@ -15,7 +15,8 @@ class AdviceJob {
  public:
   explicit AdviceJob(bool in_real_time) : in_real_time_(in_real_time) {}
 
-  /// Begins, unless the one before is still being worked out: that one is late, and will be dropped.
+  /// Begins, unless the one before is still being worked out: that one is late,
+  /// and will be dropped.
   /// @param question  of whoever advises; empty: nothing to ask
   void begin(std::function<MotionAdvice()> question);
 

@@ -9,8 +9,8 @@ namespace limber {
 
 namespace {
 
-constexpr int kFrameDraws = 100;
-constexpr int kPlaceDraws = 20;  // for each frame
+constexpr int kFrameSamples = 100;
+constexpr int kCircleSamples = 20;  // for each frame
 
 /// Whether the plan's shapes of these frames are that far from the circle.
 bool plan_is_free(const CollisionChecker& checker, const Plan& plan, int from, int to) {
@@ -37,9 +37,9 @@ std::optional<AppearingObstacle> appearing_obstacle(const ArmDescription& arm, c
     return low + static_cast<int>(random.index(static_cast<std::uint32_t>(high - low + 1)));
   };
   AppearingObstacle result;
-  for (int draw = 0; draw < kFrameDraws; ++draw) {
+  for (int sample = 0; sample < kFrameSamples; ++sample) {
     result.frame = between(1, last - ahead);
-    for (int k = 0; k < kPlaceDraws; ++k) {
+    for (int k = 0; k < kCircleSamples; ++k) {
       const int passes = between(result.frame + ahead, last);
       const auto tip = plan.frames[static_cast<std::size_t>(passes)].backbone.bottomRows<1>();
       const Circle circle{double(tip(0, 0)), double(tip(0, 1)), radius_m};
@@ -47,21 +47,21 @@ std::optional<AppearingObstacle> appearing_obstacle(const ArmDescription& arm, c
       const CollisionChecker near(arm, {circle}, AppearingObstacle::kAheadM);
       if (plan_is_free(near, plan, result.frame, result.frame) &&
           plan_is_free(touches, plan, result.frame, result.frame + ahead - 1)) {
-        result.places.push_back(circle);
+        result.circles.push_back(circle);
       }
     }
-    if (!result.places.empty()) {
+    if (!result.circles.empty()) {
       return result;
     }
   }
   return std::nullopt;
 }
 
-std::optional<Circle> place_ahead_of(const ArmDescription& arm, const AppearingObstacle& obstacle,
-                                     const BackboneD& backbone) {
-  for (const Circle& place : obstacle.places) {
-    if (CollisionChecker(arm, {place}, AppearingObstacle::kAheadM).is_free(backbone)) {
-      return place;
+std::optional<Circle> circle_ahead_of(const ArmDescription& arm, const AppearingObstacle& obstacle,
+                                      const BackboneD& backbone) {
+  for (const Circle& circle : obstacle.circles) {
+    if (CollisionChecker(arm, {circle}, AppearingObstacle::kAheadM).is_free(backbone)) {
+      return circle;
     }
   }
   return std::nullopt;

@@ -108,8 +108,8 @@ std::string ArmPhysics::step(const std::vector<double>& setpoint_kpa, bool vent)
   kinematics_.update(chain_.position(), chain_.velocity());
   for (std::size_t gap = 0; gap < links_.size(); ++gap) {
     if (std::abs(chain_.position()[2 * gap]) >= links_[gap].length_m) {
-      return fmt::format("gap {} of length {} m has moved by {} m", gap, links_[gap].length_m,
-                         chain_.position()[2 * gap]);
+      return fmt::format("the gap of {}, {} m long, has moved by {} m", plates_of_gap(gap),
+                         links_[gap].length_m, chain_.position()[2 * gap]);
     }
   }
   return "";

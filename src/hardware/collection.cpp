@@ -83,11 +83,12 @@ class EpisodeRun {
   }
 
   void hold(const Motion& motion) {
-    const int least = std::max(1, arm_.frames_in(motion.hold_s));
-    const int most = std::max(least, arm_.frames_in(settings_.hold_limit_s));
-    for (int k = 0; k < least || (motion.until_reached && !reached(motion.setpoint_kpa)); ++k) {
-      if (k == most) {
-        refuse_unreached(motion, most * arm_.frame_period_s());
+    const int min_frames = std::max(1, arm_.frames_in(motion.hold_s));
+    const int max_frames = std::max(min_frames, arm_.frames_in(settings_.hold_limit_s));
+    for (int k = 0; k < min_frames || (motion.until_reached && !reached(motion.setpoint_kpa));
+         ++k) {
+      if (k == max_frames) {
+        refuse_unreached(motion, max_frames * arm_.frame_period_s());
       }
       command(motion.setpoint_kpa);
     }
@@ -128,10 +129,12 @@ class EpisodeRun {
       }
     }
     throw SystemFault(fmt::format(
-        "motion {}: {} is at {:.1f} kPa after {} s at set point {:.1f} kPa; expected to be "
-        "within {:.1f} kPa. Check supply pressure and leaks",
-        motion_index_, segment_name(worst), driver_.state().pressure_kpa[worst], waited_s,
-        motion.setpoint_kpa[worst], tolerance_kpa(worst)));
+        "{}: {} is at {:.1f} {unit} after {} s at set point {:.1f} {unit}; expected to be within "
+        "{:.1f} {unit}{}",
+        motion_name(motion_index_), segment_name(worst), driver_.state().pressure_kpa[worst],
+        waited_s, motion.setpoint_kpa[worst], tolerance_kpa(worst),
+        arm_.command.is_pressure_kpa() ? ". Check supply pressure and leaks" : "",
+        fmt::arg("unit", arm_.command.unit)));
   }
 
   const ArmDescription& arm_;
@@ -268,7 +271,7 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
       done[i] = record_or_keep_a_part(arm, *driver, schedule[i], settings, parts.identity(), done,
                                       [&] { progress.advance(); });
     } catch (const SystemFault& fault) {
-      throw SystemFault(fmt::format("episode {}: {}", i, fault.what()));
+      throw SystemFault(fmt::format("{}: {}", episode_name(i), fault.what()));
     }
     parts.write(i, *done[i]);
   };
@@ -288,10 +291,10 @@ void record_or_say_how_to_go_on(const ArmDescription& arm, const CollectionSetti
     if (count_done(done) == 0) {
       throw Interrupted("stopped on request, before the first episode was finished");
     }
-    throw Interrupted(fmt::format(
-        "stopped on request; {} of {} episodes are kept in {}: the same command with --resume "
-        "goes on from there",
-        count_done(done), schedule.size(), parts.folder().string()));
+    throw Interrupted(
+        fmt::format("stopped on request; {} of {} episodes are kept in "
+                    "{}: the same command with --resume goes on from there",
+                    count_done(done), schedule.size(), parts.folder().string()));
   }
 }
 

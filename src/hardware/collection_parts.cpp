@@ -45,11 +45,11 @@ void require_same_arm(const Recording& found, const Recording& wanted, const std
     keys = arm_differences(read_arm_keys(found.arm_description, file),
                            read_arm_keys(wanted.arm_description, "the arm"));
   }
-  throw InputError(fmt::format(
-      "{}: --resume: recorded with arm '{} {}'; this run has '{} {}'{}{}. Use the same settings, or "
-      "--force to start over",
-      file, found.arm_name, found.arm_hash, wanted.arm_name, wanted.arm_hash,
-      keys.empty() ? "" : ": ", fmt::join(keys, "; ")));
+  throw InputError(
+      fmt::format("{}: --resume: recorded with arm '{} {}'; this run has '{} "
+                  "{}'{}{}. Use the same settings, or --force to start over",
+                  file, found.arm_name, found.arm_hash, wanted.arm_name, wanted.arm_hash,
+                  keys.empty() ? "" : ": ", fmt::join(keys, "; ")));
 }
 
 }  // namespace
@@ -91,10 +91,10 @@ std::optional<Episode> CollectionParts::read(std::size_t index) const {
 void CollectionParts::require_same_origin(const Recording& found, const std::string& file) const {
   const auto compare = [&](const char* what, const std::string& was, const std::string& is) {
     if (was != is) {
-      throw InputError(fmt::format(
-          "{}: --resume: recorded with {} '{}'; this run has '{}'. Use the same settings, or "
-          "--force to start over",
-          file, what, was, is));
+      throw InputError(
+          fmt::format("{}: --resume: recorded with {} '{}'; this run has "
+                      "'{}'. Use the same settings, or --force to start over",
+                      file, what, was, is));
     }
   };
   compare("source", found.source, identity_.source);

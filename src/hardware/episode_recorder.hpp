@@ -10,7 +10,7 @@
 namespace limber {
 
 /// Collects the frames of one run into an Episode whose time starts at 0. If a frame came without a
-/// backbone (dropped, occluded), its backbone is filled in on the straight line between the tracked
+/// backbone (lost, occluded), its backbone is filled in on the straight line between the tracked
 /// frames before and after it (at the ends: the nearest), and marked in `Episode::tracked`. So
 /// windows stay unbroken, and the backbone is not taken for a measurement.
 class EpisodeRecorder {
@@ -42,7 +42,7 @@ class EpisodeRecorder {
   std::vector<std::uint8_t> tracked_;
 };
 
-/// Fills the rows of `values` whose `present` is 0: linearly between the present rows around them,
+/// Fills the rows of `values` whose `tracked` is 0: linearly between the tracked rows around them,
 /// with the nearest at the ends. @pre one row is tracked.
 void fill_missing_rows(const std::vector<double>& time_s, const std::vector<std::uint8_t>& tracked,
                        FrameMatrix& values);

@@ -249,8 +249,8 @@ class Execution {
   void require_start() const {
     if (settings_.max_start_error_m && watch_.start_error_m() > *settings_.max_start_error_m) {
       throw InputError(fmt::format(
-          "the arm is {:.1f} cm from where the plan starts; at most {:.1f} cm are allowed. Plan from "
-          "where it is (`start` in the environment file), or allow more (--max-start-error-m)",
+          "the arm is {:.1f} cm from where the plan starts; at most {:.1f} cm are allowed. Plan "
+          "from where it is (`start` in the environment file), or allow more (--max-start-error-m)",
           kCmPerM * watch_.start_error_m(), kCmPerM * *settings_.max_start_error_m));
     }
   }

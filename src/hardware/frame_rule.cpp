@@ -17,14 +17,16 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
     const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
     const double value = setpoint_kpa[i];
     if (!limits.contains(value)) {
-      throw InputError(fmt::format("controller: set point of {} in frame {} is {} kPa; expected {}",
-                                   segment_name(i), frame, value, to_string(limits)));
+      throw InputError(fmt::format("controller: set point of {} in {} is {} {}; expected {}",
+                                   segment_name(i), frame_name(frame), value, arm.command.unit,
+                                   to_string(limits)));
     }
     if (!(std::abs(value - double(before_kpa[i])) <= step_kpa + kRounding)) {
-      throw InputError(
-          fmt::format("controller: set point of {} in frame {} changes from {} to {} kPa; a frame "
-                      "allows {} kPa",
-                      segment_name(i), frame, before_kpa[i], value, step_kpa));
+      throw InputError(fmt::format(
+          "controller: set point of {} in {} changes from {} to {} {unit}; a frame allows "
+          "{} {unit}",
+          segment_name(i), frame_name(frame), before_kpa[i], value, step_kpa,
+          fmt::arg("unit", arm.command.unit)));
     }
   }
 }

@@ -39,8 +39,8 @@ std::string link_mjcf(const ChainLink& link, const VirtualArmParameters& p, std:
   return fmt::format(
       "{0}<body name=\"plate_{1}\" pos=\"{2} 0 0\">\n"
       "{0}  <inertial pos=\"0 0 0\" mass=\"{3}\" diaginertia=\"{4} {4} {4}\"/>\n"
-      "{0}  <joint name=\"slide_{1}\" type=\"slide\" axis=\"1 0 0\" damping=\"{5}\" "
-      "armature=\"{6}\"/>\n"
+      "{0}  <joint name=\"slide_{1}\" type=\"slide\" "
+      "axis=\"1 0 0\" damping=\"{5}\" armature=\"{6}\"/>\n"
       "{0}  <joint name=\"hinge_{1}\" type=\"hinge\" axis=\"0 0 1\" pos=\"{7} 0 0\" "
       "stiffness=\"{8}\" springref=\"{9}\" damping=\"{10}\" armature=\"{11}\"/>\n",
       margin, number, link.length_m, link.mass_kg, link.inertia_kg_m2, p.slide_damping_n_s_per_m,

@@ -7,17 +7,17 @@ const Environment* ObstacleAppearance::advance(int frame, double time_s,
   if (obstacle_ == nullptr || frame != obstacle_->frame || !shape) {
     return nullptr;
   }
-  const std::optional<Circle> place = place_ahead_of(arm_, *obstacle_, *shape);
-  if (!place) {
+  const std::optional<Circle> circle = circle_ahead_of(arm_, *obstacle_, *shape);
+  if (!circle) {
     return nullptr;
   }
-  appeared_ = AppearedObstacle{time_s, *place};
+  appeared_ = AppearedObstacle{time_s, *circle};
   Environment alone;
-  alone.obstacles = {*place};
+  alone.obstacles = {*circle};
   watch_.emplace(arm_, alone);
   observe(time_s, *shape);
   now_ = environment_;
-  now_.obstacles.push_back(*place);
+  now_.obstacles.push_back(*circle);
   return &now_;
 }
 

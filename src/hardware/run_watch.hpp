@@ -31,13 +31,13 @@ class RunWatch {
   /// @param motion  which edge of the plan that was
   /// @return the environment with the obstacle, if it has appeared now
   const Environment* take_in(const Pressures& setpoint_kpa, int motion);
-  /// Compares the last frame, where the arm was seen in it, with a plan's.
+  /// Compares the last frame, where the arm was tracked in it, with a plan's.
   void compare(const Plan& plan, std::size_t frame);
 
   int frames() const { return frames_; }
   /// From the plan's first shape to where the arm was then: the farthest plate. 0 if unseen.
   double start_error_m() const { return start_error_m_; }
-  /// The arm's shape when it was seen last.
+  /// The arm's shape when it was tracked last.
   const std::optional<BackboneD>& shape() const { return shape_; }
 
   /// Fills in all that was seen. `result.status` is known by then.

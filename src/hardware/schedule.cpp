@@ -31,7 +31,7 @@ std::int64_t power(std::int64_t base, int exponent) {
 }
 
 /// Vertices of an Eulerian circuit of the complete directed graph with self-loops (Hierholzer),
-/// from vertex 0 back to it: vertices² + 1 entries. Order drawn by `random`.
+/// from vertex 0 back to it: vertices² + 1 entries. Order sampled by `random`.
 std::vector<int> eulerian_circuit(int vertices, RandomStream& random) {
   std::vector<std::vector<int>> unused(static_cast<std::size_t>(vertices));
   for (std::vector<int>& successors : unused) {
@@ -80,9 +80,9 @@ void check(const ScheduleSettings& settings) {
   require(settings.hold_s > 0.0 && settings.hold_s <= kLongestHold_s,
           fmt::format("--hold-s {}: expected seconds, > 0 and at most {}", settings.hold_s,
                       kLongestHold_s));
-  const double least = settings.hold_min_s.value_or(0.0);
-  require(least >= 0.0 && least <= settings.hold_s,
-          fmt::format("--hold-min-s {}: expected seconds from 0 to --hold-s {}", least,
+  const double min_s = settings.hold_min_s.value_or(0.0);
+  require(min_s >= 0.0 && min_s <= settings.hold_s,
+          fmt::format("--hold-min-s {}: expected seconds from 0 to --hold-s {}", min_s,
                       settings.hold_s));
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kBenchHoldS = 1.0;
 constexpr double kBenchMeanS = 0.4;  // at the end of a hold
-constexpr int kFewestBenchSteps = 4;
+constexpr int kMinBenchSteps = 4;
 
 /// Along arcs from plate to plate.
 double arc_length_m(const Backbone& backbone) {
@@ -78,21 +78,21 @@ class SegmentBenchRun {
     const int used = arm_.frames_in(kBenchMeanS);
     BackboneD sum = BackboneD::Zero(arm_.point_count(), 3);
     double sum_kpa = 0.0;
-    int seen = 0;
+    int tracked = 0;
     for (int k = 0; k < frames; ++k) {
       frame(goal);
       if (k >= frames - used && driver_.state().backbone) {
         sum += driver_.state().backbone->cast<double>();
         sum_kpa += driver_.state().pressure_kpa[0];
-        ++seen;
+        ++tracked;
       }
     }
-    if (seen == 0) {
+    if (tracked == 0) {
       throw SystemFault(fmt::format(
           "the tracker did not see the segment at {:.1f} kPa, so its strain is not known", kpa));
     }
-    mean_ = (sum / seen).cast<float>();
-    pressure_kpa_ = sum_kpa / seen;
+    mean_ = (sum / tracked).cast<float>();
+    pressure_kpa_ = sum_kpa / tracked;
     ++motion_;
   }
 
@@ -120,15 +120,15 @@ double side_strain(const Backbone& rest, const Backbone& bent, double width_m, d
 std::vector<BenchPoint> measure_segment(const ArmDescription& arm, const PressureLimits& limits,
                                         int steps, ArmDriver& driver, Episode& episode) {
   if (arm.segment_count() != 1) {
-    throw InputError(fmt::format(
-        "arm '{}' has {} segments; on a driver, one mounted free segment is characterised: give it "
-        "an arm file of its own. A whole arm is characterised from recordings: limber characterize "
-        "--recording",
-        arm.name, arm.segment_count()));
-  }
-  if (steps < kFewestBenchSteps) {
     throw InputError(
-        fmt::format("bench test: {} steps; expected at least {}", steps, kFewestBenchSteps));
+        fmt::format("arm '{}' has {} segments; on a driver, one mounted free segment "
+                    "is characterised: give it an arm file of its own. A whole arm is "
+                    "characterised from recordings: limber characterize --recording",
+                    arm.name, arm.segment_count()));
+  }
+  if (steps < kMinBenchSteps) {
+    throw InputError(
+        fmt::format("bench test: {} steps; expected at least {}", steps, kMinBenchSteps));
   }
   SegmentBenchRun run(arm, driver);
   try {

@@ -39,9 +39,9 @@ void approach_start(const ArmDescription& arm, ArmDriver& driver, const Pressure
     before_each();
     driver.command(setpoint_kpa);
   }
-  const int least = arm.frames_in(kSettlingS);
-  const int most = arm.frames_in(kLongestSettlingS);
-  for (int k = 0; k < least || (k < most && !has_arrived(arm, driver, start_kpa)); ++k) {
+  const int min_frames = arm.frames_in(kSettlingS);
+  const int max_frames = arm.frames_in(kLongestSettlingS);
+  for (int k = 0; k < min_frames || (k < max_frames && !has_arrived(arm, driver, start_kpa)); ++k) {
     before_each();
     driver.command(start_kpa);
   }

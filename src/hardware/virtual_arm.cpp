@@ -114,11 +114,11 @@ class VirtualArm::Simulation {
     if (state.position.size() != own.position.size() ||
         state.pressure_kpa.size() != own.pressure_kpa.size() ||
         state.delayed.size() != own.delayed.size()) {
-      throw InputError(fmt::format(
-          "virtual arm: a state of {} joints, {} segments and {} delayed frames; arm '{}' has {}, "
-          "{} and {}",
-          state.position.size(), state.pressure_kpa.size(), state.delayed.size(), arm_.name,
-          own.position.size(), own.pressure_kpa.size(), own.delayed.size()));
+      throw InputError(
+          fmt::format("virtual arm: a state of {} joints, {} segments "
+                      "and {} delayed frames; arm '{}' has {}, {} and {}",
+                      state.position.size(), state.pressure_kpa.size(), state.delayed.size(),
+                      arm_.name, own.position.size(), own.pressure_kpa.size(), own.delayed.size()));
     }
     physics_.restore(state);
     step_ = state.step;
@@ -151,8 +151,8 @@ class VirtualArm::Simulation {
   void check_weak_side() const {
     if (parameters_.weak_side_loss > 0.0 && parameters_.weak_side >= 2 * arm_.segment_count()) {
       throw InputError(
-          fmt::format("virtual arm: weak_side = {}; arm '{}' has sides 0 to {} (2 x segment, + 1 "
-                      "for its right side)",
+          fmt::format("virtual arm: weak_side = {}; arm '{}' has sides "
+                      "0 to {} (2 x segment, + 1 for its right side)",
                       parameters_.weak_side, arm_.name, 2 * arm_.segment_count() - 1));
     }
   }
@@ -205,9 +205,9 @@ class VirtualArm::Simulation {
       pressures.push_back(air.pressure_kpa);
     }
     fault_ = fmt::format(
-        "the virtual arm '{}' blew up at {:.4f} s ({}); pressures [{:.4g}] kPa, set points "
-        "[{:.4g}] kPa, time step {:.3g} s: check virtual_arm in the arm file, or make its "
-        "time_step_s smaller",
+        "the virtual arm '{}' blew up at {:.4f} s ({}); pressures "
+        "[{:.4g}] kPa, set points [{:.4g}] kPa, time step {:.3g} s: check "
+        "virtual_arm in the arm file, or make its time_step_s smaller",
         arm_.name, time_s(), complaint, fmt::join(pressures, ", "), fmt::join(setpoint_kpa_, ", "),
         time_step_s_);
     vent();
@@ -215,7 +215,7 @@ class VirtualArm::Simulation {
   }
 
   /// The true state at this moment with the options' noise and drops; always the same number of
-  /// draws.
+  /// samples.
   ArmState measure() {
     BackboneD backbone;
     write_backbone(backbone);

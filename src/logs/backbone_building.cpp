@@ -157,11 +157,11 @@ void require_distances(const std::string& log, const std::vector<bool>& tracked,
         : all
             ? std::string("Is it this arm, and are the lengths in the unit that the mapping says?")
             : std::string(
-                  "The other distances fit: are the points in order, base first, and all "
-                  "in one unit?");
+                  "The other distances fit: are the points "
+                  "in order, base first, and all in one unit?");
     throw InputError(
-        fmt::format("{}: {} of {} distances between neighbouring points do not fit arm "
-                    "'{}': {}. {}",
+        fmt::format("{}: {} of {} distances between neighbouring "
+                    "points do not fit arm '{}': {}. {}",
                     log, wrong.size(), tracks.point_count() - 1, arm.name, wrong.front(), advice));
   }
   report.length_ratio = measured_m / arm.length_m();

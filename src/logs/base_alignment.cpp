@@ -89,11 +89,11 @@ class BaseFinder {
   }
 
   [[noreturn]] void refuse(const std::string& message) const {
-    throw InputError(fmt::format(
-        "{}: the arm's base can't be found: {}. Say in the mapping where it is: 'alignment: "
-        "{{x_m, y_m, heading_rad}}', or when the arm lay straight: 'alignment: {{straight_s: "
-        "[from, to]}}'",
-        log_, message));
+    throw InputError(
+        fmt::format("{}: the arm's base can't be found: {}. Say in the mapping "
+                    "where it is: 'alignment: {{x_m, y_m, heading_rad}}', or when "
+                    "the arm lay straight: 'alignment: {{straight_s: [from, to]}}'",
+                    log_, message));
   }
 
   double median(const Eigen::MatrixXd& matrix) const {

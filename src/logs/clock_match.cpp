@@ -134,7 +134,7 @@ Eigen::VectorXd normalised_correlation(const TurnRates& a, const TurnRates& b, b
   const std::vector<double> a_energy = energy_before(a.values);
   const std::vector<double> b_energy = energy_before(b.values);
   const Eigen::Index shorter = std::min(a.values.rows(), b.values.rows());
-  const auto least = std::min<Eigen::Index>(
+  const auto min_rows = std::min<Eigen::Index>(
       shorter, static_cast<Eigen::Index>(
                    std::max(kMinOverlap_s * kClockRate_hz, kMinOverlap * double(shorter))));
   for (Eigen::Index k = 0; k < sum.size(); ++k) {
@@ -144,7 +144,7 @@ Eigen::VectorXd normalised_correlation(const TurnRates& a, const TurnRates& b, b
     const double energy =
         (a_energy[std::size_t(end)] - a_energy[std::size_t(begin)]) *
         (b_energy[std::size_t(end - shift)] - b_energy[std::size_t(begin - shift)]);
-    sum[k] = end - begin < least || energy <= 0.0 ? std::nan("") : sum[k] / std::sqrt(energy);
+    sum[k] = end - begin < min_rows || energy <= 0.0 ? std::nan("") : sum[k] / std::sqrt(energy);
   }
   return sum;
 }

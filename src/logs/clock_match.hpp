@@ -23,9 +23,9 @@ struct ClockMatch {
 /// Both are differences, at 100 Hz, over 0.1 s; where those are not decisive, over 0.5 s and over
 /// 2 s, which tell slow motions from noise. Their normalised correlation, summed over the segments,
 /// is searched over every offset that leaves an overlap of half of the shorter log, and at least
-/// 5 s; a parabola through the peak gives fractions of 10 ms. An arm follows its commands late: that
-/// lag, two stages of first order, is fitted along with the offset, so that it does not end up in
-/// it.
+/// 5 s; a parabola through the peak gives fractions of 10 ms. An arm follows
+/// its commands late: that lag, two stages of first order, is fitted along with
+/// the offset, so that it does not end up in it.
 ClockMatch match_clocks(const BackboneTrack& motion, const CommandTrack& commands,
                         const ArmDescription& arm);
 

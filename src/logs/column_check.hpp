@@ -16,9 +16,9 @@ namespace limber {
 [[noreturn]] void refuse_columns(const std::string& log, const ColumnFit& fit,
                                  const ImportMapping& mapping, const ArmDescription& arm);
 
-/// Does so where an import's logs ask for it: all of them together decide about the mapping, then each about
-/// itself. Notes in `checks` segments that hardly follow their columns and those of which these
-/// logs can't tell.
+/// Does so where an import's logs ask for it: all of them together decide about the mapping, then
+/// each about itself. Notes in `checks` segments that hardly follow their columns and those of
+/// which these logs can't tell.
 /// @param logs  names, one for each of `levels`.
 /// @throws InputError; also where no segment follows its column at all.
 void check_columns(const std::vector<std::string>& logs, const std::vector<LevelTable>& levels,

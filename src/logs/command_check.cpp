@@ -142,10 +142,10 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
     }
   }
   if (constant == commands.values.cols()) {
-    throw InputError(fmt::format(
-        "{}: no {} ever changes by more than {:.0f} % of its limit: nothing can be learnt from it. "
-        "{}",
-        log, arm.command.name, 100.0 * kConstant, unit_advice(max_ratio, mapping)));
+    throw InputError(
+        fmt::format("{}: no {} ever changes by more than {:.0f} % "
+                    "of its limit: nothing can be learnt from it. {}",
+                    log, arm.command.name, 100.0 * kConstant, unit_advice(max_ratio, mapping)));
   }
 }
 

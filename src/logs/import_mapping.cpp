@@ -74,8 +74,8 @@ bool read_measured(const YamlReader& node, const std::string& key, bool setpoint
   if (!measured && has_setpoints) {
     node.at("measured")
         .refuse(
-            "false found, with 'setpoints' beside other columns; expected one of both: where nothing "
-            "was measured, 'setpoints' alone");
+            "false found, with 'setpoints' beside other columns; expected "
+            "one of both: where nothing was measured, 'setpoints' alone");
   }
   return measured;
 }
@@ -159,9 +159,8 @@ void number_plates(const YamlReader& node, const std::vector<YamlReader>& elemen
   }
   if (points.back().plate != last) {
     node.refuse(
-        fmt::format("the last point is {}; expected {}, the arm's end: what lies "
-                    "beyond the last point can't be interpolated. Describe an arm that ends "
-                    "where it is tracked",
+        fmt::format("the last point is {}; expected {}, the arm's end: what lies beyond the last "
+                    "point can't be interpolated. Describe an arm that ends where it is tracked",
                     plate_name(points.back().plate), plate_name(last)));
   }
 }
@@ -178,7 +177,7 @@ std::vector<PointSource> read_points(const YamlReader& node, const ArmDescriptio
                                      : (p.body == q.body && p.marker == q.marker &&
                                         p.right == q.right && p.left == q.left);
       if (same) {
-        element.refuse(fmt::format("the same source as point {} before it", i));
+        element.refuse(fmt::format("the same source as {} before it", point_name(i)));
       }
     }
   }
@@ -194,8 +193,8 @@ BaseAlignment read_alignment(const YamlReader& node) {
   if (!node.is_mapping()) {
     if (node.text() != "base" && node.text() != "none") {
       node.refuse(
-          fmt::format("{} found; expected base, none, {{straight_s: [from, to]}} or {{x_m, "
-                      "y_m, heading_rad}}",
+          fmt::format("{} found; expected base, none, {{straight_s: "
+                      "[from, to]}} or {{x_m, y_m, heading_rad}}",
                       node.found()));
     }
     alignment.kind = node.text() == "base" ? BaseAlignment::Kind::base : BaseAlignment::Kind::none;
@@ -310,9 +309,9 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
   if (needs_base && !mapping.points.empty() && mapping.points.front().plate != 0) {
     root.at("backbone")
         .refuse(
-            "no point is plate 0, the base; add it, or say where the base is: 'alignment: {x_m, "
-            "y_m, heading_rad}' in the log's plane, or 'alignment: none' where the log is in the "
-            "arm's frame");
+            "no point is plate 0, the base; add it, or say where the base "
+            "is: 'alignment: {x_m, y_m, heading_rad}' in the log's plane, "
+            "or 'alignment: none' where the log is in the arm's frame");
   }
   if (root.has("longest_gap_s")) {
     mapping.longest_gap_s = root.at("longest_gap_s").number("a time in s", 0.0, kLongestGap_s);

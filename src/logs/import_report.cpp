@@ -13,7 +13,7 @@ namespace limber {
 namespace {
 
 constexpr std::size_t kFewLogs = 3;     // more of them get a line each
-constexpr double kNoteworthy = 0.9999;  // points seen less often are listed
+constexpr double kNoteworthy = 0.9999;  // points tracked less often are listed
 
 nlohmann::ordered_json to_json(const RunReport& run) {
   nlohmann::ordered_json json;
@@ -24,7 +24,7 @@ nlohmann::ordered_json to_json(const RunReport& run) {
   json["points"] = nlohmann::ordered_json::array();
   for (const PointReport& point : run.points) {
     json["points"].push_back(
-        {{"name", point.name}, {"plate", point.plate}, {"seen", point.tracked_share}});
+        {{"name", point.name}, {"plate", point.plate}, {"tracked", point.tracked_share}});
   }
   json["base"] = {{"x_m", run.base.x_m},
                   {"y_m", run.base.y_m},
@@ -73,7 +73,7 @@ std::string to_text(const RunReport& run) {
     }
   }
   text += fmt::format("\n  {} points{}", run.points.size(),
-                      rarely.empty() ? ", all seen throughout" : "; seen in: " + rarely);
+                      rarely.empty() ? ", all tracked throughout" : "; tracked in: " + rarely);
   text += fmt::format(
       "\n  base: the log's ({:.4f}, {:.4f}) m, {:.4f} rad; it scatters by {:.1f} mm; the arm "
       "measures {:.1f} % of its file's length",
@@ -166,15 +166,16 @@ std::string notes_of_all(const std::vector<RunReport>& runs) {
 }
 
 /// What the simple model says of each episode; outliers by the logs that they came from.
-std::string errors_to_text(const ImportReport& report, const EpisodeErrors& errors) {
+std::string to_text(const ImportReport& report, const EpisodeErrors& errors) {
   std::string text = fmt::format(
       "simple model: its error at the tip is {:.2f} cm in the median episode\n", errors.median_cm);
   for (const int number : errors.outliers()) {
     const EpisodeError& episode = errors.episodes[static_cast<std::size_t>(number)];
     text += fmt::format(
-        "  episode {} ({}) is broken: {:.2f} cm, more than {:.2f} cm; its levels correlate by "
+        "  {} ({}) is broken: {:.2f} cm, more than {:.2f} cm; its levels correlate by "
         "{:.2f}. Leave that log out\n",
-        number, report.log_of(number), episode.tip_cm, errors.limit_cm, episode.correlation);
+        episode_name(number), report.log_of(number), episode.tip_cm, errors.limit_cm,
+        episode.correlation);
   }
   return text;
 }
@@ -250,7 +251,7 @@ std::string to_text(const ImportReport& report) {
   text += many ? notes_of_all(report.runs) : std::string();
   text += to_text(report.columns);
   if (report.episode_errors) {
-    text += errors_to_text(report, *report.episode_errors);
+    text += to_text(report, *report.episode_errors);
   }
   return text + fmt::format("{} episodes, {} frames, {} of them not tracked", report.episodes(),
                             report.frames(), report.frames_not_tracked());

@@ -70,11 +70,11 @@ LevelTable levels_of(const BackboneTrack& motion, const CommandTrack& commands,
   const Turns told{commands.time_s, commands.values, !commands.measured};
   const double start_s = std::max(motion.time_s.front(), commands.time_s.front());
   const double end_s = std::min(motion.time_s.back(), commands.time_s.back());
-  const auto most = static_cast<Eigen::Index>(std::max(0.0, end_s - start_s) * kRate_hz) + 1;
+  const auto max_rows = static_cast<Eigen::Index>(std::max(0.0, end_s - start_s) * kRate_hz) + 1;
   const Eigen::Index n = arm.segment_count();
-  LevelTable levels{Eigen::MatrixXd(most, n), Eigen::MatrixXd(most, n), {}};
+  LevelTable levels{Eigen::MatrixXd(max_rows, n), Eigen::MatrixXd(max_rows, n), {}};
   Eigen::Index rows = 0;
-  for (Eigen::Index k = 0; k < most; ++k) {
+  for (Eigen::Index k = 0; k < max_rows; ++k) {
     const double time_s = start_s + double(k) / kRate_hz;
     for (Eigen::Index i = 0; i < n; ++i) {
       levels.turn_rad(rows, i) = seen.at(time_s, i);

@@ -48,8 +48,8 @@ CommandTrack shifted(CommandTrack commands, double offset_s) {
   return commands;
 }
 
-/// Columns of other segments or signs hide the offset, or give a wrong one. At one of the candidates
-/// they then fit far better than those given do where they fit best.
+/// Columns of other segments or signs hide the offset, or give a wrong one. At one of the
+/// candidates they then fit far better than those given do where they fit best.
 void refuse_columns_behind_clocks(const std::string& log, const std::string& command_log,
                                   const ImportMapping& mapping, const ArmDescription& arm,
                                   const BackboneTrack& motion, const CommandTrack& commands,
@@ -126,10 +126,10 @@ std::vector<Episode> import_run(const fs::path& log, const std::string& command_
 
 void require_log_pairs(const std::vector<fs::path>& logs, const ImportOptions& options) {
   if (!options.command_logs.empty() && options.command_logs.size() != logs.size()) {
-    throw InputError(fmt::format(
-        "{} motion logs and {} logs of commands (--pressures); expected one for each, in the same "
-        "order",
-        logs.size(), options.command_logs.size()));
+    throw InputError(
+        fmt::format("{} motion logs and {} logs of commands (--pressures); "
+                    "expected one for each, in the same order",
+                    logs.size(), options.command_logs.size()));
   }
 }
 

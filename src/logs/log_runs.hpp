@@ -10,7 +10,7 @@
 
 namespace limber {
 
-/// One unbroken recording of a log: what was seen, and what was commanded.
+/// One unbroken recording of a log: what was tracked, and what was commanded.
 struct LogRun {
   RunReport report;
   PointTracks points;

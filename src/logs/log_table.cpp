@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
 
@@ -65,8 +66,8 @@ class LogFile {
     const auto second = std::find(first + 1, names_.end(), name);
     if (second != names_.end()) {
       throw InputError(fmt::format(
-          "{}: column '{}' is there twice, as columns {} and {}; give them names of their own",
-          csv_.name(), name, first - names_.begin() + 1, second - names_.begin() + 1));
+          "{}: column '{}' is there twice, as {} and {}; give them names of their own", csv_.name(),
+          name, column_name(first - names_.begin()), column_name(second - names_.begin())));
     }
     return static_cast<std::size_t>(first - names_.begin());
   }

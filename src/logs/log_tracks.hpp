@@ -10,7 +10,7 @@
 namespace limber {
 
 /// Where a log saw points of an arm, in one plane and on the log's own clock. T rows, k points; NaN
-/// where a point was not seen. Metres, radians, seconds; the plane's frame is the log's own until
+/// where a point was not tracked. Metres, radians, seconds; the frame is the log's own until
 /// `align_base`.
 struct PointTracks {
   std::vector<std::string> names;  ///< k, base first; what messages call them

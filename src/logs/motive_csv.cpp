@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <Eigen/Core>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
 #include "motive_rotations.hpp"
@@ -138,9 +139,9 @@ class MotiveFile {
       double version = 0.0;
       if (!parse_number(take_.format_version, version) || version < kOldestFormat) {
         refuse(
-            fmt::format("'Format Version' is '{}'; this program reads 1.2 and later. Export the "
-                        "take again with a newer Motive, or bring it as plain CSV ('limber "
-                        "import csv')",
+            fmt::format("'Format Version' is '{}'; this program reads 1.2 and "
+                        "later. Export the take again with a newer Motive, or "
+                        "bring it as plain CSV ('limber import csv')",
                         take_.format_version));
       }
       return;
@@ -244,9 +245,9 @@ class MotiveFile {
       const auto [other, is_free] = taken.emplace(std::tuple(entry->second, component), c);
       if (!is_free) {
         refuse(
-            fmt::format("two objects of type '{}' are called '{}' (columns {} and {}); rename one "
+            fmt::format("two objects of type '{}' are called '{}' ({} and {}); rename one "
                         "in Motive and export again",
-                        types[c], name, other->second + 1, c + 1));
+                        types[c], name, column_name(other->second), column_name(c)));
       }
       columns_.emplace_back(c, ColumnMeaning{entry->second, component});
     }
@@ -305,7 +306,7 @@ class MotiveFile {
       const std::string& text = cell(row, column);
       if (!text.empty() && !parse_number(text, value)) {
         if (text != "nan" && text != "NaN") {
-          return fmt::format("column {}: '{}' is not a number", column + 1, text);
+          return fmt::format("{}: '{}' is not a number", column_name(column), text);
         }
         value = kNoNumber;
       }
@@ -351,8 +352,8 @@ class MotiveFile {
   void require_euler_order(const std::string& order) const {
     if (!is_euler_order(order)) {
       refuse(
-          fmt::format("'Rotation Type' is '{}'; expected Quaternion or an order of Euler angles, "
-                      "XYZ … ZYX. {}",
+          fmt::format("'Rotation Type' is '{}'; expected Quaternion "
+                      "or an order of Euler angles, XYZ … ZYX. {}",
                       order, kHowToExport));
     }
   }

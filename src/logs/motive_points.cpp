@@ -213,11 +213,11 @@ void require_plane(const std::string& log, const std::vector<Eigen::MatrixXd>& p
   int flattest = 0;
   const double min_m = largest.minCoeff(&flattest);
   if (min_m < kClearlyFlatter * across_m) {
-    throw InputError(fmt::format(
-        "{}: points move by {:.3f} m along {}, which should leave the arm's plane, and by only "
-        "{:.3f} m along {}. Say in the mapping which axis is up: 'backbone: {{up: {}}}' (Motive's "
-        "own is y)",
-        log, across_m, mapping.up, min_m, "xyz"[flattest], "xyz"[flattest]));
+    throw InputError(
+        fmt::format("{}: points move by {:.3f} m along {}, which should leave the "
+                    "arm's plane, and by only {:.3f} m along {}. Say in the mapping "
+                    "which axis is up: 'backbone: {{up: {}}}' (Motive's own is y)",
+                    log, across_m, mapping.up, min_m, "xyz"[flattest], "xyz"[flattest]));
   }
   report.note("points leave the plane: what they do across it is left out",
               fmt::format("by {:.3f} m", across_m));

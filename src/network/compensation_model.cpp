@@ -76,8 +76,8 @@ void validate_layers(const std::string& where, const std::string& prefix,
                                 prefix, l, layer.weight.cols(), inputs, source));
     }
     if (layer.bias.size() != layer.weight.rows()) {
-      refuse(where, fmt::format("tensor {}{}.bias has {} numbers; expected {}, the rows of "
-                                "{}{}.weight",
+      refuse(where, fmt::format("tensor {}{}.bias has {} numbers; "
+                                "expected {}, the rows of {}{}.weight",
                                 prefix, l, layer.bias.size(), layer.weight.rows(), prefix, l));
     }
     require_finite(where, fmt::format("{}{}.weight", prefix, l), layer.weight);
@@ -86,8 +86,8 @@ void validate_layers(const std::string& where, const std::string& prefix,
     source = "the layer before it";
   }
   if (inputs != sizes.output) {
-    refuse(where, fmt::format("tensor {}{}.weight has {} rows; expected {}, the size of the "
-                              "layout's output",
+    refuse(where, fmt::format("tensor {}{}.weight has {} rows; expected "
+                              "{}, the size of the layout's output",
                               prefix, layers.size() - 1, inputs, sizes.output));
   }
 }
@@ -102,8 +102,8 @@ void validate_members(const std::string& where, const CompensationModel& model, 
       alike = layers[l].weight.rows() == model.layers[l].weight.rows();
     }
     if (!alike) {
-      refuse(where, fmt::format("tensors {}* have another shape than layers.*; the members of an "
-                                "ensemble are alike",
+      refuse(where, fmt::format("tensors {}* have another shape than layers.*; "
+                                "the members of an ensemble are alike",
                                 prefix));
     }
   }
@@ -193,8 +193,8 @@ void validate(const CompensationModel& model, const std::string& where) {
   validate_members(where, model, sizes);
   if (model.answer == EnsembleAnswer::mean && model.member_count() == 1) {
     refuse(where,
-           "holds one network, so there is no mean to answer with; limber train --ensemble "
-           "N makes an ensemble");
+           "holds one network, so there is no mean to answer "
+           "with; limber train --ensemble N makes an ensemble");
   }
   validate_normalisation(where, "normalisation.input", model.input, sizes.input);
   validate_normalisation(where, "normalisation.output", model.output, sizes.backbone);
@@ -216,8 +216,8 @@ void validate(const CompensationModel& model, const std::string& where) {
   if (model.tube) {
     validate(*model.tube, where + ": metadata");
     if (static_cast<int>(model.tube->plate_scale_m.size()) != model.point_count) {
-      refuse(where, fmt::format("metadata tube.plate_scale_m has {} numbers; expected {}, one per "
-                                "plate",
+      refuse(where, fmt::format("metadata tube.plate_scale_m has {} "
+                                "numbers; expected {}, one per plate",
                                 model.tube->plate_scale_m.size(), model.point_count));
     }
   }

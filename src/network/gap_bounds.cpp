@@ -96,7 +96,7 @@ nlohmann::ordered_json to_json(const GapBounds& bounds) {
           {"max_turn_rad", list(bounds.max_turn_rad)}};
 }
 
-std::string gap_bounds_to_text(const GapBounds& bounds) {
+std::string to_text(const GapBounds& bounds) {
   return fmt::format("bounds: gaps stay {:.1f} to {:.1f} mm long and turn by {:.3f} to {:.3f} rad",
                      1e3F * bounds.min_length_m.minCoeff(), 1e3F * bounds.max_length_m.maxCoeff(),
                      bounds.min_turn_rad.minCoeff(), bounds.max_turn_rad.maxCoeff());

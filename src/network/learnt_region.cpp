@@ -62,8 +62,8 @@ void validate(const LearntRegion& region, int segment_count, int point_count,
   require_vector(where, "joint.offset", region.joint_offset, joint);
   require_vector(where, "joint.scale", region.joint_scale, joint);
   if (region.axes.cols() != joint || region.axes.rows() > joint) {
-    refuse(where, fmt::format("tensor learnt.axes.directions is {} × {}; expected up to {} rows of "
-                              "{} numbers",
+    refuse(where, fmt::format("tensor learnt.axes.directions is {} × "
+                              "{}; expected up to {} rows of {} numbers",
                               region.axes.rows(), region.axes.cols(), joint, joint));
   }
   if (!region.axes.allFinite()) {

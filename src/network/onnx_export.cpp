@@ -265,9 +265,7 @@ void write_onnx(const std::filesystem::path& path, const CompensationModel& mode
   file.set_ir_version(kIrVersion);
   file.set_producer_name("limber");
   file.set_producer_version(version());
-  file.set_doc_string(
-      "compensation network of limber; docs/formats.md describes query and "
-      "answer");
+  file.set_doc_string("compensation network of limber; docs/formats.md describes query and answer");
   file.add_opset_import()->set_version(kOperatorSet);
   add_metadata(file, "schema", "limber/onnx/1");
   add_metadata(file, "arm_name", model.arm_name);

@@ -84,7 +84,7 @@ nlohmann::ordered_json to_json(const PredictionError& error) {
           {"end_rad_p95", error.end_orientation_rad}};
 }
 
-std::string prediction_error_to_text(const PredictionError& error) {
+std::string to_text(const PredictionError& error) {
   return fmt::format(
       "error on {} unseen runs of {:.3g} s, {:.0f} %: {:.2f} cm anywhere on the arm, {:.2f} cm off "
       "the predicted path, {:.2f} cm and {:.3f} rad at the tip's end",

@@ -24,8 +24,8 @@ inline MiddleAndHalf pressure_border(const LearntRegion& region) {
   constexpr double kNarrowest = 1e-3;
   MiddleAndHalf border = middle_and_half(region.low_kpa, region.high_kpa);
   const double widest = border.half.maxCoeff();
-  const double least = widest > 0.0 ? kNarrowest * widest : kNarrowest;
-  border.half = (1.0 + kPressureSlack) * border.half.cwiseMax(least);
+  const double min_half = widest > 0.0 ? kNarrowest * widest : kNarrowest;
+  border.half = (1.0 + kPressureSlack) * border.half.cwiseMax(min_half);
   return border;
 }
 

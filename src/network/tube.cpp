@@ -40,7 +40,7 @@ void require_counts(const std::string& where, const std::string& name, int outsi
   }
 }
 
-nlohmann::ordered_json level_to_json(const TubeLevel& level) {
+nlohmann::ordered_json to_json(const TubeLevel& level) {
   return {{"level", level.level},
           {"factor", level.factor},
           {"runs", level.runs},
@@ -130,7 +130,7 @@ void validate(const Tube& tube, const std::string& where) {
 std::string tube_to_metadata(const Tube& tube) {
   nlohmann::ordered_json levels = nlohmann::ordered_json::array();
   for (const TubeLevel& level : tube.levels) {
-    levels.push_back(level_to_json(level));
+    levels.push_back(to_json(level));
   }
   return nlohmann::ordered_json({{"plate_scale_m", tube.plate_scale_m},
                                  {"end_scale_m", tube.end_scale_m},
@@ -165,7 +165,7 @@ nlohmann::ordered_json to_json(const Tube& tube) {
   return json;
 }
 
-std::string tube_to_text(const Tube& tube) {
+std::string to_text(const Tube& tube) {
   std::string text;
   for (const TubeLevel& level : tube.levels) {
     text += fmt::format(

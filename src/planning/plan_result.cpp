@@ -23,8 +23,8 @@ std::string reason_of_solution(const PlannerBudget& budget) {
 std::string reason_of_failure(const PlannerBudget& budget, const PoseGoal& goal, const Plan& plan,
                               const PlanResult& result) {
   std::string text = fmt::format(
-      "{}, {} nodes, seed {}; the nearest motion ends {:.1f} cm from the goal (tolerance {:.1f} "
-      "cm)",
+      "{}, {} nodes, seed {}; the nearest motion ends "
+      "{:.1f} cm from the goal (tolerance {:.1f} cm)",
       budget.reason(), result.statistics.nodes, plan.seed, plan.goal_distance_m * kCmPerM,
       goal.position_tolerance_m * kCmPerM);
   if (goal.theta_rad) {

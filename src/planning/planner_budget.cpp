@@ -42,7 +42,7 @@ PlannerBudget::PlannerBudget(const PlannerLimits& limits, const PlannerCallback&
   require_positive(limits.iterations, "limit of iterations");
   require_positive(limits.queries, "limit of queries");
   require_positive(limits.memory_mb, "memory limit [MB]");
-  require_positive(limits.cost_threshold_kpa, "cost threshold [kPa]");
+  require_positive(limits.cost_threshold_kpa, "cost threshold");
 }
 
 double PlannerBudget::elapsed_s() const {

@@ -164,11 +164,11 @@ void require_limits(const std::vector<PressureLimits>& limits, const ArmDescript
     const PressureLimits& own = arm.segments[i].pressure_limit_kpa;
     const bool has_width = limits[i].lower_kpa < limits[i].upper_kpa;
     if (!has_width || !own.contains(limits[i])) {
-      throw InputError(fmt::format(
-          "limits of {} to plan within: {} {unit}; expected lower < upper, both within the arm's "
-          "{} {unit}",
-          segment_name(static_cast<Eigen::Index>(i)), to_string(limits[i]), to_string(own),
-          fmt::arg("unit", arm.command.unit)));
+      throw InputError(
+          fmt::format("limits of {} to plan within: {} {unit}; expected "
+                      "lower < upper, both within the arm's {} {unit}",
+                      segment_name(static_cast<Eigen::Index>(i)), to_string(limits[i]),
+                      to_string(own), fmt::arg("unit", arm.command.unit)));
     }
   }
 }

@@ -164,8 +164,7 @@ Chart& Chart::distribution(std::string label, std::vector<double> values, Series
   for (const Series& series : series_) {
     if (std::holds_alternative<BarSeries>(series)) {
       throw InputError(
-          fmt::format("chart '{}': distribution '{}' in a chart of bars; use a chart "
-                      "of its own",
+          fmt::format("chart '{}': distribution '{}' in a chart of bars; use a chart of its own",
                       settings_.title, label));
     }
   }

@@ -38,12 +38,12 @@ Json to_json(const Certificate& certificate, const Command& command,
   return json;
 }
 
-std::string certificate_to_text(const Certificate& certificate, const ArmDescription& arm,
-                                const Environment& environment) {
+std::string to_text(const Certificate& certificate, const ArmDescription& arm,
+                    const Environment& environment) {
   std::string text;
   for (const CertificateFailure& failure : certificate.failures) {
-    text += failure.frame >= 0 ? fmt::format("refused: {}: frame {}: {}\n", failure.check,
-                                             failure.frame, failure.message)
+    text += failure.frame >= 0 ? fmt::format("refused: {}: {}: {}\n", failure.check,
+                                             frame_name(failure.frame), failure.message)
                                : fmt::format("refused: {}: {}\n", failure.check, failure.message);
   }
   if (!certificate.certified()) {
@@ -53,8 +53,8 @@ std::string certificate_to_text(const Certificate& certificate, const ArmDescrip
   const std::string where =
       certificate.clearance_obstacle < 0
           ? "no obstacles"
-          : fmt::format("clearance {:.3f} cm (frame {}, {}, {})", certificate.clearance_m * kCmPerM,
-                        certificate.clearance_frame,
+          : fmt::format("clearance {:.3f} cm ({}, {}, {})", certificate.clearance_m * kCmPerM,
+                        frame_name(certificate.clearance_frame),
                         segment_name(arm.segment_of_gap(certificate.clearance_gap)),
                         obstacle_name(environment, certificate.clearance_obstacle));
   const std::string heading = environment.goal.theta_rad

@@ -113,7 +113,7 @@ Json to_json(const DriverCheck& check, const IdentifiedValves& valves) {
   return json;
 }
 
-std::string driver_check_to_text(const DriverCheck& check) {
+std::string to_text(const DriverCheck& check) {
   const auto or_unnamed = [](const std::string& text) { return text.empty() ? "unnamed" : text; };
   std::string text = fmt::format(
       "driver {} (device: {})\n  round trip {:.1f} ms (median), {:.1f} ms (99.9 %); set points "
@@ -141,11 +141,11 @@ std::string driver_check_to_text(const DriverCheck& check) {
 
 std::string driver_check_to_html(const DriverCheck& check, const IdentifiedValves& valves) {
   ReportPage page("Driver check");
-  page.code(driver_check_to_text(check))
+  page.code(to_text(check))
       .figure({pressures_svg(check), "Each segment alone, to either side: pulses, then jumps"})
       .figure({round_trip_svg(check), "How long states took"})
       .heading("Valves")
-      .paragraph(valves_to_text(valves));
+      .paragraph(to_text(valves));
   return page.html();
 }
 

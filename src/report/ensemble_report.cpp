@@ -38,10 +38,10 @@ Json to_json(const EnsembleEvaluation& evaluation) {
           {"open_loop", to_json(evaluation.open_loop)}};
 }
 
-std::string ensemble_evaluation_to_text(const EnsembleEvaluation& evaluation) {
+std::string to_text(const EnsembleEvaluation& evaluation) {
   std::string text = fmt::format(
-      "{:<32} {:>23}   {:>7} {:>11} {:>10} {:>8}\n{:<32} {:>7} {:>7} {:>7}   {:>7} {:>11} {:>10} "
-      "{:>8}\n",
+      "{:<32} {:>23}   {:>7} {:>11} {:>10} {:>8}\n{:<32} "
+      "{:>7} {:>7} {:>7}   {:>7} {:>11} {:>10} {:>8}\n",
       fmt::format("mean of {} networks", evaluation.members), "tip position [cm]", "spread",
       "correlation", "error <= 2", "95 % <=", "", "mean", "std", "p95", "[cm]", "with error",
       "spreads", "spreads");

@@ -78,7 +78,7 @@ Json to_json(const Evaluation& evaluation) {
   return json;
 }
 
-std::string evaluation_to_text(const Evaluation& evaluation) {
+std::string to_text(const Evaluation& evaluation) {
   const std::string columns = fmt::format("{:>6} {:>6} {:>6} {:>6}", "mean", "std", "p95", "worst");
   std::string text = fmt::format("{:<32} {:>27}   {:>27}\n{:<32} {}   {}\n",
                                  fmt::format("{} frames", evaluation.frames), "tip position [cm]",
@@ -99,8 +99,8 @@ std::string evaluation_to_text(const Evaluation& evaluation) {
   text += row("constant velocity, one step", evaluation.constant_velocity_one_step);
   text += row("the same, moving", evaluation.constant_velocity_one_step_moving);
   text +=
-      "worst: the mean over the worst motion; moving: over frames in which the tip moves; -: there "
-      "are none\n";
+      "worst: the mean over the worst motion; moving: over "
+      "frames in which the tip moves; -: there are none\n";
   if (evaluation.network) {
     text += fmt::format("open loop, the network's errors are {:.1f} % and {:.1f} % smaller\n",
                         evaluation.position_reduction_percent,

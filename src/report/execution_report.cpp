@@ -38,7 +38,7 @@ Json optional_number(const std::optional<double>& value) {
 
 }  // namespace
 
-Json execution_to_json(const ExecutionResult& result, const Environment& before) {
+Json to_json(const ExecutionResult& result, const Environment& before) {
   const Environment environment = with_appeared(before, result);
   Json json = {{"status", to_string(result.status)}, {"collided", result.collided}};
   json["min_clearance_cm"] =
@@ -88,7 +88,7 @@ Json execution_to_json(const ExecutionResult& result, const Environment& before)
   return json;
 }
 
-std::string execution_to_text(const ExecutionResult& result, const Environment& before) {
+std::string to_text(const ExecutionResult& result, const Environment& before) {
   const Environment environment = with_appeared(before, result);
   std::string text = fmt::format("{}, {} frames", to_string(result.status), result.frames);
   if (!result.message.empty()) {

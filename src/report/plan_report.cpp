@@ -26,7 +26,7 @@ Json to_json(const std::optional<Plan>& partial, const PoseGoal& goal) {
   return json;
 }
 
-Json tube_to_json(const PlanTube& tube) {
+Json to_json(const PlanTube& tube) {
   return {{"level", tube.level},
           {"tip_radius_cm", tube.plate_radius_m.back() * kCmPerM},
           {"end_radius_cm", tube.end_radius_m * kCmPerM},
@@ -36,8 +36,8 @@ Json tube_to_json(const PlanTube& tube) {
 
 std::string tube_note(const std::optional<PlanTube>& tube) {
   return tube ? fmt::format(
-                    "\nkeeps the tube of {:.4g} % of runs free, {:.2f} cm wide at the tip; "
-                    "the goal {} its end",
+                    "\nkeeps the tube of {:.4g} % of runs free, "
+                    "{:.2f} cm wide at the tip; the goal {} its end",
                     100.0 * tube->level, tube->plate_radius_m.back() * kCmPerM,
                     tube->goal_inside ? "holds" : "is too small for")
               : "";
@@ -81,7 +81,7 @@ Json to_json(const PlanResult& result, const Command& command, const PoseGoal& g
   json["orientation_to_goal_rad"] =
       plan && goal.theta_rad ? Json(plan->goal_orientation_rad) : nullptr;
   json["clearance_cm"] = plan ? json_number(plan->clearance_m * kCmPerM) : nullptr;
-  json["tube"] = plan && plan->tube ? tube_to_json(*plan->tube) : Json(nullptr);
+  json["tube"] = plan && plan->tube ? to_json(*plan->tube) : Json(nullptr);
   json["frames"] = plan ? Json(plan->frame_count()) : nullptr;
   for (std::size_t i = 0; plan && i < plan->limits.size(); ++i) {
     json[quantity_key(command, "limits")].push_back(to_json(plan->limits[i]));
@@ -106,7 +106,7 @@ Json to_json(const PlanResult& result, const Command& command, const PoseGoal& g
   return json;
 }
 
-std::string plan_result_to_text(const PlanResult& result, const Command& command) {
+std::string to_text(const PlanResult& result, const Command& command) {
   if (!result.plan) {
     return fmt::format("no plan: {}: {}", to_string(result.status), result.reason);
   }
@@ -121,16 +121,17 @@ std::string plan_result_to_text(const PlanResult& result, const Command& command
   const std::string psi =
       command.is_pressure_kpa() ? fmt::format(" ({:.1f} psi)", plan.cost_kpa / kKpaPerPsi) : "";
   return fmt::format(
-             "plan: {} frames, {:.1f} s, cost {:.1f} {}{}; ends {:.2f} cm from the "
-             "goal, "
-             "clearance {:.2f} cm, both as the {} model predicts\n"
-             "first certified plan after {:.4f} s ({:.1f} {}); {} nodes, {} rewires of {} tried, "
-             "{} model queries in {:.2f} s ({:.0f} per second); {}",
+             "plan: {} frames, {:.1f} s, cost {:.1f} {}{}; ends {:.2f} cm from the goal, clearance "
+             "{:.2f} cm, both as the {} model predicts\n"
+             "first certified plan after {:.4f} s, {:.4f} s of them for its certificate ({:.1f} "
+             "{}); {} nodes, {} rewires of {} tried, {} model queries in {:.2f} s ({:.0f} per "
+             "second); {}",
              plan.frame_count(), plan.duration_s(), plan.cost_kpa, command.unit, psi,
              plan.goal_distance_m * kCmPerM, plan.clearance_m * kCmPerM, plan.model,
-             result.first_solution->time_s, result.first_solution->cost_kpa, command.unit,
-             result.statistics.nodes, result.statistics.rewires_accepted,
-             result.statistics.rewires_tried, result.statistics.queries, result.statistics.time_s,
+             result.first_solution->time_s, result.first_solution->certificate_s,
+             result.first_solution->cost_kpa, command.unit, result.statistics.nodes,
+             result.statistics.rewires_accepted, result.statistics.rewires_tried,
+             result.statistics.queries, result.statistics.time_s,
              double(result.statistics.queries) / result.statistics.time_s, result.reason) +
          certified + tube_note(plan.tube);
 }

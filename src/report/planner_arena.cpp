@@ -103,7 +103,7 @@ std::string planner_arena_log(const std::string& environment, const std::vector<
   const std::time_t now = std::time(nullptr);
   std::string log = fmt::format(
       "limber version {}\nExperiment {}\nRunning on {}\nStarting at {:%Y-%m-%d %H:%M:%S}\n"
-      "<<<|\nlengths are pressure moved, in kPa; states hold pressures and the arm's shape\n|>>>\n"
+      "<<<|\nlengths are costs, in the command's unit; states hold commands and shapes\n|>>>\n"
       "{} is the random seed\n{} seconds per run\n{} MB per run\n{} runs per planner\n"
       "{} seconds spent to collect the data\n1 enum type\n{}\n{} planners\n",
       version(), environment, host_name(), fmt::gmtime(now), seed, limits.time_s.value_or(0.0),

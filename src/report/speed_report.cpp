@@ -54,15 +54,15 @@ std::string network_lines(const std::string& name, const NetworkSpeed& speed) {
 
 // Largest and smallest lead over a peer, over the batch sizes that both were measured at.
 std::string lead_over(const PeerSpeed& peer, const NetworkSpeed& network) {
-  double least = 1e30;
-  double most = 0.0;
+  double min_lead = 1e30;
+  double max_lead = 0.0;
   for (std::size_t i = 0; i < peer.batches.size() && i < network.batches.size(); ++i) {
     const double lead = network.batches[i].queries_per_s / peer.batches[i].queries_per_s;
-    least = std::min(least, lead);
-    most = std::max(most, lead);
+    min_lead = std::min(min_lead, lead);
+    max_lead = std::max(max_lead, lead);
   }
   return fmt::format("{:.1f} to {:.1f} times as fast as {}, {:.1f} times for single queries\n",
-                     least, most, peer.name,
+                     min_lead, max_lead, peer.name,
                      network.single.queries_per_s / peer.single.queries_per_s);
 }
 

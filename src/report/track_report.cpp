@@ -16,7 +16,7 @@ double percent_of_length(const TrackRun& run, const TrackError& error) {
   return 100.0 * error.rms_m / run.path.length_m();
 }
 
-Json laps_to_json(const TrackRun& run, const std::optional<TrackError>& error) {
+Json to_json(const TrackRun& run, const std::optional<TrackError>& error) {
   if (!error) {
     return nullptr;
   }
@@ -28,12 +28,13 @@ Json laps_to_json(const TrackRun& run, const std::optional<TrackError>& error) {
 
 std::string laps_to_text(const char* laps, const TrackRun& run,
                          const std::optional<TrackError>& error) {
-  return error
-             ? fmt::format(
-                   "\n  {}: off by {:.2f} cm (RMS), {:.2f} % of the path's length; at most {:.2f} cm",
-                   laps, kCmPerM * error->rms_m, percent_of_length(run, *error),
-                   kCmPerM * error->max_m)
-             : "";
+  if (!error) {
+    return "";
+  }
+  return fmt::format(
+      "\n  {}: off by {:.2f} cm (RMS), {:.2f} % of the path's length; "
+      "at most {:.2f} cm",
+      laps, kCmPerM * error->rms_m, percent_of_length(run, *error), kCmPerM * error->max_m);
 }
 
 /// Where the tip was in a frame, in cm.
@@ -44,22 +45,22 @@ Eigen::Vector2d tip_cm(const Episode& episode, int frame) {
 
 }  // namespace
 
-Json track_to_json(const TrackRun& run) {
+Json to_json(const TrackRun& run) {
   return {{"status", to_string(run.result.status)},
           {"message", run.result.message},
           {"path",
            {{"length_cm", kCmPerM * run.path.length_m()},
             {"lap_s", run.path.lap_s()},
             {"laps", run.path.laps}}},
-          {"first_lap", laps_to_json(run, run.errors.first_lap)},
-          {"later_laps", laps_to_json(run, run.errors.later_laps)},
+          {"first_lap", to_json(run, run.errors.first_lap)},
+          {"later_laps", to_json(run, run.errors.later_laps)},
           {"collided", run.result.collided},
           {"frames", run.result.frames},
           {"path_starts_at_frame", run.start_frame},
           {"queries", run.queries}};
 }
 
-std::string track_to_text(const TrackRun& run) {
+std::string to_text(const TrackRun& run) {
   std::string text = fmt::format("{}, {} frames", to_string(run.result.status), run.result.frames);
   if (!run.result.message.empty()) {
     text += ": " + run.result.message;
@@ -84,15 +85,15 @@ std::string track_picture(const TrackRun& run) {
     time_s.push_back(since_s);
     off_cm.push_back((tip - kCmPerM * run.path.at(since_s)).norm());
   }
-  Chart way("The tip's way");
-  way.x_axis("x [cm]").y_axis("y [cm]").equal_aspect().size_px(560, 480);
-  way.line("path", path_x, path_y, {.width_px = 4.0, .opacity = 0.4}).line("tip", x, y);
+  Chart paths("The tip's path");
+  paths.x_axis("x [cm]").y_axis("y [cm]").equal_aspect().size_px(560, 480);
+  paths.line("path", path_x, path_y, {.width_px = 4.0, .opacity = 0.4}).line("tip", x, y);
   Chart off("Distance between tip and path at equal times");
   off.x_axis("time [s]").y_axis("distance [cm]").size_px(900, 300);
   off.line("distance", time_s, off_cm);
   off.horizontal_line("1 % of the length", run.path.length_m() * kCmPerM / 100.0,
                       {.width_px = 1.0, .dashed = true});
-  return ChartGrid(1).add(std::move(way)).add(std::move(off)).svg();
+  return ChartGrid(1).add(std::move(paths)).add(std::move(off)).svg();
 }
 
 }  // namespace limber

@@ -25,7 +25,7 @@ nlohmann::ordered_json planning_to_json(const PlanTrial& trial, const Environmen
 }
 
 nlohmann::ordered_json execution_to_json(const PlanTrial& trial, const Environment& environment) {
-  return with_names(trial, execution_to_json(*trial.execution, environment));
+  return with_names(trial, to_json(*trial.execution, environment));
 }
 
 }  // namespace limber

@@ -28,20 +28,20 @@ double change_within(const Episode& episode, int first, int count) {
 /// stretches after it.
 FrameRange liveliest(const Recording& recording) {
   FrameRange best;
-  double most = -1.0;
+  double max_change = -1.0;
   const int frames = std::max(2, int(std::lround(kShownS * recording.rate_hz)));
   for (const FrameRange& range : split_for_valves(recording.episodes).held_back) {
     for (int at = 0; at + 1 < range.count; at += frames) {
       const FrameRange stretch{range.episode, range.first + at, std::min(frames, range.count - at)};
       const double change = change_within(recording.episodes[std::size_t(range.episode)],
                                           stretch.first, stretch.count);
-      if (stretch.count > 1 && change > most) {
-        most = change;
+      if (stretch.count > 1 && change > max_change) {
+        max_change = change;
         best = stretch;
       }
     }
   }
-  if (most < 0.0) {
+  if (max_change < 0.0) {
     throw InputError("the recording is too short for a picture of its valves");
   }
   return best;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "json_number.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/plot/palette.hpp"
@@ -53,7 +54,7 @@ std::string worst_episodes(const YardstickReport& report) {
                            [&](std::size_t i) { return shown.episode_cm[i]; });
   std::string text = fmt::format("worst episodes, {} open loop [cm]:", shown.label);
   for (std::size_t k = 0; k < std::min(kShownEpisodes, order.size()); ++k) {
-    text += fmt::format("{} episode {} {:.2f}", k == 0 ? "" : ",", order[k],
+    text += fmt::format("{} {} {:.2f}", k == 0 ? "" : ",", episode_name(order[k]),
                         shown.episode_cm[order[k]]);
   }
   return text + fmt::format(" (of {})\n", order.size());
@@ -97,12 +98,13 @@ std::string predictions_csv(const std::vector<Episode>& episodes,
 }  // namespace
 
 std::string frames_counted_in_words() {
-  return "every frame after the first of its episode in which the arm was tracked; a frame that a "
-         "rollout was given as its start is no prediction, and one that rests on no tracked frame "
-         "counts for nothing";
+  return "every frame after the first of its episode in which the arm was "
+         "tracked; a frame that a rollout was given as its start is no "
+         "prediction, and one that rests on no tracked frame counts for nothing";
 }
 
-void add_to_json(const YardstickReport& report, const std::vector<Episode>& episodes, Json& json) {
+Json to_json(const YardstickReport& report, const std::vector<Episode>& episodes) {
+  Json json;
   Json& baselines = json["baselines"];
   for (const Yardstick& yardstick : report.yardsticks) {
     const HorizonErrors& errors = yardstick.errors;
@@ -130,9 +132,10 @@ void add_to_json(const YardstickReport& report, const std::vector<Episode>& epis
       json["episodes"][e]["tip_error_cm"][curve.key] = json_number(curve.episode_cm[e]);
     }
   }
+  return json;
 }
 
-std::string yardsticks_to_text(const YardstickReport& report) {
+std::string to_text(const YardstickReport& report) {
   std::string text =
       fmt::format("{:<26}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "yardsticks, mean tip [cm]", "one step",
                   "32 frames", "per motion", "open loop", "all plates");

@@ -26,7 +26,7 @@ class BatchGradient {
   /// Valid until the next call. It allocates nothing of its own.
   /// @param parameters  N·P, one network after the other; so is `gradient`, resized where it must.
   /// @param noise       standard deviation added to the first backbones, normalised; 0: none.
-  /// @param seed,stream of that noise; chunk i of the batch draws from stream + i.
+  /// @param seed,stream of that noise; chunk i of the batch samples from stream + i.
   std::span<const double> compute(std::span<const int> starts, const Eigen::VectorXf& parameters,
                                   double noise, std::uint64_t seed, std::uint64_t stream,
                                   Eigen::VectorXf& gradient);

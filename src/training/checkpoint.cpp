@@ -202,16 +202,16 @@ class CheckpointReader {
   }
 
   void read_rivals(const JsonReader& json, TrainingState& state) const {
-    int least = 1;
+    int min_epoch = 1;
     for (const JsonReader& row : json.at("rivals").elements("a list of epochs")) {
       ValidatedEpoch rival;
-      rival.epoch = row.at("epoch").integer(least, state.epochs_done);
+      rival.epoch = row.at("epoch").integer(min_epoch, state.epochs_done);
       rival.error_m = row.at("error_m").number(0.0);
       rival.members_m =
           row.at("members_m")
               .numbers(static_cast<std::size_t>(run_.validates ? run_.members : 0), "errors", 0.0);
       rival.weights = vector(rival_name(state.rivals.size()).c_str(), run_.parameters);
-      least = rival.epoch + 1;
+      min_epoch = rival.epoch + 1;
       state.rivals.push_back(std::move(rival));
     }
   }

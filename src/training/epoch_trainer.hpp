@@ -48,7 +48,7 @@ struct EpochLoss {
 /// Trains N networks of one shape together, batch by batch: each batch is gathered once.
 class EpochTrainer {
  public:
-  /// @param start  networks to begin with, as many as it has members; null: drawn from the seed.
+  /// @param start  networks to begin with, as many as it has members; null: sampled from the seed.
   /// Keeps references to `settings`.
   EpochTrainer(const ArmDescription& arm, const TrainingData& data,
                const TrainingSettings& settings, const CompensationModel* start);

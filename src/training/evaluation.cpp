@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "learnt_kind.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/valve_identification.hpp"
@@ -62,10 +63,10 @@ void require_finite(const std::vector<FrameMatrix>& predicted,
     const FrameMatrix& frames = predicted[static_cast<std::size_t>(piece.episode)];
     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
       if (!frames.row(t).allFinite()) {
-        throw InputError(fmt::format(
-            "the model's prediction of episode {} is not finite from frame {} on: its weights or "
-            "the recording's numbers are too large",
-            piece.episode, t));
+        throw InputError(
+            fmt::format("the model's prediction of {} is not finite from {} on: its weights or "
+                        "the recording's numbers are too large",
+                        episode_name(piece.episode), frame_name(t)));
       }
     }
   }

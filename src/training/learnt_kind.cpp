@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -34,8 +35,8 @@ void require_kind_learnt(const CompensationModel& network, const std::vector<Epi
   for (std::size_t i = 0; i < episodes.size(); ++i) {
     if (episodes[i].setpoints_only != network.learnt_from_setpoints) {
       throw InputError(fmt::format(
-          "the network learnt from {}, and episode {} holds {}. {}",
-          kind_of(network.learnt_from_setpoints), i, kind_of(episodes[i].setpoints_only),
+          "the network learnt from {}, and {} holds {}. {}", kind_of(network.learnt_from_setpoints),
+          episode_name(i), kind_of(episodes[i].setpoints_only),
           network.learnt_from_setpoints
               ? "Leave what was measured out (with_setpoints_only)"
               : "It has to be asked with pressures, or the arm's other command, as measured"));

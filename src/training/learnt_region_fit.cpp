@@ -141,8 +141,8 @@ double needed_widening(const Eigen::MatrixXd& along) {
 Eigen::VectorXd spread_of(const Eigen::MatrixXd& centred, Eigen::Index segments) {
   Eigen::VectorXd spread = centred.rowwise().norm() / std::sqrt(double(centred.cols()));
   const double widest = spread.head(segments).maxCoeff();
-  const double least = widest > 0.0 ? kMinPressureShare * widest : 1.0;
-  spread.head(segments) = spread.head(segments).cwiseMax(least);
+  const double min_kpa = widest > 0.0 ? kMinPressureShare * widest : 1.0;
+  spread.head(segments) = spread.head(segments).cwiseMax(min_kpa);
   for (Eigen::Index i = segments; i < spread.size(); ++i) {
     const bool heading = (i - segments) % 3 == 2;
     spread[i] = std::max(spread[i], heading ? kMinHeadingSpread_rad : kMinPositionSpread_m);

@@ -31,7 +31,7 @@ std::int64_t frame_count(const std::vector<Episode>& episodes) {
   return frames;
 }
 
-/// Moves whole episodes from `from` to `to`, in an order drawn by (seed, stream), until `frames`
+/// Moves whole episodes from `from` to `to`, in an order sampled by (seed, stream), until `frames`
 /// would be exceeded: one at least goes, and one at least stays. Gives the numbers of those that
 /// went. @pre two episodes or more
 std::vector<int> hold_back(std::vector<Episode>& from, std::vector<Episode>& to, double frames,

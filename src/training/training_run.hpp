@@ -12,7 +12,7 @@ namespace limber {
 /// One training run: the loop over stages and epochs, validation, checkpoints and the time limit.
 class TrainingRun {
  public:
-  /// @param start  networks to begin with; null: drawn from the seed.
+  /// @param start  networks to begin with; null: sampled from the seed.
   TrainingRun(const ArmDescription& arm, const TrainingData& data, TrainingSettings settings,
               const CompensationModel* start, const TrainingHooks& hooks);
 

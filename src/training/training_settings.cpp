@@ -68,8 +68,8 @@ void set_epoch_count(TrainingSettings& settings, int epochs) {
   const int stages = static_cast<int>(settings.stages.size());
   if (epochs < stages) {
     throw InputError(
-        fmt::format("{} epochs; preset '{}' has {} stages (windows of growing length) and needs at "
-                    "least one epoch each",
+        fmt::format("{} epochs; preset '{}' has {} stages (windows of "
+                    "growing length) and needs at least one epoch each",
                     epochs, settings.preset, stages));
   }
   const int before = settings.epoch_count();

@@ -49,10 +49,10 @@ void mark_untracked(const std::vector<Episode>& episodes, RawFrames& raw) {
     }
   }
   if (raw.tracked_columns.empty()) {
-    throw InputError(fmt::format(
-        "the arm was tracked in none of the training data's {} frames: there is nothing to learn "
-        "from",
-        raw.tracked.size()));
+    throw InputError(
+        fmt::format("the arm was tracked in none of the training "
+                    "data's {} frames: there is nothing to learn from",
+                    raw.tracked.size()));
   }
 }
 

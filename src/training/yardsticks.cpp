@@ -19,7 +19,7 @@ namespace limber {
 namespace {
 
 constexpr int kHorizonFrames = 32;
-constexpr std::int64_t kMinFitFrames = 200;  // seen: fewer tell a fit nothing
+constexpr std::int64_t kMinFitFrames = 200;  // tracked: fewer tell a fit nothing
 constexpr double kRunAway = 100.0;  // [m] or [rad]: a linear step that got there stays there
 
 /// Predicts the frames of a piece from the recorded backbone at its start.
@@ -79,7 +79,8 @@ PiecePrediction hold_predictions(const std::vector<Episode>& episodes) {
   };
 }
 
-/// Needs two frames that were seen. Without them it holds the pose; a single step then says nothing.
+/// Needs two tracked frames. Without them it holds the pose; a single
+/// step then says nothing.
 PiecePrediction constant_velocity_predictions(const std::vector<Episode>& episodes) {
   return [&](const RolloutPiece& piece, FrameMatrix& predicted) {
     const Episode& episode = episodes[static_cast<std::size_t>(piece.episode)];
@@ -220,7 +221,7 @@ class Measurement {
   YardstickReport& report_;
 };
 
-std::int64_t seen_frames(const std::vector<Episode>& episodes) {
+std::int64_t tracked_frames(const std::vector<Episode>& episodes) {
   std::int64_t frames = 0;
   for (const Episode& episode : episodes) {
     frames += episode.frame_count() - episode.untracked_count();
@@ -238,8 +239,8 @@ std::string fitted_to_words(const std::vector<Episode>& episodes,
              ? fmt::format("this recording, each fifth predicted by a fit to the other {}",
                            folds - 1)
              : fmt::format(
-                   "this recording, its episodes in {} parts, each predicted by a fit to "
-                   "the others",
+                   "this recording, its episodes in {} parts, "
+                   "each predicted by a fit to the others",
                    folds);
 }
 
@@ -258,8 +259,8 @@ YardstickReport measure_yardsticks(const ArmDescription& arm, const ForwardModel
   measurement.add("hold", "hold the pose", hold_predictions(episodes));
   measurement.add("constant_velocity", "constant velocity",
                   constant_velocity_predictions(episodes));
-  if (seen_frames(fit_to.empty() ? episodes : fit_to) < kMinFitFrames) {
-    report.fitted_to = fmt::format("nothing: fewer than {} frames were seen", kMinFitFrames);
+  if (tracked_frames(fit_to.empty() ? episodes : fit_to) < kMinFitFrames) {
+    report.fitted_to = fmt::format("nothing: fewer than {} frames were tracked", kMinFitFrames);
     return report;
   }
   const Fits fits = fit_all(arm, episodes, fit_to);

@@ -70,7 +70,8 @@ bool is_asked_for(const PlanTrial& trial, const std::string& environment,
 TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
                        const std::string& model) {
   TrialSummary sum;
-  Mean first_solution_s, cost_kpa, distance_m, distance_free_m, orientation_rad;
+  Mean first_solution_s, first_candidate_s, first_certificate_s;
+  Mean cost_kpa, distance_m, distance_free_m, orientation_rad;
   for (const PlanTrial& trial : trials) {
     if (!is_asked_for(trial, environment, model)) {
       continue;
@@ -78,7 +79,10 @@ TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& 
     ++sum.trials;
     if (trial.solved()) {
       ++sum.solved;
-      first_solution_s.add(trial.planning.first_solution->time_s);
+      const FirstSolution& first = *trial.planning.first_solution;
+      first_solution_s.add(first.time_s);
+      first_candidate_s.add(first.candidate_s);
+      first_certificate_s.add(first.certificate_s);
       cost_kpa.add(trial.planning.plan->cost_kpa);
     }
     if (!trial.execution || trial.execution->status != ExecutionStatus::done) {
@@ -97,6 +101,8 @@ TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& 
     }
   }
   sum.first_solution_s = first_solution_s.value();
+  sum.first_candidate_s = first_candidate_s.value();
+  sum.first_certificate_s = first_certificate_s.value();
   sum.cost_kpa = cost_kpa.value();
   sum.distance_m = distance_m.value();
   sum.distance_free_m = distance_free_m.value();

@@ -13,7 +13,7 @@ namespace limber {
 namespace {
 
 constexpr int kSamples = 100;
-constexpr std::uint64_t kNextSample = 1'000'000;  // between the numbers of one environment's draws
+constexpr std::uint64_t kNextSample = 1'000'000;  // between the numbers of an environment's samples
 
 bool is_proven(const ArmDescription& arm, const MotionModel& model,
                const RandomEnvironment& sampled) {

@@ -43,7 +43,7 @@ ColumnOrder read_header(CsvReader& csv, std::vector<CsvCell>& row) {
 
 }  // namespace
 
-std::string TipPath::place(const std::string& file, std::size_t point) const {
+std::string TipPath::source_of(const std::string& file, std::size_t point) const {
   return fmt::format("{}:{}", file, line[point]);
 }
 
@@ -52,7 +52,7 @@ void TipPath::require_within(double arm_length_m, const std::string& file) const
     if (point_m[i].norm() > arm_length_m) {
       throw InputError(fmt::format(
           "{}: ({:.3f}, {:.3f}) m is {:.3f} m from the base; the arm is {:.3f} m long",
-          place(file, i), point_m[i].x(), point_m[i].y(), point_m[i].norm(), arm_length_m));
+          source_of(file, i), point_m[i].x(), point_m[i].y(), point_m[i].norm(), arm_length_m));
     }
   }
 }

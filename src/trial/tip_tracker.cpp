@@ -22,7 +22,7 @@ constexpr double kMaxBiasFactor = 2.0;  // farthest extrapolation of the bias
 constexpr int kRounds = 2;              // of sampling and fitting, in each frame
 constexpr double kRidge = 1e-3;         // of the fit, over the samples' own variance
 constexpr double kStepShares[] = {0.25, 0.5, 0.75, 1.0};
-constexpr int kFewestSamples = 8;
+constexpr int kMinSamples = 8;
 
 ArmDescription with_limits(ArmDescription arm, const std::vector<PressureLimits>& limits) {
   for (std::size_t i = 0; i < limits.size(); ++i) {
@@ -109,8 +109,8 @@ void TipTracker::learn_bias() {
   commanded_.pop_front();
 }
 
-/// A network starts from the measured shape, and errs more the farther ahead; the no-load model errs
-/// as much in the next frame.
+/// A network starts from the measured shape, and errs more the farther ahead; the no-load model
+/// errs as much in the next frame.
 Eigen::Vector2d TipTracker::bias_ahead_m(int frames) const {
   if (!model_.has_network()) {
     return bias_m_;
@@ -214,8 +214,8 @@ Eigen::VectorXd TipTracker::knots_one_frame_on() const {
 
 void TipTracker::search() {
   const Eigen::VectorXd wanted = wanted_tips();
-  const int samples = std::max(
-      kFewestSamples, settings_.queries / horizon() / kRounds - int(std::size(kStepShares)));
+  const int samples =
+      std::max(kMinSamples, settings_.queries / horizon() / kRounds - int(std::size(kStepShares)));
   RandomStream random(seed_, static_cast<std::uint64_t>(frame_));
   knots_kpa_ = within_rule(knots_kpa_);
   for (int round = 0; round < kRounds; ++round) {
@@ -235,12 +235,12 @@ void TipTracker::search() {
       steps.knots_kpa.col(k) = within_rule(knots_kpa_ + kStepShares[k] * step);
     }
     roll_out(steps);
-    double least = std::numeric_limits<double>::infinity();
+    double min_distance = std::numeric_limits<double>::infinity();
     for (const Candidates* tried : {&sampled, &steps}) {
       for (Eigen::Index c = 0; c < tried->knots_kpa.cols(); ++c) {
         const double found = cost(tried->knots_kpa.col(c), tried->tips_m.col(c), wanted);
-        if (found < least) {
-          least = found;
+        if (found < min_distance) {
+          min_distance = found;
           knots_kpa_ = tried->knots_kpa.col(c);
         }
       }

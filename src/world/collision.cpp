@@ -68,10 +68,10 @@ struct GapMotion {
   }
 
   /// No point of the arc travels farther than this: its plates' distance, its bulge turning with
-  /// the chord, and its bulge growing (the point's place over the chord changes by less than 0.3
+  /// the chord, and its bulge growing (the point over the chord changes by less than 0.3
   /// per radian of turn; tests/world/collision_test.cpp).
   double travel_bound_m() const {
-    constexpr double kPlacePerTurn = 0.3;
+    constexpr double kPointPerTurn = 0.3;
     const Vector2d start_shift = to.start - from.start;
     const Vector2d end_shift = to.end - from.end;
     const double chord = std::sqrt(
@@ -79,7 +79,7 @@ struct GapMotion {
     const double turn = std::max(std::abs(from.turn_rad), std::abs(to.turn_rad));
     return std::sqrt(std::max(start_shift.squaredNorm(), end_shift.squaredNorm())) +
            bulge_m(1.0, turn) * (end_shift - start_shift).norm() +
-           kPlacePerTurn * chord * std::abs(to.turn_rad - from.turn_rad);
+           kPointPerTurn * chord * std::abs(to.turn_rad - from.turn_rad);
   }
 };
 

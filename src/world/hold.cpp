@@ -15,9 +15,9 @@ constexpr float kDeadBandRoundingKpa = 1e-3F;  // valves stop at the band's edge
 
 int hold_frame_count(const ArmDescription& arm, const ValveModel& valves,
                      const Eigen::Ref<const Eigen::VectorXf>& state) {
-  const int least = arm.frames_in(kHoldS);
+  const int min_frames = arm.frames_in(kHoldS);
   if (valves.is_ideal()) {
-    return least;
+    return min_frames;
   }
   Pressures tolerance_kpa = kSettledShare * pressure_limits_kpa(arm);
   for (Eigen::Index i = 0; i < tolerance_kpa.size(); ++i) {
@@ -25,7 +25,7 @@ int hold_frame_count(const ArmDescription& arm, const ValveModel& valves,
     tolerance_kpa[i] = std::max(tolerance_kpa[i],
                                 static_cast<float>(segment.dead_band_kpa) + kDeadBandRoundingKpa);
   }
-  return std::max(least,
+  return std::max(min_frames,
                   valves.frames_to_settle(state, tolerance_kpa, arm.frames_in(kLongestHoldS)));
 }
 

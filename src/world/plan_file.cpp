@@ -156,7 +156,7 @@ void require_consistent(const JsonReader& root, const Plan& plan) {
   for (std::size_t k = plan.frames.size() - held; k < plan.frames.size(); ++k) {
     if (plan.frames[k].setpoint_kpa != plan.frames[k - 1].setpoint_kpa) {
       root.at("frames").refuse(
-          fmt::format("frame {} moves; the last {} frames should hold still", k, held));
+          fmt::format("{} moves; the last {} frames should hold still", frame_name(k), held));
     }
   }
   if (plan.waypoints_kpa.size() < 1 ||
@@ -174,7 +174,7 @@ std::string seal_of(nlohmann::json root) {
 }
 
 /// NaN and infinities have no JSON; null says "no obstacles".
-Json clearance_to_json(double clearance_m) {
+Json finite_or_null(double clearance_m) {
   return std::isfinite(clearance_m) ? Json(clearance_m) : Json(nullptr);
 }
 
@@ -197,7 +197,7 @@ std::optional<PlanTube> read_tube(const JsonReader& root) {
   return tube;
 }
 
-Json tube_to_json(const PlanTube& tube) {
+Json to_json(const PlanTube& tube) {
   return {{"level", tube.level},
           {"plate_radius_m", tube.plate_radius_m},
           {"end_radius_m", tube.end_radius_m},
@@ -294,14 +294,14 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
   root["seed"] = plan.seed;
   root["margin_m"] = plan.margin_m;
   if (plan.tube) {
-    root["tube"] = tube_to_json(*plan.tube);
+    root["tube"] = to_json(*plan.tube);
   }
   root["frame_rate_hz"] = plan.frame_rate_hz;
   for (const PressureLimits& limits : plan.limits) {
     root[quantity_key(plan.command, "limits")].push_back({limits.lower_kpa, limits.upper_kpa});
   }
   root[quantity_key(plan.command, "cost")] = plan.cost_kpa;
-  root["clearance_m"] = clearance_to_json(plan.clearance_m);
+  root["clearance_m"] = finite_or_null(plan.clearance_m);
   root["goal_distance_m"] = plan.goal_distance_m;
   root["goal_orientation_rad"] = plan.goal_orientation_rad;
   root["hold_frame_count"] = plan.hold_frame_count;
@@ -320,7 +320,7 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
     Json sealed = root;
     sealed[waypoints_key] = waypoints;
     sealed["frames"] = frames;
-    root["certificate"] = {{"clearance_m", clearance_to_json(plan.certified->clearance_m)},
+    root["certificate"] = {{"clearance_m", finite_or_null(plan.certified->clearance_m)},
                            {"largest_deviation_m", plan.certified->max_deviation_m},
                            {"seal", seal_of(sealed)}};
   }

@@ -61,8 +61,7 @@ std::string gap_fault(const ArmDescription& arm, const NoLoadModel& model, const
   const double apart_m = std::hypot(x_m, y_m);
   if (!(apart_m >= kShortestGap * rest_m && apart_m <= kLongestGap * rest_m)) {
     return fmt::format(
-        "{} is {:.4g} m from {}; expected {:.4g} to {:.4g} m, {} to {} times the gap "
-        "of {} at rest",
+        "{} is {:.4g} m from {}; expected {:.4g} to {:.4g} m, {} to {} times the gap of {} at rest",
         plate_name(row), apart_m, plate_name(row - 1), kShortestGap * rest_m, kLongestGap * rest_m,
         kShortestGap, kLongestGap, segment_name(segment));
   }
@@ -78,8 +77,7 @@ std::string gap_fault(const ArmDescription& arm, const NoLoadModel& model, const
       std::remainder(std::atan2(y_m, x_m) - (b(row - 1, 2) + 0.5 * turn_rad), kMaxTurn_rad * 2.0);
   if (!(std::abs(skew_rad) <= kMaxSkew_rad)) {
     return fmt::format(
-        "{} lies {:.4g} rad off where its heading and that of {} lead; expected at "
-        "most {} rad",
+        "{} lies {:.4g} rad off where its heading and that of {} lead; expected at most {} rad",
         plate_name(row), skew_rad, plate_name(row - 1), kMaxSkew_rad);
   }
   return {};

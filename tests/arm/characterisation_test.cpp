@@ -168,10 +168,10 @@ TEST(StrainFit, RefusesWhatCannotBeFitted) {
           "the lowest bench pressure above 0 is 50 kPa");
   auto points = bench(line);
   points[4].strain = std::numeric_limits<double>::quiet_NaN();
-  refuses(points, "bench point 5: (20 kPa, strain nan); expected finite numbers");
+  refuses(points, "bench point 4: (20 kPa, strain nan); expected finite numbers");
   points = bench(line);
   points[2].pressure_kpa = -10.0;
-  refuses(points, "bench point 3: -10 kPa; expected the gauge pressure of the inflated side");
+  refuses(points, "bench point 2: -10 kPa; expected the gauge pressure of the inflated side");
   refuses(bench([](double p) { return 0.2 * p; }), "per cent: divide by 100");
 }
 

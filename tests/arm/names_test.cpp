@@ -17,11 +17,17 @@ TEST(Names, CountFrom0AtTheBase) {
   EXPECT_EQ(plate_name(0), "plate 0");
   EXPECT_EQ(gap_name(arm, 0), "between plates 0 and 1 (segment 0)");
   EXPECT_EQ(gap_name(arm, 3), "between plates 3 and 4 (segment 1)");
+  EXPECT_EQ(frame_name(0), "frame 0");
+  EXPECT_EQ(waypoint_name(2), "waypoint 2");
+  EXPECT_EQ(motion_name(7), "motion 7");
+  EXPECT_EQ(episode_name(0), "episode 0");
+  EXPECT_EQ(column_name(3), "column 3");
+  EXPECT_EQ(point_name(1), "point 1");
 }
 
 // One way to count: whoever writes "segment {}" by himself may count from anywhere.
 TEST(Names, EveryMessageGoesThroughThem) {
-  const std::regex by_hand(R"((segment|plate|plates|obstacle) \{)");
+  const std::regex by_hand(R"((segment|plate|plates|obstacle|frame|waypoint|motion|episode) \{)");
   const std::filesystem::path root(LIMBER_SOURCE_DIR);
   for (const char* folder : {"src", "apps"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {

@@ -55,7 +55,7 @@ TEST(ValveFile, SaysWhyThereAreNoParameters) {
   none.findings.reason = "the set points never change";
   write_valves(path, none);
   expect_equal(read_valves(path), none);
-  EXPECT_EQ(valves_to_text(none), "valves: none known (the set points never change)");
+  EXPECT_EQ(to_text(none), "valves: none known (the set points never change)");
 }
 
 TEST(ValveFile, HowTheyWereFoundIsNoPartOfTheHash) {
@@ -67,11 +67,11 @@ TEST(ValveFile, HowTheyWereFoundIsNoPartOfTheHash) {
 TEST(ValveFile, NamesSegmentsOnceWhereTheyAreAlike) {
   IdentifiedValves valves;
   valves.parameters.segments.assign(3, {{0.1, 99.5}, {0.12, 80.0}, 0.0131, 0.2});
-  EXPECT_EQ(valves_to_text(valves),
+  EXPECT_EQ(to_text(valves),
             "valves: inflate 0.100 s at most 99.5 kPa/s, vent 0.120 s at most 80 kPa/s, dead time "
             "0.013 s, dead band 0.2 kPa");
   valves.parameters.segments[2].dead_time_s = 0.1;
-  EXPECT_THAT(valves_to_text(valves), HasSubstr("segment 2: inflate 0.100 s"));
+  EXPECT_THAT(to_text(valves), HasSubstr("segment 2: inflate 0.100 s"));
 }
 
 TEST(ValveFile, NamesLineAndKeyOfWhatIsWrong) {

@@ -22,9 +22,9 @@ enum class Flaw {
   untracked,
 };
 
-/// An arm of its own kind, with nothing of the virtual arm's: valves of first order, turns that follow
-/// pressures with play (friction) and drag the neighbours along, sides that contract unlike. It is put
-/// together wrongly, and measured with noise and late.
+/// An arm of its own kind, with nothing of the virtual arm's: valves of first order, turns that
+/// follow pressures with play (friction) and drag the neighbours along, sides that contract unlike.
+/// It is put together wrongly, and measured with noise and late.
 class SimulatedRig {
  public:
   SimulatedRig(const ArmDescription& arm, const Misassembly& wrong, Flaw flaw, std::uint64_t seed)

@@ -333,9 +333,8 @@ TEST(CertifiedPlanner, APlanThatIsRefusedIsADefectAndNoSolution) {
   ASSERT_EQ(result.status, PlanStatus::not_certified) << result.reason;
   EXPECT_FALSE(result.plan);
   EXPECT_TRUE(result.best_partial);
-  EXPECT_THAT(result.reason,
-              HasSubstr("planner 'paper' found is refused by its certificate, the cheapest for "
-                        "this: model"));
+  EXPECT_THAT(result.reason, HasSubstr("planner 'paper' found is refused by its "
+                                       "certificate, the cheapest for this: model"));
 }
 
 // The certificate is worth as much as it is independent: its sources see plain

@@ -110,8 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
                    file_of("{\"a\":" + tensor_entry("[2]", "[0,8]") +
                                ",\"b\":" + tensor_entry("[2]", "[4,12]") + "}",
                            12),
-                   "tensor b: data begins at byte 4; expected 8, the end of the tensor before it "
-                   "(overlap)"},
+                   "tensor b: data begins at byte 4; expected "
+                   "8, the end of the tensor before it (overlap)"},
         BrokenFile{"hole", file_of("{\"a\":" + tensor_entry("[1]", "[4,8]") + "}", 8),
                    "tensor a: data begins at byte 4; expected 0"},
         BrokenFile{"tail", file_of("{\"a\":" + tensor_entry("[1]", "[0,4]") + "}", 9),

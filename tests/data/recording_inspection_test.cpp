@@ -246,8 +246,8 @@ TEST(RecordingInspection, SaysTheSameInJsonAndInText) {
   EXPECT_EQ(json["transitions"]["possible"], 9);
   EXPECT_EQ(json["transitions"]["covered"], 3);
   EXPECT_EQ(json["suspicions"][0]["what"], "a gap in time");
-  EXPECT_THAT(inspection_to_text(recording, inspection),
-              AllOf(HasSubstr("37 frames at 20 Hz"), HasSubstr("1 dropped"),
+  EXPECT_THAT(to_text(recording, inspection),
+              AllOf(HasSubstr("37 frames at 20 Hz"), HasSubstr("1 not tracked"),
                     HasSubstr("3 of 9 transitions covered"), HasSubstr("a gap in time: 1 times")));
 }
 

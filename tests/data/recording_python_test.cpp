@@ -67,7 +67,7 @@ TEST_F(RecordingInPython, ExampleRunsAndSaysWhatTheFileHolds) {
   const CommandResult result = python("examples/read_recording.py", path);
   ASSERT_EQ(result.code, 0) << result.output;
   EXPECT_THAT(result.output, HasSubstr("arm 'test arm', 2 segments, 4 points, 20 Hz"));
-  EXPECT_THAT(result.output, HasSubstr("2 episodes, 10 frames, 2 of them dropped"));
+  EXPECT_THAT(result.output, HasSubstr("2 episodes, 10 frames, 2 of them not tracked"));
 }
 
 }  // namespace

@@ -200,8 +200,8 @@ TEST_F(RecordingFile, RefusesWrongShapesAndTypes) {
       [&](H5::H5File& f) {
         replace_data_set(f, "episodes/000000/backbone", real, {5, 3, 3});
       },
-      {"episodes/000000/backbone: shape 5 × 3 × 3 found; expected 5 × 4 × 3: frames × points × "
-       "[x_m, y_m, theta_rad]"});
+      {"episodes/000000/backbone: shape 5 × 3 × 3 found; expected "
+       "5 × 4 × 3: frames × points × [x_m, y_m, theta_rad]"});
   write_recording(path_, test_recording());
   expect_refusal(
       [&](H5::H5File& f) {

@@ -47,10 +47,9 @@ TEST(RequireRecordingOf, NamesWhatDiffersFromTheArm) {
   Recording recording = test_recording();
   EXPECT_NO_THROW(require_sizes_of(recording, arm, "a.h5"));
   recording.command = {"motor angle", "rad"};
-  EXPECT_THAT(
-      [&] { require_recording_of(recording, arm, "a.h5"); },
-      ThrowsMessage<InputError>(HasSubstr("the command 'motor angle' in rad; arm 'mine' has "
-                                          "'pressure' in kPa")));
+  EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },
+              ThrowsMessage<InputError>(HasSubstr("the command 'motor angle' in rad; "
+                                                  "arm 'mine' has 'pressure' in kPa")));
   recording.command = {};
   recording.segment_count = 5;
   EXPECT_THAT([&] { require_recording_of(recording, arm, "a.h5"); },

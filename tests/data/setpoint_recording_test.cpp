@@ -92,7 +92,7 @@ TEST(SetpointRecording, WithoutWhatWasMeasuredHasTheSameMotions) {
 TEST(SetpointRecording, IsInspectedAsSuch) {
   const Recording recording = setpoints_of(test_recording());
   const RecordingInspection inspection = inspect(recording, nullptr, "a.h5");
-  const std::string text = inspection_to_text(recording, inspection);
+  const std::string text = to_text(recording, inspection);
   EXPECT_THAT(text, AllOf(HasSubstr("set points only: no pressure was measured"),
                           HasSubstr("segment 0: set "), Not(HasSubstr(": measured"))));
   const nlohmann::ordered_json json = to_json(recording, inspection);

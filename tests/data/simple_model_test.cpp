@@ -185,7 +185,7 @@ TEST(EpisodeErrors, FlagNothingWhereAllAreAlike) {
   const ArmDescription arm = sample_arm(3);
   const EpisodeErrors errors = episode_errors(arm, episodes_of(some_model(), arm, 40));
   EXPECT_THAT(errors.outliers(), ::testing::IsEmpty());
-  EXPECT_EQ(outliers_to_text(errors), "");
+  EXPECT_EQ(to_text(errors), "");
   EXPECT_GT(errors.episodes[3].correlation, 0.98);
 }
 
@@ -197,7 +197,7 @@ TEST(EpisodeErrors, NameTheBrokenOne) {
   EXPECT_THAT(errors.outliers(), ::testing::ElementsAre(17));
   EXPECT_LT(errors.episodes[17].correlation, 0.6);
   EXPECT_GT(errors.episodes[17].tip_cm, errors.limit_cm);
-  EXPECT_THAT(outliers_to_text(errors), ::testing::HasSubstr("episode 17"));
+  EXPECT_THAT(to_text(errors), ::testing::HasSubstr("episode 17"));
 }
 
 TEST(EpisodeErrors, FlagNoneOfTooFew) {

@@ -22,7 +22,7 @@ ArmDescription slow_arm() {
 
 class AppearingObstacleTest : public ::testing::Test {
  protected:
-  std::optional<AppearingObstacle> drawn(std::uint64_t seed) const {
+  std::optional<AppearingObstacle> sampled(std::uint64_t seed) const {
     return appearing_obstacle(arm_, plan_, kRadius_m, seed, 0);
   }
 
@@ -34,14 +34,14 @@ class AppearingObstacleTest : public ::testing::Test {
 TEST_F(AppearingObstacleTest, IsAheadOnTheRestOfThePlanByASecondAndFiveCentimetres) {
   int found = 0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const std::optional<AppearingObstacle> obstacle = drawn(seed);
+    const std::optional<AppearingObstacle> obstacle = sampled(seed);
     if (!obstacle) {
       continue;
     }
     ++found;
-    ASSERT_FALSE(obstacle->places.empty());
-    for (const Circle& place : obstacle->places) {
-      const CollisionChecker checker(arm_, {place});
+    ASSERT_FALSE(obstacle->circles.empty());
+    for (const Circle& circle : obstacle->circles) {
+      const CollisionChecker checker(arm_, {circle});
       const auto frame = static_cast<std::size_t>(obstacle->frame);
       EXPECT_GE(checker.clearance(plan_.frames[frame].backbone).value_m, 0.05);
       int first_touch = -1;
@@ -58,11 +58,11 @@ TEST_F(AppearingObstacleTest, IsAheadOnTheRestOfThePlanByASecondAndFiveCentimetr
 }
 
 TEST_F(AppearingObstacleTest, SeedsRepeat) {
-  const auto a = drawn(3);
-  const auto b = drawn(3);
+  const auto a = sampled(3);
+  const auto b = sampled(3);
   ASSERT_TRUE(a && b);
   EXPECT_EQ(a->frame, b->frame);
-  EXPECT_EQ(a->places.front().x_m, b->places.front().x_m);
+  EXPECT_EQ(a->circles.front().x_m, b->circles.front().x_m);
 }
 
 TEST_F(AppearingObstacleTest, AShortMotionHasNone) {
@@ -73,14 +73,14 @@ TEST_F(AppearingObstacleTest, AShortMotionHasNone) {
 TEST_F(AppearingObstacleTest, ThePlaceKeepsFiveCentimetresFromTheArmAsItReallyIs) {
   const AppearingObstacle obstacle{1, {Circle{0.3, 0.0, kRadius_m}, Circle{0.3, 0.3, kRadius_m}}};
   const BackboneD straight = plan_.frames.front().backbone.cast<double>();
-  const std::optional<Circle> place = place_ahead_of(arm_, obstacle, straight);
-  ASSERT_TRUE(place);
-  EXPECT_EQ(place->y_m, 0.3) << "the first lies on the arm";
-  EXPECT_FALSE(place_ahead_of(arm_, {1, {Circle{0.3, 0.08, kRadius_m}}}, straight));
+  const std::optional<Circle> circle = circle_ahead_of(arm_, obstacle, straight);
+  ASSERT_TRUE(circle);
+  EXPECT_EQ(circle->y_m, 0.3) << "the first lies on the arm";
+  EXPECT_FALSE(circle_ahead_of(arm_, {1, {Circle{0.3, 0.08, kRadius_m}}}, straight));
 }
 
 TEST_F(AppearingObstacleTest, WhoRunsIntoItOpenLoopCollidesWithItAfterItAppeared) {
-  const std::optional<AppearingObstacle> obstacle = drawn(3);
+  const std::optional<AppearingObstacle> obstacle = sampled(3);
   ASSERT_TRUE(obstacle);
   ExecutionSettings settings;
   settings.obstacle = &*obstacle;

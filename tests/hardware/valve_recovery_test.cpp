@@ -54,7 +54,7 @@ IdentifiedValves identify_on(const ArmDescription& arm, double noise_kpa = 0.0) 
 void expect_recovered(const ArmDescription& arm, double noise_kpa = 0.0) {
   const IdentifiedValves found = identify_on(arm, noise_kpa);
   ASSERT_FALSE(found.parameters.is_ideal()) << found.findings.reason;
-  SCOPED_TRACE(valves_to_text(found));
+  SCOPED_TRACE(to_text(found));
   const VirtualArmParameters truth = virtual_arm_parameters(arm);
   const SegmentValves& valves = found.parameters.segments.front();
   EXPECT_NEAR(valves.inflating.time_constant_s, truth.inflate_time_constant_s,

@@ -14,7 +14,8 @@ constexpr int kSegments = 4;
 constexpr int kHold = 20;          // rows: two seconds at 10 Hz
 constexpr double kFriction = 0.3;  // of a turn, stuck where it was before
 
-/// A log of motions that are held, by an arm that follows with friction, bending right for positive.
+/// A log of motions that are held, by an arm that follows with friction,
+/// bending right for positive.
 LevelTable made_up_levels(int motions, std::uint64_t seed, int segments = kSegments) {
   RandomStream random(seed, 0);
   const int rows = motions * kHold;

@@ -38,7 +38,7 @@ TEST_F(LogImportFaults, FindsMarkersThatWereNeverSeen) {
 
 TEST_F(LogImportFaults, FindsDuplicatedColumns) {
   expect_refusal(replaced(log(), ",x4,", ",x3,"), mapping(),
-                 {"column 'x3' is there twice, as columns 14 and 17"});
+                 {"column 'x3' is there twice, as column 13 and column 16"});
   expect_refusal(log(), replaced(mapping(), "x: x4, y: y4", "x: x3, y: y3"),
                  {"points[4]", "the same source as point 3"});
 }

@@ -57,8 +57,7 @@ TEST_F(CsvImport, TurnsUnitsAndSigns) {
   pressure_scale_ = -1.0 / 6.894757;
   std::string map =
       replaced(mapping(), "  columns: [pressure_1_kpa, pressure_2_kpa, pressure_3_kpa]",
-               "  unit: psi\n  columns: [-pressure_1_kpa, -pressure_2_kpa, "
-               "-pressure_3_kpa]");
+               "  unit: psi\n  columns: [-pressure_1_kpa, -pressure_2_kpa, -pressure_3_kpa]");
   map = replaced(map, "backbone:\n", "backbone:\n  unit: mm\n");
   map = replaced(map, "{column: time_s}", "{column: time_s, unit: ms}");
   std::string text = header() + "\n";

@@ -139,11 +139,11 @@ TEST(ModelFile, KeepsBoundsAndRefusesBrokenOnes) {
 TEST(ModelFile, PlanningAsksForBoundsAndNamesTheCommandThatAddsThem) {
   CompensationModel model = untrained_model(sample_arm(3), BackboneLayout::gap_poses, {7}, 1);
   model.training["data"] = "a.h5 0123, b c.h5 4567";
-  EXPECT_THAT([&] { require_bounded(model, "old.safetensors"); },
-              ThrowsMessage<InputError>(AllOf(
-                  StartsWith("old.safetensors: the model has no bounds"),
-                  HasSubstr("limber train --from old.safetensors --epochs 0 --data a.h5 --data "
-                            "b c.h5 --out"))));
+  EXPECT_THAT(
+      [&] { require_bounded(model, "old.safetensors"); },
+      ThrowsMessage<InputError>(AllOf(StartsWith("old.safetensors: the model has no bounds"),
+                                      HasSubstr("limber train --from old.safetensors "
+                                                "--epochs 0 --data a.h5 --data b c.h5 --out"))));
   model.bounds = narrow_bounds(sample_arm(3));
   EXPECT_NO_THROW(require_bounded(model, "old.safetensors"));
 }

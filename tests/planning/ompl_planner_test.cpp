@@ -67,6 +67,21 @@ TEST_F(OmplPlanner, EveryPlannerRunsAndWhatItSolvesIsCertified) {
   EXPECT_GE(solved, 2) << "an easy problem";
 }
 
+// SST goes on after its first plan. What it found earlier was certified then, so that a search that
+// ends in the middle of its work has a plan.
+TEST_F(OmplPlanner, SstIsCertifiedWhileItSearches) {
+  const std::uint64_t queries = 60000;
+  for (const char* name : {"ompl:SST", "ompl:SST-pruned"}) {
+    const PlanResult result = plan(name, queries, 1.0);
+    ASSERT_TRUE(result.plan) << name << ": " << result.reason;
+    const FirstSolution& first = *result.first_solution;
+    EXPECT_LT(first.queries, queries / 2) << name;
+    EXPECT_LT(first.time_s, result.statistics.time_s) << name;
+    EXPECT_LE(result.plan->cost_kpa, first.cost_kpa) << name;
+    EXPECT_GE(first.time_s, first.candidate_s + first.certificate_s - 1e-9) << name;
+  }
+}
+
 TEST_F(OmplPlanner, SstAsShippedNeverPrunesAndThePrunedOneDoes) {
   int active = 0, inactive = 0, witnesses = 0;
   const std::string settings = ",pruning_radius=0.3,selection_radius=0.5";

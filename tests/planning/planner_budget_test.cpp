@@ -203,7 +203,7 @@ TEST_F(Budget, RefusesLimitsThatAreNone) {
   refusal(limits, "time limit [s] of inf");
   limits.time_s = 1.0;
   limits.cost_threshold_kpa = -3.0;
-  refusal(limits, "cost threshold [kPa] of -3; expected a number > 0");
+  refusal(limits, "cost threshold of -3; expected a number > 0");
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 """Checks the project's Markdown: every relative link leads to a file, every document in docs/ is
 listed in docs/README.md, every public header in docs/library.md and says who it is for, no sentence of
-the README is long, and no page uses words that plain English has others for. With a program given,
-every verb of it is named in the README."""
+the README is long, and no page, comment of a header or text of the Python module uses words that plain
+English has others for. With a program given, every verb of it is named in the README, and its help is
+read too."""
 
 import pathlib
 import re
@@ -18,7 +19,7 @@ BANNED_WORDS = {
     r"\bthere where\b": "where",
     r"\berr(s|ed)? by\b": "the error is",
     r"(?<!\bon )(?<!\bof )(?<!\bfrom )(?<!\bfor )\ba core\b": "per core",
-    r"\b(queries|frames|rows|multiply-adds|motions|times) a second\b": "per second",
+    r"\b(queries|[Ff]rames|rows|multiply-adds|motions|times) a second\b": "per second",
     r"\b(ns|ms|multiply-adds|times) (a|an) (query|epoch|motion|frame)\b": "per",
 }
 
@@ -79,17 +80,42 @@ def long_sentences(path):
                 yield f"{path.relative_to(ROOT)}: {len(words)} words in \"{sentence[:70]} …\""
 
 
-def banned_words(path):
-    for block in prose(path):
+def banned_words(name, blocks):
+    for block in blocks:
         for pattern, instead in BANNED_WORDS.items():
             for found in re.finditer(pattern, block):
                 around = block[max(0, found.start() - 30) : found.end() + 30]
-                yield f"{path.relative_to(ROOT)}: \"… {around} …\"; say \"{instead}\""
+                yield f"{name}: \"… {around} …\"; say \"{instead}\""
 
 
-def unnamed_verbs(program):
-    help_text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True)
-    verbs = re.findall(r"^  ([a-z-]+) ", help_text.stdout.split("Subcommands:")[1], flags=re.M)
+def sources_that_speak():
+    """Headers, whose comments people read, and the bindings, whose texts are Python's help."""
+    for folder in ("src", "apps", "python/bindings"):
+        yield from sorted((ROOT / folder).rglob("*.hpp"))
+    yield from sorted((ROOT / "python" / "bindings").glob("*.cpp"))
+
+
+def comments_and_texts(path):
+    """Runs of comment lines, and of string literals that the compiler joins, one line each."""
+    text = path.read_text(encoding="utf-8")
+    text = re.sub(r"\n\s*///? ?", " ", text)
+    return re.sub(r"\"\s*\n\s*\"", "", text).splitlines()
+
+
+def help_of(program, *verb):
+    return subprocess.run([program, *verb, "--help"], capture_output=True, text=True, check=True).stdout
+
+
+def verbs_of(program):
+    return re.findall(r"^  ([a-z-]+) ", help_of(program).split("Subcommands:")[1], flags=re.M)
+
+
+def words_of_help(program, verbs):
+    for verb in verbs:
+        yield from banned_words(f"limber {verb} --help", [" ".join(help_of(program, verb).split())])
+
+
+def unnamed_verbs(verbs):
     if not verbs:
         yield "limber --help lists no verbs"
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -104,9 +130,13 @@ def main():
     problems += unlisted_headers()
     problems += long_sentences(ROOT / "README.md")
     for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
-        problems += banned_words(path)
+        problems += banned_words(path.relative_to(ROOT), prose(path))
+    for path in sources_that_speak():
+        problems += banned_words(path.relative_to(ROOT), comments_and_texts(path))
     if len(sys.argv) > 1:
-        problems += unnamed_verbs(sys.argv[1])
+        verbs = verbs_of(sys.argv[1])
+        problems += unnamed_verbs(verbs)
+        problems += words_of_help(sys.argv[1], verbs)
     print("\n".join(problems) or "documents are whole")
     return 1 if problems else 0
 

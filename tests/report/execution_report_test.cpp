@@ -31,8 +31,7 @@ ExecutionResult collided_run() {
 }
 
 TEST(ExecutionReport, HoldsTheKeysThatScriptsRelyOn) {
-  const nlohmann::ordered_json json =
-      execution_to_json(collided_run(), environment_with_obstacles());
+  const nlohmann::ordered_json json = to_json(collided_run(), environment_with_obstacles());
   EXPECT_EQ(json["status"], "done");
   EXPECT_EQ(json["collided"], true);
   EXPECT_DOUBLE_EQ(json["min_clearance_cm"].get<double>(), -1.2);
@@ -50,18 +49,18 @@ TEST(ExecutionReport, LeavesUnknownNumbersNull) {
   ExecutionResult result;
   result.status = ExecutionStatus::fault;
   result.message = "hose came off";
-  const nlohmann::ordered_json json = execution_to_json(result, Environment{});
+  const nlohmann::ordered_json json = to_json(result, Environment{});
   for (const char* key : {"min_clearance_cm", "distance_to_goal_cm", "orientation_to_goal_rad",
                           "first_collision", "prediction_error_cm", "final_backbone"}) {
     EXPECT_TRUE(json[key].is_null()) << key;
   }
   EXPECT_EQ(json["status"], "fault");
-  EXPECT_THAT(execution_to_text(result, Environment{}),
+  EXPECT_THAT(to_text(result, Environment{}),
               AllOf(HasSubstr("fault, 0 frames: hose came off"), HasSubstr("unknown")));
 }
 
 TEST(ExecutionReport, TellsPeopleWhereItCollided) {
-  const std::string text = execution_to_text(collided_run(), environment_with_obstacles());
+  const std::string text = to_text(collided_run(), environment_with_obstacles());
   EXPECT_THAT(text, HasSubstr("6.4 cm and 0.21 rad from the goal: not reached"));
   EXPECT_THAT(text, HasSubstr("collided with obstacle 1 (rectangle), plates 4 and 5, 1.23 s"));
   EXPECT_THAT(text, HasSubstr("deepest 1.2 cm at obstacle 1 (rectangle), plates 5 and 6, 1.50 s"));

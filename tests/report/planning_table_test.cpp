@@ -87,9 +87,9 @@ TEST(PlanningTable, HasTheKeysOfItsContract) {
                                       trial("01", "network", 120.0, 0.01)};
   const nlohmann::ordered_json table = to_json(planning_rows(trials));
   ASSERT_EQ(table.size(), 2U);
-  for (const char* key :
-       {"environment", "model", "planner", "trials", "solved", "first_solution_s", "cost_psi",
-        "executed", "collided", "distance_to_goal_cm", "orientation_to_goal_rad"}) {
+  for (const char* key : {"environment", "model", "planner", "trials", "solved", "first_solution_s",
+                          "first_candidate_s", "first_certificate_s", "cost_psi", "executed",
+                          "collided", "distance_to_goal_cm", "orientation_to_goal_rad"}) {
     EXPECT_TRUE(table[0].contains(key)) << key;
   }
   for (const char* key : {"mean", "median", "p95", "standard_error"}) {

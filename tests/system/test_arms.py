@@ -42,7 +42,7 @@ class Arms(InFolder):
         path = self.write("e.yaml", json.dumps(environment))
         plan = self.run_json(
             "plan", *arm, "--no-load", "--environment", path, "--max-queries", 30000,
-            "--cost-threshold-kpa", 1e6, "--out", "p.json",
+            "--cost-threshold", 1e6, "--out", "p.json",
         )
         self.assertEqual(plan["status"], "solved")
         self.run_json("verify", *arm, "--no-load", "--plan", "p.json", "--environment", path)

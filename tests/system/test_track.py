@@ -67,7 +67,7 @@ class Track(InFolder):
         self.refuses("open.csv:3: ends 10.0 mm from where the path starts", *model, "--track",
                      "open.csv", "--laps", 2)
         self.refuses("--replan belongs to a plan", *model, "--track", "open.csv", "--replan")
-        self.refuses("is drawn for a plan", *model, "--track", "open.csv", "--disturbance",
+        self.refuses("is sampled for a plan", *model, "--track", "open.csv", "--disturbance",
                      "obstacle")
 
 

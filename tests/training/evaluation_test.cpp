@@ -273,7 +273,7 @@ TEST(Evaluate, AFrameGivenAsAStartIsNoPrediction) {
   EXPECT_NEAR(single.network->open_loop.position_cm.mean, 0.1 * 81, kDriftRounding_cm);
   const auto json = to_json(single);
   EXPECT_TRUE(json.at("/network/one_step/position_error_cm/mean"_json_pointer).is_null());
-  EXPECT_THAT(evaluation_to_text(single), HasSubstr("network, one step                     -"));
+  EXPECT_THAT(to_text(single), HasSubstr("network, one step                     -"));
 }
 
 TEST(Evaluate, StopsOnCtrlC) {

@@ -139,8 +139,7 @@ TEST(YardstickReport, HasEveryHorizonInJson) {
   const ArmDescription arm = three_segment_arm();
   const std::vector<Episode> episodes = {toy_episode(arm, 10, 30, 1), toy_episode(arm, 10, 30, 2)};
   const YardstickReport report = measured(episodes);
-  nlohmann::ordered_json json;
-  add_to_json(report, episodes, json);
+  const nlohmann::ordered_json json = to_json(report, episodes);
   for (const char* name :
        {"hold", "constant_velocity", "static_linear", "linear_one_step", "simple_model"}) {
     for (const char* horizon :
@@ -150,7 +149,7 @@ TEST(YardstickReport, HasEveryHorizonInJson) {
   }
   EXPECT_EQ(json["episodes"].size(), 2U);
   EXPECT_GT(json["episodes"][1]["tip_error_cm"]["no_load"].get<double>(), 0.0);
-  EXPECT_THAT(yardsticks_to_text(report), ::testing::HasSubstr("fitted simple model"));
+  EXPECT_THAT(to_text(report), ::testing::HasSubstr("fitted simple model"));
 }
 
 }  // namespace

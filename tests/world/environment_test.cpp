@@ -54,8 +54,8 @@ TEST(Environment, ReadsEveryKindOfObstacle) {
 }
 
 TEST(Environment, OrientationIsOptionalAndItsToleranceHasADefault) {
-  EXPECT_FALSE(read(with("theta_rad: 1.2, position_tolerance_m: 0.02, orientation_tolerance_rad: "
-                         "0.25",
+  EXPECT_FALSE(read(with("theta_rad: 1.2, position_tolerance_m: "
+                         "0.02, orientation_tolerance_rad: 0.25",
                          "position_tolerance_m: 0.02"))
                    .goal.theta_rad);
   EXPECT_EQ(read(with(", orientation_tolerance_rad: 0.25", "")).goal.orientation_tolerance_rad,
@@ -132,7 +132,7 @@ TEST(Environment, RefusesPolygonsThatAreNotSimple) {
   const std::string place = "e.yaml:6: obstacles[2].polygon";
   expect_refused(polygon("[[0, 0], [1, 0]]"), place, "2 points found; expected 3");
   expect_refused(polygon("[[0, 0], [1, 1], [1, 0], [0, 1]]"), place,
-                 "edges 1–2 and 3–4 cross or touch");
+                 "edges 0–1 and 2–3 cross or touch");
   expect_refused(polygon("[[0, 0], [1, 0], [2, 0]]"), place, "runs back over");
   expect_refused(polygon("[[0, 0], [1, 0], [1, 0], [0, 1]]"), place, "points 1 and 2 are the same");
   expect_refused(polygon("[[0, 0], [2, 0], [2, 1], [1, 0], [0, 1]]"), place, "cross or touch");
@@ -201,10 +201,32 @@ TEST(Environment, SetPointsOfAStartInMotionFitTheArmAndCountInTheHash) {
                                                        HasSubstr("2 pressures found"))));
 }
 
+// Of an arm that is driven by angles, nothing has to be called kPa. Old files are still read.
+TEST(Environment, AStartMayNameItsCommandsWithoutAUnit) {
+  const ArmDescription arm = three_segment_arm();
+  Environment e = read(kGood);
+  const Pressures q = Pressures::Constant(3, 20.0F);
+  e.start = ArmStart{q, no_load_backbone(NoLoadModel(arm), q), {q * 1.5F}};
+  std::string text = environment_to_yaml(e);
+  const auto rename = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  rename("pressures_kpa", "commands");
+  rename("setpoints_kpa", "setpoints");
+  const Environment again = read_environment(YamlReader::from_text(text, "e.yaml"), arm);
+  EXPECT_EQ(again.start->pressures_kpa, q);
+  EXPECT_EQ(again.start->setpoint_kpa(), q * 1.5F);
+  EXPECT_EQ(environment_hash(again), environment_hash(e));
+  rename("  commands:", "  pressures_kpa: [0, 0, 0]\n  commands:");
+  EXPECT_THAT([&] { (void)read_environment(YamlReader::from_text(text, "e.yaml"), arm); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("start.commands: given beside pressures_kpa; expected one of both")));
+}
+
 TEST(Environment, RefusesABrokenNumberInAnyPlaceOfAStartingPose) {
   for (const char* pose : {"[x, 0, 0]", "[0, .nan, 0]", "[0, 0, 1e9]", "[5000, 0, 0]"}) {
-    expect_refused(with("start: rest", std::string("start: {pressures_kpa: [0, 0, 0], backbone: "
-                                                   "[[0, 0, 0], ") +
+    expect_refused(with("start: rest", std::string("start: {pressures_kpa: [0, "
+                                                   "0, 0], backbone: [[0, 0, 0], ") +
                                            pose + "]}"),
                    "e.yaml:7: start.backbone[1]", "found; expected");
   }

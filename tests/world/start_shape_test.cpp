@@ -79,9 +79,8 @@ TEST(StartShape, HeadingsRunOn) {
   const ArmDescription arm = three_segment_arm();
   Backbone b = straight(arm);
   b.bottomRows(4).col(2).array() += 2.0F;
-  EXPECT_THAT(fault_of(b, arm),
-              HasSubstr("12: the heading turns by 2 rad from plate 11 to plate 12; expected at "
-                        "most 1.571 rad"));
+  EXPECT_THAT(fault_of(b, arm), HasSubstr("12: the heading turns by 2 rad from plate "
+                                          "11 to plate 12; expected at most 1.571 rad"));
   b = straight(arm);
   b.bottomRows(4).col(2).array() -= 6.2831853F;
   EXPECT_THAT(fault_of(b, arm), HasSubstr("without jumps of a full turn"));

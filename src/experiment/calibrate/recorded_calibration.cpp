@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/experiment/tube_calibration.hpp"
 #include "limber/trial/binomial_bound.hpp"
@@ -39,9 +40,9 @@ void require_run_of(const Plan& plan, const Episode& run, const std::string& pla
     const double apart = (run.setpoint_kpa.row(k).transpose() - planned).cwiseAbs().maxCoeff();
     if (!(apart <= kSameSetpointKpa)) {
       throw InputError(fmt::format(
-          "{}: frame {}: set points are {:.3g} from those of {}: it is not that plan's run, open "
+          "{}: {}: set points are {:.3g} from those of {}: it is not that plan's run, open "
           "loop. Give --plans in the order of --recordings",
-          file, k, apart, plan_file));
+          file, frame_name(k), apart, plan_file));
     }
   }
   if (run.frame_count() < plan.frame_count()) {

@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* kCalibrationFile = "calibration.json";
-constexpr double kLargestFactor = 2.2;
+constexpr double kMaxFactor = 2.2;
 constexpr double kStep = 0.94;
 constexpr int kFactors = 20;               // down to 0.68
 constexpr double kScreenConfidence = 0.8;  // a screen only finds what is worth testing
@@ -248,16 +248,16 @@ class Calibration {
   CalibrationResult result_;
 };
 
-void require_runs(const char* flag, int runs, int least, int most = 1'000'000) {
-  if (runs < least || runs > most) {
-    throw InputError(fmt::format("{} {}: expected {} to {}", flag, runs, least, most));
+void require_runs(const char* flag, int runs, int min, int max = 1'000'000) {
+  if (runs < min || runs > max) {
+    throw InputError(fmt::format("{} {}: expected {} to {}", flag, runs, min, max));
   }
 }
 
 }  // namespace
 
 std::vector<double> tube_factors() {
-  std::vector<double> factors{kLargestFactor};
+  std::vector<double> factors{kMaxFactor};
   while (factors.size() < kFactors) {
     factors.push_back(kStep * factors.back());
   }
@@ -282,11 +282,10 @@ void require_usable(const CalibrationSettings& settings) {
   for (const auto& [flag, runs, sure] :
        {std::tuple{"--screen-runs", settings.screen_runs, kScreenConfidence},
         std::tuple{"--test-runs", settings.test_runs, confidence}}) {
-    if (const int least = min_runs(highest, sure); runs < least) {
+    if (const int needed = min_runs(highest, sure); runs < needed) {
       throw InputError(
-          fmt::format("{} {}: so few can't show a level of {}: at least {}, or lower "
-                      "--levels",
-                      flag, runs, highest, least));
+          fmt::format("{} {}: so few can't show a level of {}: at least {}, or lower --levels",
+                      flag, runs, highest, needed));
     }
   }
 }

@@ -184,13 +184,13 @@ class PhaseRunner {
   TubeRun make_run(std::uint64_t number) const {
     TubeRun run;
     run.number = number;
-    const std::optional<RandomEnvironment> drawn =
+    const std::optional<RandomEnvironment> sampled =
         random_environment(settings_.arm, model_, seed_, number);
-    if (!drawn) {
+    if (!sampled) {
       run.status = "no_environment";
       return run;
     }
-    const EnvironmentCase item{std::to_string(number), drawn->environment};
+    const EnvironmentCase item{std::to_string(number), sampled->environment};
     PlanTrial trial = plan_trial(settings_.arm, model_, item, trial_, seed_ + number);
     run.status = to_string(trial.planning.status);
     if (trial.solved()) {

@@ -24,7 +24,7 @@ namespace limber {
 
 namespace {
 
-// Parts of a run that draw by chance, so that none shares another's (derived_seed).
+// Parts of a run that sample by chance, so that none shares another's (derived_seed).
 enum DemoSeed : std::uint64_t {
   kTestSeed = 0,
   kValidationSeed = 1,

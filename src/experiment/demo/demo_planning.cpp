@@ -35,15 +35,15 @@ std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
     return cases;
   }
   for (int k = 1; k <= results.recipe.random_environments; ++k) {
-    std::optional<Environment> drawn = sample_proven_environment(
+    std::optional<Environment> sampled = sample_proven_environment(
         results.arm(), results.motion_model(*results.network),
         derived_seed(results.settings->seed, kEnvironmentSeed), std::uint64_t(k));
-    if (!drawn) {
+    if (!sampled) {
       throw InputError(fmt::format(
           "arm '{}': no random environment was found in which it has to go around an obstacle",
           results.arm().name));
     }
-    cases.push_back({fmt::format("random_{}", k), std::move(*drawn)});
+    cases.push_back({fmt::format("random_{}", k), std::move(*sampled)});
   }
   return cases;
 }

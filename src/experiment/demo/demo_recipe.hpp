@@ -12,7 +12,7 @@ namespace limber {
 
 /// How much `limber demo` does of everything: the choices that decide its time and its figures.
 struct DemoRecipe {
-  /// Recorded one after another and joined; schedule k is drawn by its own seed.
+  /// Recorded one after another and joined; schedule k is sampled by its own seed.
   std::vector<ScheduleSettings> training_schedules;
   ScheduleSettings validation_schedule;
   /// Motions like those of plans, used neither for training nor for choosing: the model's error is

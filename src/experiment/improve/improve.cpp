@@ -32,7 +32,7 @@ constexpr double kHoldS = 3.0;                // of a random motion, as `collect
 constexpr int kRandomMotionsPerEpisode = 10;  // so that some episodes can be held back
 constexpr double kSecondsPerMinute = 60.0;
 
-// Parts of a run that draw by chance: each in environments of its own (derived_seed). Those of a
+// Parts of a run that sample by chance: each in environments of its own (derived_seed). Those of a
 // round follow at multiples of kSeedsPerRound.
 enum ImproveSeed : std::uint64_t { kSelection = 256, kExploration, kPlans, kReported, kRandom };
 constexpr std::uint64_t kSeedsPerRound = 16;
@@ -60,8 +60,8 @@ class Improvement {
       : settings_(settings),
         on_(on),
         start_(read_round_model(settings.model_file)),
-        drawing_forward_(settings.arm, start_.compensation),
-        drawing_(start_.motion_model(settings, drawing_forward_)) {
+        sampling_forward_(settings.arm, start_.compensation),
+        sampling_(start_.motion_model(settings, sampling_forward_)) {
     require_model_of(start_.compensation, settings.arm, settings.model_file.string());
   }
 
@@ -113,7 +113,7 @@ class Improvement {
   }
 
   void open_folder() {
-    const Json wanted = settings_to_json(settings_, on_);
+    const Json wanted = to_json(settings_, on_);
     const bool resumes = settings_.resume && fs::exists(settings_.folder / kImproveFile);
     if (resumes) {
       require_same_run(settings_.folder / kImproveFile, wanted);
@@ -171,7 +171,7 @@ class Improvement {
     named.name = in_round(round, name);
     named.what = fmt::format("round {}: {}", round, name);
     output_->require_free({named.name + ".json", named.name + ".h5"});
-    return run_plans(settings_, on_, *output_, {drawing_, planning, model.hash}, named);
+    return run_plans(settings_, on_, *output_, {sampling_, planning, model.hash}, named);
   }
 
   void collect_round(int round, const RoundModel& model) {
@@ -272,8 +272,8 @@ class Improvement {
   const ImproveArm& on_;
   RoundModel start_;
   ForwardModel
-      drawing_forward_;  // environments are those of the model to start from, in all rounds
-  MotionModel drawing_;
+      sampling_forward_;  // environments are those of the model to start from, in all rounds
+  MotionModel sampling_;
   std::optional<OutputFolder> output_;
   RoundData data_;
   std::string sources_;  // learnt from since the last model
@@ -303,10 +303,10 @@ nlohmann::ordered_json run_improve(const ImproveSettings& settings, const Improv
     if (std::string_view(stop.what()).find("--resume") != std::string_view::npos) {
       throw;
     }
-    throw Interrupted(fmt::format(
-        "stopped on request; what was finished is in {}: the same command with --resume goes on from "
-        "there",
-        settings.folder.string()));
+    throw Interrupted(
+        fmt::format("stopped on request; what was finished is in {}: "
+                    "the same command with --resume goes on from there",
+                    settings.folder.string()));
   }
 }
 

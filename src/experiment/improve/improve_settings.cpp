@@ -59,7 +59,7 @@ void require_usable(const ImproveSettings& settings) {
   }
 }
 
-Json settings_to_json(const ImproveSettings& settings, const ImproveArm& on) {
+Json to_json(const ImproveSettings& settings, const ImproveArm& on) {
   Json json;
   json["schema"] = "limber/improve/1";
   json["arm"] = {{"name", settings.arm.name}, {"hash", settings.arm.hash()}};

@@ -7,8 +7,8 @@
 
 namespace limber {
 
-/// How far recorded backbones are from those that the model predicts from set points alone. Per run:
-/// over its tracked frames and all plates; then the mean over runs.
+/// How far recorded backbones are from those that the model predicts from set points alone. Per
+/// run: over its tracked frames and all plates; then the mean over runs.
 struct OpenLoopError {
   int runs = 0;
   double mean_m = 0.0;     ///< of the distance over plates and frames
@@ -20,8 +20,8 @@ struct OpenLoopError {
 /// Executed plans: each episode is one run, from where the arm was measured to lie.
 OpenLoopError error_on_plans(const MotionModel& model, const std::vector<Episode>& plans);
 
-/// Random motions, each from where the arm had come to rest after the one before. Motions that begin
-/// in a frame that was not tracked don't count.
+/// Random motions, each from where the arm had come to rest after the one before. Motions that
+/// begin in a frame that was not tracked don't count.
 OpenLoopError error_on_motions(const MotionModel& model, const std::vector<Episode>& motions);
 
 }  // namespace limber

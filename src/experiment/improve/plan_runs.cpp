@@ -92,13 +92,14 @@ class Batch {
   PlanRunPart plan_and_execute(int number) const {
     PlanRunPart part;
     part.run.environment = number;
-    std::optional<RandomEnvironment> drawn = random_environment(
-        settings_.arm, models_.drawing, asked_.seed, static_cast<std::uint64_t>(number));
-    if (!drawn) {
+    std::optional<RandomEnvironment> sampled = random_environment(
+        settings_.arm, models_.sampling, asked_.seed, static_cast<std::uint64_t>(number));
+    if (!sampled) {
       part.run.status = "no_environment";
       return part;
     }
-    EnvironmentCase item{fmt::format("{}_{}", asked_.seed, number), std::move(drawn->environment)};
+    EnvironmentCase item{fmt::format("{}_{}", asked_.seed, number),
+                         std::move(sampled->environment)};
     if (on_.start) {
       item.environment.start = on_.start();
     }
@@ -169,11 +170,11 @@ class Batch {
 
   void require_some_solved() const {
     if (in_vain_ >= kMaxInVain) {
-      throw InputError(fmt::format(
-          "{}: {} environments in a row gave no plan that could be executed (the last: {}). The "
-          "model's error leaves no room beside obstacles: --margin-m 0.01 --goal-margin-m 0.01 asks "
-          "for less, --max-queries for a longer search",
-          asked_.what, in_vain_, result_.runs.back().status));
+      throw InputError(
+          fmt::format("{}: {} environments in a row gave no plan that could be executed (the "
+                      "last: {}). The model's error leaves no room beside obstacles: --margin-m "
+                      "0.01 --goal-margin-m 0.01 asks for less, --max-queries for a longer search",
+                      asked_.what, in_vain_, result_.runs.back().status));
     }
   }
 

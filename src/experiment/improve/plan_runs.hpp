@@ -39,9 +39,9 @@ struct PlanRunsSettings {
   double arm_time_s = 0.0;          ///< … or as many as take this long when executed
 };
 
-/// What environments are drawn with, and what plans are made with.
+/// What environments are sampled with, and what plans are made with.
 struct PlanRunsModels {
-  const MotionModel& drawing;
+  const MotionModel& sampling;
   const MotionModel& planning;
   std::string planning_hash;
 };

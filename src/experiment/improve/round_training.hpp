@@ -9,8 +9,8 @@
 
 namespace limber {
 
-/// The model of a round: `start`, fine-tuned on `data`, whole and ready for `plan`. Valves are those
-/// of `start`; if it has none, those that the data show. The region that counts as learnt is
+/// The model of a round: `start`, fine-tuned on `data`, whole and ready for `plan`. Valves are
+/// those of `start`; if it has none, those that the data show. The region that counts as learnt is
 /// widened, and the error is measured on `data.unseen`.
 /// @param sources  what was learnt from in this run, for the training record
 /// @throws SystemFault if training diverges; Interrupted after Ctrl-C.

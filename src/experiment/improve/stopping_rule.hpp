@@ -31,8 +31,8 @@ struct RoundChoice {
 };
 
 /// Compares each round with the last one that had brought a clear gain (round 0, the model to start
-/// from, counts as such), so that small gains may add up to a clear one. The best is the round after
-/// that reference, or the reference, whose plans end nearest.
+/// from, counts as such), so that small gains may add up to a clear one. The best is the round
+/// after that reference, or the reference, whose plans end nearest.
 /// @param rounds  round 0 first; not empty
 RoundChoice choose_round(const std::vector<EndDistances>& rounds);
 

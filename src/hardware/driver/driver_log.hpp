@@ -8,9 +8,9 @@
 
 namespace limber {
 
-/// What limber and a driver said to each other, one JSON object per line: {"at_s": 1.25, "to_driver":
-/// {…}}. The first line says who started the run, and when. Written as it happens, so that it is
-/// whole up to a crash; a log that can't be written any more never stops an arm.
+/// What limber and a driver said to each other, one JSON object per line: {"at_s": 1.25,
+/// "to_driver": {…}}. The first line says who started the run, and when. Written as it happens, so
+/// that it is whole up to a crash; a log that can't be written any more never stops an arm.
 class DriverLog {
  public:
   /// @throws SystemFault where `path` can't be opened; does nothing where it is empty.

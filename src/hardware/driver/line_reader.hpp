@@ -41,7 +41,8 @@ class LineReader {
   std::size_t searched_ = 0;  // bytes of the buffer that hold no end of line
 };
 
-/// Waits until `descriptor` is ready for `events` of poll(), or has an error. @return whether it is.
+/// Waits until `descriptor` is ready for `events` of poll(), or has an error.
+/// @return whether it is.
 bool wait_for_descriptor(int descriptor, short events, LineReader::Clock::time_point deadline);
 
 }  // namespace limber

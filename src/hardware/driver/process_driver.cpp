@@ -215,7 +215,7 @@ class ProcessDriver::Session {
     timing_.frames_unseen += hello().tracked && !state_.backbone ? 1 : 0;
   }
 
-  /// A driver that is at zero though nothing of late was zero has vented by its own deadman.
+  /// A driver that is at zero though nothing was zero recently has vented by its own deadman.
   void require_setpoint_in_force() const {
     if (!state_.setpoint_kpa || !state_.setpoint_kpa->isZero() ||
         setpoints_kpa_.size() < kSetpointsKept) {

@@ -105,8 +105,8 @@ std::string SafetyGate::check_shape(const ArmState& state) {
       const double moved_m = (now.row(i) - backbone_->row(i)).head<2>().norm();
       if (moved_m > settings_.jump_m * frames_unseen_) {
         return fmt::format(
-            "{} jumped by {:.1f} cm within {} frame{}; more than {:.1f} cm a frame is no "
-            "motion of an arm",
+            "{} jumped by {:.1f} cm within {} frame{}; more "
+            "than {:.1f} cm a frame is no motion of an arm",
             plate_name(i), kCmPerM * moved_m, frames_unseen_, frames_unseen_ == 1 ? "" : "s",
             kCmPerM * settings_.jump_m);
       }
@@ -178,8 +178,8 @@ std::string SafetyGate::stuck(int segment) const {
     return "";
   }
   return fmt::format(
-      "{} stands still at {:.2f} kPa though its set point moved by {:.1f} kPa: a channel is stuck, "
-      "or its sensor",
+      "{} stands still at {:.2f} kPa though its set point "
+      "moved by {:.1f} kPa: a channel is stuck, or its sensor",
       segment_name(segment), history_.back().measured_kpa[segment], commanded_kpa);
 }
 

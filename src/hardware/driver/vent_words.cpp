@@ -34,12 +34,12 @@ std::string not_zero_message(double pressure_kpa, const SafetySettings& safety) 
   constexpr double kAmbientLowKpa = 80.0;    // what an absolute sensor reads of a vented arm …
   constexpr double kAmbientHighKpa = 110.0;  // … from high mountains to the sea
   const bool ambient = pressure_kpa > kAmbientLowKpa && pressure_kpa < kAmbientHighKpa;
-  return fmt::format(
-      "the vented arm reads {:.1f} kPa; expected at most {} kPa. {}", pressure_kpa,
-      safety.vented_kpa,
-      ambient ? "Pressures on the wire are gauge, not absolute: the driver has to subtract the "
-                "ambient pressure"
-              : "Check supply, valves, the sensors' zero and the driver's unit (kPa)");
+  return fmt::format("the vented arm reads {:.1f} kPa; expected at most {} kPa. {}", pressure_kpa,
+                     safety.vented_kpa,
+                     ambient
+                         ? "Pressures on the wire are gauge, not absolute: "
+                           "the driver has to subtract the ambient pressure"
+                         : "Check supply, valves, the sensors' zero and the driver's unit (kPa)");
 }
 
 }  // namespace limber

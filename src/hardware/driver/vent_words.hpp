@@ -12,7 +12,8 @@ namespace limber {
 /// `now`; empty where nothing did.
 std::string what_rose(const Pressures& first_kpa, const Pressures& now_kpa, double rise_kpa);
 
-/// "vented: 0.8 kPa after 0.6 s", or "VENT NOT CONFIRMED: segment 1 at 43 kPa, shut off the supply".
+/// "vented: 0.8 kPa after 0.6 s", or "VENT NOT CONFIRMED: segment 1 at 43 kPa,
+/// shut off the supply".
 std::string vent_message(const VentResult& vent, const Pressures& now_kpa,
                          const std::string& rising);
 

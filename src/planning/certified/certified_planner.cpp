@@ -19,6 +19,8 @@ namespace {
 constexpr double kPatience = 0.9;
 constexpr double kMaxForSmallerS = 1.0;
 
+constexpr double kMinSearchS = 1e-3;  // a time limit is positive
+
 constexpr double kYield = 0.95;  // of what an arm starts with: it has to get away from there
 
 bool is_refusal(PlanStatus status) {
@@ -58,6 +60,9 @@ class CertifiedPlanner final : public Planner {
       stopped = stopped || (callback && !callback(now));
       return !stopped;
     };
+    if (limits.time_s) {
+      patient.time_s = std::max(kMinSearchS, *limits.time_s - seconds_since(start));
+    }
     PlanResult result = certified_search(*planner_, problem, shared, patient, seed, watched);
     result.warnings.insert(result.warnings.begin(), notes.begin(), notes.end());
     if (!result.plan && !stopped) {
@@ -85,14 +90,15 @@ class CertifiedPlanner final : public Planner {
       return;  // nothing is near, or it starts in an obstacle, which is refused
     }
     notes.push_back(fmt::format(
-        "the arm starts {:.2f} cm from {}: plans keep that distance instead of the model's error, "
-        "{:.2f} cm",
+        "the arm starts {:.2f} cm from {}: plans keep that "
+        "distance instead of the model's error, {:.2f} cm",
         at_start.value_m * kCmPerM, obstacle_name(problem.environment, at_start.obstacle),
         problem.margin_m * kCmPerM));
     problem.margin_m = kYield * max_m;
   }
 
-  /// Where the arm starts with an obstacle in its tube, plans keep one clearance everywhere instead.
+  /// Where the arm starts with an obstacle in its tube, plans keep one
+  /// clearance everywhere instead.
   static void leave_tube_at_start(PlanningProblem& problem, const Backbone& start, double max_m,
                                   std::vector<std::string>& notes) {
     const double inside_m = checker_of(problem).clearance(start).value_m;
@@ -126,8 +132,8 @@ class CertifiedPlanner final : public Planner {
       result.reason = check.reason;
     } else if (problem.goal_margin.position_m > 0.0) {
       result.reason += fmt::format(
-          "; {:.2f} cm of the tolerance are kept for the model's error: --goal-margin-m 0 keeps "
-          "none",
+          "; {:.2f} cm of the tolerance are kept for the "
+          "model's error: --goal-margin-m 0 keeps none",
           problem.goal_margin.position_m * kCmPerM);
     }
   }

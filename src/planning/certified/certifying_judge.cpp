@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "goal_room.hpp"
+#include "limber/arm/names.hpp"
 
 namespace limber {
 
@@ -77,9 +78,9 @@ void CertifyingJudge::report(PlanResult& result) {
     const CertificateFailure& first = refused_->failures.front();
     result.reason = fmt::format(
         "every plan that planner '{}' found is refused by its certificate, the cheapest for this: "
-        "{}: frame {}: {}; if the model is not at fault, the planner is: please report it with "
+        "{}: {}: {}; if the model is not at fault, the planner is: please report it with "
         "arm, model, environment and seed {}",
-        result.best_partial->planner, first.check, first.frame, first.message,
+        result.best_partial->planner, first.check, frame_name(first.frame), first.message,
         result.best_partial->seed);
   }
 }

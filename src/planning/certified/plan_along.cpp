@@ -23,8 +23,8 @@ std::string fault_of(const PlanningProblem& problem, const CollisionChecker& che
     const Backbone& after = plan.frames[k].backbone;
     if (!checker.is_motion_free(before, after)) {
       const Clearance clearance = checker.motion_clearance(before, after, kMaxMarginM);
-      return fmt::format("the motion to frame {} is {:.2f} cm short of the clearance from {}, {}",
-                         k, -clearance.value_m * kCmPerM,
+      return fmt::format("the motion to {} is {:.2f} cm short of the clearance from {}, {}",
+                         frame_name(k), -clearance.value_m * kCmPerM,
                          obstacle_name(problem.environment, clearance.obstacle),
                          gap_name(problem.arm, clearance.gap));
     }
@@ -78,8 +78,9 @@ void require_waypoints(const PlanningProblem& problem, const std::vector<Pressur
   }
   for (std::size_t w = 0; w < kpa.size(); ++w) {
     if (kpa[w].size() != problem.arm.segment_count()) {
-      throw InputError(fmt::format("waypoint {} has {} set points; arm '{}' has {} segments", w,
-                                   kpa[w].size(), problem.arm.name, problem.arm.segment_count()));
+      throw InputError(fmt::format("{} has {} set points; arm '{}' has {} segments",
+                                   waypoint_name(w), kpa[w].size(), problem.arm.name,
+                                   problem.arm.segment_count()));
     }
     for (Eigen::Index i = 0; i < kpa[w].size(); ++i) {
       const auto index = static_cast<std::size_t>(i);
@@ -87,9 +88,9 @@ void require_waypoints(const PlanningProblem& problem, const std::vector<Pressur
                                          ? problem.arm.segments[index].pressure_limit_kpa
                                          : problem.limits[index];
       if (!limits.contains(double(kpa[w][i]))) {  // NaN neither
-        throw InputError(fmt::format("waypoint {}: {} at {:.6g} {unit}; expected within {} {unit}",
-                                     w, segment_name(i), kpa[w][i], to_string(limits),
-                                     fmt::arg("unit", problem.arm.command.unit)));
+        throw InputError(fmt::format(
+            "{}: {} at {:.6g} {unit}; expected within {} {unit}", waypoint_name(w), segment_name(i),
+            kpa[w][i], to_string(limits), fmt::arg("unit", problem.arm.command.unit)));
       }
     }
   }

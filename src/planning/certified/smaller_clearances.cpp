@@ -63,7 +63,7 @@ void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
                             const PlannerLimits& limits, SteadyTime start, std::uint64_t seed,
                             const PlannerCallback& callback, PlanResult& result) {
   const std::unique_ptr<Planner> planner = make_default_planner();
-  const double most_m = asked.tube ? max_room_m(*asked.tube) : asked.margin_m;
+  const double max_m = asked.tube ? max_room_m(*asked.tube) : asked.margin_m;
   PlanningProblem problem = asked;
   problem.tube.reset();
   PlannerStatistics& spent = result.statistics;
@@ -73,7 +73,7 @@ void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
     if (is_spent(left)) {
       return;
     }
-    problem.margin_m = share * most_m;
+    problem.margin_m = share * max_m;
     const PlanResult tried =
         certified_search(*planner, problem, shared, part_of(left, double(tries--)), seed, callback);
     spent.iterations += tried.statistics.iterations;
@@ -83,7 +83,7 @@ void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
       result.reason += fmt::format(
           "; with less clearance than the {:.2f} cm {} there is a plan, which keeps "
           "{:.2f} cm: --margin-m {:.4g}",
-          most_m * kCmPerM, asked.tube ? "of the tube" : "asked for",
+          max_m * kCmPerM, asked.tube ? "of the tube" : "asked for",
           *result.max_clearance_m * kCmPerM, problem.margin_m);
       return;
     }

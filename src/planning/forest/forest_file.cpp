@@ -101,8 +101,8 @@ std::vector<std::int32_t> parents_of(ForestReader& reader) {
     const auto parent = static_cast<double>(stored.values[i]);
     const bool is_root = i == 0 && parent == -1.0;
     if (!is_root && (parent < 0.0 || parent >= double(i) || parent != std::floor(parent))) {
-      refuse(reader.where(), fmt::format("parents[{}] = {}; expected a node before it (-1 for the "
-                                         "first alone)",
+      refuse(reader.where(), fmt::format("parents[{}] = {}; expected a node "
+                                         "before it (-1 for the first alone)",
                                          i, parent));
     }
     parents.push_back(static_cast<std::int32_t>(parent));

@@ -240,13 +240,7 @@ class ArmGoal final : public ob::GoalSampleableRegion {
     }
     const Pose tip = tip_pose<float>(held.backbone);
     *distance = excess(tip);
-    const bool satisfied = is_within(goal, pose_error(goal, tip));
-    if (satisfied && !world_.first_solution) {
-      const double now_s = world_.elapsed_s();
-      world_.first_solution = FirstSolution{now_s, values(state)[world_.cost_index()],
-                                            world_.simulator.queries(), now_s, 0.0};
-    }
-    return satisfied;
+    return is_within(goal, pose_error(goal, tip));
   }
 
   void sampleGoal(ob::State* state) const override {

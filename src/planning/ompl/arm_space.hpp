@@ -5,7 +5,6 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/control/SpaceInformation.h>
 
-#include <chrono>
 #include <optional>
 
 #include "limber/common/random_stream.hpp"
@@ -31,9 +30,7 @@ struct ArmWorld {
   OmplSettings settings;
   RandomStream random;
   std::vector<Pressures> goal_configurations = {};
-  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  std::optional<FirstSolution> first_solution = std::nullopt;  ///< not judged yet
-  std::uint64_t states = 0;                                    ///< that OMPL holds now
+  std::uint64_t states = 0;  ///< that OMPL holds now
 
   int segments() const { return problem.arm.segment_count(); }
   int valves() const { return problem.model.valves().state_size(); }
@@ -43,9 +40,6 @@ struct ArmWorld {
   int size() const { return cost_index() + 2; }
   /// Largest Δp of a frame, with room for rounding to float32.
   double step_kpa() const { return (1.0 - 1e-5) * problem.arm.pressure_step_limit_kpa(); }
-  double elapsed_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
 
   Pressures setpoint_kpa(const ompl::base::State* state) const;
   MotionState motion_state(const ompl::base::State* state) const;

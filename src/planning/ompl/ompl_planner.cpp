@@ -8,7 +8,9 @@
 #include <ompl/control/spaces/RealVectorControlSpace.h>
 #include <ompl/util/Console.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <mutex>
 
@@ -90,8 +92,12 @@ class OmplRun {
     const auto definition = define_problem(si);
     planner->setProblemDefinition(definition);
     planner->setup();
+    ladder_.emplace(problem_, simulator_, budget_, name, seed_);
+    sst_ = dynamic_cast<const CountedSst*>(planner.get());
     planner->solve(ob::PlannerTerminationCondition([this] { return spent(); }));
-    note_statistics(*planner);
+    offer_improvement();
+    note_statistics();
+    sst_ = nullptr;
     planner.reset();  // takes its time, which is the plan's
     finish(name, *definition);
     return std::move(result_);
@@ -139,17 +145,34 @@ class OmplRun {
   }
 
   bool spent() {
-    budget_.keep_for_the_end(kSecondsToFreeAState * double(world_.states));
-    return budget_.spent(
-        {budget_.elapsed_s(), 0, world_.states, simulator_.queries(),
-         world_.first_solution ? std::optional<double>(world_.first_solution->cost_kpa)
-                               : std::nullopt},
-        0.0);
+    offer_improvement();
+    budget_.keep_for_the_end(kSecondsToFreeAState * double(world_.states) + judging_s_);
+    const std::optional<double> best_kpa = ladder_->best_cost_kpa();
+    return budget_.spent({budget_.elapsed_s(), 0, world_.states, simulator_.queries(), best_kpa},
+                         0.0);
   }
 
-  void note_statistics(const ob::Planner& planner) {
-    if (const auto* sst = dynamic_cast<const CountedSst*>(&planner)) {
-      const SstCounts counts = sst->counts();
+  /// SST goes on after a first plan: each better one is offered while it searches. The others end
+  /// with their first plan.
+  void offer_improvement() {
+    const std::optional<double> cost = sst_ != nullptr ? sst_->solution_cost() : std::nullopt;
+    if (!cost || *cost >= offered_cost_) {
+      return;
+    }
+    offered_cost_ = *cost;
+    oc::PathControl path = sst_->kept_path();
+    offer(waypoints(path));
+  }
+
+  void offer(const std::vector<Pressures>& kpa) {
+    const double begin_s = budget_.elapsed_s();
+    (void)ladder_->offer(kpa, path_cost_kpa(kpa), simulator_.queries());
+    judging_s_ = std::max(judging_s_, budget_.elapsed_s() - begin_s);
+  }
+
+  void note_statistics() {
+    if (sst_ != nullptr) {
+      const SstCounts counts = sst_->counts();
       result_.statistics.nodes = counts.active + counts.inactive;
       result_.warnings.push_back(fmt::format("SST: {} active nodes, {} inactive, {} witnesses",
                                              counts.active, counts.inactive, counts.witnesses));
@@ -176,16 +199,16 @@ class OmplRun {
 
   void finish(const std::string& name, const ob::ProblemDefinition& definition) {
     const std::vector<std::string> counts = std::move(result_.warnings);
-    PlanLadder ladder(problem_, simulator_, budget_, name, seed_);
     const ob::PathPtr path = definition.getSolutionPath();
     const std::vector<Pressures> kpa =
         path ? waypoints(static_cast<oc::PathControl&>(*path))
              : std::vector<Pressures>{start_of(problem_).setpoint_kpa()};
-    if (world_.first_solution && path && !definition.hasApproximateSolution()) {
-      (void)ladder.offer(kpa, 0.0, simulator_.queries());
+    const bool was_offered = std::isfinite(offered_cost_);
+    if (path && !definition.hasApproximateSolution() && !was_offered) {
+      offer(kpa);
     }
-    finish_search(problem_, simulator_, budget_, {ladder, simulator_.queries(), kpa}, name.c_str(),
-                  seed_, result_);
+    finish_search(problem_, simulator_, budget_, {*ladder_, simulator_.queries(), kpa},
+                  name.c_str(), seed_, result_);
     result_.warnings.insert(result_.warnings.end(), counts.begin(), counts.end());
     result_.statistics.queries = simulator_.queries();
     result_.statistics.time_s = budget_.elapsed_s();
@@ -194,13 +217,7 @@ class OmplRun {
     }
   }
 
-  /// The plan that is returned alone is judged: the first was found as OMPL's planner said so, and
-  /// its certificate is taken to have lasted as long.
   void note_first_solution() {
-    const double certificate_s = result_.first_solution->certificate_s;
-    result_.first_solution = world_.first_solution;
-    result_.first_solution->certificate_s = certificate_s;
-    result_.first_solution->time_s += certificate_s;
     const FirstSolution& first = *result_.first_solution;
     result_.events = {{first.time_s, 0, 0, first.queries, first.cost_kpa},
                       {result_.statistics.time_s, 0, result_.statistics.nodes,
@@ -214,6 +231,10 @@ class OmplRun {
   CollisionChecker checker_;
   MotionSimulator simulator_;
   ArmWorld world_;
+  std::optional<PlanLadder> ladder_;
+  const CountedSst* sst_ = nullptr;  // while it searches, where it is one
+  double offered_cost_ = std::numeric_limits<double>::infinity();
+  double judging_s_ = 0.0;  // that a plan took at most
   PlanResult result_;
 };
 

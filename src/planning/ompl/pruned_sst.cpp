@@ -2,8 +2,8 @@
 
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/goals/GoalSampleableRegion.h>
-#include <ompl/control/PathControl.h>
 
+#include <cmath>
 #include <limits>
 
 namespace limber {
@@ -26,6 +26,21 @@ SstCounts CountedSst::counts() const {
   }
   counts.witnesses = witnesses_ ? witnesses_->size() : 0;
   return counts;
+}
+
+std::optional<double> CountedSst::solution_cost() const {
+  const double cost = prevSolutionCost_.value();
+  return prevSolution_.empty() || std::isinf(cost) ? std::nullopt : std::optional(cost);
+}
+
+oc::PathControl CountedSst::kept_path() const {
+  oc::PathControl path(si_);
+  for (std::size_t i = prevSolution_.size(); i-- > 1;) {
+    path.append(prevSolution_[i], prevSolutionControls_[i - 1],
+                prevSolutionSteps_[i - 1] * siC_->getPropagationStepSize());
+  }
+  path.append(prevSolution_.front());
+  return path;
 }
 
 void PrunedSst::add_starts() {
@@ -122,12 +137,7 @@ ob::PlannerStatus PrunedSst::hand_over(bool exact, double nearest) {
   if (prevSolution_.empty()) {
     return ob::PlannerStatus::TIMEOUT;
   }
-  auto path = std::make_shared<oc::PathControl>(si_);
-  for (std::size_t i = prevSolution_.size(); i-- > 1;) {
-    path->append(prevSolution_[i], prevSolutionControls_[i - 1],
-                 prevSolutionSteps_[i - 1] * siC_->getPropagationStepSize());
-  }
-  path->append(prevSolution_.front());
+  const auto path = std::make_shared<oc::PathControl>(kept_path());
   pdef_->addSolutionPath(path, !exact, exact ? 0.0 : nearest, getName());
   return {true, !exact};
 }

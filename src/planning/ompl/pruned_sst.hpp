@@ -1,6 +1,9 @@
 #pragma once
 
+#include <ompl/control/PathControl.h>
 #include <ompl/control/planners/sst/SST.h>
+
+#include <optional>
 
 namespace limber {
 
@@ -10,11 +13,16 @@ struct SstCounts {
   std::size_t witnesses = 0;  ///< in a sparse tree at least as many as active nodes
 };
 
-/// OMPL's SST with its nodes counted.
+/// OMPL's SST with its nodes counted, and with its best motion for whoever looks while it searches.
 class CountedSst : public ompl::control::SST {
  public:
   using SST::SST;
   SstCounts counts() const;
+
+  /// Cost of the best motion to the goal so far, if there is one.
+  std::optional<double> solution_cost() const;
+  /// That motion; before there is one, the motion that ended nearest. @pre a motion was kept
+  ompl::control::PathControl kept_path() const;
 };
 
 /// Stable sparse RRT (Li, Littlefield, Bekris 2016) on OMPL's data structures, with the pruning

@@ -11,7 +11,7 @@ struct PressureRrtStarSettings {
   double near_factor = 1.0;  ///< × the smallest radius that RRT* allows, ≥ 1; at most the step size
   double goal_bias = 0.2;           ///< share of samples at inverse-kinematics solutions, in [0, 1]
   double goal_spread = 0.1;         ///< standard deviation about such a solution: it is approximate
-  int goal_configurations = 200;    ///< solutions drawn before they are used again, ≥ 1
+  int goal_configurations = 200;    ///< solutions sampled before they are used again, ≥ 1
   double match_pressure_kpa = 1.0;  ///< a rewired node's set points are the same, its pressures so
   double match_position_m = 0.005;  ///< and its backbone agrees at every plate
   double match_orientation_rad = 0.05;

@@ -25,7 +25,7 @@ class BatchSearch {
               const DefaultPlannerSettings& settings, std::uint64_t seed);
 
   /// Proposes a batch of edges, simulates them, adds what is free and new.
-  /// @param best_cost_kpa  of any plan known: edges dearer than some multiple are not tried
+  /// @param best_cost_kpa  of any plan known: edges that cost more than some multiple are not tried
   /// @return the new nodes in the goal, in the order found
   std::vector<Solution> round(const std::optional<double>& best_cost_kpa,
                               const std::function<bool()>& give_up);

@@ -17,7 +17,7 @@ struct DefaultPlannerSettings {
   double shot_spread = 0.02;  ///< standard deviation about such a step, ≥ 0
   double goal_bias = 0.2;     ///< share at inverse-kinematics solutions, in [0, 1]
   double goal_spread = 0.1;   ///< standard deviation about such a solution, ≥ 0
-  int goal_configurations = 200;  ///< solutions drawn before they are used again, ≥ 1
+  int goal_configurations = 200;  ///< solutions sampled before they are used again, ≥ 1
   double random_parent = 0.5;     ///< share of edges from any near node instead of the nearest
   /// States in one cell of pressures, tip position and tip heading are alike: the cheapest is kept.
   double cell_pressure = 0.05;

@@ -33,7 +33,7 @@ class GoalAim {
   PoseGoal inner_;
 };
 
-/// Configurations whose no-load tip lies in the goal's region, drawn one by one (the paper's goal
+/// Configurations whose no-load tip lies in the goal's region, sampled one by one (the paper's goal
 /// biasing); where the no-load model does not reach it, the nearest configurations found.
 class GoalSampler {
  public:
@@ -43,7 +43,7 @@ class GoalSampler {
       : model_(model), goal_(goal), count_(count), limits_(std::move(limits)) {}
 
   const Pressures& sample(RandomStream& random);
-  /// How many are drawn before they are used again; each takes a good part of a millisecond.
+  /// How many are sampled before they are used again; each takes a good part of a millisecond.
   void draw_at_most(int count) { count_ = count; }
 
  private:

@@ -45,7 +45,7 @@ class SparseTree {
   /// @param random_share  of the calls that ask only some nodes, in [0, 1]
   int parent_near(const Pressures& target_kpa, double random_share, RandomStream& random) const;
 
-  /// From now on configurations are drawn in this box, and limited to it; at first it is that of
+  /// From now on configurations are sampled in this box, and limited to it; at first it is that of
   /// the arm's limits.
   void keep_within(const PressureBox& box) { box_ = box; }
 

@@ -119,8 +119,8 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   const RestForecast rest =
       forecast(model_, checker, from, rest_kpa, std::min(needed_m(plan), kept_m));
   const Eigen::Vector3d ahead = miss_ahead(model_, miss, rest_kpa, next_kpa);
-  // The tip will be that much beside where the model has it, so the model is asked for as much less.
-  // The shift of a memoryless model's goal is of the same kind, and known better now.
+  // The tip will be that much beside where the model has it, so the model is asked for as much
+  // less. The shift of a memoryless model's goal is of the same kind, and known better now.
   PoseGoal goal = model_.has_network() ? aim : environment_.goal;
   goal.x_m -= ahead.x();
   goal.y_m -= ahead.y();

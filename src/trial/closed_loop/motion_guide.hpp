@@ -28,13 +28,13 @@ struct MotionGuideSettings {
   std::vector<PressureLimits> limits = {};  ///< ReplannerSettings::limits
 };
 
-/// Says what an arm in mid-motion does after its next frame (docs/planning.md, Closed loop). What is
-/// left of the plan is simulated from the state that the next frame leads to. If that is safe and
-/// ends where the plan promised, or nearer to the goal, the arm goes on. If not, the guide looks for
-/// a plan that starts in that state: the rest of the present one with its end shifted, and then, if
-/// the rest is not safe or would miss the goal, whatever a planner finds within its queries. It
-/// takes one that is certified and better. If there is none and the way is not free, the arm slows
-/// down far from the obstacle, and stops near to it.
+/// Says what an arm in mid-motion does after its next frame (docs/planning.md, Closed loop). What
+/// is left of the plan is simulated from the state that the next frame leads to. If that is safe
+/// and ends where the plan promised, or nearer to the goal, the arm goes on. If not, the guide
+/// looks for a plan that starts in that state: the rest of the present one with its end shifted,
+/// and then, if the rest is not safe or would miss the goal, whatever a planner finds within its
+/// queries. It takes one that is certified and better. If there is none and the way is not free,
+/// the arm slows down far from the obstacle, and stops near to it.
 ///
 /// Threads: one guide, one thread at a time. All arguments are borrowed.
 class MotionGuide {

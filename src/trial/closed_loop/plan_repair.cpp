@@ -51,23 +51,23 @@ Eigen::MatrixXd PlanRepair::sensitivity(const MotionState& from,
                                         const std::vector<Pressures>& waypoints_kpa) {
   const Eigen::Index n = waypoints_kpa.front().size();
   const Pressures range_kpa = box_.high_kpa - box_.low_kpa;
-  std::vector<std::vector<Pressures>> ways{waypoints_kpa};
+  std::vector<std::vector<Pressures>> paths{waypoints_kpa};
   Eigen::VectorXd probes(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const bool has_room =
         waypoints_kpa.back()[i] + float(kProbeShare) * range_kpa[i] <= box_.high_kpa[i];
     probes[i] = (has_room ? kProbeShare : -kProbeShare) * double(range_kpa[i]);
-    ways.push_back(shifted(waypoints_kpa, probes[i] * Eigen::VectorXd::Unit(n, i)));
+    paths.push_back(shifted(waypoints_kpa, probes[i] * Eigen::VectorXd::Unit(n, i)));
   }
   MotionBatch batch(simulator_);
-  std::vector<MotionState> at(ways.size(), from);
-  Eigen::MatrixXf to(n, static_cast<Eigen::Index>(ways.size()));
+  std::vector<MotionState> at(paths.size(), from);
+  Eigen::MatrixXf to(n, static_cast<Eigen::Index>(paths.size()));
   for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
-    for (std::size_t j = 0; j < ways.size(); ++j) {
-      to.col(static_cast<Eigen::Index>(j)) = ways[j][w];
+    for (std::size_t j = 0; j < paths.size(); ++j) {
+      to.col(static_cast<Eigen::Index>(j)) = paths[j][w];
     }
     batch.run(at, to);
-    for (std::size_t j = 0; j < ways.size(); ++j) {
+    for (std::size_t j = 0; j < paths.size(); ++j) {
       at[j] = batch.end(static_cast<int>(j));
     }
   }

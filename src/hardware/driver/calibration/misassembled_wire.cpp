@@ -7,7 +7,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kLongestSeenS = 1.0;  // more than any latency that is drawn
+constexpr double kLongestSeenS = 1.0;  // more than any latency that is sampled
 
 }  // namespace
 

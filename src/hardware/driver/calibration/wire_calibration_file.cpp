@@ -199,7 +199,8 @@ WireCalibration parse_wire_calibration(const std::string& text, const std::strin
 
 std::string to_yaml(const WireCalibration& calibration) {
   std::string text = fmt::format(
-      "# How a driver's channels, sensors and tracker belong to an arm: limber driver calibrate wrote it,\n"
+      "# How a driver's channels, sensors and tracker "
+      "belong to an arm: limber driver calibrate wrote it,\n"
       "# and --calibration reads it (docs/hardware.md).\n"
       "schema: {}\narm: \"{}\"\nlength_m: {}\n"
       "valves: {}   # of each segment\nsensors: {}\n"

@@ -24,8 +24,8 @@ struct Command {
   bool is_pressure_kpa() const { return name == "pressure" && unit == "kPa"; }
 };
 
-/// What a segment may be given: from `lower_kpa` to `upper_kpa`. A vented segment is at 0, so that 0
-/// lies between them or is one of them.
+/// What a segment may be given: from `lower_kpa` to `upper_kpa`. A vented segment is at 0, so that
+/// 0 lies between them or is one of them.
 struct PressureLimits {
   double lower_kpa = 0.0;  ///< ≤ 0
   double upper_kpa = 0.0;  ///< ≥ 0, > lower_kpa

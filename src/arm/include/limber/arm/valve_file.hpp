@@ -17,7 +17,7 @@ nlohmann::ordered_json to_json(const IdentifiedValves& valves);
 /// The file's text. Numbers survive the round trip exactly.
 std::string valves_to_yaml(const IdentifiedValves& valves);
 /// One line for people: parameters of each segment (once where all are alike) and errors.
-std::string valves_to_text(const IdentifiedValves& valves, const std::string& unit = "kPa");
+std::string to_text(const IdentifiedValves& valves, const std::string& unit = "kPa");
 
 void write_valves(const std::filesystem::path& path, const IdentifiedValves& valves);
 /// YAML, or JSON, which is YAML too. @throws InputError naming file, line and key.

@@ -8,8 +8,9 @@
 
 #include "limber/arm/arm_description.hpp"
 
-// What messages call an arm's parts. All of them are counted from 0 at the base, as in YAML paths, in
-// JSON and in the columns of CSV files.
+// What messages call an arm's parts, and what lies in a row. All of it is counted from 0, parts
+// from the base, as in YAML paths and in JSON. Lines of text files alone are counted from 1, as
+// editors count them.
 namespace limber {
 
 inline std::string segment_name(Eigen::Index segment) {
@@ -28,6 +29,34 @@ inline std::string plates_of_gap(Eigen::Index gap) {
 /// "between plates 3 and 4 (segment 0)".
 inline std::string gap_name(const ArmDescription& arm, int gap) {
   return fmt::format("between {} ({})", plates_of_gap(gap), segment_name(arm.segment_of_gap(gap)));
+}
+
+inline std::string frame_name(Eigen::Index frame) {
+  return fmt::format("frame {}", frame);
+}
+
+/// Of a plan or a path of set points; waypoint 0 is where it starts.
+inline std::string waypoint_name(Eigen::Index waypoint) {
+  return fmt::format("waypoint {}", waypoint);
+}
+
+inline std::string motion_name(Eigen::Index motion) {
+  return fmt::format("motion {}", motion);
+}
+
+/// Of a recording.
+inline std::string episode_name(Eigen::Index episode) {
+  return fmt::format("episode {}", episode);
+}
+
+/// Of a CSV file.
+inline std::string column_name(Eigen::Index column) {
+  return fmt::format("column {}", column);
+}
+
+/// Of an arm's mapping, a polygon or a bench test.
+inline std::string point_name(Eigen::Index point) {
+  return fmt::format("point {}", point);
 }
 
 // What files and JSON call a quantity that is a pressure where the arm is driven by pressures.

@@ -11,8 +11,8 @@ namespace limber {
 
 class YamlReader;
 
-/// Reads a number > 0, the limit of both sides, or [lower, upper]. @param meaning  "a gauge pressure
-/// in kPa", for messages. @throws InputError naming file, line and field.
+/// Reads a number > 0, the limit of both sides, or [lower, upper]. @param meaning  "a gauge
+/// pressure in kPa", for messages. @throws InputError naming file, line and field.
 PressureLimits read_limits(const YamlReader& node, const std::string& meaning);
 
 /// As arm files have it: "14", or "[-11, 13.8]".

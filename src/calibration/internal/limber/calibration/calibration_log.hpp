@@ -20,8 +20,8 @@ struct CalibrationFrame {
   std::optional<double> tracker_s;  ///< when the shape was seen, on the tracker's clock
 };
 
-/// Frames of a step, `first` to `end` − 1. A pulse holds its set point until `hold_end`, and is zero
-/// from then on.
+/// Frames of a step, `first` to `end` − 1. A pulse holds its set point until
+/// `hold_end`, and is zero from then on.
 struct CalibrationPulse {
   int channel = 0;
   double setpoint_kpa = 0.0;

@@ -5,7 +5,7 @@
 
 namespace limber {
 
-/// Counter-based random numbers (Philox 4x32-10): the k-th draw depends on (seed, stream, k) alone.
+/// Counter-based random numbers (Philox 4x32-10): sample k depends on (seed, stream, k) alone.
 ///
 /// Give every unit of work (episode, trial, batch) a stream of its own; then results do not depend
 /// on which thread did the work, nor on how many there were. Threads: one stream, one thread.
@@ -29,7 +29,7 @@ class RandomStream {
   /// Uniform in {0, …, count − 1}. @pre count > 0.
   std::uint32_t index(std::uint32_t count);
 
-  /// Number of draws made so far; `seek(position())` continues the stream from the same point.
+  /// Number of samples made so far; `seek(position())` continues the stream from the same point.
   std::uint64_t position() const { return position_; }
   void seek(std::uint64_t position);
 

@@ -15,8 +15,8 @@ inline bool is_utf8(std::string_view text) {
 
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// `text` as messages quote it: at most `most` bytes, no character cut, and "…" if some are left
+/// `text` as messages quote it: at most `max_bytes`, no character cut, and "…" if some are left
 /// out.
-std::string shortened(std::string_view text, std::size_t most = 40);
+std::string shortened(std::string_view text, std::size_t max_bytes = 40);
 
 }  // namespace limber

@@ -50,8 +50,8 @@ class YamlReader {
   std::string found() const;
   const std::string& field() const { return field_; }
   const std::string& file() const { return file_; }
-  /// The mapping at `key` as a YAML text of its own, for a reader that comes later: each entry is on
-  /// the line that it has in the file, so that messages about it name the same line.
+  /// The mapping at `key` as a YAML text of its own, for a reader that comes later: each entry is
+  /// on the line that it has in the file, so that messages about it name the same line.
   std::string mapping_as_text(const std::string& key) const;
 
  private:

@@ -18,7 +18,7 @@ struct LogExportSettings {
   int occlusions = 0;          ///< in each episode: a plate is hidden, at a random time …
   double occlusion_s = 0.1;    ///< … for this long
   bool markers = false;        ///< Motive: a marker on each side of a plate instead of rigid bodies
-  std::uint64_t seed = 1;      ///< of noise and occlusions; episode e draws from stream e
+  std::uint64_t seed = 1;      ///< of noise and occlusions; episode e samples from stream e
 
   static constexpr double kMaxRateHz = 2000.0;  ///< no tracker of points is faster by much
   static constexpr double kMaxOffsetS = 1e10;   ///< clocks from 1970 and from 0 are 2e9 s apart

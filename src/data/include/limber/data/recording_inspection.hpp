@@ -46,8 +46,8 @@ struct EpisodeError {
   bool is_outlier = false;
 };
 
-/// The simple model's error in every episode. One that is far above the others' was broken: a log of
-/// another trial, a tracker that lost its bodies, a tube that came off.
+/// The simple model's error in every episode. One that is far above the others' was broken: a log
+/// of another trial, a tracker that lost its bodies, a tube that came off.
 struct EpisodeErrors {
   std::vector<EpisodeError> episodes;
   double median_cm = 0.0;
@@ -61,7 +61,7 @@ struct EpisodeErrors {
 EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
 /// "episode 7: 12.3 cm (correlation 0.30)" of every outlier, and what is usual; empty without one.
-std::string outliers_to_text(const EpisodeErrors& errors);
+std::string to_text(const EpisodeErrors& errors);
 
 /// What a recording holds and what is odd about it, though it is valid.
 struct RecordingInspection {
@@ -90,6 +90,6 @@ TransitionCoverage transition_coverage(const Recording& recording,
 
 nlohmann::ordered_json to_json(const EpisodeErrors& errors);
 nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspection& inspection);
-std::string inspection_to_text(const Recording& recording, const RecordingInspection& inspection);
+std::string to_text(const Recording& recording, const RecordingInspection& inspection);
 
 }  // namespace limber

@@ -48,9 +48,9 @@ struct SimpleFit {
   int blocks = 0;  ///< pieces of the recordings that the intervals come from
 };
 
-/// Fits the simple model to the frames in which the arm was seen. Robustly: Huber's weights, so that
-/// a broken episode among good ones moves it little. Intervals are the jackknife's, leaving out one
-/// episode at a time, or a tenth of a single one.
+/// Fits the simple model to the frames in which the arm was tracked. Robustly: Huber's weights, so
+/// that a broken episode among good ones moves it little. Intervals are the jackknife's, leaving
+/// out one episode at a time, or a tenth of a single one.
 /// @throws InputError where no frame was tracked.
 SimpleFit fit_simple_model(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
@@ -61,8 +61,8 @@ SimpleFit fit_simple_model(const ArmDescription& arm, const std::vector<Episode>
 /// polynomial would reach a strain of 1.
 ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit);
 
-/// The same for `fit_simple_model`, refined: a strain changes a segment's length too, so lengths are
-/// fitted again to the arm that came out. @throws InputError as both.
+/// The same for `fit_simple_model`, refined: a strain changes a segment's length too, so lengths
+/// are fitted again to the arm that came out. @throws InputError as both.
 ArmDescription fitted_arm(const ArmDescription& arm, const SimpleFit& fit,
                           const std::vector<Episode>& episodes);
 

@@ -35,9 +35,9 @@ struct AskedRoom {
 
 /// For a network that carries a tube (docs/tube.md), the room is that tube, at the level asked for
 /// or at its default level; unless a margin is asked for.
-/// For another network that stores its error on unseen motions (PredictionError), the room is that error.
-/// For a network that does not, it is kUnknownErrorM. For the no-load model it is none: its error
-/// is far larger than any room that a plan could keep.
+/// For another network that stores its error on unseen motions (PredictionError), the room is that
+/// error. For a network that does not, it is kUnknownErrorM. For the no-load model it is none: its
+/// error is far larger than any room that a plan could keep.
 /// @throws InputError if the model does not carry the level asked for, naming those that it does.
 ErrorRoom error_room(const ForwardModel& model, const AskedRoom& asked = {});
 

@@ -15,15 +15,15 @@ struct ArmState {
   Pressures pressure_kpa;  ///< measured, size n
   /// In force when this was measured, where the arm says so; else the one last commanded.
   std::optional<Pressures> setpoint_kpa;
-  std::optional<Backbone> backbone;  ///< m×3; none where nothing tracks it or the frame was dropped
+  std::optional<Backbone> backbone;  ///< m×3; none where nothing tracks it or the frame was lost
 };
 
 /// An arm that takes set points frame by frame: the virtual one, or the user's behind an external
 /// program.
 ///
 /// Laws: `state().time_s` grows with each `command`, by about a frame period; no driver passes on a
-/// set point beyond the arm's limits; after `vent` every set point is zero. Threads: one driver, one
-/// thread at a time.
+/// set point beyond the arm's limits; after `vent` every set point is zero.
+/// Threads: one driver, one thread at a time.
 class ArmDriver {
  public:
   virtual ~ArmDriver() = default;
@@ -38,7 +38,7 @@ class ArmDriver {
   /// @throws SystemFault if the arm fails; it has been vented.
   virtual const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) = 0;
 
-  /// Whether a frame takes its time: then a set point is due in every one, also while somebody thinks.
+  /// Whether a frame takes its time: then a set point is due in each, also while somebody thinks.
   virtual bool is_real_time() const { return false; }
 
   /// Opens every vent valve; safe to call at any time, more than once.

@@ -40,46 +40,46 @@ struct MotionAdvice {
   std::string reason = {};  ///< of a stop
 };
 
-/// Says how to go on while a plan is executed, from what is measured (docs/planning.md, Closed loop).
+/// How to go on while a plan is executed, from what is measured (docs/planning.md, Closed loop).
 class PlanSource {
  public:
   virtual ~PlanSource() = default;
   /// Told of every set point and of what was measured after it; first of the start, where the arm
   /// has long had the plan's first set points.
   virtual void observe(const Pressures& setpoint_kpa, const ArmState& state);
-  /// Asked before each frame of a motion, whose set points `plan.frames[next]` are then sent without
-  /// waiting for the answer: it takes effect in the frame after that one, or never if it comes
-  /// later. In real time it is called on another thread; meanwhile nothing but `observe` and
+  /// Asked before each frame of a motion, whose set points `plan.frames[next]` are then sent
+  /// without waiting for the answer: it takes effect in the frame after that one, or never if it
+  /// comes later. In real time it is called on another thread; meanwhile nothing but `observe` and
   /// `may_go_on` is called. Empty: the arm goes on.
   virtual std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next);
   /// Whether the rest of the plan may be followed; asked after each of its frames but the last.
   /// Where not, the arm holds where it is and `next` is asked.
   virtual bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
   /// The plan to follow from here on, for an arm that has held the set points of frame `frame` of
-  /// `plan` for the hold: the last one, or the one after which it was not allowed to go on. It starts
-  /// there. None ends the run. In real time it is called on another thread; meanwhile nothing but
-  /// `observe` is called.
+  /// `plan` for the hold: the last one, or the one after which it was not allowed to go on. It
+  /// starts there. None ends the run. In real time it is called on another thread; meanwhile
+  /// nothing but `observe` is called.
   virtual std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
   /// An obstacle has appeared: from now on the environment is this one, which outlives the run.
   virtual void obstacle_appeared(const Environment& now) { (void)now; }
 };
 
-/// Decides each frame's set points from what is measured: a controller beside or in place of a plan.
+/// A controller beside or in place of a plan: each frame's set points from what is measured.
 class FrameController {
  public:
   virtual ~FrameController() = default;
-  /// Set points (size n, kPa) of the next frame; none ends the run. They are within the arm's limits,
+  /// Set points (size n, kPa) of the next frame; none ends the run. They are within the limits,
   /// and no farther from the last ones than the frame rule allows (`pressure_step_limit_kpa`).
   virtual std::optional<Pressures> next(const ArmState& state) = 0;
   /// Why it ended the run before its time; empty if it did not.
   virtual std::string stop_reason() const { return ""; }
 };
 
-/// @throws InputError naming frame, segment and limit if a controller's set points break those laws.
+/// @throws InputError naming frame, segment and limit if a controller's set points break them.
 void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
                         const Pressures& setpoint_kpa);
 
-/// The set points nearest to `wanted_kpa` (segment by segment) that keep them; NaN stays before_kpa.
+/// The set points nearest to `wanted_kpa`, each by itself, that keep them; NaN stays before_kpa.
 Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
                             const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa);
 
@@ -141,8 +141,8 @@ struct ExecutionResult {
   /// Where the first plan's hold ended, if more plans followed.
   std::optional<PoseError> open_loop_goal_error;
 
-  /// When the tip came into the goal's region for good, and when the first plan would have it there;
-  /// none if it was not there at the end. [s]
+  /// When the tip came into the goal's region for good, and when the first plan would have it
+  /// there; none if it was not there at the end. [s]
   std::optional<double> goal_time_s;
   std::optional<double> planned_goal_time_s;
 
@@ -155,9 +155,9 @@ struct ExecutionResult {
 Environment with_appeared(const Environment& environment, const ExecutionResult& result);
 
 /// Commands a plan's frames as they stand, one frame period each, then holds; open loop, unless the
-/// settings name a source of more plans. Whatever happens (end, fault, Ctrl-C, exception), the arm is
-/// vented before this returns. If the plan starts under pressure, the arm is led there first, straight
-/// in pressure space, and held 3 s, unrecorded.
+/// settings name a source of more plans. Whatever happens (end, fault, Ctrl-C, exception), the arm
+/// is vented before this returns. If the plan starts under pressure, the arm is led there first,
+/// straight in pressure space, and held 3 s, unrecorded.
 ///
 /// Collision is judged on the backbones that the driver returns, once per frame.
 /// @throws InputError if plan, environment and arm don't belong together (hashes in the

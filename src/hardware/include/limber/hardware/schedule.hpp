@@ -13,7 +13,7 @@ namespace limber {
 
 enum class ScheduleKind {
   transitions,  ///< between configurations whose segments are fully right, fully left or off
-  random        ///< between configurations drawn uniformly within ± each segment's limit
+  random        ///< between configurations sampled uniformly within ± each segment's limit
 };
 
 /// How set points go from one configuration to the next.
@@ -30,7 +30,7 @@ struct ScheduleSettings {
                      ///< on the number of threads
   Approach approach = Approach::step;
   double hold_s = 3.0;  ///< how long a motion's final set point is commanded, > 0
-  /// If set, each hold is drawn uniformly from [hold_min_s, hold_s], and motions may be cut short
+  /// If set, each hold is sampled uniformly from [hold_min_s, hold_s], and motions may be cut short
   /// as those of a plan are. If not, a motion also lasts until its measured pressures have arrived.
   std::optional<double> hold_min_s;
   /// Set points stay within so many times the segments' limits, in (0, 1].

@@ -92,8 +92,8 @@ void change_virtual_arm(ArmDescription& arm, Change&& change) {
   set_virtual_arm_parameters(arm, parameters);
 }
 
-/// The arm as YAML with every parameter, also those that its file leaves out: what the virtual arm's
-/// behaviour depends on.
+/// The arm as YAML with every parameter, also those that its file leaves out: what the virtual
+/// arm's behaviour depends on.
 std::string virtual_arm_to_yaml(const ArmDescription& arm);
 
 }  // namespace limber

@@ -16,9 +16,9 @@ namespace limber {
 enum class DisturbanceKind {
   tip_load,       ///< mass on the last plate [kg]
   friction,       ///< more dry friction, of table and braids, by this share
-  weak_actuator,  ///< one side of one segment, drawn by seed, has lost this share of its strength
+  weak_actuator,  ///< one side of one segment, sampled by seed, has lost this share of its strength
   noise,          ///< standard deviation of measured x and y [m], delivered 100 ms late
-  lost_tracking,  ///< no backbone for so long [s], once, at a time drawn by seed
+  lost_tracking,  ///< no backbone for so long [s], once, at a time sampled by seed
   obstacle,       ///< a circle of this radius [m] appears on the rest of the path
 };
 
@@ -47,8 +47,8 @@ struct DisturbedArm {
   std::optional<AppearingObstacle> obstacle;
 };
 
-/// The arm that a plan meets; with no disturbance, `arm` as it is and no faults. What is drawn, is
-/// drawn from `seed`, each kind from a stream of its own. Times count from the arm's first frame.
+/// The arm that a plan meets; with no disturbance, `arm` as it is and no faults. What is random is
+/// sampled from `seed`, each kind from a stream of its own. Times count from the arm's first frame.
 DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
                        const std::vector<Disturbance>& disturbances, std::uint64_t seed);
 

@@ -17,7 +17,7 @@ struct Misassembly {
   double tracker_ahead_s = 0.0;    ///< the tracker's clock is ahead of the driver's
 };
 
-/// Drawn by the seed: the same one draws the same.
+/// Sampled by the seed: the same one gives the same.
 Misassembly draw_misassembly(const ArmDescription& arm, std::uint64_t seed);
 
 }  // namespace limber

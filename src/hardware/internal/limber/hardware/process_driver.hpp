@@ -27,8 +27,8 @@ struct ProcessDriverSettings {
   std::optional<WireCalibration> calibration;  ///< none: the wire is the arm's
 };
 
-/// When the last `set` was sent and its state was there, on limber's clock; and when the tracker saw
-/// the shape, on its own.
+/// When the last `set` was sent and its state was there, on limber's clock; and when the tracker
+/// saw the shape, on its own.
 struct DriverExchange {
   double sent_s = 0.0;
   double received_s = 0.0;

@@ -59,7 +59,7 @@ class SafetyGate {
   Pressures reference_kpa_;      // what the valves' rate allows to be reached by now
   std::vector<int> frames_off_;  // each segment: how many in a row it was too far from it
   std::deque<Frame> history_;
-  std::optional<Backbone> backbone_;  // the last one that was seen …
+  std::optional<Backbone> backbone_;  // the last one that was tracked …
   int frames_unseen_ = 0;             // … and how many frames ago
 };
 

@@ -24,8 +24,8 @@ struct CommandColumns {
   std::vector<std::string> columns;  ///< n; a '-' before a name turns its sign
   std::vector<std::string> right;    ///< n; the side that a positive pressure inflates
   std::vector<std::string> left;     ///< n
-  /// False: nothing was measured; `columns`, or `right` and `left`, hold set points, and there is no
-  /// `setpoint`. They are held from row to row and never interpolated.
+  /// False: nothing was measured; `columns`, or `right` and `left`, hold set points, and there is
+  /// no `setpoint`. They are held from row to row and never interpolated.
   bool measured = true;
   std::vector<std::string> setpoint;  ///< n, or none
   bool setpoint_optional = false;     ///< left out if the log has no such columns
@@ -81,8 +81,8 @@ struct ImportMapping {
 ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDescription& arm);
 
 /// The mapping if none is given: time_s, and pressure_0_kpa … (command_0 … for another command),
-/// one per segment, with setpoint_0_kpa … if there are such columns. A log that has setpoint_0_kpa …
-/// and no other holds set points only; so does one of command_0 … alone.
+/// one per segment, with setpoint_0_kpa … if there are such columns. A log that has setpoint_0_kpa
+/// … and no other holds set points only; so does one of command_0 … alone.
 ImportMapping default_import_mapping(const ArmDescription& arm);
 
 /// Default columns as a log has them: counted from 0, or from 1 if it has no column 0, as limber

@@ -73,7 +73,7 @@ struct ImportReport {
   std::vector<RunReport> runs;
   ColumnReport columns;
   /// The simple model's error in every episode, in the recording's order; none where nothing was
-  /// seen.
+  /// tracked.
   std::optional<EpisodeErrors> episode_errors;
 
   /// The log that an episode of the recording came from.

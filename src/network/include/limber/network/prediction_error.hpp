@@ -74,7 +74,7 @@ Tube read_tube(const YamlReader& root);
 /// The object `tube` of inspect --json.
 nlohmann::ordered_json to_json(const Tube& tube);
 /// One line per level, for people.
-std::string tube_to_text(const Tube& tube);
+std::string to_text(const Tube& tube);
 /// "0.9, 0.95".
 std::string names_of_levels(const Tube& tube);
 
@@ -87,6 +87,6 @@ PredictionError read_prediction_error(const YamlReader& root);
 /// The object `prediction_error` of train, inspect and evaluate with --json.
 nlohmann::ordered_json to_json(const PredictionError& error);
 /// One line for people.
-std::string prediction_error_to_text(const PredictionError& error);
+std::string to_text(const PredictionError& error);
 
 }  // namespace limber

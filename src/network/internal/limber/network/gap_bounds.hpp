@@ -24,6 +24,6 @@ void require_bounded(const CompensationModel& model, const std::string& file);
 /// The object `bounds` of `train` and `inspect` with --json.
 nlohmann::ordered_json to_json(const GapBounds& bounds);
 /// One line for people: the range over all gaps.
-std::string gap_bounds_to_text(const GapBounds& bounds);
+std::string to_text(const GapBounds& bounds);
 
 }  // namespace limber

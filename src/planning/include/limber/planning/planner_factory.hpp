@@ -22,11 +22,12 @@ std::vector<std::string> planner_names();
 std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0,
                                       const Forest* forest = nullptr);
 
-/// The motion that a planner of your own proposes: from the problem's start straight to each waypoint
-/// in turn, simulated with the problem's model, held, and certified, as every planner's plans are.
-/// Solved if it is. If not, the status is `not_certified`, the reason says what is wrong, and the
-/// motion is `best_partial`, its clearance measured; motions that collide or end outside of the goal take no certificate.
-/// An arm that starts nearer to an obstacle than the margin is refused (invalid_start).
+/// The motion that a planner of your own proposes: from the problem's start straight to each
+/// waypoint in turn, simulated with the problem's model, held, and certified, as every planner's
+/// plans are. Solved if it is. If not, the status is `not_certified`, the reason says what is
+/// wrong, and the motion is `best_partial`, its clearance measured; motions that collide or end
+/// outside of the goal take no certificate. An arm that starts nearer to an obstacle than the
+/// margin is refused (invalid_start).
 /// @param waypoints_kpa  at least one, each of n set points within the problem's limits
 /// @param planner        name that the plan file keeps
 /// @param seed           that the plan file keeps

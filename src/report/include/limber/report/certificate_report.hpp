@@ -13,7 +13,7 @@ namespace limber {
 nlohmann::ordered_json to_json(const Certificate& certificate, const Command& command,
                                const Environment& environment);
 /// The same in a few lines for people.
-std::string certificate_to_text(const Certificate& certificate, const ArmDescription& arm,
-                                const Environment& environment);
+std::string to_text(const Certificate& certificate, const ArmDescription& arm,
+                    const Environment& environment);
 
 }  // namespace limber

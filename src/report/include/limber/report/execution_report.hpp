@@ -10,10 +10,9 @@
 namespace limber {
 
 /// The object of `limber execute --json`; lengths in cm, unknown values null.
-nlohmann::ordered_json execution_to_json(const ExecutionResult& result,
-                                         const Environment& environment);
+nlohmann::ordered_json to_json(const ExecutionResult& result, const Environment& environment);
 
 /// The same in a few lines for people.
-std::string execution_to_text(const ExecutionResult& result, const Environment& environment);
+std::string to_text(const ExecutionResult& result, const Environment& environment);
 
 }  // namespace limber

@@ -17,6 +17,6 @@ nlohmann::ordered_json to_json(const PlanResult& result, const Command& command,
                                const std::string& model, std::uint64_t seed);
 
 /// The same in a few lines for people; `command` is what the arm's segments are given.
-std::string plan_result_to_text(const PlanResult& result, const Command& command = {});
+std::string to_text(const PlanResult& result, const Command& command = {});
 
 }  // namespace limber

@@ -22,11 +22,11 @@ nlohmann::ordered_json to_json(const LongRollout& rollout);
 /// The object of `evaluate --json`.
 nlohmann::ordered_json to_json(const Evaluation& evaluation);
 /// The same as a table for people.
-std::string evaluation_to_text(const Evaluation& evaluation);
+std::string to_text(const Evaluation& evaluation);
 
 /// The object `ensemble` of `evaluate --json`.
 nlohmann::ordered_json to_json(const EnsembleEvaluation& evaluation);
-std::string ensemble_evaluation_to_text(const EnsembleEvaluation& evaluation);
+std::string to_text(const EnsembleEvaluation& evaluation);
 
 /// The object `fine_tuning` of `train --json`.
 nlohmann::ordered_json to_json(const FineTuningReport& report);

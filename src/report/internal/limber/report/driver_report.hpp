@@ -16,7 +16,7 @@ nlohmann::ordered_json times_in_ms(std::vector<double> seconds);
 nlohmann::ordered_json to_json(const DriverCheck& check, const IdentifiedValves& valves);
 
 /// The same in a few lines for people.
-std::string driver_check_to_text(const DriverCheck& check);
+std::string to_text(const DriverCheck& check);
 
 /// A page with plots of the set points and of what was measured.
 std::string driver_check_to_html(const DriverCheck& check, const IdentifiedValves& valves);

@@ -32,10 +32,12 @@ struct PlanningRow {
   std::string disturbance;  ///< empty: none
   int trials = 0;
   int solved = 0;
-  int not_certified = 0;  ///< defects: plans that were found and refused
-  SampleFigures first_solution_s;
-  SampleFigures first_cost_psi;  ///< of the first plan
-  SampleFigures cost_psi;        ///< of the best plan within the limits
+  int not_certified = 0;              ///< defects: plans that were found and refused
+  SampleFigures first_solution_s;     ///< certified
+  SampleFigures first_candidate_s;    ///< its two parts: until it was found,
+  SampleFigures first_certificate_s;  ///< and its certificate
+  SampleFigures first_cost_psi;       ///< of the first plan
+  SampleFigures cost_psi;             ///< of the best plan within the limits
   int executed = 0;
   int collided = 0;
   int reached = 0;                 ///< within the goal's tolerances, without collision
@@ -51,8 +53,8 @@ struct PlanningRow {
 /// Stopped because of an obstacle that appeared, without touching anything.
 bool is_clean_stop(const ExecutionResult& run);
 
-/// A row for every planner, environment, model, controller and disturbance that has trials, in the order of their first
-/// trials. Trials are borrowed.
+/// A row for every planner, environment, model, controller and disturbance that has trials, in the
+/// order of their first trials. Trials are borrowed.
 std::vector<PlanningRow> planning_rows(const std::vector<PlanTrial>& trials);
 
 /// What the paper found when it compared both models, and whether it was found here too.

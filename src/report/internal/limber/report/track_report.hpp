@@ -19,10 +19,10 @@ struct TrackRun {
 };
 
 /// Keys of `execute --track --json` (docs/tracking.md).
-nlohmann::ordered_json track_to_json(const TrackRun& run);
-std::string track_to_text(const TrackRun& run);
+nlohmann::ordered_json to_json(const TrackRun& run);
+std::string to_text(const TrackRun& run);
 
-/// The path, the tip's way, and the distance between them over time, as an SVG file's text.
+/// The path wanted, the tip's own, and the distance between them over time, as an SVG file's text.
 std::string track_picture(const TrackRun& run);
 
 }  // namespace limber

@@ -11,13 +11,12 @@
 
 namespace limber {
 
-/// Puts yardsticks, horizons and episodes into the object of `evaluate --json`: `baselines.NAME`
-/// at every horizon, `horizons`, `episodes`, `frames_counted`, `yardsticks_fitted_to`.
-void add_to_json(const YardstickReport& report, const std::vector<Episode>& episodes,
-                 nlohmann::ordered_json& json);
+/// What `evaluate --json` says of yardsticks, horizons and episodes: `baselines.NAME` at every
+/// horizon, `horizons`, `episodes`, `frames_counted`, `yardsticks_fitted_to`.
+nlohmann::ordered_json to_json(const YardstickReport& report, const std::vector<Episode>& episodes);
 
 /// Tables for people: all yardsticks, the worst episodes, and which frames count.
-std::string yardsticks_to_text(const YardstickReport& report);
+std::string to_text(const YardstickReport& report);
 
 /// Mean tip error over the frames between restarts, from one to the whole episode, as SVG text.
 std::string error_over_horizon_svg(const YardstickReport& report);

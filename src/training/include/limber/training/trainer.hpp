@@ -92,15 +92,16 @@ struct TrainingResult {
 /// The networks' predictions stay within bounds (20), recorded ranges and a margin. The best epochs
 /// of each tenth of the run are kept; the one with the smallest validation error is chosen whose
 /// networks do not run away in a rollout of kLongRolloutFrames, the best one if all do.
-/// @throws InputError if the data don't fit the arm, are too short for one window, or hold set points
-/// alone in some episodes and measured pressures in others: a model learns from one kind, and says
-/// from which (CompensationModel::learnt_from_setpoints).
+/// @throws InputError if the data don't fit the arm, are too short for one window, or hold set
+/// points alone in some episodes and measured pressures in others: a model learns from one kind,
+/// and says from which (CompensationModel::learnt_from_setpoints).
 [[nodiscard]] TrainingResult train(const ArmDescription& arm, const TrainingData& data,
                                    const TrainingSettings& settings,
                                    const TrainingHooks& hooks = {});
 
 /// The same, from the weights of `start` (fine-tuning): its layout, hidden units, members and
-/// normalisation are kept. @throws InputError if it is another arm's, or learnt from the other kind.
+/// normalisation are kept. @throws InputError if it is another arm's, or learnt
+/// from the other kind.
 [[nodiscard]] TrainingResult fine_tune(const ArmDescription& arm, const TrainingData& data,
                                        const TrainingSettings& settings,
                                        const CompensationModel& start,

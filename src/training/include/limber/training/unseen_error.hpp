@@ -30,8 +30,8 @@ std::optional<PredictionError> measure_prediction_error(const ArmDescription& ar
                                                         const std::vector<Episode>& unseen,
                                                         int jobs = 0);
 
-/// What a model has learnt that was trained on `data`, for CompensationModel::learnt: of its training
-/// and its replayed episodes, and the region of the model that it started from.
+/// What a model has learnt that was trained on `data`, for CompensationModel::learnt: of its
+/// training and its replayed episodes, and the region of the model that it started from.
 /// @param start  of the model that was fine-tuned; null: none
 LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* start = nullptr);
 

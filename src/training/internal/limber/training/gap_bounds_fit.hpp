@@ -7,8 +7,8 @@
 
 namespace limber {
 
-/// A gap's range, without the share kRareShare of the frames at either end, is widened by kMargin of
-/// its width on both sides, and by no less than the other two.
+/// A gap's range, without the share kRareShare of the frames at either end, is widened by kMargin
+/// of its width on both sides, and by no less than the other two.
 inline constexpr double kRareShare = 0.001;
 inline constexpr double kMargin = 0.25;
 inline constexpr double kMinLengthMargin = 0.03;  ///< of the gap's recorded length

@@ -12,7 +12,7 @@ namespace limber {
 /// What `episodes` hold: ranges of pressures and their rates, and of the joint vector along its
 /// principal axes, each widened by kAxisWidening or, where one half of the episodes lies farther
 /// beyond the other half, by as much (docs/training.md). Frames in which the arm was
-/// not seen don't count. @throws InputError if it was seen in none.
+/// not tracked don't count. @throws InputError if it was tracked in none.
 LearntRegion learnt_region_of(const std::vector<Episode>& episodes);
 
 /// The union of `region` and of what `episodes` hold: every range is widened to hold both, along

@@ -43,8 +43,8 @@ void set_bounds(TrainingTables& tables, const TrainingSettings& settings, const 
 
 /// First frames of windows of `window_frames` predicted frames that do not overlap; each episode's
 /// first window begins `shift` frames after its start, or less where it would not fit. A window
-/// begins at a frame in which the arm was tracked, and sees it again in at least one more.
-/// @param seen  FrameTable::seen; empty: always.
+/// begins at a frame in which the arm was tracked, and has at least one more such.
+/// @param tracked  FrameTable::tracked; empty: always.
 std::vector<int> window_starts(std::span<const EpisodeRange> episodes,
                                std::span<const std::uint8_t> tracked, int window_frames, int shift);
 

@@ -75,7 +75,7 @@ struct WindowKernels;
 /// Loss and gradient over a chunk of windows: the network is rolled over each window with its own
 /// output fed back, and the error of every frame is propagated back through all frames before it
 /// (the paper's IV-C). A window's error is the mean over those of its frames in which the arm was
-/// seen.
+/// tracked.
 ///
 /// Sizes: windows of T frames, at most C of them at a time, computed in groups of a few dozen.
 /// Threads: one thread, one object; it allocates nothing after construction.
@@ -141,7 +141,7 @@ class WindowGradient {
       delta_;  ///< a layer each: ∂loss/∂(its output before ReLU), of `slots_` blocks
   Storage target_;
   Storage uncompensated_;
-  Storage weight_;          ///< of a block's windows: 1 / frames seen, or 0
+  Storage weight_;          ///< of a block's windows: 1 / tracked frames, or 0
   Storage output_;          ///< one block
   Storage last_state_;      ///< one block: what no frame reads
   Storage carried_;         ///< one block: ∂loss/∂state, carried from frame to frame

@@ -30,7 +30,7 @@ struct PredictorCurve {
   std::string key;  ///< "no_load", "network", or a yardstick's
   std::string label;
   std::vector<double> tip_cm;      ///< one for each of YardstickReport::horizon_frames
-  std::vector<double> episode_cm;  ///< open loop, mean tip error in each episode; NaN: none seen
+  std::vector<double> episode_cm;  ///< open loop, mean tip error in each episode; NaN: none tracked
 };
 
 /// The yardsticks of one recording, docs/training.md.

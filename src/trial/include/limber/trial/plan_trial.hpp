@@ -76,11 +76,13 @@ struct TrialSummary {
   int executed = 0;  ///< to their end
   int collided = 0;
   int reached = 0;  ///< ended within the goal's tolerances, without collision
-  std::optional<double> first_solution_s;  ///< over solved trials
-  std::optional<double> cost_kpa;          ///< over solved trials
-  std::optional<double> distance_m;        ///< executed, including runs that collided
-  std::optional<double> distance_free_m;   ///< executed without collision
-  std::optional<double> orientation_rad;   ///< executed, where the goal asks for a heading
+  std::optional<double> first_solution_s;     ///< over solved trials, certified
+  std::optional<double> first_candidate_s;    ///< its two parts: until it was found,
+  std::optional<double> first_certificate_s;  ///< and its certificate
+  std::optional<double> cost_kpa;             ///< over solved trials
+  std::optional<double> distance_m;           ///< executed, including runs that collided
+  std::optional<double> distance_free_m;      ///< executed without collision
+  std::optional<double> orientation_rad;      ///< executed, where the goal asks for a heading
 };
 /// @param environment, model  empty: any.
 TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,

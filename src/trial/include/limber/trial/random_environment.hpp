@@ -15,7 +15,7 @@ struct RandomEnvironmentSettings {
   double position_tolerance_m = 0.02;
   double orientation_tolerance_rad = 0.3;
   double orientation_share = 0.3;  ///< of environments whose goal asks for a heading
-  int attempts = 1000;             ///< motions drawn before giving up, ≥ 1
+  int attempts = 1000;             ///< motions sampled before giving up, ≥ 1
 };
 
 /// An environment, and one motion that solves it as the model predicts.

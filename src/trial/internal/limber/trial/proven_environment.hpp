@@ -9,10 +9,10 @@
 namespace limber {
 
 /// A random environment (trial/random_environment.hpp) whose goal is proven to be in reach: the
-/// motion that it was drawn around, executed on the virtual arm, reaches it without collision. The
-/// nearer `model` is to the arm, the fewer draws are needed. Depends on its arguments alone.
+/// motion that it was built around, executed on the virtual arm, reaches it without collision. The
+/// nearer `model` is to the arm, the fewer samples are needed. Depends on its arguments alone.
 /// @param number  of the environment among those of `seed`
-/// @return none if a hundred draws did not give one
+/// @return none if a hundred samples did not give one
 std::optional<Environment> sample_proven_environment(const ArmDescription& arm,
                                                      const MotionModel& model, std::uint64_t seed,
                                                      std::uint64_t number);

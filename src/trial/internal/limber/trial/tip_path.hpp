@@ -17,8 +17,8 @@ struct TipPath {
 
   double lap_s() const { return time_s.back(); }
   double duration_s() const { return laps * lap_s(); }
-  /// Where it came from: file and line, for messages.
-  std::string place(const std::string& file, std::size_t point) const;
+  /// File and line that it came from, for messages.
+  std::string source_of(const std::string& file, std::size_t point) const;
   /// Of one lap.
   double length_m() const;
   /// Before the start the first point, after the end the last.

@@ -28,19 +28,20 @@ struct TipTrackerSettings {
   std::vector<PressureLimits> limits = {};  ///< narrower than the arm's; empty: the arm's
 };
 
-/// Keeps the tip on a path over time by receding horizon (docs/tracking.md). In each frame, from the
-/// measured state:
+/// Keeps the tip on a path over time by receding horizon (docs/tracking.md). In
+/// each frame, from the measured state:
 ///
-/// 1. Rollouts of sampled knots, side by side, say how the tip's next positions depend on the knots:
-///    a linear fit by ridge regression.
+/// 1. Rollouts of sampled knots, side by side, say how the tip's next positions depend on the
+///    knots: a linear fit by ridge regression.
 /// 2. The knots of least squared error by that fit, at several lengths of the step, are rolled out
 ///    beside the best samples; the best of all are kept, and their first set points commanded.
 ///
 /// What the model misses within 0.25 s, measured minus predicted tip, is low-passed, bounded, and
-/// added to predictions in proportion to how far ahead they are. Chance comes from a stream of (seed, frame): simulated runs repeat.
+/// added to predictions in proportion to how far ahead they are. Chance comes from a stream of
+/// (seed, frame): simulated runs repeat.
 ///
-/// Starts with an approach: straight to `start_kpa`, then the path's first point for 2 s; the path's
-/// time 0 is `path_start_frame`.
+/// Starts with an approach: straight to `start_kpa`, then the path's first point for 2 s; the
+/// path's time 0 is `path_start_frame`.
 class TipTracker final : public FrameController {
  public:
   /// Borrows what the model borrows. @param start_kpa  as find_track_start has them

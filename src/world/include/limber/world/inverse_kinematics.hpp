@@ -48,7 +48,7 @@ struct InverseKinematicsResult {
 /// continuous there, and a step counts only if it lowers it.
 ///
 /// Not complete: if no solution is found, there may still be one.
-/// Threads: reads the model only; draws from `random`, starts × n numbers at most.
+/// Threads: reads the model only; samples from `random`, starts × n numbers at most.
 /// @throws InputError if the goal or a setting is not finite or out of range.
 [[nodiscard]] InverseKinematicsResult solve_inverse_kinematics(
     const NoLoadModel& model, const PoseGoal& goal, const InverseKinematicsSettings& settings,

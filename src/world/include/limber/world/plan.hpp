@@ -107,8 +107,8 @@ Plan read_plan_unchecked(const std::filesystem::path& path);
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file);
 
 /// Set points for a valve controller, and the pressures predicted for the end of their frame:
-/// `time_s,setpoint_0_kpa,…,pressure_0_kpa,…` (`setpoint_0,…,command_0,…` where the arm is driven by
-/// anything else), one row per frame, time at which the frame's set points are to be commanded.
+/// `time_s,setpoint_0_kpa,…,pressure_0_kpa,…` (`setpoint_0,…,command_0,…` where the arm is driven
+/// by anything else), one row per frame, time at which the frame's set points are to be commanded.
 void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan);
 
 /// Predicted shapes: `time_s,x_0_m,y_0_m,theta_0_rad,…`, one row per frame, its time the frame's
