@@ -65,9 +65,14 @@ def layers_of(links):
             depth[module] = 1 + max([layer(user) for user in users[module]], default=-1)
         return depth[module]
 
+    for module in links:
+        layer(module)
+    for module in links:
+        if not users[module] and links[module]:  # nothing stands on it: just above what it needs
+            depth[module] = min(depth[other] for other in links[module]) - 1
     rows = {}
     for module in links:
-        rows.setdefault(layer(module), []).append(module)
+        rows.setdefault(depth[module], []).append(module)
     return untangled([sorted(rows[key]) for key in sorted(rows, reverse=True)], links)
 
 

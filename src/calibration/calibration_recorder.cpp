@@ -7,7 +7,6 @@
 #include "limber/calibration/calibration_log.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/safety_settings.hpp"
-#include "limber/world/straight_motion.hpp"
 
 namespace limber {
 

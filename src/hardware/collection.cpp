@@ -71,9 +71,12 @@ class EpisodeRun {
 
   void move(const Pressures& from, const Motion& motion) {
     if (settings_.schedule.approach == Approach::straight) {
-      const std::vector<Pressures> frames = straight_frames(arm_, from, motion.setpoint_kpa);
-      for (std::size_t k = 0; k + 1 < frames.size(); ++k) {
-        command(frames[k]);
+      const Pressures& to = motion.setpoint_kpa;
+      const int count = motion_frame_count(from, to, arm_.pressure_step_limit_kpa());
+      Pressures setpoint_kpa(to.size());
+      for (int k = 1; k < count; ++k) {
+        motion_setpoint(from, to, k, count, setpoint_kpa);
+        command(setpoint_kpa);
       }
     }
     hold(motion);

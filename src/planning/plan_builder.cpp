@@ -2,6 +2,7 @@
 
 #include "limber/common/version.hpp"
 #include "limber/world/pose_goal.hpp"
+#include "limber/world/straight_motion.hpp"
 
 namespace limber {
 
@@ -58,7 +59,7 @@ Plan build_partial_plan(const PlanningProblem& problem, MotionSimulator& simulat
     simulator.append_motion(waypoints_kpa[w], plan.frames, &start);
   }
   plan.hold_frame_count = simulator.append_hold(plan.frames, &start);
-  plan.cost_kpa = path_cost_kpa(plan.frames);
+  plan.cost_kpa = path_cost_kpa(plan.frames, &PlanFrame::setpoint_kpa);
   const PoseError error = final_error(problem, plan);
   plan.goal_distance_m = error.position_m;
   plan.goal_orientation_rad = error.orientation_rad;

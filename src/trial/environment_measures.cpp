@@ -7,6 +7,7 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/world/inverse_kinematics.hpp"
+#include "limber/world/straight_motion.hpp"
 
 namespace limber {
 
@@ -128,7 +129,7 @@ std::optional<Passage> narrowest_passage(const ArmDescription& arm, const Enviro
 }
 
 double reversal_kpa(const std::vector<PlanFrame>& frames) {
-  return path_cost_kpa(frames) -
+  return path_cost_kpa(frames, &PlanFrame::setpoint_kpa) -
          motion_cost_kpa(frames.front().setpoint_kpa, frames.back().setpoint_kpa);
 }
 

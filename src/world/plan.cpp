@@ -39,15 +39,6 @@ double Plan::duration_s() const {
   return frames.empty() ? 0.0 : static_cast<double>(frames.size() - 1) / frame_rate_hz;
 }
 
-double path_cost_kpa(const std::vector<PlanFrame>& frames) {
-  double cost = 0.0;
-  for (std::size_t k = 1; k < frames.size(); ++k) {
-    cost += (frames[k].setpoint_kpa.cast<double>() - frames[k - 1].setpoint_kpa.cast<double>())
-                .lpNorm<1>();
-  }
-  return cost;
-}
-
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file) {
   const std::string why = why_another_arm(plan.arm(), arm, file);
   if (!why.empty()) {

@@ -12,6 +12,7 @@
 #include "limber/common/number_text.hpp"
 #include "limber/common/version.hpp"
 #include "limber/world/plan.hpp"
+#include "limber/world/straight_motion.hpp"
 
 namespace limber {
 
@@ -141,7 +142,7 @@ std::vector<PlanFrame> read_frames(const JsonReader& field, const Command& comma
 }
 
 void require_consistent(const JsonReader& root, const Plan& plan) {
-  const double cost = path_cost_kpa(plan.frames);
+  const double cost = path_cost_kpa(plan.frames, &PlanFrame::setpoint_kpa);
   if (std::abs(cost - plan.cost_kpa) > kCostToleranceKpa * std::max(1.0, cost)) {
     root.at(quantity_key(plan.command, "cost").c_str())
         .refuse(fmt::format("{} found; its frames add up to {}", plan.cost_kpa, cost));

@@ -10,35 +10,6 @@ namespace {
 constexpr float kPlayM = 0.02F;
 constexpr float kFloatM = 1e-5F;
 
-TEST(FrameRule, NoSegmentMovesFasterThanTheLimitAndNoFrameIsWasted) {
-  const ArmDescription arm = three_segment_arm();
-  const double limit = arm.pressure_step_limit_kpa();
-  RandomStream random(6, 0);
-  for (int trial = 0; trial < 500; ++trial) {
-    const Pressures from = random_pressures(arm, random);
-    const Pressures to = random_pressures(arm, random);
-    const int count = motion_frame_count(from, to, limit);
-    EXPECT_EQ(motion_frame_count(to, from, limit), count);
-    Pressures before = from;
-    Pressures now(3);
-    for (int k = 1; k <= count; ++k) {
-      motion_setpoint(from, to, k, count, now);
-      EXPECT_LE((now - before).lpNorm<Eigen::Infinity>(), limit + 1e-4);
-      EXPECT_LE(now.lpNorm<Eigen::Infinity>(), 100.0F);
-      before = now;
-    }
-    EXPECT_EQ(now, to);
-    EXPECT_GT((to - from).lpNorm<Eigen::Infinity>() / (count - 1 + 1e-9), limit);
-  }
-}
-
-TEST(FrameRule, WholeFramesAreNotRoundedUp) {
-  EXPECT_EQ(motion_frame_count(Pressures::Zero(3), Pressures::Constant(3, 50.0F), 5.0), 10);
-  EXPECT_EQ(motion_frame_count(Pressures::Constant(3, 0.1F), Pressures::Constant(3, 5.1F), 5.0), 1);
-  EXPECT_EQ(motion_frame_count(Pressures::Zero(3), Pressures::Constant(3, 5.1F), 5.0), 2);
-  EXPECT_EQ(motion_frame_count(Pressures::Zero(3), Pressures::Zero(3), 5.0), 1);
-}
-
 // The play network, looked at by itself: clamp(b_{t−1}, c − w, c + w).
 TEST(PlayModel, FollowsItsClosedForm) {
   const ArmDescription arm = three_segment_arm();

@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
-#include "limber/world/straight_motion.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
@@ -210,27 +209,6 @@ TEST(Schedule, NamesSettingsOutOfRange) {
   }
   EXPECT_THAT(refusal([](auto& s) { s.hold_min_s = 4.0; }),
               ThrowsMessage<InputError>(HasSubstr("--hold-min-s 4: expected seconds from 0 to")));
-}
-
-TEST(StraightFrames, RunEvenlyAlongTheLineWithinTheStepLimit) {
-  const ArmDescription arm = small_arm();  // 10 kPa a frame
-  const Pressures from = Pressures::Constant(2, -20.0F);
-  Pressures to(2);
-  to << 35.0F, 0.0F;
-  const std::vector<Pressures> frames = straight_frames(arm, from, to);
-  ASSERT_EQ(frames.size(), 6U);  // 55 kPa in steps of at most 10
-  EXPECT_EQ(frames.back(), to);
-  Pressures before = from;
-  for (const Pressures& frame : frames) {
-    EXPECT_TRUE((frame - before).isApprox((to - from) / 6.0F, 1e-5F));
-    before = frame;
-  }
-}
-
-TEST(StraightFrames, TakeExactlyAsManyFramesAsTheLimitAllows) {
-  const ArmDescription arm = small_arm();
-  EXPECT_EQ(straight_frames(arm, Pressures::Zero(2), Pressures::Constant(2, 100.0F)).size(), 10U);
-  EXPECT_EQ(straight_frames(arm, Pressures::Zero(2), Pressures::Zero(2)).size(), 1U);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "limber/planning/planner.hpp"
 #include "limber/planning/planner_factory.hpp"
+#include "limber/world/straight_motion.hpp"
 #include "planning/dense_oracle.hpp"
 #include "planning/play_model.hpp"
 
@@ -45,7 +46,7 @@ struct Setting {
 /// Every law of Planner on a plan, by means other than the planner's own.
 inline void expect_lawful(const Setting& s, const Plan& plan) {
   EXPECT_NO_THROW(require_plan_of(plan, s.arm, "plan")) << "limits, rates, sizes";
-  EXPECT_EQ(plan.cost_kpa, path_cost_kpa(plan.frames));
+  EXPECT_EQ(plan.cost_kpa, path_cost_kpa(plan.frames, &PlanFrame::setpoint_kpa));
   EXPECT_EQ(plan.hold_frame_count, 20);
   EXPECT_EQ(plan.environment_hash, environment_hash(s.environment));
   const int frames = plan.frame_count();

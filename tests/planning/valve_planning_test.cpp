@@ -55,7 +55,7 @@ TEST(ValvePlanning, PlansOfEveryPlannerAreSetPointsRunThroughTheValves) {
     const PlanResult result = s.plan(planner, 2500);
     ASSERT_EQ(result.status, PlanStatus::solved) << planner << ": " << result.reason;
     EXPECT_EQ(result.plan->valves_hash, s.parameters.hash());
-    EXPECT_EQ(result.plan->cost_kpa, path_cost_kpa(result.plan->frames));
+    EXPECT_EQ(result.plan->cost_kpa, path_cost_kpa(result.plan->frames, &PlanFrame::setpoint_kpa));
     expect_predicted(s, *result.plan);
     EXPECT_TRUE(certify(*result.plan, s.arm, &s.model.compensation(), s.parameters, s.environment)
                     .certified());

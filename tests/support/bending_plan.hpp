@@ -27,12 +27,16 @@ inline Plan bending_plan(const ArmDescription& arm, const Environment& environme
   plan.waypoints_kpa = {Pressures::Zero(2), first, Pressures::Constant(2, 80.0F)};
   plan.frames.push_back(frame(Pressures::Zero(2)));
   for (std::size_t w = 1; w < plan.waypoints_kpa.size(); ++w) {
-    for (const Pressures& setpoint_kpa :
-         straight_frames(arm, plan.waypoints_kpa[w - 1], plan.waypoints_kpa[w])) {
+    const Pressures& from = plan.waypoints_kpa[w - 1];
+    const Pressures& to = plan.waypoints_kpa[w];
+    const int count = motion_frame_count(from, to, arm.pressure_step_limit_kpa());
+    Pressures setpoint_kpa = from;
+    for (int k = 1; k <= count; ++k) {
+      motion_setpoint(from, to, k, count, setpoint_kpa);
       plan.frames.push_back(frame(setpoint_kpa));
     }
   }
-  plan.cost_kpa = path_cost_kpa(plan.frames);
+  plan.cost_kpa = path_cost_kpa(plan.frames, &PlanFrame::setpoint_kpa);
   return plan;
 }
 

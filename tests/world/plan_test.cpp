@@ -7,6 +7,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/world/straight_motion.hpp"
 #include "planning/random_shapes.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -49,7 +50,7 @@ Plan small_plan(const ArmDescription& arm) {
   plan.frames.push_back(plan.frames.back());
   plan.hold_frame_count = 2;
   plan.waypoints_kpa = {plan.frames.front().setpoint_kpa, plan.frames.back().setpoint_kpa};
-  plan.cost_kpa = path_cost_kpa(plan.frames);
+  plan.cost_kpa = path_cost_kpa(plan.frames, &PlanFrame::setpoint_kpa);
   return plan;
 }
 
@@ -112,7 +113,7 @@ TEST(PlanFile, KeepsTheLimitsThatThePlanWasMadeWithin) {
     frame.setpoint_kpa[2] = 0.0F;
   }
   plan.waypoints_kpa = {plan.frames.front().setpoint_kpa, plan.frames.back().setpoint_kpa};
-  plan.cost_kpa = path_cost_kpa(plan.frames);
+  plan.cost_kpa = path_cost_kpa(plan.frames, &PlanFrame::setpoint_kpa);
   write_plan(folder.path() / "p.json", plan);
   EXPECT_EQ(read_plan(folder.path() / "p.json").limits, plan.limits);
   EXPECT_NO_THROW(require_plan_of(plan, arm, "p.json"));
@@ -352,15 +353,6 @@ TEST(Plan, CsvHoldsTheSetPointsToCommandAndWhen) {
   }
   EXPECT_FALSE(std::getline(file, line));
   EXPECT_DOUBLE_EQ(plan.duration_s(), 0.3);
-}
-
-TEST(Plan, CostIsTheSumOfAllPressureChanges) {
-  std::vector<PlanFrame> frames(4);
-  frames[0].setpoint_kpa = Eigen::Vector2f(0.0F, 0.0F);
-  frames[1].setpoint_kpa = Eigen::Vector2f(3.0F, -1.0F);
-  frames[2].setpoint_kpa = Eigen::Vector2f(1.0F, -4.0F);
-  frames[3].setpoint_kpa = Eigen::Vector2f(1.0F, -4.0F);
-  EXPECT_DOUBLE_EQ(path_cost_kpa(frames), 4.0 + 5.0);
 }
 
 }  // namespace

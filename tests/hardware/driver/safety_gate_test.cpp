@@ -158,7 +158,11 @@ TEST_F(SafetyGateTest, AHealthyVirtualArmPassesJumpsAndStraightMotions) {
     for (const Pressures& target : targets) {
       std::vector<Pressures> frames(40, target);
       if (straight) {
-        frames = straight_frames(arm, from, target);
+        const int count = motion_frame_count(from, target, arm.pressure_step_limit_kpa());
+        frames.resize(static_cast<std::size_t>(count), target);
+        for (int k = 1; k <= count; ++k) {
+          motion_setpoint(from, target, k, count, frames[static_cast<std::size_t>(k) - 1]);
+        }
       }
       for (const Pressures& setpoint_kpa : frames) {
         ASSERT_THAT(gate.check_command(setpoint_kpa), IsEmpty());

@@ -87,9 +87,6 @@ struct Plan {
   double duration_s() const;
 };
 
-/// (2): Σ|Δp| over all segments and frames, in kPa.
-double path_cost_kpa(const std::vector<PlanFrame>& frames);
-
 /// Writes the plan as JSON, atomically; every number survives the round trip exactly. A certified
 /// plan is sealed with a hash of everything in the file.
 void write_plan(const std::filesystem::path& path, const Plan& plan);

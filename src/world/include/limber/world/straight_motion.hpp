@@ -1,16 +1,31 @@
 #pragma once
 // For those who plan.
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 
 namespace limber {
 
 using PressuresRef = Eigen::Ref<const Pressures>;
+
+/// Cost, (2), of a straight motion in pressure: Σ|Δp|.
+double motion_cost_kpa(const PressuresRef& from_kpa, const PressuresRef& to_kpa);
+
+/// Cost, (2), along straight motions from each point of a path to the next. Points are set points,
+/// or hold some: path_cost_kpa(plan.frames, &PlanFrame::setpoint_kpa).
+template <typename Point, typename SetpointOf = std::identity>
+double path_cost_kpa(const std::vector<Point>& path, const SetpointOf& setpoint_of = {}) {
+  double cost = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    cost +=
+        motion_cost_kpa(std::invoke(setpoint_of, path[i - 1]), std::invoke(setpoint_of, path[i]));
+  }
+  return cost;
+}
 
 /// The frame rule: a straight motion in pressure takes the smallest number of frames in which no
 /// segment moves faster than the arm's rate limit, ⌈max |Δp| / step⌉, at least one.
@@ -18,21 +33,9 @@ using PressuresRef = Eigen::Ref<const Pressures>;
 int motion_frame_count(const PressuresRef& from_kpa, const PressuresRef& to_kpa,
                        double step_limit_kpa);
 
-/// (2) of a straight motion: Σ|Δp|.
-double motion_cost_kpa(const PressuresRef& from_kpa, const PressuresRef& to_kpa);
-
-/// (2) along straight motions from each of these set points to the next.
-double path_cost_kpa(const std::vector<Pressures>& waypoints_kpa);
-
 /// Set points of frame k of a straight motion of `count` frames, 1 ≤ k ≤ count, in equal steps,
 /// written to `setpoint_kpa`; the last is exactly `to_kpa`. Sizes n.
-void motion_setpoint(const Eigen::Ref<const Pressures>& from_kpa,
-                     const Eigen::Ref<const Pressures>& to_kpa, int k, int count,
+void motion_setpoint(const PressuresRef& from_kpa, const PressuresRef& to_kpa, int k, int count,
                      Eigen::Ref<Pressures> setpoint_kpa);
-
-/// Set points of the frames from `from` to `to`, `to` included and `from` not: evenly along the
-/// straight line, as many as the frame rule above says.
-std::vector<Pressures> straight_frames(const ArmDescription& arm, const Pressures& from,
-                                       const Pressures& to);
 
 }  // namespace limber
