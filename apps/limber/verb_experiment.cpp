@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cost_threshold_flag.hpp"
 #include "forest_flags.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
@@ -60,10 +61,7 @@ class ExperimentVerb final : public Verb {
     app.add_option("--max-queries", settings_.limits.queries, "For each plan")
         ->check(CLI::PositiveNumber);
     app.add_option("--max-memory-mb", settings_.limits.memory_mb, "For each plan");
-    app.add_option(
-        "--cost-threshold,--cost-threshold-kpa", settings_.limits.cost_threshold_kpa,
-        "Stop at a plan this cheap, in the command's unit (kPa of pressures); with a large "
-        "number, stop at the first plan");
+    add_cost_threshold(app, settings_.limits.cost_threshold_kpa);
     runs_.add_to(app);
     replan_.add_motion_queries_to(app);
     room_.add_to(app);

@@ -1,3 +1,4 @@
+#include "cost_threshold_flag.hpp"
 #include "driver_flags.hpp"
 #include "forest_flags.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -107,10 +108,7 @@ class PlanVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--max-memory-mb", limits_.memory_mb,
                    "Stop when the tree takes so many megabytes");
-    app.add_option(
-        "--cost-threshold,--cost-threshold-kpa", limits_.cost_threshold_kpa,
-        "Stop at a plan this cheap, in the command's unit (kPa of pressures); with a large "
-        "number, stop at the first plan");
+    add_cost_threshold(app, limits_.cost_threshold_kpa);
     narrower_.add_to(app);
     room_.add_to(app);
     app.add_flag(

@@ -2,13 +2,25 @@
 //
 //   01_query_the_model MODEL.safetensors [KPA]
 
-#include <cstdlib>
+#include <charconv>
 #include <iostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "limber/world/environment.hpp"
+
+double number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.begin(), text.end(), value);
+  if (error != std::errc() || end != text.end()) {
+    throw std::invalid_argument("'" + std::string(text) + "' is not a number");
+  }
+  return value;
+}
 
 int main(int argc, char** argv) try {
   if (argc < 2) {
@@ -26,7 +38,7 @@ int main(int argc, char** argv) try {
   limber::MotionState state = model.settled_state(rest.pressures_kpa, rest.backbone);
   limber::MotionModel::Workspace workspace;
   limber::Pressures setpoint_kpa = rest.pressures_kpa;
-  setpoint_kpa[0] = argc > 2 ? static_cast<float>(std::atof(argv[2])) : 60.0F;
+  setpoint_kpa[0] = argc > 2 ? static_cast<float>(number(argv[2])) : 60.0F;
   const int frames = arm.frames_in(2.0);
   for (int frame = 1; frame <= frames; ++frame) {
     model.step(setpoint_kpa, state, workspace);

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <stdexcept>
 
 #include "limber/common/data_folder.hpp"
 #include "limber/data/valve_identification.hpp"
@@ -12,12 +13,9 @@
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
 
-constexpr double kHeldBack = 0.1;  // of the frames, each time
-
 int main(int argc, char** argv) try {
   if (argc < 3) {
-    std::cerr << "02_record_and_train RECORDING.h5 MODEL.safetensors [EPOCHS]\n";
-    return 2;
+    throw std::invalid_argument("02_record_and_train RECORDING.h5 MODEL.safetensors [EPOCHS]");
   }
   const auto arm = limber::load_arm(limber::data_folder() / "arms" / "three_segment.yaml");
   limber::ScheduleSettings schedule;
@@ -33,13 +31,13 @@ int main(int argc, char** argv) try {
   if (argc > 3) {
     limber::set_epoch_count(settings, std::atoi(argv[3]));
   }
+  constexpr double kHeldBack = 0.1;  // of the frames, each time
   auto data = limber::hold_back_validation(recording.episodes, kHeldBack, settings.seed);
   limber::hold_back_unseen(data, kHeldBack, settings.seed);
-  limber::TrainingHooks hooks;
-  hooks.on_epoch = [](const limber::LearningCurvePoint& point) {
+  const auto print = [](const limber::LearningCurvePoint& point) {
     std::cout << "epoch " << point.epoch << ": loss " << point.loss << "\n";
   };
-  const limber::TrainingResult result = limber::train(arm, data, settings, hooks);
+  const limber::TrainingResult result = limber::train(arm, data, settings, {.on_epoch = print});
   limber::CompensationModel model = result.model;
   model.set_valves(limber::identify_valves(recording.episodes, arm, argv[1]));
   model.learnt = limber::learnt_region_of(data);

@@ -42,9 +42,7 @@ int main(int argc, char** argv) try {
   const limber::MotionModel model(forward, limber::ValveModel(arm, *network.valves));
   const limber::ErrorRoom room = limber::error_room(forward);
   const auto problem = limber::problem_with_room(arm, model, environment, room);
-  limber::PlannerLimits limits;
-  limits.time_s = 5.0;
-  const limber::PlanResult result = limber::make_planner("default")->plan(problem, limits, 1);
+  const auto result = limber::make_planner("default")->plan(problem, {.time_s = 5.0}, 1);
   if (!result.plan) {
     std::cout << "no plan: " << result.reason << "\n";
     return 1;

@@ -1,11 +1,11 @@
 // A planner of your own: it says where the set points go, limber simulates, holds and certifies the
-// motion. This one climbs: it changes the best motion so far, and keeps what is
-// nearer to a solution.
+// motion. This one climbs: it changes the best motion so far, and keeps what is nearer to a plan.
 //
 //   06_plug_in_a_planner MODEL.safetensors ENVIRONMENT.yaml PLAN.json
 
 #include <algorithm>
 #include <iostream>
+#include <stdexcept>
 #include <vector>
 
 #include "limber/common/data_folder.hpp"
@@ -15,18 +15,14 @@
 constexpr int kTries = 2000;
 constexpr double kSpread = 0.2;  // of the limits: how far a try is from the best so far
 
-// How far a motion ends from the goal, and how deep it goes into obstacles.
-double fault_m(const limber::Plan& plan) {
-  return plan.goal_distance_m - std::min(plan.clearance_m, 0.0);
-}
-
 limber::PlanResult climb(const limber::PlanningProblem& problem, std::uint64_t seed) {
+  // How far a motion ends from the goal, and how deep it goes into obstacles.
+  const auto off_m = [](const auto& p) { return p.goal_distance_m - std::min(p.clearance_m, 0.0); };
   limber::RandomStream random(seed, 0);  // seed, stream
-  const limber::Pressures rest = limber::Pressures::Zero(problem.arm.segment_count());
-  std::vector best_kpa = {rest, rest};  // over one waypoint to another
+  std::vector best_kpa(2, limber::Pressures::Zero(problem.arm.segment_count()).eval());
   limber::PlanResult best = limber::plan_along(problem, best_kpa, "climber", seed);
   for (int i = 0; i < kTries && best.status == limber::PlanStatus::not_certified; ++i) {
-    std::vector kpa = best_kpa;
+    std::vector kpa = best_kpa;  // over one waypoint to another
     for (limber::Pressures& waypoint : kpa) {
       for (int s = 0; s < waypoint.size(); ++s) {
         const auto limits = problem.arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
@@ -35,7 +31,7 @@ limber::PlanResult climb(const limber::PlanningProblem& problem, std::uint64_t s
       }
     }
     limber::PlanResult tried = limber::plan_along(problem, kpa, "climber", seed);
-    if (tried.plan || fault_m(*tried.best_partial) < fault_m(*best.best_partial)) {
+    if (tried.plan || off_m(*tried.best_partial) < off_m(*best.best_partial)) {
       best_kpa = kpa;
       best = std::move(tried);
     }
@@ -45,13 +41,11 @@ limber::PlanResult climb(const limber::PlanningProblem& problem, std::uint64_t s
 
 int main(int argc, char** argv) try {
   if (argc < 4) {
-    std::cerr << "06_plug_in_a_planner MODEL.safetensors ENVIRONMENT.yaml PLAN.json\n";
-    return 2;
+    throw std::invalid_argument("06_plug_in_a_planner MODEL.safetensors ENVIRONMENT PLAN.json");
   }
   const auto arm = limber::load_arm(limber::data_folder() / "arms" / "three_segment.yaml");
-  const limber::Environment environment = limber::load_environment(argv[2], arm);
   const limber::ForwardModel forward(arm, limber::read_model(argv[1]));
-  const limber::PlanResult result = climb({arm, forward, environment}, 1);
+  const auto result = climb({arm, forward, limber::load_environment(argv[2], arm)}, 1);
   if (!result.plan) {
     std::cout << "no plan: " << result.reason << "\n";
     return 1;

@@ -2,8 +2,11 @@
 //
 //   09_reach_a_pose [X_M Y_M]
 
-#include <cstdlib>
+#include <charconv>
 #include <iostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/no_load_model.hpp"
@@ -11,14 +14,23 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/world/inverse_kinematics.hpp"
 
-int main(int argc, char** argv) {
+double number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.begin(), text.end(), value);
+  if (error != std::errc() || end != text.end()) {
+    throw std::invalid_argument("'" + std::string(text) + "' is not a number");
+  }
+  return value;
+}
+
+int main(int argc, char** argv) try {
   const limber::ArmDescription arm =
       limber::load_arm(limber::data_folder() / "arms" / "three_segment.yaml");
   const limber::NoLoadModel model(arm);
 
   limber::PoseGoal goal;
-  goal.x_m = argc > 2 ? std::atof(argv[1]) : 0.45;
-  goal.y_m = argc > 2 ? std::atof(argv[2]) : 0.30;
+  goal.x_m = argc > 2 ? number(argv[1]) : 0.45;
+  goal.y_m = argc > 2 ? number(argv[2]) : 0.30;
 
   limber::RandomStream random(1, 0);  // seed, stream
   const limber::InverseKinematicsResult result =
@@ -34,4 +46,7 @@ int main(int argc, char** argv) {
     std::cout << pressures_kpa.transpose() << "  ->  " << backbone.bottomRows(1) << "\n";
   }
   return 0;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
 }

@@ -2,8 +2,11 @@
 //
 //   10_draw_the_arm PICTURE.svg [PRESSURE_KPA…]
 
-#include <cstdlib>
+#include <charconv>
 #include <iostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/no_load_model.hpp"
@@ -11,7 +14,7 @@
 #include "limber/common/data_folder.hpp"
 #include "limber/plot/svg_drawing.hpp"
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   if (argc < 2) {
     std::cerr << "usage: 10_draw_the_arm PICTURE.svg [PRESSURE_KPA…]\n";
     return 2;
@@ -22,7 +25,10 @@ int main(int argc, char** argv) {
 
   Eigen::VectorXd pressures_kpa = Eigen::VectorXd::Constant(model.segment_count(), 30.0);
   for (int i = 0; i < pressures_kpa.size() && i + 2 < argc; ++i) {
-    pressures_kpa[i] = std::atof(argv[i + 2]);
+    const std::string_view text = argv[i + 2];
+    if (std::from_chars(text.begin(), text.end(), pressures_kpa[i]).ptr != text.end()) {
+      throw std::invalid_argument("'" + std::string(text) + "' is not a number");
+    }
   }
   limber::BackboneD backbone(model.point_count(), 3);
   model.backbone(pressures_kpa, backbone);
@@ -44,4 +50,7 @@ int main(int argc, char** argv) {
   limber::write_file_atomically(argv[1], drawing.svg());
   std::cout << argv[1] << "\n";
   return 0;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
 }

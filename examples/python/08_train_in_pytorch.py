@@ -8,34 +8,17 @@ import sys
 import limber
 import numpy as np
 import torch  # type: ignore[import]
-from model_file import Floats, write_network
+from model_file import scaling, write_network
+from recording_windows import windows
 
 WINDOW = 8  # frames that the network runs on its own while it learns
-
-
-def tables(arm: limber.ArmDescription, recording: limber.Recording) -> list[Floats]:
-    """Pressures, backbones and no-load backbones of all windows: (WINDOW + 1, windows, numbers)."""
-    windows = []
-    for episode in recording.episodes:
-        q = episode.pressure_kpa
-        free = limber.NoLoadModel(arm).backbone(q)
-        row = np.concatenate([q, episode.backbone.reshape(len(q), -1), free.reshape(len(q), -1)], 1)
-        windows += [row[k:k + WINDOW + 1] for k in range(0, len(q) - WINDOW, WINDOW)]
-    n, poses = arm.segment_count, 3 * arm.point_count
-    return np.split(np.stack(windows, axis=1), [n, n + poses], axis=2)
-
-
-def scaling(x: Floats) -> tuple[Floats, Floats]:
-    """Offset and scale to mean 0 and deviation 1; numbers that never change stay."""
-    offset, deviation = x.mean((0, 1)), x.std((0, 1))
-    return offset, (1 / np.where(deviation > 1e-6, deviation, 1)).astype(np.float32)
 
 
 def main() -> None:
     arm = limber.load_arm(limber.data_folder() / "arms" / "three_segment.yaml")
     recording = limber.read_recording(sys.argv[1])
     limber.require_recording_of(recording, arm, sys.argv[1])
-    arrays = q, real, free = tables(arm, recording)
+    arrays = q, real, free = windows(arm, recording, WINDOW)
     inputs = scaling(np.concatenate([q[:-1], q[1:], real[:-1], free[1:]], axis=2))
     outputs = scaling(real[1:] - free[1:])
 

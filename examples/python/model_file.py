@@ -18,6 +18,12 @@ import limber
 Floats = npt.NDArray[np.float32]
 
 
+def scaling(x: Floats) -> tuple[Floats, Floats]:
+    """Offset and scale to mean 0 and deviation 1; numbers that never change stay."""
+    offset, deviation = x.mean((0, 1)), x.std((0, 1))
+    return offset, (1 / np.where(deviation > 1e-6, deviation, 1)).astype(np.float32)
+
+
 def write_network(path: str, arm: limber.ArmDescription, layers: list[tuple[Floats, Floats]],
                   inputs: tuple[Floats, Floats], outputs: tuple[Floats, Floats]) -> None:
     """`layers`: weight (out, in) and bias (out,) of each. `inputs` and `outputs`: offset and scale,

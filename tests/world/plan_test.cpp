@@ -1,5 +1,6 @@
 #include "limber/world/plan.hpp"
 
+#include <charconv>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -20,6 +21,14 @@ using ::testing::Not;
 using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 using Json = nlohmann::ordered_json;
+
+template <class Number>
+Number number_in(const std::string& cell) {
+  Number number{};
+  const char* end = cell.data() + cell.size();
+  EXPECT_EQ(std::from_chars(cell.data(), end, number).ptr, end) << cell;
+  return number;
+}
 
 /// A plan of awkward numbers that keeps every rule: 4 moving frames, 2 of holding.
 Plan small_plan(const ArmDescription& arm) {
@@ -341,14 +350,14 @@ TEST(Plan, CsvHoldsTheSetPointsToCommandAndWhen) {
     std::stringstream row(line);
     std::string cell;
     std::getline(row, cell, ',');
-    EXPECT_DOUBLE_EQ(std::stod(cell), double(k - 1) / 20.0);
+    EXPECT_DOUBLE_EQ(number_in<double>(cell), double(k - 1) / 20.0);
     for (int i = 0; i < 3; ++i) {
       std::getline(row, cell, ',');
-      EXPECT_EQ(std::stof(cell), plan.frames[k].setpoint_kpa[i]);
+      EXPECT_EQ(number_in<float>(cell), plan.frames[k].setpoint_kpa[i]);
     }
     for (int i = 0; i < 3; ++i) {
       std::getline(row, cell, ',');
-      EXPECT_EQ(std::stof(cell), plan.frames[k].pressure_kpa[i]);
+      EXPECT_EQ(number_in<float>(cell), plan.frames[k].pressure_kpa[i]);
     }
   }
   EXPECT_FALSE(std::getline(file, line));
