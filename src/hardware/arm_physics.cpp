@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/common/random_stream.hpp"
 
 namespace limber {
