@@ -235,12 +235,12 @@ void TipTracker::search() {
       steps.knots_kpa.col(k) = within_rule(knots_kpa_ + kStepShares[k] * step);
     }
     roll_out(steps);
-    double min_distance = std::numeric_limits<double>::infinity();
+    double min_cost = std::numeric_limits<double>::infinity();
     for (const Candidates* tried : {&sampled, &steps}) {
       for (Eigen::Index c = 0; c < tried->knots_kpa.cols(); ++c) {
         const double found = cost(tried->knots_kpa.col(c), tried->tips_m.col(c), wanted);
-        if (found < min_distance) {
-          min_distance = found;
+        if (found < min_cost) {
+          min_cost = found;
           knots_kpa_ = tried->knots_kpa.col(c);
         }
       }

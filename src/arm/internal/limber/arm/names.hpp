@@ -35,7 +35,7 @@ inline std::string frame_name(Eigen::Index frame) {
   return fmt::format("frame {}", frame);
 }
 
-/// Of a plan or a path of set points; waypoint 0 is where it starts.
+/// Of a plan, or of a list of set points.
 inline std::string waypoint_name(Eigen::Index waypoint) {
   return fmt::format("waypoint {}", waypoint);
 }
