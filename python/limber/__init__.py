@@ -27,7 +27,7 @@ __all__ = [
     "NoLoadModel", "Optimiser", "OutputForm", "ParallelForward", "Plan", "PlanLimit",
     "PlanResult", "PlanStatus", "PlanTube", "Planner", "PlannerLimits", "PlannerProgress",
     "PlannerStatistics", "PlanningProblem", "Polygon", "Pose", "PoseError", "PoseGoal",
-    "PredictionError", "ProgressMode", "RandomStream", "RecordedRegion", "Recording", "Rectangle",
+    "PredictionError", "ProcessDriver", "ProgressMode", "RandomStream", "RecordedRegion", "Recording", "Rectangle",
     "Replanner", "Restart", "RolloutErrors", "Scaling", "ScheduleKind", "ScheduleSettings",
     "Segment", "SegmentPressure", "SegmentShape", "SegmentValves", "SimpleFit", "StageChoice",
     "StrainFit", "SystemFault", "TipErrors", "TrainingData", "TrainingResult", "TrainingSettings",
