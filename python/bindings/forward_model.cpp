@@ -1,5 +1,7 @@
 #include "limber/forward/forward_model.hpp"
 
+#include <time.h>
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -100,6 +102,39 @@ py::array_t<float> step_batch(const ForwardModel& model, const FloatArray& previ
                });
 }
 
+/// Processor time of this thread [s].
+double processor_s() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// What benchmarks/python_figures.py compares Python with: the same loop here. Processor seconds of
+/// one pass over all queries, `size` at a time, or one by one with 0.
+double pass_s(const ForwardModel& model, const FloatArray& previous_kpa,
+              const FloatArray& current_kpa, const FloatArray& previous, py::array_t<float>& out,
+              Eigen::Index size) {
+  require_query_shapes(model, previous_kpa.shape(0), previous_kpa, current_kpa, previous);
+  require_shape(out, shape_of(previous), "out");
+  const auto from = batch_map(previous_kpa);
+  const auto to = batch_map(current_kpa);
+  const auto before = batch_map(previous);
+  auto after = batch_map(out);
+  const Eigen::Index m = model.point_count();
+  const double begin_s = processor_s();
+  for (Eigen::Index k = 0; k < from.cols(); k += std::max<Eigen::Index>(1, size)) {
+    if (size == 0) {
+      model.step(from.col(k), to.col(k), Eigen::Map<const Backbone>(before.col(k).data(), m, 3),
+                 Eigen::Map<Backbone>(after.col(k).data(), m, 3), workspace());
+    } else {
+      const Eigen::Index n = std::min(size, from.cols() - k);
+      model.step_batch(from.middleCols(k, n), to.middleCols(k, n), before.middleCols(k, n),
+                       after.middleCols(k, n), workspace());
+    }
+  }
+  return processor_s() - begin_s;
+}
+
 py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressures_kpa,
                            const FloatArray& first) {
   const py::ssize_t frames = batch_size(pressures_kpa, "pressures_kpa");
@@ -122,6 +157,7 @@ py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressure
 }  // namespace
 
 void bind_forward_model(py::module_& module) {
+  module.def("_pass_s", &pass_s);
   py::class_<ForwardModel>(
       module, "ForwardModel",
       "B_t = F(q_(t-1), q_t, B_(t-1)): the no-load model, or the no-load model compensated by a "
