@@ -89,13 +89,13 @@ class OnAProcess(InFolder):
         driver = self.driver()
         self.assertIsInstance(driver, limber.ArmDriver)
         self.assertIn("logging_driver 1", repr(driver))
-        for _ in range(5):
-            state = driver.command([10.0, -5.0])
+        for kpa in (4.0, 8.0, 12.0):
+            state = driver.command([kpa, -kpa])
         self.assertGreater(state.time_s, 0.0)
         driver.vent()
         self.assertTrue(driver.vent_confirmed)
         np.testing.assert_allclose(driver.look().pressure_kpa, [0, 0], atol=2.0)  # [kPa]
-        driver.command([10.0, -5.0])
+        driver.command([4.0, -4.0])
         del driver  # what is let go, vents
         self.assertEqual(told(self.log)[-1], "vent")
 
@@ -132,7 +132,7 @@ class OnAProcess(InFolder):
         text = io.StringIO()
         with contextlib.redirect_stderr(text):
             driver = limber.ProcessDriver(self.arm, exec_of(self.log))
-            driver.command([10.0, 10.0])
+            driver.command([4.0, 4.0])
             driver.close()
         self.assertIn("vented", text.getvalue())
 
