@@ -1,5 +1,7 @@
-"""Figures of docs/python.md: rates from Python beside C++, overhead of one query, time to import,
-threads beside each other, and how soon Ctrl-C ends a plan.
+"""Figures of docs/python.md: rates from Python beside the same loop in C++, overhead of one query,
+time to import, threads beside each other, and how soon Ctrl-C ends a plan. Rates and the import are
+in processor time, the best of several stretches; the others are wall times, and want a machine that
+does nothing else.
 
     PYTHONPATH=build/release/python benchmarks/python_figures.py build/release/bin/limber
 """
@@ -9,7 +11,6 @@ import json
 import os
 import pathlib
 import signal
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -20,20 +21,10 @@ import numpy as np
 
 import limber
 
-BATCHES = (256, 1024)
-QUERIES = 4096  # of a pass over different ones, as `limber bench` has them
+BATCHES = (256, 1024, 4096)
+QUERIES = 4096  # of a pass, all different
+STRETCHES = 30  # Python and C++ in turns; the best of each counts, as the machine may be busy
 REPEATS = 5
-SECONDS = 1.0  # each measurement
-
-
-def rate(one_pass, units):
-    """Units per second in the median pass, as `limber bench` measures."""
-    passes, end = [], time.perf_counter() + SECONDS
-    while time.perf_counter() < end:
-        begin = time.perf_counter()
-        one_pass()
-        passes.append(time.perf_counter() - begin)
-    return units / statistics.median(passes)
 
 
 def queries(arm, count):
@@ -44,61 +35,53 @@ def queries(arm, count):
     return before, after, limber.NoLoadModel(arm).backbone(earlier)
 
 
-def program_rates(program, arm_file, model_file):
-    bench = json.loads(subprocess.run(
-        [program, "bench", "--quick", "--arm", arm_file, "--model", model_file, "--jobs", "1",
-         "--json"],
-        capture_output=True, check=True).stdout)
-    network = bench.get("model", bench["network"])
-    rates = {row["size"]: row["queries_per_s"] for row in network["batches"]
-             if row.get("threads", 1) == 1}
-    return {"single": network["single"]["queries_per_s"], **{size: rates[size] for size in BATCHES}}
+def best_seconds(one_pass, cpp_pass):
+    """Processor time of a pass, the best stretch from Python and the best in C++."""
+    own, theirs = [], []
+    for _ in range(STRETCHES):
+        theirs.append(cpp_pass())
+        begin = time.thread_time()
+        one_pass()
+        own.append(time.thread_time() - begin)
+    return min(own), min(theirs)
 
 
-def python_rates(arm_file, model_file):
-    arm = limber.load_arm(arm_file)
-    model = limber.ForwardModel(arm, limber.read_model(model_file))
-    before, after, backbones = queries(arm, QUERIES)
-    out = np.empty_like(backbones)
-    rates = {}
+def speed(arm, model):
+    """Queries per second of processor time in batches, and what one query takes more than in C++."""
+    arrays = (*queries(arm, QUERIES), np.empty((QUERIES, arm.point_count, 3), np.float32))
+    found = {"batches": {}}
+
+    def cpp(size):
+        return lambda: limber._limber._pass_s(model, *arrays, size)
     for size in BATCHES:
-        parts = [tuple(array[k:k + size] for array in (before, after, backbones, out))
-                 for k in range(0, QUERIES, size)]
-        rates[size] = rate(lambda: [model.step_batch(*part) for part in parts], QUERIES)
-    ones = [tuple(array[k] for array in (before, after, backbones, out)) for k in range(QUERIES)]
+        parts = [tuple(array[k:k + size] for array in arrays) for k in range(0, QUERIES, size)]
+        own, theirs = best_seconds(lambda: [model.step_batch(*part) for part in parts], cpp(size))
+        found["batches"][size] = {"python_per_s": QUERIES / own, "cpp_per_s": QUERIES / theirs,
+                                  "share": theirs / own}
+    ones = [tuple(array[k] for array in arrays) for k in range(QUERIES)]
 
     def one_by_one():
         for one in ones:
             model.step(*one)
-    rates["single"] = rate(one_by_one, QUERIES)
-    return rates
-
-
-def speed(program, arm_file, model_file):
-    """Queries per second in batches and one by one, from Python and from the program, in turns."""
-    own, theirs = [], []
-    for _ in range(REPEATS):
-        theirs.append(program_rates(program, arm_file, model_file))
-        own.append(python_rates(arm_file, model_file))
-    best = {key: (max(one[key] for one in own), max(one[key] for one in theirs)) for key in own[0]}
-    for size in BATCHES:
-        print(f"batch of {size}: {best[size][0]:,.0f} queries/s in Python, {best[size][1]:,.0f} in "
-              f"C++: {100 * best[size][0] / best[size][1]:.0f} %")
-    alone, program_alone = 1e6 / best["single"][0], 1e6 / best["single"][1]
-    print(f"one query: {alone:.2f} us in Python, {program_alone:.2f} us in C++: "
-          f"{alone - program_alone:.2f} us more")
+    own, theirs = best_seconds(one_by_one, cpp(0))
+    found["one_query"] = {"python_us": 1e6 * own / QUERIES, "cpp_us": 1e6 * theirs / QUERIES,
+                          "more_us": 1e6 * (own - theirs) / QUERIES}
+    return found
 
 
 def import_time():
+    """Processor time of a fresh Python, less that of one that does nothing."""
     def seconds(code):
         times = []
         for _ in range(REPEATS):
-            begin = time.perf_counter()
+            before = os.times()
             subprocess.run([sys.executable, "-c", code], check=True)
-            times.append(time.perf_counter() - begin)
-        return statistics.median(times)
+            after = os.times()
+            times.append(after.children_user + after.children_system - before.children_user
+                         - before.children_system)
+        return min(times)
     bare, numpy, whole = seconds("pass"), seconds("import numpy"), seconds("import limber")
-    print(f"import limber: {whole - bare:.3f} s, of which NumPy {numpy - bare:.3f} s")
+    return {"import_s": whole - bare, "import_numpy_s": numpy - bare}
 
 
 def threads(problem):
@@ -130,9 +113,8 @@ def threads(problem):
     timed(2)
     ended.set()
     ticker.join()
-    print(f"plans of 200 000 queries: one thread {one:.2f} s, two threads {two:.2f} s: "
-          f"{two / one:.2f} times; a 1 ms ticker beside them at most {1000 * max(late):.1f} ms "
-          f"late, 99 % within {1000 * np.quantile(late, 0.99):.1f} ms")
+    return {"one_s": one, "two_s": two, "ratio": two / one, "ticker_late_s": max(late),
+            "ticker_late_99_s": float(np.quantile(late, 0.99))}
 
 
 def interrupt(problem):
@@ -148,26 +130,46 @@ def interrupt(problem):
             limber.make_planner().plan(problem, limber.PlannerLimits(iterations=10**9), 1)
         except KeyboardInterrupt:
             seconds.append(time.perf_counter() - sent[0])
-    print(f"Ctrl-C ends a plan within {1000 * max(seconds):.0f} ms ({len(seconds)} times)")
+    return max(seconds)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("program", type=pathlib.Path)
-    arguments = parser.parse_args()
-    arm_file = limber.data_folder() / "arms" / "three_segment.yaml"
+def small_network(program, arm_file):
     with tempfile.TemporaryDirectory() as folder:
         recording, model_file = f"{folder}/train.h5", f"{folder}/model.safetensors"
         for command in (["collect", "--arm", arm_file, "--schedule", "random", "--count", "20",
                          "--out", recording],
                         ["train", "--arm", arm_file, "--preset", "paper", "--data", recording,
                          "--epochs", "2", "--out", model_file]):
-            subprocess.run([arguments.program, *map(str, command), "--quiet"], check=True,
+            subprocess.run([program, *map(str, command), "--quiet"], check=True,
                            stdout=subprocess.DEVNULL)
-        speed(arguments.program, arm_file, model_file)
-        network = limber.read_model(model_file)
-    import_time()
+        return limber.read_model(model_file)
+
+
+def print_text(found):
+    for size, rates in found["batches"].items():
+        print(f"batch of {size}: {rates['python_per_s']:,.0f} queries per second in Python, "
+              f"{rates['cpp_per_s']:,.0f} in C++: {100 * rates['share']:.0f} %")
+    one, beside = found["one_query"], found["threads"]
+    print(f"one query: {one['python_us']:.2f} us in Python, {one['cpp_us']:.2f} us in C++: "
+          f"{one['more_us']:.2f} us more")
+    print(f"import limber: {found['import_s']:.3f} s, of which NumPy {found['import_numpy_s']:.3f} s")
+    print(f"plans of 200 000 queries: one thread {beside['one_s']:.2f} s, two threads "
+          f"{beside['two_s']:.2f} s: {beside['ratio']:.2f} times; a 1 ms ticker beside them at most "
+          f"{1000 * beside['ticker_late_s']:.1f} ms late, 99 % within "
+          f"{1000 * beside['ticker_late_99_s']:.1f} ms")
+    print(f"Ctrl-C ends a plan within {1000 * found['interrupt_s']:.0f} ms ({REPEATS} times)")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("--model", type=pathlib.Path, help="of the default arm; else a small one")
+    parser.add_argument("--json", action="store_true")
+    arguments = parser.parse_args()
+    arm_file = limber.data_folder() / "arms" / "three_segment.yaml"
     arm = limber.load_arm(arm_file)
+    network = (limber.read_model(arguments.model) if arguments.model
+               else small_network(arguments.program, arm_file))
     forward = limber.ForwardModel(arm, network)
     behind = limber.Environment("out of reach but for the model",
                                 [limber.Circle(x_m=0.35, y_m=0.3, radius_m=0.05)],
@@ -175,8 +177,12 @@ def main():
                                                 position_tolerance_m=0.0005,
                                                 orientation_tolerance_rad=0.002))
     problem = limber.PlanningProblem(arm, limber.MotionModel(forward), behind)
-    threads(problem)
-    interrupt(problem)
+    found = {**speed(arm, forward), **import_time(), "threads": threads(problem),
+             "interrupt_s": interrupt(problem)}
+    if arguments.json:
+        print(json.dumps(found, indent=2))
+    else:
+        print_text(found)
 
 
 if __name__ == "__main__":

@@ -9,9 +9,10 @@ if(LIMBER_PYTHON AND NOT LIMBER_SANITIZE)
     DEPENDS limber_program "${PROJECT_SOURCE_DIR}/tools/command_pages.py"
     COMMENT "Man pages and completions" VERBATIM)
   add_custom_target(limber_command_pages ALL DEPENDS "${command_pages}/made")
-  install(DIRECTORY "${command_pages}/man1" DESTINATION ${CMAKE_INSTALL_MANDIR} OPTIONAL)
-  install(FILES "${command_pages}/bash/limber" OPTIONAL
+  install(DIRECTORY "${command_pages}/man1" DESTINATION ${CMAKE_INSTALL_MANDIR}
+          COMPONENT runtime OPTIONAL)
+  install(FILES "${command_pages}/bash/limber" COMPONENT runtime OPTIONAL
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-  install(FILES "${command_pages}/zsh/_limber" OPTIONAL
+  install(FILES "${command_pages}/zsh/_limber" COMPONENT runtime OPTIONAL
           DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
 endif()

@@ -15,8 +15,9 @@ PARAMETERS = {
     "out": "npt.NDArray[np.float32] | None",
     "callback": "Callable[[PlannerProgress], bool | None] | None",
     "on_epoch": "Callable[[LearningCurvePoint], bool | None] | None",
-    "make_driver": "DriverFactory | Callable[[int], ArmDriver]",
-    "driver": "ArmDriver | VirtualArm",
+    "make_driver": "DriverFactory | ProcessDriver | Callable[[int], ArmDriver]",
+    "driver": "ArmDriver | ProcessDriver | VirtualArm",
+    "on_message": "Callable[[str], None] | None",
     "episodes": "Iterable[Episode]", "training": "Iterable[Episode]",
     "validation": "Iterable[Episode]", "replay": "Iterable[Episode]",
     "unseen": "Iterable[Episode]", "tracked": "npt.ArrayLike | None",
@@ -27,6 +28,7 @@ RESULTS = {
     "TrainingData.unseen": "list[Episode]", "CompensationModel.layers": "list[Layer]",
     "ArmState.backbone": "npt.NDArray[np.float32] | None", "to_json": "dict[str, Any]",
     "ExecutionResult.final_backbone": "npt.NDArray[np.float32] | None",
+    "ExecutionResult._repr_svg_": "str | None", "ProcessDriver.__enter__": "ProcessDriver",
 }
 # Parameters that a name alone does not tell: (function, parameter).
 EXCEPTIONS = {("certify", "network"): "CompensationModel | None",
@@ -164,7 +166,8 @@ def class_lines(module, name, kind):
     for member, value in members.items():
         public = not member.startswith("_") or member in (
             "__init__", "__eq__", "__len__", "__str__", "_repr_svg_", "__getitem__",
-            "__setitem__", "__iter__", "__delitem__", "__bool__", "__contains__")
+            "__setitem__", "__iter__", "__delitem__", "__bool__", "__contains__", "__enter__",
+            "__exit__")
         if public and callable(value) and not isinstance(value, property):
             made = function_lines(name, member, value.__doc__ or "", "    ", fields)
             if member == "__eq__":

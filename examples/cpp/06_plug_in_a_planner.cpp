@@ -2,6 +2,9 @@
 // motion. This one climbs: it changes the best motion so far, and keeps what is nearer to a plan.
 //
 //   06_plug_in_a_planner MODEL.safetensors ENVIRONMENT.yaml PLAN.json
+//
+// The model may be your own too: ../python/08_train_in_pytorch.py trains one in PyTorch, and
+// ../python/model_file.py writes any network's weights as such a file.
 
 #include <algorithm>
 #include <iostream>

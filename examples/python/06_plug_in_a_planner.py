@@ -2,6 +2,9 @@
 motion. This one climbs: it changes the best motion so far, and keeps what is nearer to a solution.
 
     06_plug_in_a_planner.py MODEL.safetensors ENVIRONMENT.yaml PLAN.json     (in C++: the same name)
+
+The model may be your own too: 08_train_in_pytorch.py trains one in PyTorch, and model_file.py writes any
+network's weights as such a file.
 """
 
 import sys

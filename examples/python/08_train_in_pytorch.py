@@ -30,6 +30,7 @@ def main() -> None:
     layers = [torch.nn.Linear(a, b) for a, b in zip(sizes, sizes[1:])]
     adam = torch.optim.Adam([p for layer in layers for p in layer.parameters()], lr=1e-3)
     for epoch in range(int(sys.argv[3]) if len(sys.argv) > 3 else 200):
+        losses = []
         for part in torch.randperm(pressure.shape[1]).split(128):
             state, loss = seen[0, part], torch.tensor(0.0)
             for t in range(1, WINDOW + 1):
@@ -42,7 +43,8 @@ def main() -> None:
             adam.zero_grad()
             loss.backward()
             adam.step()
-        print(f"epoch {epoch + 1}: loss {loss.item():.4f}")
+            losses.append(loss.item())
+        print(f"epoch {epoch + 1}: loss {np.mean(losses):.4f}")
 
     weights = [(layer.weight.detach().numpy(), layer.bias.detach().numpy()) for layer in layers]
     write_network(sys.argv[2], arm, weights, inputs, outputs)

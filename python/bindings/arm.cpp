@@ -104,12 +104,13 @@ void bind_arm(py::module_& module) {
            "Segment that the gap between plates gap and gap + 1 belongs to.")
       .def("hash", &ArmDescription::hash,
            "Of everything that the no-load model and planning depend on.")
-      .def("_repr_svg_", [](const ArmDescription& arm) { return arm_picture(arm); });
+      .def("_repr_svg_", &arm_picture, py::call_guard<py::gil_scoped_release>());
 
   module.def(
       "load_arm", [](const std::filesystem::path& path) { return load_arm(path); }, py::arg("path"),
+      py::call_guard<py::gil_scoped_release>(),
       "Reads and checks an arm file (YAML). Raises InputError naming file, line and field.");
-  module.def("arm_to_yaml", &arm_to_yaml, py::arg("arm"),
+  module.def("arm_to_yaml", &arm_to_yaml, py::arg("arm"), py::call_guard<py::gil_scoped_release>(),
              "The arm as the text of a file that load_arm reads.");
   module.def("rest_positions_m", &rest_positions_m, py::arg("arm"),
              "Distance along the arm at rest from the base to each plate, m numbers [m].");

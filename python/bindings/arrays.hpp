@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,11 +50,18 @@ void require_no_part_of(const py::array& out, const py::array& input, const char
 /// The first axis of a batch: how many queries. @throws InputError where there is none.
 py::ssize_t batch_size(const py::array& array, const char* name);
 
+/// Without Python's lock, where there is so much that copying takes its time.
 template <class Scalar, class Matrix>
 py::array_t<Scalar> copy_of(const Matrix& matrix, const Shape& shape) {
+  constexpr Eigen::Index kManyNumbers = 1 << 16;
   py::array_t<Scalar> array(shape);
-  Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-      array.mutable_data(), matrix.rows(), matrix.cols()) = matrix;
+  Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> copy(
+      array.mutable_data(), matrix.rows(), matrix.cols());
+  std::optional<py::gil_scoped_release> others_may_run;
+  if (matrix.size() > kManyNumbers) {
+    others_may_run.emplace();
+  }
+  copy = matrix;
   return array;
 }
 

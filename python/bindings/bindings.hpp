@@ -24,6 +24,7 @@ void bind_plans(pybind11::module_& module);
 void bind_certificate(pybind11::module_& module);
 void bind_planning(pybind11::module_& module);
 void bind_virtual_arm(pybind11::module_& module);
+void bind_process_driver(pybind11::module_& module);
 void bind_collection(pybind11::module_& module);
 void bind_execution(pybind11::module_& module);
 void bind_training(pybind11::module_& module);

@@ -52,12 +52,16 @@ void bind_certificate(py::module_& module) {
                     const Environment&>(),
            py::arg("arm"), py::arg("network"), py::arg("valves"), py::arg("environment"),
            py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 4>(),
-           py::keep_alive<1, 5>(), "Without network (None): the no-load model.")
+           py::keep_alive<1, 5>(), py::call_guard<py::gil_scoped_release>(),
+           "Without network (None): the no-load model.")
       .def("certify", &certified, py::arg("plan"),
            "Raises InputError where the plan was made for "
            "something else; all else is a failure in the result.")
       .def_property_readonly("environment_hash", &Certifier::environment_hash,
-                             "What plans have to state.");
+                             "What plans have to state.")
+      .def("__repr__", [](const Certifier& certifier) {
+        return "Certifier(environment_hash='" + certifier.environment_hash() + "')";
+      });
   module.def(
       "certify",
       [](const Plan& plan, const ArmDescription& arm, const CompensationModel* network,

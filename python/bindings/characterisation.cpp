@@ -1,5 +1,6 @@
 #include "limber/arm/characterisation.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -18,6 +19,11 @@ namespace {
 void bind_simple_model(py::module_& module) {
   py::class_<SimpleFit>(module, "SimpleFit",
                         "Gains, offsets and lengths of the simple model, fitted to recordings.")
+      .def("__repr__",
+           [](const SimpleFit& fit) {
+             return fmt::format("SimpleFit(segments={}, lag_s={:.3f}, blocks={})",
+                                fit.segments.size(), fit.model.lag_s, fit.blocks);
+           })
       .def(
           "describe",
           [](const SimpleFit& fit, const ArmDescription& arm) { return to_text(fit, arm); },
@@ -34,7 +40,9 @@ void bind_simple_model(py::module_& module) {
   module.def(
       "fitted_arm",
       [](const ArmDescription& arm, const SimpleFit& fit, const py::iterable& episodes) {
-        return fitted_arm(arm, fit, episodes_from(episodes));
+        const std::vector<Episode> runs = episodes_from(episodes);
+        const py::gil_scoped_release others_may_run;
+        return fitted_arm(arm, fit, runs);
       },
       py::arg("arm"), py::arg("fit"), py::arg("episodes"),
       "The arm with the fit's polynomials and lengths.");
@@ -66,8 +74,10 @@ void bind_characterisation(py::module_& module) {
       [](const std::filesystem::path& path) {
         return load_arm(path, PolynomialsOf::characterisation);
       },
-      py::arg("path"), "An arm file whose strain polynomials may be missing or outdated.");
+      py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+      "An arm file whose strain polynomials may be missing or outdated.");
   module.def("read_bench_csv", &read_bench_csv, py::arg("path"), py::arg("arm"),
+             py::call_guard<py::gil_scoped_release>(),
              "Bench points of every segment from a CSV file with the columns pressure_kpa, strain "
              "and, optionally, segment.");
   module.def("characterise", &characterise, py::arg("arm"), py::arg("bench"),
@@ -81,7 +91,8 @@ void bind_characterisation(py::module_& module) {
       [](const std::filesystem::path& path, const ArmDescription& arm) {
         write_file_atomically(path, arm_to_yaml(arm));
       },
-      py::arg("path"), py::arg("arm"), "Writes an arm file that load_arm reads.");
+      py::arg("path"), py::arg("arm"), py::call_guard<py::gil_scoped_release>(),
+      "Writes an arm file that load_arm reads.");
 }
 
 }  // namespace limber::python

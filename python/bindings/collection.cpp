@@ -8,6 +8,7 @@
 #include "caller_thread.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/virtual_arm_factory.hpp"
+#include "process_driver.hpp"
 #include "python_driver.hpp"
 #include "record.hpp"
 
@@ -20,6 +21,19 @@ struct VirtualArms {
   DriverFactory make;
 };
 
+/// One process for all episodes, one after the other.
+CollectionResult collect_on(const ArmDescription& arm, CollectionSettings settings,
+                            SharedProcessDriver& shared, const std::filesystem::path& path,
+                            CallerThread& caller) {
+  const SharedProcessDriver::Use driver(shared);
+  require_reach(arm, settings.schedule.limit_scale, *driver);
+  settings.source = describe(*driver);
+  settings.driver = "on an arm, by its driver";
+  settings.jobs = 1;
+  settings.partial = std::filesystem::path(path).replace_extension(".partial.h5");
+  return caller.run([&] { return collect(arm, settings, on_one_driver(*driver), path); });
+}
+
 CollectionResult collect_with(const ArmDescription& arm, const CollectionSettings& asked,
                               const py::object& make_driver, const std::filesystem::path& path) {
   CollectionSettings settings = asked;
@@ -28,6 +42,8 @@ CollectionResult collect_with(const ArmDescription& arm, const CollectionSetting
   DriverFactory factory;
   if (py::isinstance<VirtualArms>(make_driver)) {
     factory = make_driver.cast<const VirtualArms&>().make;
+  } else if (py::isinstance<SharedProcessDriver>(make_driver)) {
+    return collect_on(arm, settings, make_driver.cast<SharedProcessDriver&>(), path, caller);
   } else {
     factory = [&](int index) -> std::unique_ptr<ArmDriver> {
       std::unique_ptr<ArmDriver> driver;
@@ -54,6 +70,8 @@ void bind_schedule(py::module_& module) {
       .field("episodes", &ScheduleSettings::episodes, "0: 16 for transitions, 1 for random.")
       .field("approach", &ScheduleSettings::approach, "Approach.")
       .field("hold_s", &ScheduleSettings::hold_s, "Of a motion's final set point [s].")
+      .field("limit_scale", &ScheduleSettings::limit_scale,
+             "Motions stay within so many times the arm's limits, in (0, 1].")
       .field("hold_min_s", &ScheduleSettings::hold_min_s,
              "Holds are sampled between this and hold_s [s]; or None.")
       .keywords()
@@ -85,7 +103,9 @@ void bind_collection(py::module_& module) {
       .read_only("kept_episodes", &CollectionResult::kept_episodes, "Found by `resume`.")
       .read_only("wall_time_s", &CollectionResult::wall_time_s, "Of this run [s].")
       .done();
-  py::class_<VirtualArms>(module, "DriverFactory", "Makes a virtual arm for each episode.");
+  py::class_<VirtualArms>(module, "DriverFactory", "Makes a virtual arm for each episode.")
+      .def("__repr__",
+           [](const VirtualArms&) { return "DriverFactory(a VirtualArm for each episode)"; });
   module.def(
       "virtual_arm_factory",
       [](const ArmDescription& arm, const VirtualArmOptions& options) {
@@ -103,11 +123,12 @@ void bind_collection(py::module_& module) {
       },
       py::arg("arm"), py::arg("schedule"), py::arg("options") = VirtualArmOptions{},
       "Settings for the virtual arm, with its source, driver and seed.");
-  module.def("collect", &collect_with, py::arg("arm"), py::arg("settings"), py::arg("make_driver"),
-             py::arg("path"),
-             "Records a schedule to `path` (HDF5). make_driver: virtual_arm_factory(...), or a "
-             "function of the episode's index that returns an ArmDriver. Ctrl-C vents the arm and "
-             "raises KeyboardInterrupt; finished episodes stay, for resume=True.");
+  module.def(
+      "collect", &collect_with, py::arg("arm"), py::arg("settings"), py::arg("make_driver"),
+      py::arg("path"),
+      "Records a schedule to `path` (HDF5). make_driver: virtual_arm_factory(...), a "
+      "ProcessDriver, or a function of the episode's index that returns an ArmDriver. Ctrl-C vents the arm and "
+      "raises KeyboardInterrupt; finished episodes stay, for resume=True.");
 }
 
 }  // namespace limber::python

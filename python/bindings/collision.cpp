@@ -1,5 +1,6 @@
 #include "limber/world/collision.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
@@ -44,7 +45,7 @@ void bind_collision(py::module_& module) {
           [](const CollisionChecker& checker, const FloatArray& backbone) {
             return checker.is_free(backbone_map(checked(checker, backbone, "backbone")));
           },
-          py::arg("backbone"), "Whether nothing touches the arm.")
+          py::arg("backbone"), "Whether nothing touches the arm: of one backbone, float32 (m, 3).")
       .def(
           "is_motion_free",
           [](const CollisionChecker& checker, const FloatArray& from, const FloatArray& to) {
@@ -52,7 +53,12 @@ void bind_collision(py::module_& module) {
                                           backbone_map(checked(checker, to, "to_backbone")));
           },
           py::arg("from_backbone"), py::arg("to_backbone"),
-          "Whether the arm stays free while every plate moves straight from one to the other.");
+          "Whether the arm stays free while every plate moves straight from one backbone, float32 "
+          "(m, 3), to the other.")
+      .def("__repr__", [](const CollisionChecker& checker) {
+        return fmt::format("CollisionChecker(obstacles={}, gaps={})", checker.obstacle_count(),
+                           checker.gap_count());
+      });
 }
 
 }  // namespace limber::python

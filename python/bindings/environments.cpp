@@ -93,13 +93,14 @@ void bind_environments(py::module_& module) {
                           "What a plan is made for: obstacles, start and goal, in frame B. Plans "
                           "borrow it, so it does not change.")
       .def(py::init(&make_environment), py::arg("name"), py::arg("obstacles"), py::arg("goal"),
-           py::arg("start") = py::none(), "Checked as a file is. Without start: at rest.")
+           py::arg("start") = py::none(), py::call_guard<py::gil_scoped_release>(),
+           "Checked as a file is. Without start: at rest.")
       .def_readonly("name", &Environment::name, "Of the file.")
       .def_readonly("obstacles", &Environment::obstacles, "Circle, Rectangle, Polygon; copies.")
       .def_property_readonly(
           "goal", [](const Environment& e) { return e.goal; }, "A copy.")
       .def_readonly("start", &Environment::start, "ArmStart, or None: at rest.")
-      .def("_repr_svg_", &obstacles_picture)
+      .def("_repr_svg_", &obstacles_picture, py::call_guard<py::gil_scoped_release>())
       .def("__repr__", [](const Environment& environment) {
         return fmt::format("Environment(name='{}', obstacles={}, goal=({}, {}))", environment.name,
                            environment.obstacles.size(), environment.goal.x_m,
@@ -110,19 +111,22 @@ void bind_environments(py::module_& module) {
       [](const std::filesystem::path& path, const ArmDescription* arm) {
         return arm == nullptr ? load_environment(path) : load_environment(path, *arm);
       },
-      py::arg("path"), py::arg("arm") = py::none(),
+      py::arg("path"), py::arg("arm") = py::none(), py::call_guard<py::gil_scoped_release>(),
       "Reads and checks an environment file (YAML); with an arm, that its start fits.");
   module.def("environment_to_yaml", &environment_to_yaml, py::arg("environment"),
+             py::call_guard<py::gil_scoped_release>(),
              "The environment as the text of a file that load_environment reads.");
   module.def(
       "write_environment",
       [](const std::filesystem::path& path, const Environment& environment) {
         write_file_atomically(path, environment_to_yaml(environment));
       },
-      py::arg("path"), py::arg("environment"), "Writes such a file.");
+      py::arg("path"), py::arg("environment"), py::call_guard<py::gil_scoped_release>(),
+      "Writes such a file.");
   module.def("environment_hash", &environment_hash, py::arg("environment"),
-             "Of everything that planning depends on.");
+             py::call_guard<py::gil_scoped_release>(), "Of everything that planning depends on.");
   module.def("start_state", &start_state, py::arg("environment"), py::arg("arm"),
+             py::call_guard<py::gil_scoped_release>(),
              "Where the arm starts: as the environment has it, or at rest.");
 }
 

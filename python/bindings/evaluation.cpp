@@ -6,6 +6,7 @@
 #include "bindings.hpp"
 #include "episodes.hpp"
 #include "limber/report/training_report.hpp"
+#include "pictures.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -51,7 +52,8 @@ void bind_evaluation(py::module_& module) {
       .read_only("orientation_reduction_percent", &Evaluation::orientation_reduction_percent,
                  "The same of headings [%].")
       .done()
-      .def("__str__", [](const Evaluation& evaluation) { return to_text(evaluation); });
+      .def("__str__", [](const Evaluation& evaluation) { return to_text(evaluation); })
+      .def("_repr_svg_", &evaluation_picture, py::call_guard<py::gil_scoped_release>());
   module.def(
       "predict",
       [](const ForwardModel& model, const Episode& episode, Restart restart, int jobs) {

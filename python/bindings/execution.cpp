@@ -4,7 +4,9 @@
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "limber/hardware/executor.hpp"
+#include "limber/report/execution_picture.hpp"
 #include "limber/trial/plan_trial.hpp"
+#include "process_driver.hpp"
 #include "python_driver.hpp"
 #include "record.hpp"
 #include "virtual_arm.hpp"
@@ -13,19 +15,72 @@ namespace limber::python {
 
 namespace {
 
-ExecutionResult execute_with(const ArmDescription& arm, const Environment& environment,
-                             const Plan& plan, const py::object& driver,
-                             const ExecutionSettings& asked, PlanSource* replanner) {
+/// An ExecutionResult that is a Python object already.
+struct ResultObject : pybind11::object {};
+
+}  // namespace
+
+}  // namespace limber::python
+
+// In signatures, and so in stubs, it is called what it is.
+template <>
+struct pybind11::detail::handle_type_name<limber::python::ResultObject> {
+  static constexpr auto name = const_name<limber::ExecutionResult>();
+};
+
+namespace limber::python {
+
+namespace {
+
+constexpr const char* kParts = "_parts";  // arm, environment and plan of a result
+
+/// A PlanSource, and what it is for.
+struct Replanner {
+  std::unique_ptr<PlanSource> source;
+  std::string arm;
+  std::string environment;
+};
+
+ExecutionResult run_with(const ArmDescription& arm, const Environment& environment,
+                         const Plan& plan, const py::object& driver, const ExecutionSettings& asked,
+                         Replanner* replanner) {
   ExecutionSettings settings = asked;
-  settings.replanner = replanner;
+  settings.replanner = replanner == nullptr ? nullptr : replanner->source.get();
   CallerThread caller;
   settings.should_stop = [&] { return caller.should_stop(); };
   if (py::isinstance<SharedVirtualArm>(driver)) {
     const SharedVirtualArm::Use use(driver.cast<SharedVirtualArm&>());
     return caller.run([&] { return execute(arm, environment, plan, *use, settings); });
   }
+  if (py::isinstance<SharedProcessDriver>(driver)) {
+    const SharedProcessDriver::Use use(driver.cast<SharedProcessDriver&>());
+    require_within(plan, *use);
+    return caller.run([&] { return execute(arm, environment, plan, *use, settings); });
+  }
   PythonDriver python_driver(driver, caller);
   return caller.run([&] { return execute(arm, environment, plan, python_driver, settings); });
+}
+
+/// With what its picture needs: the very objects that the caller handed over.
+ResultObject execute_with(const ArmDescription& arm, const Environment& environment,
+                          const Plan& plan, const py::object& driver,
+                          const ExecutionSettings& settings, Replanner* replanner) {
+  py::object result = py::cast(run_with(arm, environment, plan, driver, settings, replanner));
+  result.attr(kParts) = py::make_tuple(py::cast(&arm), py::cast(&environment), py::cast(&plan));
+  return ResultObject{std::move(result)};
+}
+
+std::optional<std::string> picture_of(const py::object& self) {
+  if (!py::hasattr(self, kParts)) {
+    return std::nullopt;
+  }
+  const auto parts = self.attr(kParts).cast<py::tuple>();
+  const auto& arm = parts[0].cast<const ArmDescription&>();
+  const auto& environment = parts[1].cast<const Environment&>();
+  const auto& plan = parts[2].cast<const Plan&>();
+  const auto& result = self.cast<const ExecutionResult&>();
+  const py::gil_scoped_release others_may_run;
+  return execution_picture(arm, environment, plan, result);
 }
 
 void bind_findings(py::module_& module) {
@@ -51,18 +106,23 @@ void bind_findings(py::module_& module) {
 }
 
 void bind_replanner(py::module_& module) {
-  py::class_<PlanSource>(module, "Replanner",
-                         "Plans again from where the arm is measured, whenever it stands off the "
-                         "goal or has strayed. One run at a time.")
+  py::class_<Replanner>(module, "Replanner",
+                        "Plans again from where the arm is measured, whenever it stands off the "
+                        "goal or has strayed. One run at a time.")
       .def(py::init([](const ArmDescription& arm, const MotionModel& model,
                        const Environment& environment, const std::optional<ErrorRoom>& room,
                        std::uint64_t seed) {
-             return make_replanner(arm, model, environment,
-                                   room ? *room : error_room(model.forward()), seed);
+             return Replanner{make_replanner(arm, model, environment,
+                                             room ? *room : error_room(model.forward()), seed),
+                              arm.name, environment.name};
            }),
            py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room") = py::none(),
            py::arg("seed") = 1, py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
-           py::keep_alive<1, 4>(), "room: what plans keep in hand; None: error_room's.");
+           py::keep_alive<1, 4>(), "room: what plans keep in hand; None: error_room's.")
+      .def("__repr__", [](const Replanner& replanner) {
+        return "Replanner(arm='" + replanner.arm + "', environment='" + replanner.environment +
+               "')";
+      });
 }
 
 }  // namespace
@@ -70,7 +130,8 @@ void bind_replanner(py::module_& module) {
 void bind_execution(py::module_& module) {
   bind_findings(module);
   bind_replanner(module);
-  Record<ExecutionResult>(module, "ExecutionResult", "What came of executing a plan.")
+  Record<ExecutionResult>(module, "ExecutionResult", "What came of executing a plan.",
+                          py::dynamic_attr())
       .read_only("status", &ExecutionResult::status, "ExecutionStatus.")
       .read_only("message", &ExecutionResult::message, "Of a fault; else empty.")
       .read_only("frames", &ExecutionResult::frames, "Set points commanded.")
@@ -94,13 +155,15 @@ void bind_execution(py::module_& module) {
                                          : py::none();
           },
           "float32 (m, 3) after the hold, or None.")
-      .def_readonly("episode", &ExecutionResult::episode, "What was commanded and measured.");
+      .def_readonly("episode", &ExecutionResult::episode, "What was commanded and measured.")
+      .def("_repr_svg_", &picture_of);
   module.def(
       "execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
       py::arg("driver"), py::arg("settings") = ExecutionSettings{},
       py::arg("replanner") = py::none(),
-      "Commands a plan's frames as they stand, then holds; a Replanner plans again. The arm is "
-      "vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt.");
+      "Commands a plan's frames as they stand, then holds; a Replanner plans again. driver: a "
+      "VirtualArm, a ProcessDriver, or an ArmDriver of your own for simulation. The arm "
+      "is vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt.");
 }
 
 }  // namespace limber::python

@@ -1,5 +1,7 @@
 #include "limber/forward/forward_model.hpp"
 
+#include <time.h>
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -19,9 +21,17 @@ ForwardModel::Workspace& workspace() {
   return scratch;
 }
 
-/// Sizes and numbers of one query or, with `rows` ≥ 0, of a batch.
-void require_query(const ForwardModel& model, py::ssize_t rows, const FloatArray& previous_kpa,
-                   const FloatArray& current_kpa, const FloatArray& previous) {
+void require_finite_query(const FloatArray& previous_kpa, const FloatArray& current_kpa,
+                          const FloatArray& previous) {
+  require_finite(previous_kpa, "previous_kpa");
+  require_finite(current_kpa, "current_kpa");
+  require_finite(previous, "previous");
+}
+
+/// Sizes of one query or, with `rows` ≥ 0, of a batch.
+void require_query_shapes(const ForwardModel& model, py::ssize_t rows,
+                          const FloatArray& previous_kpa, const FloatArray& current_kpa,
+                          const FloatArray& previous) {
   const py::ssize_t n = model.segment_count();
   const py::ssize_t m = model.point_count();
   const bool fits = rows < 0 ? previous_kpa.ndim() == 1 && previous_kpa.shape(0) == n &&
@@ -34,15 +44,19 @@ void require_query(const ForwardModel& model, py::ssize_t rows, const FloatArray
     require_shape(current_kpa, rows < 0 ? Shape{n} : Shape{rows, n}, "current_kpa");
     require_shape(previous, rows < 0 ? Shape{m, 3} : Shape{rows, m, 3}, "previous");
   }
-  require_finite(previous_kpa, "previous_kpa");
-  require_finite(current_kpa, "current_kpa");
-  require_finite(previous, "previous");
+}
+
+/// Sizes and numbers of one query.
+void require_query(const ForwardModel& model, const FloatArray& previous_kpa,
+                   const FloatArray& current_kpa, const FloatArray& previous) {
+  require_query_shapes(model, -1, previous_kpa, current_kpa, previous);
+  require_finite_query(previous_kpa, current_kpa, previous);
 }
 
 py::array_t<float> step(const ForwardModel& model, const FloatArray& previous_kpa,
                         const FloatArray& current_kpa, const FloatArray& previous,
                         const py::object& out) {
-  require_query(model, -1, previous_kpa, current_kpa, previous);
+  require_query(model, previous_kpa, current_kpa, previous);
   py::array_t<float> next = result_array(out, {model.point_count(), 3});
   model.step(pressures_map(previous_kpa), pressures_map(current_kpa), backbone_map(previous),
              Eigen::Map<Backbone>(next.mutable_data(), model.point_count(), 3), workspace());
@@ -51,7 +65,7 @@ py::array_t<float> step(const ForwardModel& model, const FloatArray& previous_kp
 
 py::array_t<float> checked_step(const ForwardModel& model, const FloatArray& previous_kpa,
                                 const FloatArray& current_kpa, const FloatArray& previous) {
-  require_query(model, -1, previous_kpa, current_kpa, previous);
+  require_query(model, previous_kpa, current_kpa, previous);
   return backbone_array<float>(model.checked_step(
       pressures_map(previous_kpa), pressures_map(current_kpa), backbone_map(previous)));
 }
@@ -62,7 +76,7 @@ py::array_t<float> batch(const ForwardModel& model, const FloatArray& previous_k
                          const FloatArray& current_kpa, const FloatArray& previous,
                          const py::object& out, const Query& query) {
   const py::ssize_t rows = batch_size(previous_kpa, "previous_kpa");
-  require_query(model, rows, previous_kpa, current_kpa, previous);
+  require_query_shapes(model, rows, previous_kpa, current_kpa, previous);
   py::array_t<float> next = result_array(out, {rows, model.point_count(), 3});
   require_no_part_of(next, previous, "previous");
   require_no_part_of(next, previous_kpa, "previous_kpa");
@@ -72,6 +86,7 @@ py::array_t<float> batch(const ForwardModel& model, const FloatArray& previous_k
   const auto before = batch_map(previous);
   auto after = batch_map(next);
   const py::gil_scoped_release others_may_run;
+  require_finite_query(previous_kpa, current_kpa, previous);
   if (rows > 0) {
     query(from, to, before, after);
   }
@@ -87,11 +102,43 @@ py::array_t<float> step_batch(const ForwardModel& model, const FloatArray& previ
                });
 }
 
+/// Processor time of this thread [s].
+double processor_s() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// What benchmarks/python_figures.py compares Python with: the same loop here. Processor seconds of
+/// one pass over all queries, `size` at a time, or one by one with 0.
+double pass_s(const ForwardModel& model, const FloatArray& previous_kpa,
+              const FloatArray& current_kpa, const FloatArray& previous, py::array_t<float>& out,
+              Eigen::Index size) {
+  require_query_shapes(model, previous_kpa.shape(0), previous_kpa, current_kpa, previous);
+  require_shape(out, shape_of(previous), "out");
+  const auto from = batch_map(previous_kpa);
+  const auto to = batch_map(current_kpa);
+  const auto before = batch_map(previous);
+  auto after = batch_map(out);
+  const Eigen::Index m = model.point_count();
+  const double begin_s = processor_s();
+  for (Eigen::Index k = 0; k < from.cols(); k += std::max<Eigen::Index>(1, size)) {
+    if (size == 0) {
+      model.step(from.col(k), to.col(k), Eigen::Map<const Backbone>(before.col(k).data(), m, 3),
+                 Eigen::Map<Backbone>(after.col(k).data(), m, 3), workspace());
+    } else {
+      const Eigen::Index n = std::min(size, from.cols() - k);
+      model.step_batch(from.middleCols(k, n), to.middleCols(k, n), before.middleCols(k, n),
+                       after.middleCols(k, n), workspace());
+    }
+  }
+  return processor_s() - begin_s;
+}
+
 py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressures_kpa,
                            const FloatArray& first) {
   const py::ssize_t frames = batch_size(pressures_kpa, "pressures_kpa");
   require_shape(pressures_kpa, {frames, model.segment_count()}, "pressures_kpa");
-  require_finite(pressures_kpa, "pressures_kpa");
   require_shape(first, {model.point_count(), 3}, "first");
   require_finite(first, "first");
   py::array_t<float> backbones({frames, py::ssize_t{model.point_count()}, py::ssize_t{3}});
@@ -102,6 +149,7 @@ py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressure
   auto result = batch_map(backbones);
   std::copy_n(first.data(), first.size(), backbones.mutable_data());
   const py::gil_scoped_release others_may_run;
+  require_finite(pressures_kpa, "pressures_kpa");
   model.rollout(pressures, result, workspace());
   return backbones;
 }
@@ -109,6 +157,7 @@ py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressure
 }  // namespace
 
 void bind_forward_model(py::module_& module) {
+  module.def("_pass_s", &pass_s);
   py::class_<ForwardModel>(
       module, "ForwardModel",
       "B_t = F(q_(t-1), q_t, B_(t-1)): the no-load model, or the no-load model compensated by a "
@@ -117,7 +166,7 @@ void bind_forward_model(py::module_& module) {
              return compensation == nullptr ? ForwardModel(arm) : ForwardModel(arm, *compensation);
            }),
            py::arg("arm"), py::arg("compensation") = py::none(),
-           "Without a network the no-load model alone.")
+           py::call_guard<py::gil_scoped_release>(), "Without a network the no-load model alone.")
       .def_property_readonly("segment_count", &ForwardModel::segment_count, "n.")
       .def_property_readonly("point_count", &ForwardModel::point_count, "m.")
       .def_property_readonly("has_network", &ForwardModel::has_network, "Whether there is one.")
@@ -132,7 +181,9 @@ void bind_forward_model(py::module_& module) {
            py::arg("out") = py::none(),
            "One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3). `out` may be `previous`.")
       .def("checked_step", &checked_step, py::arg("previous_kpa"), py::arg("current_kpa"),
-           py::arg("previous"), "The same; pressures beyond their limits are refused too.")
+           py::arg("previous"),
+           "One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3); pressures beyond their "
+           "limits are refused too.")
       .def("step_batch", &step_batch, py::arg("previous_kpa"), py::arg("current_kpa"),
            py::arg("previous"), py::arg("out") = py::none(),
            "k queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3), each row to the "
@@ -161,7 +212,11 @@ void bind_forward_model(py::module_& module) {
           },
           py::arg("model"), py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
           py::arg("out") = py::none(),
-          "ForwardModel.step_batch, in parts of some hundred queries.");
+          "ForwardModel.step_batch, in parts of some hundred queries: float32 (k, n), (k, n) [kPa] "
+          "and (k, m, 3) give (k, m, 3).")
+      .def("__repr__", [](const ParallelForward& parallel) {
+        return fmt::format("ParallelForward(jobs={})", parallel.jobs());
+      });
 }
 
 }  // namespace limber::python

@@ -18,20 +18,27 @@ namespace py = pybind11;
 namespace {
 
 /// What the program prints with --json, as Python's own dicts and numbers.
-py::object to_python(const nlohmann::ordered_json& json) {
-  return py::module_::import("json").attr("loads")(json.dump());
+template <class MakeJson>
+py::object to_python(const MakeJson& make_json) {
+  std::string text;
+  {
+    const py::gil_scoped_release others_may_run;
+    text = make_json().dump();
+  }
+  return py::module_::import("json").attr("loads")(text);
 }
 
 }  // namespace
 
 void bind_json(py::module_& module) {
   module.def(
-      "to_json", [](const Evaluation& evaluation) { return to_python(to_json(evaluation)); },
+      "to_json",
+      [](const Evaluation& evaluation) { return to_python([&] { return to_json(evaluation); }); },
       py::arg("evaluation"), "The dict of `limber evaluate --json`.");
   module.def(
       "to_json",
       [](const Certificate& certificate, const Environment& environment, const Command& command) {
-        return to_python(to_json(certificate, command, environment));
+        return to_python([&] { return to_json(certificate, command, environment); });
       },
       py::arg("certificate"), py::arg("environment"), py::arg_v("command", Command(), "..."),
       "The dict of `limber verify --json`. `command`: the arm's, where that is no pressure.");
@@ -39,7 +46,7 @@ void bind_json(py::module_& module) {
       "to_json",
       [](const PlanResult& result, const PoseGoal& goal, const std::string& planner,
          const std::string& model, std::uint64_t seed, const Command& command) {
-        return to_python(to_json(result, command, goal, planner, model, seed));
+        return to_python([&] { return to_json(result, command, goal, planner, model, seed); });
       },
       py::arg("result"), py::arg("goal"), py::arg("planner"), py::arg("model"), py::arg("seed"),
       py::arg_v("command", Command(), "..."),
@@ -47,19 +54,22 @@ void bind_json(py::module_& module) {
   module.def(
       "to_json",
       [](const ExecutionResult& result, const Environment& environment) {
-        return to_python(to_json(result, environment));
+        return to_python([&] { return to_json(result, environment); });
       },
       py::arg("result"), py::arg("environment"), "The dict of `limber execute --json`.");
   module.def(
-      "to_json", [](const IdentifiedValves& valves) { return to_python(to_json(valves)); },
+      "to_json",
+      [](const IdentifiedValves& valves) { return to_python([&] { return to_json(valves); }); },
       py::arg("valves"), "Keys as in a valve file.");
   module.def(
-      "to_json", [](const PredictionError& error) { return to_python(to_json(error)); },
+      "to_json",
+      [](const PredictionError& error) { return to_python([&] { return to_json(error); }); },
       py::arg("error"), "The object `prediction_error` of `limber train --json`.");
   module.def(
       "content_hash",
       [](const std::filesystem::path& path) { return content_hash(read_file(path)); },
-      py::arg("path"), "Of a file: what plans and models say of the files they were made with.");
+      py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+      "Of a file: what plans and models say of the files they were made with.");
 }
 
 }  // namespace limber::python

@@ -19,10 +19,10 @@ ImportResult import_all(const Paths& logs, const ArmDescription& arm,
                         const std::optional<std::filesystem::path>& mapping,
                         const Paths& command_logs, std::optional<double> time_offset_s) {
   ImportOptions options;
+  const py::gil_scoped_release others_may_run;
   options.mapping = mapping ? read_import_mapping(*mapping, arm) : default_import_mapping(arm);
   options.command_logs = command_logs;
   options.time_offset_s = time_offset_s;
-  const py::gil_scoped_release others_may_run;
   return import_logs(logs, options, arm);
 }
 

@@ -25,6 +25,7 @@ PYBIND11_MODULE(_limber, module) {
   bind_certificate(module);
   bind_planning(module);
   bind_virtual_arm(module);
+  bind_process_driver(module);
   bind_collection(module);
   bind_execution(module);
   bind_training(module);

@@ -58,8 +58,9 @@ void bind_error_room(py::module_& module) {
       },
       py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
       py::arg("goal_margin_rad") = py::none(), py::arg("tube_level") = py::none(),
-      "The tube that a model carries, or the error that "
-      "it states, or the amounts that are given instead.");
+      py::call_guard<py::gil_scoped_release>(),
+      "The tube that a model carries, or the error that it states, or the amounts that are given "
+      "instead.");
 }
 
 }  // namespace
@@ -120,7 +121,11 @@ void bind_motion_model(py::module_& module) {
   py::class_<RecordedRegion>(module, "RecordedRegion",
                              "Judges whether motions stay within what the recordings held.")
       .def(py::init<const LearntRegion&, double>(), py::arg("learnt"), py::arg("frame_rate_hz"),
-           py::keep_alive<1, 2>());
+           py::keep_alive<1, 2>())
+      .def("__repr__", [](const RecordedRegion& region) {
+        return fmt::format("RecordedRegion(segments={}, points={})",
+                           region.learnt().segment_count(), region.learnt().point_count());
+      });
   bind_tube(module);
   bind_error_room(module);
 }

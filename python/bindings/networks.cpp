@@ -1,6 +1,7 @@
 #include "limber/network/compensation_model.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -50,7 +51,14 @@ void bind_gap_bounds(py::module_& module) {
       .def_property_readonly("min_length_m", &numbers_of<&GapBounds::min_length_m>, "[m].")
       .def_property_readonly("max_length_m", &numbers_of<&GapBounds::max_length_m>, "[m].")
       .def_property_readonly("min_turn_rad", &numbers_of<&GapBounds::min_turn_rad>, "[rad].")
-      .def_property_readonly("max_turn_rad", &numbers_of<&GapBounds::max_turn_rad>, "[rad].");
+      .def_property_readonly("max_turn_rad", &numbers_of<&GapBounds::max_turn_rad>, "[rad].")
+      .def("__repr__", [](const GapBounds& bounds) {
+        return fmt::format(
+            "GapBounds(gaps={}, length_m=({:.4f}, {:.4f}), turn_rad=({:.3f}, {:.3f}))",
+            bounds.min_length_m.size(), bounds.min_length_m.minCoeff(),
+            bounds.max_length_m.maxCoeff(), bounds.min_turn_rad.minCoeff(),
+            bounds.max_turn_rad.maxCoeff());
+      });
 }
 
 }  // namespace
@@ -69,9 +77,16 @@ void bind_networks(py::module_& module) {
                  "Of its heading [rad].")
       .done();
   bind_gap_bounds(module);
-  py::class_<LearntRegion>(
-      module, "LearntRegion",
-      "What the training recordings held: ranges of pressures, rates, shapes.");
+  py::class_<LearntRegion>(module, "LearntRegion",
+                           "What the training recordings held: ranges of pressures, rates, shapes.")
+      .def("__repr__", [](const LearntRegion& learnt) {
+        std::vector<std::string> ranges;
+        for (Eigen::Index s = 0; s < learnt.low_kpa.size(); ++s) {
+          ranges.push_back(fmt::format("({:.1f}, {:.1f})", learnt.low_kpa[s], learnt.high_kpa[s]));
+        }
+        return fmt::format("LearntRegion(pressure_kpa=[{}], points={})", fmt::join(ranges, ", "),
+                           learnt.point_count());
+      });
   py::class_<CompensationModel>(module, "CompensationModel",
                                 "The network with everything needed to use it.")
       .def_property_readonly(
@@ -119,9 +134,10 @@ void bind_networks(py::module_& module) {
         return fmt::format("CompensationModel(arm='{}', shape='{}', preset='{}', members={})",
                            model.arm_name, model.shape(), model.preset, model.member_count());
       });
-  module.def("read_model", &read_model, py::arg("path"), "Reads and checks a model (safetensors).");
+  module.def("read_model", &read_model, py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+             "Reads and checks a model (safetensors).");
   module.def("write_model", &write_model, py::arg("path"), py::arg("model"),
-             "Writes a model (safetensors), atomically.");
+             py::call_guard<py::gil_scoped_release>(), "Writes a model (safetensors), atomically.");
   module.def("require_model_of", &require_model_of, py::arg("model"), py::arg("arm"),
              py::arg("where") = "model",
              "Raises InputError unless the model was trained for the arm.");

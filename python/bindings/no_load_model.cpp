@@ -21,11 +21,11 @@ py::array_t<float> backbone(const NoLoadModel& model, const FloatArray& pressure
   const bool batch = pressures_kpa.ndim() == 2;
   const py::ssize_t count = batch ? pressures_kpa.shape(0) : 1;
   require_shape(pressures_kpa, batch ? Shape{count, n} : Shape{n}, "pressures_kpa");
-  require_finite(pressures_kpa, "pressures_kpa");
   py::array_t<float> result = result_array(out, batch ? Shape{count, m, 3} : Shape{m, 3});
   float* to = result.mutable_data();
   const float* from = pressures_kpa.data();
   const auto run = [&] {
+    require_finite(pressures_kpa, "pressures_kpa");
     for (py::ssize_t i = 0; i < count; ++i) {
       model.backbone(Eigen::Map<const Eigen::VectorXf>(from + i * n, n),
                      Eigen::Map<Backbone>(to + i * 3 * m, m, 3));

@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "limber/hardware/executor.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/plot/chart.hpp"
 #include "limber/plot/svg_drawing.hpp"
 #include "limber/report/animation.hpp"
 #include "limber/report/execution_picture.hpp"
@@ -110,26 +111,59 @@ std::string motion_picture(const Plan& plan) {
   return drawing.svg();
 }
 
+std::string evaluation_picture(const Evaluation& evaluation) {
+  std::vector<std::string> categories;
+  std::vector<double> position_cm;
+  std::vector<double> orientation_rad;
+  const auto add = [&](const char* name, const TipErrors& errors) {
+    categories.emplace_back(name);
+    position_cm.push_back(errors.position_cm.mean);
+    orientation_rad.push_back(errors.orientation_rad.mean);
+  };
+  if (const auto& network = evaluation.network) {
+    add("one step", network->one_step);
+    add("32 frames", network->window_32);
+    add("motion", network->per_motion);
+    add("open loop", network->open_loop);
+    if (network->open_loop_from_setpoints) {
+      add("set points", *network->open_loop_from_setpoints);
+    }
+  }
+  add("no load", evaluation.no_load_open_loop);
+  SeriesStyle style;
+  style.color = palette_color(kNetworkColor);
+  const auto chart = [&](const char* title, const char* label, const std::vector<double>& values) {
+    return Chart(title).y_axis(label).without_legend().bars(categories, "mean", values, {}, style);
+  };
+  return ChartGrid(2)
+      .add(chart("Position error of the tip", "mean position error [cm]", position_cm))
+      .add(chart("Orientation error of the tip", "mean orientation error [rad]", orientation_rad))
+      .svg();
+}
+
 void bind_pictures(py::module_& module) {
   module.def("environment_picture", &environment_picture, py::arg("arm"), py::arg("environment"),
+             py::call_guard<py::gil_scoped_release>(),
              "The environment with the arm at its start, as an SVG file's text.");
   module.def("plan_picture", &plan_picture, py::arg("arm"), py::arg("environment"),
-             py::arg("result"),
+             py::arg("result"), py::call_guard<py::gil_scoped_release>(),
              "Environment, search tree and plan (or the nearest motion, dashed), as SVG text.");
   module.def("plan_animation", &plan_animation, py::arg("arm"), py::arg("environment"),
-             py::arg("plan"), "One self-contained HTML page in which the arm moves.");
+             py::arg("plan"), py::call_guard<py::gil_scoped_release>(),
+             "One self-contained HTML page in which the arm moves.");
   module.def(
       "pressure_picture",
       [](const ArmDescription& arm, const Plan& plan) { return pressure_picture(arm, plan); },
-      py::arg("arm"), py::arg("plan"),
+      py::arg("arm"), py::arg("plan"), py::call_guard<py::gil_scoped_release>(),
       "Set points and the pressures predicted from them over time, as SVG text.");
   module.def("execution_picture", &execution_picture, py::arg("arm"), py::arg("environment"),
-             py::arg("plan"), py::arg("result"),
+             py::arg("plan"), py::arg("result"), py::call_guard<py::gil_scoped_release>(),
              "One run beside its prediction, as an SVG file's text.");
   module.def("execution_animation", &execution_animation, py::arg("arm"), py::arg("environment"),
-             py::arg("plan"), py::arg("result"),
+             py::arg("plan"), py::arg("result"), py::call_guard<py::gil_scoped_release>(),
              "A page in which the arm moves, as predicted and as measured.");
   module.def("learning_curve_svg", &learning_curve_svg, py::arg("curve"),
+             py::call_guard<py::gil_scoped_release>(),
              "Loss and validation error over epochs, as SVG text.");
   module.def(
       "arm_svg",

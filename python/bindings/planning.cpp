@@ -197,12 +197,15 @@ void bind_result(py::module_& module) {
       .def_readonly("events", &PlanResult::events, "Each plan that was notably cheaper.")
       .def_property_readonly("tree", &tree_of,
                              "Tips of nodes and their parents, float32 (edges, 2, 2) [m].")
-      .def("_repr_svg_", [](const PlanResult& result) -> std::optional<std::string> {
-        if (!result.plan && !result.best_partial) {
-          return std::nullopt;
-        }
-        return motion_picture(result.plan ? *result.plan : *result.best_partial);
-      });
+      .def(
+          "_repr_svg_",
+          [](const PlanResult& result) -> std::optional<std::string> {
+            if (!result.plan && !result.best_partial) {
+              return std::nullopt;
+            }
+            return motion_picture(result.plan ? *result.plan : *result.best_partial);
+          },
+          py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace
@@ -227,7 +230,7 @@ void bind_planning(py::module_& module) {
       [](const std::string& name, int jobs) {
         return std::make_unique<OnePlanner>(make_planner(name, jobs));
       },
-      py::arg("name") = "default", py::arg("jobs") = 0,
+      py::arg("name") = "default", py::arg("jobs") = 0, py::call_guard<py::gil_scoped_release>(),
       "By name; settings may follow it: \"default,improved_plans=0\". jobs: threads, 0: one per "
       "core; they never change a result.");
   module.def("plan_along", &along, py::arg("problem"), py::arg("waypoints_kpa"), py::arg("planner"),

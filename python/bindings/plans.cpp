@@ -92,26 +92,32 @@ void bind_plan(py::module_& module) {
           },
           "Predicted, float32 (T, n) [kPa]; a copy.")
       .def_property_readonly("backbone", &backbones_of, "Predicted, float32 (T, m, 3); a copy.")
-      .def("_repr_svg_", [](const Plan& plan) -> std::optional<std::string> {
-        std::string picture = motion_picture(plan);
-        return picture.empty() ? std::nullopt : std::optional(std::move(picture));
-      });
+      .def(
+          "_repr_svg_",
+          [](const Plan& plan) -> std::optional<std::string> {
+            std::string picture = motion_picture(plan);
+            return picture.empty() ? std::nullopt : std::optional(std::move(picture));
+          },
+          py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace
 
 void bind_plans(py::module_& module) {
   bind_plan(module);
-  module.def("read_plan", &read_plan, py::arg("path"),
+  module.def("read_plan", &read_plan, py::arg("path"), py::call_guard<py::gil_scoped_release>(),
              "Reads and checks a plan (JSON). Raises InputError naming file and field.");
   module.def("read_plan_unchecked", &read_plan_unchecked, py::arg("path"),
+             py::call_guard<py::gil_scoped_release>(),
              "Reads what `certify` is to judge: types and finite numbers alone are checked.");
   module.def("write_plan", &write_plan, py::arg("path"), py::arg("plan"),
+             py::call_guard<py::gil_scoped_release>(),
              "Writes a plan (JSON), atomically, every number exactly.");
   module.def("write_setpoints_csv", &write_setpoints_csv, py::arg("path"), py::arg("plan"),
+             py::call_guard<py::gil_scoped_release>(),
              "Set points for a valve controller, one row a frame.");
   module.def("write_backbones_csv", &write_backbones_csv, py::arg("path"), py::arg("plan"),
-             "Predicted shapes, one row a frame.");
+             py::call_guard<py::gil_scoped_release>(), "Predicted shapes, one row a frame.");
   module.def("require_plan_of", &require_plan_of, py::arg("plan"), py::arg("arm"),
              py::arg("file") = "plan",
              "Raises InputError where the plan was made for another arm or breaks its limits.");

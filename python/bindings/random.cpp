@@ -1,3 +1,5 @@
+#include <string>
+
 #include "bindings.hpp"
 #include "limber/common/random_stream.hpp"
 
@@ -16,7 +18,10 @@ void bind_random(py::module_& module) {
            py::arg("low") = 0.0, py::arg("high") = 1.0, "Uniform in [low, high).")
       .def("normal", &RandomStream::normal, "Standard normal deviate.")
       .def("position", &RandomStream::position, "Draws made so far, in 32-bit words.")
-      .def("seek", &RandomStream::seek, py::arg("position"), "Goes on from a position.");
+      .def("seek", &RandomStream::seek, py::arg("position"), "Goes on from a position.")
+      .def("__repr__", [](const RandomStream& random) {
+        return "RandomStream(position=" + std::to_string(random.position()) + ")";
+      });
 }
 
 }  // namespace limber::python

@@ -20,7 +20,10 @@ void set_fields(const py::object& object, const py::kwargs& values,
 template <class T>
 class Record {
  public:
-  Record(py::module_& module, const char* name, const char* doc) : class_(module, name, doc) {}
+  /// @param extra  what else pybind11 is told of the class, such as py::dynamic_attr().
+  template <class... Extra>
+  Record(py::module_& module, const char* name, const char* doc, const Extra&... extra)
+      : class_(module, name, doc, extra...) {}
 
   template <class Member>
   Record& field(const char* name, Member member, const char* doc) {

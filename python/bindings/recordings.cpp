@@ -44,6 +44,12 @@ Episode make_episode(
     const FloatArray& backbone,
     const py::array_t<int, py::array::c_style | py::array::forcecast>& motion_index,
     const py::object& tracked, bool setpoints_only) {
+  using Flags = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
+  std::optional<Flags> seen;
+  if (!tracked.is_none()) {
+    seen = tracked.cast<Flags>();
+  }
+  const py::gil_scoped_release others_may_run;
   Episode episode;
   episode.setpoints_only = setpoints_only;
   const py::ssize_t frames = time_s.size();
@@ -57,9 +63,8 @@ Episode make_episode(
   }
   episode.backbone = frames_from(backbone, frames, "backbone");
   episode.motion_index = numbers_from<int>(motion_index, frames, "motion_index");
-  if (!tracked.is_none()) {
-    using Flags = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
-    episode.tracked = numbers_from<std::uint8_t>(tracked.cast<Flags>(), frames, "tracked");
+  if (seen) {
+    episode.tracked = numbers_from<std::uint8_t>(*seen, frames, "tracked");
   }
   return episode;
 }
@@ -223,9 +228,17 @@ void bind_export(py::module_& module) {
 }  // namespace
 
 std::vector<Episode> episodes_from(const py::iterable& episodes) {
-  std::vector<Episode> copies;
+  std::vector<py::object> kept;  // whose last owner the iterable may be
+  std::vector<const Episode*> found;
   for (const py::handle& episode : episodes) {
-    copies.push_back(episode.cast<const Episode&>());
+    kept.push_back(py::reinterpret_borrow<py::object>(episode));
+    found.push_back(&episode.cast<const Episode&>());
+  }
+  const py::gil_scoped_release others_may_run;
+  std::vector<Episode> copies;
+  copies.reserve(found.size());
+  for (const Episode* episode : found) {
+    copies.push_back(*episode);
   }
   return copies;
 }
@@ -247,6 +260,7 @@ void bind_recordings(py::module_& module) {
          std::uint64_t seed) {
         Recording recording = make_recording(arm, source, seed);
         recording.episodes = episodes_from(episodes);
+        const py::gil_scoped_release others_may_run;
         validate(recording, "recording");
         return recording;
       },
@@ -256,7 +270,12 @@ void bind_recordings(py::module_& module) {
   module.def(
       "with_setpoints_only",
       [](const py::iterable& episodes) {
-        return episodes_to(with_setpoints_only(episodes_from(episodes)));
+        std::vector<Episode> copies = episodes_from(episodes);
+        {
+          const py::gil_scoped_release others_may_run;
+          copies = with_setpoints_only(std::move(copies));
+        }
+        return episodes_to(std::move(copies));
       },
       py::arg("episodes"), "Copies of them without what was measured: set points alone.");
   module.def("read_recording", &read_recording, py::arg("path"),
@@ -264,7 +283,7 @@ void bind_recordings(py::module_& module) {
   module.def("write_recording", &write_recording, py::arg("path"), py::arg("recording"),
              py::call_guard<py::gil_scoped_release>(), "Writes a recording (HDF5), atomically.");
   module.def("require_recording_of", &require_recording_of, py::arg("recording"), py::arg("arm"),
-             py::arg("file") = "recording",
+             py::arg("file") = "recording", py::call_guard<py::gil_scoped_release>(),
              "Raises InputError where the recording is not one of this arm.");
   bind_export(module);
 }

@@ -69,7 +69,10 @@ void bind_settings(py::module_& module) {
       .keywords()
       .done();
   py::bind_vector<std::vector<TrainingStage>>(module, "TrainingStages",
-                                              "Stages of training, a list.");
+                                              "Stages of training, a list.")
+      .def("__repr__", [](const py::object& stages) {
+        return "TrainingStages(" + std::string(py::repr(py::list(stages))) + ")";
+      });
   Record<S>(module, "TrainingSettings",
             "Everything that decides a training run besides its data. Same settings, data and "
             "seed: same network, for any number of jobs.")
@@ -110,6 +113,15 @@ void bind_settings(py::module_& module) {
              "Settings to train a model on that has learnt already.");
 }
 
+py::list copies_of(const std::vector<Episode>& episodes) {
+  std::vector<Episode> copies;
+  {
+    const py::gil_scoped_release others_may_run;
+    copies = episodes;
+  }
+  return episodes_to(std::move(copies));
+}
+
 void bind_data(py::module_& module) {
   py::class_<TrainingData>(module, "TrainingData",
                            "What is learnt from, what chooses the best epoch, "
@@ -123,19 +135,19 @@ void bind_data(py::module_& module) {
            py::arg("training"), py::arg("validation") = py::tuple(),
            py::arg("replay") = py::tuple(), py::arg("unseen") = py::tuple())
       .def_property(
-          "training", [](const TrainingData& data) { return episodes_to(data.training); },
+          "training", [](const TrainingData& data) { return copies_of(data.training); },
           [](TrainingData& data, const py::iterable& e) { data.training = episodes_from(e); },
           "Learnt from.")
       .def_property(
-          "validation", [](const TrainingData& data) { return episodes_to(data.validation); },
+          "validation", [](const TrainingData& data) { return copies_of(data.validation); },
           [](TrainingData& data, const py::iterable& e) { data.validation = episodes_from(e); },
           "Chooses the best epoch.")
       .def_property(
-          "replay", [](const TrainingData& data) { return episodes_to(data.replay); },
+          "replay", [](const TrainingData& data) { return copies_of(data.replay); },
           [](TrainingData& data, const py::iterable& e) { data.replay = episodes_from(e); },
           "What a model to be fine-tuned was trained on.")
       .def_property(
-          "unseen", [](const TrainingData& data) { return episodes_to(data.unseen); },
+          "unseen", [](const TrainingData& data) { return copies_of(data.unseen); },
           [](TrainingData& data, const py::iterable& e) { data.unseen = episodes_from(e); },
           "Never looked at by `train`.")
       .def_readonly("held_back", &TrainingData::held_back,
@@ -149,12 +161,15 @@ void bind_data(py::module_& module) {
   module.def(
       "hold_back_validation",
       [](const py::iterable& episodes, double fraction, std::uint64_t seed) {
-        return hold_back_validation(episodes_from(episodes), fraction, seed);
+        std::vector<Episode> copies = episodes_from(episodes);
+        const py::gil_scoped_release others_may_run;
+        return hold_back_validation(std::move(copies), fraction, seed);
       },
       py::arg("episodes"), py::arg("fraction"), py::arg("seed"),
       "Holds back whole episodes for validation, about `fraction` of the frames.");
   module.def("hold_back_unseen", &hold_back_unseen, py::arg("data"), py::arg("fraction"),
-             py::arg("seed"), "Then moves about `fraction` of the frames to data.unseen.");
+             py::arg("seed"), py::call_guard<py::gil_scoped_release>(),
+             "Then moves about `fraction` of the frames to data.unseen.");
 }
 
 void bind_result(py::module_& module) {
@@ -190,8 +205,10 @@ void bind_result(py::module_& module) {
       .def_readonly("curve", &TrainingResult::curve, "LearningCurvePoint, one an epoch.")
       .def_readonly("member_validation_position_error_cm",
                     &TrainingResult::member_validation_position_error_cm, "Of an ensemble [cm].")
-      .def("_repr_svg_",
-           [](const TrainingResult& result) { return learning_curve_svg(result.curve); });
+      .def(
+          "_repr_svg_",
+          [](const TrainingResult& result) { return learning_curve_svg(result.curve); },
+          py::call_guard<py::gil_scoped_release>());
 }
 
 void bind_stage_choice(py::module_& module) {
@@ -245,7 +262,11 @@ void bind_runs(py::module_& module) {
       py::arg("on_epoch") = py::none(), "The same, from the weights of a model.");
   module.def(
       "gap_bounds_of",
-      [](const py::iterable& episodes) { return gap_bounds_of(episodes_from(episodes)); },
+      [](const py::iterable& episodes) {
+        const std::vector<Episode> copies = episodes_from(episodes);
+        const py::gil_scoped_release others_may_run;
+        return gap_bounds_of(copies);
+      },
       py::arg("episodes"),
       "The bounds of a model that learnt from these episodes, for the model.bounds of an old one.");
   module.def(

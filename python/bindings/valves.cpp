@@ -103,9 +103,10 @@ void bind_valves(py::module_& module) {
       });
   module.def(
       "read_valves", [](const std::filesystem::path& path) { return read_valves(path); },
-      py::arg("path"), "Reads a valve file (YAML or JSON).");
+      py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+      "Reads a valve file (YAML or JSON).");
   module.def("write_valves", &write_valves, py::arg("path"), py::arg("valves"),
-             "Writes a valve file, atomically.");
+             py::call_guard<py::gil_scoped_release>(), "Writes a valve file, atomically.");
 }
 
 }  // namespace limber::python

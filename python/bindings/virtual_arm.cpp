@@ -69,7 +69,8 @@ void bind_virtual_arm(py::module_& module) {
   py::class_<SharedVirtualArm>(module, "VirtualArm",
                                "A soft arm lying on a table, simulated; an ArmDriver.")
       .def(py::init<const ArmDescription&, const VirtualArmOptions&>(), py::arg("arm"),
-           py::arg("options") = VirtualArmOptions{}, "At rest: straight, vented, at time 0.")
+           py::arg("options") = VirtualArmOptions{}, py::call_guard<py::gil_scoped_release>(),
+           "At rest: straight, vented, at time 0.")
       .def(
           "state", [](SharedVirtualArm& arm) { return Use(arm)->state(); }, "The latest state.")
       .def(
@@ -91,7 +92,7 @@ void bind_virtual_arm(py::module_& module) {
                          [&](VirtualArm& moving) { return moving.settle(setpoints, seconds); });
           },
           py::arg("setpoint_kpa"), py::arg("seconds"),
-          "The same set points for so long; the state after it.")
+          "The same set points (n,) [kPa] for so long [s]; the state after it.")
       .def(
           "true_backbone",
           [](SharedVirtualArm& arm) { return backbone_array<double>(Use(arm)->true_backbone()); },

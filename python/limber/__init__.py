@@ -9,9 +9,15 @@ from __future__ import annotations
 
 import os
 import pathlib
+import sys
 
-from ._limber import *  # noqa: F401,F403
-from ._limber import SystemFault, __version__
+try:
+    from ._limber import *  # noqa: F401,F403
+    from ._limber import SystemFault, __version__
+except ImportError as error:
+    raise ImportError(f"limber can't be imported by {sys.executable}: {error.__cause__ or error}. "
+                      "It wants the Python that it was built with, Debian's /usr/bin/python3, and "
+                      "its NumPy (docs/python.md, To get it)") from error
 from .arm_driver import ArmDriver
 
 __all__ = [
@@ -27,7 +33,7 @@ __all__ = [
     "NoLoadModel", "Optimiser", "OutputForm", "ParallelForward", "Plan", "PlanLimit",
     "PlanResult", "PlanStatus", "PlanTube", "Planner", "PlannerLimits", "PlannerProgress",
     "PlannerStatistics", "PlanningProblem", "Polygon", "Pose", "PoseError", "PoseGoal",
-    "PredictionError", "ProgressMode", "RandomStream", "RecordedRegion", "Recording", "Rectangle",
+    "PredictionError", "ProcessDriver", "ProgressMode", "RandomStream", "RecordedRegion", "Recording", "Rectangle",
     "Replanner", "Restart", "RolloutErrors", "Scaling", "ScheduleKind", "ScheduleSettings",
     "Segment", "SegmentPressure", "SegmentShape", "SegmentValves", "SimpleFit", "StageChoice",
     "StrainFit", "SystemFault", "TipErrors", "TrainingData", "TrainingResult", "TrainingSettings",

@@ -317,9 +317,9 @@ class CollisionChecker:
     def clearance(self, backbone: npt.ArrayLike) -> Clearance:
         """Of one backbone, float32 (m, 3), less the margin."""
     def is_free(self, backbone: npt.ArrayLike) -> bool:
-        """Whether nothing touches the arm."""
+        """Whether nothing touches the arm: of one backbone, float32 (m, 3)."""
     def is_motion_free(self, from_backbone: npt.ArrayLike, to_backbone: npt.ArrayLike) -> bool:
-        """Whether the arm stays free while every plate moves straight from one to the other."""
+        """Whether the arm stays free while every plate moves straight from one backbone, float32 (m, 3), to the other."""
 
 class Command:
     """What a segment is told. Of another command than a pressure, names that end in _kpa hold numbers in this unit."""
@@ -517,6 +517,7 @@ class Evaluation:
     def orientation_reduction_percent(self) -> float:
         """The same of headings [%]."""
     def __str__(self) -> str: ...
+    def _repr_svg_(self) -> str: ...
 
 class ExecutedError:
     """Between predicted and executed tip."""
@@ -580,6 +581,7 @@ class ExecutionResult:
     @property
     def episode(self) -> Episode:
         """What was commanded and measured."""
+    def _repr_svg_(self) -> str | None: ...
 
 class ExecutionSettings:
     """How a plan is executed."""
@@ -637,7 +639,7 @@ class ForwardModel:
     def step(self, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, out: npt.NDArray[np.float32] | None = None) -> npt.NDArray[np.float32]:
         """One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3). `out` may be `previous`."""
     def checked_step(self, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike) -> npt.NDArray[np.float32]:
-        """The same; pressures beyond their limits are refused too."""
+        """One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3); pressures beyond their limits are refused too."""
     def step_batch(self, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, out: npt.NDArray[np.float32] | None = None) -> npt.NDArray[np.float32]:
         """k queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3), each row to the bit what step gives. `out` may be `previous`."""
     def rollout(self, pressures_kpa: npt.ArrayLike, first: npt.ArrayLike) -> npt.NDArray[np.float32]:
@@ -905,7 +907,7 @@ class ParallelForward:
     def __init__(self, jobs: int = 0) -> None:
         """0: one per core."""
     def step_batch(self, model: ForwardModel, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, out: npt.NDArray[np.float32] | None = None) -> npt.NDArray[np.float32]:
-        """ForwardModel.step_batch, in parts of some hundred queries."""
+        """ForwardModel.step_batch, in parts of some hundred queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3)."""
 
 class Plan:
     """A motion in pressure space. Its frames are executed as they stand, never resampled."""
@@ -1254,6 +1256,32 @@ class PredictionError:
     def end_orientation_rad(self) -> float:
         """Of its heading [rad]."""
 
+class ProcessDriver:
+    """An arm behind a program of your own (docs/driver.md; limber.driver.serve makes one of Python), in a process that closes the valves whatever becomes of this one. One thread at a time; `with` closes it."""
+    @property
+    def limits_kpa(self) -> npt.NDArray[np.float32]:
+        """In force, lower and upper, float32 (n, 2) [kPa]."""
+    @property
+    def is_real_time(self) -> bool:
+        """Whether a frame takes its time."""
+    @property
+    def vent_confirmed(self) -> bool:
+        """Whether every measured pressure came down at the last vent."""
+    def __init__(self, arm: ArmDescription, command: str, arm_file: str | os.PathLike[str] | None = None, limit_scale: float = 1.0, check_rate: bool = True, log: str | os.PathLike[str] | None = None, on_message: Callable[[str], None] | None = None) -> None:
+        """Starts "exec:COMMAND" without a shell, and vents. arm_file: its mapping `safety` counts; limit_scale: limits in force are so many times the arm's; check_rate: False where motions jump and the valves ramp by themselves; log: file of what both sides said; on_message(text): told what came of each vent, else standard error is."""
+    def state(self) -> ArmState:
+        """The latest state."""
+    def command(self, setpoint_kpa: npt.ArrayLike) -> ArmState:
+        """One frame at set points (n,) [kPa]; the state after it. Who commands by hand vents by hand."""
+    def vent(self) -> None:
+        """Opens every vent valve, and watches the pressures come down, 5 s at most."""
+    def look(self) -> ArmState:
+        """A fresh state of the vented arm."""
+    def close(self) -> None:
+        """Vents and ends the process; so does the end of this object."""
+    def __enter__(self) -> ProcessDriver: ...
+    def __exit__(self, *args) -> None: ...
+
 class ProgressMode:
     """Whether progress goes to standard error."""
     automatic: ProgressMode
@@ -1449,11 +1477,16 @@ class ScheduleSettings:
     @hold_s.setter
     def hold_s(self, value: float) -> None: ...
     @property
+    def limit_scale(self) -> float:
+        """Motions stay within so many times the arm's limits, in (0, 1]."""
+    @limit_scale.setter
+    def limit_scale(self, value: float) -> None: ...
+    @property
     def hold_min_s(self) -> float | None:
         """Holds are sampled between this and hold_s [s]; or None."""
     @hold_min_s.setter
     def hold_min_s(self, value: float | None) -> None: ...
-    def __init__(self, *, kind: ScheduleKind = ..., count: int = ..., episodes: int = ..., approach: Approach = ..., hold_s: float = ..., hold_min_s: float | None = ...) -> None: ...
+    def __init__(self, *, kind: ScheduleKind = ..., count: int = ..., episodes: int = ..., approach: Approach = ..., hold_s: float = ..., limit_scale: float = ..., hold_min_s: float | None = ...) -> None: ...
 
 class Segment:
     """One bending segment: two actuators on each side."""
@@ -1932,7 +1965,7 @@ class VirtualArm:
     def vent(self) -> None:
         """Opens every vent valve."""
     def settle(self, setpoint_kpa: npt.ArrayLike, seconds: float) -> ArmState:
-        """The same set points for so long; the state after it."""
+        """The same set points (n,) [kPa] for so long [s]; the state after it."""
     def true_backbone(self) -> npt.NDArray[np.float64]:
         """float64 (m, 3), without noise, drops or latency."""
     def true_pressure_kpa(self) -> npt.NDArray[np.float64]:
@@ -2016,8 +2049,8 @@ def characterise(arm: ArmDescription, bench: Sequence[list[BenchPoint]]) -> Char
 def choose_stages(arm: ArmDescription, data: TrainingData, settings: TrainingSettings, on_epoch: Callable[[LearningCurvePoint], bool | None] | None = None) -> StageChoice:
     """Chooses windows by validation in short runs, as the program does without --windows; `settings` gets the chosen stages and the epochs that are left."""
 
-def collect(arm: ArmDescription, settings: CollectionSettings, make_driver: DriverFactory | Callable[[int], ArmDriver], path: str | os.PathLike[str]) -> CollectionResult:
-    """Records a schedule to `path` (HDF5). make_driver: virtual_arm_factory(...), or a function of the episode's index that returns an ArmDriver. Ctrl-C vents the arm and raises KeyboardInterrupt; finished episodes stay, for resume=True."""
+def collect(arm: ArmDescription, settings: CollectionSettings, make_driver: DriverFactory | ProcessDriver | Callable[[int], ArmDriver], path: str | os.PathLike[str]) -> CollectionResult:
+    """Records a schedule to `path` (HDF5). make_driver: virtual_arm_factory(...), a ProcessDriver, or a function of the episode's index that returns an ArmDriver. Ctrl-C vents the arm and raises KeyboardInterrupt; finished episodes stay, for resume=True."""
 
 def content_hash(path: str | os.PathLike[str]) -> str:
     """Of a file: what plans and models say of the files they were made with."""
@@ -2040,8 +2073,8 @@ def error_room(model: ForwardModel, margin_m: float | None = None, goal_margin_m
 def evaluate(no_load: ForwardModel, network: ForwardModel | None, episodes: Iterable, jobs: int = 0) -> Evaluation:
     """Errors of the no-load model and, unless None, of a network."""
 
-def execute(arm: ArmDescription, environment: Environment, plan: Plan, driver: ArmDriver | VirtualArm, settings: ExecutionSettings = ..., replanner: Replanner | None = None) -> ExecutionResult:
-    """Commands a plan's frames as they stand, then holds; a Replanner plans again. The arm is vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt."""
+def execute(arm: ArmDescription, environment: Environment, plan: Plan, driver: ArmDriver | ProcessDriver | VirtualArm, settings: ExecutionSettings = ..., replanner: Replanner | None = None) -> ExecutionResult:
+    """Commands a plan's frames as they stand, then holds; a Replanner plans again. driver: a VirtualArm, a ProcessDriver, or an ArmDriver of your own for simulation. The arm is vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt."""
 
 def execution_animation(arm: ArmDescription, environment: Environment, plan: Plan, result: ExecutionResult) -> str:
     """A page in which the arm moves, as predicted and as measured."""

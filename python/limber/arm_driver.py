@@ -5,7 +5,7 @@ from __future__ import annotations
 import abc
 from typing import TYPE_CHECKING
 
-from ._limber import ArmState, VirtualArm
+from ._limber import ArmState, ProcessDriver, VirtualArm
 
 if TYPE_CHECKING:  # numpy.typing alone takes a tenth of the import
     import numpy as np
@@ -33,4 +33,9 @@ class ArmDriver(abc.ABC):
         """Opens every vent valve; safe to call at any time, more than once."""
 
 
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}(an ArmDriver)"
+
+
 ArmDriver.register(VirtualArm)
+ArmDriver.register(ProcessDriver)

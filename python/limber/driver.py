@@ -50,6 +50,10 @@ class Driver(abc.ABC):
     #: Own limits, one per segment: a number for both sides, or (lower, upper).
     limit_kpa: Optional[Sequence[Union[float, tuple[float, float]]]] = None
 
+    def __repr__(self) -> str:
+        return (f"{type(self).__name__}(name={self.name!r}, rate_hz={self.rate_hz}, "
+                f"segment_count={self.segment_count})")
+
     @abc.abstractmethod
     def command(self, setpoint_kpa: npt.NDArray[np.float32]) -> ArmState:
         """Hands set points (n,) [kPa] to the device, and returns its newest sample at once."""

@@ -1,6 +1,6 @@
 """A driver of a simulated arm that logs what it is told, for test_driver.py.
 
-    logging_driver.py LOG
+    logging_driver.py LOG [real_time]
 """
 
 import sys
@@ -18,7 +18,8 @@ class LoggingDriver(limber.driver.Driver):
     limit_kpa = (100.0, 80.0)
     real_time = False
 
-    def __init__(self, log):
+    def __init__(self, log, real_time=False):
+        self.real_time = real_time
         self.log = open(log, "a", encoding="utf-8", buffering=1)
         self.arm = limber.VirtualArm(
             limber.load_arm(limber.data_folder() / "arms" / "two_segment.yaml"))
@@ -33,8 +34,8 @@ class LoggingDriver(limber.driver.Driver):
     def vent(self):
         self.log.write(f"vent {time.monotonic()}\n")
         self.arm.vent()
-        return self.arm.state()
+        return self.arm.command([0.0, 0.0])  # a frame later, as a device's newest sample is
 
 
 if __name__ == "__main__":
-    limber.driver.serve(LoggingDriver(sys.argv[1]))
+    limber.driver.serve(LoggingDriver(sys.argv[1], "real_time" in sys.argv[2:]))

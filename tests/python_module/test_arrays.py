@@ -1,5 +1,7 @@
 """NumPy arrays at the border: what is copied, what is shared, and what is refused."""
 
+import ctypes
+import os
 import tracemalloc
 import unittest
 
@@ -9,6 +11,7 @@ import limber
 from chain import TWO_SEGMENT, chain
 
 QUERIES = 4096
+LARGE = 100000  # queries: 19 MB of backbones
 SMALL = 4096  # bytes that Python allocates for a call itself, far below one array of a batch
 
 
@@ -31,6 +34,52 @@ def peak_of(function):
     return peak
 
 
+class MallocInfo(ctypes.Structure):
+    """What glibc says of its memory: sizes in bytes."""
+
+    _fields_ = [(name, ctypes.c_size_t) for name in (
+        "arena", "ordblks", "smblks", "hblks", "hblkhd", "usmblks", "fsmblks", "uordblks",
+        "fordblks", "keepcost")]
+
+
+def native_bytes():
+    """In use by whatever language, big blocks (which are mapped) counted; None without glibc."""
+    try:
+        mallinfo2 = ctypes.CDLL(None).mallinfo2
+    except AttributeError:
+        return None
+    mallinfo2.restype = MallocInfo
+    info = mallinfo2()
+    return info.uordblks + info.hblkhd
+
+
+class Peak:
+    """Most memory of the process in use at once during a call, over what it was before.
+
+    The kernel's high-water mark (VmHWM) shows what no snapshot between two calls would: an array that
+    is made and given back within one, by whatever language.
+    """
+
+    @staticmethod
+    def of(function):
+        function()  # what is made once: workspaces, threads
+        before = Peak.reset()
+        function()
+        return Peak.high_water() - before
+
+    @staticmethod
+    def reset():
+        with open("/proc/self/clear_refs", "w", encoding="ascii") as file:
+            file.write("5")
+        return Peak.high_water()
+
+    @staticmethod
+    def high_water():
+        with open("/proc/self/status", encoding="ascii") as file:
+            (line,) = [line for line in file if line.startswith("VmHWM:")]
+        return int(line.split()[1]) * 1024
+
+
 class Arrays(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -49,6 +98,31 @@ class Arrays(unittest.TestCase):
         out = np.empty_like(self.backbones)
         peak = peak_of(lambda: self.model.step_batch(self.before, self.after, self.backbones, out))
         self.assertLess(peak, SMALL)
+
+    def calls_with_results_in_place(self):
+        """By name: of batches so large that a copy of one array shows among pages of memory."""
+        before, after, backbones = batch(self.arm, LARGE)
+        out = np.empty_like(backbones)
+        no_load = limber.NoLoadModel(self.arm)
+        parallel = limber.ParallelForward(2)
+        return backbones.nbytes, {
+            "step_batch": lambda: self.model.step_batch(before, after, backbones, out),
+            "NoLoadModel.backbone": lambda: no_load.backbone(before, out),
+            "ParallelForward.step_batch":
+                lambda: parallel.step_batch(self.model, before, after, backbones, out),
+        }, lambda: self.model.rollout(before, backbones[0])
+
+    def test_nothing_is_copied_natively_either(self):
+        size, calls, rollout = self.calls_with_results_in_place()
+        if native_bytes() is None or not os.access("/proc/self/clear_refs", os.W_OK):
+            self.skipTest("neither glibc nor Linux: native memory is not counted")
+        for name, call in calls.items():
+            call()
+            before = native_bytes()
+            call()
+            self.assertLess(native_bytes() - before, SMALL, name)  # and nothing is kept
+            self.assertLess(Peak.of(call), size / 4, name)
+        self.assertLess(Peak.of(rollout), 1.25 * size)  # its result alone
 
     def test_anything_else_is_copied_once(self):
         out = np.empty_like(self.backbones)

@@ -17,7 +17,7 @@ def python_blocks(page):
 
 
 def run_in(folder, code):
-    subprocess.run([sys.executable, "-c", code], cwd=folder, check=True)
+    subprocess.run([sys.executable, "-c", code], cwd=folder, check=True, stdin=subprocess.DEVNULL)
 
 
 class Examples(InFolder):
@@ -91,14 +91,23 @@ class Examples(InFolder):
 class Documents(InFolder):
     def test_the_pages_code_runs(self):
         blocks = python_blocks(ROOT / "docs" / "python.md")
-        self.assertGreaterEqual(len(blocks), 2)
+        (driver,) = [block for block in blocks if "limber.driver.serve" in block]
+        (self.folder / "my_driver.py").write_text(driver, encoding="utf-8")
+        self.assertGreaterEqual(len(blocks), 3)
         for block in blocks:
             run_in(self.folder, block)
+
+    def test_the_readme_has_five_lines_beside_six_of_cpp(self):
+        page = (ROOT / "README.md").read_text(encoding="utf-8")
+        (cpp,) = re.findall(r"^```cpp\n(.*?)^```", page, flags=re.M | re.S)
+        (own,) = python_blocks(ROOT / "README.md")
+        self.assertEqual(own.splitlines()[0], "import limber")
+        self.assertEqual((len(own.splitlines()[1:]), len(cpp.splitlines())), (5, 6))
 
 
 class Names(unittest.TestCase):
     def test_the_page_lists_every_public_name(self):
-        page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
+        page = (ROOT / "docs" / "library.md").read_text(encoding="utf-8")
         listed = re.findall(r"^\| `(\w+)` \|", page, flags=re.M)
         self.assertEqual(sorted(listed), PUBLIC)
 

@@ -12,7 +12,8 @@ import numpy as np
 import limber
 from chain import InFolder, chain
 
-LIMIT_S = 5.0  # on a loaded machine, in a build that is not optimised; docs/python.md has 0.2 s
+LIMIT_S = 0.2  # from Ctrl-C to KeyboardInterrupt: the best of TRIES, as the machine may be busy
+TRIES = 3
 BEFORE_S = 0.4  # of work, before the signal comes
 
 
@@ -25,12 +26,16 @@ class CountingArm(limber.ArmDriver):
         self.vents = 0
         self.fail_at = fail_at
         self.threads = set()
+        self.last_asked = ""
+        self.largest_kpa = 0.0
 
     def state(self):
         return self.arm.state()
 
     def command(self, setpoint_kpa):
         self.threads.add(threading.current_thread())
+        self.last_asked = "command"
+        self.largest_kpa = max(self.largest_kpa, np.abs(setpoint_kpa).max())
         self.commands += 1
         if self.commands == self.fail_at:
             raise RuntimeError("the valve is stuck")
@@ -38,6 +43,7 @@ class CountingArm(limber.ArmDriver):
 
     def vent(self):
         self.vents += 1
+        self.last_asked = "vent"
         self.arm.vent()
 
 
@@ -58,7 +64,7 @@ class Interrupts(InFolder):
         self.problem = limber.PlanningProblem(
             self.chain.arm, limber.MotionModel(self.forward), self.chain.environment)
 
-    def interrupted(self, function):
+    def once_interrupted(self, function):
         """Seconds from a Ctrl-C in the middle of `function` to its KeyboardInterrupt."""
         sent = []
 
@@ -73,19 +79,26 @@ class Interrupts(InFolder):
             seconds = time.monotonic() - sent[0]
         finally:
             timer.cancel()
-        print(f"{self.id().split('.')[-1]}: {seconds:.3f} s")
-        self.assertLess(seconds, LIMIT_S)
+        return seconds
+
+    def interrupted(self, function):
+        """Ends each time, and in time; `function` gets the number of the try."""
+        seconds = []
+        while len(seconds) < TRIES and min(seconds, default=LIMIT_S) >= LIMIT_S:
+            seconds.append(self.once_interrupted(lambda: function(len(seconds))))
+        print(f"{self.id().split('.')[-1]}: {min(seconds):.3f} s")
+        self.assertLess(min(seconds), LIMIT_S, seconds)
 
     def test_plan(self):
         unreachable = limber.Environment(
             "behind", [], limber.PoseGoal(x_m=-0.35, y_m=0.0, position_tolerance_m=0.001))
         problem = limber.PlanningProblem(self.chain.arm, limber.MotionModel(self.forward),
                                          unreachable)
-        self.interrupted(lambda: limber.make_planner().plan(
+        self.interrupted(lambda _: limber.make_planner().plan(
             problem, limber.PlannerLimits(time_s=60.0), 1))
 
     def test_plan_with_a_plan_in_hand(self):
-        self.interrupted(lambda: limber.make_planner("paper").plan(
+        self.interrupted(lambda _: limber.make_planner("paper").plan(
             self.problem, limber.PlannerLimits(iterations=10**9), 1))
 
     def test_train(self):
@@ -93,7 +106,7 @@ class Interrupts(InFolder):
         settings = limber.best_preset()
         limber.set_epoch_count(settings, 100000)
         data = limber.hold_back_validation(episodes, 0.1, 1)
-        self.interrupted(lambda: limber.train(self.chain.arm, data, settings))
+        self.interrupted(lambda _: limber.train(self.chain.arm, data, settings))
 
     def test_train_goes_on_from_its_checkpoint(self):
         episodes = limber.read_recording(self.chain.recording).episodes
@@ -114,10 +127,10 @@ class Interrupts(InFolder):
     def test_collect(self):
         schedule = limber.ScheduleSettings(kind=limber.ScheduleKind.random, count=5000)
         settings = limber.virtual_collection(self.chain.arm, schedule)
-        self.interrupted(lambda: limber.collect(
+        self.interrupted(lambda number: limber.collect(
             self.chain.arm, settings, limber.virtual_arm_factory(self.chain.arm),
-            self.folder / "x.h5"))
-        self.assertFalse((self.folder / "x.h5").exists())
+            self.folder / f"{number}.h5"))
+        self.assertEqual(list(self.folder.glob("*.h5")), [])
 
     def test_collect_with_a_driver_in_python(self):
         schedule = limber.ScheduleSettings(kind=limber.ScheduleKind.random, count=5000)
@@ -125,12 +138,13 @@ class Interrupts(InFolder):
 
         def make_driver(index):
             self.assertEqual(index, 0)
+            self.assertTrue(all(driver.vents for driver in drivers))
             drivers.append(CountingArm(self.chain.arm))
             return drivers[-1]
-        self.interrupted(lambda: limber.collect(
+        self.interrupted(lambda number: limber.collect(
             self.chain.arm, limber.virtual_collection(self.chain.arm, schedule), make_driver,
-            self.folder / "x.h5"))
-        self.assertGreaterEqual(drivers[0].vents, 1)
+            self.folder / f"{number}.h5"))
+        self.assertGreaterEqual(drivers[-1].vents, 1)
 
     def plan(self):
         result = limber.make_planner().plan(self.problem, limber.PlannerLimits(iterations=200), 5)
@@ -140,11 +154,15 @@ class Interrupts(InFolder):
     def test_execute_vents(self):
         plan = self.plan()
         driver = SlowArm(self.chain.arm)
-        self.interrupted(lambda: limber.execute(
+        self.interrupted(lambda _: limber.execute(
             self.chain.arm, self.chain.environment, plan, driver,
             limber.ExecutionSettings(hold_s=60.0)))
         self.assertGreaterEqual(driver.vents, 1)
-        np.testing.assert_array_equal(driver.state().pressure_kpa * 0, [0, 0])
+        self.assertEqual(driver.last_asked, "vent")
+        self.assertGreater(np.abs(driver.largest_kpa), 5.0)
+        for _ in range(60):  # frames at zero, as the arm is vented: its pressures are gone
+            state = driver.arm.command([0.0, 0.0])
+        np.testing.assert_allclose(state.pressure_kpa, [0, 0], atol=0.5)  # [kPa]
 
     def test_a_driver_in_python_moves_the_arm_as_the_virtual_one(self):
         plan = self.plan()

@@ -29,7 +29,8 @@ class Notebook(unittest.TestCase):
                 shown.append(run_cell("".join(cell["source"]), names))
         drawn = [value for value in shown if hasattr(value, "_repr_svg_")]
         self.assertEqual([type(value).__name__ for value in drawn],
-                         ["ArmDescription", "TrainingResult", "PlanResult"])
+                         ["ArmDescription", "TrainingResult", "Evaluation", "PlanResult",
+                          "ExecutionResult"])
         for value in drawn:
             self.assertTrue(value._repr_svg_().startswith("<svg"), type(value).__name__)
         self.assertTrue(names["certificate"].certified)

@@ -37,6 +37,19 @@ class Pictures(unittest.TestCase):
         limber.set_epoch_count(settings, 3)
         self.assert_svg(limber.train(self.chain.arm, data, settings)._repr_svg_())
 
+    def test_errors_draw_themselves(self):
+        arm, environment, plan = self.chain.arm, self.chain.environment, self.result.plan
+        network = limber.ForwardModel(arm, limber.read_model(self.chain.model))
+        episodes = limber.read_recording(self.chain.recording).episodes
+        words = ("open loop", "no load", "mean position error [cm]")
+        self.assert_svg(limber.evaluate(limber.ForwardModel(arm), network, episodes)._repr_svg_(),
+                        *words)
+        self.assert_svg(limber.evaluate(limber.ForwardModel(arm), None, episodes)._repr_svg_(),
+                        *words[1:])
+        run = limber.execute(arm, environment, plan, limber.VirtualArm(arm))
+        self.assertEqual(run._repr_svg_(),
+                         limber.execution_picture(arm, environment, plan, run))
+
     def test_whole_pictures(self):
         arm, environment, plan = self.chain.arm, self.chain.environment, self.result.plan
         self.assert_svg(limber.plan_picture(arm, environment, self.result))
@@ -54,8 +67,32 @@ class Pictures(unittest.TestCase):
                          "Circle(x_m=0.1, y_m=0.2, radius_m=0.3)")
         self.assertIn("name='", repr(self.chain.arm))
         for name, kind in vars(limber).items():
-            if isinstance(kind, type) and kind.__module__ == "limber._limber":
+            if isinstance(kind, type):
                 self.assertTrue(kind.__doc__, name)
+                self.assertIsNot(kind.__repr__, object.__repr__, name)
+
+    def test_reprs_of_what_is_no_record(self):
+        arm, environment = self.chain.arm, self.chain.environment
+        model = limber.read_model(self.chain.model)
+        episodes = limber.read_recording(self.chain.recording).episodes
+        motion = limber.MotionModel(limber.ForwardModel(arm))
+        stream = limber.RandomStream(1)
+        stream.next_u32()
+        for thing, text in [
+                (stream, "RandomStream(position=1)"),
+                (limber.fit_simple_model(arm, episodes), "SimpleFit(segments=2, lag_s="),
+                (limber.gap_bounds_of(episodes), "GapBounds(gaps="),
+                (model.learnt, "LearntRegion(pressure_kpa=[("),
+                (limber.RecordedRegion(model.learnt, 20.0), "RecordedRegion(segments=2, points="),
+                (limber.CollisionChecker(arm, environment), "CollisionChecker(obstacles=1, gaps="),
+                (limber.ParallelForward(2), "ParallelForward(jobs=2)"),
+                (limber.Certifier(arm, None, limber.ValveParameters(), environment),
+                 "Certifier(environment_hash='"),
+                (limber.virtual_arm_factory(arm), "DriverFactory(a VirtualArm for each episode)"),
+                (limber.Replanner(arm, motion, environment),
+                 "Replanner(arm='two_segment', environment='a wall')"),
+                (limber.best_preset().stages, "TrainingStages([TrainingStage(window_frames=")]:
+            self.assertTrue(repr(thing).startswith(text), repr(thing))
 
     def test_fields_that_are_not_there_are_refused(self):
         with self.assertRaisesRegex(TypeError, "no field 'tim_s'; it has time_s, iterations"):

@@ -1,13 +1,14 @@
 """The same seed gives the program's bits: what the module makes is compared with what `limber`
 made."""
 
+import contextlib
 import json
 import unittest
 
 import numpy as np
 
 import limber
-from chain import TWO_SEGMENT, InFolder, chain, run_json, run_program
+from chain import ROOT, TWO_SEGMENT, InFolder, chain, run_json, run_program
 
 HELD_BACK = 0.1  # as `limber train` holds back
 SEED = 5
@@ -141,6 +142,55 @@ class SameAsProgram(InFolder):
             limber.load_arm(bad)
         self.assertIsInstance(refused.exception, ValueError)
         self.assertIn(str(refused.exception), message)
+
+    def broken_files(self):
+        """Files of every kind that are not right; the folder's names stand in the messages."""
+        environment = (ROOT / "environments" / "01_pillar.yaml").read_text(encoding="utf-8")
+        for name, text in [("wall.yaml", environment.replace("radius_m: ", "radius_m: -")),
+                           ("model.safetensors", "abc"), ("plan.json", "{}"),
+                           ("other.json", '{"schema": "limber/plan/99"}'),
+                           ("bench.csv", "pressure_kpa,strain\n10,a\n")]:
+            (self.folder / name).write_text(text, encoding="utf-8")
+        limber.write_recording(self.folder / "two.h5", limber.read_recording(self.chain.recording))
+
+    def test_errors_have_the_programs_text_whatever_is_wrong(self):
+        self.broken_files()
+        three = limber.load_arm(ROOT / "arms" / "three_segment.yaml")
+        recording = limber.read_recording(self.chain.recording)
+        model = ("--model", self.chain.model)
+        with contextlib.chdir(self.folder):
+            for arguments, function in [
+                    (("evaluate", "--model", "none.safetensors", "--data", "two.h5"),
+                     lambda: limber.read_model("none.safetensors")),
+                    (("evaluate", "--model", "model.safetensors", "--data", "two.h5"),
+                     lambda: limber.read_model("model.safetensors")),
+                    (("verify", "--plan", "plan.json", "--environment", "01_pillar"),
+                     lambda: limber.read_plan_unchecked("plan.json")),
+                    (("execute", "--plan", "other.json", "--environment", "01_pillar"),
+                     lambda: limber.read_plan("other.json")),
+                    (("plan", "--arm", TWO_SEGMENT, "--no-load", "--environment", "wall.yaml"),
+                     lambda: limber.load_environment("wall.yaml")),
+                    (("plan", "--arm", TWO_SEGMENT, *model, "--environment",
+                      self.chain.environment_file, "--planner", "quick"),
+                     lambda: limber.make_planner("quick")),
+                    (("train", "--arm", "three_segment", "--data", "two.h5", "--out", "x"),
+                     lambda: limber.require_recording_of(recording, three, "two.h5")),
+                    (("plan", "--arm", "three_segment", "--environment", "01_pillar", *model),
+                     lambda: limber.require_model_of(self.network, three, "compensation model"))]:
+                message = run_program(*arguments, folder=self.folder, code=2).stderr
+                with self.assertRaises(limber.InputError) as refused:
+                    function()
+                self.assertIn("error: " + str(refused.exception), message)
+
+    def test_errors_that_differ(self):
+        """docs/python.md lists them: the program looks for names among its own arms."""
+        with self.assertRaisesRegex(limber.InputError, "^x.yaml: can't be read"):
+            limber.load_arm("x.yaml")
+        self.assertIn("error: --arm x.yaml: no such file, and none of limber's own arms",
+                      run_program("inspect", "--arm", "x.yaml", self.chain.recording,
+                                  folder=self.folder, code=2).stderr)
+        with self.assertRaisesRegex(limber.InputError, "^--preset quick: expected paper or best"):
+            limber.training_preset("quick")  # a flag's name stands for the argument
 
     def test_imported_logs_are_the_recording(self):
         recording = limber.read_recording(self.chain.recording)

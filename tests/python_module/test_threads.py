@@ -1,6 +1,9 @@
 """Python's threads: models are shared, calls run beside each other, and what takes one caller at a
 time says so."""
 
+import pathlib
+import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -9,8 +12,51 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 import limber
-from chain import chain
+from chain import TWO_SEGMENT, chain
 from test_arrays import batch
+
+
+LONG_CALL_S = 0.05  # from here on, it is asked how long the others were kept waiting
+HELD_SHARE = 0.5  # of a long call, at most, without a break for others
+TRIES = 60
+
+
+class Others:
+    """A thread that counts whenever it gets Python's lock, which nobody takes from a running thread
+    meanwhile: during a call it counts only if that lets go of the lock."""
+
+    def __enter__(self):
+        self.ticks = []
+        self.ended = False
+        self.interval = sys.getswitchinterval()
+        sys.setswitchinterval(1000.0)
+        self.thread = threading.Thread(target=self.run)
+        self.thread.start()
+        return self
+
+    def run(self):
+        while not self.ended:
+            self.ticks.append(time.monotonic())
+            time.sleep(0.0002)
+
+    def __exit__(self, *_):
+        self.ended = True
+        self.thread.join()
+        sys.setswitchinterval(self.interval)
+
+    def may_run_during(self, call):
+        """Whether the thread counted during the call, and a long call never kept it from it for long."""
+        before = len(self.ticks)
+        begin = time.monotonic()
+        call()
+        end = time.monotonic()
+        during = [tick for tick in self.ticks[before:] if begin < tick < end]
+        if not during:
+            return False
+        if end - begin < LONG_CALL_S:
+            return True
+        breaks = [begin, *during, end]
+        return max(b - a for a, b in zip(breaks, breaks[1:])) < HELD_SHARE * (end - begin)
 
 
 class Threads(unittest.TestCase):
@@ -60,6 +106,63 @@ class Threads(unittest.TestCase):
         ticker.join()
         during = [t for t in ticks if begin <= t <= end]
         self.assertGreater(len(during), 20)  # of about 500, however busy the machine is
+
+    def long_calls(self, folder):
+        """Calls that can take over a millisecond, by name."""
+        arm, environment = self.chain.arm, self.chain.environment
+        model = limber.read_model(self.chain.model)
+        plan = self.planned(5).plan
+        self.assertTrue(plan)
+        run = limber.execute(arm, environment, plan, limber.VirtualArm(arm))
+        limber.write_plan(folder / "plan.json", plan)
+        episodes = limber.read_recording(self.chain.recording).episodes
+        fit = limber.fit_simple_model(arm, episodes)
+        many = episodes * 20
+        queries = batch(arm, 20000)
+        valves = limber.identify_valves(episodes, arm)
+        return {
+            "fit_simple_model": lambda: limber.fit_simple_model(arm, episodes),
+            "fitted_arm": lambda: limber.fitted_arm(arm, fit, episodes),
+            "gap_bounds_of": lambda: limber.gap_bounds_of(many),
+            "make_recording": lambda: limber.make_recording(arm, many),
+            "with_setpoints_only": lambda: limber.with_setpoints_only(many),
+            "TrainingData": lambda: limber.TrainingData(many),
+            "read_model": lambda: limber.read_model(self.chain.model),
+            "write_model": lambda: limber.write_model(folder / "m.safetensors", model),
+            "read_plan": lambda: limber.read_plan(folder / "plan.json"),
+            "write_plan": lambda: limber.write_plan(folder / "p.json", plan),
+            "write_setpoints_csv": lambda: limber.write_setpoints_csv(folder / "s.csv", plan),
+            "write_backbones_csv": lambda: limber.write_backbones_csv(folder / "b.csv", plan),
+            "load_arm": lambda: limber.load_arm(TWO_SEGMENT),
+            "write_arm": lambda: limber.write_arm(folder / "arm.yaml", arm),
+            "load_environment": lambda: limber.load_environment(self.chain.environment_file),
+            "write_environment": lambda: limber.write_environment(folder / "e.yaml", environment),
+            "read_recording": lambda: limber.read_recording(self.chain.recording),
+            "content_hash": lambda: limber.content_hash(self.chain.recording),
+            "VirtualArm": lambda: limber.VirtualArm(arm),
+            "plan_animation": lambda: limber.plan_animation(arm, environment, plan),
+            "pressure_picture": lambda: limber.pressure_picture(arm, plan),
+            "execution_picture": lambda: limber.execution_picture(arm, environment, plan, run),
+            "execution_animation": lambda: limber.execution_animation(arm, environment, plan, run),
+            "Plan._repr_svg_": plan._repr_svg_,
+            "ExecutionResult._repr_svg_": run._repr_svg_,
+            "to_json": lambda: limber.to_json(run, environment),
+            "evaluate": lambda: limber.evaluate(limber.ForwardModel(arm), self.forward, episodes),
+            "identify_valves": lambda: limber.identify_valves(episodes, arm),
+            "write_valves": lambda: limber.write_valves(folder / "v.yaml", valves),
+            "step_batch": lambda: self.forward.step_batch(*queries),
+            "NoLoadModel.backbone": lambda: limber.NoLoadModel(arm).backbone(queries[0]),
+            "rollout": lambda: self.forward.rollout(queries[0], queries[2][0]),
+            "certify": lambda: limber.certify(plan, arm, model, limber.ValveParameters(),
+                                              environment),
+        }
+
+    def test_other_threads_run_during_every_long_call(self):
+        with tempfile.TemporaryDirectory(prefix="limber_test_") as name:
+            calls = self.long_calls(pathlib.Path(name))
+            with Others() as others:
+                for name, call in calls.items():
+                    self.assertTrue(any(others.may_run_during(call) for _ in range(TRIES)), name)
 
     def test_two_arms_in_one_program(self):
         three = limber.load_arm(limber.data_folder() / "arms" / "three_segment.yaml")

@@ -2,6 +2,7 @@
 the page has not seen, end with a verified plan."""
 
 import csv
+import os
 import re
 import shutil
 import subprocess
@@ -12,6 +13,7 @@ import unittest
 from chain import PROGRAM, ROOT, InFolder
 
 MAX_LINES = 25
+MAX_S = 480.0  # of machine time
 SEED, BROKEN = 91, 3  # of the logs: others than those of the page
 
 
@@ -38,9 +40,15 @@ class Tutorial(InFolder):
         self.make_folder()
         code = "\n".join(self.blocks()) + "\nprint('broken', broken)\n"
         begin = time.monotonic()
+        before = os.times()
         result = subprocess.run([sys.executable, "-c", code], cwd=self.folder, capture_output=True,
                                 encoding="utf-8", check=False)
-        print(f"tutorial: {time.monotonic() - begin:.1f} s")
+        seconds = time.monotonic() - begin
+        after = os.times()
+        processor_s = (after.children_user + after.children_system - before.children_user
+                       - before.children_system)
+        print(f"tutorial: {seconds:.1f} s, {processor_s:.1f} s of processor time")
+        self.assertLess(min(seconds, processor_s), MAX_S)  # others' work on this machine aside
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertIn(f"trial_{BROKEN}.csv", result.stdout)
         self.assertIn(f"broken [{BROKEN}]", result.stdout)

@@ -3,6 +3,7 @@
 import importlib.util
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -31,6 +32,22 @@ class Types(InFolder):
     def test_examples_have_the_types_they_say(self):
         for example in sorted(EXAMPLES.glob("*.py")):
             self.checked("mypy", "--strict", "--no-warn-unused-ignores", example)
+
+
+    def test_mypy_refuses_what_is_wrong(self):
+        page = ROOT / "tests" / "python_module" / "refused_types.py"
+        package = pathlib.Path(limber.__file__).parents[1]
+        result = subprocess.run(
+            [sys.executable, "-m", "mypy", "--strict", str(page)], cwd=self.folder,
+            capture_output=True, encoding="utf-8", check=False,
+            env={**os.environ, "MYPYPATH": str(package), "MYPY_CACHE_DIR": str(self.folder)})
+        expected = {number: line.split("# ")[1].split(":")[0]
+                    for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1)
+                    if "  # " in line}
+        found = dict((int(number), code) for number, code in
+                     re.findall(r"refused_types.py:(\d+): error: .*\[([\w-]+)\]$", result.stdout,
+                                flags=re.M))
+        self.assertEqual(found, expected, result.stdout)
 
 
 class Stubs(unittest.TestCase):

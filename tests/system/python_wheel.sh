@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The wheel: built by pip from the source tree and the libraries that are built already, installed in
-# a fresh virtual environment, and asked for a plan.
+# The wheel: built by pip, installed in a fresh virtual environment, and asked for a plan. Its module is
+# the one that is built already, and CMake is only seen to configure; with --build, from nothing but a
+# copy of the source tree, as `pip wheel .` does it, which takes as long as a build.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 python=${LIMBER_PYTHON:-/usr/bin/python3}
@@ -12,11 +13,32 @@ folder=$(mktemp -d)
 trap 'rm -rf -- "$folder"' EXIT
 
 mkdir "$folder/source"
-for part in pyproject.toml setup.py CMakeLists.txt README.md LICENSE python arms environments; do
-  cp -r "$root/$part" "$folder/source/"
-done
+tar -C "$root" --exclude=./build --exclude=./.git --exclude=__pycache__ -c . | tar -C "$folder/source" -x
 cd -- "$folder"
-"$python" -m pip wheel --no-build-isolation --no-deps --no-index --quiet --wheel-dir wheels ./source
+wheel() {
+  "$python" -m pip wheel --no-build-isolation --no-deps --no-index --quiet --wheel-dir wheels ./source
+}
+if [ "${1-}" = --build ]; then
+  (unset LIMBER_BUILD_DIR && wheel)
+else
+  # A cmake that configures, and only notes what is to be built.
+  mkdir bin
+  cat >bin/cmake <<SCRIPT
+#!/bin/sh
+echo "\$@" >>"$folder/asked.txt"
+case "\$1" in --build) exit 1 ;; esac
+exec "$(command -v cmake)" "\$@"
+SCRIPT
+  chmod +x bin/cmake
+  if (unset LIMBER_BUILD_DIR && PATH=$folder/bin:$PATH wheel) >configured.txt 2>&1; then
+    echo "a wheel was made of nothing"
+    exit 1
+  fi
+  [ -e source/build/wheel/build.ninja ] || { cat configured.txt; exit 1; }
+  grep -q -- '^--build .*--target limber_python$' asked.txt || { cat asked.txt; exit 1; }
+  rm -rf source/build
+  wheel
+fi
 "$python" -m venv --system-site-packages environment # NumPy is Debian's
 environment/bin/pip install --no-index --no-deps --quiet wheels/limber-*.whl
 unset PYTHONPATH

@@ -64,6 +64,12 @@ class CommandPages(InFolder):
         if not zsh:
             self.skipTest("zsh is not installed: its completion was not read")
         subprocess.run([zsh, "-n", self.folder / "zsh" / "_limber"], check=True)
+        # Found among zsh's completions, and loaded without a word.
+        script = ("fpath=($1 $fpath); autoload -Uz compinit && compinit -u -D; "
+                  "print ${_comps[limber]}; autoload +X _limber")
+        result = subprocess.run([zsh, "-f", "-c", script, "zsh", self.folder / "zsh"],
+                                capture_output=True, encoding="utf-8", check=True)
+        self.assertEqual((result.stdout, result.stderr), ("_limber\n", ""))
 
 
 if __name__ == "__main__":

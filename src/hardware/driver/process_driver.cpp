@@ -58,7 +58,7 @@ class ProcessDriver::Session {
   Session(const ArmDescription& arm, const ProcessDriverSettings& settings)
       : arm_(arm),
         settings_(settings),
-        link_((prepare(arm), arm), settings.command, settings.log, settings.calibration) {
+        link_((prepare(arm, settings), arm), settings.command, settings.log, settings.calibration) {
     try {
       limits_kpa_ = limits_in_force(arm_, settings.limit_scale, link_.exchange_hellos());
       gate_.emplace(arm_, limits_kpa_, settings.check_rate, settings.safety);
@@ -156,9 +156,11 @@ class ProcessDriver::Session {
   const std::vector<PressureLimits>& limits_kpa() const { return limits_kpa_; }
 
  private:
-  static void prepare(const ArmDescription& arm) {
+  static void prepare(const ArmDescription& arm, const ProcessDriverSettings& settings) {
     require_pressure_driven(arm, "a driver");
-    install_arm_signals();
+    if (settings.install_signals) {
+      install_arm_signals();
+    }
   }
 
   bool real_time() const { return link_.hello().real_time; }

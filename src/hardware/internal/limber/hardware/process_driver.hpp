@@ -20,6 +20,8 @@ struct ProcessDriverSettings {
   std::string command;       ///< what follows `exec:`; no shell sees it
   double limit_scale = 1.0;  ///< limits in force are so many times the arm's, in (0, 1]
   bool check_rate = true;    ///< false where a schedule jumps and the valves ramp by themselves
+  bool install_signals =
+      true;  ///< install_arm_signals; false where the caller stops in its own way
   SafetySettings safety;
   /// Told what becomes of the arm at a vent, "vented: 0.8 kPa after 0.6 s"; may be empty.
   std::function<void(const std::string&)> say;

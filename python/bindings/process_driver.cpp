@@ -1,0 +1,247 @@
+#include "process_driver.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+#include "limber/hardware/run_origin.hpp"
+
+namespace limber::python {
+
+namespace {
+
+using Use = SharedProcessDriver::Use;
+using Path = std::filesystem::path;
+
+constexpr std::string_view kExec = "exec:";
+constexpr double kRoundingKpa = 1e-3;  // of float32 set points
+
+class BorrowedDriver final : public ArmDriver {
+ public:
+  explicit BorrowedDriver(ArmDriver& driver) : driver_(driver) {}
+  const ArmState& state() const override { return driver_.state(); }
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
+    return driver_.command(setpoint_kpa);
+  }
+  bool is_real_time() const override { return driver_.is_real_time(); }
+  void vent() noexcept override { driver_.vent(); }
+
+ private:
+  ArmDriver& driver_;
+};
+
+/// To a function in Python, or to standard error, which a notebook shows.
+void tell(const py::object& on_message, const std::string& message) noexcept {
+  const py::gil_scoped_acquire python;
+  try {
+    if (on_message.is_none()) {
+      py::print(message, py::arg("file") = py::module_::import("sys").attr("stderr"));
+    } else {
+      on_message(message);
+    }
+  } catch (py::error_already_set& error) {
+    error.discard_as_unraisable("limber.ProcessDriver");
+  } catch (const std::exception&) {  // a message is not worth more: the arm is vented all the same
+  }
+}
+
+ProcessDriverSettings settings_from(const std::string& command, const std::optional<Path>& arm_file,
+                                    double limit_scale, bool check_rate,
+                                    const std::optional<Path>& log, const py::object& on_message) {
+  if (!command.starts_with(kExec) || command.size() == kExec.size()) {
+    throw InputError(fmt::format(
+        "driver '{}': expected exec:COMMAND, as in \"exec:python3 my_driver.py\"", command));
+  }
+  if (!(limit_scale > 0.0 && limit_scale <= 1.0)) {
+    throw InputError(
+        fmt::format("limit_scale = {}: expected a number over 0, at most 1", limit_scale));
+  }
+  ProcessDriverSettings settings;
+  settings.command = command.substr(kExec.size());
+  settings.limit_scale = limit_scale;
+  settings.check_rate = check_rate;
+  settings.install_signals = false;  // Python has its own
+  if (arm_file) {
+    settings.safety = load_safety(*arm_file);
+  }
+  settings.log = log.value_or(Path());
+  // Let go with Python's lock, as it is called with it.
+  const std::shared_ptr<py::object> listener(new py::object(on_message), [](py::object* object) {
+    const py::gil_scoped_acquire python;
+    delete object;
+  });
+  settings.say = [listener](const std::string& message) { tell(*listener, message); };
+  return settings;
+}
+
+std::unique_ptr<SharedProcessDriver> start(const ArmDescription& arm, const std::string& command,
+                                           const std::optional<Path>& arm_file, double limit_scale,
+                                           bool check_rate, const std::optional<Path>& log,
+                                           const py::object& on_message) {
+  const ProcessDriverSettings settings =
+      settings_from(command, arm_file, limit_scale, check_rate, log, on_message);
+  const py::gil_scoped_release others_may_run;
+  return std::make_unique<SharedProcessDriver>(arm, settings);
+}
+
+ArmState command(SharedProcessDriver& shared, const FloatArray& setpoint_kpa) {
+  require_shape(setpoint_kpa, {setpoint_kpa.size()}, "setpoint_kpa");
+  require_finite(setpoint_kpa, "setpoint_kpa");
+  const Use driver(shared);
+  const py::gil_scoped_release others_may_run;
+  return driver->command(pressures_map(setpoint_kpa));
+}
+
+py::array_t<float> limits_of(SharedProcessDriver& shared) {
+  const Use driver(shared);
+  const std::vector<PressureLimits>& limits = driver->limits_kpa();
+  py::array_t<float> rows({limits.size(), std::size_t{2}});
+  for (std::size_t s = 0; s < limits.size(); ++s) {
+    rows.mutable_at(s, 0) = static_cast<float>(limits[s].lower_kpa);
+    rows.mutable_at(s, 1) = static_cast<float>(limits[s].upper_kpa);
+  }
+  return rows;
+}
+
+}  // namespace
+
+SharedProcessDriver::SharedProcessDriver(const ArmDescription& arm,
+                                         const ProcessDriverSettings& settings)
+    : driver_(std::make_unique<ProcessDriver>(arm, settings)) {}
+
+SharedProcessDriver::~SharedProcessDriver() {
+  close();
+}
+
+void SharedProcessDriver::close() {
+  if (driver_) {
+    const py::gil_scoped_release others_may_run;
+    driver_.reset();
+  }
+}
+
+SharedProcessDriver::Use::Use(SharedProcessDriver& shared) : shared_(shared) {
+  if (shared.busy_.exchange(true)) {
+    throw InputError("this driver moves the arm already; one thread at a time");
+  }
+  if (!shared.is_open()) {
+    shared.busy_.store(false);
+    throw InputError("this driver was closed; start another one");
+  }
+}
+
+std::string describe(const ProcessDriver& driver) {
+  const auto or_unnamed = [](const std::string& text) { return text.empty() ? "unnamed" : text; };
+  return fmt::format("driver {} (device: {}), started by {}", or_unnamed(driver.hello().driver),
+                     or_unnamed(driver.hello().device), who_started_this());
+}
+
+void require_within(const Plan& plan, const ProcessDriver& driver) {
+  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
+    for (Eigen::Index s = 0; s < plan.frames[k].setpoint_kpa.size(); ++s) {
+      const double value = plan.frames[k].setpoint_kpa[s];
+      const PressureLimits& limits = driver.limits_kpa()[static_cast<std::size_t>(s)];
+      if (value > limits.upper_kpa + kRoundingKpa || value < limits.lower_kpa - kRoundingKpa) {
+        throw InputError(fmt::format(
+            "plan: frame {}: set point of {} is {:.1f} kPa; the driver allows {} kPa. Nothing was "
+            "moved; plan again with PlanningProblem(..., limits_kpa=driver.limits_kpa)",
+            k, segment_name(s), value, to_string(limits)));
+      }
+    }
+  }
+}
+
+void require_reach(const ArmDescription& arm, double limit_scale, const ProcessDriver& driver) {
+  for (std::size_t s = 0; s < driver.limits_kpa().size(); ++s) {
+    for (const double sign : {1.0, -1.0}) {
+      const double wanted = limit_scale * arm.segments[s].pressure_limit_kpa.side_kpa(sign);
+      const double found = driver.limits_kpa()[s].side_kpa(sign);
+      if (sign * found < sign * wanted) {
+        throw InputError(
+            fmt::format("the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; "
+                        "ScheduleSettings(limit_scale={:.2g}) stays within",
+                        found, segment_name(static_cast<Eigen::Index>(s)), wanted,
+                        limit_scale * found / wanted));
+      }
+    }
+  }
+}
+
+DriverFactory on_one_driver(ProcessDriver& driver) {
+  return [&driver](int /*index*/) {
+    driver.look();
+    return std::make_unique<BorrowedDriver>(driver);
+  };
+}
+
+void bind_process_driver(py::module_& module) {
+  py::class_<SharedProcessDriver>(
+      module, "ProcessDriver",
+      "An arm behind a program of your own (docs/driver.md; limber.driver.serve makes one of "
+      "Python), in a process that closes the valves whatever becomes of this one. One thread at a "
+      "time; `with` closes it.")
+      .def(py::init(&start), py::arg("arm"), py::arg("command"), py::arg("arm_file") = py::none(),
+           py::arg("limit_scale") = 1.0, py::arg("check_rate") = true, py::arg("log") = py::none(),
+           py::arg("on_message") = py::none(),
+           "Starts \"exec:COMMAND\" without a shell, and vents. arm_file: its mapping `safety` "
+           "counts; limit_scale: limits in force are so many times the arm's; check_rate: False "
+           "where motions jump and the valves ramp by themselves; log: file of what both sides "
+           "said; on_message(text): told what came of each vent, else standard error is.")
+      .def(
+          "state", [](SharedProcessDriver& shared) { return Use(shared)->state(); },
+          "The latest state.")
+      .def("command", &command, py::arg("setpoint_kpa"),
+           "One frame at set points (n,) [kPa]; the state after it. Who commands by hand vents by "
+           "hand.")
+      .def(
+          "vent",
+          [](SharedProcessDriver& shared) {
+            const Use driver(shared);
+            const py::gil_scoped_release others_may_run;
+            driver->vent();
+          },
+          "Opens every vent valve, and watches the pressures come down, 5 s at most.")
+      .def(
+          "look",
+          [](SharedProcessDriver& shared) -> ArmState {
+            const Use driver(shared);
+            const py::gil_scoped_release others_may_run;
+            return driver->look();
+          },
+          "A fresh state of the vented arm.")
+      .def(
+          "close",
+          [](SharedProcessDriver& shared) {
+            if (shared.is_open()) {
+              const Use driver(shared);
+              shared.close();
+            }
+          },
+          "Vents and ends the process; so does the end of this object.")
+      .def("__enter__", [](const py::object& self) { return self; })
+      .def("__exit__", [](const py::object& self, const py::args&) { self.attr("close")(); })
+      .def_property_readonly("limits_kpa", &limits_of,
+                             "In force, lower and upper, float32 (n, 2) [kPa].")
+      .def_property_readonly(
+          "is_real_time", [](SharedProcessDriver& shared) { return Use(shared)->is_real_time(); },
+          "Whether a frame takes its time.")
+      .def_property_readonly(
+          "vent_confirmed",
+          [](SharedProcessDriver& shared) { return Use(shared)->last_vent().confirmed; },
+          "Whether every measured pressure came down at the last vent.")
+      .def("__repr__", [](SharedProcessDriver& shared) -> std::string {
+        if (!shared.is_open()) {
+          return "ProcessDriver(closed)";
+        }
+        const Use driver(shared);
+        return fmt::format("ProcessDriver(driver='{}', device='{}', is_real_time={})",
+                           driver->hello().driver, driver->hello().device,
+                           driver->is_real_time() ? "True" : "False");
+      });
+}
+
+}  // namespace limber::python
