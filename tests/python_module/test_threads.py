@@ -45,7 +45,7 @@ class Others:
         sys.setswitchinterval(self.interval)
 
     def may_run_during(self, call):
-        """Whether the thread counted during the call, and a long call never kept it from it for long."""
+        """Whether the thread counted during the call, and a long call never kept it waiting long."""
         before = len(self.ticks)
         begin = time.monotonic()
         call()
