@@ -56,8 +56,8 @@ def native_bytes():
 class Peak:
     """Most memory of the process in use at once during a call, over what it was before.
 
-    The kernel's high-water mark (VmHWM) shows what no snapshot between two calls would: an array that
-    is made and given back within one, by whatever language.
+    The kernel's high-water mark (VmHWM) shows what no snapshot between two calls would: an array
+    that is made and given back within one, by whatever language.
     """
 
     @staticmethod

@@ -37,8 +37,8 @@ def told(log):
 
 def planned():
     shared = chain()
-    problem = limber.PlanningProblem(shared.arm, limber.MotionModel(limber.ForwardModel(shared.arm)),
-                                     shared.environment)
+    model = limber.MotionModel(limber.ForwardModel(shared.arm))
+    problem = limber.PlanningProblem(shared.arm, model, shared.environment)
     plan = limber.make_planner().plan(problem, limber.PlannerLimits(iterations=300), 5).plan
     assert plan
     return plan
@@ -75,8 +75,8 @@ class OnAProcess(InFolder):
         settings = limber.virtual_collection(self.arm, schedule, limber.VirtualArmOptions(seed=7))
         with self.driver(check_rate=False) as driver:
             own = limber.collect(self.arm, settings, driver, self.folder / "own.h5").recording
-        run_json("collect", "--arm", TWO_SEGMENT, "--schedule", "random", "--count", 3, "--episodes",
-                 2, "--hold-s", 0.5, "--limit-scale", 0.8, "--seed", 7, "--driver",
+        run_json("collect", "--arm", TWO_SEGMENT, "--schedule", "random", "--count", 3,
+                 "--episodes", 2, "--hold-s", 0.5, "--limit-scale", 0.8, "--seed", 7, "--driver",
                  exec_of(self.folder / "other.txt"), "--out", "program.h5", folder=self.folder)
         program = limber.read_recording(self.folder / "program.h5")
         self.assertEqual(len(own.episodes), 2)

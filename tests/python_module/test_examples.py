@@ -17,7 +17,7 @@ def python_blocks(page):
 
 
 def run_in(folder, code):
-    subprocess.run([sys.executable, "-c", code], cwd=folder, check=True, stdin=subprocess.DEVNULL)
+    subprocess.run([sys.executable, "-c", code], cwd=folder, check=True, input=b"")
 
 
 class Examples(InFolder):

@@ -45,7 +45,7 @@ class Others:
         sys.setswitchinterval(self.interval)
 
     def may_run_during(self, call):
-        """Whether the thread counted during the call, and a long call never kept it from it for long."""
+        """Whether the thread counted during the call, and a long call never kept it waiting long."""
         before = len(self.ticks)
         begin = time.monotonic()
         call()
@@ -120,6 +120,7 @@ class Threads(unittest.TestCase):
         many = episodes * 20
         queries = batch(arm, 20000)
         valves = limber.identify_valves(episodes, arm)
+        (folder / "large").write_bytes(bytes(50_000_000))
         return {
             "fit_simple_model": lambda: limber.fit_simple_model(arm, episodes),
             "fitted_arm": lambda: limber.fitted_arm(arm, fit, episodes),
@@ -138,7 +139,7 @@ class Threads(unittest.TestCase):
             "load_environment": lambda: limber.load_environment(self.chain.environment_file),
             "write_environment": lambda: limber.write_environment(folder / "e.yaml", environment),
             "read_recording": lambda: limber.read_recording(self.chain.recording),
-            "content_hash": lambda: limber.content_hash(self.chain.recording),
+            "content_hash": lambda: limber.content_hash(folder / "large"),
             "VirtualArm": lambda: limber.VirtualArm(arm),
             "plan_animation": lambda: limber.plan_animation(arm, environment, plan),
             "pressure_picture": lambda: limber.pressure_picture(arm, plan),
@@ -148,7 +149,7 @@ class Threads(unittest.TestCase):
             "ExecutionResult._repr_svg_": run._repr_svg_,
             "to_json": lambda: limber.to_json(run, environment),
             "evaluate": lambda: limber.evaluate(limber.ForwardModel(arm), self.forward, episodes),
-            "identify_valves": lambda: limber.identify_valves(episodes, arm),
+            "identify_valves": lambda: limber.identify_valves(many, arm),
             "write_valves": lambda: limber.write_valves(folder / "v.yaml", valves),
             "step_batch": lambda: self.forward.step_batch(*queries),
             "NoLoadModel.backbone": lambda: limber.NoLoadModel(arm).backbone(queries[0]),
