@@ -58,9 +58,10 @@ TEST(ArmDescription, ReadsEveryKey) {
   EXPECT_EQ(arm.segments[0].gaps, 4);
   EXPECT_EQ(arm.segments[0].pressure_limit_kpa, 80.0);
   EXPECT_EQ(arm.segments[0].strain_polynomial, (StrainPolynomial{1e-3, 1e-5, 0.0, 0.0}));
-  EXPECT_EQ(
-      arm.virtual_arm.yaml,
-      std::string(11, '\n') + "virtual_arm:\n  friction_coefficient: 0.2\n  strength_seed: 3\n");
+  std::string lines_before_it(11, '\n');
+  EXPECT_EQ(arm.virtual_arm.yaml,
+            lines_before_it.append("virtual_arm:\n  friction_coefficient: 0.2\n"
+                                   "  strength_seed: 3\n"));
   EXPECT_EQ(arm.virtual_arm.file, "a.yaml");
   EXPECT_EQ(arm.point_count(), 5);
 }
