@@ -244,7 +244,6 @@ TEST_F(ArmSpace, TheGoalIsJudgedAfterTheHold) {
   int satisfied = 0;
   for (int k = 0; k < 40; ++k) {
     samples->sampleGoal(state.get());
-    numbers(state.get())[world_.cost_index()] = 100.0 + k;
     MotionState held;
     const bool free = simulator_.hold(world_.motion_state(state.get()), held);
     double distance = -1.0;
@@ -255,14 +254,12 @@ TEST_F(ArmSpace, TheGoalIsJudgedAfterTheHold) {
     EXPECT_GE(samples->distanceGoal(state.get()), 0.0);
     if (is_satisfied) {
       EXPECT_EQ(distance, 0.0);
-      if (satisfied++ == 0) {
-        ASSERT_TRUE(world_.first_solution);
-        EXPECT_EQ(world_.first_solution->cost_kpa, 100.0 + k);
-      }
+      ++satisfied;
     }
   }
   world_.write(start_of(problem_), 0.0, true, state.get());
   EXPECT_FALSE(region->isSatisfied(state.get()));
+  EXPECT_GT(satisfied, 0);
   EXPECT_GT(samples->distanceGoal(state.get()), 0.0);
 }
 
