@@ -60,7 +60,7 @@ class CertifiedPlanner final : public Planner {
       stopped = stopped || (callback && !callback(now));
       return !stopped;
     };
-    if (limits.time_s) {
+    if (limits.time_s && *limits.time_s > 0.0) {  // else it is refused as it is
       patient.time_s = std::max(kMinSearchS, *limits.time_s - seconds_since(start));
     }
     PlanResult result = certified_search(*planner_, problem, shared, patient, seed, watched);
