@@ -14,10 +14,10 @@ import sys
 try:
     from ._limber import *  # noqa: F401,F403
     from ._limber import SystemFault, __version__
-except ImportError as error:
-    raise ImportError(f"limber can't be imported by {sys.executable}: {error.__cause__ or error}. "
+except ImportError as _error:
+    raise ImportError(f"limber can't be imported by {sys.executable}: {_error.__cause__ or _error}. "
                       "It wants the Python that it was built with, Debian's /usr/bin/python3, and "
-                      "its NumPy (docs/python.md, To get it)") from error
+                      "its NumPy (docs/python.md, To get it)") from _error
 from .arm_driver import ArmDriver
 
 __all__ = [

@@ -616,6 +616,12 @@ class FirstSolution:
     @property
     def queries(self) -> int:
         """Until it was found."""
+    @property
+    def candidate_s(self) -> float:
+        """When it was found [s]."""
+    @property
+    def certificate_s(self) -> float:
+        """What building and certifying it then took [s]."""
 
 class ForwardModel:
     """B_t = F(q_(t-1), q_t, B_(t-1)): the no-load model, or the no-load model compensated by a network. A pure function: any number of threads may share it."""

@@ -14,7 +14,7 @@ random=(collect --arm two_segment --schedule random --count 6 --episodes 4 --see
 expect 0 "24 motions in 4 episodes" "${random[@]}" --jobs 1 --out one.h5
 expect 0 "24 motions in 4 episodes" "${random[@]}" --jobs 3 --out three.h5
 cmp one.h5 three.h5 || fail "--jobs changed the recording"
-expect 0 "dropped" inspect one.h5
+expect 0 "not tracked" inspect one.h5
 expect 0 "straight" collect --arm two_segment --schedule random --count 5 --approach straight \
   --hold-s 0.5 --hold-min-s 0 --out straight.h5 --json
 
