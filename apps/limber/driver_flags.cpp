@@ -9,6 +9,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/hardware/borrowed_driver.hpp"
 #include "limber/hardware/dry_run_driver.hpp"
 #include "limber/hardware/run_origin.hpp"
 #include "limber/report/driver_report.hpp"
@@ -31,20 +32,6 @@ std::string free_log_name(const std::string& recording) {
   }
   return name;
 }
-
-class BorrowedDriver final : public ArmDriver {
- public:
-  explicit BorrowedDriver(ArmDriver& driver) : driver_(driver) {}
-  const ArmState& state() const override { return driver_.state(); }
-  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
-    return driver_.command(setpoint_kpa);
-  }
-  bool is_real_time() const override { return driver_.is_real_time(); }
-  void vent() noexcept override { driver_.vent(); }
-
- private:
-  ArmDriver& driver_;
-};
 
 }  // namespace
 

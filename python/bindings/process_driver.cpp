@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/hardware/borrowed_driver.hpp"
 #include "limber/hardware/run_origin.hpp"
 
 namespace limber::python {
@@ -19,20 +20,6 @@ using Path = std::filesystem::path;
 
 constexpr std::string_view kExec = "exec:";
 constexpr double kRoundingKpa = 1e-3;  // of float32 set points
-
-class BorrowedDriver final : public ArmDriver {
- public:
-  explicit BorrowedDriver(ArmDriver& driver) : driver_(driver) {}
-  const ArmState& state() const override { return driver_.state(); }
-  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
-    return driver_.command(setpoint_kpa);
-  }
-  bool is_real_time() const override { return driver_.is_real_time(); }
-  void vent() noexcept override { driver_.vent(); }
-
- private:
-  ArmDriver& driver_;
-};
 
 /// To a function in Python, or to standard error, which a notebook shows.
 void tell(const py::object& on_message, const std::string& message) noexcept {
