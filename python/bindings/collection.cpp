@@ -127,8 +127,8 @@ void bind_collection(py::module_& module) {
       "collect", &collect_with, py::arg("arm"), py::arg("settings"), py::arg("make_driver"),
       py::arg("path"),
       "Records a schedule to `path` (HDF5). make_driver: virtual_arm_factory(...), a "
-      "ProcessDriver, or a function of the episode's index that returns an ArmDriver. Ctrl-C vents the arm and "
-      "raises KeyboardInterrupt; finished episodes stay, for resume=True.");
+      "ProcessDriver, or a function of the episode's index that returns an ArmDriver. Ctrl-C vents "
+      "the arm and raises KeyboardInterrupt; finished episodes stay, for resume=True.");
 }
 
 }  // namespace limber::python
