@@ -9,9 +9,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/hardware/borrowed_driver.hpp"
 #include "limber/hardware/dry_run_driver.hpp"
-#include "limber/hardware/run_origin.hpp"
 #include "limber/report/driver_report.hpp"
 
 namespace limber {
@@ -22,7 +20,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kExec = "exec:";
 constexpr std::string_view kModel = "model:";
-constexpr double kRoundingKpa = 1e-3;  // of float32 set points
 
 /// Beside the recording; a log of an earlier run stays, however that run ended.
 std::string free_log_name(const std::string& recording) {
@@ -135,35 +132,23 @@ int DriverFlags::print_dry_run(const ArmDescription& arm, const CommonFlags& fla
 
 void require_within(const Plan& plan, const std::vector<PressureLimits>& limits_kpa,
                     const std::string& file, const std::string& whose) {
-  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
-    for (Eigen::Index s = 0; s < plan.frames[k].setpoint_kpa.size(); ++s) {
-      const double value = plan.frames[k].setpoint_kpa[s];
-      const PressureLimits& limits = limits_kpa[static_cast<std::size_t>(s)];
-      if (value > limits.upper_kpa + kRoundingKpa || value < limits.lower_kpa - kRoundingKpa) {
-        throw InputError(fmt::format(
-            "{}: {}: set point of {} is {:.1f} {unit}; {} allows {} {unit}. Nothing was "
-            "moved; plan again within that: limber plan --limit {}:{:.6g},{:.6g}",
-            file, frame_name(k), segment_name(s), value, whose, to_string(limits), s,
-            limits.lower_kpa, limits.upper_kpa, fmt::arg("unit", plan.command.unit)));
-      }
-    }
+  if (const auto found = first_beyond(plan, limits_kpa)) {
+    throw InputError(
+        fmt::format("{}: {}: set point of {} is {:.1f} {unit}; {} allows {} {unit}. Nothing was "
+                    "moved; plan again within that: limber plan --limit {}:{:.6g},{:.6g}",
+                    file, frame_name(found->frame), segment_name(found->segment), found->value,
+                    whose, to_string(found->limits), found->segment, found->limits.lower_kpa,
+                    found->limits.upper_kpa, fmt::arg("unit", plan.command.unit)));
   }
 }
 
 void require_reach(const ArmDescription& arm, double limit_scale, const ProcessDriver& driver) {
-  const std::vector<PressureLimits>& allowed = driver.limits_kpa();
-  for (std::size_t s = 0; s < allowed.size(); ++s) {
-    for (const double sign : {1.0, -1.0}) {
-      const double wanted = limit_scale * arm.segments[s].pressure_limit_kpa.side_kpa(sign);
-      const double found = allowed[s].side_kpa(sign);
-      if (sign * found < sign * wanted) {
-        throw InputError(
-            fmt::format("the driver allows {:.1f} kPa in {}, and motions ask "
-                        "for {:.1f} kPa; --limit-scale {:.2g} stays within",
-                        found, segment_name(static_cast<Eigen::Index>(s)), wanted,
-                        limit_scale * found / wanted));
-      }
-    }
+  if (const auto found = first_short_reach(arm, limit_scale, driver.limits_kpa())) {
+    throw InputError(
+        fmt::format("the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; "
+                    "--limit-scale {:.2g} stays within",
+                    found->allowed_kpa, segment_name(found->segment), found->wanted_kpa,
+                    limit_scale * found->allowed_kpa / found->wanted_kpa));
   }
 }
 
@@ -184,20 +169,6 @@ ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
         "arm, so where it lies is not known");
   }
   return {Pressures::Zero(arm.segment_count()), *started.state().backbone};
-}
-
-DriverFactory on_one_driver(ProcessDriver& driver) {
-  return [&driver](int /*index*/) {
-    driver.look();
-    return std::make_unique<BorrowedDriver>(driver);
-  };
-}
-
-std::string describe(const ProcessDriver& driver) {
-  const DriverHello& hello = driver.hello();
-  const auto or_unnamed = [](const std::string& text) { return text.empty() ? "unnamed" : text; };
-  return fmt::format("driver {} (device: {}), started by {}", or_unnamed(hello.driver),
-                     or_unnamed(hello.device), who_started_this());
 }
 
 Json to_json(const ProcessDriver& driver) {

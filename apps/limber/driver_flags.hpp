@@ -5,7 +5,7 @@
 #include <string>
 
 #include "calibration_flag.hpp"
-#include "limber/hardware/collection.hpp"
+#include "limber/hardware/driver_run.hpp"
 #include "limber/hardware/process_driver.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
@@ -63,12 +63,6 @@ void require_reach(const ArmDescription& arm, double limit_scale, const ProcessD
 /// @throws SystemFault where nothing tracks the arm.
 ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
                         const std::string& driver, const CalibrationFlag& calibration);
-
-/// Every episode on the same driver, which has to outlive the factory.
-DriverFactory on_one_driver(ProcessDriver& driver);
-
-/// "limber virtual-arm 1.0 (a simulated arm), started by user@host".
-std::string describe(const ProcessDriver& driver);
 
 /// How the driver kept to the frames, and its last vent.
 nlohmann::ordered_json to_json(const ProcessDriver& driver);

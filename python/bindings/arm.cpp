@@ -49,6 +49,25 @@ void bind_segments(py::module_& module) {
           "Its limits: lower and upper [kPa].");
 }
 
+py::array_t<float> largest_pressures_of(const ArmDescription& arm) {
+  py::array_t<float> limits(arm.segment_count());
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    limits.mutable_at(i) = static_cast<float>(segment.pressure_limit_kpa.largest_kpa());
+  }
+  return limits;
+}
+
+py::array_t<float> pressure_ranges_of(const ArmDescription& arm) {
+  py::array_t<float> ranges({arm.segment_count(), 2});
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    ranges.mutable_at(i, 0) = static_cast<float>(limits.lower_kpa);
+    ranges.mutable_at(i, 1) = static_cast<float>(limits.upper_kpa);
+  }
+  return ranges;
+}
+
 }  // namespace
 
 void bind_arm(py::module_& module) {
@@ -75,29 +94,10 @@ void bind_arm(py::module_& module) {
       .def_property_readonly("pressure_step_limit_kpa", &ArmDescription::pressure_step_limit_kpa,
                              "Largest change of a set point within one frame [kPa].")
       .def_property_readonly(
-          "pressure_limits_kpa",
-          [](const ArmDescription& arm) {
-            py::array_t<float> limits(arm.segment_count());
-            for (int i = 0; i < arm.segment_count(); ++i) {
-              limits.mutable_at(i) = static_cast<float>(
-                  arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa());
-            }
-            return limits;
-          },
+          "pressure_limits_kpa", &largest_pressures_of,
           "Largest pressure of each segment, of either side, float32 (n,) [kPa].")
-      .def_property_readonly(
-          "pressure_ranges_kpa",
-          [](const ArmDescription& arm) {
-            py::array_t<float> ranges({arm.segment_count(), 2});
-            for (int i = 0; i < arm.segment_count(); ++i) {
-              const PressureLimits& limits =
-                  arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-              ranges.mutable_at(i, 0) = static_cast<float>(limits.lower_kpa);
-              ranges.mutable_at(i, 1) = static_cast<float>(limits.upper_kpa);
-            }
-            return ranges;
-          },
-          "Lower and upper limit of each segment, float32 (n, 2) [kPa].")
+      .def_property_readonly("pressure_ranges_kpa", &pressure_ranges_of,
+                             "Lower and upper limit of each segment, float32 (n, 2) [kPa].")
       .def("frames_in", &ArmDescription::frames_in, py::arg("seconds"),
            "Fewest frames that take at least so long.")
       .def("segment_of_gap", &ArmDescription::segment_of_gap, py::arg("gap"),

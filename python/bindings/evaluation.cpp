@@ -1,5 +1,6 @@
 #include "limber/training/evaluation.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
@@ -39,10 +40,32 @@ void bind_errors_of_tips(py::module_& module) {
       .value("at_the_start_only", Restart::at_the_start_only, "open_loop");
 }
 
+void bind_novel_frames(py::module_& module) {
+  py::class_<NovelFrames> novel(module, "NovelFrames",
+                                "Tracked frames, and how many of them lie beyond what a model "
+                                "learnt from, by whether their pressures do.");
+  py::class_<NovelFrames::Count>(novel, "Count", "Of frames.")
+      .def_readonly("frames", &NovelFrames::Count::frames, "All.")
+      .def_readonly("novel", &NovelFrames::Count::novel, "Beyond what the model learnt from.")
+      .def("__repr__", [](const NovelFrames::Count& count) {
+        return fmt::format("Count(frames={}, novel={})", count.frames, count.novel);
+      });
+  novel
+      .def_readonly("pressures_within", &NovelFrames::pressures_within,
+                    "Pressures within the recorded ranges.")
+      .def_readonly("pressures_beyond", &NovelFrames::pressures_beyond, "Pressures beyond them.")
+      .def("__repr__", [](const NovelFrames& frames) {
+        return fmt::format("NovelFrames(pressures_within={} of {}, pressures_beyond={} of {})",
+                           frames.pressures_within.novel, frames.pressures_within.frames,
+                           frames.pressures_beyond.novel, frames.pressures_beyond.frames);
+      });
+}
+
 }  // namespace
 
 void bind_evaluation(py::module_& module) {
   bind_errors_of_tips(module);
+  bind_novel_frames(module);
   Record<Evaluation>(module, "Evaluation", "Errors of models on one recording.")
       .read_only("frames", &Evaluation::frames, "That count.")
       .read_only("no_load_open_loop", &Evaluation::no_load_open_loop, "Of the simple model.")
@@ -52,6 +75,9 @@ void bind_evaluation(py::module_& module) {
       .read_only("orientation_reduction_percent", &Evaluation::orientation_reduction_percent,
                  "The same of headings [%].")
       .done()
+      .def_readonly("novel", &Evaluation::novel,
+                    "NovelFrames of the network, or None where it does not know what it learnt "
+                    "from.")
       .def("__str__", [](const Evaluation& evaluation) { return to_text(evaluation); })
       .def("_repr_svg_", &evaluation_picture, py::call_guard<py::gil_scoped_release>());
   module.def(

@@ -63,9 +63,7 @@ void bind_error_room(py::module_& module) {
       "instead.");
 }
 
-}  // namespace
-
-void bind_motion_model(py::module_& module) {
+void bind_motion_state(py::module_& module) {
   py::class_<MotionState>(module, "MotionState",
                           "Everything that decides an arm's future under set points.")
       .def_property_readonly(
@@ -88,6 +86,12 @@ void bind_motion_model(py::module_& module) {
         return fmt::format("MotionState(tip=({:.4f} m, {:.4f} m, {:.3f} rad))", tip.x_m, tip.y_m,
                            tip.theta_rad);
       });
+}
+
+}  // namespace
+
+void bind_motion_model(py::module_& module) {
+  bind_motion_state(module);
   py::class_<MotionModel>(module, "MotionModel",
                           "Set points to backbones, frame by frame: valves, and behind them the "
                           "forward model. Constant: share it freely.")

@@ -61,10 +61,7 @@ void bind_gap_bounds(py::module_& module) {
       });
 }
 
-}  // namespace
-
-void bind_networks(py::module_& module) {
-  bind_layer(module);
+void bind_prediction_error(py::module_& module) {
   Record<PredictionError>(module, "PredictionError",
                           "How far predictions were from the arm on motions that neither trained "
                           "nor chose the model; not exceeded by 95 % of the runs.")
@@ -76,7 +73,9 @@ void bind_networks(py::module_& module) {
       .read_only("end_orientation_rad", &PredictionError::end_orientation_rad,
                  "Of its heading [rad].")
       .done();
-  bind_gap_bounds(module);
+}
+
+void bind_learnt_region(py::module_& module) {
   py::class_<LearntRegion>(module, "LearntRegion",
                            "What the training recordings held: ranges of pressures, rates, shapes.")
       .def("__repr__", [](const LearntRegion& learnt) {
@@ -87,6 +86,15 @@ void bind_networks(py::module_& module) {
         return fmt::format("LearntRegion(pressure_kpa=[{}], points={})", fmt::join(ranges, ", "),
                            learnt.point_count());
       });
+}
+
+}  // namespace
+
+void bind_networks(py::module_& module) {
+  bind_layer(module);
+  bind_prediction_error(module);
+  bind_gap_bounds(module);
+  bind_learnt_region(module);
   py::class_<CompensationModel>(module, "CompensationModel",
                                 "The network with everything needed to use it.")
       .def_property_readonly(

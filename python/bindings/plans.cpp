@@ -34,13 +34,17 @@ py::array_t<float> backbones_of(const Plan& plan) {
   return rows.attr("reshape")(rows.shape(0), -1, 3);
 }
 
-void bind_plan(py::module_& module) {
+void bind_certified_figures(py::module_& module) {
   Record<CertifiedFigures>(module, "CertifiedFigures", "What its certificate said of a plan.")
       .read_only("clearance_m", &CertifiedFigures::clearance_m, "[m]; inf without obstacles.")
       .read_only("max_deviation_m", &CertifiedFigures::max_deviation_m, "Of a plate [m].")
       .read_only("seal_is_intact", &CertifiedFigures::seal_is_intact,
                  "False where the file was changed since.")
       .done();
+}
+
+void bind_plan(py::module_& module) {
+  bind_certified_figures(module);
   Record<Plan>(module, "Plan",
                "A motion in pressure space. Its frames are "
                "executed as they stand, never resampled.")

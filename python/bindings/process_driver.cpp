@@ -8,8 +8,6 @@
 #include "bindings.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
-#include "limber/hardware/borrowed_driver.hpp"
-#include "limber/hardware/run_origin.hpp"
 
 namespace limber::python {
 
@@ -19,7 +17,6 @@ using Use = SharedProcessDriver::Use;
 using Path = std::filesystem::path;
 
 constexpr std::string_view kExec = "exec:";
-constexpr double kRoundingKpa = 1e-3;  // of float32 set points
 
 /// To a function in Python, or to standard error, which a notebook shows.
 void tell(const py::object& on_message, const std::string& message) noexcept {
@@ -94,6 +91,16 @@ py::array_t<float> limits_of(SharedProcessDriver& shared) {
   return rows;
 }
 
+std::string repr_of(SharedProcessDriver& shared) {
+  if (!shared.is_open()) {
+    return "ProcessDriver(closed)";
+  }
+  const Use driver(shared);
+  return fmt::format("ProcessDriver(driver='{}', device='{}', is_real_time={})",
+                     driver->hello().driver, driver->hello().device,
+                     driver->is_real_time() ? "True" : "False");
+}
+
 }  // namespace
 
 SharedProcessDriver::SharedProcessDriver(const ArmDescription& arm,
@@ -121,48 +128,24 @@ SharedProcessDriver::Use::Use(SharedProcessDriver& shared) : shared_(shared) {
   }
 }
 
-std::string describe(const ProcessDriver& driver) {
-  const auto or_unnamed = [](const std::string& text) { return text.empty() ? "unnamed" : text; };
-  return fmt::format("driver {} (device: {}), started by {}", or_unnamed(driver.hello().driver),
-                     or_unnamed(driver.hello().device), who_started_this());
-}
-
 void require_within(const Plan& plan, const ProcessDriver& driver) {
-  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
-    for (Eigen::Index s = 0; s < plan.frames[k].setpoint_kpa.size(); ++s) {
-      const double value = plan.frames[k].setpoint_kpa[s];
-      const PressureLimits& limits = driver.limits_kpa()[static_cast<std::size_t>(s)];
-      if (value > limits.upper_kpa + kRoundingKpa || value < limits.lower_kpa - kRoundingKpa) {
-        throw InputError(fmt::format(
-            "plan: frame {}: set point of {} is {:.1f} kPa; the driver allows {} kPa. Nothing was "
-            "moved; plan again with PlanningProblem(..., limits_kpa=driver.limits_kpa)",
-            k, segment_name(s), value, to_string(limits)));
-      }
-    }
+  if (const auto found = first_beyond(plan, driver.limits_kpa())) {
+    throw InputError(fmt::format(
+        "plan: {}: set point of {} is {:.1f} kPa; the driver allows {} kPa. Nothing was "
+        "moved; plan again with PlanningProblem(..., limits_kpa=driver.limits_kpa)",
+        frame_name(found->frame), segment_name(found->segment), found->value,
+        to_string(found->limits)));
   }
 }
 
 void require_reach(const ArmDescription& arm, double limit_scale, const ProcessDriver& driver) {
-  for (std::size_t s = 0; s < driver.limits_kpa().size(); ++s) {
-    for (const double sign : {1.0, -1.0}) {
-      const double wanted = limit_scale * arm.segments[s].pressure_limit_kpa.side_kpa(sign);
-      const double found = driver.limits_kpa()[s].side_kpa(sign);
-      if (sign * found < sign * wanted) {
-        throw InputError(
-            fmt::format("the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; "
-                        "ScheduleSettings(limit_scale={:.2g}) stays within",
-                        found, segment_name(static_cast<Eigen::Index>(s)), wanted,
-                        limit_scale * found / wanted));
-      }
-    }
+  if (const auto found = first_short_reach(arm, limit_scale, driver.limits_kpa())) {
+    throw InputError(
+        fmt::format("the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; "
+                    "ScheduleSettings(limit_scale={:.2g}) stays within",
+                    found->allowed_kpa, segment_name(found->segment), found->wanted_kpa,
+                    limit_scale * found->allowed_kpa / found->wanted_kpa));
   }
-}
-
-DriverFactory on_one_driver(ProcessDriver& driver) {
-  return [&driver](int /*index*/) {
-    driver.look();
-    return std::make_unique<BorrowedDriver>(driver);
-  };
 }
 
 void bind_process_driver(py::module_& module) {
@@ -220,15 +203,7 @@ void bind_process_driver(py::module_& module) {
           "vent_confirmed",
           [](SharedProcessDriver& shared) { return Use(shared)->last_vent().confirmed; },
           "Whether every measured pressure came down at the last vent.")
-      .def("__repr__", [](SharedProcessDriver& shared) -> std::string {
-        if (!shared.is_open()) {
-          return "ProcessDriver(closed)";
-        }
-        const Use driver(shared);
-        return fmt::format("ProcessDriver(driver='{}', device='{}', is_real_time={})",
-                           driver->hello().driver, driver->hello().device,
-                           driver->is_real_time() ? "True" : "False");
-      });
+      .def("__repr__", &repr_of);
 }
 
 }  // namespace limber::python

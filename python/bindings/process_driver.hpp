@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "limber/hardware/collection.hpp"
+#include "limber/hardware/driver_run.hpp"
 #include "limber/hardware/process_driver.hpp"
 #include "limber/world/plan.hpp"
 
@@ -44,15 +44,9 @@ class SharedProcessDriver {
   std::atomic<bool> busy_{false};
 };
 
-/// What a recording says of it, "driver NAME (device: DEVICE), started by USER".
-std::string describe(const ProcessDriver& driver);
-
 /// @throws InputError where a plan goes beyond what the driver allows. Nothing was moved then.
 void require_within(const Plan& plan, const ProcessDriver& driver);
 /// The same of a schedule, which goes to `limit_scale` times the arm's limits.
 void require_reach(const ArmDescription& arm, double limit_scale, const ProcessDriver& driver);
-
-/// The same process for every episode; borrowed.
-DriverFactory on_one_driver(ProcessDriver& driver);
 
 }  // namespace limber::python

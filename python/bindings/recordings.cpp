@@ -73,6 +73,14 @@ py::array_t<float> view_of_frames(const FrameMatrix& matrix, const py::object& o
   return view_of(matrix.data(), {matrix.rows(), matrix.cols()}, owner);
 }
 
+py::array_t<bool> tracked_of(const Episode& episode) {
+  py::array_t<bool> tracked(episode.frame_count());
+  for (int t = 0; t < episode.frame_count(); ++t) {
+    tracked.mutable_at(t) = episode.was_tracked(t);
+  }
+  return tracked;
+}
+
 void bind_episode(py::module_& module) {
   py::class_<Episode>(module, "Episode",
                       "One unbroken run of the arm: T frames, n segments, m plates. Its arrays "
@@ -115,16 +123,8 @@ void bind_episode(py::module_& module) {
             return view_of(index.data(), {static_cast<py::ssize_t>(index.size())}, self);
           },
           "Number of the commanded motion that a frame belongs to, int32 (T,).")
-      .def_property_readonly(
-          "tracked",
-          [](const Episode& episode) {
-            py::array_t<bool> tracked(episode.frame_count());
-            for (int t = 0; t < episode.frame_count(); ++t) {
-              tracked.mutable_at(t) = episode.was_tracked(t);
-            }
-            return tracked;
-          },
-          "Whether the backbone was seen, bool (T,); a copy.")
+      .def_property_readonly("tracked", &tracked_of,
+                             "Whether the backbone was seen, bool (T,); a copy.")
       .def_readonly("setpoints_only", &Episode::setpoints_only,
                     "Nothing was measured: pressure_kpa holds the set points.")
       .def_property_readonly("frame_count", &Episode::frame_count, "T.")

@@ -70,8 +70,12 @@ class SameAsProgram(InFolder):
         theirs = run_json("evaluate", "--arm", TWO_SEGMENT, "--model", self.chain.model, "--data",
                           self.chain.recording, folder=self.folder)
         recording = limber.read_recording(self.chain.recording)
-        own = limber.to_json(limber.evaluate(limber.ForwardModel(self.chain.arm), self.forward,
-                                             recording.episodes))
+        evaluation = limber.evaluate(limber.ForwardModel(self.chain.arm), self.forward,
+                                     recording.episodes)
+        within = evaluation.novel.pressures_within
+        self.assertGreater(within.frames, 0)
+        self.assertLessEqual(within.novel, 0.05 * within.frames)  # it has seen them all
+        own = limber.to_json(evaluation)
         # The program measures these beside its other yardsticks, in single precision.
         for name, horizons in own.pop("baselines").items():
             for horizon, errors in horizons.items():

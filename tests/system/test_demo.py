@@ -37,6 +37,10 @@ class Demo(InFolder):
     def check_summary(self, summary):
         for key in ("evaluation", "bench", "plans", "executions", "wall_time_s"):
             self.assertIn(key, summary)
+        self.assertEqual([row["first_plan"] for row in summary["arrivals"]], [True, False])
+        for row in summary["arrivals"]:
+            self.assertEqual(row["plans"], 8)
+            self.assertLessEqual(row["arrived"] + row["collided"], row["solved"])
         self.assertGreaterEqual(len({plan["environment"] for plan in summary["plans"]}), 3)
         self.assertEqual({run["model"] for run in summary["executions"]}, {"no_load", "network"})
         # Even little data beats the model without any.
@@ -50,6 +54,7 @@ class Demo(InFolder):
                             without_namespace)
         self.assertEqual(loaded, [])
         self.assertIn("1 plans of each model, 5 s each", html)
+        self.assertIn("over planning time", html)
         self.assertNotIn("nan", re.findall(r'="[^"]*\bnan\b', html))
 
     def check_results_table(self):

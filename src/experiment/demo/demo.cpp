@@ -25,6 +25,7 @@ constexpr Stage kStages[] = {
     {"bench", "forward-model queries per second", bench_stage},
     {"plan", "motions through obstacles with both models", plan_stage},
     {"execute", "the plans on the virtual arm", execute_stage},
+    {"arrive", "plans and executions over planning time", arrival_stage},
 };
 
 // Written for every arm, so an existing file of this name is found before the work begins.

@@ -6,46 +6,32 @@
 
 #include <fmt/format.h>
 
+#include "demo_environments.hpp"
 #include "demo_stages.hpp"
 #include "kernels/job_arena.hpp"
-#include "limber/common/data_folder.hpp"
-#include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/report/final_shapes_picture.hpp"
 #include "limber/report/plan_picture.hpp"
-#include "limber/trial/proven_environment.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr std::uint64_t kEnvironmentSeed = 64;
 constexpr std::uint64_t kPlanSeed = 128;
 constexpr std::size_t kDrawnEdges = 3000;  // of the tree; more would weigh the page down
-constexpr const char* kPaperArm = "three_segment";
 
-/// limber's own environments are drawn up for the paper's arm; another arm gets random ones.
+/// Those of the recipe; another arm than the paper's gets random ones.
 std::vector<EnvironmentCase> choose_environments(const DemoResults& results) {
-  std::vector<EnvironmentCase> cases;
-  if (results.arm().name == kPaperArm) {
-    for (const std::string& id : results.recipe.environments) {
-      cases.push_back(
-          {id, load_environment(data_folder() / "environments" / (id + ".yaml"), results.arm())});
-    }
-    return cases;
+  std::vector<EnvironmentCase> own = own_environments(results.arm());
+  if (own.empty()) {
+    return random_environments(results, results.recipe.random_environments);
   }
-  for (int k = 1; k <= results.recipe.random_environments; ++k) {
-    std::optional<Environment> sampled = sample_proven_environment(
-        results.arm(), results.motion_model(*results.network),
-        derived_seed(results.settings->seed, kEnvironmentSeed), std::uint64_t(k));
-    if (!sampled) {
-      throw InputError(fmt::format(
-          "arm '{}': no random environment was found in which it has to go around an obstacle",
-          results.arm().name));
-    }
-    cases.push_back({fmt::format("random_{}", k), std::move(*sampled)});
-  }
-  return cases;
+  const std::vector<std::string>& wanted = results.recipe.environments;
+  const auto is_unwanted = [&](const EnvironmentCase& item) {
+    return std::find(wanted.begin(), wanted.end(), item.id) == wanted.end();
+  };
+  own.erase(std::remove_if(own.begin(), own.end(), is_unwanted), own.end());
+  return own;
 }
 
 /// Every trial of every environment with both models, in the order of DemoResults::trials.

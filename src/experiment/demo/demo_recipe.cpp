@@ -83,6 +83,8 @@ DemoRecipe quick_recipe(const ArmDescription& arm) {
   set_epoch_count(recipe.training, 200);
   recipe.bench_queries = 100'000;
   recipe.plans_per_environment = 1;
+  recipe.arrival_times_s = {kFirstPlan, 0.1};
+  recipe.arrival_random_environments = 0;
   return recipe;
 }
 

@@ -10,6 +10,9 @@
 
 namespace limber {
 
+/// A planning time that ends with the first certified plan.
+inline constexpr double kFirstPlan = 0.0;
+
 /// How much `limber demo` does of everything: the choices that decide its time and its figures.
 struct DemoRecipe {
   /// Recorded one after another and joined; schedule k is sampled by its own seed.
@@ -26,6 +29,9 @@ struct DemoRecipe {
   int plans_per_environment = 3;          ///< of each model, each by its own seed
   /// At most: improvement ends by queries, mostly long before.
   double planning_time_limit_s = 5.0;
+  /// Limits of plans that show what more time is good for [s], kFirstPlan: to the first plan.
+  std::vector<double> arrival_times_s = {kFirstPlan, 0.1, 1.0, 10.0};
+  int arrival_random_environments = 20;  ///< beside limber's own
 };
 
 /// Everything, in under six minutes on two cores.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "demo_arrivals.hpp"
 #include "demo_stages.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/progress.hpp"
@@ -198,6 +199,14 @@ ReportTable trial_table(const DemoResults& results) {
   return table;
 }
 
+std::string about_arrivals(const DemoResults& results) {
+  return fmt::format(
+      "No outcome has chosen the random environments. Where a plan has no room for the network's "
+      "error, {:.1f} cm from obstacles, none is found; more data makes it smaller. By the clock, "
+      "so these figures differ a little from run to run.",
+      error_room(*results.network).margin_m * kCmPerM);
+}
+
 void planning(ReportPage& page, const DemoResults& results) {
   page.heading("Plans and their outcomes")
       .paragraph(
@@ -207,6 +216,8 @@ void planning(ReportPage& page, const DemoResults& results) {
           "for), without collision. Environments were chosen where the simple model is wrong "
           "(docs/environments.md). The paper's plans ended 3.3–14.9 cm off with one collision (no "
           "load), 1.0–6.4 cm with none (network).")
+      .table(arrivals_table(results.arrivals))
+      .paragraph(about_arrivals(results))
       .table(trial_table(results))
       .figures(results.plan_pictures);
 }
@@ -328,6 +339,7 @@ nlohmann::ordered_json demo_summary(const DemoResults& results) {
   json["evaluation"] = to_json(results.evaluation);
   json["bench"] = to_json(results.speed);
   json["comparison"] = to_json(results.trials);
+  json["arrivals"] = arrivals_to_json(results.arrivals);
   json["plans"] = nlohmann::ordered_json::array();
   json["executions"] = nlohmann::ordered_json::array();
   for (const PlanTrial& trial : results.trials) {

@@ -13,6 +13,7 @@
 #include "limber/experiment/output_folder.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "limber/report/evaluation_plots.hpp"
+#include "limber/report/planning_table.hpp"
 #include "limber/report/report_page.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/trainer.hpp"
@@ -20,6 +21,17 @@
 #include "stage_clock.hpp"
 
 namespace limber {
+
+/// What became of the network's plans of one planning time, in one group of environments.
+struct Arrivals {
+  std::string environments;
+  double planning_time_s = kFirstPlan;
+  int plans = 0;
+  int solved = 0;
+  int arrived = 0;  ///< ended within the goal's tolerances, without collision
+  int collided = 0;
+  SampleFigures distance_cm;  ///< of all runs, to the goal's centre
+};
 
 /// What the stages leave behind for each other and for the report. A stage reads what earlier ones
 /// have set.
@@ -53,6 +65,8 @@ struct DemoResults {
   std::vector<PlanTrial> trials;            ///< environment by environment, no load before network
   std::vector<ReportFigure> plan_pictures;  ///< planned and executed, environment by environment
 
+  std::vector<Arrivals> arrivals;  ///< group by group, over planning time
+
   /// What motions are predicted with: the no-load model or the network, after the network's valves.
   MotionModel motion_model(const ForwardModel& forward) const;
   const Environment& environment(const std::string& id) const;
@@ -68,6 +82,8 @@ void bench_stage(DemoResults& results);
 /// Plans with both models in every environment, and executes every plan at once.
 void plan_stage(DemoResults& results);
 void execute_stage(DemoResults& results);
+/// Plans and executes in limber's own and in random environments, over planning time.
+void arrival_stage(DemoResults& results);
 
 /// The page and the summary of a finished run.
 std::string demo_report(const DemoResults& results);

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "demo_stages.hpp"
+
+namespace limber {
+
+/// All of limber's own environments, by name; they are drawn up for the paper's arm, so none for
+/// another one.
+std::vector<EnvironmentCase> own_environments(const ArmDescription& arm);
+
+/// Environments 1 to `count` of the run's seed, "random_1" and so on.
+/// @throws InputError where none is found in which the arm has to go around an obstacle.
+std::vector<EnvironmentCase> random_environments(const DemoResults& results, int count);
+
+}  // namespace limber

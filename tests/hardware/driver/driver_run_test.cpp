@@ -1,0 +1,62 @@
+#include "limber/hardware/driver_run.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+Plan plan_to(float first, float second) {
+  Plan plan;
+  plan.frames.resize(2);
+  plan.frames[0].setpoint_kpa = Pressures::Zero(2);
+  plan.frames[1].setpoint_kpa = Pressures::Zero(2);
+  plan.frames[1].setpoint_kpa << first, second;
+  return plan;
+}
+
+const std::vector<PressureLimits> kLimits = {{-20.0, 50.0}, 30.0};
+
+TEST(DriverRun, FindsTheFirstSetPointBeyondEitherSideOfItsSegment) {
+  EXPECT_FALSE(first_beyond(plan_to(50.0F, -30.0F), kLimits));
+  EXPECT_FALSE(first_beyond(plan_to(std::nextafter(50.0F, 60.0F), 0.0F), kLimits)) << "rounding";
+
+  const auto above = first_beyond(plan_to(50.1F, -31.0F), kLimits);
+  ASSERT_TRUE(above);
+  EXPECT_EQ(above->frame, 1U);
+  EXPECT_EQ(above->segment, 0);
+  EXPECT_FLOAT_EQ(static_cast<float>(above->value), 50.1F);
+  EXPECT_EQ(above->limits.upper_kpa, 50.0);
+
+  EXPECT_EQ(first_beyond(plan_to(-20.1F, 0.0F), kLimits)->segment, 0);
+  EXPECT_EQ(first_beyond(plan_to(0.0F, -30.1F), kLimits)->segment, 1);
+}
+
+TEST(DriverRun, NoNumberIsNotWithinLimits) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(first_beyond(plan_to(0.0F, nan), kLimits)->segment, 1);
+}
+
+TEST(DriverRun, AScaleIsOfTheArmsLimitsAndEachSideIsLookedAt) {
+  ArmDescription arm = small_arm();
+  arm.segments[0].pressure_limit_kpa = {-40.0, 100.0};
+  arm.segments[1].pressure_limit_kpa = 60.0;
+
+  EXPECT_FALSE(first_short_reach(arm, 0.5, kLimits)) << "-20, 50 and 30 are just reached";
+  EXPECT_FALSE(first_short_reach(arm, 1.0, {{-40.0, 100.0}, 60.0}));
+
+  const auto lower = first_short_reach(arm, 1.0, {{-39.0, 100.0}, 60.0});
+  ASSERT_TRUE(lower);
+  EXPECT_EQ(lower->segment, 0);
+  EXPECT_EQ(lower->wanted_kpa, -40.0);
+  EXPECT_EQ(lower->allowed_kpa, -39.0);
+
+  EXPECT_EQ(first_short_reach(arm, 1.0, {{-40.0, 100.0}, 59.0})->segment, 1);
+}
+
+}  // namespace
+}  // namespace limber
