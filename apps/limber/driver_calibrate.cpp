@@ -109,7 +109,7 @@ int DriverCalibrate::run(const std::string& arm_file, const std::string& command
         "--yes: needs --handedness right or left. A mirrored tracker with left and right swapped "
         "reads like one that is right, so only who sees the arm can tell");
   }
-  const ArmDescription arm = load_arm(arm_file);
+  const ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
   const std::string log = out + ".driver.jsonl";
   for (const std::string& file : {out, log}) {
     refuse_to_overwrite(file, flags.force);

@@ -83,7 +83,11 @@ std::string DriverFlags::recording_or_default(const std::string& out,
   if (!out.empty() || !is_program() || dry_run_) {
     return out;
   }
-  std::string name = fmt::format("run_{:%Y%m%d_%H%M%S}.h5", fmt::gmtime(std::time(nullptr)));
+  const std::string stem = fmt::format("run_{:%Y%m%d_%H%M%S}", fmt::gmtime(std::time(nullptr)));
+  std::string name = stem + ".h5";
+  for (int run = 1; std::filesystem::exists(name); ++run) {  // more than one in a second
+    name = fmt::format("{}_{}.h5", stem, run);
+  }
   say(flags, "{}: every run on an arm is recorded; --out names the file", name);
   return name;
 }

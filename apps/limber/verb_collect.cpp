@@ -58,7 +58,7 @@ class CollectVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     driver_.check();
     const std::string arm_file = find_arm_file(arm_);
-    const ArmDescription arm = load_asked_arm(arm_file);
+    const ArmDescription arm = load_asked_arm(arm_file, PolynomialsOf::characterisation);
     options_.seed = flags.seed;
     schedule_.limit_scale = driver_.limit_scale();
     CollectionSettings settings = virtual_collection(arm, schedule_, options_);

@@ -65,7 +65,7 @@ class DriverVerb final : public Verb {
       }
       return calibrate_.run(arm_file, driver_.substr(kExec.size()), out_, flags);
     }
-    const ArmDescription arm = load_arm(arm_file);
+    const ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
     const fs::path folder = out_;
     require_writable_folder(folder);
     for (const char* file : {"check.json", "report.html", "valves.yaml", "check.driver.jsonl"}) {

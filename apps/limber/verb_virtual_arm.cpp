@@ -26,6 +26,9 @@ class VirtualArmVerb final : public Verb {
         ->capture_default_str();
     app.add_flag("--fast", settings_.fast,
                  "Answer as fast as possible, instead of keeping frames of wall time");
+    app.add_flag("--at-once", settings_.at_once,
+                 "Answer with the sample of the moment, as hardware does, and not with the end of "
+                 "the frame that begins");
     app.add_option("--fault", fault_,
                    "Go wrong from a frame on, as in die@12; an unknown kind lists all of them");
     app.add_option("--misassembled", misassembled_,

@@ -55,8 +55,8 @@ WireCalibration estimate(const ArmDescription& arm, const CalibrationLog& log,
   if (frame.position_interval_m > tolerance.position_m ||
       frame.heading_interval_rad > tolerance.heading_rad) {
     throw CalibrationRefused(
-        fmt::format("the base's frame is known to ± {:.1f} mm and ± {:.4f} rad only; asked for "
-                    "are {:.1f} mm and {:.4f} rad. Say where the base's marker body sits as "
+        fmt::format("the base's frame is known to ± {:.2f} mm and ± {:.5f} rad only; asked for "
+                    "are {:.2f} mm and {:.5f} rad. Say where the base's marker body sits as "
                     "built (--base-marker), or ask for less (--tolerance-m, --tolerance-rad)",
                     1e3 * frame.position_interval_m, frame.heading_interval_rad,
                     1e3 * tolerance.position_m, tolerance.heading_rad));

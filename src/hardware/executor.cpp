@@ -75,10 +75,14 @@ class Execution {
   void follow() {
     const bool halted = !move();
     result_.halts += halted ? 1 : 0;
+    int late = 0;  // frames after the plan's end, in which its last ones are seen
     // A plan's own hold counts: planner and executor judge the goal at the same moment.
     for (int held = halted ? 0 : plan_->hold_frame_count; held < arm_.frames_in(settings_.hold_s);
          ++held) {
       command(held_kpa());
+      if (!halted) {
+        watch_.compare(*plan_, frame_ + static_cast<std::size_t>(++late));
+      }
     }
   }
 
@@ -124,7 +128,8 @@ class Execution {
 
   bool may_go_on() {
     return settings_.replanner == nullptr ||
-           settings_.replanner->may_go_on(*plan_, frame_, driver_.state());
+           settings_.replanner->may_go_on(*plan_, frame_ - std::min(frame_, watch_.lag()),
+                                          driver_.state());
   }
 
   void ask_for_advice(AdviceJob& job, std::size_t next) {
@@ -250,7 +255,9 @@ class Execution {
     if (settings_.max_start_error_m && watch_.start_error_m() > *settings_.max_start_error_m) {
       throw InputError(fmt::format(
           "the arm is {:.1f} cm from where the plan starts; at most {:.1f} cm are allowed. Plan "
-          "from where it is (`start` in the environment file), or allow more (--max-start-error-m)",
+          "from where it is (limber plan --start-from-driver, or `start` in the environment file), "
+          "or allow more (--max-start-error-m). If a vented arm never lies there, the lengths in "
+          "the arm file are not its own",
           kCmPerM * watch_.start_error_m(), kCmPerM * *settings_.max_start_error_m));
     }
   }

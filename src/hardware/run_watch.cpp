@@ -23,6 +23,7 @@ void RunWatch::start(const Plan& plan) {
     const BackboneD planned = plan.frames.front().backbone.cast<double>();
     start_error_m_ = (*shape_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
   }
+  (void)lag_.note(plan.frames.front().setpoint_kpa, driver_.state());
   recorder_.add(driver_.state(), plan.frames.front().setpoint_kpa, 0);
   measured_ = driver_.state().backbone.has_value();
 }
@@ -37,6 +38,7 @@ void RunWatch::observe(double time_s, const BackboneD& backbone) {
 const Environment* RunWatch::take_in(const Pressures& setpoint_kpa, int motion) {
   const ArmState& state = driver_.state();
   ++frames_;
+  (void)lag_.note(setpoint_kpa, state);
   recorder_.add(state, setpoint_kpa, motion);
   measured_ = measured_ || state.backbone.has_value();
   see();
@@ -54,8 +56,8 @@ void RunWatch::see() {
 }
 
 void RunWatch::compare(const Plan& plan, std::size_t frame) {
-  if (shape_ && shape_frame_ == frames_) {
-    prediction_.compare(plan, frame, *shape_);
+  if (shape_ && shape_frame_ == frames_ && frame >= lag() && frame - lag() < plan.frames.size()) {
+    prediction_.compare(plan, frame - lag(), *shape_);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "episode_recorder.hpp"
 #include "goal_time.hpp"
 #include "limber/hardware/executor.hpp"
+#include "limber/hardware/state_lag.hpp"
 #include "obstacle_appearance.hpp"
 #include "prediction_watch.hpp"
 
@@ -31,9 +32,12 @@ class RunWatch {
   /// @param motion  which edge of the plan that was
   /// @return the environment with the obstacle, if it has appeared now
   const Environment* take_in(const Pressures& setpoint_kpa, int motion);
-  /// Compares the last frame, where the arm was tracked in it, with a plan's.
+  /// Compares the last frame, where the arm was tracked in it, with the plan's that it shows.
+  /// @param frame  of the plan that was commanded last; those after its end are held
   void compare(const Plan& plan, std::size_t frame);
 
+  /// Frames by which what is seen is behind what was commanded.
+  std::size_t lag() const { return static_cast<std::size_t>(lag_.frames()); }
   int frames() const { return frames_; }
   /// From the plan's first shape to where the arm was then: the farthest plate. 0 if unseen.
   double start_error_m() const { return start_error_m_; }
@@ -54,6 +58,7 @@ class RunWatch {
   EpisodeRecorder recorder_;
   GoalTime goal_time_;
   PredictionWatch prediction_;
+  StateLag lag_;
   std::optional<BackboneD> shape_;
   int frames_ = 0;
   int shape_frame_ = -1;

@@ -17,7 +17,7 @@ constexpr double kRoundingKpa = 1e-3;  // between two sums of the same plan's st
 std::string reason_of_solution(const PlannerBudget& budget) {
   return budget.limit() || budget.stopped_by_callback()
              ? budget.reason()
-             : "the plan is as cheap as was asked for, or as any can be";
+             : "improving the plan has ended, or it is as cheap as was asked for";
 }
 
 std::string reason_of_failure(const PlannerBudget& budget, const PoseGoal& goal, const Plan& plan,

@@ -76,7 +76,7 @@ TEST(GoalMargin, WhereTheGoalIsSmallerItsCentreIsAimedAt) {
   Setting s(false);
   const PlanResult result = plan_inside(s, 0.05, 4000);
   ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
-  EXPECT_LE(result.plan->goal_distance_m, 0.25 * 0.02 + 1e-4);
+  EXPECT_LE(result.plan->goal_distance_m, 0.1 * 0.02 + 1e-4);
   ASSERT_EQ(result.warnings.size(), 1U);
   EXPECT_THAT(result.warnings[0],
               HasSubstr("2.00 cm leaves little room for the model's error, 5.00"));

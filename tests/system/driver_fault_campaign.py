@@ -197,7 +197,9 @@ def main():
     with tempfile.TemporaryDirectory(prefix="limber_faults_") as name:
         with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
             waiting = {pool.submit(case.run): case for case in cases(arguments, pathlib.Path(name))}
-            for future in concurrent.futures.as_completed(waiting):
+            for done, future in enumerate(concurrent.futures.as_completed(waiting), 1):
+                if done % 200 == 0:
+                    print(f"{done} of {len(waiting)}", file=sys.stderr, flush=True)
                 wrong, taken_s = future.result()
                 if wrong:
                     failures.append(f"{waiting[future].name}: {wrong}")

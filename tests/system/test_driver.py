@@ -225,6 +225,15 @@ class Executing(Driver):
         self.assertEqual(len(list(self.folder.glob("run_*.h5"))), 1)
         self.assertEqual(len(list(self.folder.glob("run_*.driver.jsonl"))), 1)
 
+    def test_a_driver_that_answers_at_once_is_compared_with_the_frame_that_it_shows(self):
+        errors = {}
+        for name, flags in {"end": (), "at once": ("--at-once",)}.items():
+            run = json.loads(self.execute("--driver", served("--fast", *flags), "--json",
+                                          "--out", f"{len(flags)}.h5").stdout)
+            errors[name] = run["prediction_error_cm"]
+        for key, value in errors["end"].items():
+            self.assertAlmostEqual(errors["at once"][key], value, delta=0.05 + 0.2 * value, msg=key)
+
     def test_refuses_a_plan_beyond_the_scaled_limits(self):
         result = self.execute("--limit-scale", 0.2, "--driver", served(), "--out", "run.h5", code=2)
         self.assertRegex(result.stderr, r"p\.json: frame \d+: set point of segment \d")

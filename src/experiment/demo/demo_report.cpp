@@ -201,9 +201,9 @@ ReportTable trial_table(const DemoResults& results) {
 
 std::string about_arrivals(const DemoResults& results) {
   return fmt::format(
-      "No outcome has chosen the random environments. Where a plan has no room for the network's "
-      "error, {:.1f} cm from obstacles, none is found; more data makes it smaller. By the clock, "
-      "so these figures differ a little from run to run.",
+      "No plan's outcome has chosen the random environments. Where the network's error, {:.1f} cm, "
+      "does not fit between obstacles, no plan is found; more data makes it smaller. The clock ends "
+      "these searches, so their figures differ a little from run to run.",
       error_room(*results.network).margin_m * kCmPerM);
 }
 

@@ -23,7 +23,7 @@ namespace {
 
 using Clock = LineReader::Clock;
 
-constexpr auto kSilence = std::chrono::milliseconds(250);
+constexpr auto kSilence = std::chrono::milliseconds(200);
 constexpr std::size_t kMaxLine = 65536;
 
 /// One line of the log: `fields` and the monotonic clock's time.
@@ -46,7 +46,7 @@ void run_device(int line_end, int log) {
       log_line(log, "\"event\": " + line);
     } else if (read == LineReader::Read::timeout && open) {
       open = false;
-      log_line(log, "\"event\": \"vent\", \"why\": \"no command for 0.25 s\"");
+      log_line(log, "\"event\": \"vent\", \"why\": \"no command for 0.2 s\"");
     } else if (read != LineReader::Read::timeout) {
       log_line(log, "\"event\": \"vent\", \"why\": \"the driver is gone\"");
       return;

@@ -11,7 +11,7 @@
 namespace limber {
 
 /// The board behind a driver, simulated as a process of its own that outlives the driver: it logs
-/// what it is told, and vents when it is told nothing for 0.25 s or its line goes dead. It stands
+/// what it is told, and vents when it is told nothing for 0.2 s or its line goes dead. It stands
 /// for firmware, whose watchdog has to be tested with the driver killed or stopped.
 class DeviceProcess {
  public:

@@ -1,6 +1,7 @@
 #include "driver_link.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -73,6 +74,7 @@ ArmState DriverLink::vent(Clock::duration reply_time) {
 
 ArmState DriverLink::exchange(const std::string& line, Clock::duration reply_time) {
   const Time deadline = Clock::now() + reply_time;
+  since_last_s_ = since_start_s() - std::exchange(asked_s_, since_start_s());
   log_.sent(line);
   if (!child_.write_line(line, deadline)) {
     say_why_it_is_silent("does not read its input");
@@ -116,6 +118,11 @@ void DriverLink::require_order(const DriverReply& reply) const {
                     reply.state.time_s, *sample_s_));
   }
   if (paced_ && step_s > kMaxStepFrames * period_s_) {
+    if (since_last_s_ > kMaxStepFrames * period_s_) {
+      throw SystemFault(
+          fmt::format("limber sent nothing for {:.2f} s, as it was stopped or the machine too busy",
+                      since_last_s_));
+    }
     throw BrokenDriver(fmt::format(
         "sent a sample {} s after the one before; a frame lasts {} s. `t` is in seconds", step_s,
         period_s_));

@@ -83,6 +83,8 @@ class DriverLink {
   std::int64_t seq_ = 0;
   std::optional<double> sample_s_;  // of the last state, by the driver's clock
   std::optional<double> tracker_s_;
+  double asked_s_ = 0.0;           // when the last request left …
+  double since_last_s_ = 0.0;      // … and how long after the one before
   bool paced_ = false;             // the next sample is about a frame after it
   std::optional<Time> closed_at_;  // its input
   bool open_ = true;

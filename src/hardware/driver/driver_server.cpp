@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -46,6 +47,9 @@ class DriverServer {
 
   void run() {
     std::string line;
+    if (settings_.at_once) {
+      measured_ = advance(in_force_);
+    }
     while (!done_) {
       if (interrupt_requested()) {
         vent("stopped on request");
@@ -85,7 +89,7 @@ class DriverServer {
     if (!resting_) {
       vent("no set for three frames");
     } else if (!settings_.fast) {
-      (void)advance(Pressures::Zero(in_force_.size()));
+      measured_ = advance(in_force_);
     }
   }
 
@@ -105,6 +109,12 @@ class DriverServer {
     return wire_.to_wire(std::move(state));
   }
 
+  /// A frame at the set points in force. @return the state that answers its request
+  ArmState next_frame() {
+    ArmState end = advance(in_force_);
+    return settings_.at_once ? std::exchange(measured_, std::move(end)) : end;
+  }
+
   void answer(const std::string& line) {
     try {
       const DriverRequest request = parse_request(line, host_);
@@ -118,7 +128,7 @@ class DriverServer {
           break;
         case RequestKind::vent:
           vent("command");
-          reply(request.seq, advance(in_force_));
+          reply(request.seq, next_frame());
           break;
         default:
           vent("bye");
@@ -148,7 +158,7 @@ class DriverServer {
     resting_ = false;
     in_force_ = request.setpoint_kpa;
     device_.set(in_force_);
-    const ArmState state = advance(in_force_);
+    const ArmState state = next_frame();
     if (due() && frame_ == settings_.fault->frame) {
       device_.note(to_string(settings_.fault->kind), frame_);
     }
@@ -283,6 +293,7 @@ class DriverServer {
   VirtualArm arm_;
   MisassembledWire wire_;
   LineReader input_;
+  ArmState measured_;  // at the end of the last frame, as on the wire
   Pressures in_force_;
   Clock::time_point last_request_ = Clock::now();
   ArmState last_;

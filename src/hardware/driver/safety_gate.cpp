@@ -33,7 +33,7 @@ SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> li
       setpoint_kpa_(Pressures::Zero(arm.segment_count())),
       reference_kpa_(Pressures::Zero(arm.segment_count())),
       frames_off_(arm.segments.size(), 0),
-      history_{{reference_kpa_, reference_kpa_}} {}
+      history_{{setpoint_kpa_, reference_kpa_, reference_kpa_}} {}
 
 std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
   const double step_kpa = arm_.pressure_step_limit_kpa();
@@ -65,8 +65,9 @@ void SafetyGate::note_vented(const ArmState& state) {
   setpoint_kpa_.setZero();
   reference_kpa_ = state.pressure_kpa;
   std::fill(frames_off_.begin(), frames_off_.end(), 0);
-  history_ = {{reference_kpa_, state.pressure_kpa}};
-  backbone_.reset();  // the arm moved while it vented
+  history_ = {{setpoint_kpa_, reference_kpa_, state.pressure_kpa}};
+  backbone_ = state.backbone;
+  backbone_time_s_ = state.time_s;
   frames_unseen_ = 0;
 }
 
@@ -93,6 +94,9 @@ std::string SafetyGate::check_shape(const ArmState& state) {
     return wrong;
   }
   const Backbone& now = *state.backbone;
+  const double since_s = state.time_s - backbone_time_s_;  // long, where nobody looked meanwhile
+  const int frames =
+      std::max(frames_unseen_, static_cast<int>(std::lround(since_s * arm_.frame_rate_hz)));
   for (Eigen::Index i = 0; i < now.rows(); ++i) {
     const double x_m = now(i, 0);
     const double y_m = now(i, 1);
@@ -103,16 +107,17 @@ std::string SafetyGate::check_shape(const ArmState& state) {
     }
     if (backbone_) {
       const double moved_m = (now.row(i) - backbone_->row(i)).head<2>().norm();
-      if (moved_m > settings_.jump_m * frames_unseen_) {
+      if (moved_m > settings_.jump_m * frames) {
         return fmt::format(
-            "{} jumped by {:.1f} cm within {} frame{}; more "
-            "than {:.1f} cm a frame is no motion of an arm",
-            plate_name(i), kCmPerM * moved_m, frames_unseen_, frames_unseen_ == 1 ? "" : "s",
+            "{} jumped by {:.2f} cm within {} frame{}; more than {:.2f} cm per frame counts as no "
+            "motion of this arm (jump_m of the mapping safety in the arm file, docs/hardware.md)",
+            plate_name(i), kCmPerM * moved_m, frames, frames == 1 ? "" : "s",
             kCmPerM * settings_.jump_m);
       }
     }
   }
   backbone_ = now;
+  backbone_time_s_ = state.time_s;
   frames_unseen_ = 0;
   return "";
 }
@@ -122,20 +127,22 @@ std::string SafetyGate::following(const ArmState& state) {
   reference_kpa_ += (setpoint_kpa_ - reference_kpa_)
                         .cwiseMax(Pressures::Constant(reference_kpa_.size(), -step))
                         .cwiseMin(Pressures::Constant(reference_kpa_.size(), step));
-  history_.push_back({reference_kpa_, state.pressure_kpa});
+  history_.push_back({setpoint_kpa_, reference_kpa_, state.pressure_kpa});
   const auto window = static_cast<std::size_t>(arm_.frames_in(kStuckWindowS));
   while (history_.size() > window) {
     history_.pop_front();
   }
-  // Valves lag: a pressure may be where it should have been at any time of the last half second.
+  // Valves lag, and some are faster than the arm's rate: a pressure may be anywhere between what
+  // it was told and where that rate had led at any time of the last half second.
   const auto recent = std::min(
       history_.size(), static_cast<std::size_t>(arm_.frames_in(settings_.following_time_s)));
   for (int s = 0; s < arm_.segment_count(); ++s) {
     float low = reference_kpa_[s];
     float high = low;
     for (std::size_t k = history_.size() - recent; k < history_.size(); ++k) {
-      low = std::min(low, history_[k].reference_kpa[s]);
-      high = std::max(high, history_[k].reference_kpa[s]);
+      const auto& [told_kpa, led_kpa, measured_kpa] = history_[k];
+      low = std::min({low, led_kpa[s], told_kpa[s]});
+      high = std::max({high, led_kpa[s], told_kpa[s]});
     }
     const float measured = state.pressure_kpa[s];
     const double off_kpa = std::max({low - measured, measured - high, 0.0F});
@@ -177,10 +184,15 @@ std::string SafetyGate::stuck(int segment) const {
   if (commanded_kpa < settings_.stuck_change_kpa || changed_kpa > kStuckShare * commanded_kpa) {
     return "";
   }
+  const Frame& now = history_.back();
+  if (std::abs(now.measured_kpa[segment] - now.setpoint_kpa[segment]) <
+      settings_.stuck_change_kpa) {
+    return "";  // it has arrived, faster than the arm's rate
+  }
   return fmt::format(
       "{} stands still at {:.2f} kPa though its set point "
       "moved by {:.1f} kPa: a channel is stuck, or its sensor",
-      segment_name(segment), history_.back().measured_kpa[segment], commanded_kpa);
+      segment_name(segment), now.measured_kpa[segment], commanded_kpa);
 }
 
 }  // namespace limber

@@ -21,8 +21,8 @@ std::string what_rose(const Pressures& first_kpa, const Pressures& now_kpa, doub
 std::string vent_message(const VentResult& vent, const Pressures& now_kpa,
                          const std::string& rising) {
   if (vent.confirmed) {
-    return fmt::format("vented: {:.1f} kPa after {:.1f} s{}", vent.pressure_kpa, vent.after_s,
-                       rising);
+    return fmt::format("vented: {:.1f} kPa after {:.1f} s{}{}", vent.pressure_kpa, vent.after_s,
+                       rising, rising.empty() ? "" : ", then fell");
   }
   Eigen::Index worst = 0;
   now_kpa.cwiseAbs().maxCoeff(&worst);

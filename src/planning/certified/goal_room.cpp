@@ -13,11 +13,14 @@ namespace {
 constexpr double kMaxGoalReserve = 0.1;  // of a tolerance
 /// Share of a tolerance that plans may use if the model's error leaves no room in it.
 constexpr double kShareWithoutRoom = 0.8;
-/// Share of a tolerance that plans aim at if there is an error to keep room for. That costs little.
-constexpr double kAimedShare = 0.25;
+/// Share of a tolerance that has to be left beside the model's error, else it does not fit.
+constexpr double kMinShare = 0.25;
+/// Share of a tolerance that plans aim at if there is an error to keep room for. Cheap plans end on
+/// the aim's rim, which has to be near to the centre beside the error itself (docs/planning.md).
+constexpr double kAimedShare = 0.1;
 
 bool fits(double tolerance, double margin) {
-  return margin <= (1.0 - kAimedShare) * tolerance;
+  return margin <= (1.0 - kMinShare) * tolerance;
 }
 
 double with_room(double tolerance, double margin, double reserve) {

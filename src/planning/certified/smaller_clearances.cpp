@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "certified_search.hpp"
+#include "given_waypoints.hpp"
 #include "goal_room.hpp"
 #include "limber/common/units.hpp"
 #include "search/default_planner.hpp"
@@ -53,6 +54,24 @@ PlannerLimits part_of(PlannerLimits limits, double tries) {
   return limits;
 }
 
+/// A plan that was found with less, if it happens to keep what was asked for.
+bool keeps_what_was_asked(const PlanningProblem& asked, AskedProblem& shared, const Plan& found,
+                          SteadyTime start, PlanResult& result) {
+  const std::vector<Pressures> waypoints_kpa(found.waypoints_kpa.begin() + 1,
+                                             found.waypoints_kpa.end());
+  PlanResult kept = certified_along(asked, shared, waypoints_kpa, found.planner, found.seed);
+  if (!kept.plan) {
+    return false;
+  }
+  kept.first_solution->time_s = seconds_since(start);
+  kept.first_solution->queries = result.statistics.queries;
+  kept.statistics = result.statistics;
+  kept.warnings = std::move(result.warnings);
+  kept.reason = "found by a search with less clearance, and keeps what was asked for";
+  result = std::move(kept);
+  return true;
+}
+
 }  // namespace
 
 double seconds_since(SteadyTime start) {
@@ -79,6 +98,9 @@ void try_smaller_clearances(const PlanningProblem& asked, AskedProblem& shared,
     spent.iterations += tried.statistics.iterations;
     spent.queries += tried.statistics.queries;
     if (tried.plan) {
+      if (keeps_what_was_asked(asked, shared, *tried.plan, start, result)) {
+        return;
+      }
       result.max_clearance_m = tried.plan->certified->clearance_m;
       result.reason += fmt::format(
           "; with less clearance than the {:.2f} cm {} there is a plan, which keeps "

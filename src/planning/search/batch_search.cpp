@@ -18,7 +18,8 @@ constexpr int kMaxShotChoices = 16;  // nodes of which the one nearest to the go
 }  // namespace
 
 BatchSearch::BatchSearch(const PlanningProblem& problem, PathSimulator& simulator,
-                         const DefaultPlannerSettings& settings, std::uint64_t seed)
+                         const DefaultPlannerSettings& settings, std::uint64_t seed,
+                         std::uint64_t first_proposal)
     : problem_(problem),
       simulator_(simulator),
       settings_(settings),
@@ -27,7 +28,8 @@ BatchSearch::BatchSearch(const PlanningProblem& problem, PathSimulator& simulato
                     problem.limits),
       tree_(problem.arm, problem.model,
             {settings.cell_pressure, settings.cell_position_m, settings.cell_orientation_rad},
-            start_of(problem)) {
+            start_of(problem)),
+      proposals_(first_proposal) {
   tree_.keep_within(setpoints_of(problem));
   note_error(0);
 }

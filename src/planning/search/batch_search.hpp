@@ -21,8 +21,10 @@ class BatchSearch {
     Pose held_tip;  ///< after the hold
   };
 
+  /// @param first_proposal  number of its first edge among those of the seed
   BatchSearch(const PlanningProblem& problem, PathSimulator& simulator,
-              const DefaultPlannerSettings& settings, std::uint64_t seed);
+              const DefaultPlannerSettings& settings, std::uint64_t seed,
+              std::uint64_t first_proposal = 0);
 
   /// Proposes a batch of edges, simulates them, adds what is free and new.
   /// @param best_cost_kpa  of any plan known: edges that cost more than some multiple are not tried
@@ -43,10 +45,12 @@ class BatchSearch {
   std::vector<Pressures> waypoints_to(int node) const { return tree().path_to(node); }
   /// The node whose tip settles nearest to the goal.
   int nearest_node() const { return elite_.front().node; }
+  /// How near that is, in the goal's tolerances.
+  double nearest_error() const { return elite_.front().error; }
 
   const PressureTree& tree() const { return tree_.states(); }
   double bytes() const { return tree_.bytes(); }
-  /// Edges proposed, simulated or not.
+  /// Edges of the seed proposed so far, simulated or not.
   std::uint64_t proposals() const { return proposals_; }
 
  private:
@@ -85,7 +89,7 @@ class BatchSearch {
   std::vector<Elite> elite_;  // nearest to the goal first
   std::vector<Solution> solutions_;
   int rounds_ = 0;
-  std::uint64_t proposals_ = 0;
+  std::uint64_t proposals_;
 };
 
 }  // namespace limber

@@ -11,6 +11,7 @@
 #include "plan_ladder.hpp"
 #include "plan_result.hpp"
 #include "planner_budget.hpp"
+#include "restarts.hpp"
 #include "second_opinions.hpp"
 #include "turn_taking.hpp"
 
@@ -33,11 +34,13 @@ class DefaultRun {
         opinions_(problem, checker),
         paths_(problem, checker, {settings.hold_position_m, settings.hold_orientation_rad},
                settings.jobs),
-        search_(problem, paths_, settings, seed),
+        restarts_(settings.restart_queries),
         team_(problem, opinions_, settings.improved_plans, seed),
-        ladder_(problem, single_, budget, planner, seed) {
+        ladder_(problem, single_, budget, planner, seed),
+        seed_(seed) {
+    search_.emplace(problem, paths_, settings, seed);
     if (settings.forest != nullptr) {
-      forest_.emplace(*settings.forest, problem, checker, paths_, search_);
+      forest_.emplace(*settings.forest, problem, checker, paths_, *search_);
     }
   }
 
@@ -45,7 +48,10 @@ class DefaultRun {
   PlanResult run(const char* planner, std::uint64_t seed) {
     start_in_goal();
     while (!nothing_left() && !budget_.good_enough(ladder_.best_cost_kpa()) &&
-           !budget_.spent(progress(), search_.bytes())) {
+           !budget_.spent(progress(), search_->bytes())) {
+      if (!has_plan() && !forest_ && restarts_.is_due(paths_.queries())) {
+        search_again();
+      }
       take_turn();
     }
     return result(planner, seed);
@@ -59,8 +65,8 @@ class DefaultRun {
   bool has_plan() const { return ladder_.best_cost_kpa().has_value(); }
 
   PlannerProgress progress() const {
-    return {budget_.elapsed_s(), search_.proposals(),
-            static_cast<std::uint64_t>(search_.tree().size()), paths_.queries(),
+    return {budget_.elapsed_s(), search_->proposals(),
+            static_cast<std::uint64_t>(search_->tree().size()), paths_.queries(),
             ladder_.best_cost_kpa()};
   }
 
@@ -88,6 +94,23 @@ class DefaultRun {
     return stands;
   }
 
+  /// From the start, with the random numbers that follow.
+  void search_again() {
+    keep_nearest();
+    const std::uint64_t proposals = search_->proposals();
+    search_.emplace(problem_, paths_, settings_, seed_, proposals);
+    team_.forget_waiting();
+    restarts_.begin(paths_.queries());
+  }
+
+  /// The motion that comes nearest to the goal, of all searches so far.
+  void keep_nearest() {
+    if (nearest_kpa_.empty() || search_->nearest_error() < nearest_error_) {
+      nearest_error_ = search_->nearest_error();
+      nearest_kpa_ = search_->waypoints_to(search_->nearest_node());
+    }
+  }
+
   /// The forest and the search in turns, as long as there is something in it; then whoever is
   /// behind with its share of the queries.
   void take_turn() {
@@ -104,14 +127,14 @@ class DefaultRun {
     }
     if (turns_.next(has_plan(), paths_.queries()) == TurnTaking::Turn::search || !improve()) {
       const std::uint64_t before_search = paths_.queries();
-      take_in(search_.round(ladder_.best_cost_kpa(), give_up()), before_search);
+      take_in(search_->round(ladder_.best_cost_kpa(), give_up()), before_search);
     }
     turns_.note_turn(before, paths_.queries());
   }
 
   bool improve() {
     return team_.round(
-        search_, paths_, ladder_,
+        *search_, paths_, ladder_,
         [this](const Waypoints& waypoints_kpa, double merit_kpa) {
           return note_plan(waypoints_kpa, merit_kpa);
         },
@@ -139,21 +162,21 @@ class DefaultRun {
     if (!is_best && opinions_.empty()) {
       return true;
     }
-    const Waypoints waypoints_kpa = search_.waypoints_to(one.node);
+    const Waypoints waypoints_kpa = search_->waypoints_to(one.node);
     return opinions_.agree(waypoints_kpa) && (!is_best || note_plan(waypoints_kpa, merit_kpa));
   }
 
   PlanResult result(const char* planner, std::uint64_t seed) {
     PlanResult result;
     const PlannerProgress end = progress();
+    keep_nearest();
     result.statistics.iterations = end.iterations;
     result.statistics.nodes = end.nodes;
-    result.statistics.goal_nodes = search_.solutions().size();
-    finish_search(problem_, single_, budget_,
-                  {ladder_, paths_.queries(), search_.waypoints_to(search_.nearest_node())},
-                  planner, seed, result);
+    result.statistics.goal_nodes = search_->solutions().size();
+    finish_search(problem_, single_, budget_, {ladder_, paths_.queries(), nearest_kpa_}, planner,
+                  seed, result);
     result.statistics.queries = paths_.queries() + single_.queries() + opinions_.queries();
-    close_search(budget_, search_.tree(), end, result);
+    close_search(budget_, search_->tree(), end, result);
     return result;
   }
 
@@ -163,11 +186,15 @@ class DefaultRun {
   MotionSimulator single_;
   SecondOpinions opinions_;
   PathSimulator paths_;
-  BatchSearch search_;
+  Restarts restarts_;
+  std::optional<BatchSearch> search_;   // the present one
   std::optional<ForestSearch> forest_;  // until there is nothing more in it
   ImproverTeam team_;
   PlanLadder ladder_;
   TurnTaking turns_;
+  std::uint64_t seed_;
+  double nearest_error_ = 0.0;  // of nearest_kpa_, in the goal's tolerances
+  Waypoints nearest_kpa_;       // empty: no search has ended yet
 };
 
 class DefaultPlanner final : public Planner {

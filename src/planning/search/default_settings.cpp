@@ -39,6 +39,7 @@ const std::array kRanges{Range{"step_size", &Settings::step_size, 1e-3, 10.0},
                          Range{"improvement_queries", &Settings::improvement_queries, 0.0, 1e18},
                          Range{"improvement_queries_without_room",
                                &Settings::improvement_queries_without_room, 0.0, 1e18},
+                         Range{"restart_queries", &Settings::restart_queries, 1.0, 1e18},
                          Range{"hold_position_m", &Settings::hold_position_m, 0.0, 10.0},
                          Range{"hold_orientation_rad", &Settings::hold_orientation_rad, 0.0, 10.0}};
 

@@ -31,6 +31,8 @@ class ImproverTeam {
   /// A plan that waits for its turn from now on.
   void add(const BatchSearch::Solution& solution) { waiting_.push_back(solution); }
   std::size_t waiting_count() const { return waiting_.size(); }
+  /// Another search begins: nodes of the last one's tree mean nothing any more.
+  void forget_waiting() { waiting_.clear(); }
 
   /// A batch of changes of all plans in work. @pre there is a plan on the ladder
   /// @param search  whose tree the plans are in

@@ -12,22 +12,45 @@ ArmStart start_at(const MotionState& state) {
 }
 
 void ArmEstimate::observe(const Pressures& setpoint_kpa, const ArmState& measured) {
-  const Eigen::Index n = setpoint_kpa.size();
+  const auto lag = static_cast<std::size_t>(lag_.note(setpoint_kpa, measured));
+  bool is_later = true;
   if (valves_.size() == 0) {
     valves_ = model_.valves().settled_state(setpoint_kpa);
   } else {
-    miss_.travelled_kpa += double((setpoint_kpa - valves_.segment(n, n)).cwiseAbs().sum());
-    predict(setpoint_kpa, measured.pressure_kpa);
+    coming_kpa_.push_back(setpoint_kpa);
+    is_later = coming_kpa_.size() > lag;
+    while (coming_kpa_.size() > lag) {
+      take_next(measured.pressure_kpa);
+    }
   }
   if (!measured.backbone) {
     ++frames_unseen_;
-    return;
+  } else {
+    if (state_ && is_later) {
+      note_miss(*measured.backbone);
+    }
+    state_ = MotionState{setpoint_kpa.size(), valves_, *measured.backbone};
+    frames_unseen_ = 0;
   }
-  if (state_) {
-    note_miss(*measured.backbone);
+  look_ahead();
+}
+
+/// The frame of the set points that are next. @param pressure_kpa  measured in it
+void ArmEstimate::take_next(const Pressures& pressure_kpa) {
+  const Pressures& setpoint_kpa = coming_kpa_.front();
+  const Eigen::Index n = setpoint_kpa.size();
+  miss_.travelled_kpa += double((setpoint_kpa - valves_.segment(n, n)).cwiseAbs().sum());
+  predict(setpoint_kpa, pressure_kpa);
+  coming_kpa_.pop_front();
+}
+
+void ArmEstimate::look_ahead() {
+  ahead_ = state_;
+  if (ahead_) {
+    for (const Pressures& setpoint_kpa : coming_kpa_) {
+      model_.step(setpoint_kpa, *ahead_, workspace_);
+    }
   }
-  state_ = MotionState{n, valves_, *measured.backbone};
-  frames_unseen_ = 0;
 }
 
 void ArmEstimate::predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa) {

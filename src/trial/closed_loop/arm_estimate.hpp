@@ -1,9 +1,11 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 
 #include "limber/forward/motion_model.hpp"
 #include "limber/hardware/arm_driver.hpp"
+#include "limber/hardware/state_lag.hpp"
 #include "limber/world/environment.hpp"
 
 namespace limber {
@@ -21,9 +23,10 @@ struct ModelMiss {
 
 /// The arm's state from frame to frame: predicted by the model, corrected by what is measured.
 /// Pressures are measured in each frame; a frame without a backbone is bridged by prediction.
-/// Behind ideal valves pressures are the set points, as plans for such a model have it.
+/// Behind ideal valves pressures are the set points, as plans for such a model have it. Where a
+/// driver's states are behind its set points (StateLag), the model says what these lead to.
 ///
-/// Threads: one estimate, one thread. One query per frame.
+/// Threads: one estimate, one thread. One query per frame, and one per frame that states are behind.
 class ArmEstimate {
  public:
   explicit ArmEstimate(const MotionModel& model) : model_(model) {}
@@ -33,8 +36,8 @@ class ArmEstimate {
 
   /// Whether it was tracked at least once; before that there is no state.
   bool has_state() const { return state_.has_value(); }
-  /// @pre has_state()
-  const MotionState& state() const { return *state_; }
+  /// After the set points that were observed last. @pre has_state()
+  const MotionState& state() const { return *ahead_; }
   /// Frames since it was tracked last.
   int frames_unseen() const { return frames_unseen_; }
 
@@ -43,13 +46,18 @@ class ArmEstimate {
   void forget_miss() { miss_ = {}; }
 
  private:
+  void take_next(const Pressures& pressure_kpa);
   void predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa);
+  void look_ahead();
   void note_miss(const Backbone& measured);
 
   MotionModel model_;
   MotionModel::Workspace workspace_;
   Eigen::VectorXf valves_;  // followed from the start on, tracked or not
-  std::optional<MotionState> state_;
+  StateLag lag_;
+  std::deque<Pressures> coming_kpa_;  // set points whose frames no state has shown yet
+  std::optional<MotionState> state_;  // in the frame that the last state shows
+  std::optional<MotionState> ahead_;  // after those that are coming
   int frames_unseen_ = 0;
   ModelMiss miss_;
 };

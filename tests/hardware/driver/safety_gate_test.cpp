@@ -112,6 +112,21 @@ TEST_F(SafetyGateTest, AFaultOfFollowingTakesHalfASecondAndMore) {
   EXPECT_THAT(run(gate, 50.0F, 5, [](int) { return 30.0F; }), HasSubstr("segment 0 is at 30.0"));
 }
 
+// The arm file's rate is what plans keep to; a step may be followed much faster.
+TEST_F(SafetyGateTest, ValvesFasterThanTheArmsRateAreNoFault) {
+  SafetyGate gate = this->gate(false);
+  float now = 0.0F;
+  for (const float setpoint : {90.0F, -90.0F, -60.0F, 90.0F, 0.0F}) {
+    const auto fast = [&](int) {
+      now += std::clamp(setpoint - now, -40.0F, 40.0F);
+      return now;
+    };
+    EXPECT_THAT(run(gate, setpoint, 7, fast), IsEmpty()) << "to " << setpoint;
+  }
+  const auto still = [&](int) { return 0.0F; };
+  EXPECT_THAT(run(gate, 50.0F, 60, still), HasSubstr("stands still"));
+}
+
 TEST_F(SafetyGateTest, AStuckChannelIsFoundWithinItsFirstSeconds) {
   SafetyGate gate = this->gate(false);
   const std::string wrong = run(gate, 8.0F, 60, [](int) { return 0.0F; });
@@ -128,7 +143,18 @@ TEST_F(SafetyGateTest, AnArmDoesNotJump) {
   SafetyGate gate = this->gate();
   EXPECT_THAT(gate.check_shape(seen(0.0F)), IsEmpty());
   EXPECT_THAT(gate.check_shape(seen(0.049F)), IsEmpty());
-  EXPECT_THAT(gate.check_shape(seen(0.100F)), HasSubstr("plate 4 jumped by 5.1 cm within 1 frame"));
+  EXPECT_THAT(gate.check_shape(seen(0.100F)),
+              HasSubstr("plate 4 jumped by 5.10 cm within 1 frame"));
+}
+
+TEST_F(SafetyGateTest, AfterAVentAJumpIsOneToo) {
+  SafetyGate gate = this->gate();
+  gate.note_vented(seen(0.0F));
+  EXPECT_THAT(gate.check_shape(seen(0.1F)), HasSubstr("jumped by 10.00 cm within 1 frame"));
+  gate.note_vented(seen(0.0F));
+  ArmState later = seen(0.1F);
+  later.time_s = 0.15;  // three frames in which nobody looked
+  EXPECT_THAT(gate.check_shape(later), IsEmpty());
 }
 
 TEST_F(SafetyGateTest, UnseenFramesGiveTimeToMove) {

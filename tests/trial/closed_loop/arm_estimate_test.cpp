@@ -41,6 +41,22 @@ TEST(ArmEstimate, OfAnArmThatDoesAsTheModelSaysIsTheModelsStateAndNothingIsMisse
   EXPECT_NEAR(estimate.miss().travelled_kpa, 2 * 27.0, 1e-4);
 }
 
+// A driver that answers at once shows the end of the frame before, and says so.
+TEST(ArmEstimate, OfADriverThatAnswersAtOnceIsWhereTheSetPointsLead) {
+  EstimateSetting s;
+  ArmEstimate estimate(s.model);
+  ArmState shown{0.0, s.rest.pressures_kpa, s.rest.pressures_kpa, s.rest.backbone};
+  estimate.observe(s.rest.pressures_kpa, shown);
+  for (int k = 1; k < 10; ++k) {
+    estimate.observe(s.setpoint(k), shown);
+    shown = s.after(s.setpoint(k));
+    shown.setpoint_kpa = s.setpoint(k);
+    ASSERT_TRUE(estimate.state() == s.state) << k;
+  }
+  EXPECT_EQ(estimate.miss().sum.norm(), 0.0);
+  EXPECT_NEAR(estimate.miss().travelled_kpa, 2 * 24.0, 1e-4) << "of what was shown";
+}
+
 TEST(ArmEstimate, BridgesUnseenFramesByPrediction) {
   EstimateSetting s;
   ArmEstimate estimate(s.model);

@@ -126,9 +126,9 @@ struct ArmDescription {
 /// @throws InputError "WHAT needs an arm that is driven by pressures in kPa …" for any other.
 void require_pressure_driven(const ArmDescription& arm, const std::string& what);
 
-/// Whether an arm file must hold strain polynomials that a model can use. Only characterisation,
-/// which is about to fit them, does not need them: there the key may be missing, empty or outdated,
-/// and the polynomial is then zero.
+/// Whether an arm file must hold strain polynomials that a model can use. Characterisation, which
+/// is about to fit them, and whoever moves an arm to record it for that do not need them: there the
+/// key may be missing, empty or outdated, and the polynomial is then zero.
 enum class PolynomialsOf { model, characterisation };
 
 /// Reads and validates an arm file. @throws InputError naming file, line, field, what was found and

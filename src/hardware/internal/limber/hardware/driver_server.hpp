@@ -47,6 +47,9 @@ const char* to_string(ServerFaultKind kind);
 
 struct ServerSettings {
   bool fast = false;  ///< answer as fast as possible, without frames of wall time
+  /// Answer with the sample of the moment, which is the end of the frame before, as hardware does;
+  /// else with the end of the frame that the request begins.
+  bool at_once = false;
   std::optional<ServerFault> fault;
   std::filesystem::path device_log;  ///< what the simulated device was told, and when; empty: none
   VirtualArmOptions arm;

@@ -43,6 +43,7 @@ class SafetyGate {
 
  private:
   struct Frame {
+    Pressures setpoint_kpa;
     Pressures reference_kpa;
     Pressures measured_kpa;
   };
@@ -60,6 +61,7 @@ class SafetyGate {
   std::vector<int> frames_off_;  // each segment: how many in a row it was too far from it
   std::deque<Frame> history_;
   std::optional<Backbone> backbone_;  // the last one that was tracked …
+  double backbone_time_s_ = 0.0;      // … and when, by the driver's clock
   int frames_unseen_ = 0;             // … and how many frames ago
 };
 

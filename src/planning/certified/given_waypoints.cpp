@@ -1,0 +1,84 @@
+#include "given_waypoints.hpp"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+#include "certified_search.hpp"
+#include "limber/arm/names.hpp"
+#include "limber/common/units.hpp"
+#include "limber/planning/plan_builder.hpp"
+#include "limber/planning/problem_check.hpp"
+#include "smaller_clearances.hpp"
+
+namespace limber {
+
+namespace {
+
+/// Why a built plan is no solution: its first frame that is not free, or where it ends.
+std::string fault_of(const PlanningProblem& problem, const CollisionChecker& checker,
+                     const Plan& plan) {
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    const Backbone& before = plan.frames[k - 1].backbone;
+    const Backbone& after = plan.frames[k].backbone;
+    if (!checker.is_motion_free(before, after)) {
+      const Clearance clearance = checker.motion_clearance(before, after, kMaxMarginM);
+      return fmt::format("the motion to {} is {:.2f} cm short of the clearance from {}, {}",
+                         frame_name(k), -clearance.value_m * kCmPerM,
+                         obstacle_name(problem.environment, clearance.obstacle),
+                         gap_name(problem.arm, clearance.gap));
+    }
+  }
+  return fmt::format("it ends {:.2f} cm and {:.3f} rad from the goal's centre, outside of the goal",
+                     plan.goal_distance_m * kCmPerM, plan.goal_orientation_rad);
+}
+
+/// A "search" that knows the answer already.
+class WaypointPlanner final : public Planner {
+ public:
+  WaypointPlanner(const std::vector<Pressures>& waypoints_kpa, const std::string& name)
+      : waypoints_kpa_(waypoints_kpa), name_(name) {}
+
+  const char* name() const override { return name_.c_str(); }
+
+  PlanResult plan(const PlanningProblem& problem, const PlannerLimits& /*limits*/,
+                  std::uint64_t seed, const PlannerCallback& /*callback*/) override {
+    const auto start = std::chrono::steady_clock::now();
+    const CollisionChecker checker = checker_of(problem);
+    MotionSimulator simulator(problem.arm, problem.model, checker);
+    std::vector<Pressures> whole = {start_state(problem.environment, problem.arm).pressures_kpa};
+    whole.insert(whole.end(), waypoints_kpa_.begin(), waypoints_kpa_.end());
+    Plan plan = build_plan(problem, simulator, whole, name_, seed);
+    PlanResult result;
+    result.statistics.queries = simulator.queries();
+    if (is_solution(problem, checker, plan)) {
+      result.status = PlanStatus::solved;
+      result.reason = "the motion was given";
+      const double found_s = seconds_since(start);
+      result.first_solution = FirstSolution{.time_s = found_s,
+                                            .cost_kpa = plan.cost_kpa,
+                                            .queries = simulator.queries(),
+                                            .candidate_s = found_s};
+      result.plan = std::move(plan);
+    } else {
+      result.reason = fault_of(problem, checker, plan);
+      result.best_partial = std::move(plan);
+    }
+    return result;
+  }
+
+ private:
+  const std::vector<Pressures>& waypoints_kpa_;
+  const std::string& name_;
+};
+
+}  // namespace
+
+PlanResult certified_along(const PlanningProblem& problem, AskedProblem& asked,
+                           const std::vector<Pressures>& waypoints_kpa, const std::string& planner,
+                           std::uint64_t seed) {
+  WaypointPlanner given(waypoints_kpa, planner);
+  return certified_search(given, problem, asked, {}, seed, {});
+}
+
+}  // namespace limber
