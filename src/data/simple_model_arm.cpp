@@ -34,8 +34,9 @@ std::string with_interval(double value, const Interval& around) {
              : fmt::format("{:.4g}", value);
 }
 
-void set_shape(const ArmDescription& arm, const SimpleSegment& fitted, Segment& segment) {
-  const double share = fitted.gain / fitted.length_ratio;
+/// @param length_ratio  the segment's length over the one that it has now
+void set_shape(const ArmDescription& arm, double gain, double length_ratio, Segment& segment) {
+  const double share = gain / length_ratio;
   switch (arm.no_load) {
     case NoLoadKind::strain_polynomial:
       for (double& coefficient : segment.strain_polynomial) {
@@ -49,7 +50,7 @@ void set_shape(const ArmDescription& arm, const SimpleSegment& fitted, Segment& 
       segment.curvature_per_unit = seven_digits(share / segment.length_m);
       break;
   }
-  segment.length_m = seven_digits(fitted.length_ratio * segment.length_m);
+  segment.length_m = seven_digits(length_ratio * segment.length_m);
 }
 
 }  // namespace
@@ -70,7 +71,10 @@ ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit
           "{}: its {} hardly changes in these recordings, so nothing is known of its curvature",
           segment_name(static_cast<Eigen::Index>(i)), arm.command.name));
     }
-    set_shape(arm, model, fitted.segments[i]);
+    // An arm that gets longer under pressure has no place in the no-load model, its length at rest
+    // has.
+    set_shape(arm, model.gain, fit.segments[i].rest_length_ratio.value_or(model.length_ratio),
+              fitted.segments[i]);
     const std::string fault = arm.no_load == NoLoadKind::strain_polynomial
                                   ? why_unusable(fitted.segments[i].strain_polynomial,
                                                  arm.segments[i].pressure_limit_kpa.largest_kpa())

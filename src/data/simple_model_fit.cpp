@@ -23,6 +23,8 @@ constexpr int kBlocksOfOne = 10;
 constexpr int kMaxBlocks = 50;
 constexpr double kTwoSided95 = 1.96;
 constexpr double kTiny_rad = 1e-9;
+constexpr double kAtRest = 0.03;  // of the limit: a command that is about zero
+constexpr std::size_t kMinFramesAtRest = 20;
 
 /// A frame that is fitted to, and the piece that the jackknife leaves out with it.
 struct FrameOf {
@@ -261,6 +263,20 @@ class SimpleFitter {
     return ratios;
   }
 
+  /// Measured lengths at rest over the arm file's.
+  std::optional<double> rest_length_ratio(int i) const {
+    const Segment& segment = arm_.segments[static_cast<std::size_t>(i)];
+    std::vector<double> ratios;
+    for (std::size_t r = 0; r < frames_.size(); ++r) {
+      const Episode& episode = episodes_[static_cast<std::size_t>(frames_[r].episode)];
+      if (std::abs(double(episode.pressure_kpa(frames_[r].frame, i))) <=
+          kAtRest * segment.pressure_limit_kpa.half_width_kpa()) {
+        ratios.push_back(seen_.length_m(static_cast<Eigen::Index>(r), i) / segment.length_m);
+      }
+    }
+    return ratios.size() < kMinFramesAtRest ? std::nullopt : std::optional(median(ratios));
+  }
+
   void add_segment(int i, const RobustLine& robust, SimpleFit& fit) const {
     SimpleSegment segment{robust.line.slope, robust.line.offset, median(length_ratios(i, -1))};
     Sums all;
@@ -284,7 +300,8 @@ class SimpleFitter {
     fit.model.segments.push_back(segment);
     fit.segments.push_back({jackknife(segment.gain, gains), jackknife(segment.offset_rad, offsets),
                             jackknife(segment.length_ratio, ratios), robust.loss,
-                            size > 0.0 ? x.dot(y) / size : 0.0, moved(i)});
+                            size > 0.0 ? x.dot(y) / size : 0.0, moved(i),
+                            rest_length_ratio(i)});
   }
 
   const ArmDescription& arm_;

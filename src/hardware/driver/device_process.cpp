@@ -1,6 +1,7 @@
 #include "device_process.hpp"
 
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -55,7 +56,9 @@ void run_device(int line_end, int log) {
 }
 
 [[noreturn]] void be_the_device(int line_end, int log) {
-  ::setsid();  // a board is in nobody's process group
+  ::setsid();  // a board is in nobody's process group …
+  const sched_param priority{.sched_priority = 1};
+  (void)::sched_setscheduler(0, SCHED_FIFO, &priority);  // … and, where allowed, waits for no one
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGTSTP}) {
     std::signal(number, SIG_IGN);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct SimpleSegmentFit {
   double residual_rad = 0.0;  ///< median |turn − model|
   double correlation = 0.0;   ///< of the turn with the model's
   bool moved = true;          ///< false: its command hardly changed, so its gain was left as it was
+  /// Its length where its command is about zero, over the arm file's; none where that is rare.
+  std::optional<double> rest_length_ratio;
 };
 
 struct SimpleFit {
@@ -54,8 +57,9 @@ struct SimpleFit {
 /// @throws InputError where no frame was tracked.
 SimpleFit fit_simple_model(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
-/// The arm with the fit's gains and lengths in place of its own: strain polynomials times gain over
-/// length ratio, or curvatures per unit; where its no-load model was straight, it is `curvature`
+/// The arm with the fit's gains and lengths in place of its own: lengths as they are without a
+/// command, where the recordings show it, strain polynomials times gain over length ratio, or
+/// curvatures per unit; where its no-load model was straight, it is `curvature`
 /// now. Seven significant digits. Offsets and the lag have no place in an arm file.
 /// @throws InputError where a segment bends to the other side than the arm file says, or a
 /// polynomial would reach a strain of 1.
