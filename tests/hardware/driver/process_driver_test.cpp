@@ -197,5 +197,37 @@ TEST_F(ProcessDriverTest, LogsBothSidesAndWhoStartedIt) {
   }
 }
 
+// What the bodies of a tracker in 3D mean, only a calibration says.
+TEST_F(ProcessDriverTest, BodiesWithoutAPlaneAreAFault) {
+  expect_fault("bodies", "bodies: in 3D; limber driver calibrate finds the plane");
+  ProcessDriverSettings unplaned = settings("bodies");
+  unplaned.calibration = identity_calibration(arm_);
+  ProcessDriver driver(arm_, unplaned);
+  EXPECT_THAT(ramp(driver, 12), HasSubstr("the calibration knows no plane for them"));
+}
+
+TEST_F(ProcessDriverTest, BodiesPassWhereADriverIsCalibrated) {
+  ProcessDriverSettings calibrating = settings("bodies");
+  calibrating.pass_bodies = true;
+  ProcessDriver driver(arm_, calibrating);
+  EXPECT_EQ(ramp(driver, 3), "");
+  EXPECT_FALSE(driver.timing().last.bodies);
+  driver.command(pressures(24.0F, 12.0F));
+  ASSERT_TRUE(driver.timing().last.bodies);
+  EXPECT_EQ((*driver.timing().last.bodies)(4, 0), 0.4);
+  EXPECT_FALSE(driver.state().backbone);
+}
+
+TEST_F(ProcessDriverTest, BackbonesOfADriverThatWasCalibratedWithBodiesAreAFault) {
+  ProcessDriverSettings planed = settings();
+  planed.calibration = identity_calibration(arm_);
+  planed.calibration->tracker = TrackerCalibration{};
+  planed.calibration->tracker->marker_offsets.resize(5);
+  planed.calibration->tracker->plane = TrackerPlane{};
+  planed.calibration->tracker->plane->body_rotations.resize(5, Eigen::Quaterniond::Identity());
+  EXPECT_THAT([&] { ProcessDriver(arm_, planed); },
+              ThrowsMessage<SystemFault>(HasSubstr("sent bodies when it was calibrated")));
+}
+
 }  // namespace
 }  // namespace limber
