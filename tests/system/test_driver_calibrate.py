@@ -132,7 +132,7 @@ class Calibrating(InFolder):
         self.assertIn('"bodies":[[', states[-1])
         self.assertNotIn('"backbone"', states[-1])
         without = self.collect("without.h5", served, code=3)
-        self.assertIn("limber driver calibrate finds the plane", without.stderr)
+        self.assertIn("make one with limber driver calibrate", without.stderr)
 
     def test_without_it_crossed_channels_are_a_fault(self):
         result = self.collect("wrong.h5", self.served(7, "--fast"), code=None)

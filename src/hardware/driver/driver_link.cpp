@@ -109,10 +109,11 @@ ArmState DriverLink::calibrated(DriverReply reply) const {
 void DriverLink::require_known_plane(const DriverReply& reply) const {
   const bool has_plane = calibration_ && calibration_->tracker && calibration_->tracker->plane;
   if (reply.bodies && !has_plane && !pass_bodies_) {
-    throw InputError(fmt::format(
-        "state: bodies: {}; limber driver calibrate finds the plane that the arm moves in, and "
-        "--calibration FILE says it",
-        calibration_ ? "the calibration knows no plane for them" : "in 3D"));
+    throw InputError(
+        calibration_ ? "state: bodies: the calibration knows no plane for them; calibrate again: "
+                       "limber driver calibrate"
+                     : "state: bodies: only a calibration says where they are in the arm's frame; "
+                       "make one with limber driver calibrate, and give it with --calibration");
   }
   if (reply.state.backbone && has_plane) {
     throw InputError(

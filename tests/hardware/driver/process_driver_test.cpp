@@ -199,7 +199,7 @@ TEST_F(ProcessDriverTest, LogsBothSidesAndWhoStartedIt) {
 
 // What the bodies of a tracker in 3D mean, only a calibration says.
 TEST_F(ProcessDriverTest, BodiesWithoutAPlaneAreAFault) {
-  expect_fault("bodies", "bodies: in 3D; limber driver calibrate finds the plane");
+  expect_fault("bodies", "bodies: only a calibration says where they are");
   ProcessDriverSettings unplaned = settings("bodies");
   unplaned.calibration = identity_calibration(arm_);
   ProcessDriver driver(arm_, unplaned);
