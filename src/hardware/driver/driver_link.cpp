@@ -101,9 +101,22 @@ ArmState DriverLink::receive(Time deadline) {
   return state;
 }
 
-ArmState DriverLink::calibrated(DriverReply reply) const {
+ArmState DriverLink::calibrated(DriverReply reply) {
   require_known_plane(reply);
-  return calibration_ ? calibration_->from_wire(std::move(reply.state), reply.bodies) : reply.state;
+  if (!calibration_) {
+    return std::move(reply.state);
+  }
+  ArmState state = calibration_->from_wire(std::move(reply.state), reply.bodies);
+  if (reply.bodies && !state.backbone && !seen_tilted_) {
+    seen_tilted_ = true;
+    Eigen::Index body = 0;
+    const double tilt_rad = tilts_rad(*calibration_->tracker->plane, *reply.bodies).maxCoeff(&body);
+    log_.note(fmt::format(
+        "marker body {} is turned {:.2f} rad out of the calibration's plane: while that is so, the "
+        "arm counts as not seen. If it was moved: limber driver calibrate",
+        body, tilt_rad));
+  }
+  return state;
 }
 
 void DriverLink::require_known_plane(const DriverReply& reply) const {

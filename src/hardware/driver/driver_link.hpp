@@ -73,7 +73,7 @@ class DriverLink {
   void try_to_send(const std::string& line);
   void close_input();
   [[noreturn]] void say_why_it_is_silent(const std::string& otherwise);
-  ArmState calibrated(DriverReply reply) const;
+  ArmState calibrated(DriverReply reply);
   void require_known_plane(const DriverReply& reply) const;
 
   std::optional<WireCalibration> calibration_;
@@ -88,6 +88,7 @@ class DriverLink {
   std::optional<double> sample_s_;  // of the last state, by the driver's clock
   std::optional<double> tracker_s_;
   std::optional<BodyPoses> bodies_;
+  bool seen_tilted_ = false;       // some body, which the log says once
   bool paced_ = false;             // the next sample is about a frame after it
   std::optional<Time> closed_at_;  // its input
   bool open_ = true;

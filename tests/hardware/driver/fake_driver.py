@@ -26,8 +26,10 @@ def send(text, end="\n"):
 
 def state(request, **changed):
     shape = {"backbone": [[0.1 * i, 0.0, 0.0] for i in range(5)]}
-    if fault == "bodies" and sets >= 4:
+    if fault == "tilted" or fault == "bodies" and sets >= 4:
         shape = {"bodies": [[0.1 * i, 0.0, 0.2, 0.0, 0.0, 0.0, 1.0] for i in range(5)]}
+    if fault == "tilted" and sets >= 4:
+        shape["bodies"][2][3:] = [1.0, 0.0, 0.0, 0.0]
     return json.dumps({
         "type": "state", "seq": request["seq"], "t": clock, "pressure_kpa": pressures, "setpoint_kpa": setpoints,
         **shape, **changed,

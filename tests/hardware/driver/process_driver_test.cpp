@@ -218,13 +218,34 @@ TEST_F(ProcessDriverTest, BodiesPassWhereADriverIsCalibrated) {
   EXPECT_FALSE(driver.state().backbone);
 }
 
+/// Bodies at rest have no rotation, and the tracker's x and y are the plane.
+WireCalibration calibration_with_plane(const ArmDescription& arm) {
+  const auto points = static_cast<std::size_t>(arm.point_count());
+  WireCalibration calibration = identity_calibration(arm);
+  calibration.tracker = TrackerCalibration{};
+  calibration.tracker->marker_offsets.resize(points);
+  calibration.tracker->plane = TrackerPlane{};
+  calibration.tracker->plane->body_rotations.resize(points, Eigen::Quaterniond::Identity());
+  return calibration;
+}
+
+TEST_F(ProcessDriverTest, ABodyOutOfThePlaneIsNotSeenAndTheLogSaysSo) {
+  ProcessDriverSettings planed = settings("tilted");
+  planed.calibration = calibration_with_plane(arm_);
+  planed.log = folder_.path() / "log.jsonl";
+  ProcessDriver driver(arm_, planed);
+  EXPECT_EQ(ramp(driver, 3), "");
+  ASSERT_TRUE(driver.state().backbone);
+  EXPECT_EQ((*driver.state().backbone)(4, 0), 0.4F);
+  driver.command(pressures(24.0F, 12.0F));
+  EXPECT_FALSE(driver.state().backbone);
+  EXPECT_EQ(driver.timing().frames_unseen, 1);
+  EXPECT_THAT(read_file(planed.log), HasSubstr("body 2 is turned 3.14 rad out of"));
+}
+
 TEST_F(ProcessDriverTest, BackbonesOfADriverThatWasCalibratedWithBodiesAreAFault) {
   ProcessDriverSettings planed = settings();
-  planed.calibration = identity_calibration(arm_);
-  planed.calibration->tracker = TrackerCalibration{};
-  planed.calibration->tracker->marker_offsets.resize(5);
-  planed.calibration->tracker->plane = TrackerPlane{};
-  planed.calibration->tracker->plane->body_rotations.resize(5, Eigen::Quaterniond::Identity());
+  planed.calibration = calibration_with_plane(arm_);
   EXPECT_THAT([&] { ProcessDriver(arm_, planed); },
               ThrowsMessage<SystemFault>(HasSubstr("sent bodies when it was calibrated")));
 }

@@ -110,15 +110,7 @@ ArmState WireCalibration::from_wire(ArmState state) const {
 
 ArmState WireCalibration::from_wire(ArmState state, const std::optional<BodyPoses>& bodies) const {
   constexpr double kMaxTiltRad = 0.5;  // more is no body of this arm
-  if (bodies) {
-    Eigen::Index body = 0;
-    const double tilt_rad = tilts_rad(*tracker->plane, *bodies).maxCoeff(&body);
-    if (tilt_rad > kMaxTiltRad) {
-      throw InputError(fmt::format(
-          "state: bodies[{}]: turned {:.2f} rad out of the calibration's plane, more than {:g} "
-          "rad. Does the tracker take it for another one? If it was moved: limber driver calibrate",
-          body, tilt_rad, kMaxTiltRad));
-    }
+  if (bodies && tilts_rad(*tracker->plane, *bodies).maxCoeff() <= kMaxTiltRad) {
     state.backbone = poses_in_plane(*tracker->plane, *bodies);
   }
   return from_wire(std::move(state));

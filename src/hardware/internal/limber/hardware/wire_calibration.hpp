@@ -71,8 +71,8 @@ struct WireCalibration {
   Pressures from_wire(const Eigen::Ref<const Pressures>& setpoint_kpa) const;
   /// What the driver says as what the arm does, and back.
   ArmState from_wire(ArmState state) const;
-  /// `bodies` stand in place of the state's backbone. @pre the tracker has a plane where there are
-  /// some. @throws InputError where one is turned far out of that.
+  /// `bodies` stand in place of the state's backbone; they count as not seen where one is turned
+  /// more than 0.5 rad out of the plane. @pre the tracker has a plane where there are some.
   ArmState from_wire(ArmState state, const std::optional<BodyPoses>& bodies) const;
   ArmState to_wire(ArmState state) const;  ///< of a tracker in 3D: poses in its plane
   /// Limits of the wire's numbers as those of the segments, and back.
