@@ -37,6 +37,18 @@ Json to_json(const std::vector<WireChannel>& channels) {
   return json;
 }
 
+Json to_json(const std::optional<TrackerPlane>& plane) {
+  if (!plane) {
+    return nullptr;
+  }
+  const auto list = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  return {{"origin", list(plane->origin)},
+          {"x_axis", list(plane->x_axis)},
+          {"y_axis", list(plane->y_axis)},
+          {"out_of_plane_m", plane->out_of_plane_m},
+          {"tilt_rad", plane->tilt_rad}};
+}
+
 Json to_json(const WireCalibration& calibration) {
   const TrackerCalibration& tracker = *calibration.tracker;
   return {{"valves", to_json(calibration.valves)},
@@ -52,6 +64,7 @@ Json to_json(const WireCalibration& calibration) {
             {"theta_rad", tracker.base.theta_rad}}},
           {"position_interval_m", tracker.position_interval_m},
           {"heading_interval_rad", tracker.heading_interval_rad},
+          {"plane", to_json(tracker.plane)},
           {"driver_clock", to_json(calibration.clocks.driver)},
           {"driver_drift", calibration.clocks.driver_drift},
           {"tracker_clock", to_json(calibration.clocks.tracker)},
@@ -64,7 +77,9 @@ void DriverCalibrate::add_to(CLI::App& app) {
   app.add_flag("--yes", yes_, "calibrate: confirm every step, for scripts; needs --handedness");
   app.add_option("--handedness", handedness_,
                  "calibrate: of the tracker's frame seen from above, right (y to the left of x) or "
-                 "left (mirrored); by default you are asked which way the arm bends")
+                 "left (mirrored); of one that sees in 3D, right where that of its axes which is "
+                 "steepest points up, left where down; by default you are asked which way the arm "
+                 "bends")
       ->check(CLI::IsMember({"right", "left"}));
   app.add_option("--base-marker", base_marker_m_,
                  "calibrate: X,Y where the base's marker body sits as built, in metres from the "

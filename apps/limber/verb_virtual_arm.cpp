@@ -34,6 +34,9 @@ class VirtualArmVerb final : public Verb {
     app.add_option("--misassembled", misassembled_,
                    "Seed: be put together wrongly (channels, signs, zeros, tracker), for trying "
                    "limber driver calibrate");
+    app.add_flag("--bodies", bodies_,
+                 "With --misassembled: the tracker sees in 3D and sends bodies, each with axes of "
+                 "its own, in place of backbones");
     app.add_option("--truth", truth_,
                    "File for what a calibration has to find, with --misassembled");
     app.add_option("--device-log", settings_.device_log,
@@ -71,9 +74,13 @@ class VirtualArmVerb final : public Verb {
       if (!truth_.empty()) {
         throw InputError("--truth: goes with --misassembled SEED, whose truth it is");
       }
+      if (bodies_) {
+        throw InputError("--bodies: goes with --misassembled SEED, which says how they are turned");
+      }
       return;
     }
-    settings_.misassembly = draw_misassembly(arm, *misassembled_);
+    settings_.misassembly = bodies_ ? draw_misassembly_in_3d(arm, *misassembled_)
+                                    : draw_misassembly(arm, *misassembled_);
     if (!truth_.empty()) {
       refuse_to_overwrite(truth_, flags.force);
       write_file_atomically(truth_, to_yaml(settings_.misassembly->truth));
@@ -85,6 +92,7 @@ class VirtualArmVerb final : public Verb {
   std::optional<std::uint64_t> misassembled_;
   std::string truth_;
   bool serve_ = false;
+  bool bodies_ = false;
   ServerSettings settings_;
 };
 

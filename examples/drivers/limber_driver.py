@@ -4,8 +4,9 @@ and the deadman. A driver is a device with four methods, given to `serve`:
     limits_kpa(hello)   the device's own limits, a list with one number per segment
     set(pressures_kpa)  hands the device these set points, gauge, signed, one per segment, and takes a sample
     vent()              opens every vent valve, and takes a sample; has to work at any time, more than once
-    read()              (time_s, pressures_kpa, backbone): that sample. time_s is on the device's or the driver's clock
-                        and goes on with every sample; backbone is a list of [x_m, y_m, theta_rad], base first, or None
+    read()              (time_s, pressures_kpa, shape): that sample. time_s is on the device's or the driver's clock
+                        and goes on with every sample; shape is a list of [x_m, y_m, theta_rad], base first, or of
+                        [x, y, z, qx, qy, qz, qw] from a tracker that sees in 3D, or None
 
 Nothing here knows a unit but kPa, m, rad and s. Standard output belongs to limber: print messages to standard error.
 Copy this file and change it as you like."""
@@ -48,9 +49,10 @@ def send(message):
 
 
 def state(request, device, setpoints):
-    time_s, pressures, backbone = device.read()
+    time_s, pressures, shape = device.read()
+    key = "bodies" if shape and len(shape[0]) == 7 else "backbone"
     return {"type": "state", "seq": request["seq"], "t": time_s, "pressure_kpa": pressures, "setpoint_kpa": setpoints,
-            "backbone": backbone}
+            key: shape}
 
 
 def answer(request, device, session):

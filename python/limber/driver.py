@@ -62,6 +62,12 @@ class Driver(abc.ABC):
     def vent(self) -> ArmState:
         """Opens every vent valve and returns the newest sample; called more than once."""
 
+    def bodies(self) -> Optional[npt.ArrayLike]:
+        """What a tracker that sees in 3D says of the sample returned last, (m, 7) rows x, y, z,
+        qx, qy, qz, qw in its own frame and unit; by default None, and the sample's backbone counts.
+        """
+        return None
+
 
 def _ranges(limits: Sequence[Union[float, tuple[float, float]]]) -> list[tuple[float, float]]:
     return [(float(one[0]), float(one[1])) if isinstance(one, (tuple, list))
@@ -163,10 +169,14 @@ class _Server:
         return said
 
     def _state(self, state: ArmState, message: dict[str, Any]) -> None:
-        backbone = state.backbone
-        self._say({"type": "state", "seq": message.get("seq"), "t": state.time_s,
-                   "pressure_kpa": _numbers(state.pressure_kpa),
-                   "backbone": None if backbone is None else _numbers(backbone)})
+        bodies, backbone = self._driver.bodies(), state.backbone
+        said = {"type": "state", "seq": message.get("seq"), "t": state.time_s,
+                "pressure_kpa": _numbers(state.pressure_kpa)}
+        if bodies is not None:
+            said["bodies"] = _numbers(bodies)
+        else:
+            said["backbone"] = None if backbone is None else _numbers(backbone)
+        self._say(said)
 
     def _say(self, message: dict[str, Any]) -> None:
         self._output.write(json.dumps(message).encode() + b"\n")

@@ -33,15 +33,15 @@ class JumpWatch {
  public:
   JumpWatch(double arm_length_m, double jump_m) : share_(jump_m / arm_length_m) {}
 
-  void watch(const ArmState& state) {
+  void watch(const CalibrationFrame& frame) {
     ++frames_;
-    if (!state.backbone) {
+    const std::optional<Eigen::MatrixX3d> positions = seen_positions(frame);
+    if (!positions) {
       return;
     }
-    const auto positions = state.backbone->leftCols<2>();
     if (before_) {
-      const double length = (positions.bottomRows<1>() - positions.topRows<1>()).norm();
-      const double moved = (positions - before_->leftCols<2>()).rowwise().norm().maxCoeff();
+      const double length = (positions->bottomRows<1>() - positions->topRows<1>()).norm();
+      const double moved = (*positions - *before_).rowwise().norm().maxCoeff();
       if (moved > share_ * length * frames_) {
         throw SystemFault(
             fmt::format("a marker body jumped by {:.3g} of the arm's length in {} frame(s); that "
@@ -49,7 +49,7 @@ class JumpWatch {
                         moved / length, frames_));
       }
     }
-    before_ = state.backbone;
+    before_ = positions;
     frames_ = 0;
   }
 
@@ -58,7 +58,7 @@ class JumpWatch {
 
  private:
   double share_;
-  std::optional<Backbone> before_;
+  std::optional<Eigen::MatrixX3d> before_;
   int frames_ = 0;
 };
 
@@ -76,6 +76,7 @@ DriverCalibration calibrate_driver(const ArmDescription& arm,
                                    const CalibrateDriverSettings& settings) {
   ProcessDriverSettings raw = settings.driver;
   raw.calibration.reset();
+  raw.pass_bodies = true;
   raw.limit_scale = kCalibrationLimitShare;
   raw.check_rate = true;
   raw.safety = before_calibration(settings.driver.safety, calibration_pulse_kpa(arm));
@@ -92,7 +93,8 @@ DriverCalibration calibrate_driver(const ArmDescription& arm,
     frame.sent_s = exchange.sent_s;
     frame.received_s = exchange.received_s;
     frame.tracker_s = exchange.tracker_s;
-    jumps.watch(frame.state);
+    frame.bodies = exchange.bodies;
+    jumps.watch(frame);
     return frame;
   };
   rig.vent = [&] {

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "base_frame.hpp"
 #include "channel_map.hpp"
 #include "clock_fit.hpp"
+#include "motion_plane.hpp"
 #include "seen_poses.hpp"
 #include "shape_delay.hpp"
 #include "tracker_units.hpp"
@@ -77,6 +79,20 @@ WireCalibration estimate(const ArmDescription& arm, const CalibrationLog& log,
   return result;
 }
 
+/// `estimate` of a tracker that sees in 3D, in the plane of the motion.
+WireCalibration estimate_in_3d(const ArmDescription& arm, const CalibrationLog& log,
+                               const OperatorAnswer& answer,
+                               const CalibrationTolerance& tolerance) {
+  const TrackerPlane plane = motion_plane(arm, log);
+  WireCalibration result = estimate(arm, in_plane(log, plane), answer, tolerance);
+  if (std::abs(result.tracker->radians_per_unit) != 1.0) {
+    throw CalibrationRefused(
+        "quaternions turn much farther than positions do. Are they those of the same bodies?");
+  }
+  result.tracker->plane = plane;
+  return result;
+}
+
 }  // namespace
 
 CalibrationEstimate estimate_calibration(const ArmDescription& arm, const CalibrationLog& log,
@@ -85,7 +101,8 @@ CalibrationEstimate estimate_calibration(const ArmDescription& arm, const Calibr
   assert(answer.mirrored || answer.bends_right);
   CalibrationEstimate result;
   try {
-    result.calibration = estimate(arm, log, answer, tolerance);
+    result.calibration = has_bodies(log) ? estimate_in_3d(arm, log, answer, tolerance)
+                                         : estimate(arm, log, answer, tolerance);
   } catch (const CalibrationRefused& refused) {
     result.refusal = refused.what();
   }

@@ -83,12 +83,12 @@ class CalibrationRecorder {
     int most = 0;
     double largest = -1.0;
     for (const CalibrationPulse& pulse : log_.pulses) {
-      const auto& before = log_.frames[pulse.first].state.backbone;
-      const auto& held = log_.frames[pulse.hold_end - 1].state.backbone;
+      const auto before = seen_positions(log_.frames[pulse.first]);
+      const auto held = seen_positions(log_.frames[pulse.hold_end - 1]);
       if (!before || !held) {
         continue;
       }
-      const double moved = (*held - *before).leftCols<2>().rowwise().norm().maxCoeff();
+      const double moved = (*held - *before).rowwise().norm().maxCoeff();
       if (moved > largest) {
         largest = moved;
         most = pulse.channel;
@@ -132,6 +132,18 @@ class CalibrationRecorder {
 };
 
 }  // namespace
+
+std::optional<Eigen::MatrixX3d> seen_positions(const CalibrationFrame& frame) {
+  if (frame.bodies) {
+    return frame.bodies->leftCols<3>();
+  }
+  if (!frame.state.backbone) {
+    return std::nullopt;
+  }
+  Eigen::MatrixX3d positions = Eigen::MatrixX3d::Zero(frame.state.backbone->rows(), 3);
+  positions.leftCols<2>() = frame.state.backbone->leftCols<2>().cast<double>();
+  return positions;
+}
 
 double calibration_pulse_kpa(const ArmDescription& arm) {
   constexpr double kCalibrationPulseShare = 0.1;

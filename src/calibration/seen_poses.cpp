@@ -41,7 +41,7 @@ SeenPoses seen_poses(const CalibrationLog& log) {
                                   [](const auto& f) { return f.state.backbone.has_value(); });
   if (first == log.frames.end()) {
     throw CalibrationRefused(
-        "no state has a backbone: nothing tracks the "
+        "no state has a backbone or bodies: nothing tracks the "
         "arm, so which channel moves what can't be seen");
   }
   const auto frames = static_cast<Eigen::Index>(log.frames.size());
@@ -74,6 +74,14 @@ SeenPoses in_metres(const SeenPoses& raw, double metres_per_unit, double radians
   return poses;
 }
 
+void require_seen(int seen, std::size_t frames, const char* when) {
+  if (seen < kMinSeenFrames) {
+    throw CalibrationRefused(
+        fmt::format("the tracker saw the arm in {} of {} frames {}; expected at least {}", seen,
+                    frames, when, kMinSeenFrames));
+  }
+}
+
 MeanPose mean_pose(const SeenPoses& poses, std::size_t first, std::size_t end, const char* when) {
   MeanPose mean;
   mean.pose.setZero(poses.bodies(), 3);
@@ -86,11 +94,7 @@ MeanPose mean_pose(const SeenPoses& poses, std::size_t first, std::size_t end, c
       ++mean.count;
     }
   }
-  if (mean.count < kMinSeenFrames) {
-    throw CalibrationRefused(
-        fmt::format("the tracker saw the arm in {} of {} frames {}; expected at least {}",
-                    mean.count, end - first, when, kMinSeenFrames));
-  }
+  require_seen(mean.count, end - first, when);
   mean.pose /= mean.count;
   return mean;
 }
@@ -116,15 +120,23 @@ PoseNoise pose_noise(const SeenPoses& poses, std::size_t first, std::size_t end)
   return {std::sqrt(positions / (4.0 * pairs)), std::sqrt(angles / (2.0 * pairs))};
 }
 
-std::vector<PulsePoses> pulse_poses(const SeenPoses& poses, const CalibrationLog& log,
-                                    double frame_period_s) {
+PulseWindows pulse_windows(const CalibrationPulse& pulse, double frame_period_s) {
   const auto before = static_cast<std::size_t>(std::lround(kBeforeMeanS / frame_period_s));
   const auto frames = static_cast<std::size_t>(std::lround(kPoseMeanS / frame_period_s));
+  return {{pulse.first, pulse.first + before, "before a pulse"},
+          {pulse.hold_end - frames, pulse.hold_end, "of a held pulse"},
+          {pulse.end - frames, pulse.end, "after a pulse"}};
+}
+
+std::vector<PulsePoses> pulse_poses(const SeenPoses& poses, const CalibrationLog& log,
+                                    double frame_period_s) {
   std::vector<PulsePoses> result;
   for (const CalibrationPulse& pulse : log.pulses) {
-    result.push_back({mean_pose(poses, pulse.first, pulse.first + before, "before a pulse"),
-                      mean_pose(poses, pulse.hold_end - frames, pulse.hold_end, "of a held pulse"),
-                      mean_pose(poses, pulse.end - frames, pulse.end, "after a pulse")});
+    const PulseWindows windows = pulse_windows(pulse, frame_period_s);
+    const auto mean = [&](const FrameWindow& window) {
+      return mean_pose(poses, window.first, window.end, window.when);
+    };
+    result.push_back({mean(windows.before), mean(windows.held), mean(windows.after)});
   }
   return result;
 }

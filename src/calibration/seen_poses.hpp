@@ -40,6 +40,9 @@ SeenPoses seen_poses(const CalibrationLog& log);
 SeenPoses in_metres(const SeenPoses& raw, double metres_per_unit, double radians_per_unit,
                     bool mirrored);
 
+/// @throws CalibrationRefused where a mean would be of fewer than three frames.
+void require_seen(int seen, std::size_t frames, const char* when);
+
 /// Over frames `first` to `end` − 1. @throws CalibrationRefused where fewer than three are seen.
 MeanPose mean_pose(const SeenPoses& poses, std::size_t first, std::size_t end, const char* when);
 
@@ -49,6 +52,18 @@ struct PoseNoise {
   double theta_rad = 0.0;
 };
 PoseNoise pose_noise(const SeenPoses& poses, std::size_t first, std::size_t end);
+
+/// Frames `first` to `end` − 1 of a pulse; `when` is for messages.
+struct FrameWindow {
+  std::size_t first = 0;
+  std::size_t end = 0;
+  const char* when = "";
+};
+/// Before a pulse, at the end of its hold, and at its end.
+struct PulseWindows {
+  FrameWindow before, held, after;
+};
+PulseWindows pulse_windows(const CalibrationPulse& pulse, double frame_period_s);
 
 /// Before a pulse, while it is held, and once it is over.
 struct PulsePoses {

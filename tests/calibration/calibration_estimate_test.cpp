@@ -1,7 +1,8 @@
 #include "limber/calibration/calibration_estimate.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -17,28 +18,10 @@ using ::testing::HasSubstr;
 // The figures of docs/hardware.md.
 constexpr double kPositionM = 1e-3;
 constexpr double kHeadingRad = 0.01;
+constexpr double kTiltRad = 0.005;  // of the plane of bodies in 3D
 constexpr double kDelayS = 5e-3;
 constexpr double kRoundingS = 1e-9;
 constexpr int kCasesHere = 8;  // all 200 with LIMBER_CALIBRATION_CASES=200: ctest -L soak
-
-ArmDescription arm_of(std::uint64_t seed) {
-  ArmDescription arm;
-  arm.name = "random";
-  arm.frame_rate_hz = 20.0;
-  arm.pressure_rate_limit_kpa_per_s = 100.0;
-  arm.actuator_radius_m = 0.006;
-  RandomStream chance(seed, 7);
-  const auto segments = 2 + chance.index(3);
-  for (std::uint32_t s = 0; s < segments; ++s) {
-    Segment segment;
-    segment.length_m = chance.uniform(0.15, 0.3);
-    segment.width_m = chance.uniform(0.017, 0.05);
-    segment.gaps = 3 + static_cast<int>(chance.index(4));
-    segment.pressure_limit_kpa = PressureLimits(100.0);
-    arm.segments.push_back(segment);
-  }
-  return arm;
-}
 
 struct Calibrated {
   CalibrationEstimate known;    ///< with the base's marker body where it was built
@@ -67,14 +50,50 @@ Calibrated calibrated(const ArmDescription& arm, const Misassembly& wrong, Flaw 
   return result;
 }
 
+/// Frame B in the tracker's 3D frame, in metres; of a tracker in 2D, its x and y are the plane.
+Eigen::Isometry3d base_in_3d(const TrackerCalibration& tracker) {
+  const TrackerPlane plane = tracker.plane.value_or(TrackerPlane{});
+  const double side = tracker.mirrored ? -1.0 : 1.0;
+  const Eigen::Vector3d y_axis = side * plane.y_axis;
+  const double c = std::cos(tracker.base.theta_rad);
+  const double s = std::sin(tracker.base.theta_rad);
+  Eigen::Isometry3d base;
+  base.linear() << c * plane.x_axis + s * y_axis, -s * plane.x_axis + c * y_axis,
+      side * plane.normal();
+  base.translation() = tracker.metres_per_unit * plane.origin + tracker.base.x_m * plane.x_axis +
+                       tracker.base.y_m * y_axis;
+  return base;
+}
+
+/// The found base in the true one's frame; its height is that of a marker body.
+Eigen::Isometry3d base_error(const WireCalibration& found, const Misassembly& wrong) {
+  return base_in_3d(*wrong.truth.tracker).inverse() * base_in_3d(*found.tracker);
+}
+
 double position_error_m(const WireCalibration& found, const Misassembly& wrong) {
-  return std::hypot(found.tracker->base.x_m - wrong.truth.tracker->base.x_m,
-                    found.tracker->base.y_m - wrong.truth.tracker->base.y_m);
+  return base_error(found, wrong).translation().head<2>().norm();
 }
 
 double heading_error_rad(const WireCalibration& found, const Misassembly& wrong) {
-  return std::abs(std::remainder(
-      found.tracker->base.theta_rad - wrong.truth.tracker->base.theta_rad, 2 * std::numbers::pi));
+  const Eigen::Isometry3d error = base_error(found, wrong);
+  return std::abs(std::atan2(error.linear()(1, 0), error.linear()(0, 0)));
+}
+
+/// Between the planes' normals.
+double tilt_error_rad(const WireCalibration& found, const Misassembly& wrong) {
+  return std::acos(std::min(1.0, base_error(found, wrong).linear()(2, 2)));
+}
+
+ArmState through_both(const WireCalibration& found, const Misassembly& wrong,
+                      const ArmState& state) {
+  ArmState on_wire = wrong.truth.to_wire(state);
+  if (!wrong.truth.tracker->plane) {
+    return found.from_wire(on_wire);
+  }
+  const BodyPoses bodies =
+      bodies_in_space(*wrong.truth.tracker->plane, *on_wire.backbone, wrong.body_heights);
+  on_wire.backbone.reset();
+  return found.from_wire(on_wire, bodies);
 }
 
 /// Shapes through the wrong wire and the calibration come back.
@@ -89,7 +108,7 @@ void expect_shapes(const ArmDescription& arm, const WireCalibration& found,
     ArmState state;
     state.pressure_kpa = Pressures::Zero(arm.segment_count());
     state.backbone = backbone;
-    const ArmState back = found.from_wire(wrong.truth.to_wire(state));
+    const ArmState back = through_both(found, wrong, state);
     // Position at the base; heading everywhere. Farther out a heading's error moves a plate too.
     EXPECT_LT((back.backbone->row(0) - backbone.row(0)).head<2>().norm(), kPositionM);
     EXPECT_LT((*back.backbone - backbone).col(2).cwiseAbs().maxCoeff(), kHeadingRad);
@@ -108,6 +127,8 @@ void expect_wire(const WireCalibration& found, const Misassembly& wrong) {
   for (std::size_t c = 0; c < found.zero_kpa.size(); ++c) {
     EXPECT_NEAR(found.zero_kpa[c], wrong.truth.zero_kpa[c], 0.02);
   }
+  EXPECT_EQ(found.tracker->plane.has_value(), wrong.truth.tracker->plane.has_value());
+  EXPECT_LT(tilt_error_rad(found, wrong), kTiltRad);
   EXPECT_EQ(found.tracker->metres_per_unit, wrong.truth.tracker->metres_per_unit);
   EXPECT_EQ(found.tracker->mirrored, wrong.truth.tracker->mirrored);
   EXPECT_DOUBLE_EQ(found.tracker->radians_per_unit, wrong.truth.tracker->radians_per_unit);
@@ -123,22 +144,25 @@ void expect_wire(const WireCalibration& found, const Misassembly& wrong) {
 struct Worst {
   double position_m = 0.0;
   double heading_rad = 0.0;
+  double tilt_rad = 0.0;
   double delay_s = 0.0;
 
   void note(const WireCalibration& found, const Misassembly& wrong) {
     position_m = std::max(position_m, position_error_m(found, wrong));
     heading_rad = std::max(heading_rad, heading_error_rad(found, wrong));
+    tilt_rad = std::max(tilt_rad, tilt_error_rad(found, wrong));
     delay_s =
         std::max(delay_s, std::abs(found.clocks.shape_delay->value_s - wrong.tracker_latency_s));
   }
   void print(const char* what) const {
-    std::printf("%s: at worst %.2f mm, %.4f rad, %.1f ms off\n", what, 1e3 * position_m,
-                heading_rad, 1e3 * delay_s);
+    std::printf("%s: at worst %.2f mm, %.4f rad, plane %.5f rad, %.1f ms off\n", what,
+                1e3 * position_m, heading_rad, tilt_rad, 1e3 * delay_s);
   }
 };
 
-// 200 of these: frames, permutations, signs, units and delays come back, or are refused.
-TEST(CalibrationEstimate, RecoversWhatWasPutTogetherWrongly) {
+using DrawMisassembly = Misassembly (*)(const ArmDescription&, std::uint64_t);
+
+void expect_recovered(DrawMisassembly draw) {
   const CalibrationTolerance tolerance;
   Worst with_marker;
   Worst without;
@@ -148,7 +172,7 @@ TEST(CalibrationEstimate, RecoversWhatWasPutTogetherWrongly) {
     SCOPED_TRACE(k);
     const auto seed = static_cast<std::uint64_t>(k);
     const ArmDescription arm = arm_of(seed);
-    const Misassembly wrong = draw_misassembly(arm, seed);
+    const Misassembly wrong = draw(arm, seed);
     const Calibrated found = calibrated(arm, wrong, Flaw::none, seed);
     if (found.known.refusal.empty()) {
       expect_wire(found.known.calibration, wrong);
@@ -178,6 +202,16 @@ TEST(CalibrationEstimate, RecoversWhatWasPutTogetherWrongly) {
   EXPECT_LE(refused, 1 + case_count() / 4);
 }
 
+// 200 of these: frames, permutations, signs, units and delays come back, or are refused.
+TEST(CalibrationEstimate, RecoversWhatWasPutTogetherWrongly) {
+  expect_recovered(draw_misassembly);
+}
+
+// The same of trackers that see bodies in 3D, in any frame: the plane comes back too.
+TEST(CalibrationEstimate, RecoversWhatATrackerIn3dSeesWrongly) {
+  expect_recovered(draw_misassembly_in_3d);
+}
+
 TEST(CalibrationEstimate, RefusesWhatNoCalibrationPutsRight) {
   const ArmDescription arm = arm_of(3);
   const Misassembly wrong = draw_misassembly(arm, 3);
@@ -189,6 +223,17 @@ TEST(CalibrationEstimate, RefusesWhatNoCalibrationPutsRight) {
   EXPECT_THAT(refusal(Flaw::bodies_swapped), HasSubstr("come in another order"));
   EXPECT_THAT(refusal(Flaw::other_arm), HasSubstr("no unit (m, cm, mm, in) fits"));
   EXPECT_THAT(refusal(Flaw::untracked), HasSubstr("nothing tracks the arm"));
+}
+
+TEST(CalibrationEstimate, RefusesTheSameOfBodiesIn3d) {
+  const ArmDescription arm = arm_of(3);
+  const Misassembly wrong = draw_misassembly_in_3d(arm, 3);
+  const auto refusal = [&](Flaw flaw) { return calibrated(arm, wrong, flaw, 3).known.refusal; };
+  EXPECT_THAT(refusal(Flaw::crossed_hoses), HasSubstr("hoses are crossed between segments"));
+  EXPECT_THAT(refusal(Flaw::dead_channel), HasSubstr("channel 1 at 10 kPa moved nothing"));
+  EXPECT_THAT(refusal(Flaw::bodies_reversed), HasSubstr("come in another order"));
+  EXPECT_THAT(refusal(Flaw::bodies_swapped), HasSubstr("come in another order"));
+  EXPECT_THAT(refusal(Flaw::other_arm), HasSubstr("no unit (m, cm, mm, in) fits"));
 }
 
 }  // namespace

@@ -7,8 +7,29 @@
 #include "limber/calibration/calibration_log.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/hardware/misassembly.hpp"
+#include "limber/hardware/tracker_plane.hpp"
 
 namespace limber {
+
+/// Two to four segments of random lengths, widths and gaps.
+inline ArmDescription arm_of(std::uint64_t seed) {
+  ArmDescription arm;
+  arm.name = "random";
+  arm.frame_rate_hz = 20.0;
+  arm.pressure_rate_limit_kpa_per_s = 100.0;
+  arm.actuator_radius_m = 0.006;
+  RandomStream chance(seed, 7);
+  const auto segments = 2 + chance.index(3);
+  for (std::uint32_t s = 0; s < segments; ++s) {
+    Segment segment;
+    segment.length_m = chance.uniform(0.15, 0.3);
+    segment.width_m = chance.uniform(0.017, 0.05);
+    segment.gaps = 3 + static_cast<int>(chance.index(4));
+    segment.pressure_limit_kpa = PressureLimits(100.0);
+    arm.segments.push_back(segment);
+  }
+  return arm;
+}
 
 /// What no calibration can put right.
 enum class Flaw {
@@ -20,6 +41,11 @@ enum class Flaw {
   bodies_swapped,   ///< two of them
   other_arm,        ///< a third longer
   untracked,
+  no_supply,  ///< no channel moves anything
+  // Of bodies in 3D:
+  lifted,        ///< what bends lifts off the table
+  twisted_body,  ///< the last body turns about another axis
+  wrong_order,   ///< quaternions with qw first
 };
 
 /// An arm of its own kind, with nothing of the virtual arm's: valves of first order, turns that
@@ -57,7 +83,11 @@ class SimulatedRig {
     }
     frame.state = seen();
     frame.state.time_s = sampled_s + wrong_.driver_ahead_s;
-    if (frame.state.backbone) {
+    if (frame.state.backbone && wrong_.truth.tracker->plane) {
+      frame.bodies = bodies(*frame.state.backbone);
+      frame.state.backbone.reset();
+    }
+    if (frame.state.backbone || frame.bodies) {
       frame.tracker_s = frame.state.time_s - wrong_.tracker_latency_s + wrong_.tracker_ahead_s;
     }
     const double end_s = std::round(frame_end_s_ * 1e3 + 50.0) * 1e-3;
@@ -98,6 +128,9 @@ class SimulatedRig {
     Pressures wire = on_wire;
     if (flaw_ == Flaw::dead_channel) {
       wire[1] = 0.0F;
+    }
+    if (flaw_ == Flaw::no_supply) {
+      wire.setZero();
     }
     if (flaw_ == Flaw::crossed_hoses) {
       const float a = std::min(wire[0], 0.0F);
@@ -189,6 +222,37 @@ class SimulatedRig {
     state = wrong_.truth.to_wire(state);
     spoil(state);
     return state;
+  }
+
+  /// What a tracker in 3D sees of poses in its plane, with noise across the plane too.
+  BodyPoses bodies(const Backbone& in_plane) {
+    const TrackerCalibration& tracker = *wrong_.truth.tracker;
+    const TrackerPlane& plane = *tracker.plane;
+    Eigen::VectorXd heights = wrong_.body_heights;
+    for (Eigen::Index i = 0; i < heights.size(); ++i) {
+      heights[i] += kNoiseM / tracker.metres_per_unit * chance_.normal();
+      if (flaw_ == Flaw::lifted) {  // 20 mm at the arm's far end
+        heights[i] += 0.02 / tracker.metres_per_unit * std::abs(pressure_kpa_.front()) / 10.0 *
+                      double(i) / double(heights.size());
+      }
+    }
+    BodyPoses bodies = bodies_in_space(plane, in_plane, heights);
+    const Eigen::Index last = bodies.rows() - 1;
+    for (Eigen::Index i = 0; i <= last; ++i) {
+      Eigen::Quaterniond rotation = rotation_of(bodies, i);
+      for (const Eigen::Vector3d& axis : {plane.x_axis, plane.y_axis}) {
+        rotation = Eigen::AngleAxisd(kNoiseRad * chance_.normal(), axis) * rotation;
+      }
+      if (flaw_ == Flaw::twisted_body && i == last) {
+        const double tilt_rad = 0.01 * pressure_kpa_.back();
+        rotation = Eigen::AngleAxisd(tilt_rad, plane.x_axis) * rotation;
+      }
+      bodies.row(i).tail<4>() = rotation.coeffs().transpose();
+      if (flaw_ == Flaw::wrong_order) {
+        bodies.row(i).tail<4>() << rotation.w(), rotation.x(), rotation.y(), rotation.z();
+      }
+    }
+    return bodies;
   }
 
   void spoil(ArmState& state) const {

@@ -1,5 +1,6 @@
 """limber.driver.serve: the protocol's answers, and that valves never stay open."""
 
+import io
 import json
 import os
 import signal
@@ -65,6 +66,29 @@ class Served(InFolder):
             self.assertAlmostEqual(state["t"], expected.time_s)
             self.assertEqual(state["pressure_kpa"], expected.pressure_kpa.tolist())
             self.assertEqual(state["backbone"], expected.backbone.tolist())
+
+    def test_bodies_stand_in_place_of_the_backbone(self):
+        class Tracked(limber.driver.Driver):
+            segment_count = 1
+
+            def command(self, setpoint_kpa):
+                return limber.ArmState(0.5, setpoint_kpa)
+
+            def vent(self):
+                return limber.ArmState(0.5, [0.0])
+
+            def bodies(self):
+                return [[1, 2, 3, 0, 0, 0, 1]]
+        said = io.BytesIO()
+        request = {"type": "set", "seq": 1, "t": 0.0, "pressure_kpa": [2.0]}
+        read_end, write_end = os.pipe()
+        with open(write_end, "wb") as requests:
+            requests.write(json.dumps(request).encode() + b"\n")
+        with open(read_end, "rb") as requests:
+            limber.driver.serve(Tracked(), requests, said)
+        state = json.loads(said.getvalue())
+        self.assertEqual(state["bodies"], [[1, 2, 3, 0, 0, 0, 1]])
+        self.assertNotIn("backbone", state)
 
     def test_the_end_of_the_input_vents(self):
         self.set(10.0, 10.0)

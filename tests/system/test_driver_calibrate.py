@@ -7,6 +7,7 @@ import subprocess
 import unittest
 
 import h5py
+import numpy
 import yaml
 
 from program import PROGRAM, InFolder
@@ -14,6 +15,7 @@ from program import PROGRAM, InFolder
 ARM = ("--arm", "two_segment")
 POSITION_M = 0.001
 HEADING_RAD = 0.01
+TILT_RAD = 0.005  # of the plane of bodies in 3D
 ARM_LAG_S = 0.12  # of the virtual arm at most, 40 to 95 ms; without a lag delays are found to 5 ms
 
 
@@ -21,12 +23,22 @@ def quoted(*words):
     return "exec:" + " ".join(f"'{word}'" for word in map(str, words))
 
 
+def base_of(tracker):
+    """The base's origin, in m, and its x and y axis, in the tracker's frame of two or three axes."""
+    plane = tracker.get("plane", {"origin": [0, 0, 0], "x_axis": [1, 0, 0], "y_axis": [0, 1, 0]})
+    origin, x, y = (numpy.array(plane[key]) for key in ("origin", "x_axis", "y_axis"))
+    y = -y if tracker["mirrored"] else y
+    base = tracker["base"]
+    c, s = math.cos(base["theta_rad"]), math.sin(base["theta_rad"])
+    return origin * tracker["metres_per_unit"] + base["x_m"] * x + base["y_m"] * y, c * x + s * y, c * y - s * x
+
+
 class Calibrating(InFolder):
     def served(self, seed, *flags):
         return quoted(PROGRAM, "virtual-arm", "--serve", *ARM, "--misassembled", seed, *flags)
 
-    def truth(self, seed):
-        self.run_limber("virtual-arm", "--serve", *ARM, "--misassembled", seed, "--truth", "truth.yaml", "--force")
+    def truth(self, seed, *flags):
+        self.run_limber("virtual-arm", "--serve", *ARM, "--misassembled", seed, *flags, "--truth", "truth.yaml", "--force")
         return yaml.safe_load((self.folder / "truth.yaml").read_text())
 
     def calibrate(self, seed, truth, *flags, code=0):
@@ -45,10 +57,9 @@ class Calibrating(InFolder):
         self.assertEqual(ours["metres_per_unit"], theirs["metres_per_unit"])
         self.assertEqual(ours["mirrored"], theirs["mirrored"])
         self.assertAlmostEqual(ours["radians_per_unit"], theirs["radians_per_unit"])
-        self.assertLess(math.dist((ours["base"]["x_m"], ours["base"]["y_m"]),
-                                  (theirs["base"]["x_m"], theirs["base"]["y_m"])), POSITION_M)
-        turned = math.remainder(ours["base"]["theta_rad"] - theirs["base"]["theta_rad"], 2 * math.pi)
-        self.assertLess(abs(turned), HEADING_RAD)
+        (p, x_axis), (q, x, y) = base_of(ours)[:2], base_of(theirs)
+        self.assertLess(math.hypot((p - q) @ x, (p - q) @ y), POSITION_M)
+        self.assertLess(math.acos(min(1.0, x_axis @ x)), HEADING_RAD)
         late = found["clocks"]["shape_delay"]["value_s"] - truth["clocks"]["shape_delay"]["value_s"]
         self.assertLess(abs(late - ARM_LAG_S / 2), ARM_LAG_S / 2)
 
@@ -93,6 +104,35 @@ class Calibrating(InFolder):
             self.assertLess(abs(a["backbone"][-1] - b["backbone"][-1]).max(), 0.02)
         log = (self.folder / "wrong.h5.driver.jsonl").read_text()
         self.assertIn("limber/driver_calibration/1", log)
+
+    def test_the_plane_of_a_tracker_in_3d_is_found(self):
+        for seed in (1, 2, 3, 4):
+            with self.subTest(seed=seed):
+                truth = self.truth(seed, "--bodies")
+                said = json.loads(self.calibrate(seed, truth, "--fast", "--bodies", "--noise-m", 0.0001).stdout)
+                self.assertEqual(said["status"], "ok")
+                found = yaml.safe_load((self.folder / "calibration.yaml").read_text())
+                self.expect_truth(truth, found)
+                normals = [numpy.cross(c["tracker"]["plane"]["x_axis"], c["tracker"]["plane"]["y_axis"])
+                           for c in (found, truth)]
+                self.assertLess(math.acos(min(1.0, normals[0] @ normals[1])), TILT_RAD)
+                self.assertLess(said["calibration"]["plane"]["out_of_plane_m"], POSITION_M)
+
+    def test_with_it_a_tracker_in_3d_is_as_one_of_the_table(self):
+        truth = self.truth(7, "--bodies")
+        self.calibrate(7, truth, "--fast", "--bodies")
+        served = self.served(7, "--fast", "--bodies")
+        self.collect("bodies.h5", served, "--calibration", "calibration.yaml")
+        self.collect("right.h5", quoted(PROGRAM, "virtual-arm", "--serve", *ARM, "--fast"))
+        with h5py.File(self.folder / "bodies.h5") as ours, h5py.File(self.folder / "right.h5") as theirs:
+            a, b = (f["episodes"][sorted(f["episodes"])[0]] for f in (ours, theirs))
+            self.assertLess(abs(a["pressure_kpa"][()] - b["pressure_kpa"][()]).max(), 0.5)
+            self.assertLess(abs(a["backbone"][-1] - b["backbone"][-1]).max(), 0.02)
+        states = [line for line in (self.folder / "bodies.h5.driver.jsonl").read_text().splitlines() if "from_driver" in line]
+        self.assertIn('"bodies":[[', states[-1])
+        self.assertNotIn('"backbone"', states[-1])
+        without = self.collect("without.h5", served, code=3)
+        self.assertIn("make one with limber driver calibrate", without.stderr)
 
     def test_without_it_crossed_channels_are_a_fault(self):
         result = self.collect("wrong.h5", self.served(7, "--fast"), code=None)

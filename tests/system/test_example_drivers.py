@@ -19,7 +19,7 @@ from program import ROOT, InFolder
 DRIVERS = ROOT / "examples" / "drivers"
 sys.path.insert(0, str(DRIVERS))
 
-from limber_driver import Lines  # noqa: E402
+from limber_driver import Lines, state  # noqa: E402
 from ros2_bridge import Bridge  # noqa: E402
 from udp_tracker import UdpTracker  # noqa: E402
 from units import AMBIENT_KPA, KPA_PER, Counts, Unit, sides_of, signed_of  # noqa: E402
@@ -258,6 +258,20 @@ class Tracker(unittest.TestCase):
         self.send('{"t": 1.0, "backbone": [[0, 0, 0], [0.1, 0, 0]]}')
         self.send('{"t": 1.1, "backbone": [[0, 0, 0], [0.1, 0.01, 0.2]]}')
         self.assertEqual(self.tracker.newest()[1], [0.1, 0.01, 0.2])
+
+    def test_bodies_in_3d_are_shapes_too(self):
+        self.send('{"t": 1.0, "bodies": [[1, 2, 3, 0, 0, 0, 1], [1, 2, 4, 0, 0, 0, 1]]}')
+        shape = self.tracker.newest()
+        self.assertEqual(shape[1], [1, 2, 4, 0, 0, 0, 1])
+        self.tracker.take('{"t": 1.1, "bodies": [[1, 2, 3]]}')
+        self.assertEqual(self.tracker.refused, 1)
+
+        class Device:
+            def read(self):
+                return 0.5, [1.0], shape
+        said = state({"seq": 3}, Device(), [0.0])
+        self.assertEqual(said["bodies"], shape)
+        self.assertNotIn("backbone", said)
 
     def test_old_broken_and_disordered_shapes_are_left_out(self):
         self.send('{"t": 2.0, "backbone": [[0, 0, 0], [0.1, 0, 0]]}')

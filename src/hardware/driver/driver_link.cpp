@@ -22,13 +22,13 @@ constexpr std::size_t kQuoted = 80;               // bytes of a wrong line in a 
 
 }  // namespace
 
-DriverLink::DriverLink(const ArmDescription& arm, const std::string& command,
-                       const std::filesystem::path& log, std::optional<WireCalibration> calibration)
-    : calibration_(std::move(calibration)),
+DriverLink::DriverLink(const ArmDescription& arm, const ProcessDriverSettings& settings)
+    : calibration_(settings.calibration),
+      pass_bodies_(settings.pass_bodies),
       host_(host_hello(arm)),
       period_s_(arm.frame_period_s()),
-      child_(command_words(command), kMaxDriverLine),
-      log_(log, command) {
+      child_(command_words(settings.command), kMaxDriverLine),
+      log_(settings.log, settings.command) {
   if (calibration_) {
     host_.limit_kpa = calibration_->to_wire(host_.limit_kpa);
     log_.note("calibration: " + to_yaml(*calibration_));
@@ -85,8 +85,10 @@ ArmState DriverLink::exchange(const std::string& line, Clock::duration reply_tim
 ArmState DriverLink::receive(Time deadline) {
   const std::string line = next_line(deadline, fmt::format("request {}", seq_));
   DriverReply reply;
+  ArmState state;
   try {
     reply = parse_state(line, host_);
+    state = calibrated(reply);
   } catch (const InputError& error) {
     throw BrokenDriver(fmt::format("answered request {} wrongly: {}", seq_, error.what()));
   } catch (const SystemFault& fault) {
@@ -95,11 +97,44 @@ ArmState DriverLink::receive(Time deadline) {
   require_order(reply);
   sample_s_ = reply.state.time_s;
   tracker_s_ = reply.tracker_s;
-  return calibrated(std::move(reply.state));
+  if (pass_bodies_) {
+    bodies_ = std::move(reply.bodies);
+  }
+  return state;
 }
 
-ArmState DriverLink::calibrated(ArmState state) const {
-  return calibration_ ? calibration_->from_wire(std::move(state)) : state;
+ArmState DriverLink::calibrated(DriverReply reply) {
+  require_known_plane(reply);
+  if (!calibration_) {
+    return std::move(reply.state);
+  }
+  ArmState state = calibration_->from_wire(std::move(reply.state), reply.bodies);
+  if (reply.bodies && !state.backbone && !seen_tilted_) {
+    seen_tilted_ = true;
+    Eigen::Index body = 0;
+    const double tilt_rad = tilts_rad(*calibration_->tracker->plane, *reply.bodies).maxCoeff(&body);
+    log_.note(fmt::format(
+        "marker body {} is turned {:.2f} rad out of the calibration's plane: while that is so, the "
+        "arm counts as not seen. If it was moved: limber driver calibrate",
+        body, tilt_rad));
+  }
+  return state;
+}
+
+void DriverLink::require_known_plane(const DriverReply& reply) const {
+  const bool has_plane = calibration_ && calibration_->tracker && calibration_->tracker->plane;
+  if (reply.bodies && !has_plane && !pass_bodies_) {
+    throw InputError(
+        calibration_ ? "state: bodies: the calibration knows no plane for them; calibrate again: "
+                       "limber driver calibrate"
+                     : "state: bodies: only a calibration says where they are in the arm's frame; "
+                       "make one with limber driver calibrate, and give it with --calibration");
+  }
+  if (reply.state.backbone && has_plane) {
+    throw InputError(
+        "state: backbone: the driver sent bodies when it was calibrated; calibrate it again: "
+        "limber driver calibrate");
+  }
 }
 
 void DriverLink::require_order(const DriverReply& reply) const {
@@ -166,7 +201,7 @@ std::optional<ArmState> DriverLink::vent_and_close(Time until) {
       DriverReply reply = parse_state(line, host_);
       if (reply.seq == seq_) {
         log_.received(line);
-        return calibrated(std::move(reply.state));
+        return calibrated(std::move(reply));
       }
     } catch (const std::runtime_error&) {
       continue;  // that it is broken is known

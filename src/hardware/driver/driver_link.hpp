@@ -10,6 +10,7 @@
 #include "driver_log.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/driver_protocol.hpp"
+#include "limber/hardware/process_driver.hpp"
 #include "limber/hardware/wire_calibration.hpp"
 
 namespace limber {
@@ -28,10 +29,9 @@ class DriverLink {
   using Clock = ChildProcess::Clock;
   using Time = Clock::time_point;
 
-  /// Starts the program. Everything but the log is on the arm's side of `calibration`.
+  /// Starts the program. Everything but the log is on the arm's side of the calibration.
   /// @throws InputError where that can't be done.
-  DriverLink(const ArmDescription& arm, const std::string& command,
-             const std::filesystem::path& log, std::optional<WireCalibration> calibration);
+  DriverLink(const ArmDescription& arm, const ProcessDriverSettings& settings);
 
   /// @throws BrokenDriver, Interrupted.
   const DriverHello& exchange_hellos();
@@ -62,6 +62,8 @@ class DriverLink {
   double since_start_s() const;
   /// Of the last state, where the driver gives it.
   std::optional<double> tracker_s() const { return tracker_s_; }
+  /// Of the last state, where bodies pass.
+  const std::optional<BodyPoses>& bodies() const { return bodies_; }
 
  private:
   ArmState exchange(const std::string& line, Clock::duration reply_time);
@@ -71,9 +73,11 @@ class DriverLink {
   void try_to_send(const std::string& line);
   void close_input();
   [[noreturn]] void say_why_it_is_silent(const std::string& otherwise);
-  ArmState calibrated(ArmState state) const;
+  ArmState calibrated(DriverReply reply);
+  void require_known_plane(const DriverReply& reply) const;
 
   std::optional<WireCalibration> calibration_;
+  bool pass_bodies_;
   HostHello host_;
   double period_s_;
   ChildProcess child_;
@@ -83,8 +87,10 @@ class DriverLink {
   std::int64_t seq_ = 0;
   std::optional<double> sample_s_;  // of the last state, by the driver's clock
   std::optional<double> tracker_s_;
-  double asked_s_ = 0.0;           // when the last request left …
-  double since_last_s_ = 0.0;      // … and how long after the one before
+  double asked_s_ = 0.0;       // when the last request left …
+  double since_last_s_ = 0.0;  // … and how long after the one before
+  std::optional<BodyPoses> bodies_;
+  bool seen_tilted_ = false;       // some body, which the log says once
   bool paced_ = false;             // the next sample is about a frame after it
   std::optional<Time> closed_at_;  // its input
   bool open_ = true;

@@ -20,12 +20,26 @@ constexpr double kMaxLength = 1e5;  // of a coordinate; before calibration in mm
 constexpr double kMaxAngle = 1e5;
 constexpr double kMaxTimeS = 1e12;
 constexpr std::uint64_t kMaxSeq = std::uint64_t{1} << 53U;  // what a double holds exactly
+constexpr double kMaxQuaternionOff = 0.01;                  // of its length from 1
 constexpr double kRateTolerance = 0.01;                     // of the arm's frame rate
 
 Json list(const Eigen::Ref<const Pressures>& values) {
   Json json = Json::array();
   for (const float value : values) {
     json.push_back(static_cast<double>(value));
+  }
+  return json;
+}
+
+template <class Poses>
+Json rows(const Poses& poses) {
+  Json json = Json::array();
+  for (const auto& pose : poses.rowwise()) {
+    Json numbers = Json::array();
+    for (const double number : pose) {
+      numbers.push_back(number);
+    }
+    json.push_back(std::move(numbers));
   }
   return json;
 }
@@ -54,6 +68,38 @@ std::optional<Backbone> backbone(const JsonReader& root, int points) {
     }
     result.row(i) << static_cast<float>(pose[0]), static_cast<float>(pose[1]),
         static_cast<float>(pose[2]);
+  }
+  return result;
+}
+
+std::optional<BodyPoses> bodies(const JsonReader& root, int points) {
+  if (!root.has("bodies")) {
+    return std::nullopt;
+  }
+  const JsonReader reader = root.at("bodies");
+  if (root.has("backbone")) {
+    reader.refuse("stands beside backbone; a state has one of the two");
+  }
+  if (reader.is_null()) {
+    return std::nullopt;
+  }
+  const std::vector<JsonReader> rows =
+      reader.elements("a list of [x, y, z, qx, qy, qz, qw], or null");
+  if (rows.size() != static_cast<std::size_t>(points)) {
+    reader.refuse(fmt::format("{} bodies found; the arm has {} plates", rows.size(), points));
+  }
+  BodyPoses result(points, 7);
+  for (int i = 0; i < points; ++i) {
+    const JsonReader& row = rows[static_cast<std::size_t>(i)];
+    const std::vector<double> pose =
+        row.numbers(7, "numbers: x, y, z, qx, qy, qz and qw", -kMaxLength, kMaxLength);
+    result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(pose.data(), 7);
+    const double length = result.row(i).tail<4>().norm();
+    if (!(std::abs(length - 1.0) <= kMaxQuaternionOff)) {
+      row.refuse(fmt::format("a quaternion of length {:.4g}; expected [qx, qy, qz, qw] of length 1",
+                             length));
+    }
+    result.row(i).tail<4>() /= length;
   }
   return result;
 }
@@ -161,7 +207,8 @@ std::string bye_line() {
   return Json{{"type", "bye"}}.dump();
 }
 
-std::string state_line(std::int64_t seq, const ArmState& state, std::optional<double> tracker_s) {
+std::string state_line(std::int64_t seq, const ArmState& state, std::optional<double> tracker_s,
+                       const std::optional<BodyPoses>& bodies) {
   Json json = {{"type", "state"},
                {"seq", seq},
                {"t", state.time_s},
@@ -169,13 +216,10 @@ std::string state_line(std::int64_t seq, const ArmState& state, std::optional<do
   if (state.setpoint_kpa) {
     json["setpoint_kpa"] = list(*state.setpoint_kpa);
   }
-  json["backbone"] = nullptr;
-  if (state.backbone) {
-    Json rows = Json::array();
-    for (const auto& pose : state.backbone->rowwise()) {
-      rows.push_back({double(pose[0]), double(pose[1]), double(pose[2])});
-    }
-    json["backbone"] = std::move(rows);
+  if (bodies) {
+    json["bodies"] = rows(*bodies);
+  } else {
+    json["backbone"] = state.backbone ? rows(*state.backbone) : Json(nullptr);
   }
   if (tracker_s) {
     json["tracker_t"] = *tracker_s;
@@ -227,6 +271,7 @@ DriverReply parse_state(std::string_view line, const HostHello& arm) {
     reply.state.setpoint_kpa = pressures(root.at("setpoint_kpa"), arm.segments);
   }
   reply.state.backbone = backbone(root, arm.points);
+  reply.bodies = bodies(root, arm.points);
   if (root.has("tracker_t") && !root.at("tracker_t").is_null()) {
     reply.tracker_s = root.at("tracker_t").number(-kMaxTimeS, kMaxTimeS);
   }

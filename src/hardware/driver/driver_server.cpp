@@ -41,7 +41,7 @@ class DriverServer {
         description_(arm),
         host_(host_hello(arm)),
         arm_(arm, settings.arm),
-        wire_(settings.misassembly, arm_, !settings.fast),
+        wire_(settings.misassembly, arm_, settings.arm, !settings.fast),
         input_(::dup(STDIN_FILENO), kMaxDriverLine),
         in_force_(Pressures::Zero(arm.segment_count())) {}
 
@@ -165,8 +165,8 @@ class DriverServer {
     reply(request.seq, state);
   }
 
-  std::string to_line(std::int64_t seq, const ArmState& state) const {
-    return state_line(seq, state, wire_.tracker_s(state)) + "\n";
+  std::string to_line(std::int64_t seq, const ArmState& state) {
+    return state_line(seq, state, wire_.tracker_s(state), wire_.bodies(state)) + "\n";
   }
 
   /// Whether the fault plays from this frame on.

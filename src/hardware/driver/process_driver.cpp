@@ -56,9 +56,7 @@ void throw_if_wrong(const std::string& wrong) {
 class ProcessDriver::Session {
  public:
   Session(const ArmDescription& arm, const ProcessDriverSettings& settings)
-      : arm_(arm),
-        settings_(settings),
-        link_((prepare(arm, settings), arm), settings.command, settings.log, settings.calibration) {
+      : arm_(arm), settings_(settings), link_((prepare(arm, settings), arm), settings) {
     try {
       limits_kpa_ = limits_in_force(arm_, settings.limit_scale, link_.exchange_hellos());
       gate_.emplace(arm_, limits_kpa_, settings.check_rate, settings.safety);
@@ -212,9 +210,9 @@ class ProcessDriver::Session {
     asked_ = Clock::now();
     const double sent_s = link_.since_start_s();
     state_ = link_.set(setpoint_kpa, reply_time());
-    timing_.last = {sent_s, link_.since_start_s(), link_.tracker_s()};
+    timing_.last = {sent_s, link_.since_start_s(), link_.tracker_s(), link_.bodies()};
     timing_.round_trip_s.push_back(seconds(Clock::now() - asked_));
-    timing_.frames_unseen += hello().tracked && !state_.backbone ? 1 : 0;
+    timing_.frames_unseen += hello().tracked && !state_.backbone && !link_.bodies() ? 1 : 0;
   }
 
   /// A driver that is at zero though nothing was zero recently has vented by its own deadman.

@@ -68,6 +68,40 @@ TEST_F(DriverProtocol, BackboneMayBeMissingOrNull) {
   EXPECT_FALSE(parse_state(begin + R"(,"backbone":null,"more":[1]})", host_).state.setpoint_kpa);
 }
 
+TEST_F(DriverProtocol, BodiesStandInPlaceOfABackbone) {
+  BodyPoses bodies = BodyPoses::Random(arm_.point_count(), 7);
+  bodies.rightCols<4>().rowwise().normalize();
+  const std::string line = state_line(7, state(), std::nullopt, bodies);
+  const DriverReply reply = parse_state(line, host_);
+  EXPECT_FALSE(reply.state.backbone);
+  EXPECT_TRUE(reply.bodies->isApprox(bodies, 1e-15));
+  EXPECT_FALSE(parse_state(state_line(7, state()), host_).bodies);
+  const std::string begin = R"({"type":"state","seq":1,"t":0.1,"pressure_kpa":[0,0])";
+  EXPECT_FALSE(parse_state(begin + R"(,"bodies":null})", host_).bodies);
+}
+
+TEST_F(DriverProtocol, RefusesBodiesByField) {
+  const auto with = [&](const std::string& second) {
+    std::string rows = "[0,0,0,0,0,0,1]," + second;
+    for (int i = 2; i < host_.points; ++i) {
+      rows += ",[0,0,0,0,0,0,1]";
+    }
+    return R"({"type":"state","seq":1,"t":0.1,"pressure_kpa":[1,2],"bodies":[)" + rows + "]}";
+  };
+  EXPECT_TRUE(parse_state(with("[1,2,3,0.001,0,0,-1.009]"), host_).bodies);
+  expect_refused(with("[1,2,3,0,0,0,1.02]"), "bodies[1]: a quaternion of length 1.02; expected");
+  expect_refused(with("[1,2,3,0,0,0,0]"), "bodies[1]: a quaternion of length 0");
+  expect_refused(with("[1,2,3,0,0,1]"), "bodies[1]: 6 numbers found; expected 7");
+  expect_refused(with("[1,2,null,0,0,0,1]"), "bodies[1]");
+  expect_refused(with("[1,2,1e300,0,0,0,1]"), "bodies[1]");
+  expect_refused(with("null"), "bodies[1]");
+  expect_refused(with("[1,2,NaN,0,0,0,1]"), "state");
+  const std::string begin = R"({"type":"state","seq":1,"t":0.1,"pressure_kpa":[1,2],)";
+  expect_refused(begin + R"("bodies":[[0,0,0,0,0,0,1]]})", "bodies: 1 bodies found; the arm has");
+  expect_refused(begin + R"("bodies":7})", "a list of [x, y, z, qx, qy, qz, qw], or null");
+  expect_refused(begin + R"("backbone":null,"bodies":null})", "a state has one of the two");
+}
+
 TEST_F(DriverProtocol, RefusesStatesByField) {
   const auto with = [](const std::string& rest) {
     return R"({"type":"state","seq":1,"t":0.1,)" + rest + "}";

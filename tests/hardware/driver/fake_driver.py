@@ -25,10 +25,14 @@ def send(text, end="\n"):
 
 
 def state(request, **changed):
-    backbone = [[0.1 * i, 0.0, 0.0] for i in range(5)]
+    shape = {"backbone": [[0.1 * i, 0.0, 0.0] for i in range(5)]}
+    if fault == "tilted" or fault == "bodies" and sets >= 4:
+        shape = {"bodies": [[0.1 * i, 0.0, 0.2, 0.0, 0.0, 0.0, 1.0] for i in range(5)]}
+    if fault == "tilted" and sets >= 4:
+        shape["bodies"][2][3:] = [1.0, 0.0, 0.0, 0.0]
     return json.dumps({
         "type": "state", "seq": request["seq"], "t": clock, "pressure_kpa": pressures, "setpoint_kpa": setpoints,
-        "backbone": backbone, **changed,
+        **shape, **changed,
     })
 
 

@@ -197,5 +197,58 @@ TEST_F(ProcessDriverTest, LogsBothSidesAndWhoStartedIt) {
   }
 }
 
+// What the bodies of a tracker in 3D mean, only a calibration says.
+TEST_F(ProcessDriverTest, BodiesWithoutAPlaneAreAFault) {
+  expect_fault("bodies", "bodies: only a calibration says where they are");
+  ProcessDriverSettings unplaned = settings("bodies");
+  unplaned.calibration = identity_calibration(arm_);
+  ProcessDriver driver(arm_, unplaned);
+  EXPECT_THAT(ramp(driver, 12), HasSubstr("the calibration knows no plane for them"));
+}
+
+TEST_F(ProcessDriverTest, BodiesPassWhereADriverIsCalibrated) {
+  ProcessDriverSettings calibrating = settings("bodies");
+  calibrating.pass_bodies = true;
+  ProcessDriver driver(arm_, calibrating);
+  EXPECT_EQ(ramp(driver, 3), "");
+  EXPECT_FALSE(driver.timing().last.bodies);
+  driver.command(pressures(24.0F, 12.0F));
+  ASSERT_TRUE(driver.timing().last.bodies);
+  EXPECT_EQ((*driver.timing().last.bodies)(4, 0), 0.4);
+  EXPECT_FALSE(driver.state().backbone);
+}
+
+/// Bodies at rest have no rotation, and the tracker's x and y are the plane.
+WireCalibration calibration_with_plane(const ArmDescription& arm) {
+  const auto points = static_cast<std::size_t>(arm.point_count());
+  WireCalibration calibration = identity_calibration(arm);
+  calibration.tracker = TrackerCalibration{};
+  calibration.tracker->marker_offsets.resize(points);
+  calibration.tracker->plane = TrackerPlane{};
+  calibration.tracker->plane->body_rotations.resize(points, Eigen::Quaterniond::Identity());
+  return calibration;
+}
+
+TEST_F(ProcessDriverTest, ABodyOutOfThePlaneIsNotSeenAndTheLogSaysSo) {
+  ProcessDriverSettings planed = settings("tilted");
+  planed.calibration = calibration_with_plane(arm_);
+  planed.log = folder_.path() / "log.jsonl";
+  ProcessDriver driver(arm_, planed);
+  EXPECT_EQ(ramp(driver, 3), "");
+  ASSERT_TRUE(driver.state().backbone);
+  EXPECT_EQ((*driver.state().backbone)(4, 0), 0.4F);
+  driver.command(pressures(24.0F, 12.0F));
+  EXPECT_FALSE(driver.state().backbone);
+  EXPECT_EQ(driver.timing().frames_unseen, 1);
+  EXPECT_THAT(read_file(planed.log), HasSubstr("body 2 is turned 3.14 rad out of"));
+}
+
+TEST_F(ProcessDriverTest, BackbonesOfADriverThatWasCalibratedWithBodiesAreAFault) {
+  ProcessDriverSettings planed = settings();
+  planed.calibration = calibration_with_plane(arm_);
+  EXPECT_THAT([&] { ProcessDriver(arm_, planed); },
+              ThrowsMessage<SystemFault>(HasSubstr("sent bodies when it was calibrated")));
+}
+
 }  // namespace
 }  // namespace limber

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "limber/common/random_stream.hpp"
 #include "limber/hardware/misassembly.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 
@@ -14,19 +15,25 @@ namespace limber {
 class MisassembledWire {
  public:
   /// Watches `arm`, which has to outlive it, so that shapes can come late.
+  /// @param options    of `arm`: bodies in 3D have its noise across the plane too
   /// @param real_time  states then have the wall clock's time
-  MisassembledWire(std::optional<Misassembly> misassembly, VirtualArm& arm, bool real_time);
+  MisassembledWire(std::optional<Misassembly> misassembly, VirtualArm& arm,
+                   const VirtualArmOptions& options, bool real_time);
 
   /// The arm's set points of the wire's.
   Pressures from_wire(const Pressures& setpoint_kpa) const;
   /// The wire's state of the arm's, and its limits.
   ArmState to_wire(ArmState state) const;
   std::vector<PressureLimits> to_wire(std::vector<PressureLimits> limits_kpa) const;
+  /// What a tracker that sees in 3D says in place of a state's backbone, with noise of its own.
+  std::optional<BodyPoses> bodies(const ArmState& on_wire);
   /// When the shape of a state was seen, on the tracker's clock.
   std::optional<double> tracker_s(const ArmState& on_wire) const;
 
  private:
   std::optional<Misassembly> misassembly_;
+  VirtualArmOptions options_;
+  RandomStream chance_;
   bool real_time_;
   std::deque<std::pair<double, BackboneD>> seen_;  // at each of the arm's steps
 };

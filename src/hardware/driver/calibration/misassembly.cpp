@@ -1,6 +1,7 @@
 #include "limber/hardware/misassembly.hpp"
 
 #include <array>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -13,6 +14,7 @@ namespace {
 constexpr double kMaxDrawnZeroKpa = 1.5;  // less than what a vented arm may read
 constexpr double kMaxDrawnPositionM = 3.0;
 constexpr double kMaxOffsetM = 0.008;
+constexpr double kMaxHeightM = 0.03;  // of a body above its plate
 constexpr double kMaxOffsetRad = 0.5;
 constexpr double kMaxLatencyS = 0.15;
 constexpr double kMaxDrawnClockS = 1000.0;
@@ -26,6 +28,15 @@ std::vector<WireChannel> drawn_channels(int count, RandomStream& stream) {
     std::swap(channels[s - 1].channel, channels[stream.index(s)].channel);
   }
   return channels;
+}
+
+/// Every rotation is as likely as any other.
+Eigen::Quaterniond drawn_rotation(RandomStream& stream) {
+  Eigen::Vector4d q;
+  for (double& number : q) {
+    number = stream.normal();
+  }
+  return Eigen::Quaterniond(q).normalized();
 }
 
 }  // namespace
@@ -60,6 +71,29 @@ Misassembly draw_misassembly(const ArmDescription& arm, std::uint64_t seed) {
   result.tracker_ahead_s = stream.uniform(-kMaxDrawnClockS, kMaxDrawnClockS);
   result.truth.clocks.tracker =
       TimeInterval{-result.tracker_ahead_s, -result.tracker_ahead_s, -result.tracker_ahead_s};
+  return result;
+}
+
+Misassembly draw_misassembly_in_3d(const ArmDescription& arm, std::uint64_t seed) {
+  Misassembly result = draw_misassembly(arm, seed);
+  TrackerCalibration& tracker = *result.truth.tracker;
+  tracker.radians_per_unit = 1.0;  // quaternions have no unit
+  RandomStream stream(seed, 1);
+  TrackerPlane plane;
+  const Eigen::Matrix3d axes = drawn_rotation(stream).toRotationMatrix();
+  Eigen::Index largest = 0;
+  axes.col(2).cwiseAbs().maxCoeff(&largest);
+  plane.x_axis = axes.col(0);
+  plane.y_axis = std::copysign(1.0, axes(largest, 2)) * axes.col(1);
+  for (double& coordinate : plane.origin) {
+    coordinate = stream.uniform(-kMaxDrawnPositionM, kMaxDrawnPositionM) / tracker.metres_per_unit;
+  }
+  result.body_heights.resize(arm.point_count());
+  for (double& height : result.body_heights) {
+    height = stream.uniform(0.0, kMaxHeightM) / tracker.metres_per_unit;
+    plane.body_rotations.push_back(drawn_rotation(stream));
+  }
+  tracker.plane = plane;
   return result;
 }
 

@@ -108,6 +108,14 @@ ArmState WireCalibration::from_wire(ArmState state) const {
   return state;
 }
 
+ArmState WireCalibration::from_wire(ArmState state, const std::optional<BodyPoses>& bodies) const {
+  constexpr double kMaxTiltRad = 0.5;  // more is no body of this arm
+  if (bodies && tilts_rad(*tracker->plane, *bodies).maxCoeff() <= kMaxTiltRad) {
+    state.backbone = poses_in_plane(*tracker->plane, *bodies);
+  }
+  return from_wire(std::move(state));
+}
+
 ArmState WireCalibration::to_wire(ArmState state) const {
   const Eigen::Map<const Eigen::VectorXd> zero(zero_kpa.data(), state.pressure_kpa.size());
   state.pressure_kpa = scattered(sensors, state.pressure_kpa) + zero.cast<float>();

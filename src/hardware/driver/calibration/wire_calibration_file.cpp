@@ -7,6 +7,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/hardware/wire_calibration.hpp"
+#include "tracker_plane_file.hpp"
 
 namespace limber {
 
@@ -45,7 +46,7 @@ std::string to_yaml(const TrackerCalibration& tracker) {
   for (const Pose& offset : tracker.marker_offsets) {
     text += "    - " + to_yaml(offset) + "\n";
   }
-  return text;
+  return tracker.plane ? text + to_yaml(*tracker.plane) : text;
 }
 
 std::string to_yaml(const ClockCalibration& clocks) {
@@ -119,7 +120,8 @@ TimeInterval read_interval(const YamlReader& node) {
 
 TrackerCalibration read_tracker(const YamlReader& node) {
   node.refuse_unknown_keys({"metres_per_unit", "radians_per_unit", "mirrored", "base",
-                            "position_interval_m", "heading_interval_rad", "marker_offsets"});
+                            "position_interval_m", "heading_interval_rad", "marker_offsets",
+                            "plane"});
   TrackerCalibration tracker;
   tracker.metres_per_unit = node.at("metres_per_unit").number("metres", 1e-6, 1e3);
   tracker.radians_per_unit = node.at("radians_per_unit").number("radians", -1e3, 1e3);
@@ -132,6 +134,12 @@ TrackerCalibration read_tracker(const YamlReader& node) {
   tracker.heading_interval_rad = node.at("heading_interval_rad").number("an angle in rad", 0.0);
   for (const YamlReader& offset : node.at("marker_offsets").elements()) {
     tracker.marker_offsets.push_back(read_pose(offset));
+  }
+  if (node.has("plane")) {
+    tracker.plane = read_plane(node.at("plane"), tracker.marker_offsets.size());
+    if (std::abs(tracker.radians_per_unit) != 1.0) {
+      node.at("radians_per_unit").refuse("expected 1 or -1: beside plane, headings are in rad");
+    }
   }
   return tracker;
 }
@@ -233,6 +241,9 @@ std::string in_words(const WireCalibration& calibration) {
         tracker.base.theta_rad, tracker.heading_interval_rad,
         tracker.mirrored ? ", after y is turned over" : "", tracker.metres_per_unit,
         tracker.radians_per_unit);
+    if (tracker.plane) {
+      text += "\n" + in_words(*tracker.plane);
+    }
   }
   if (calibration.clocks.driver) {
     text += "\nlimber's clock is ahead of the driver's by " + in_words(*calibration.clocks.driver);

@@ -54,6 +54,41 @@ TEST(WireCalibration, FromWireIsTheInverseOfToWire) {
   }
 }
 
+// The same of bodies in 3D, which stand in place of the backbone.
+TEST(WireCalibration, BodiesIn3dComeBackAsBackbones) {
+  const ArmDescription arm = three_segments();
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Misassembly wrong = draw_misassembly_in_3d(arm, seed);
+    const ArmState state = bent(arm);
+    ArmState on_wire = wrong.truth.to_wire(state);
+    const BodyPoses bodies =
+        bodies_in_space(*wrong.truth.tracker->plane, *on_wire.backbone, wrong.body_heights);
+    on_wire.backbone.reset();
+    const ArmState back = wrong.truth.from_wire(on_wire, bodies);
+    EXPECT_LT((*back.backbone - *state.backbone).cwiseAbs().maxCoeff(), kRoundingM);
+    EXPECT_FALSE(wrong.truth.from_wire(on_wire, std::nullopt).backbone) << "not seen";
+  }
+}
+
+// A tracker that takes one body for another: a wrong shape would be worse than none.
+TEST(WireCalibration, BodiesFarOutOfThePlaneAreNotSeen) {
+  const ArmDescription arm = three_segments();
+  const Misassembly wrong = draw_misassembly_in_3d(arm, 3);
+  const TrackerPlane& plane = *wrong.truth.tracker->plane;
+  ArmState on_wire = wrong.truth.to_wire(bent(arm));
+  const BodyPoses bodies = bodies_in_space(plane, *on_wire.backbone, wrong.body_heights);
+  on_wire.backbone.reset();
+  const auto seen_with = [&](double tilt_rad) {
+    const Eigen::Quaterniond over(Eigen::AngleAxisd(tilt_rad, plane.x_axis));
+    BodyPoses tilted = bodies;
+    tilted.row(4).tail<4>() = (over * rotation_of(bodies, 4)).coeffs().transpose();
+    return wrong.truth.from_wire(on_wire, tilted).backbone.has_value();
+  };
+  EXPECT_TRUE(seen_with(0.49));
+  EXPECT_FALSE(seen_with(0.51));
+  EXPECT_FALSE(seen_with(3.0));
+}
+
 TEST(WireCalibration, IdentityChangesNothing) {
   const ArmDescription arm = three_segments();
   const ArmState state = bent(arm);
@@ -119,6 +154,41 @@ TEST(WireCalibrationFile, NamesWhatIsWrong) {
   WireCalibration twice = draw_misassembly(arm, 5).truth;
   twice.valves[1].channel = twice.valves[0].channel;
   expect(to_yaml(twice), "is another segment's too");
+}
+
+TEST(WireCalibrationFile, SaysThePlaneAgain) {
+  const WireCalibration truth = draw_misassembly_in_3d(three_segments(), 5).truth;
+  const WireCalibration back = parse_wire_calibration(to_yaml(truth), "c.yaml");
+  const TrackerPlane& ours = *back.tracker->plane;
+  const TrackerPlane& theirs = *truth.tracker->plane;
+  EXPECT_EQ(ours.origin, theirs.origin);
+  EXPECT_TRUE(ours.x_axis.isApprox(theirs.x_axis, 1e-15));
+  EXPECT_TRUE(ours.y_axis.isApprox(theirs.y_axis, 1e-15));
+  ASSERT_EQ(ours.body_rotations.size(), theirs.body_rotations.size());
+  EXPECT_TRUE(ours.body_rotations[3].isApprox(theirs.body_rotations[3], 1e-15));
+}
+
+TEST(WireCalibrationFile, NamesWhatIsWrongWithAPlane) {
+  const auto expect = [](const auto& spoil, const std::string& message) {
+    WireCalibration truth = draw_misassembly_in_3d(three_segments(), 5).truth;
+    spoil(*truth.tracker);
+    EXPECT_THAT([&] { parse_wire_calibration(to_yaml(truth), "c.yaml"); },
+                ThrowsMessage<InputError>(HasSubstr(message)));
+  };
+  using Tracker = TrackerCalibration;
+  expect([](Tracker& t) { t.plane->x_axis *= 1.01; }, "x_axis: of length 1.01; expected 1");
+  expect([](Tracker& t) { t.plane->y_axis = t.plane->x_axis; }, "not perpendicular to x_axis");
+  expect([](Tracker& t) { t.plane->origin.x() = 1e9; }, "origin: expected numbers up to");
+  expect([](Tracker& t) { t.plane->body_rotations[2].coeffs() *= 2.0; },
+         "body_rotations[2]: of length 2; expected 1");
+  expect([](Tracker& t) { t.plane->body_rotations.pop_back(); },
+         "12 rotations; marker_offsets has 13 bodies");
+  expect([](Tracker& t) { t.radians_per_unit = 0.1; }, "radians_per_unit: expected 1 or -1");
+  const std::string good = to_yaml(draw_misassembly_in_3d(three_segments(), 5).truth);
+  std::string misspelt = good;
+  misspelt.replace(misspelt.find("x_axis"), 6, "x_axes");
+  EXPECT_THAT([&] { parse_wire_calibration(misspelt, "c.yaml"); },
+              ThrowsMessage<InputError>(HasSubstr("x_axes")));
 }
 
 TEST(WireCalibrationFile, BelongsToOneArm) {

@@ -8,6 +8,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/hardware/arm_driver.hpp"
+#include "limber/hardware/tracker_plane.hpp"
 
 namespace limber {
 
@@ -17,8 +18,12 @@ struct CalibrationFrame {
   double received_s = 0.0;          ///< the answer
   Pressures setpoint_kpa;           ///< of the wire's channels
   ArmState state;                   ///< its time is the driver's
+  std::optional<BodyPoses> bodies;  ///< in place of the state's backbone, of a tracker in 3D
   std::optional<double> tracker_s;  ///< when the shape was seen, on the tracker's clock
 };
+
+/// (x, y, z) of each body, z = 0 where it is not seen; none where nothing was.
+std::optional<Eigen::MatrixX3d> seen_positions(const CalibrationFrame& frame);
 
 /// Frames of a step, `first` to `end` − 1. A pulse holds its set point until
 /// `hold_end`, and is zero from then on.

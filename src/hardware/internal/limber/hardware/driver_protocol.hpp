@@ -9,6 +9,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/hardware/arm_driver.hpp"
+#include "limber/hardware/tracker_plane.hpp"
 
 namespace limber {
 
@@ -36,7 +37,7 @@ struct DriverHello {
   std::string device;     ///< what the device speaks, in words
   double rate_hz = 0.0;   ///< of the frames that it serves
   int segments = 0;       ///< n
-  bool tracked = true;    ///< whether states carry backbones
+  bool tracked = true;    ///< whether states carry backbones, or bodies
   bool real_time = true;  ///< false: a simulation that runs as fast as it is asked
   /// The driver's own limits; empty: none but the arm's.
   std::vector<PressureLimits> limit_kpa;
@@ -56,6 +57,7 @@ struct DriverRequest {
 struct DriverReply {
   std::int64_t seq = 0;
   ArmState state;
+  std::optional<BodyPoses> bodies;  ///< in place of a backbone, of a tracker that sees in 3D
   std::optional<double> tracker_s;  ///< when the shape was seen, on the tracker's own clock
 };
 
@@ -67,8 +69,10 @@ std::string to_line(const DriverHello& hello);
 std::string set_line(std::int64_t seq, double time_s, const Pressures& setpoint_kpa);
 std::string vent_line(std::int64_t seq, double time_s);
 std::string bye_line();
+/// @param bodies  stand in place of the state's backbone
 std::string state_line(std::int64_t seq, const ArmState& state,
-                       std::optional<double> tracker_s = std::nullopt);
+                       std::optional<double> tracker_s = std::nullopt,
+                       const std::optional<BodyPoses>& bodies = std::nullopt);
 
 /// A driver that has failed says so in place of a state; it has vented.
 std::string fault_line(const std::string& message);

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include <Eigen/Core>
+
 #include "limber/arm/arm_description.hpp"
 #include "limber/hardware/wire_calibration.hpp"
 
@@ -15,9 +17,16 @@ struct Misassembly {
   double tracker_latency_s = 0.0;  ///< shapes are so much older than pressures
   double driver_ahead_s = 0.0;     ///< the driver's clock is ahead of the arm's time
   double tracker_ahead_s = 0.0;    ///< the tracker's clock is ahead of the driver's
+  /// Of each body above the truth's plane, in the tracker's unit; empty where there is none.
+  Eigen::VectorXd body_heights;
 };
 
 /// Sampled by the seed: the same one gives the same.
 Misassembly draw_misassembly(const ArmDescription& arm, std::uint64_t seed);
+
+/// The same but for the tracker's angles: it sees in 3D, turned and moved at random, and each body
+/// has a height and axes of its own. The normal's largest component is positive; it points down
+/// where the tracker is mirrored.
+Misassembly draw_misassembly_in_3d(const ArmDescription& arm, std::uint64_t seed);
 
 }  // namespace limber

@@ -27,14 +27,18 @@ struct ProcessDriverSettings {
   std::function<void(const std::string&)> say;
   std::filesystem::path log;  ///< every line of both sides with its time; empty: none
   std::optional<WireCalibration> calibration;  ///< none: the wire is the arm's
+  /// For `limber driver calibrate`: bodies in 3D, which no plane is known for, are no fault. They
+  /// come with DriverExchange.
+  bool pass_bodies = false;
 };
 
-/// When the last `set` was sent and its state was there, on limber's clock; and when the tracker
-/// saw the shape, on its own.
+/// When the last `set` was sent and its state was there, on limber's clock; when the tracker saw
+/// the shape, on its own; and what it saw, where bodies pass.
 struct DriverExchange {
   double sent_s = 0.0;
   double received_s = 0.0;
   std::optional<double> tracker_s;
+  std::optional<BodyPoses> bodies;
 };
 
 /// How well both sides kept to the frames.

@@ -7,6 +7,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/hardware/arm_driver.hpp"
+#include "limber/hardware/tracker_plane.hpp"
 
 namespace limber {
 
@@ -26,7 +27,8 @@ struct TimeInterval {
 
 /// How a tracker's poses become the backbone. A pose (x, y, θ) on the wire is that of a marker body
 /// in the tracker's frame T. In metres and radians, and with y and θ turned over where T is
-/// mirrored, body i's pose is X_TB · X_BPi · offset_i, with P_i plate i.
+/// mirrored, body i's pose is X_TB · X_BPi · offset_i, with P_i plate i. Where the tracker sees in
+/// 3D, T is the frame of the plane's axes.
 struct TrackerCalibration {
   double metres_per_unit = 1.0;      ///< of x and y
   double radians_per_unit = 1.0;     ///< of θ; < 0 where it counts clockwise in T
@@ -35,6 +37,7 @@ struct TrackerCalibration {
   std::vector<Pose> marker_offsets;  ///< of each body from its plate, in the plate's frame
   double position_interval_m = 0.0;  ///< of `base`, ±
   double heading_interval_rad = 0.0;
+  std::optional<TrackerPlane> plane;  ///< where the wire has bodies in 3D
 };
 
 /// The clocks of limber, the driver and the tracker. For whoever reads recordings: limber applies
@@ -68,7 +71,10 @@ struct WireCalibration {
   Pressures from_wire(const Eigen::Ref<const Pressures>& setpoint_kpa) const;
   /// What the driver says as what the arm does, and back.
   ArmState from_wire(ArmState state) const;
-  ArmState to_wire(ArmState state) const;
+  /// `bodies` stand in place of the state's backbone; they count as not seen where one is turned
+  /// more than 0.5 rad out of the plane. @pre the tracker has a plane where there are some.
+  ArmState from_wire(ArmState state, const std::optional<BodyPoses>& bodies) const;
+  ArmState to_wire(ArmState state) const;  ///< of a tracker in 3D: poses in its plane
   /// Limits of the wire's numbers as those of the segments, and back.
   std::vector<PressureLimits> from_wire(const std::vector<PressureLimits>& limits_kpa) const;
   std::vector<PressureLimits> to_wire(const std::vector<PressureLimits>& limits_kpa) const;
