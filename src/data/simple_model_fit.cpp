@@ -300,8 +300,7 @@ class SimpleFitter {
     fit.model.segments.push_back(segment);
     fit.segments.push_back({jackknife(segment.gain, gains), jackknife(segment.offset_rad, offsets),
                             jackknife(segment.length_ratio, ratios), robust.loss,
-                            size > 0.0 ? x.dot(y) / size : 0.0, moved(i),
-                            rest_length_ratio(i)});
+                            size > 0.0 ? x.dot(y) / size : 0.0, moved(i), rest_length_ratio(i)});
   }
 
   const ArmDescription& arm_;
