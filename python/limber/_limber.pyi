@@ -516,6 +516,9 @@ class Evaluation:
     @property
     def orientation_reduction_percent(self) -> float:
         """The same of headings [%]."""
+    @property
+    def novel(self) -> NovelFrames | None:
+        """NovelFrames of the network, or None where it does not know what it learnt from."""
     def __str__(self) -> str: ...
     def _repr_svg_(self) -> str: ...
 
@@ -880,6 +883,15 @@ class NoLoadModel:
         """Their inverse, (11)."""
     def curvature_limit_per_m(self, segment: int) -> float:
         """Largest curvature that the pressure limit allows [1/m]."""
+
+class NovelFrames:
+    """Tracked frames, and how many of them lie beyond what a model learnt from, by whether their pressures do."""
+    @property
+    def pressures_within(self) -> NovelFrames.Count:
+        """Pressures within the recorded ranges."""
+    @property
+    def pressures_beyond(self) -> NovelFrames.Count:
+        """Pressures beyond them."""
 
 class Optimiser:
     """How weights are changed."""

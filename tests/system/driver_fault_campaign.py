@@ -92,7 +92,8 @@ class Case:
     def __init__(self, kind, number, seed, folder):
         self.kind = kind
         self.chance = random.Random(f"{seed}/{kind}/{number}")
-        self.frame = self.chance.randrange(LAST_FRAME)
+        # A shape that was never seen elsewhere has not jumped.
+        self.frame = max(self.chance.randrange(LAST_FRAME), 1 if kind == "jump" else 0)
         self.folder = folder / f"{kind}_{number}"
         self.folder.mkdir()
         self.log = self.folder / "device.jsonl"

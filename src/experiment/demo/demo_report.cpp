@@ -202,8 +202,8 @@ ReportTable trial_table(const DemoResults& results) {
 std::string about_arrivals(const DemoResults& results) {
   return fmt::format(
       "No plan's outcome has chosen the random environments. Where the network's error, {:.1f} cm, "
-      "does not fit between obstacles, no plan is found; more data makes it smaller. The clock ends "
-      "these searches, so their figures differ a little from run to run.",
+      "does not fit between obstacles, no plan is found; more data makes it smaller. The clock "
+      "ends these searches, so their figures differ a little from run to run.",
       error_room(*results.network).margin_m * kCmPerM);
 }
 

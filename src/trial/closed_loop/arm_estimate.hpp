@@ -26,7 +26,7 @@ struct ModelMiss {
 /// Behind ideal valves pressures are the set points, as plans for such a model have it. Where a
 /// driver's states are behind its set points (StateLag), the model says what these lead to.
 ///
-/// Threads: one estimate, one thread. One query per frame, and one per frame that states are behind.
+/// Threads: one estimate, one thread. One query per frame, and one for each that states are behind.
 class ArmEstimate {
  public:
   explicit ArmEstimate(const MotionModel& model) : model_(model) {}

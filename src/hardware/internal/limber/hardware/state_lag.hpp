@@ -7,9 +7,9 @@
 namespace limber {
 
 /// By how many frames the states of a driver are behind its set points. A driver that plays a whole
-/// frame before it answers is not; one that answers at once, as hardware does, is behind by one: its
-/// state is the end of the frame before, and says so by the set point in force
-/// (ArmState::setpoint_kpa). A state that does not say is taken for the end of its frame.
+/// frame before it answers is not. One that answers at once, as hardware does, is behind by one:
+/// its state is the end of the frame before, and the set point in force (ArmState::setpoint_kpa)
+/// says so. A state that does not say is taken for the end of its frame.
 class StateLag {
  public:
   static constexpr int kMaxFrames = 3;
