@@ -184,15 +184,15 @@ std::string SafetyGate::stuck(int segment) const {
   if (commanded_kpa < settings_.stuck_change_kpa || changed_kpa > kStuckShare * commanded_kpa) {
     return "";
   }
-  const Frame& now = history_.back();
-  if (std::abs(now.measured_kpa[segment] - now.setpoint_kpa[segment]) <
+  const Frame& then = history_[until - 1];  // what came after it has had no time to act
+  if (std::abs(then.measured_kpa[segment] - then.setpoint_kpa[segment]) <
       settings_.stuck_change_kpa) {
-    return "";  // it has arrived, faster than the arm's rate
+    return "";  // it had arrived, faster than the arm's rate
   }
   return fmt::format(
       "{} stands still at {:.2f} kPa though its set point "
       "moved by {:.1f} kPa: a channel is stuck, or its sensor",
-      segment_name(segment), now.measured_kpa[segment], commanded_kpa);
+      segment_name(segment), history_.back().measured_kpa[segment], commanded_kpa);
 }
 
 }  // namespace limber

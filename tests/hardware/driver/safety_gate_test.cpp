@@ -116,12 +116,14 @@ TEST_F(SafetyGateTest, AFaultOfFollowingTakesHalfASecondAndMore) {
 TEST_F(SafetyGateTest, ValvesFasterThanTheArmsRateAreNoFault) {
   SafetyGate gate = this->gate(false);
   float now = 0.0F;
-  for (const float setpoint : {90.0F, -90.0F, -60.0F, 90.0F, 0.0F}) {
-    const auto fast = [&](int) {
-      now += std::clamp(setpoint - now, -40.0F, 40.0F);
-      return now;
-    };
-    EXPECT_THAT(run(gate, setpoint, 7, fast), IsEmpty()) << "to " << setpoint;
+  for (const int frames : {7, 12, 19, 25}) {
+    for (const float setpoint : {90.0F, -90.0F, -60.0F, 90.0F, 0.0F}) {
+      const auto fast = [&](int) {
+        now += std::clamp(setpoint - now, -40.0F, 40.0F);
+        return now;
+      };
+      EXPECT_THAT(run(gate, setpoint, frames, fast), IsEmpty()) << frames << " to " << setpoint;
+    }
   }
   const auto still = [&](int) { return 0.0F; };
   EXPECT_THAT(run(gate, 50.0F, 60, still), HasSubstr("stands still"));
