@@ -55,6 +55,22 @@ TEST_F(SmallerClearances, SpendNoMoreThanWhatIsLeft) {
   EXPECT_GT(hardly_any.statistics.queries, 77U) << "what tries take is added";
 }
 
+// A search with less clearance may come upon a plan that keeps what was asked for.
+TEST_F(SmallerClearances, APlanThatKeepsWhatWasAskedForIsTheAnswer) {
+  constexpr double kEasyM = 0.002;
+  problem_.margin_m = kEasyM;
+  PlannerLimits limits;
+  limits.iterations = 8000;
+  const PlanResult result = try_with(limits, {});
+  ASSERT_EQ(result.status, PlanStatus::solved) << result.reason;
+  ASSERT_TRUE(result.plan);
+  EXPECT_EQ(result.plan->margin_m, kEasyM);
+  EXPECT_GE(result.plan->certified->clearance_m, kEasyM);
+  EXPECT_FALSE(result.max_clearance_m);
+  EXPECT_GT(result.first_solution->queries, 0U);
+  expect_lawful(setting_, *result.plan);
+}
+
 // What is named is no promise: a search that asks for a little less finds a plan.
 TEST_F(SmallerClearances, TheOneNamedIsKeptByAPlan) {
   PlannerLimits limits;
