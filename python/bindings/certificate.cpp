@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "caller_thread.hpp"
+#include "limber/common/error.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -64,12 +65,18 @@ void bind_certificate(py::module_& module) {
       });
   module.def(
       "certify",
-      [](const Plan& plan, const ArmDescription& arm, const CompensationModel* network,
+      [](const Plan* plan, const ArmDescription& arm, const CompensationModel* network,
          const ValveParameters& valves, const Environment& environment) {
-        return certified(Certifier(arm, network, valves, environment), plan);
+        if (plan == nullptr) {
+          throw InputError("there is no plan: the reason of its PlanResult says why");
+        }
+        return certified(Certifier(arm, network, valves, environment), *plan);
       },
       py::arg("plan"), py::arg("arm"), py::arg("network"), py::arg("valves"),
-      py::arg("environment"), "One plan, by a Certifier of its own.");
+      py::arg("environment"),
+      "One plan, by a Certifier of its own: simulated, checked for collision and judged again, with "
+      "nothing of the planner's. It says whether the plan is as the model has it, not whether the "
+      "model is right. None is refused.");
 }
 
 }  // namespace limber::python

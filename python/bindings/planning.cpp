@@ -185,9 +185,9 @@ void bind_result(py::module_& module) {
       .read_only("reason", &PlanResult::reason, "What ended the search, a sentence.")
       .read_only("plan", &PlanResult::plan, "The plan, if and only if solved.")
       .read_only("limit", &PlanResult::limit, "The limit that ended the search, or None.")
+      .read_only("warnings", &PlanResult::warnings, "What to know of the plan, sentences.")
       .read_only("statistics", &PlanResult::statistics, "What it took.")
       .done()
-      .def_readonly("warnings", &PlanResult::warnings, "Sentences.")
       .def_readonly("best_partial", &PlanResult::best_partial,
                     "Where there is no plan, the motion that came nearest; never a solution.")
       .def_readonly("certificate", &PlanResult::certificate, "Of the plan.")

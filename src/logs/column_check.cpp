@@ -79,7 +79,10 @@ std::string refusal(const std::string& log, const ColumnFit& fit, const ImportMa
   return fmt::format(
       "{}: {}. What would fit: '{}'. Correlations of levels then: {}. Change the mapping{}", log,
       what, fitting_mapping(fit, mapping.commands), correlations_text(fit),
-      all_turned && turned ? "; or the plane is seen from the other side: turn y (or 'up')" : "");
+      all_turned && turned
+          ? "; or the plane is seen from the other side: turn y (or 'up'); or the arm gets longer "
+            "under pressure, and bends away from it: the right is the side that it bends to"
+          : "");
 }
 
 std::string why(const FittedColumn& segment) {

@@ -133,6 +133,10 @@ std::string one_line(const RunReport& run) {
   if (run.clock) {
     text += fmt::format(", clock {:+.4f} s", run.clock->offset_s);
   }
+  if (run.base.x_m != 0.0 || run.base.y_m != 0.0 || run.base.theta_rad != 0.0) {
+    text += fmt::format(", base at ({:.4f}, {:.4f}) m, {:.4f} rad of the log", run.base.x_m,
+                        run.base.y_m, run.base.theta_rad);
+  }
   return text;
 }
 

@@ -204,6 +204,12 @@ fs::path first_of(const std::vector<fs::path>& logs) {
   return logs.empty() ? fs::path() : logs.front();
 }
 
+void require_logs(const std::vector<fs::path>& logs) {
+  if (logs.empty()) {
+    throw InputError("no logs; expected at least one. Did the pattern that lists them match any?");
+  }
+}
+
 /// With default columns as the first log of commands counts them; the others are like it.
 ImportOptions as_counted(const fs::path& log, ImportOptions options, const ArmDescription& arm) {
   CommandColumns& commands = options.mapping.commands;
@@ -218,6 +224,7 @@ ImportOptions as_counted(const fs::path& log, ImportOptions options, const ArmDe
 
 ImportResult import_csv(const std::vector<fs::path>& logs, const ImportOptions& asked,
                         const ArmDescription& arm) {
+  require_logs(logs);
   const ImportOptions options = as_counted(first_of(logs), asked, arm);
   return import_logs(logs, options, arm, "csv", [&](const fs::path& log, std::size_t i) {
     const bool inside = options.command_logs.empty();
@@ -238,6 +245,7 @@ ImportResult import_csv(const std::vector<fs::path>& logs, const ImportOptions& 
 
 ImportResult import_motive(const std::vector<fs::path>& logs, const ImportOptions& asked,
                            const ArmDescription& arm) {
+  require_logs(logs);
   if (asked.command_logs.empty()) {
     throw InputError(fmt::format(
         "{}: Motive's files hold no {}s; give the log of them with --pressures, one for each",

@@ -56,14 +56,18 @@ void want_commands(const CommandColumns& commands, WantedColumns& wanted) {
 }
 
 /// A pressure on both sides at once has no signed number.
-void require_one_side(const LogTable& table, std::size_t row, double right, double left,
-                      double limit) {
+void require_one_side(const LogTable& table, std::size_t row, const ArmDescription& arm,
+                      Eigen::Index segment, double right, double left) {
   constexpr double kBothSides = 0.1;  // of the limit; gauges at rest read a little
+  const double limit =
+      arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
   if (std::min(right, left) > kBothSides * limit) {
-    throw InputError(
-        fmt::format("{}: line {}: {} on the right and {} on the left of one segment; limber's arms "
-                    "pressurise one side at a time",
-                    table.file, table.lines[row], right, left));
+    throw InputError(fmt::format(
+        "{}: line {}: {} has {:.4g} {unit} on its right and {:.4g} {unit} on its left; limber's "
+        "arms pressurise one side at a time, and at most {:.4g} {unit} (10 % of the limit) may be "
+        "left on the other. Is the unit right? If your valves overlap, log one signed column",
+        table.file, table.lines[row], segment_name(segment), right, left, kBothSides * limit,
+        fmt::arg("unit", arm.command.unit)));
   }
 }
 
@@ -83,8 +87,7 @@ CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGrou
       if (commands.columns.empty()) {
         const double left =
             commands.factor * table.columns[first + std::size_t(n) + std::size_t(i)][row];
-        require_one_side(table, row, value, left,
-                         arm.segments[std::size_t(i)].pressure_limit_kpa.largest_kpa());
+        require_one_side(table, row, arm, i, value, left);
         value -= left;
       }
       track.values(r, i) = value;

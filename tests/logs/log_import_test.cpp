@@ -229,7 +229,7 @@ TEST_F(CsvImport, ReadsOneColumnASide) {
   EXPECT_NEAR(import(text, map).recording.episodes.front().pressure_kpa(30, 2),
               truth_.pressures(1.5)[2], 1e-3);
   expect_refusal(replaced(text, "0.000000,0.000000,", "0.000000,80.0,70.0,"), map,
-                 {"line", "one side at a time"});
+                 {"line", "segment ", "one side at a time", "10 % of the limit"});
 }
 
 TEST_F(CsvImport, ReadsHeaderlessSemicolonTablesWithDecimalCommasAndFrameNumbers) {

@@ -86,6 +86,15 @@ class SameAsProgram(InFolder):
                             self.assertAlmostEqual(value, other, delta=1e-5 * max(1.0, abs(value)))
         self.assertEqual({key: theirs[key] for key in own}, own)
 
+    def test_what_is_not_there_is_refused_in_words(self):
+        with self.assertRaisesRegex(limber.InputError, "no logs; expected at least one"):
+            limber.import_csv([], self.chain.arm)
+        with self.assertRaisesRegex(limber.InputError, "no logs; expected at least one"):
+            limber.import_motive([], self.chain.arm)
+        with self.assertRaisesRegex(limber.InputError, "there is no plan"):
+            limber.certify(None, self.chain.arm, self.network, limber.ValveParameters(),
+                           self.chain.environment)
+
     def problem(self):
         room = limber.error_room(self.forward)
         return limber.PlanningProblem(
