@@ -74,9 +74,9 @@ void bind_certificate(py::module_& module) {
       },
       py::arg("plan"), py::arg("arm"), py::arg("network"), py::arg("valves"),
       py::arg("environment"),
-      "One plan, by a Certifier of its own: simulated, checked for collision and judged again, with "
-      "nothing of the planner's. It says whether the plan is as the model has it, not whether the "
-      "model is right. None is refused.");
+      "One plan, by a Certifier of its own: simulated, checked for collision and judged again, "
+      "with nothing of the planner's. It says whether the plan is as the model has it, not whether "
+      "the model is right. None is refused.");
 }
 
 }  // namespace limber::python
