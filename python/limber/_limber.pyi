@@ -1040,11 +1040,11 @@ class PlanResult:
     def limit(self) -> PlanLimit | None:
         """The limit that ended the search, or None."""
     @property
+    def warnings(self) -> list[str]:
+        """What to know of the plan, sentences."""
+    @property
     def statistics(self) -> PlannerStatistics:
         """What it took."""
-    @property
-    def warnings(self) -> list[str]:
-        """Sentences."""
     @property
     def best_partial(self) -> Plan | None:
         """Where there is no plan, the motion that came nearest; never a solution."""
@@ -2059,7 +2059,7 @@ def best_preset() -> TrainingSettings:
     """The default."""
 
 def certify(plan: Plan, arm: ArmDescription, network: CompensationModel | None, valves: ValveParameters, environment: Environment) -> Certificate:
-    """One plan, by a Certifier of its own."""
+    """One plan, by a Certifier of its own: simulated, checked for collision and judged again, with nothing of the planner's. It says whether the plan is as the model has it, not whether the model is right. None is refused."""
 
 def characterise(arm: ArmDescription, bench: Sequence[list[BenchPoint]]) -> CharacterisedArm:
     """Fits a monotone quartic to every segment's bench points."""

@@ -17,11 +17,11 @@ namespace limber {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kMinTurnRad = 0.005;            // of the largest turn, to see an axis at all
+constexpr double kMinAxisTurnRad = 0.005;        // of the largest turn, to see an axis at all
 constexpr double kNotAtAllDegrees = 90.0;        // what an axis that is not known is known to
 constexpr double kMaxAxisIntervalDegrees = 1.0;  // to which the axis has to be known
 constexpr double kMaxRestOffDegrees = 30.0;      // of the straight arm, whose bodies may be uneven
-constexpr double kNoiseFactor = 4.0;             // standard deviations that are put down to noise
+constexpr double kAxisNoiseFactor = 4.0;         // standard deviations that are put down to noise
 constexpr const char* kIsItAQuaternion =
     "The arm has to bend in one plane. Is each quaternion [qx, qy, qz, qw], from the body's own "
     "axes to the tracker's?";
@@ -111,12 +111,12 @@ class MotionPlaneFit {
     }
     const double interval =
         axis.length() > 0.0 ? 2.0 * kDegrees * turn_noise_rad_ / axis.length() : kNotAtAllDegrees;
-    if (largest_rad < kMinTurnRad || interval > kMaxAxisIntervalDegrees) {
+    if (largest_rad < kMinAxisTurnRad || interval > kMaxAxisIntervalDegrees) {
       throw CalibrationRefused(fmt::format(
           "marker bodies turned by at most {:.4f} rad, with noise of {:.4f} rad: the axis about "
           "which the arm bends is known to {:.1f}° only; expected {:g} rad or more, and {:g}° or "
           "less. Check supply, hoses and valves",
-          largest_rad, turn_noise_rad_, std::min(interval, kNotAtAllDegrees), kMinTurnRad,
+          largest_rad, turn_noise_rad_, std::min(interval, kNotAtAllDegrees), kMinAxisTurnRad,
           kMaxAxisIntervalDegrees));
     }
     Eigen::Vector3d normal = axis.direction();
@@ -127,8 +127,8 @@ class MotionPlaneFit {
 
   /// By how many degrees `own` is off `normal`, less what noise may do; 0 where noise hides it.
   double degrees_off(const CommonDirection& own, const Eigen::Vector3d& normal) const {
-    const double noise = kNoiseFactor * kDegrees * turn_noise_rad_ / own.length();
-    if (own.length() < kMinTurnRad || noise > kMaxAxisOffDegrees) {
+    const double noise = kAxisNoiseFactor * kDegrees * turn_noise_rad_ / own.length();
+    if (own.length() < kMinAxisTurnRad || noise > kMaxAxisOffDegrees) {
       return 0.0;
     }
     return degrees_between(own.direction(), normal) - noise;
@@ -172,7 +172,7 @@ class MotionPlaneFit {
         way.add(motion.moved);
       }
     }
-    const double noise = kNoiseFactor * kDegrees * moved_noise_ / way.length();
+    const double noise = kAxisNoiseFactor * kDegrees * moved_noise_ / way.length();
     if (!(noise <= kMaxAxisOffDegrees)) {
       return;  // what moves too little is refused by name later
     }
@@ -193,7 +193,7 @@ class MotionPlaneFit {
             metres_per_unit_ * ((seen->position - rest_.position) * normal).cwiseAbs();
         Eigen::Index body = 0;
         const double height_m = heights_m.maxCoeff(&body);
-        const double noise_m = kNoiseFactor * metres_per_unit_ * moved_noise_;
+        const double noise_m = kAxisNoiseFactor * metres_per_unit_ * moved_noise_;
         if (height_m > kMaxOutOfPlaneM + noise_m) {
           throw CalibrationRefused(fmt::format(
               "marker body {} left the plane of the others by {:.1f} mm with {}; expected at most "
