@@ -53,6 +53,15 @@ void set_shape(const ArmDescription& arm, double gain, double length_ratio, Segm
   segment.length_m = seven_digits(length_ratio * segment.length_m);
 }
 
+/// The fitted one, over all pressures; at rest alone where that is another: an arm that gets longer
+/// under pressure has no place in the no-load model, which is to be right where plans start.
+double written_length_ratio(const SimpleFit& fit, std::size_t segment) {
+  constexpr double kAnother = 0.02;
+  const double fitted = fit.model.segments[segment].length_ratio;
+  const std::optional<double>& at_rest = fit.segments[segment].rest_length_ratio;
+  return at_rest && std::abs(*at_rest - fitted) > kAnother * fitted ? *at_rest : fitted;
+}
+
 }  // namespace
 
 ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit) {
@@ -71,10 +80,7 @@ ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit
           "{}: its {} hardly changes in these recordings, so nothing is known of its curvature",
           segment_name(static_cast<Eigen::Index>(i)), arm.command.name));
     }
-    // An arm that gets longer under pressure has no place in the no-load model, its length at rest
-    // has.
-    set_shape(arm, model.gain, fit.segments[i].rest_length_ratio.value_or(model.length_ratio),
-              fitted.segments[i]);
+    set_shape(arm, model.gain, written_length_ratio(fit, i), fitted.segments[i]);
     const std::string fault = arm.no_load == NoLoadKind::strain_polynomial
                                   ? why_unusable(fitted.segments[i].strain_polynomial,
                                                  arm.segments[i].pressure_limit_kpa.largest_kpa())

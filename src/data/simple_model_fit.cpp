@@ -23,7 +23,8 @@ constexpr int kBlocksOfOne = 10;
 constexpr int kMaxBlocks = 50;
 constexpr double kTwoSided95 = 1.96;
 constexpr double kTiny_rad = 1e-9;
-constexpr double kAtRest = 0.03;  // of the limit: a command that is about zero
+constexpr double kAtRest = 0.03;  // of the limit: a command that is about zero …
+constexpr double kRest_s = 0.5;   // … for so long
 constexpr std::size_t kMinFramesAtRest = 20;
 
 /// A frame that is fitted to, and the piece that the jackknife leaves out with it.
@@ -263,14 +264,23 @@ class SimpleFitter {
     return ratios;
   }
 
+  /// Whether a segment's command has been about zero for a while.
+  bool is_at_rest(const FrameOf& at, int i) const {
+    const Episode& episode = episodes_[static_cast<std::size_t>(at.episode)];
+    const Segment& segment = arm_.segments[static_cast<std::size_t>(i)];
+    const double about_zero = kAtRest * segment.pressure_limit_kpa.half_width_kpa();
+    const int first = at.frame - arm_.frames_in(kRest_s);
+    return first >= 0 &&
+           episode.pressure_kpa.col(i).segment(first, at.frame - first + 1).cwiseAbs().maxCoeff() <=
+               static_cast<float>(about_zero);
+  }
+
   /// Measured lengths at rest over the arm file's.
   std::optional<double> rest_length_ratio(int i) const {
     const Segment& segment = arm_.segments[static_cast<std::size_t>(i)];
     std::vector<double> ratios;
     for (std::size_t r = 0; r < frames_.size(); ++r) {
-      const Episode& episode = episodes_[static_cast<std::size_t>(frames_[r].episode)];
-      if (std::abs(double(episode.pressure_kpa(frames_[r].frame, i))) <=
-          kAtRest * segment.pressure_limit_kpa.half_width_kpa()) {
+      if (is_at_rest(frames_[r], i)) {
         ratios.push_back(seen_.length_m(static_cast<Eigen::Index>(r), i) / segment.length_m);
       }
     }

@@ -153,6 +153,28 @@ TEST(WithSimpleModel, AnArmOfTheFitNeedsNoFurtherFit) {
   }
 }
 
+// An arm that gets longer under pressure: what the arm file calls its length is that at rest.
+TEST(WithSimpleModel, ASegmentIsAsLongAsItIsAtRest) {
+  const ArmDescription arm = sample_arm(2);
+  std::vector<Episode> episodes = episodes_of({{{1.0, 0.0, 1.06}, {1.0, 0.0, 1.06}}, 0.0}, arm, 6);
+  for (const Episode& rest : episodes_of({{{1.0, 0.0, 1.0}, {1.0, 0.0, 1.0}}, 0.0}, arm, 1)) {
+    Episode vented = rest;
+    vented.pressure_kpa.setZero();
+    vented.setpoint_kpa.setZero();
+    const FrameMatrix straight =
+        predict(SimpleModel{{SimpleSegment{}, SimpleSegment{}}, 0.0}, arm, vented);
+    vented.backbone = straight;
+    episodes.push_back(vented);
+  }
+  const SimpleFit fit = fit_simple_model(arm, episodes);
+  EXPECT_NEAR(fit.model.segments[0].length_ratio, 1.06, 0.01);
+  const ArmDescription fitted = with_simple_model(arm, fit);
+  for (std::size_t i = 0; i < arm.segments.size(); ++i) {
+    EXPECT_NEAR(fitted.segments[i].length_m, arm.segments[i].length_m,
+                0.002 * arm.segments[i].length_m);
+  }
+}
+
 TEST(WithSimpleModel, GivesAStraightArmCurvatures) {
   ArmDescription arm = sample_arm(2);
   arm.no_load = NoLoadKind::straight;

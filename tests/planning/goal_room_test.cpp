@@ -49,13 +49,13 @@ TEST_F(GoalRoom, WhereTheMarginDoesNotFitMostOfTheGoalIsUsed) {
   EXPECT_NEAR(inside({5.0, 0.0}).position_tolerance_m, 0.8 * 0.02 - kReserveM, 1e-12);
 }
 
-TEST_F(GoalRoom, AnErrorToKeepRoomForMakesTheInnerQuarterTheAim) {
+TEST_F(GoalRoom, AnErrorToKeepRoomForMakesTheInnerTenthTheAim) {
   EXPECT_FALSE(aim_of(problem_));
   problem_.goal_margin = {0.001, 0.0};
   const std::optional<PoseError> aim = aim_of(problem_);
   ASSERT_TRUE(aim);
-  EXPECT_NEAR(aim->position_m, 0.005, 1e-12);
-  EXPECT_NEAR(aim->orientation_rad, 0.075, 1e-12);
+  EXPECT_NEAR(aim->position_m, 0.002, 1e-12);
+  EXPECT_NEAR(aim->orientation_rad, 0.03, 1e-12);
 }
 
 TEST_F(GoalRoom, TellsWhetherThereIsRoomAndWarnsWhereNot) {

@@ -57,10 +57,10 @@ struct SimpleFit {
 /// @throws InputError where no frame was tracked.
 SimpleFit fit_simple_model(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
-/// The arm with the fit's gains and lengths in place of its own: lengths as they are without a
-/// command, where the recordings show it, strain polynomials times gain over length ratio, or
-/// curvatures per unit; where its no-load model was straight, it is `curvature`
-/// now. Seven significant digits. Offsets and the lag have no place in an arm file.
+/// The arm with the fit's gains and lengths in place of its own: strain polynomials times gain over
+/// length ratio, or curvatures per unit; where its no-load model was straight, it is `curvature`
+/// now. A length without a command that is over 2 % off the fitted one takes its place. Seven
+/// significant digits. Offsets and the lag have no place in an arm file.
 /// @throws InputError where a segment bends to the other side than the arm file says, or a
 /// polynomial would reach a strain of 1.
 ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit);
