@@ -44,11 +44,11 @@ void bind_novel_frames(py::module_& module) {
   py::class_<NovelFrames> novel(module, "NovelFrames",
                                 "Tracked frames, and how many of them lie beyond what a model "
                                 "learnt from, by whether their pressures do.");
-  py::class_<NovelFrames::Count>(novel, "Count", "Of frames.")
+  py::class_<NovelFrames::Count>(module, "NovelFramesCount", "Of the frames of NovelFrames.")
       .def_readonly("frames", &NovelFrames::Count::frames, "All.")
       .def_readonly("novel", &NovelFrames::Count::novel, "Beyond what the model learnt from.")
       .def("__repr__", [](const NovelFrames::Count& count) {
-        return fmt::format("Count(frames={}, novel={})", count.frames, count.novel);
+        return fmt::format("NovelFramesCount(frames={}, novel={})", count.frames, count.novel);
       });
   novel
       .def_readonly("pressures_within", &NovelFrames::pressures_within,

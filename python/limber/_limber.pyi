@@ -887,11 +887,20 @@ class NoLoadModel:
 class NovelFrames:
     """Tracked frames, and how many of them lie beyond what a model learnt from, by whether their pressures do."""
     @property
-    def pressures_within(self) -> NovelFrames.Count:
+    def pressures_within(self) -> NovelFramesCount:
         """Pressures within the recorded ranges."""
     @property
-    def pressures_beyond(self) -> NovelFrames.Count:
+    def pressures_beyond(self) -> NovelFramesCount:
         """Pressures beyond them."""
+
+class NovelFramesCount:
+    """Of the frames of NovelFrames."""
+    @property
+    def frames(self) -> int:
+        """All."""
+    @property
+    def novel(self) -> int:
+        """Beyond what the model learnt from."""
 
 class Optimiser:
     """How weights are changed."""
