@@ -74,17 +74,18 @@ class CollectVerb final : public Verb {
     }
     const CollectionResult result =
         collect(arm, settings, virtual_arm_factory(arm, options_), out_);
-    return finish(flags, arm, result);
+    return finish(flags, arm, result, nullptr);
   }
 
  private:
-  int finish(const CommonFlags& flags, const ArmDescription& arm,
-             const CollectionResult& result) const {
+  /// @param driver  that moved the arm; null: the virtual one
+  int finish(const CommonFlags& flags, const ArmDescription& arm, const CollectionResult& result,
+             const ProcessDriver* driver) const {
     if (result.foreign_files > 0) {
       say(flags, "{}.parts: {} files were not written by collect and stay", out_,
           result.foreign_files);
     }
-    report(flags, arm, result);
+    report(flags, arm, result, driver);
     return kExitDone;
   }
 
@@ -116,12 +117,12 @@ class CollectVerb final : public Verb {
     settings.jobs = 1;
     settings.partial = std::filesystem::path(out_).replace_extension(".partial.h5");
     const CollectionResult result = collect(arm, settings, on_one_driver(*driver), out_);
-    const int code = finish(flags, arm, result);
+    const int code = finish(flags, arm, result, driver.get());
     return driver->last_vent().confirmed ? code : kExitFault;
   }
 
-  void report(const CommonFlags& flags, const ArmDescription& arm,
-              const CollectionResult& result) const {
+  void report(const CommonFlags& flags, const ArmDescription& arm, const CollectionResult& result,
+              const ProcessDriver* driver) const {
     const Recording& recording = result.recording;
     const IdentifiedValves valves =
         identify_valves(recording.episodes, arm, std::filesystem::path(out_).filename().string());
@@ -142,6 +143,9 @@ class CollectVerb final : public Verb {
     json["arm_time_s"] = recording.duration_s();
     json["wall_time_s"] = result.wall_time_s;
     json["valves"] = to_json(valves);
+    if (driver != nullptr) {
+      json["driver"] = to_json(*driver);
+    }
     print_result(flags, json,
                  fmt::format("{}: {} motions in {} episodes, {} frames ({} of arm time), seed {}, "
                              "recorded in {:.1f} s\n{}",

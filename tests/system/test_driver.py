@@ -66,7 +66,10 @@ class Collecting(Driver):
         self.run_limber("inspect", "run.h5", *ARM)
 
     def test_limits_are_scaled(self):
-        self.collect(served("--fast"), "--limit-scale", 0.3)
+        run = json.loads(self.collect(served("--fast"), "--limit-scale", 0.3, "--json").stdout)
+        self.assertGreater(run["frames"], 10)
+        self.assertTrue(run["driver"]["vent"]["confirmed"])
+        self.assertEqual(set(run["driver"]["late_ms"]), {"p50", "p999", "max"})
         with h5py.File(self.folder / "run.h5") as file:
             largest = max(abs(e["setpoint_kpa"][()]).max() for e in file["episodes"].values())
         self.assertLessEqual(largest, 30.0)
