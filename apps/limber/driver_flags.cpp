@@ -21,11 +21,12 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kExec = "exec:";
 constexpr std::string_view kModel = "model:";
 
-/// Beside the recording; a log of an earlier run stays, however that run ended.
-std::string free_log_name(const std::string& recording) {
-  std::string name = recording + ".driver.jsonl";
+/// stem + suffix; numbered, with the separator before the number, where an earlier run's file has
+/// that name.
+std::string free_name(const std::string& stem, std::string_view separator, std::string_view suffix) {
+  std::string name = fmt::format("{}{}", stem, suffix);
   for (int run = 1; std::filesystem::exists(name); ++run) {
-    name = fmt::format("{}.driver.{}.jsonl", recording, run);
+    name = fmt::format("{}{}{}{}", stem, separator, run, suffix);
   }
   return name;
 }
@@ -84,10 +85,7 @@ std::string DriverFlags::recording_or_default(const std::string& out,
     return out;
   }
   const std::string stem = fmt::format("run_{:%Y%m%d_%H%M%S}", fmt::gmtime(std::time(nullptr)));
-  std::string name = stem + ".h5";
-  for (int run = 1; std::filesystem::exists(name); ++run) {  // more than one in a second
-    name = fmt::format("{}_{}.h5", stem, run);
-  }
+  const std::string name = free_name(stem, "_", ".h5");  // there may be more than one in a second
   say(flags, "{}: every run on an arm is recorded; --out names the file", name);
   return name;
 }
@@ -103,7 +101,7 @@ std::unique_ptr<ProcessDriver> DriverFlags::start(const ArmDescription& arm,
   settings.safety = load_safety(arm_file);
   settings.calibration = calibration_.read(arm);
   if (log_.empty()) {
-    settings.log = free_log_name(out);
+    settings.log = free_name(out + ".driver", ".", ".jsonl");
   } else {
     refuse_to_overwrite(log_, flags.force);
     settings.log = log_;

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <filesystem>
 
 #include "cost_threshold_flag.hpp"
@@ -76,7 +75,9 @@ class ExperimentVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     settings_.arm = load_asked_arm(arm_);
-    settings_.environments = load_environments();
+    settings_.environments = environments_in(
+        environments_.empty() ? data_folder() / "environments" : fs::path(environments_),
+        settings_.arm);
     if (!settings_.limits.time_s && !settings_.limits.iterations && !settings_.limits.queries) {
       settings_.limits.time_s = kDefaultTimeLimitS;
     }
@@ -125,29 +126,6 @@ class ExperimentVerb final : public Verb {
     std::optional<Forest> forest = forest_.forest(settings_.arm, network, model_file, start, flags);
     throw_if_interrupted();
     return forest;
-  }
-
-  std::vector<EnvironmentCase> load_environments() const {
-    const fs::path folder =
-        environments_.empty() ? data_folder() / "environments" : fs::path(environments_);
-    if (!fs::is_directory(folder)) {
-      throw InputError(fmt::format("--environments {}: no folder", folder.string()));
-    }
-    std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == ".yaml") {
-        files.push_back(entry.path());
-      }
-    }
-    std::sort(files.begin(), files.end());
-    if (files.empty()) {
-      throw InputError(fmt::format("--environments {}: no *.yaml in it", folder.string()));
-    }
-    std::vector<EnvironmentCase> cases;
-    for (const fs::path& file : files) {
-      cases.push_back({file.stem().string(), load_environment(file, settings_.arm)});
-    }
-    return cases;
   }
 
   std::string arm_ = "three_segment";

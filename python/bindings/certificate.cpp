@@ -16,7 +16,7 @@ Certificate certified(const Certifier& certifier, const Plan& plan) {
   return caller.run([&] { return certifier.certify(plan, [&] { return caller.should_stop(); }); });
 }
 
-void bind_findings(py::module_& module) {
+void bind_certificate_findings(py::module_& module) {
   Record<CertificateFailure>(module, "CertificateFailure", "One thing that is wrong with a plan.")
       .read_only("check", &CertificateFailure::check, "\"limits\", \"collision\", \"goal\", ...")
       .read_only("frame", &CertificateFailure::frame, "The first that fails; -1: none to blame.")
@@ -45,7 +45,7 @@ void bind_findings(py::module_& module) {
 }  // namespace
 
 void bind_certificate(py::module_& module) {
-  bind_findings(module);
+  bind_certificate_findings(module);
   py::class_<Certifier>(module, "Certifier",
                         "Certifies plans for one problem with nothing "
                         "of the planner's. Constant: share it freely.")

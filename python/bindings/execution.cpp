@@ -83,7 +83,7 @@ std::optional<std::string> picture_of(const py::object& self) {
   return execution_picture(arm, environment, plan, result);
 }
 
-void bind_findings(py::module_& module) {
+void bind_execution_findings(py::module_& module) {
   py::enum_<ExecutionStatus>(module, "ExecutionStatus", "How an execution ended.")
       .value("done", ExecutionStatus::done, "every frame was commanded")
       .value("fault", ExecutionStatus::fault, "the arm failed")
@@ -128,7 +128,7 @@ void bind_replanner(py::module_& module) {
 }  // namespace
 
 void bind_execution(py::module_& module) {
-  bind_findings(module);
+  bind_execution_findings(module);
   bind_replanner(module);
   Record<ExecutionResult>(module, "ExecutionResult", "What came of executing a plan.",
                           py::dynamic_attr())

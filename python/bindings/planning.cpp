@@ -178,7 +178,7 @@ void bind_progress(py::module_& module) {
       .done();
 }
 
-void bind_result(py::module_& module) {
+void bind_plan_result(py::module_& module) {
   bind_progress(module);
   Record<PlanResult>(module, "PlanResult", "What came of planning.")
       .read_only("status", &PlanResult::status, "PlanStatus.")
@@ -214,7 +214,7 @@ void bind_planning(py::module_& module) {
   bind_limits(module);
   bind_problem(module);
   bind_problem_with_room(module);
-  bind_result(module);
+  bind_plan_result(module);
   py::class_<OnePlanner>(module, "Planner", "A planner in pressure space: one caller at a time.")
       .def_property_readonly("name", &OnePlanner::name, "As make_planner knows it.")
       .def("plan", &OnePlanner::plan, py::arg("problem"), py::arg("limits"), py::arg("seed"),

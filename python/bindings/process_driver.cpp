@@ -13,7 +13,7 @@ namespace limber::python {
 
 namespace {
 
-using Use = SharedProcessDriver::Use;
+using DriverUse = SharedProcessDriver::Use;
 using Path = std::filesystem::path;
 
 constexpr std::string_view kExec = "exec:";
@@ -75,13 +75,13 @@ std::unique_ptr<SharedProcessDriver> start(const ArmDescription& arm, const std:
 ArmState command(SharedProcessDriver& shared, const FloatArray& setpoint_kpa) {
   require_shape(setpoint_kpa, {setpoint_kpa.size()}, "setpoint_kpa");
   require_finite(setpoint_kpa, "setpoint_kpa");
-  const Use driver(shared);
+  const DriverUse driver(shared);
   const py::gil_scoped_release others_may_run;
   return driver->command(pressures_map(setpoint_kpa));
 }
 
 py::array_t<float> limits_of(SharedProcessDriver& shared) {
-  const Use driver(shared);
+  const DriverUse driver(shared);
   const std::vector<PressureLimits>& limits = driver->limits_kpa();
   py::array_t<float> rows({limits.size(), std::size_t{2}});
   for (std::size_t s = 0; s < limits.size(); ++s) {
@@ -95,7 +95,7 @@ std::string repr_of(SharedProcessDriver& shared) {
   if (!shared.is_open()) {
     return "ProcessDriver(closed)";
   }
-  const Use driver(shared);
+  const DriverUse driver(shared);
   return fmt::format("ProcessDriver(driver='{}', device='{}', is_real_time={})",
                      driver->hello().driver, driver->hello().device,
                      driver->is_real_time() ? "True" : "False");
@@ -162,7 +162,7 @@ void bind_process_driver(py::module_& module) {
            "where motions jump and the valves ramp by themselves; log: file of what both sides "
            "said; on_message(text): told what came of each vent, else standard error is.")
       .def(
-          "state", [](SharedProcessDriver& shared) { return Use(shared)->state(); },
+          "state", [](SharedProcessDriver& shared) { return DriverUse(shared)->state(); },
           "The latest state.")
       .def("command", &command, py::arg("setpoint_kpa"),
            "One frame at set points (n,) [kPa]; the state after it. Who commands by hand vents by "
@@ -170,7 +170,7 @@ void bind_process_driver(py::module_& module) {
       .def(
           "vent",
           [](SharedProcessDriver& shared) {
-            const Use driver(shared);
+            const DriverUse driver(shared);
             const py::gil_scoped_release others_may_run;
             driver->vent();
           },
@@ -178,7 +178,7 @@ void bind_process_driver(py::module_& module) {
       .def(
           "look",
           [](SharedProcessDriver& shared) -> ArmState {
-            const Use driver(shared);
+            const DriverUse driver(shared);
             const py::gil_scoped_release others_may_run;
             return driver->look();
           },
@@ -187,7 +187,7 @@ void bind_process_driver(py::module_& module) {
           "close",
           [](SharedProcessDriver& shared) {
             if (shared.is_open()) {
-              const Use driver(shared);
+              const DriverUse driver(shared);
               shared.close();
             }
           },
@@ -197,11 +197,12 @@ void bind_process_driver(py::module_& module) {
       .def_property_readonly("limits_kpa", &limits_of,
                              "In force, lower and upper, float32 (n, 2) [kPa].")
       .def_property_readonly(
-          "is_real_time", [](SharedProcessDriver& shared) { return Use(shared)->is_real_time(); },
+          "is_real_time",
+          [](SharedProcessDriver& shared) { return DriverUse(shared)->is_real_time(); },
           "Whether a frame takes its time.")
       .def_property_readonly(
           "vent_confirmed",
-          [](SharedProcessDriver& shared) { return Use(shared)->last_vent().confirmed; },
+          [](SharedProcessDriver& shared) { return DriverUse(shared)->last_vent().confirmed; },
           "Whether every measured pressure came down at the last vent.")
       .def("__repr__", &repr_of);
 }

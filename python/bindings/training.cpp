@@ -172,7 +172,7 @@ void bind_data(py::module_& module) {
              "Then moves about `fraction` of the frames to data.unseen.");
 }
 
-void bind_result(py::module_& module) {
+void bind_training_result(py::module_& module) {
   Record<LearningCurvePoint>(module, "LearningCurvePoint", "One row of the learning curve.")
       .read_only("epoch", &LearningCurvePoint::epoch, "From 1.")
       .read_only("window_frames", &LearningCurvePoint::window_frames, "Of its stage.")
@@ -291,7 +291,7 @@ void bind_training(py::module_& module) {
   bind_choices(module);
   bind_settings(module);
   bind_data(module);
-  bind_result(module);
+  bind_training_result(module);
   bind_stage_choice(module);
   bind_runs(module);
 }

@@ -10,7 +10,7 @@ namespace limber::python {
 
 namespace {
 
-using Use = SharedVirtualArm::Use;
+using ArmUse = SharedVirtualArm::Use;
 
 void bind_state(py::module_& module) {
   py::class_<ArmState>(module, "ArmState", "What is known of the arm at one frame.")
@@ -46,7 +46,7 @@ void bind_state(py::module_& module) {
 /// One call of the arm, without Python's lock.
 template <class Function>
 auto moved(SharedVirtualArm& arm, const Function& function) {
-  const Use use(arm);
+  const ArmUse use(arm);
   const py::gil_scoped_release others_may_run;
   return function(*use);
 }
@@ -72,7 +72,7 @@ void bind_virtual_arm(py::module_& module) {
            py::arg("options") = VirtualArmOptions{}, py::call_guard<py::gil_scoped_release>(),
            "At rest: straight, vented, at time 0.")
       .def(
-          "state", [](SharedVirtualArm& arm) { return Use(arm)->state(); }, "The latest state.")
+          "state", [](SharedVirtualArm& arm) { return ArmUse(arm)->state(); }, "The latest state.")
       .def(
           "command",
           [](SharedVirtualArm& arm, const FloatArray& setpoint_kpa) {
@@ -82,7 +82,7 @@ void bind_virtual_arm(py::module_& module) {
           },
           py::arg("setpoint_kpa"), "One frame at set points (n,) [kPa]; the state after it.")
       .def(
-          "vent", [](SharedVirtualArm& arm) { Use(arm)->vent(); }, "Opens every vent valve.")
+          "vent", [](SharedVirtualArm& arm) { ArmUse(arm)->vent(); }, "Opens every vent valve.")
       .def(
           "settle",
           [](SharedVirtualArm& arm, const FloatArray& setpoint_kpa, double seconds) {
@@ -95,15 +95,17 @@ void bind_virtual_arm(py::module_& module) {
           "The same set points (n,) [kPa] for so long [s]; the state after it.")
       .def(
           "true_backbone",
-          [](SharedVirtualArm& arm) { return backbone_array<double>(Use(arm)->true_backbone()); },
+          [](SharedVirtualArm& arm) {
+            return backbone_array<double>(ArmUse(arm)->true_backbone());
+          },
           "float64 (m, 3), without noise, drops or latency.")
       .def(
           "true_pressure_kpa",
-          [](SharedVirtualArm& arm) { return vector_array(Use(arm)->true_pressure_kpa()); },
+          [](SharedVirtualArm& arm) { return vector_array(ArmUse(arm)->true_pressure_kpa()); },
           "float64 (n,) [kPa], without noise or latency.")
       .def("__repr__", [](SharedVirtualArm& arm) {
-        return "VirtualArm(time_s=" + std::string(py::repr(py::float_(Use(arm)->state().time_s))) +
-               ")";
+        return "VirtualArm(time_s=" +
+               std::string(py::repr(py::float_(ArmUse(arm)->state().time_s))) + ")";
       });
 }
 

@@ -10,6 +10,7 @@
 #include "kernels/job_arena.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
+#include "optional_json.hpp"
 
 namespace limber {
 
@@ -145,9 +146,6 @@ ReportTable arrivals_table(const std::vector<Arrivals>& rows) {
 nlohmann::ordered_json arrivals_to_json(const std::vector<Arrivals>& rows) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Arrivals& row : rows) {
-    const auto or_null = [](const std::optional<double>& value) {
-      return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-    };
     json.push_back({{"environments", row.environments},
                     {"first_plan", row.planning_time_s == kFirstPlan},
                     {"time_limit_s", *limits_of(row.planning_time_s).time_s},
@@ -155,8 +153,8 @@ nlohmann::ordered_json arrivals_to_json(const std::vector<Arrivals>& rows) {
                     {"solved", row.solved},
                     {"arrived", row.arrived},
                     {"collided", row.collided},
-                    {"mean_distance_to_goal_cm", or_null(row.distance_cm.mean)},
-                    {"standard_error_cm", or_null(row.distance_cm.standard_error)}});
+                    {"mean_distance_to_goal_cm", optional_json(row.distance_cm.mean)},
+                    {"standard_error_cm", optional_json(row.distance_cm.standard_error)}});
   }
   return json;
 }

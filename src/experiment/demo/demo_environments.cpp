@@ -1,8 +1,5 @@
 #include "demo_environments.hpp"
 
-#include <algorithm>
-#include <filesystem>
-
 #include <fmt/format.h>
 
 #include "limber/common/data_folder.hpp"
@@ -20,18 +17,8 @@ constexpr const char* kPaperArm = "three_segment";
 }  // namespace
 
 std::vector<EnvironmentCase> own_environments(const ArmDescription& arm) {
-  std::vector<EnvironmentCase> cases;
-  if (arm.name != kPaperArm) {
-    return cases;
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(data_folder() / "environments")) {
-    if (entry.path().extension() == ".yaml") {
-      cases.push_back({entry.path().stem().string(), load_environment(entry.path(), arm)});
-    }
-  }
-  std::sort(cases.begin(), cases.end(),
-            [](const EnvironmentCase& a, const EnvironmentCase& b) { return a.id < b.id; });
-  return cases;
+  return arm.name == kPaperArm ? environments_in(data_folder() / "environments", arm)
+                               : std::vector<EnvironmentCase>{};
 }
 
 std::vector<EnvironmentCase> random_environments(const DemoResults& results, int count) {

@@ -10,7 +10,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kRounding = 1e-3;  // of float32 set points
+constexpr double kSetpointRounding = 1e-3;  // of float32 set points
 
 /// A driver that somebody else owns, for those who take one of their own.
 class BorrowedDriver final : public ArmDriver {
@@ -52,7 +52,7 @@ std::optional<ForbiddenSetpoint> first_beyond(const Plan& plan,
       const double value = setpoint[s];
       const PressureLimits& sides = limits[static_cast<std::size_t>(s)];
       const bool is_within =  // no NaN is
-          value <= sides.upper_kpa + kRounding && value >= sides.lower_kpa - kRounding;
+          value <= sides.upper_kpa + kSetpointRounding && value >= sides.lower_kpa - kSetpointRounding;
       if (!is_within) {
         return ForbiddenSetpoint{k, s, value, sides};
       }

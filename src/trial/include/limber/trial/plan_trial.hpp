@@ -2,6 +2,7 @@
 // For those who compare planners and models over many trials.
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,12 @@ struct EnvironmentCase {
   std::string id;
   Environment environment;
 };
+
+/// Every *.yaml of a folder, sorted by name.
+/// @throws InputError naming the folder where it is none or has no such file, or the file that
+///   can't be read.
+std::vector<EnvironmentCase> environments_in(const std::filesystem::path& folder,
+                                             const ArmDescription& arm);
 
 /// One plan and its outcome on the virtual arm.
 struct PlanTrial {
