@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Writes circles and eights as CSV files for `limber execute --track` (docs/tracking.md).
 
-Centres are drawn by seed where the tip of arms/three_segment.yaml comes to every point around them:
-0.44 to 0.52 m from the base, up to 0.7 rad to either side. A file holds one lap that ends where it
-starts; run it with --laps.
+Centres are drawn by seed where the tip of arms/three_segment.yaml comes to every point around them
+with at most 80 % of the limits: 0.55 to 0.60 m from the base, up to 0.6 rad to either side. A file
+holds one lap that ends where it starts; run it with --laps.
 
     tools/track_paths.py --out paths --count 5 --seed 1
 """
@@ -13,8 +13,8 @@ import math
 import pathlib
 import random
 
-NEAREST_M, FARTHEST_M = 0.44, 0.52
-WIDEST_RAD = 0.7
+NEAREST_M, FARTHEST_M = 0.55, 0.60
+WIDEST_RAD = 0.6
 CIRCLE_RADIUS_M = 0.08
 EIGHT_WIDTH_M = 0.16
 LAPS_S = (30, 10)

@@ -37,8 +37,8 @@ void TrackFlags::prepare(const ArmDescription& arm, const ModelFlags& model,
 
 void TrackFlags::require_start(const ArmDescription& arm, const CommonFlags& flags) {
   constexpr double kStartWithinM = 0.02;
-  start_ = find_track_start(arm, *motion_, tip_path_.point_m.front(), flags.seed);
-  if (start_.distance_m > kStartWithinM) {
+  start_.emplace(find_track_start(arm, *motion_, tip_path_, flags.seed));
+  if (start_->distance_m > kStartWithinM) {
     throw InputError(
         tip_path_.source_of(path_, 0) +
         fmt::format(
@@ -46,7 +46,7 @@ void TrackFlags::require_start(const ArmDescription& arm, const CommonFlags& fla
             "tip is {:.1f} cm from there, at most {:.0f} cm are allowed. Move the path, or "
             "give the model it was made for",
             tip_path_.point_m.front().x(), tip_path_.point_m.front().y(),
-            kCmPerM * start_.distance_m, kCmPerM * kStartWithinM));
+            kCmPerM * start_->distance_m, kCmPerM * kStartWithinM));
   }
 }
 

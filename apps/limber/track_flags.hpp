@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -29,7 +30,7 @@ class TrackFlags {
   TrackRun run(const ArmDescription& arm, const Environment& environment, Driver& driver,
                const std::vector<PressureLimits>& limits, const CommonFlags& flags) {
     settings_.limits = limits;
-    TipTracker tracker(arm, *motion_, tip_path_, start_.setpoint_kpa, settings_, flags.seed);
+    TipTracker tracker(arm, *motion_, tip_path_, *start_, settings_, flags.seed);
     ExecutionSettings execution;
     execution.controller = &tracker;
     TrackRun run;
@@ -50,7 +51,7 @@ class TrackFlags {
   int laps_ = 1;
   TipTrackerSettings settings_;
   TipPath tip_path_;
-  TrackStart start_;
+  std::optional<TrackStart> start_;
   std::unique_ptr<ForwardModel> forward_;
   std::unique_ptr<MotionModel> motion_;
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "closed_loop/plan_repair.hpp"
+#include "closed_loop/repaired_plan.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
 
@@ -20,6 +21,9 @@ struct Asked {
   double margin;
 };
 constexpr double kNearM = 0.01;
+constexpr double kNearerShare =
+    0.8;  // of the distance that is left, where no plan ends in the goal
+constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is less than kNearM
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
 
 double largest_distance_m(const Backbone& a, const Backbone& b) {
@@ -37,19 +41,21 @@ Replanner::Replanner(const ArmDescription& arm, const MotionModel& model,
       room_(room),
       settings_(settings),
       seed_(seed),
-      near_(arm, environment.obstacles, kNearM),
+      near_(arm, environment.obstacles),
       planner_(make_planner("default", settings.planner_jobs)),
       aim_(environment.goal) {}
 
 Replanner::~Replanner() = default;
 
 bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) {
+  if (!state.backbone || replans_ >= settings_.max_replans) {
+    return true;
+  }
   // No obstacle is nearer to the plan than its clearance, so that much is always allowed.
   const bool strays =
-      state.backbone &&
-      !(largest_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m) &&
-      !near_.is_free(*state.backbone);
-  return !strays || replans_ >= settings_.max_replans;
+      !(largest_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m);
+  return !strays || near_.clearance(*state.backbone).value_m >=
+                        std::min(kNearM, kNearOfClearance * plan.clearance_m);
 }
 
 bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
@@ -142,7 +148,29 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
       return found;
     }
   }
-  return std::nullopt;
+  std::optional<Plan> found = nearer(plan, from_here, measured);
+  replans_ += found ? 1 : 0;
+  return found;
+}
+
+/// Straight from where the arm is, as near to the aim as that comes.
+std::optional<Plan> Replanner::nearer(const Plan& before, Environment from_here,
+                                      const Pose& measured) {
+  const double error_m = as_length_m(aim_, pose_error(aim_, measured));
+  const double max_error_m = kNearerShare * error_m;
+  if (!(error_m - max_error_m >= settings_.min_gain_m)) {
+    return std::nullopt;
+  }
+  const double widened = std::max(1.0, max_error_m / aim_.position_tolerance_m);
+  from_here.goal = aim_;
+  from_here.goal.position_tolerance_m *= widened;
+  from_here.goal.orientation_tolerance_rad *= widened;
+  PlanningProblem problem{arm_, model_, from_here, kAsked.back().margin * room_.margin_m};
+  problem.limits = limits_after(before, settings_.limits);
+  const Pressures& held_kpa = from_here.start->pressures_kpa;
+  return repaired_plan(problem, state_of(*from_here.start, model_), {held_kpa, held_kpa},
+                       max_error_m, seed_ + static_cast<std::uint64_t>(replans_),
+                       certificate_check(arm_, model_));
 }
 
 }  // namespace limber

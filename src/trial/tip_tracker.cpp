@@ -38,14 +38,18 @@ Eigen::Vector2d tip_of_shape(const Eigen::Ref<const Backbone>& backbone) {
 }  // namespace
 
 TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
-                       const Pressures& start_kpa, const TipTrackerSettings& settings,
+                       const TrackStart& start, const TipTrackerSettings& settings,
                        std::uint64_t seed)
     : arm_(with_limits(arm, settings.limits)),
       model_(model),
       rollouts_(model),
       path_(path),
       settings_(settings),
+      laps_(std::max(1, static_cast<int>(std::lround(path.lap_s() / arm.frame_period_s()))),
+            path.laps > 1 ? settings.lap_share : 0.0),
+      posture_(start.posture),
       seed_(seed) {
+  const Pressures& start_kpa = start.setpoint_kpa;
   const Pressures vented_kpa = Pressures::Zero(arm.segment_count());
   const int count = motion_frame_count(vented_kpa, start_kpa, arm.pressure_step_limit_kpa());
   approach_.assign(static_cast<std::size_t>(count), vented_kpa);
@@ -55,7 +59,15 @@ TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, cons
   approach_.insert(approach_.end(), static_cast<std::size_t>(arm.frames_in(kApproachHoldS)),
                    start_kpa);
   path_start_frame_ = static_cast<int>(approach_.size()) + arm.frames_in(kFirstPointS);
-  knots_kpa_ = start_kpa.cast<double>().replicate(settings.knots, 1);
+  knots_kpa_ = start_kpa.cast<double>().replicate(settings_.knots, 1);
+  if (!posture_.is_known()) {
+    settings_.posture_m = 0.0;
+  }
+  half_per_kpa_.resize(segments());
+  for (Eigen::Index i = 0; i < segments(); ++i) {
+    half_per_kpa_[i] =
+        1.0 / arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.half_width_kpa();
+  }
 }
 
 double TipTracker::path_time_s(int frame) const {
@@ -88,6 +100,7 @@ bool TipTracker::take_in(const ArmState& state) {
     state_.valves.head(segments()) = state.pressure_kpa;
   }
   learn_bias();
+  learn_lap();
   states_.push_back(state_);
   return true;
 }
@@ -109,6 +122,13 @@ void TipTracker::learn_bias() {
   commanded_.pop_front();
 }
 
+void TipTracker::learn_lap() {
+  const int since = frame_ - path_start_frame_;
+  if (since > 0) {  // the lap's first frame is the approach's
+    laps_.learn(since, path_.at(path_time_s(frame_)) - tip_of_shape(state_.backbone));
+  }
+}
+
 /// A network starts from the measured shape, and errs more the farther ahead; the no-load model
 /// errs as much in the next frame.
 Eigen::Vector2d TipTracker::bias_ahead_m(int frames) const {
@@ -121,7 +141,8 @@ Eigen::Vector2d TipTracker::bias_ahead_m(int frames) const {
 Eigen::VectorXd TipTracker::wanted_tips() const {
   Eigen::VectorXd wanted(2 * horizon());
   for (int h = 1; h <= horizon(); ++h) {
-    wanted.segment<2>(2 * (h - 1)) = path_.at(path_time_s(frame_ + h)) - bias_ahead_m(h);
+    wanted.segment<2>(2 * (h - 1)) = path_.at(path_time_s(frame_ + h)) - bias_ahead_m(h) +
+                                     laps_.shift_m(frame_ + h - path_start_frame_);
   }
   return wanted;
 }
@@ -156,6 +177,23 @@ void TipTracker::roll_out(Candidates& candidates) {
   queries_ += static_cast<std::uint64_t>(horizon() * candidates.knots_kpa.cols());
 }
 
+Eigen::VectorXd TipTracker::posture_of_knots() const {
+  Eigen::VectorXd kpa(knots_kpa_.size());
+  for (int k = 0; k < settings_.knots; ++k) {
+    kpa.segment(k * segments(), segments()) =
+        posture_.at(path_time_s(frame_ + (k + 1) * settings_.frames_per_knot));
+  }
+  return kpa;
+}
+
+Eigen::VectorXd TipTracker::off_posture(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa) const {
+  Eigen::VectorXd off = settings_.posture_m * (knots_kpa - posture_kpa_);
+  for (Eigen::Index i = 0; i < off.size(); ++i) {
+    off[i] *= half_per_kpa_[i % segments()];
+  }
+  return off;
+}
+
 double TipTracker::cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
                         const Eigen::Ref<const Eigen::VectorXd>& tips_m,
                         const Eigen::VectorXd& wanted) const {
@@ -163,7 +201,7 @@ double TipTracker::cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
   Eigen::VectorXd steps = knots_kpa;
   steps.tail(knots_kpa.size() - n) -= knots_kpa.head(knots_kpa.size() - n);
   steps.head(n) -= state_.setpoint_kpa().cast<double>();
-  return (tips_m - wanted).squaredNorm() +
+  return (tips_m - wanted).squaredNorm() + off_posture(knots_kpa).squaredNorm() +
          std::pow(settings_.effort_m_per_kpa, 2) * steps.squaredNorm();
 }
 
@@ -196,10 +234,16 @@ Eigen::VectorXd TipTracker::fitted_step(const Candidates& samples,
   Eigen::VectorXd steps = difference * samples.knots_kpa.col(0);
   steps.head(n) -= state_.setpoint_kpa().cast<double>();
   const double effort = std::pow(settings_.effort_m_per_kpa, 2);
-  const Eigen::MatrixXd left =
-      slope.transpose() * slope + effort * difference.transpose() * difference;
-  const Eigen::VectorXd right = slope.transpose() * (wanted - samples.tips_m.col(0)) -
-                                effort * difference.transpose() * steps;
+  Eigen::MatrixXd left = slope.transpose() * slope + effort * difference.transpose() * difference;
+  Eigen::VectorXd weight_m_per_kpa(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    weight_m_per_kpa[i] = settings_.posture_m * half_per_kpa_[i % n];
+  }
+  left.diagonal() += weight_m_per_kpa.cwiseAbs2();
+  const Eigen::VectorXd right =
+      slope.transpose() * (wanted - samples.tips_m.col(0)) -
+      effort * difference.transpose() * steps -
+      weight_m_per_kpa.cwiseProduct(off_posture(samples.knots_kpa.col(0)));
   return left.ldlt().solve(right);
 }
 
@@ -218,6 +262,7 @@ void TipTracker::search() {
       std::max(kMinSamples, settings_.queries / horizon() / kRounds - int(std::size(kStepShares)));
   RandomStream random(seed_, static_cast<std::uint64_t>(frame_));
   knots_kpa_ = within_rule(knots_kpa_);
+  posture_kpa_ = posture_of_knots();
   for (int round = 0; round < kRounds; ++round) {
     Candidates sampled;
     sampled.knots_kpa.resize(knots_kpa_.size(), samples);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/trial/tip_tracker.hpp"
 #include "limber/world/environment.hpp"
@@ -14,6 +15,7 @@ constexpr int kStartSamples = 400;
 constexpr int kNearSamples = 150;
 constexpr double kNearShares[] = {0.15, 0.05, 0.02, 0.005};  // of the limits' half width
 constexpr double kStartSettlingS = 1.5;
+constexpr double kStartNearM = 0.01;
 
 /// Tips where these set points (n×k) leave the arm, from rest.
 std::vector<Eigen::Vector2d> settled_tips(const ArmDescription& arm, const MotionModel& model,
@@ -50,47 +52,76 @@ std::vector<Eigen::Vector2d> settled_tips(const ArmDescription& arm, const Motio
   return tips;
 }
 
-}  // namespace
+PressureLimits limits_of_segment(const ArmDescription& arm, Eigen::Index i) {
+  return arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+}
 
-TrackStart find_track_start(const ArmDescription& arm, const MotionModel& model,
-                            const Eigen::Vector2d& tip_m, std::uint64_t seed) {
-  RandomStream random(seed, 0);
-  const Eigen::Index n = arm.segment_count();
-  const auto limits_of_segment = [&](Eigen::Index i) {
-    return arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-  };
-  TrackStart best{Pressures::Zero(n), std::numeric_limits<double>::infinity()};
-  const auto try_all = [&](const Eigen::MatrixXf& setpoints_kpa) {
-    const std::vector<Eigen::Vector2d> tips = settled_tips(arm, model, setpoints_kpa);
-    for (std::size_t c = 0; c < tips.size(); ++c) {
-      const double distance_m = (tips[c] - tip_m).norm();
-      if (distance_m < best.distance_m) {
-        best = {setpoints_kpa.col(Eigen::Index(c)), distance_m};
-      }
-    }
-  };
-  Eigen::MatrixXf setpoints_kpa(n, kStartSamples);
+struct Candidate {
+  Pressures setpoint_kpa;
+  double distance_m = 0.0;
+};
+
+/// Each of these set points, with the distance that its settled tip has from `tip_m`.
+std::vector<Candidate> rated(const ArmDescription& arm, const MotionModel& model,
+                             const Eigen::Vector2d& tip_m, const Eigen::MatrixXf& setpoints_kpa) {
+  const std::vector<Eigen::Vector2d> tips = settled_tips(arm, model, setpoints_kpa);
+  std::vector<Candidate> starts;
+  for (std::size_t c = 0; c < tips.size(); ++c) {
+    starts.push_back({setpoints_kpa.col(Eigen::Index(c)), (tips[c] - tip_m).norm()});
+  }
+  return starts;
+}
+
+bool is_nearer(const Candidate& a, const Candidate& b) {
+  return a.distance_m < b.distance_m;
+}
+
+Candidate nearest_sample(const ArmDescription& arm, const MotionModel& model,
+                         const Eigen::Vector2d& tip_m, RandomStream& random) {
+  Eigen::MatrixXf setpoints_kpa(arm.segment_count(), kStartSamples);
   for (Eigen::Index c = 0; c < setpoints_kpa.cols(); ++c) {
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const PressureLimits limits = limits_of_segment(i);
+    for (Eigen::Index i = 0; i < setpoints_kpa.rows(); ++i) {
+      const PressureLimits limits = limits_of_segment(arm, i);
       setpoints_kpa(i, c) = static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
     }
   }
-  try_all(setpoints_kpa);
-  setpoints_kpa.resize(n, kNearSamples);
+  const std::vector<Candidate> all = rated(arm, model, tip_m, setpoints_kpa);
+  return *std::min_element(all.begin(), all.end(), is_nearer);
+}
+
+Candidate refined(const ArmDescription& arm, const MotionModel& model, const Eigen::Vector2d& tip_m,
+                  Candidate best, RandomStream& random) {
+  Eigen::MatrixXf setpoints_kpa(arm.segment_count(), kNearSamples);
   for (const double share : kNearShares) {
-    const Pressures center = best.setpoint_kpa;
     for (Eigen::Index c = 0; c < setpoints_kpa.cols(); ++c) {
-      for (Eigen::Index i = 0; i < n; ++i) {
-        const PressureLimits limits = limits_of_segment(i);
+      for (Eigen::Index i = 0; i < setpoints_kpa.rows(); ++i) {
+        const PressureLimits limits = limits_of_segment(arm, i);
         const double spread_kpa = share * limits.half_width_kpa();
-        setpoints_kpa(i, c) =
-            static_cast<float>(limits.clamped(double(center[i]) + spread_kpa * random.normal()));
+        setpoints_kpa(i, c) = static_cast<float>(
+            limits.clamped(double(best.setpoint_kpa[i]) + spread_kpa * random.normal()));
       }
     }
-    try_all(setpoints_kpa);
+    const std::vector<Candidate> near = rated(arm, model, tip_m, setpoints_kpa);
+    best = std::min(best, *std::min_element(near.begin(), near.end(), is_nearer), is_nearer);
   }
   return best;
+}
+
+}  // namespace
+
+TrackStart find_track_start(const ArmDescription& arm, const MotionModel& model,
+                            const TipPath& path, std::uint64_t seed) {
+  LapPosture posture(model.no_load(), path, limits_of(arm), seed);
+  const Eigen::Vector2d& tip_m = path.point_m.front();
+  RandomStream random(seed, 0);
+  const Eigen::MatrixXf first_kpa = posture.at(0.0).cast<float>();
+  Candidate found = refined(arm, model, tip_m, rated(arm, model, tip_m, first_kpa).front(), random);
+  if (found.distance_m > kStartNearM) {
+    const Candidate nearest =
+        refined(arm, model, tip_m, nearest_sample(arm, model, tip_m, random), random);
+    found = std::min(found, nearest, is_nearer);
+  }
+  return {std::move(posture), found.setpoint_kpa, found.distance_m};
 }
 
 }  // namespace limber

@@ -34,9 +34,9 @@ class TipTrackerTest : public ::testing::Test {
   ExecutionResult run(const ArmDescription& real, TipTrackerSettings settings = {},
                       FakeFaults faults = {}) {
     settings.queries = 1200;
-    const TrackStart start = find_track_start(arm_, model_, path_.point_m.front(), 1);
+    const TrackStart start = find_track_start(arm_, model_, path_, 1);
     EXPECT_LT(start.distance_m, 0.002);
-    TipTracker tracker(arm_, model_, path_, start.setpoint_kpa, settings, 1);
+    TipTracker tracker(arm_, model_, path_, start, settings, 1);
     ExecutionSettings execution;
     execution.controller = &tracker;
     FakeArm driver(real, kInstant_s, faults);
@@ -78,12 +78,12 @@ TEST_F(TipTrackerTest, KeepsAPathThatItsModelKnowsToHalfAMillimetre) {
 
 TEST_F(TipTrackerTest, KeepsLimitsAndFrameRuleOnAPathFarOutOfReach) {
   path_.point_m.assign(path_.point_m.size(), Eigen::Vector2d(0.1, 0.35));
-  const TrackStart start = find_track_start(arm_, model_, path_.point_m.front(), 1);
+  const TrackStart start = find_track_start(arm_, model_, path_, 1);
   EXPECT_GT(start.distance_m, 0.02) << "and it is told so";
   TipTrackerSettings settings;
   settings.limits.assign(2, PressureLimits(60.0));
   path_.laps = 1;
-  TipTracker tracker(arm_, model_, path_, Pressures::Zero(2), settings, 1);
+  TipTracker tracker(arm_, model_, path_, start, settings, 1);
   FakeArm driver(arm_, kInstant_s);
   Pressures before_kpa = Pressures::Zero(2);
   while (const auto next = tracker.next(driver.state())) {
@@ -101,6 +101,18 @@ TEST_F(TipTrackerTest, ItsDisturbanceEstimateHelpsWithAnArmThatTheModelDoesNotKn
   const double before_m = errors_.later_laps->rms_m;
   (void)run(weaker(arm_));
   EXPECT_LT(errors_.later_laps->rms_m, 0.5 * before_m);
+}
+
+TEST_F(TipTrackerTest, LapsTeach) {
+  TipTrackerSettings without;
+  without.max_bias_m = 0.0;
+  without.lap_share = 0.0;
+  (void)run(weaker(arm_), without);
+  const double before_m = errors_.later_laps->rms_m;
+  TipTrackerSettings with = without;
+  with.lap_share = 0.5;
+  (void)run(weaker(arm_), with);
+  EXPECT_LT(errors_.later_laps->rms_m, 0.7 * before_m);
 }
 
 TEST_F(TipTrackerTest, SeedsRepeatToTheBit) {
@@ -128,8 +140,8 @@ TEST_F(TipTrackerTest, StopsWithAMessageWhereNothingTracksTheArm) {
 }
 
 TEST_F(TipTrackerTest, StopsWhereTrackingIsLostForLong) {
-  const TrackStart start = find_track_start(arm_, model_, path_.point_m.front(), 1);
-  TipTracker tracker(arm_, model_, path_, start.setpoint_kpa, {}, 1);
+  const TrackStart start = find_track_start(arm_, model_, path_, 1);
+  TipTracker tracker(arm_, model_, path_, start, {}, 1);
   FakeArm driver(arm_, kInstant_s);
   ArmState state = driver.state();
   ASSERT_TRUE(tracker.next(state));

@@ -13,6 +13,7 @@
 #include "limber/common/arm_signals.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/safety_gate.hpp"
+#include "punctual_thread.hpp"
 #include "vent_words.hpp"
 
 namespace limber {
@@ -184,6 +185,9 @@ class ProcessDriver::Session {
     const Time now = Clock::now();
     if (!running_ || !real_time()) {
       running_ = true;
+      if (real_time()) {
+        punctual_.emplace();
+      }
       slot_ = real_time() ? std::max(now, asked_ + frames(1.0)) : now;
     } else {
       slot_ += frames(1.0);
@@ -258,6 +262,7 @@ class ProcessDriver::Session {
       state_ = link_.vent(reply_time());
     }
     const bool was_resting = std::exchange(resting_, true);
+    punctual_.reset();
     gate_->note_vented(state_);
     report_vent(rising, was_resting);
   }
@@ -335,10 +340,11 @@ class ProcessDriver::Session {
   std::deque<Pressures> setpoints_kpa_;  // the last ones sent, newest first
   std::string fault_;
   Time slot_;
-  Time asked_;            // of the last request
-  bool running_ = false;  // slots are counted since the last vent
-  bool resting_ = true;   // nothing was commanded since the last vent
-  bool started_ = false;  // the first vent is over
+  Time asked_;                              // of the last request
+  bool running_ = false;                    // slots are counted since the last vent
+  std::optional<PunctualThread> punctual_;  // until the next vent is confirmed
+  bool resting_ = true;                     // nothing was commanded since the last vent
+  bool started_ = false;                    // the first vent is over
 };
 
 ProcessDriver::ProcessDriver(const ArmDescription& arm, const ProcessDriverSettings& settings)

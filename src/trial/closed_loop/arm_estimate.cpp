@@ -12,7 +12,9 @@ ArmStart start_at(const MotionState& state) {
 }
 
 void ArmEstimate::observe(const Pressures& setpoint_kpa, const ArmState& measured) {
-  const auto lag = static_cast<std::size_t>(lag_.note(setpoint_kpa, measured));
+  const int said = lag_.note(setpoint_kpa, measured);
+  const int found = pressure_lag_.note(setpoint_kpa, measured.pressure_kpa);
+  const auto lag = static_cast<std::size_t>(measured.setpoint_kpa ? said : found);
   bool is_later = true;
   if (valves_.size() == 0) {
     valves_ = model_.valves().settled_state(setpoint_kpa);

@@ -7,6 +7,7 @@
 #include "limber/hardware/arm_driver.hpp"
 #include "limber/hardware/state_lag.hpp"
 #include "limber/world/environment.hpp"
+#include "pressure_lag.hpp"
 
 namespace limber {
 
@@ -24,12 +25,15 @@ struct ModelMiss {
 /// The arm's state from frame to frame: predicted by the model, corrected by what is measured.
 /// Pressures are measured in each frame; a frame without a backbone is bridged by prediction.
 /// Behind ideal valves pressures are the set points, as plans for such a model have it. Where a
-/// driver's states are behind its set points (StateLag), the model says what these lead to.
+/// driver's states are behind its set points, as they say themselves (StateLag) or their pressures
+/// show (PressureLag), the model says what these lead to.
 ///
 /// Threads: one estimate, one thread. One query per frame, and one for each that states are behind.
 class ArmEstimate {
  public:
-  explicit ArmEstimate(const MotionModel& model) : model_(model) {}
+  explicit ArmEstimate(const MotionModel& model) : model_(model), pressure_lag_(model_.valves()) {}
+  ArmEstimate(const ArmEstimate&) = delete;  // the lag borrows the model's valves
+  ArmEstimate& operator=(const ArmEstimate&) = delete;
 
   /// The first call is the start, where the arm has long had these set points.
   void observe(const Pressures& setpoint_kpa, const ArmState& measured);
@@ -55,6 +59,7 @@ class ArmEstimate {
   MotionModel::Workspace workspace_;
   Eigen::VectorXf valves_;  // followed from the start on, tracked or not
   StateLag lag_;
+  PressureLag pressure_lag_;
   std::deque<Pressures> coming_kpa_;  // set points whose frames no state has shown yet
   std::optional<MotionState> state_;  // in the frame that the last state shows
   std::optional<MotionState> ahead_;  // after those that are coming

@@ -5,9 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "limber/certificate/certificate.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/planning/plan_builder.hpp"
 #include "limber/trial/replanner.hpp"
 
 namespace limber {
@@ -24,7 +22,6 @@ constexpr double kOfPromised = 0.9;      // of a plan's own clearance, where tha
 constexpr double kStrays = 0.5;
 constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at half the speed
 constexpr double kStopS = 0.5;
-constexpr double kRepairReserveM = 2e-4;  // float32 searches, double certifies
 
 std::vector<Pressures> setpoints_after(const Plan& plan, std::size_t next) {
   std::vector<Pressures> rest;
@@ -64,18 +61,6 @@ Eigen::Vector3d miss_ahead(const MotionModel& model, const ModelMiss& miss,
 }
 
 }  // namespace
-
-PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model) {
-  return [&arm, &model](Plan& plan, const Environment& environment) {
-    const Certificate certificate =
-        certify(plan, arm, model.has_network() ? &model.compensation() : nullptr,
-                model.valves().parameters(), environment);
-    if (certificate.certified()) {
-      plan.certified = CertifiedFigures{certificate.clearance_m, certificate.max_deviation_m};
-    }
-    return certificate.certified();
-  };
-}
 
 MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
                          const Environment& environment, const ErrorRoom& room,
@@ -153,7 +138,10 @@ std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const 
   if (max_error_m <= 0.0) {
     return std::nullopt;
   }
-  if (std::optional<Plan> found = repaired(plan, next, from, from_here, max_error_m)) {
+  if (std::optional<Plan> found =
+          repaired_plan(problem_from(from_here, plan), from,
+                        waypoints_after(plan, next, arm_.pressure_step_limit_kpa()), max_error_m,
+                        seed_, check_)) {
     return found;
   }
   if (is_safe && error_m <= tolerance_m) {
@@ -167,28 +155,6 @@ PlanningProblem MotionGuide::problem_from(const Environment& from_here, const Pl
   problem.limits = limits_after(plan, settings_.limits);
   problem.margin_yields_to_start = true;
   return problem;
-}
-
-std::optional<Plan> MotionGuide::repaired(const Plan& plan, std::size_t next,
-                                          const MotionState& from, const Environment& from_here,
-                                          double max_error_m) {
-  PlanningProblem problem = problem_from(from_here, plan);
-  const double start_m =
-      CollisionChecker(arm_, environment_.obstacles).clearance(from.backbone).value_m;
-  problem.margin_m = std::max(0.0, std::min(problem.margin_m, kOfPromised * start_m));
-  const CollisionChecker checker(
-      arm_, environment_.obstacles,
-      std::max(problem.margin_m, Certificate::kMinClearanceM) + kRepairReserveM);
-  MotionSimulator simulator(arm_, model_, checker);
-  PlanRepair repair(simulator, setpoints_of(problem));
-  const std::optional<std::vector<Pressures>> waypoints_kpa =
-      repair.toward(from_here.goal, from,
-                    waypoints_after(plan, next, arm_.pressure_step_limit_kpa()), max_error_m);
-  if (!waypoints_kpa) {
-    return std::nullopt;
-  }
-  Plan found = build_plan(problem, simulator, *waypoints_kpa, "repair", seed_);
-  return check_(found, from_here) ? std::optional(std::move(found)) : std::nullopt;
 }
 
 std::optional<Plan> MotionGuide::searched(const Plan& plan, const Environment& from_here) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,15 +9,10 @@
 #include "limber/hardware/executor.hpp"
 #include "limber/planning/planner.hpp"
 #include "plan_repair.hpp"
+#include "repaired_plan.hpp"
 #include "rest_forecast.hpp"
 
 namespace limber {
-
-/// Whether a plan for this environment may be followed; sets its `certified` if so.
-using PlanCheck = std::function<bool(Plan& plan, const Environment& environment)>;
-
-/// The certificate, for plans of this arm and model. Borrows both.
-PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model);
 
 struct MotionGuideSettings {
   /// Model queries of a search in mid-motion.
@@ -58,8 +52,6 @@ class MotionGuide {
   /// The best of what is found that is better than going on.
   std::optional<Plan> find(const Plan& plan, std::size_t next, const MotionState& from,
                            const PoseGoal& goal, bool is_safe, double error_m);
-  std::optional<Plan> repaired(const Plan& plan, std::size_t next, const MotionState& from,
-                               const Environment& from_here, double max_error_m);
   std::optional<Plan> searched(const Plan& plan, const Environment& from_here);
   MotionAdvice slow_down(const RestForecast& rest);
 

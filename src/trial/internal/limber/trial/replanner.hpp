@@ -58,6 +58,7 @@ class Replanner final : public PlanSource {
   void learn_bias(const Plan& ended, const Pose& measured);
   PoseGoal shifted_goal() const;
   std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
+  std::optional<Plan> nearer(const Plan& before, Environment from_here, const Pose& measured);
 
   const ArmDescription& arm_;
   MotionModel model_;

@@ -11,9 +11,23 @@
 #include "limber/forward/motion_model.hpp"
 #include "limber/forward/rollout_batch.hpp"
 #include "limber/hardware/executor.hpp"
+#include "limber/trial/lap_memory.hpp"
+#include "limber/trial/lap_posture.hpp"
 #include "limber/trial/tip_path.hpp"
 
 namespace limber {
+
+/// Where a lap begins, and the shapes that it goes through.
+struct TrackStart {
+  LapPosture posture;
+  Pressures setpoint_kpa;   ///< the model's settled tip is near the path's first point then
+  double distance_m = 0.0;  ///< of that tip from the point
+};
+
+/// Near the lap's posture, if the model's tip comes to within 1 cm of the path's first point from
+/// there; else wherever it comes nearest.
+TrackStart find_track_start(const ArmDescription& arm, const MotionModel& model,
+                            const TipPath& path, std::uint64_t seed);
 
 struct TipTrackerSettings {
   /// Model queries in each frame; a number, so that runs in simulated time can be repeated.
@@ -23,6 +37,12 @@ struct TipTrackerSettings {
   double spread_kpa = 3.0;  ///< standard deviation of sampled knots, > 0
   /// What a knot's step costs: metres of tip error that are as bad as a step of 1 kPa.
   double effort_m_per_kpa = 2e-5;
+  /// What a knot costs that lies off the lap's posture by half of its limits' width: metres of tip
+  /// error. Many shapes have the same tip; without it the arm drifts into bends from which a short
+  /// horizon finds no way back.
+  double posture_m = 3e-2;
+  /// Of what a lap missed, what the next one is asked for less; 0: nothing is learnt from laps.
+  double lap_share = 0.5;
   double max_bias_m = 0.05;                 ///< bound of the disturbance estimate
   double blind_s = 0.5;                     ///< bridged by prediction, then the run stops
   std::vector<PressureLimits> limits = {};  ///< narrower than the arm's; empty: the arm's
@@ -38,15 +58,16 @@ struct TipTrackerSettings {
 ///
 /// What the model misses within 0.25 s, measured minus predicted tip, is low-passed, bounded, and
 /// added to predictions in proportion to how far ahead they are. Chance comes from a stream of
-/// (seed, frame): simulated runs repeat.
+/// (seed, frame): simulated runs repeat. A path that is run several times teaches: where the tip was
+/// beside it, the next lap is asked for that much less (LapMemory).
 ///
-/// Starts with an approach: straight to `start_kpa`, then the path's first point for 2 s; the
-/// path's time 0 is `path_start_frame`.
+/// Starts with an approach: straight to the start's set points, then the path's first point for
+/// 2 s; the path's time 0 is `path_start_frame`.
 class TipTracker final : public FrameController {
  public:
-  /// Borrows what the model borrows. @param start_kpa  as find_track_start has them
+  /// Borrows what the model borrows.
   TipTracker(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
-             const Pressures& start_kpa, const TipTrackerSettings& settings, std::uint64_t seed);
+             const TrackStart& start, const TipTrackerSettings& settings, std::uint64_t seed);
 
   std::optional<Pressures> next(const ArmState& state) override;
   std::string stop_reason() const override { return stop_reason_; }
@@ -67,11 +88,15 @@ class TipTracker final : public FrameController {
   double path_time_s(int frame) const;
   bool take_in(const ArmState& state);
   void learn_bias();
+  void learn_lap();
   Eigen::Vector2d bias_ahead_m(int frames) const;
   void roll_out(Candidates& candidates);
   Eigen::VectorXd wanted_tips() const;
   double cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
               const Eigen::Ref<const Eigen::VectorXd>& tips_m, const Eigen::VectorXd& wanted) const;
+  Eigen::VectorXd posture_of_knots() const;
+  /// The knots' distances from the lap's posture, as posture_m counts them.
+  Eigen::VectorXd off_posture(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa) const;
   Eigen::VectorXd within_rule(Eigen::VectorXd knots_kpa) const;
   Eigen::VectorXd fitted_step(const Candidates& samples, const Eigen::VectorXd& wanted) const;
   Eigen::VectorXd knots_one_frame_on() const;
@@ -84,6 +109,10 @@ class TipTracker final : public FrameController {
   RolloutBatch rollouts_;
   TipPath path_;
   TipTrackerSettings settings_;
+  LapMemory laps_;
+  LapPosture posture_;
+  Eigen::VectorXd posture_kpa_;     // of each knot, in this frame
+  Eigen::VectorXd half_per_kpa_;    // one over half of a segment's limits' width
   std::uint64_t seed_;
   std::vector<Pressures> approach_;
   int path_start_frame_ = 0;
@@ -97,13 +126,5 @@ class TipTracker final : public FrameController {
   std::string stop_reason_;
   std::uint64_t queries_ = 0;
 };
-
-/// Set points at which the model has the settled tip nearest to `tip_m`, from rest.
-struct TrackStart {
-  Pressures setpoint_kpa;
-  double distance_m = 0.0;  ///< of the tip that the model then predicts
-};
-TrackStart find_track_start(const ArmDescription& arm, const MotionModel& model,
-                            const Eigen::Vector2d& tip_m, std::uint64_t seed);
 
 }  // namespace limber

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <deque>
+
+#include "limber/arm/valve_model.hpp"
+
+namespace limber {
+
+/// How many frames old a driver's states are that do not say which set points were in force: valves
+/// do what the valve model says, and measured pressures do the same so many frames later. A state
+/// is measured at one moment, so its backbone is as old as its pressures.
+///
+/// Ideal valves know no pressures beside the set points: nothing is found out there.
+class PressureLag {
+ public:
+  static constexpr int kMaxFrames = 4;
+
+  explicit PressureLag(const ValveModel& valves) : valves_(valves) {}
+
+  /// Takes in a frame's set points and the pressures measured after it; the first ones are those of
+  /// a settled arm.
+  /// @return frames(), after it
+  int note(const Pressures& setpoint_kpa, const Pressures& measured_kpa);
+
+  /// As far as is known: while pressures stand still, all of them look the same.
+  int frames() const { return frames_; }
+
+ private:
+  const ValveModel& valves_;
+  Eigen::VectorXf state_;                           // of the valves, never corrected
+  std::deque<Pressures> predicted_kpa_;             // the latest frame first
+  std::array<double, kMaxFrames + 1> missed_ = {};  // per lag: faded sum of squares [kPa²]
+  int frames_ = 0;
+};
+
+}  // namespace limber
