@@ -95,7 +95,7 @@ def parameter(text, function):
     kind, _, default = (part.strip() for part in kind.partition(" = "))
     if name == "self":
         return "self"
-    opaque = kind in ("object", "iterable")
+    opaque = kind.lower() in ("object", "iterable")
     kind = EXCEPTIONS.get((function, name)) or (opaque and PARAMETERS.get(name)) or re.sub(
         r"npt\.NDArray\[[\w.]+\]", "npt.ArrayLike", plain(kind))
     if default == "None" and "None" not in kind:

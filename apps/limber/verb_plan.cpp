@@ -104,7 +104,9 @@ class PlanVerb final : public Verb {
     app.add_option("--max-iterations", limits_.iterations,
                    "Stop after so many samples; with only this limit, a run can be repeated")
         ->check(CLI::PositiveNumber);
-    app.add_option("--max-queries", limits_.queries, "Stop after so many queries of the model")
+    app.add_option("--max-queries", limits_.queries,
+                   "Stop after so many queries of the model by the search. 'queries' of --json are "
+                   "more: they count the plan's last simulation and an ensemble's other networks")
         ->check(CLI::PositiveNumber);
     app.add_option("--max-memory-mb", limits_.memory_mb,
                    "Stop when the tree takes so many megabytes");

@@ -24,21 +24,27 @@ void bind_segments(py::module_& module) {
   Record<Command>(module, "Command",
                   "What a segment is told. Of another command than a pressure, names that end in "
                   "_kpa hold numbers in this unit.")
-      .read_only("name", &Command::name, "\"pressure\", or what else.")
-      .read_only("unit", &Command::unit, "\"kPa\", or what else.")
+      .read_only("name", &Command::name,
+                 "\"pressure\", or what else segments are told, such as \"motor angle\".")
+      .read_only("unit", &Command::unit,
+                 "\"kPa\", or the unit of that other command, such as \"rad\".")
       .done();
-  Record<Segment>(module, "Segment", "One bending segment: two actuators on each side.")
-      .read_only("length_m", &Segment::length_m, "Unpressurised length [m].")
-      .read_only("width_m", &Segment::width_m, "Between the two sides [m].")
-      .read_only("gaps", &Segment::gaps, "Spaces between its plates.")
+  Record<Segment>(module, "Segment",
+                  "One bending segment, with two actuators on each side. A positive pressure "
+                  "inflates its right side, a negative one its left side.")
+      .read_only("length_m", &Segment::length_m, "Length without pressure [m], > 0, at most 10.")
+      .read_only("width_m", &Segment::width_m,
+                 "Between the centre lines of its two sides [m], > 0, at most 10.")
+      .read_only("gaps", &Segment::gaps, "Spaces between its plates, 1 to 100.")
       .property(
           "pressure_limit_kpa",
           [](const Segment& segment) { return segment.pressure_limit_kpa.largest_kpa(); },
-          "The larger one of both sides [kPa].")
+          "The larger one of both sides' limits [kPa], > 0.")
       .read_only("strain_polynomial", &Segment::strain_polynomial,
-                 "c1 to c4 of e = c1 p + c2 p^2 + c3 p^3 + c4 p^4, p in kPa.")
+                 "c1 to c4 of the contraction e = c1 p + c2 p^2 + c3 p^3 + c4 p^4, p in kPa, e a "
+                 "share of the length. All 0 where the arm has none.")
       .read_only("curvature_per_unit", &Segment::curvature_per_unit,
-                 "[1/m] over the command; NoLoadKind.curvature alone.")
+                 "Curvature [1/m] for one unit of the command; only with NoLoadKind.curvature.")
       .done()
       .def_property_readonly(
           "pressure_range_kpa",
@@ -46,7 +52,7 @@ void bind_segments(py::module_& module) {
             const PressureLimits& limits = segment.pressure_limit_kpa;
             return std::pair(limits.lower_kpa, limits.upper_kpa);
           },
-          "Its limits: lower and upper [kPa].");
+          "(lower, upper) limit of its command [kPa], signed: positive bends right.");
 }
 
 py::array_t<float> largest_pressures_of(const ArmDescription& arm) {
@@ -75,22 +81,27 @@ void bind_arm(py::module_& module) {
   Record<ArmDescription>(module, "ArmDescription",
                          "A planar arm as its file describes it. Models borrow it, so it does not "
                          "change: load_arm reads one.")
-      .read_only("name", &ArmDescription::name, "The arm's name.")
-      .read_only("command", &ArmDescription::command, "What its segments are told.")
-      .read_only("no_load", &ArmDescription::no_load, "What the no-load model makes of it.")
-      .property("segment_count", &ArmDescription::segment_count, "n.")
+      .read_only("name", &ArmDescription::name, "The arm's name, as its file has it.")
+      .read_only("command", &ArmDescription::command,
+                 "What its segments are told: Command, pressures in kPa by default.")
+      .read_only("no_load", &ArmDescription::no_load,
+                 "NoLoadKind: what the no-load model makes of the command.")
+      .property("segment_count", &ArmDescription::segment_count, "n: segments of the arm.")
       .property("point_count", &ArmDescription::point_count,
-                "m: plates along the backbone, base included.")
-      .property("length_m", &ArmDescription::length_m, "All segments [m].")
+                "m: plates along the backbone, base included. One more than gaps in all.")
+      .property("length_m", &ArmDescription::length_m,
+                "Length at rest of all segments together [m].")
       .read_only("frame_rate_hz", &ArmDescription::frame_rate_hz,
-                 "Of recordings, models and plans [Hz].")
+                 "Frames per second of recordings, models and plans [Hz], 1 to 1000.")
       .read_only("pressure_rate_limit_kpa_per_s", &ArmDescription::pressure_rate_limit_kpa_per_s,
-                 "Bounds a plan's frames [kPa/s].")
+                 "What the valves can follow [kPa/s], > 0: plans change no set point faster.")
       .read_only("actuator_radius_m", &ArmDescription::actuator_radius_m,
-                 "A gap's collision radius is width/2 + this [m].")
+                 "A gap's collision radius is its segment's width/2 + this [m], 0 to 1.")
       .done()
-      .def_readonly("segments", &ArmDescription::segments, "Base first.")
-      .def_property_readonly("frame_period_s", &ArmDescription::frame_period_s, "1/rate [s].")
+      .def_readonly("segments", &ArmDescription::segments,
+                    "Its Segments, base first: segments[0] is at the base.")
+      .def_property_readonly("frame_period_s", &ArmDescription::frame_period_s,
+                             "Time from one frame to the next, 1/frame_rate_hz [s].")
       .def_property_readonly("pressure_step_limit_kpa", &ArmDescription::pressure_step_limit_kpa,
                              "Largest change of a set point within one frame [kPa].")
       .def_property_readonly(
@@ -99,21 +110,24 @@ void bind_arm(py::module_& module) {
       .def_property_readonly("pressure_ranges_kpa", &pressure_ranges_of,
                              "Lower and upper limit of each segment, float32 (n, 2) [kPa].")
       .def("frames_in", &ArmDescription::frames_in, py::arg("seconds"),
-           "Fewest frames that take at least so long.")
+           "Fewest frames that take at least so long. seconds: >= 0.")
       .def("segment_of_gap", &ArmDescription::segment_of_gap, py::arg("gap"),
-           "Segment that the gap between plates gap and gap + 1 belongs to.")
+           "Number of the segment, from 0, that the gap between plates gap and gap + 1 "
+           "belongs to. gap: 0 to m - 2.")
       .def("hash", &ArmDescription::hash,
-           "Of everything that the no-load model and planning depend on.")
+           "Hash of everything that the no-load model and planning depend on, a text.")
       .def("_repr_svg_", &arm_picture, py::call_guard<py::gil_scoped_release>());
 
   module.def(
       "load_arm", [](const std::filesystem::path& path) { return load_arm(path); }, py::arg("path"),
       py::call_guard<py::gil_scoped_release>(),
-      "Reads and checks an arm file (YAML). Raises InputError naming file, line and field.");
+      "Reads and checks an arm file (YAML). Raises InputError naming file, line and "
+      "field, what was found and what is allowed.");
   module.def("arm_to_yaml", &arm_to_yaml, py::arg("arm"), py::call_guard<py::gil_scoped_release>(),
              "The arm as the text of a file that load_arm reads.");
   module.def("rest_positions_m", &rest_positions_m, py::arg("arm"),
-             "Distance along the arm at rest from the base to each plate, m numbers [m].");
+             "Distance along the arm at rest from the base to each plate, a list of m "
+             "numbers [m]; the first is 0.");
   module.def(
       "arm_differences",
       [](const ArmDescription& there, const ArmDescription& here) {

@@ -17,29 +17,52 @@ Certificate certified(const Certifier& certifier, const Plan& plan) {
 }
 
 void bind_certificate_findings(py::module_& module) {
-  Record<CertificateFailure>(module, "CertificateFailure", "One thing that is wrong with a plan.")
-      .read_only("check", &CertificateFailure::check, "\"limits\", \"collision\", \"goal\", ...")
-      .read_only("frame", &CertificateFailure::frame, "The first that fails; -1: none to blame.")
-      .read_only("message", &CertificateFailure::message, "A sentence with numbers.")
+  Record<CertificateFailure>(module, "CertificateFailure",
+                             "One thing that is wrong with a plan, and in which frame.")
+      .read_only("check", &CertificateFailure::check,
+                 "\"limits\", \"rate\", \"start\", \"waypoints\", \"cost\", \"hold\", "
+                 "\"valves\", \"model\", \"collision\", \"goal\", \"claims\", \"tube\", "
+                 "\"seal\", \"sizes\" or \"unfinished\".")
+      .read_only("frame", &CertificateFailure::frame,
+                 "The first frame that fails, from 0; -1: no frame is to blame.")
+      .read_only("message", &CertificateFailure::message, "What is wrong, a sentence with numbers.")
       .done();
   Record<Certificate>(module, "Certificate", "What an independent second look at a plan found.")
-      .property("certified", &Certificate::certified, "Whether nothing is wrong.")
-      .read_only("failures", &Certificate::failures, "Empty: certified.")
-      .read_only("clearance_m", &Certificate::clearance_m, "Of the moving arm, from below [m].")
+      .property("certified", &Certificate::certified,
+                "Whether nothing is wrong: failures is empty.")
+      .read_only("failures", &Certificate::failures,
+                 "List of CertificateFailure; empty: certified.")
+      .read_only("clearance_m", &Certificate::clearance_m,
+                 "Smallest distance of the moving arm from an obstacle, a lower bound [m]; "
+                 "negative: how deep; inf without obstacles; NaN: not checked.")
       .read_only("max_deviation_m", &Certificate::max_deviation_m,
-                 "Of a plate, own simulation against the plan [m].")
-      .read_only("cost_kpa", &Certificate::cost_kpa, "Sum of |dp| [kPa].")
-      .read_only("goal_distance_m", &Certificate::goal_distance_m, "Of the last tip [m].")
-      .read_only("goal_orientation_rad", &Certificate::goal_orientation_rad, "The same [rad].")
-      .read_only("frames", &Certificate::frames, "Of the plan.")
+                 "Largest distance of a plate between the certificate's own simulation and the "
+                 "plan [m]; up to 1e-4 is allowed.")
+      .read_only("cost_kpa", &Certificate::cost_kpa, "Sum of |dp| over segments and frames [kPa].")
+      .read_only("goal_distance_m", &Certificate::goal_distance_m,
+                 "Of the tip from the goal's centre after the hold, by its own simulation [m]; "
+                 "NaN: not checked.")
+      .read_only("goal_orientation_rad", &Certificate::goal_orientation_rad,
+                 "Difference of the tip's heading from the goal's after the hold [rad], 0 to pi; "
+                 "0 where the goal has no heading.")
+      .read_only("frames", &Certificate::frames, "Frames of the plan, T.")
       .done()
-      .def_readonly("clearance_frame", &Certificate::clearance_frame, "Where it is smallest.")
-      .def_readonly("clearance_gap", &Certificate::clearance_gap, "Between plates gap, gap + 1.")
-      .def_readonly("clearance_obstacle", &Certificate::clearance_obstacle, "Index in the list.")
-      .def_readonly("max_step_kpa", &Certificate::max_step_kpa, "Of a pressure in a frame [kPa].")
-      .def_readonly("max_pressure_deviation_kpa", &Certificate::max_pressure_deviation_kpa,
-                    "Of a predicted pressure [kPa].")
-      .def_readonly("unfinished", &Certificate::unfinished, "Given up before the end.");
+      .def_readonly(
+          "clearance_frame", &Certificate::clearance_frame,
+          "Frame that the motion with the smallest clearance leads to, from 0, the start; "
+          "-1: none.")
+      .def_readonly("clearance_gap", &Certificate::clearance_gap,
+                    "Where on the arm it is smallest: between plates gap and gap + 1; -1: nowhere.")
+      .def_readonly("clearance_obstacle", &Certificate::clearance_obstacle,
+                    "Index of that obstacle in the environment's list, from 0; -1: none.")
+      .def_readonly("max_step_kpa", &Certificate::max_step_kpa,
+                    "Largest change of a set point in one frame [kPa].")
+      .def_readonly(
+          "max_pressure_deviation_kpa", &Certificate::max_pressure_deviation_kpa,
+          "Largest difference of a pressure between its own valves and the plan [kPa]; up "
+          "to 1e-3 is allowed.")
+      .def_readonly("unfinished", &Certificate::unfinished,
+                    "Whether it was given up before the end; what was not checked has no figure.");
 }
 
 }  // namespace
@@ -54,12 +77,15 @@ void bind_certificate(py::module_& module) {
            py::arg("arm"), py::arg("network"), py::arg("valves"), py::arg("environment"),
            py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 4>(),
            py::keep_alive<1, 5>(), py::call_guard<py::gil_scoped_release>(),
-           "Without network (None): the no-load model.")
+           "network: a CompensationModel, None: the no-load model; valves: "
+           "ValveParameters, ideal ones for a plan without valves. None of them is taken "
+           "from a plan.")
       .def("certify", &certified, py::arg("plan"),
-           "Raises InputError where the plan was made for "
-           "something else; all else is a failure in the result.")
+           "The Certificate of one plan. Raises InputError where the plan was made for "
+           "another arm, environment or valves; all else is a failure in the result. "
+           "Ctrl-C raises KeyboardInterrupt.")
       .def_property_readonly("environment_hash", &Certifier::environment_hash,
-                             "What plans have to state.")
+                             "environment_hash of the environment, which plans have to state.")
       .def("__repr__", [](const Certifier& certifier) {
         return "Certifier(environment_hash='" + certifier.environment_hash() + "')";
       });

@@ -59,21 +59,28 @@ CollectionResult collect_with(const ArmDescription& arm, const CollectionSetting
 
 void bind_schedule(py::module_& module) {
   py::enum_<ScheduleKind>(module, "ScheduleKind", "Which motions are recorded.")
-      .value("transitions", ScheduleKind::transitions, "between extreme configurations")
-      .value("random", ScheduleKind::random, "uniform within the limits");
+      .value("transitions", ScheduleKind::transitions,
+             "between configurations with each segment fully right, fully left or off")
+      .value("random", ScheduleKind::random,
+             "between configurations sampled uniformly within the limits");
   py::enum_<Approach>(module, "Approach", "How set points go to the next configuration.")
-      .value("step", Approach::step, "they jump")
+      .value("step", Approach::step, "they jump, and each valve ramps by itself")
       .value("straight", Approach::straight, "together, along a straight line, as a plan's do");
   Record<ScheduleSettings>(module, "ScheduleSettings", "What motions are recorded.")
-      .field("kind", &ScheduleSettings::kind, "ScheduleKind.")
-      .field("count", &ScheduleSettings::count, "Motions; 0: every transition.")
-      .field("episodes", &ScheduleSettings::episodes, "0: 16 for transitions, 1 for random.")
-      .field("approach", &ScheduleSettings::approach, "Approach.")
-      .field("hold_s", &ScheduleSettings::hold_s, "Of a motion's final set point [s].")
+      .field("kind", &ScheduleSettings::kind, "ScheduleKind: which motions.")
+      .field("count", &ScheduleSettings::count,
+             "Number of motions: in all for transitions, 0: every one; in each episode for "
+             "random, >= 1.")
+      .field("episodes", &ScheduleSettings::episodes,
+             "Number of episodes; 0: 16 for transitions, 1 for random.")
+      .field("approach", &ScheduleSettings::approach,
+             "Approach: how set points go to the next configuration.")
+      .field("hold_s", &ScheduleSettings::hold_s,
+             "How long a motion's final set point is commanded [s], > 0.")
       .field("limit_scale", &ScheduleSettings::limit_scale,
              "Motions stay within so many times the arm's limits, in (0, 1].")
       .field("hold_min_s", &ScheduleSettings::hold_min_s,
-             "Holds are sampled between this and hold_s [s]; or None.")
+             "Each hold is sampled between this and hold_s [s]; None: they are all hold_s.")
       .keywords()
       .done();
 }
@@ -83,27 +90,35 @@ void bind_schedule(py::module_& module) {
 void bind_collection(py::module_& module) {
   bind_schedule(module);
   py::enum_<Progress::Mode>(module, "ProgressMode", "Whether progress goes to standard error.")
-      .value("automatic", Progress::Mode::automatic)
-      .value("quiet", Progress::Mode::quiet);
-  Record<CollectionSettings>(module, "CollectionSettings", "How an arm is recorded.")
-      .field("schedule", &CollectionSettings::schedule, "ScheduleSettings.")
-      .field("seed", &CollectionSettings::seed, "Of the schedule.")
-      .field("source", &CollectionSettings::source, "What moves, in words.")
-      .field("driver", &CollectionSettings::driver, "Everything else that decides the data.")
+      .value("automatic", Progress::Mode::automatic, "often on a terminal, else every 10 s")
+      .value("quiet", Progress::Mode::quiet, "never");
+  Record<CollectionSettings>(module, "CollectionSettings", "How an arm is recorded by `collect`.")
+      .field("schedule", &CollectionSettings::schedule, "ScheduleSettings: which motions.")
+      .field("seed", &CollectionSettings::seed, "Seed of the schedule's order.")
+      .field("source", &CollectionSettings::source, "What moves, in words; kept in the recording.")
+      .field("driver", &CollectionSettings::driver,
+             "Everything else that decides the data, such as noise, in words; kept in the "
+             "recording.")
       .field("hold_limit_s", &CollectionSettings::hold_limit_s,
-             "A set point not reached by then is a fault [s].")
-      .field("jobs", &CollectionSettings::jobs, "Threads, 0: one per core.")
-      .field("resume", &CollectionSettings::resume, "Go on from an interrupted run.")
-      .field("force", &CollectionSettings::force, "Replace the file.")
-      .field("progress", &CollectionSettings::progress, "ProgressMode.")
+             "A set point that is not reached by then is a SystemFault [s], >= hold_s.")
+      .field("jobs", &CollectionSettings::jobs, "Threads, 0: one per core; never changes a result.")
+      .field("resume", &CollectionSettings::resume,
+             "Whether to go on from the finished episodes of an interrupted run.")
+      .field("force", &CollectionSettings::force,
+             "Whether to replace the file if it exists; else that is an InputError.")
+      .field("progress", &CollectionSettings::progress,
+             "ProgressMode: whether progress goes to standard error.")
       .keywords()
       .done();
-  Record<CollectionResult>(module, "CollectionResult", "What was recorded.")
-      .read_only("recording", &CollectionResult::recording, "The recording, as in the file.")
-      .read_only("kept_episodes", &CollectionResult::kept_episodes, "Found by `resume`.")
-      .read_only("wall_time_s", &CollectionResult::wall_time_s, "Of this run [s].")
+  Record<CollectionResult>(module, "CollectionResult",
+                           "What `collect` recorded, and how long it took.")
+      .read_only("recording", &CollectionResult::recording, "The Recording, as in the file.")
+      .read_only("kept_episodes", &CollectionResult::kept_episodes,
+                 "Episodes that `resume` found finished.")
+      .read_only("wall_time_s", &CollectionResult::wall_time_s, "How long this run took [s].")
       .done();
-  py::class_<VirtualArms>(module, "DriverFactory", "Makes a virtual arm for each episode.")
+  py::class_<VirtualArms>(module, "DriverFactory",
+                          "Makes a virtual arm for each episode; virtual_arm_factory returns one.")
       .def("__repr__",
            [](const VirtualArms&) { return "DriverFactory(a VirtualArm for each episode)"; });
   module.def(
@@ -112,7 +127,8 @@ void bind_collection(py::module_& module) {
         return VirtualArms{virtual_arm_factory(arm, options)};
       },
       py::arg("arm"), py::arg("options") = VirtualArmOptions{}, py::keep_alive<0, 1>(),
-      "A fresh virtual arm an episode, each with noise of its own.");
+      "A DriverFactory for `collect`: a fresh VirtualArm for each episode, with noise "
+      "of its own.");
   module.def(
       "virtual_collection",
       [](const ArmDescription& arm, const ScheduleSettings& schedule,
@@ -122,7 +138,7 @@ void bind_collection(py::module_& module) {
         return settings;
       },
       py::arg("arm"), py::arg("schedule"), py::arg("options") = VirtualArmOptions{},
-      "Settings for the virtual arm, with its source, driver and seed.");
+      "CollectionSettings for the virtual arm, with its source, driver and seed.");
   module.def(
       "collect", &collect_with, py::arg("arm"), py::arg("settings"), py::arg("make_driver"),
       py::arg("path"),

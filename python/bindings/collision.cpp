@@ -21,8 +21,10 @@ FloatArray checked(const CollisionChecker& checker, const FloatArray& backbone, 
 
 void bind_collision(py::module_& module) {
   Record<Clearance>(module, "Clearance", "Smallest distance between the arm and an obstacle.")
-      .read_only("value_m", &Clearance::value_m, "[m]; negative: how deep; inf: no obstacles.")
-      .read_only("gap", &Clearance::gap, "Between plates gap and gap + 1; -1: none.")
+      .read_only("value_m", &Clearance::value_m,
+                 "Distance [m]; negative: how deep the arm is in it; inf: no obstacles.")
+      .read_only("gap", &Clearance::gap,
+                 "Where on the arm: between plates gap and gap + 1; -1: nowhere.")
       .read_only("obstacle", &Clearance::obstacle, "Index in the environment's list; -1: none.")
       .done();
   py::class_<CollisionChecker>(module, "CollisionChecker",
@@ -31,15 +33,17 @@ void bind_collision(py::module_& module) {
              return CollisionChecker(arm, environment.obstacles, margin_m);
            }),
            py::arg("arm"), py::arg("environment"), py::arg("margin_m") = 0.0,
-           "The margin is added to the arm's radius everywhere [m].")
-      .def_property_readonly("obstacle_count", &CollisionChecker::obstacle_count, "Obstacles.")
-      .def_property_readonly("gap_count", &CollisionChecker::gap_count, "m - 1.")
+           "margin_m: added to the arm's radius everywhere [m], >= 0.")
+      .def_property_readonly("obstacle_count", &CollisionChecker::obstacle_count,
+                             "Number of obstacles.")
+      .def_property_readonly("gap_count", &CollisionChecker::gap_count,
+                             "Spaces between plates, m - 1.")
       .def(
           "clearance",
           [](const CollisionChecker& checker, const FloatArray& backbone) {
             return checker.clearance(backbone_map(checked(checker, backbone, "backbone")));
           },
-          py::arg("backbone"), "Of one backbone, float32 (m, 3), less the margin.")
+          py::arg("backbone"), "Clearance of one backbone, float32 (m, 3), less the margin.")
       .def(
           "is_free",
           [](const CollisionChecker& checker, const FloatArray& backbone) {

@@ -16,18 +16,20 @@ namespace limber::python {
 namespace {
 
 void bind_obstacles(py::module_& module) {
-  Record<Circle>(module, "Circle", "An obstacle.")
-      .field("x_m", &Circle::x_m, "Centre [m].")
-      .field("y_m", &Circle::y_m, "Centre [m].")
-      .field("radius_m", &Circle::radius_m, "[m], > 0.")
+  Record<Circle>(module, "Circle", "A round obstacle, solid; in frame B.")
+      .field("x_m", &Circle::x_m, "Centre, along the straight arm [m].")
+      .field("y_m", &Circle::y_m, "Centre, to the left of the straight arm [m].")
+      .field("radius_m", &Circle::radius_m, "Radius [m], > 0.")
       .keywords()
       .done();
-  Record<Rectangle>(module, "Rectangle", "An obstacle.")
-      .field("x_m", &Rectangle::x_m, "Centre [m].")
-      .field("y_m", &Rectangle::y_m, "Centre [m].")
-      .field("width_m", &Rectangle::width_m, "Along its own x [m], > 0.")
-      .field("height_m", &Rectangle::height_m, "Along its own y [m], > 0.")
-      .field("angle_rad", &Rectangle::angle_rad, "Counter-clockwise [rad].")
+  Record<Rectangle>(module, "Rectangle", "A rectangular obstacle at any angle, solid; in frame B.")
+      .field("x_m", &Rectangle::x_m, "Centre, along the straight arm [m].")
+      .field("y_m", &Rectangle::y_m, "Centre, to the left of the straight arm [m].")
+      .field("width_m", &Rectangle::width_m,
+             "Size along its own x, which angle_rad turns [m], > 0.")
+      .field("height_m", &Rectangle::height_m,
+             "Size along its own y, which angle_rad turns [m], > 0.")
+      .field("angle_rad", &Rectangle::angle_rad, "Turned counter-clockwise about its centre [rad].")
       .keywords()
       .done();
   py::class_<Polygon>(module, "Polygon", "A simple polygon, convex or not; the inside is solid.")
@@ -41,7 +43,7 @@ void bind_obstacles(py::module_& module) {
              }
              return polygon;
            }),
-           py::arg("points_m"), "Corners, (k, 2), k >= 3 [m].")
+           py::arg("points_m"), "Corners x_m, y_m in order, (k, 2) [m], 3 to 1000 of them.")
       .def_property_readonly(
           "points_m",
           [](const Polygon& polygon) {
@@ -52,7 +54,7 @@ void bind_obstacles(py::module_& module) {
             }
             return points;
           },
-          "Corners, float64 (k, 2) [m].")
+          "Corners x_m, y_m in order, float64 (k, 2) [m]; a copy.")
       .def("__repr__", [](const Polygon& polygon) {
         return fmt::format("Polygon({} corners)", polygon.points_m.size());
       });
@@ -64,13 +66,16 @@ void bind_start(py::module_& module) {
              return ArmStart{pressures_from(pressures_kpa, pressures_kpa.size(), "pressures_kpa"),
                              backbone_from(backbone, backbone.size() / 3, "backbone")};
            }),
-           py::arg("pressures_kpa"), py::arg("backbone"), "(n,) [kPa] and (m, 3).")
+           py::arg("pressures_kpa"), py::arg("backbone"),
+           "pressures_kpa: (n,) [kPa], signed; backbone: (m, 3), rows x_m, y_m, theta_rad "
+           "in frame B, plate 0 at the base.")
       .def_property_readonly(
           "pressures_kpa", [](const ArmStart& start) { return vector_array(start.pressures_kpa); },
-          "float32 (n,) [kPa].")
+          "Pressures that the arm starts with, float32 (n,) [kPa], signed; a copy.")
       .def_property_readonly(
           "backbone", [](const ArmStart& start) { return backbone_array<float>(start.backbone); },
-          "float32 (m, 3).")
+          "Shape that the arm starts with, float32 (m, 3): x_m, y_m, theta_rad of each "
+          "plate; a copy.")
       .def("__repr__", [](const ArmStart& start) {
         return fmt::format("ArmStart(segments={}, points={})", start.pressures_kpa.size(),
                            start.backbone.rows());
@@ -94,12 +99,17 @@ void bind_environments(py::module_& module) {
                           "borrow it, so it does not change.")
       .def(py::init(&make_environment), py::arg("name"), py::arg("obstacles"), py::arg("goal"),
            py::arg("start") = py::none(), py::call_guard<py::gil_scoped_release>(),
-           "Checked as a file is. Without start: at rest.")
-      .def_readonly("name", &Environment::name, "Of the file.")
-      .def_readonly("obstacles", &Environment::obstacles, "Circle, Rectangle, Polygon; copies.")
+           "Checked as a file is: raises InputError naming the field. obstacles: a list of "
+           "Circle, Rectangle and Polygon, which messages and results count from 0; goal: "
+           "a PoseGoal; start: an ArmStart, None: straight and without pressure.")
+      .def_readonly("name", &Environment::name, "Its name, as its file has it.")
+      .def_readonly("obstacles", &Environment::obstacles,
+                    "List of Circle, Rectangle and Polygon, obstacle 0 first; copies.")
       .def_property_readonly(
-          "goal", [](const Environment& e) { return e.goal; }, "A copy.")
-      .def_readonly("start", &Environment::start, "ArmStart, or None: at rest.")
+          "goal", [](const Environment& e) { return e.goal; },
+          "Where the tip shall end, a PoseGoal; a copy.")
+      .def_readonly("start", &Environment::start,
+                    "ArmStart, or None: at rest, straight and without pressure.")
       .def("_repr_svg_", &obstacles_picture, py::call_guard<py::gil_scoped_release>())
       .def("__repr__", [](const Environment& environment) {
         return fmt::format("Environment(name='{}', obstacles={}, goal=({}, {}))", environment.name,
@@ -112,7 +122,9 @@ void bind_environments(py::module_& module) {
         return arm == nullptr ? load_environment(path) : load_environment(path, *arm);
       },
       py::arg("path"), py::arg("arm") = py::none(), py::call_guard<py::gil_scoped_release>(),
-      "Reads and checks an environment file (YAML); with an arm, that its start fits.");
+      "Reads and checks an environment file (YAML); with an arm, also that its start "
+      "fits. Raises InputError naming file, line and field. Whether the goal is "
+      "within reach is judged when planning.");
   module.def("environment_to_yaml", &environment_to_yaml, py::arg("environment"),
              py::call_guard<py::gil_scoped_release>(),
              "The environment as the text of a file that load_environment reads.");
@@ -122,12 +134,14 @@ void bind_environments(py::module_& module) {
         write_file_atomically(path, environment_to_yaml(environment));
       },
       py::arg("path"), py::arg("environment"), py::call_guard<py::gil_scoped_release>(),
-      "Writes such a file.");
+      "Writes an environment file (YAML) that load_environment reads, atomically.");
   module.def("environment_hash", &environment_hash, py::arg("environment"),
-             py::call_guard<py::gil_scoped_release>(), "Of everything that planning depends on.");
+             py::call_guard<py::gil_scoped_release>(),
+             "Hash of everything that planning depends on, a text; the name is no part of "
+             "it.");
   module.def("start_state", &start_state, py::arg("environment"), py::arg("arm"),
              py::call_guard<py::gil_scoped_release>(),
-             "Where the arm starts: as the environment has it, or at rest.");
+             "Where the arm starts, an ArmStart: as the environment has it, or at rest.");
 }
 
 }  // namespace limber::python

@@ -9,9 +9,24 @@
 
 namespace limber::python {
 
-/// Copies of the episodes of a Python list.
-std::vector<Episode> episodes_from(const pybind11::iterable& episodes);
+/// What a caller gives for a list of episodes: anything, so that episodes_from can say what is
+/// wrong with it.
+class EpisodeList : public pybind11::object {
+ public:
+  PYBIND11_OBJECT_DEFAULT(EpisodeList, object, is_object)
+
+ private:
+  static bool is_object(PyObject* object) { return object != nullptr; }
+};
+
+/// Copies of the episodes of a Python list. @throws TypeError naming what was found instead.
+std::vector<Episode> episodes_from(const EpisodeList& episodes);
 /// The way back: each moves to an object of its own.
 pybind11::list episodes_to(std::vector<Episode> episodes);
 
 }  // namespace limber::python
+
+template <>
+struct pybind11::detail::handle_type_name<limber::python::EpisodeList> {
+  static constexpr auto name = const_name("Iterable");
+};

@@ -85,23 +85,26 @@ std::optional<std::string> picture_of(const py::object& self) {
 
 void bind_execution_findings(py::module_& module) {
   py::enum_<ExecutionStatus>(module, "ExecutionStatus", "How an execution ended.")
-      .value("done", ExecutionStatus::done, "every frame was commanded")
-      .value("fault", ExecutionStatus::fault, "the arm failed")
-      .value("stopped", ExecutionStatus::stopped, "on request");
+      .value("done", ExecutionStatus::done, "every frame was commanded, and the hold after them")
+      .value("fault", ExecutionStatus::fault, "the arm failed, ExecutionResult.message")
+      .value("stopped", ExecutionStatus::stopped, "stopped on request, ExecutionResult.message");
   Record<ExecutionSettings>(module, "ExecutionSettings", "How a plan is executed.")
       .field("hold_s", &ExecutionSettings::hold_s,
-             "The last set point is held this long, the plan's hold counted [s].")
+             "How long the last set point is held, the plan's own hold counted [s], >= 0; "
+             "then the goal is judged.")
       .keywords()
       .done();
-  Record<ExecutedError>(module, "ExecutedError", "Between predicted and executed tip.")
-      .read_only("mean_m", &ExecutedError::mean_m, "[m]")
-      .read_only("before_hold_m", &ExecutedError::before_hold_m, "Mean while it moves [m].")
-      .read_only("max_m", &ExecutedError::max_m, "[m]")
-      .read_only("final_m", &ExecutedError::final_m, "At the plan's last frame [m].")
+  Record<ExecutedError>(module, "ExecutedError", "Distance between predicted and executed tip.")
+      .read_only("mean_m", &ExecutedError::mean_m, "Mean distance over the plan's frames [m].")
+      .read_only("before_hold_m", &ExecutedError::before_hold_m,
+                 "Mean distance before the plan's hold, while it moves [m].")
+      .read_only("max_m", &ExecutedError::max_m, "Largest distance [m].")
+      .read_only("final_m", &ExecutedError::final_m, "Distance at the plan's last frame [m].")
       .done();
   Record<Contact>(module, "Contact", "The arm near or in an obstacle at one moment.")
-      .read_only("time_s", &Contact::time_s, "[s]")
-      .read_only("clearance", &Contact::clearance, "Clearance.")
+      .read_only("time_s", &Contact::time_s, "Since the run began [s].")
+      .read_only("clearance", &Contact::clearance,
+                 "Clearance: how near, where on the arm, and to which obstacle.")
       .done();
 }
 
@@ -118,7 +121,9 @@ void bind_replanner(py::module_& module) {
            }),
            py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room") = py::none(),
            py::arg("seed") = 1, py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
-           py::keep_alive<1, 4>(), "room: what plans keep in hand; None: error_room's.")
+           py::keep_alive<1, 4>(),
+           "room: ErrorRoom that plans keep, None: error_room(model.forward); seed: of the "
+           "searches.")
       .def("__repr__", [](const Replanner& replanner) {
         return "Replanner(arm='" + replanner.arm + "', environment='" + replanner.environment +
                "')";
@@ -132,38 +137,50 @@ void bind_execution(py::module_& module) {
   bind_replanner(module);
   Record<ExecutionResult>(module, "ExecutionResult", "What came of executing a plan.",
                           py::dynamic_attr())
-      .read_only("status", &ExecutionResult::status, "ExecutionStatus.")
-      .read_only("message", &ExecutionResult::message, "Of a fault; else empty.")
-      .read_only("frames", &ExecutionResult::frames, "Set points commanded.")
-      .read_only("goal_reached", &ExecutionResult::goal_reached, "After the hold.")
-      .read_only("goal_error", &ExecutionResult::goal_error, "PoseError after the hold.")
-      .read_only("collided", &ExecutionResult::collided, "Whether it touched an obstacle.")
-      .read_only("prediction", &ExecutionResult::prediction, "ExecutedError, or None.")
+      .read_only("status", &ExecutionResult::status, "ExecutionStatus: how the run ended.")
+      .read_only("message", &ExecutionResult::message,
+                 "What went wrong at a fault or stop; else empty.")
+      .read_only("frames", &ExecutionResult::frames,
+                 "Number of set points commanded, those of the hold included.")
+      .read_only("goal_reached", &ExecutionResult::goal_reached,
+                 "Whether the tip was in the goal after the hold.")
+      .read_only("goal_error", &ExecutionResult::goal_error,
+                 "PoseError of the tip after the hold; meaningless where final_backbone is None.")
+      .read_only("collided", &ExecutionResult::collided, "Whether the arm touched an obstacle.")
+      .read_only("prediction", &ExecutionResult::prediction,
+                 "ExecutedError between plan and arm, or None where nothing was tracked.")
       .done()
-      .def_readonly("replans", &ExecutionResult::replans, "Plans after the first.")
-      .def_readonly("halts", &ExecutionResult::halts, "Plans that were left before their end.")
+      .def_readonly("replans", &ExecutionResult::replans, "Number of plans after the first.")
+      .def_readonly("halts", &ExecutionResult::halts,
+                    "Number of plans that were left before their end.")
       .def_readonly("open_loop_goal_error", &ExecutionResult::open_loop_goal_error,
                     "PoseError where the first plan's hold ended, if more followed; or None.")
       .def_readonly("start_error_m", &ExecutionResult::start_error_m,
-                    "Of a plate, before the first set point [m].")
-      .def_readonly("first_collision", &ExecutionResult::first_collision, "Contact, or None.")
-      .def_readonly("closest", &ExecutionResult::closest, "Contact, or None.")
+                    "Largest distance of a plate from where the plan starts, before the first set "
+                    "point [m].")
+      .def_readonly("first_collision", &ExecutionResult::first_collision,
+                    "Contact when it first touched an obstacle, or None.")
+      .def_readonly("closest", &ExecutionResult::closest,
+                    "Contact where the arm came nearest to an obstacle, or None: no obstacles, or "
+                    "never tracked.")
       .def_property_readonly(
           "final_backbone",
           [](const ExecutionResult& result) -> py::object {
             return result.final_backbone ? py::object(backbone_array<float>(*result.final_backbone))
                                          : py::none();
           },
-          "float32 (m, 3) after the hold, or None.")
-      .def_readonly("episode", &ExecutionResult::episode, "What was commanded and measured.")
+          "Shape after the hold, float32 (m, 3), or None where it was not tracked.")
+      .def_readonly("episode", &ExecutionResult::episode,
+                    "Episode of what was commanded and measured, time 0 being the start.")
       .def("_repr_svg_", &picture_of);
-  module.def(
-      "execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
-      py::arg("driver"), py::arg("settings") = ExecutionSettings{},
-      py::arg("replanner") = py::none(),
-      "Commands a plan's frames as they stand, then holds; a Replanner plans again. driver: a "
-      "VirtualArm, a ProcessDriver, or an ArmDriver of your own for simulation. The arm "
-      "is vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt.");
+  module.def("execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
+             py::arg("driver"), py::arg("settings") = ExecutionSettings{},
+             py::arg("replanner") = py::none(),
+             "Commands a plan's frames as they stand, then holds; a Replanner plans again. "
+             "driver: a VirtualArm, a ProcessDriver, or an ArmDriver of your own for "
+             "simulation. The arm is vented before this returns, whatever happens; Ctrl-C "
+             "raises KeyboardInterrupt. Raises InputError where arm, environment and plan do "
+             "not belong together, or the arm is too far from the plan's start.");
 }
 
 }  // namespace limber::python

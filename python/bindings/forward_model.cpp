@@ -154,53 +154,13 @@ py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressure
   return backbones;
 }
 
-}  // namespace
-
-void bind_forward_model(py::module_& module) {
-  module.def("_pass_s", &pass_s);
-  py::class_<ForwardModel>(
-      module, "ForwardModel",
-      "B_t = F(q_(t-1), q_t, B_(t-1)): the no-load model, or the no-load model compensated by a "
-      "network. A pure function: any number of threads may share it.")
-      .def(py::init([](const ArmDescription& arm, const CompensationModel* compensation) {
-             return compensation == nullptr ? ForwardModel(arm) : ForwardModel(arm, *compensation);
-           }),
-           py::arg("arm"), py::arg("compensation") = py::none(),
-           py::call_guard<py::gil_scoped_release>(), "Without a network the no-load model alone.")
-      .def_property_readonly("segment_count", &ForwardModel::segment_count, "n.")
-      .def_property_readonly("point_count", &ForwardModel::point_count, "m.")
-      .def_property_readonly("has_network", &ForwardModel::has_network, "Whether there is one.")
-      .def_property_readonly("no_load", &ForwardModel::no_load, "The simple model within.")
-      .def_property_readonly(
-          "compensation",
-          [](const ForwardModel& model) -> const CompensationModel* {
-            return model.has_network() ? &model.compensation() : nullptr;
-          },
-          py::return_value_policy::reference_internal, "The network, or None.")
-      .def("step", &step, py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
-           py::arg("out") = py::none(),
-           "One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3). `out` may be `previous`.")
-      .def("checked_step", &checked_step, py::arg("previous_kpa"), py::arg("current_kpa"),
-           py::arg("previous"),
-           "One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3); pressures beyond their "
-           "limits are refused too.")
-      .def("step_batch", &step_batch, py::arg("previous_kpa"), py::arg("current_kpa"),
-           py::arg("previous"), py::arg("out") = py::none(),
-           "k queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3), each row to the "
-           "bit what step gives. `out` may be `previous`.")
-      .def("rollout", &rollout, py::arg("pressures_kpa"), py::arg("first"),
-           "Feeds its own output back: pressures float32 (T, n) [kPa] from backbone `first` "
-           "(m, 3) give (T, m, 3), row 0 being `first`.")
-      .def("__repr__", [](const ForwardModel& model) {
-        return fmt::format("ForwardModel(segments={}, points={}, network={})",
-                           model.segment_count(), model.point_count(),
-                           model.has_network() ? model.compensation().shape() : "None");
-      });
+void bind_parallel_forward(py::module_& module) {
   py::class_<ParallelForward>(module, "ParallelForward",
                               "Large batches over several threads; the answers are the same for "
                               "any number. One caller at a time.")
-      .def(py::init<int>(), py::arg("jobs") = 0, "0: one per core.")
-      .def_property_readonly("jobs", &ParallelForward::jobs, "Threads.")
+      .def(py::init<int>(), py::arg("jobs") = 0,
+           "jobs: threads, 0: one per core; never changes a result.")
+      .def_property_readonly("jobs", &ParallelForward::jobs, "Number of threads.")
       .def(
           "step_batch",
           [](ParallelForward& parallel, const ForwardModel& model, const FloatArray& previous_kpa,
@@ -217,6 +177,60 @@ void bind_forward_model(py::module_& module) {
       .def("__repr__", [](const ParallelForward& parallel) {
         return fmt::format("ParallelForward(jobs={})", parallel.jobs());
       });
+}
+
+}  // namespace
+
+void bind_forward_model(py::module_& module) {
+  module.def("_pass_s", &pass_s);
+  py::class_<ForwardModel>(
+      module, "ForwardModel",
+      "B_t = F(q_(t-1), q_t, B_(t-1)): the no-load model, or the no-load model compensated by a "
+      "network. A pure function: any number of threads may share it.")
+      .def(py::init([](const ArmDescription& arm, const CompensationModel* compensation) {
+             return compensation == nullptr ? ForwardModel(arm) : ForwardModel(arm, *compensation);
+           }),
+           py::arg("arm"), py::arg("compensation") = py::none(),
+           py::call_guard<py::gil_scoped_release>(),
+           "compensation: a CompensationModel, None: the no-load model alone. Raises "
+           "InputError where it was trained for another arm.")
+      .def_property_readonly("segment_count", &ForwardModel::segment_count,
+                             "n: segments of the arm.")
+      .def_property_readonly("point_count", &ForwardModel::point_count,
+                             "m: plates of the arm, base included.")
+      .def_property_readonly("has_network", &ForwardModel::has_network, "Whether it has a network.")
+      .def_property_readonly("no_load", &ForwardModel::no_load,
+                             "The NoLoadModel that the network compensates.")
+      .def_property_readonly(
+          "compensation",
+          [](const ForwardModel& model) -> const CompensationModel* {
+            return model.has_network() ? &model.compensation() : nullptr;
+          },
+          py::return_value_policy::reference_internal,
+          "The CompensationModel, or None: the no-load model alone.")
+      .def("step", &step, py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
+           py::arg("out") = py::none(),
+           "One query: pressures a frame ago and now, float32 (n,) and (n,) [kPa], and the "
+           "backbone a frame ago (m, 3) give the backbone now (m, 3). It is written to "
+           "`out` where one is given, which may be `previous`. Raises InputError for a "
+           "wrong shape, NaN or infinity.")
+      .def("checked_step", &checked_step, py::arg("previous_kpa"), py::arg("current_kpa"),
+           py::arg("previous"),
+           "One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3); pressures beyond their "
+           "limits are refused too.")
+      .def("step_batch", &step_batch, py::arg("previous_kpa"), py::arg("current_kpa"),
+           py::arg("previous"), py::arg("out") = py::none(),
+           "k queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3), each row to the "
+           "bit what step gives. `out` may be `previous`.")
+      .def("rollout", &rollout, py::arg("pressures_kpa"), py::arg("first"),
+           "Feeds its own output back: pressures float32 (T, n) [kPa] from backbone `first` "
+           "(m, 3) give (T, m, 3), row 0 being `first`.")
+      .def("__repr__", [](const ForwardModel& model) {
+        return fmt::format("ForwardModel(segments={}, points={}, network={})",
+                           model.segment_count(), model.point_count(),
+                           model.has_network() ? model.compensation().shape() : "None");
+      });
+  bind_parallel_forward(module);
 }
 
 }  // namespace limber::python

@@ -60,7 +60,7 @@ void bind_json(py::module_& module) {
   module.def(
       "to_json",
       [](const IdentifiedValves& valves) { return to_python([&] { return to_json(valves); }); },
-      py::arg("valves"), "Keys as in a valve file.");
+      py::arg("valves"), "Valves as a dict, with the keys of a valve file.");
   module.def(
       "to_json",
       [](const PredictionError& error) { return to_python([&] { return to_json(error); }); },
@@ -69,7 +69,8 @@ void bind_json(py::module_& module) {
       "content_hash",
       [](const std::filesystem::path& path) { return content_hash(read_file(path)); },
       py::arg("path"), py::call_guard<py::gil_scoped_release>(),
-      "Of a file: what plans and models say of the files they were made with.");
+      "Hash of a file, a text: what plans and models say of the files they were made "
+      "with.");
 }
 
 }  // namespace limber::python

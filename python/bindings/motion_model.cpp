@@ -30,10 +30,13 @@ void bind_tube(py::module_& module) {
   Record<PlanTube>(module, "PlanTube",
                    "How far the arm may be from where a plan predicts it, in a share of all runs; "
                    "`limber calibrate` measures it.")
-      .read_only("level", &PlanTube::level, "Share of runs, in (0, 1).")
-      .read_only("plate_radius_m", &PlanTube::plate_radius_m, "One a plate, base first [m].")
-      .read_only("end_radius_m", &PlanTube::end_radius_m, "Of the tip after the hold [m].")
-      .read_only("end_heading_rad", &PlanTube::end_heading_rad, "Of its heading [rad].")
+      .read_only("level", &PlanTube::level, "Share of runs that stay in the tube, in (0, 1).")
+      .read_only("plate_radius_m", &PlanTube::plate_radius_m,
+                 "How far each plate may be from its prediction, m numbers, base first [m].")
+      .read_only("end_radius_m", &PlanTube::end_radius_m,
+                 "How far the tip may be after the hold [m], >= 0.")
+      .read_only("end_heading_rad", &PlanTube::end_heading_rad,
+                 "How far the tip's heading may be off after the hold [rad], >= 0.")
       .done()
       .def_readonly("goal_inside", &PlanTube::goal_inside,
                     "Of a plan: whether its end lies so far inside the goal.");
@@ -42,12 +45,17 @@ void bind_tube(py::module_& module) {
 void bind_error_room(py::module_& module) {
   Record<ErrorRoom>(module, "ErrorRoom", "What plans keep in hand for the model's error.")
       .read_only("margin_m", &ErrorRoom::margin_m,
-                 "Clearance from obstacles [m]; of a tube its largest radius.")
-      .read_only("goal_margin", &ErrorRoom::goal_margin, "Way to the goal's rim.")
+                 "Clearance from obstacles [m], >= 0; of a tube its largest radius.")
+      .read_only("goal_margin", &ErrorRoom::goal_margin,
+                 "PoseError: how far inside the goal's tolerances plans end.")
       .read_only("tube", &ErrorRoom::tube, "PlanTube of a calibrated model, or None.")
       .read_only("margin_yields_to_start", &ErrorRoom::margin_yields_to_start,
-                 "Whether nobody has asked for this very amount.")
-      .read_only("note", &ErrorRoom::note, "Why the amounts are no measured ones.")
+                 "Whether an arm that starts nearer to an obstacle than margin_m keeps only the "
+                 "clearance that it starts with, instead of having no plan. True unless margin_m "
+                 "was given.")
+      .read_only("note", &ErrorRoom::note,
+                 "Why the amounts were not measured, and what to do about it; empty where they "
+                 "were.")
       .done();
   module.def(
       "error_room",
@@ -59,8 +67,12 @@ void bind_error_room(py::module_& module) {
       py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
       py::arg("goal_margin_rad") = py::none(), py::arg("tube_level") = py::none(),
       py::call_guard<py::gil_scoped_release>(),
-      "The tube that a model carries, or the error that it states, or the amounts that are given "
-      "instead.");
+      "The ErrorRoom that plans keep for a model's error: the tube that the model "
+      "carries, else the error that it states (PredictionError). margin_m, "
+      "goal_margin_m [m] and goal_margin_rad [rad], >= 0, are taken instead where "
+      "they are given; tube_level chooses one of the model's tubes, such as 0.9. "
+      "Raises InputError naming the levels there are. Without a network: 0, its error "
+      "is larger than any room.");
 }
 
 void bind_motion_state(py::module_& module) {
@@ -69,17 +81,18 @@ void bind_motion_state(py::module_& module) {
       .def_property_readonly(
           "pressure_kpa",
           [](const MotionState& state) { return vector_array(Pressures(state.pressure_kpa())); },
-          "float32 (n,) [kPa], a copy.")
+          "Pressures now, float32 (n,) [kPa]; a copy.")
       .def_property_readonly(
           "setpoint_kpa",
           [](const MotionState& state) { return vector_array(Pressures(state.setpoint_kpa())); },
-          "The last ones, float32 (n,) [kPa], a copy.")
+          "The last set points, float32 (n,) [kPa]; a copy.")
       .def_property_readonly(
           "backbone",
           [](const MotionState& state) { return backbone_array<float>(state.backbone); },
-          "float32 (m, 3), a copy.")
+          "Shape now, float32 (m, 3): x_m, y_m, theta_rad of each plate; a copy.")
       .def(
-          "copy", [](const MotionState& state) { return state; }, "Another one like this.")
+          "copy", [](const MotionState& state) { return state; },
+          "Another MotionState that is equal and independent.")
       .def("__eq__", [](const MotionState& a, const MotionState& b) { return a == b; })
       .def("__repr__", [](const MotionState& state) {
         const Pose tip = tip_pose<float>(state.backbone);
@@ -99,14 +112,20 @@ void bind_motion_model(py::module_& module) {
              return valves == nullptr ? MotionModel(forward) : MotionModel(forward, *valves);
            }),
            py::arg("forward"), py::arg("valves") = py::none(), py::keep_alive<1, 2>(),
-           "Without valves pressures are the set points.")
+           "forward: a ForwardModel; valves: a ValveModel, None: pressures are the set "
+           "points.")
       .def_property_readonly("forward", &MotionModel::forward,
-                             py::return_value_policy::reference_internal, "The forward model.")
+                             py::return_value_policy::reference_internal,
+                             "The ForwardModel behind the valves.")
       .def_property_readonly("valves", &MotionModel::valves,
-                             py::return_value_policy::reference_internal, "The valves.")
-      .def_property_readonly("segment_count", &MotionModel::segment_count, "n.")
-      .def_property_readonly("point_count", &MotionModel::point_count, "m.")
-      .def_property_readonly("has_network", &MotionModel::has_network, "Whether there is one.")
+                             py::return_value_policy::reference_internal,
+                             "The ValveModel, ideal where none was given.")
+      .def_property_readonly("segment_count", &MotionModel::segment_count,
+                             "n: segments of the arm.")
+      .def_property_readonly("point_count", &MotionModel::point_count,
+                             "m: plates of the arm, base included.")
+      .def_property_readonly("has_network", &MotionModel::has_network,
+                             "Whether the forward model has a network.")
       .def(
           "settled_state",
           [](const MotionModel& model, const FloatArray& kpa, const FloatArray& backbone) {
@@ -114,7 +133,8 @@ void bind_motion_model(py::module_& module) {
                                        backbone_from(backbone, model.point_count(), "backbone"));
           },
           py::arg("kpa"), py::arg("backbone"),
-          "Of an arm that has long stood at (n,) [kPa] with backbone (m, 3).")
+          "MotionState of an arm that has long stood at pressures (n,) [kPa] with "
+          "backbone (m, 3).")
       .def("step", &step, py::arg("setpoint_kpa"), py::arg("state"),
            "One frame at set points float32 (n,) [kPa]: `state` becomes what follows it.")
       .def("__repr__", [](const MotionModel& model) {
@@ -123,9 +143,11 @@ void bind_motion_model(py::module_& module) {
                            model.valves().is_ideal() ? "ideal" : "identified");
       });
   py::class_<RecordedRegion>(module, "RecordedRegion",
-                             "Judges whether motions stay within what the recordings held.")
+                             "Judges whether motions stay within what the recordings held, for "
+                             "PlanningProblem(stay_within=...).")
       .def(py::init<const LearntRegion&, double>(), py::arg("learnt"), py::arg("frame_rate_hz"),
-           py::keep_alive<1, 2>())
+           py::keep_alive<1, 2>(),
+           "learnt: LearntRegion, a model's model.learnt; frame_rate_hz: the arm's [Hz], > 0.")
       .def("__repr__", [](const RecordedRegion& region) {
         return fmt::format("RecordedRegion(segments={}, points={})",
                            region.learnt().segment_count(), region.learnt().point_count());

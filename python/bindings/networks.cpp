@@ -25,14 +25,14 @@ void bind_layer(py::module_& module) {
             return py::array_t<float>({weight.rows(), weight.cols()}, {item, item * weight.rows()},
                                       weight.data(), self);
           },
-          "float32 (out, in), a view.")
+          "W, float32 (outputs, inputs); a view of limber's memory.")
       .def_property_readonly(
           "bias",
           [](const py::object& self) {
             const Eigen::VectorXf& bias = self.cast<const Layer&>().bias;
             return view_of(bias.data(), {bias.size()}, self);
           },
-          "float32 (out,), a view.")
+          "b, float32 (outputs,); a view of limber's memory.")
       .def("__repr__", [](const Layer& layer) {
         return fmt::format("Layer({} -> {})", layer.weight.cols(), layer.weight.rows());
       });
@@ -47,11 +47,18 @@ py::array_t<float> numbers_of(const py::object& self) {
 
 void bind_gap_bounds(py::module_& module) {
   py::class_<GapBounds>(module, "GapBounds",
-                        "What predictions keep every gap's shape within: float32 (gaps,) each.")
-      .def_property_readonly("min_length_m", &numbers_of<&GapBounds::min_length_m>, "[m].")
-      .def_property_readonly("max_length_m", &numbers_of<&GapBounds::max_length_m>, "[m].")
-      .def_property_readonly("min_turn_rad", &numbers_of<&GapBounds::min_turn_rad>, "[rad].")
-      .def_property_readonly("max_turn_rad", &numbers_of<&GapBounds::max_turn_rad>, "[rad].")
+                        "What predictions keep the shape of every gap between two plates within: "
+                        "float32 (m - 1,) each, base first; views of limber's memory.")
+      .def_property_readonly("min_length_m", &numbers_of<&GapBounds::min_length_m>,
+                             "Shortest distance of the two plates, float32 (m - 1,) [m].")
+      .def_property_readonly("max_length_m", &numbers_of<&GapBounds::max_length_m>,
+                             "Longest distance of the two plates, float32 (m - 1,) [m].")
+      .def_property_readonly(
+          "min_turn_rad", &numbers_of<&GapBounds::min_turn_rad>,
+          "Smallest turn from one plate to the next, signed, float32 (m - 1,) [rad].")
+      .def_property_readonly(
+          "max_turn_rad", &numbers_of<&GapBounds::max_turn_rad>,
+          "Largest turn from one plate to the next, signed, float32 (m - 1,) [rad].")
       .def("__repr__", [](const GapBounds& bounds) {
         return fmt::format(
             "GapBounds(gaps={}, length_m=({:.4f}, {:.4f}), turn_rad=({:.3f}, {:.3f}))",
@@ -62,22 +69,30 @@ void bind_gap_bounds(py::module_& module) {
 }
 
 void bind_prediction_error(py::module_& module) {
-  Record<PredictionError>(module, "PredictionError",
-                          "How far predictions were from the arm on motions that neither trained "
-                          "nor chose the model; not exceeded by 95 % of the runs.")
-      .read_only("runs", &PredictionError::runs, "That it was measured over.")
-      .read_only("run_s", &PredictionError::run_s, "Their mean length [s].")
-      .read_only("max_position_m", &PredictionError::max_position_m, "Of any plate [m].")
-      .read_only("off_path_m", &PredictionError::off_path_m, "Off the predicted motion [m].")
-      .read_only("end_position_m", &PredictionError::end_position_m, "Of the tip at the end [m].")
+  Record<PredictionError>(
+      module, "PredictionError",
+      "How far predictions were from the arm on motions that neither trained nor "
+      "chose the model, open loop. Each number is one that 95 % of the runs do not "
+      "exceed.")
+      .read_only("runs", &PredictionError::runs, "Number of runs that it was measured over, >= 1.")
+      .read_only("run_s", &PredictionError::run_s, "Mean length of a run [s].")
+      .read_only("max_position_m", &PredictionError::max_position_m,
+                 "Largest distance of any plate from its prediction in a run [m].")
+      .read_only("off_path_m", &PredictionError::off_path_m,
+                 "Largest distance of the arm from the predicted path in a run, early or late "
+                 "[m].")
+      .read_only("end_position_m", &PredictionError::end_position_m,
+                 "Distance of the tip from its prediction at a run's end [m].")
       .read_only("end_orientation_rad", &PredictionError::end_orientation_rad,
-                 "Of its heading [rad].")
+                 "Difference of the tip's heading at a run's end [rad].")
       .done();
 }
 
 void bind_learnt_region(py::module_& module) {
-  py::class_<LearntRegion>(module, "LearntRegion",
-                           "What the training recordings held: ranges of pressures, rates, shapes.")
+  py::class_<LearntRegion>(
+      module, "LearntRegion",
+      "What the training recordings held: ranges of pressures [kPa], of their rates "
+      "[kPa/s], and of shapes.")
       .def("__repr__", [](const LearntRegion& learnt) {
         std::vector<std::string> ranges;
         for (Eigen::Index s = 0; s < learnt.low_kpa.size(); ++s) {
@@ -88,13 +103,7 @@ void bind_learnt_region(py::module_& module) {
       });
 }
 
-}  // namespace
-
-void bind_networks(py::module_& module) {
-  bind_layer(module);
-  bind_prediction_error(module);
-  bind_gap_bounds(module);
-  bind_learnt_region(module);
+void bind_network(py::module_& module) {
   py::class_<CompensationModel>(module, "CompensationModel",
                                 "The network with everything needed to use it.")
       .def_property_readonly(
@@ -106,7 +115,7 @@ void bind_networks(py::module_& module) {
             }
             return layers;
           },
-          "Of the leading network; no copies.")
+          "List of Layer of the leading network; no copies.")
       .def_property_readonly("member_count", &CompensationModel::member_count,
                              "Networks of the ensemble, 1 where it is none.")
       .def_property(
@@ -119,36 +128,55 @@ void bind_networks(py::module_& module) {
           },
           "Of an ensemble: \"first\", its first network's, "
           "or \"mean\" of all. No part of the file.")
-      .def_property_readonly("shape", &CompensationModel::shape, "\"102-100-100-100-48\".")
-      .def_readonly("arm_name", &CompensationModel::arm_name, "Of the arm it was trained for.")
-      .def_readonly("arm_hash", &CompensationModel::arm_hash, "ArmDescription.hash() of it.")
-      .def_readonly("preset", &CompensationModel::preset, "\"paper\" or \"best\".")
+      .def_property_readonly("shape", &CompensationModel::shape,
+                             "Sizes of the layers, inputs first: \"102-100-100-100-48\".")
+      .def_readonly("arm_name", &CompensationModel::arm_name,
+                    "Name of the arm that it was trained for.")
+      .def_readonly("arm_hash", &CompensationModel::arm_hash, "ArmDescription.hash() of that arm.")
+      .def_readonly("preset", &CompensationModel::preset,
+                    "Preset it was trained by: \"paper\" or \"best\".")
       .def_readwrite("training", &CompensationModel::training,
                      "Record of the training, a dict of texts; assign a whole one.")
       .def_readonly("learnt_from_setpoints", &CompensationModel::learnt_from_setpoints,
                     "It knows the valves along with the arm, and none belong before it.")
       .def_readwrite("valves", &CompensationModel::valves,
-                     "Between set points and pressures of the recordings, or None.")
-      .def_readonly("valve_findings", &CompensationModel::valve_findings, "How they were found.")
+                     "ValveParameters between set points and pressures of the recordings, or None; "
+                     "can be set.")
+      .def_readonly("valve_findings", &CompensationModel::valve_findings,
+                    "ValveFindings: how its valves were found, or why there are none.")
       .def_readonly("prediction_error", &CompensationModel::prediction_error,
-                    "On motions it has not seen, or None.")
+                    "PredictionError on motions that it has not seen, as note_unseen stores it; or "
+                    "None.")
       .def_readwrite("learnt", &CompensationModel::learnt,
                      "What the recordings held, or None: see learnt_region_of.")
       .def_readwrite("bounds", &CompensationModel::bounds,
                      "What predictions stay within, or None: see gap_bounds_of.")
       .def("set_valves", &CompensationModel::set_valves, py::arg("identified"),
-           "Stores valves and how they were found.")
+           "Stores valves and how they were found. identified: IdentifiedValves, as "
+           "identify_valves returns them.")
       .def("__repr__", [](const CompensationModel& model) {
         return fmt::format("CompensationModel(arm='{}', shape='{}', preset='{}', members={})",
                            model.arm_name, model.shape(), model.preset, model.member_count());
       });
+}
+
+}  // namespace
+
+void bind_networks(py::module_& module) {
+  bind_layer(module);
+  bind_prediction_error(module);
+  bind_gap_bounds(module);
+  bind_learnt_region(module);
+  bind_network(module);
   module.def("read_model", &read_model, py::arg("path"), py::call_guard<py::gil_scoped_release>(),
-             "Reads and checks a model (safetensors).");
+             "Reads and checks a model (safetensors). Raises InputError naming file and key.");
   module.def("write_model", &write_model, py::arg("path"), py::arg("model"),
-             py::call_guard<py::gil_scoped_release>(), "Writes a model (safetensors), atomically.");
+             py::call_guard<py::gil_scoped_release>(),
+             "Writes a model (safetensors) that read_model reads, atomically.");
   module.def("require_model_of", &require_model_of, py::arg("model"), py::arg("arm"),
              py::arg("where") = "model",
-             "Raises InputError unless the model was trained for the arm.");
+             "Raises InputError unless the model was trained for the arm. where: the model's "
+             "name in the message.");
 }
 
 }  // namespace limber::python

@@ -47,24 +47,33 @@ void require_segment(const NoLoadModel& model, int segment) {
   }
 }
 
+void bind_segment_shapes(py::module_& module) {
+  Record<SegmentShape>(module, "SegmentShape", "Curvature and length of one segment.")
+      .read_only("curvature_per_m", &SegmentShape::curvature_per_m,
+                 "Curvature [1/m]; positive bends left, which a negative pressure does.")
+      .read_only("length_m", &SegmentShape::length_m, "Length of its middle line when bent [m].")
+      .done();
+  Record<SegmentPressure>(module, "SegmentPressure", "A pressure that bends a segment as wanted.")
+      .read_only("pressure_kpa", &SegmentPressure::pressure_kpa,
+                 "Signed pressure within the segment's limits [kPa].")
+      .read_only("reachable", &SegmentPressure::reachable,
+                 "False where more than the limit would be needed; pressure_kpa is then at the "
+                 "limit.")
+      .done();
+}
+
 }  // namespace
 
 void bind_no_load_model(py::module_& module) {
-  Record<SegmentShape>(module, "SegmentShape", "Curvature and length of one segment.")
-      .read_only("curvature_per_m", &SegmentShape::curvature_per_m, "Positive bends left [1/m].")
-      .read_only("length_m", &SegmentShape::length_m, "[m]")
-      .done();
-  Record<SegmentPressure>(module, "SegmentPressure", "A pressure that bends a segment as wanted.")
-      .read_only("pressure_kpa", &SegmentPressure::pressure_kpa, "Within the limit [kPa].")
-      .read_only("reachable", &SegmentPressure::reachable,
-                 "False where more than the limit would be needed.")
-      .done();
+  bind_segment_shapes(module);
   py::class_<NoLoadModel>(module, "NoLoadModel",
                           "Shape of the unloaded, frictionless arm at given "
                           "pressures. Constant: any number of threads may share it.")
-      .def(py::init<const ArmDescription&>(), py::arg("arm"))
-      .def_property_readonly("segment_count", &NoLoadModel::segment_count, "n.")
-      .def_property_readonly("point_count", &NoLoadModel::point_count, "m.")
+      .def(py::init<const ArmDescription&>(), py::arg("arm"), "The simple model of an arm.")
+      .def_property_readonly("segment_count", &NoLoadModel::segment_count,
+                             "n: segments of the arm.")
+      .def_property_readonly("point_count", &NoLoadModel::point_count,
+                             "m: plates of the arm, base included.")
       .def("backbone", &backbone, py::arg("pressures_kpa"), py::arg("out") = py::none(),
            "Backbone at pressures [kPa]: float32 (n,) gives (m, 3), rows x_m, y_m, theta_rad from "
            "base to tip; (k, n) gives (k, m, 3). Written to `out` where one is given.")
@@ -74,21 +83,29 @@ void bind_no_load_model(py::module_& module) {
             require_segment(model, segment);
             return model.segment_shape(segment, pressure_kpa);
           },
-          py::arg("segment"), py::arg("pressure_kpa"), "Equations (3) and (4) of one segment.")
+          py::arg("segment"), py::arg("pressure_kpa"),
+          "Curvature and length of one segment under a pressure: docs/model.md, (3) and "
+          "(4). segment: 0 at the base; pressure_kpa: signed [kPa]. Raises IndexError for "
+          "a segment that there is not.")
       .def(
           "pressure_for_curvature",
           [](const NoLoadModel& model, int segment, double curvature_per_m) {
             require_segment(model, segment);
             return model.pressure_for_curvature(segment, curvature_per_m);
           },
-          py::arg("segment"), py::arg("curvature_per_m"), "Their inverse, (11).")
+          py::arg("segment"), py::arg("curvature_per_m"),
+          "Pressure that bends a segment as wanted, the inverse of segment_shape: (11). "
+          "curvature_per_m: positive bends left [1/m]. Beyond the limit: reachable is "
+          "False.")
       .def(
           "curvature_limit_per_m",
           [](const NoLoadModel& model, int segment) {
             require_segment(model, segment);
             return model.curvature_limit_per_m(segment);
           },
-          py::arg("segment"), "Largest curvature that the pressure limit allows [1/m].")
+          py::arg("segment"),
+          "Largest curvature that the pressure limit of a segment allows, in magnitude "
+          "[1/m].")
       .def("__repr__", [](const NoLoadModel& model) {
         return fmt::format("NoLoadModel(segments={}, points={})", model.segment_count(),
                            model.point_count());
@@ -103,7 +120,7 @@ void bind_no_load_model(py::module_& module) {
         const py::ssize_t last = backbone.shape(0) - 1;
         return Pose{rows(last, 0), rows(last, 1), rows(last, 2)};
       },
-      py::arg("backbone"), "Pose of the end effector: the last row of (m, 3).");
+      py::arg("backbone"), "Pose of the end effector: the last row of a backbone (m, 3).");
 }
 
 }  // namespace limber::python

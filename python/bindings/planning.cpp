@@ -58,29 +58,46 @@ class OnePlanner {
 };
 
 void bind_limits(py::module_& module) {
-  Record<PlannerLimits>(module, "PlannerLimits",
-                        "When to stop; whichever comes first. At least one of time_s, iterations "
-                        "and queries is set.")
-      .field("time_s", &PlannerLimits::time_s, "[s]")
-      .field("iterations", &PlannerLimits::iterations, "Samples.")
-      .field("queries", &PlannerLimits::queries, "Of the forward model.")
-      .field("memory_mb", &PlannerLimits::memory_mb, "Of the tree [MB].")
+  Record<PlannerLimits>(
+      module, "PlannerLimits",
+      "When to stop; whichever comes first. At least one of time_s, iterations and "
+      "queries has to be set, or `plan` raises InputError. When a limit is reached, "
+      "the best plan so far is the result; without one, status is PlanStatus.limit, "
+      "and PlanResult.limit says which.")
+      .field("time_s", &PlannerLimits::time_s,
+             "Time [s], > 0; the search ends within 50 ms of it. The plan then depends on "
+             "the machine. None: no limit.")
+      .field("iterations", &PlannerLimits::iterations,
+             "Samples, >= 1. With this limit alone a run can be repeated. OMPL's planners "
+             "count neither these nor memory, and say so. None: no limit.")
+      .field("queries", &PlannerLimits::queries,
+             "Queries of the forward model by the search, >= 1, looked at after each round. "
+             "PlannerStatistics.queries may be more. None: no limit.")
+      .field("memory_mb", &PlannerLimits::memory_mb,
+             "Size of the search tree [MB], > 0. No limit by itself: another one is needed. "
+             "None: no limit.")
       .field("cost_threshold_kpa", &PlannerLimits::cost_threshold_kpa,
-             "Stops at a plan this cheap [kPa].")
+             "The search ends with a plan that costs this or less [kPa], the sum of |dp| "
+             "over segments and frames. None: it goes on to improve plans.")
       .keywords()
       .done();
-  py::enum_<PlanStatus>(module, "PlanStatus", "What came of planning.")
-      .value("solved", PlanStatus::solved, "a certified plan exists")
-      .value("limit", PlanStatus::limit, "a limit came first")
-      .value("invalid_start", PlanStatus::invalid_start, "the arm starts in an obstacle")
-      .value("goal_unreachable", PlanStatus::goal_unreachable, "beyond the arm's length")
-      .value("goal_in_collision", PlanStatus::goal_in_collision, "no tip in the goal is free")
-      .value("not_certified", PlanStatus::not_certified, "plans were found, and all refused");
+  py::enum_<PlanStatus>(module, "PlanStatus",
+                        "What came of planning, or what is wrong with the problem.")
+      .value("solved", PlanStatus::solved, "a certified plan exists, PlanResult.plan")
+      .value("limit", PlanStatus::limit, "a limit came first, PlanResult.limit; there is no plan")
+      .value("invalid_start", PlanStatus::invalid_start,
+             "the arm starts in an obstacle or beyond the limits")
+      .value("goal_unreachable", PlanStatus::goal_unreachable,
+             "the goal is farther from the base than the arm is long")
+      .value("goal_in_collision", PlanStatus::goal_in_collision,
+             "no tip in the goal's region is free of obstacles")
+      .value("not_certified", PlanStatus::not_certified,
+             "plans were found, and their certificates refused all");
   py::enum_<PlanLimit>(module, "PlanLimit", "The limit that ended a search.")
-      .value("time", PlanLimit::time)
-      .value("iterations", PlanLimit::iterations)
-      .value("queries", PlanLimit::queries)
-      .value("memory", PlanLimit::memory);
+      .value("time", PlanLimit::time, "PlannerLimits.time_s")
+      .value("iterations", PlanLimit::iterations, "PlannerLimits.iterations")
+      .value("queries", PlanLimit::queries, "PlannerLimits.queries")
+      .value("memory", PlanLimit::memory, "PlannerLimits.memory_mb");
 }
 
 void bind_problem(py::module_& module) {
@@ -107,12 +124,18 @@ void bind_problem(py::module_& module) {
           py::arg("limits_kpa") = std::vector<std::pair<double, double>>{},
           py::arg("tube") = py::none(), py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
           py::keep_alive<1, 4>(), py::keep_alive<1, 7>(),
-          "margin_m: clearance kept from obstacles [m]; goal_margin: how far inside the goal's "
-          "tolerances plans end; limits_kpa: lower and upper of each segment, within the arm's; "
-          "empty: the arm's; tube: kept free beside the margin.")
-      .def_readonly("margin_m", &PlanningProblem::margin_m, "[m]")
-      .def_readonly("goal_margin", &PlanningProblem::goal_margin, "Room for the model's error.")
-      .def_readonly("tube", &PlanningProblem::tube, "PlanTube, or None.")
+          "margin_m: clearance kept from obstacles [m], >= 0; goal_margin: how far inside "
+          "the goal's tolerances plans end; stay_within: a RecordedRegion that plans stay "
+          "in, None: anywhere; margin_yields_to_start: see ErrorRoom; limits_kpa: (lower, "
+          "upper) of each segment, within the arm's, empty: the arm's; tube: kept free "
+          "beside the margin. Planning raises InputError where one is out of range.")
+      .def_readonly("margin_m", &PlanningProblem::margin_m,
+                    "Clearance kept from every obstacle [m], >= 0.")
+      .def_readonly("goal_margin", &PlanningProblem::goal_margin,
+                    "PoseError: how far inside the goal's tolerances plans end, room for the "
+                    "model's error.")
+      .def_readonly("tube", &PlanningProblem::tube,
+                    "PlanTube that plans keep free of obstacles beside the margin, or None.")
       .def("__repr__", [](const PlanningProblem& problem) {
         return fmt::format("PlanningProblem(arm='{}', environment='{}', margin_m={})",
                            problem.arm.name, problem.environment.name, problem.margin_m);
@@ -123,8 +146,8 @@ void bind_problem_with_room(py::module_& module) {
   module.def("problem_with_room", &problem_with_room, py::arg("arm"), py::arg("model"),
              py::arg("environment"), py::arg("room"), py::keep_alive<0, 1>(),
              py::keep_alive<0, 2>(), py::keep_alive<0, 3>(),
-             "The problem whose plans keep that room: the model's tube, or one clearance "
-             "everywhere.");
+             "The PlanningProblem whose plans keep that room: the model's tube, or one "
+             "clearance everywhere. room: an ErrorRoom, as error_room makes it.");
 }
 
 /// A motion of somebody else's planner, in (w, n) set points.
@@ -156,45 +179,60 @@ py::array_t<float> tree_of(const PlanResult& result) {
 
 void bind_progress(py::module_& module) {
   Record<PlannerProgress>(module, "PlannerProgress", "How far a search is.")
-      .read_only("time_s", &PlannerProgress::time_s, "[s]")
-      .read_only("iterations", &PlannerProgress::iterations, "Samples.")
-      .read_only("nodes", &PlannerProgress::nodes, "Of the tree.")
-      .read_only("queries", &PlannerProgress::queries, "Of the forward model.")
-      .read_only("best_cost_kpa", &PlannerProgress::best_cost_kpa, "None before the first plan.")
+      .read_only("time_s", &PlannerProgress::time_s, "Since the search began [s].")
+      .read_only("iterations", &PlannerProgress::iterations, "Samples so far.")
+      .read_only("nodes", &PlannerProgress::nodes, "Nodes of the search tree.")
+      .read_only("queries", &PlannerProgress::queries,
+                 "Queries of the forward model by the search so far.")
+      .read_only("best_cost_kpa", &PlannerProgress::best_cost_kpa,
+                 "Cost of the cheapest plan so far [kPa]; None before the first.")
       .done();
   Record<FirstSolution>(module, "FirstSolution", "The first plan that was certified.")
-      .read_only("time_s", &FirstSolution::time_s, "[s]")
-      .read_only("cost_kpa", &FirstSolution::cost_kpa, "[kPa]")
-      .read_only("queries", &FirstSolution::queries, "Until it was found.")
-      .read_only("candidate_s", &FirstSolution::candidate_s, "When it was found [s].")
+      .read_only("time_s", &FirstSolution::time_s,
+                 "When it was certified, since the search began [s].")
+      .read_only("cost_kpa", &FirstSolution::cost_kpa, "Its cost, the sum of |dp| [kPa].")
+      .read_only("queries", &FirstSolution::queries,
+                 "Queries of the forward model until it was found.")
+      .read_only("candidate_s", &FirstSolution::candidate_s,
+                 "When it was found, since the search began [s].")
       .read_only("certificate_s", &FirstSolution::certificate_s,
                  "What building and certifying it then took [s].")
       .done();
   Record<PlannerStatistics>(module, "PlannerStatistics", "What a search took.")
-      .read_only("time_s", &PlannerStatistics::time_s, "[s]")
-      .read_only("iterations", &PlannerStatistics::iterations, "Samples.")
-      .read_only("queries", &PlannerStatistics::queries, "Of the forward model.")
-      .read_only("nodes", &PlannerStatistics::nodes, "Of the tree.")
+      .read_only("time_s", &PlannerStatistics::time_s, "Time of the whole search [s].")
+      .read_only("iterations", &PlannerStatistics::iterations, "Samples that were drawn.")
+      .read_only("queries", &PlannerStatistics::queries,
+                 "All queries of the forward model. More than PlannerLimits.queries, which is "
+                 "for the search alone: also the plan's last simulation and, of an ensemble, the "
+                 "other networks, which judge every plan.")
+      .read_only("nodes", &PlannerStatistics::nodes, "Nodes of the search tree.")
       .done();
 }
 
 void bind_plan_result(py::module_& module) {
   bind_progress(module);
-  Record<PlanResult>(module, "PlanResult", "What came of planning.")
-      .read_only("status", &PlanResult::status, "PlanStatus.")
-      .read_only("reason", &PlanResult::reason, "What ended the search, a sentence.")
-      .read_only("plan", &PlanResult::plan, "The plan, if and only if solved.")
-      .read_only("limit", &PlanResult::limit, "The limit that ended the search, or None.")
-      .read_only("warnings", &PlanResult::warnings, "What to know of the plan, sentences.")
-      .read_only("statistics", &PlanResult::statistics, "What it took.")
+  Record<PlanResult>(module, "PlanResult",
+                     "What came of planning; no plan is no error. A notebook draws it.")
+      .read_only("status", &PlanResult::status,
+                 "PlanStatus; a plan is there only where it is PlanStatus.solved.")
+      .read_only("reason", &PlanResult::reason,
+                 "What ended the search or what is wrong with the problem, a sentence.")
+      .read_only("plan", &PlanResult::plan, "The certified Plan, or None unless status is solved.")
+      .read_only("limit", &PlanResult::limit, "PlanLimit that ended the search, or None.")
+      .read_only("warnings", &PlanResult::warnings,
+                 "What to know before the plan is used, a list of sentences.")
+      .read_only("statistics", &PlanResult::statistics, "PlannerStatistics: what the search took.")
       .done()
       .def_readonly("best_partial", &PlanResult::best_partial,
                     "Where there is no plan, the motion that came nearest; never a solution.")
-      .def_readonly("certificate", &PlanResult::certificate, "Of the plan.")
-      .def_readonly("first_solution", &PlanResult::first_solution, "FirstSolution, or None.")
+      .def_readonly("certificate", &PlanResult::certificate, "Certificate of the plan, or None.")
+      .def_readonly("first_solution", &PlanResult::first_solution,
+                    "FirstSolution: when there was a plan for the first time, or None.")
       .def_readonly("max_clearance_m", &PlanResult::max_clearance_m,
                     "What a plan keeps that was found with less clearance [m], or None.")
-      .def_readonly("events", &PlanResult::events, "Each plan that was notably cheaper.")
+      .def_readonly("events", &PlanResult::events,
+                    "List of PlannerProgress: the first plan, each notably cheaper one, and the "
+                    "end; empty without a plan.")
       .def_property_readonly("tree", &tree_of,
                              "Tips of nodes and their parents, float32 (edges, 2, 2) [m].")
       .def(
@@ -216,7 +254,7 @@ void bind_planning(py::module_& module) {
   bind_problem_with_room(module);
   bind_plan_result(module);
   py::class_<OnePlanner>(module, "Planner", "A planner in pressure space: one caller at a time.")
-      .def_property_readonly("name", &OnePlanner::name, "As make_planner knows it.")
+      .def_property_readonly("name", &OnePlanner::name, "Its name, a text that make_planner takes.")
       .def("plan", &OnePlanner::plan, py::arg("problem"), py::arg("limits"), py::arg("seed"),
            py::arg("callback") = py::none(),
            "Searches; the plan is certified. `callback(progress)` comes about ten times per "

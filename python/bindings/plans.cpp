@@ -36,66 +36,66 @@ py::array_t<float> backbones_of(const Plan& plan) {
 
 void bind_certified_figures(py::module_& module) {
   Record<CertifiedFigures>(module, "CertifiedFigures", "What its certificate said of a plan.")
-      .read_only("clearance_m", &CertifiedFigures::clearance_m, "[m]; inf without obstacles.")
-      .read_only("max_deviation_m", &CertifiedFigures::max_deviation_m, "Of a plate [m].")
+      .read_only("clearance_m", &CertifiedFigures::clearance_m,
+                 "Smallest distance of the moving arm from an obstacle [m]; inf without "
+                 "obstacles.")
+      .read_only("max_deviation_m", &CertifiedFigures::max_deviation_m,
+                 "Largest distance of a plate between the certificate's simulation and the plan "
+                 "[m].")
       .read_only("seal_is_intact", &CertifiedFigures::seal_is_intact,
-                 "False where the file was changed since.")
+                 "False where the plan's file was changed since it was certified.")
       .done();
 }
 
-void bind_plan(py::module_& module) {
-  bind_certified_figures(module);
-  Record<Plan>(module, "Plan",
-               "A motion in pressure space. Its frames are "
-               "executed as they stand, never resampled.")
-      .read_only("arm_name", &Plan::arm_name, "Of the arm.")
-      .read_only("model", &Plan::model, "\"no_load\" or \"network\".")
-      .read_only("environment_name", &Plan::environment_name, "Of the environment.")
-      .read_only("planner", &Plan::planner, "Its planner.")
-      .read_only("seed", &Plan::seed, "Its seed.")
-      .property("frame_count", &Plan::frame_count, "T, start and hold included.")
-      .property("duration_s", &Plan::duration_s, "Hold included [s].")
-      .read_only("cost_kpa", &Plan::cost_kpa, "Sum of |dp| over segments and frames [kPa].")
-      .read_only("clearance_m", &Plan::clearance_m, "Smallest predicted [m].")
-      .read_only("goal_distance_m", &Plan::goal_distance_m, "Predicted, after the hold [m].")
-      .done()
-      .def_readwrite("model_hash", &Plan::model_hash,
+void bind_plan_origin(py::class_<Plan>& plan) {
+  plan.def_readwrite("model_hash", &Plan::model_hash,
                      "content_hash of the model's file; empty for the no-load model.")
       .def_readonly("ensemble", &Plan::ensemble,
                     "\"mean\": predicted by all of an ensemble's networks; empty: by one.")
-      .def_readonly("arm_hash", &Plan::arm_hash, "Of the arm.")
-      .def_readonly("valves_hash", &Plan::valves_hash, "Of its valves; empty: none.")
-      .def_readonly("environment_hash", &Plan::environment_hash, "Of the environment.")
-      .def_readonly("margin_m", &Plan::margin_m, "Clearance asked for [m].")
-      .def_readonly("tube", &Plan::tube, "PlanTube that it keeps free, or None.")
-      .def_readonly("frame_rate_hz", &Plan::frame_rate_hz, "Frames per second.")
+      .def_readonly("arm_hash", &Plan::arm_hash, "ArmDescription.hash() of the arm.")
+      .def_readonly("valves_hash", &Plan::valves_hash,
+                    "ValveParameters.hash() of the valves; empty: planned without valves.")
+      .def_readonly("environment_hash", &Plan::environment_hash,
+                    "environment_hash() of the environment.")
+      .def_readonly("margin_m", &Plan::margin_m, "Clearance from obstacles that was asked for [m].")
+      .def_readonly("tube", &Plan::tube, "PlanTube that it keeps free of obstacles, or None.")
+      .def_readonly("frame_rate_hz", &Plan::frame_rate_hz, "Frames per second [Hz].")
       .def_readonly("hold_frame_count", &Plan::hold_frame_count,
-                    "The last frames, which repeat the final set point.")
-      .def_readonly("goal_orientation_rad", &Plan::goal_orientation_rad, "Predicted [rad].")
-      .def_readonly("program_version", &Plan::program_version, "That made it.")
-      .def_readonly("certified", &Plan::certified, "CertifiedFigures, or None: not certified.")
-      .def_property_readonly(
+                    "Number of last frames, which repeat the final set point.")
+      .def_readonly("goal_orientation_rad", &Plan::goal_orientation_rad,
+                    "Predicted difference of the tip's heading from the goal's after the hold "
+                    "[rad]; 0 where the goal has none.")
+      .def_readonly("program_version", &Plan::program_version, "Version of limber that made it.")
+      .def_readonly("certified", &Plan::certified, "CertifiedFigures, or None: not certified.");
+}
+
+void bind_plan_motion(py::class_<Plan>& plan) {
+  plan.def_property_readonly(
           "waypoints_kpa",
           [](const Plan& plan) {
             return rows_of(plan.waypoints_kpa,
                            [](const Pressures& p) -> const Pressures& { return p; });
           },
-          "Start first, float32 (w, n) [kPa]; a copy.")
+          "Set points that it goes straight between, the start first, float32 (w, n) "
+          "[kPa]; a copy.")
       .def_property_readonly(
           "setpoint_kpa",
           [](const Plan& plan) {
             return rows_of(plan.frames,
                            [](const PlanFrame& f) -> const Pressures& { return f.setpoint_kpa; });
           },
-          "Commanded, float32 (T, n) [kPa]; a copy.")
+          "Set points to command, float32 (T, n) [kPa], positive bends right; a copy.")
       .def_property_readonly(
           "pressure_kpa",
           [](const Plan& plan) {
             return rows_of(plan.frames,
                            [](const PlanFrame& f) -> const Pressures& { return f.pressure_kpa; });
           },
-          "Predicted, float32 (T, n) [kPa]; a copy.")
-      .def_property_readonly("backbone", &backbones_of, "Predicted, float32 (T, m, 3); a copy.")
+          "Pressures predicted from them, float32 (T, n) [kPa]; a copy.")
+      .def_property_readonly(
+          "backbone", &backbones_of,
+          "Predicted shapes, float32 (T, m, 3): x_m, y_m, theta_rad of each plate; a "
+          "copy.")
       .def(
           "_repr_svg_",
           [](const Plan& plan) -> std::optional<std::string> {
@@ -105,26 +105,58 @@ void bind_plan(py::module_& module) {
           py::call_guard<py::gil_scoped_release>());
 }
 
+void bind_plan(py::module_& module) {
+  py::class_<Plan> plan =
+      Record<Plan>(module, "Plan",
+                   "A motion in pressure space. Frame 0 is the start; the set points of frame k "
+                   "are commanded at (k - 1) / frame_rate_hz. Its frames are executed as they "
+                   "stand, never resampled.")
+          .read_only("arm_name", &Plan::arm_name, "Name of the arm that it was made for.")
+          .read_only("model", &Plan::model, "\"no_load\" or \"network\": what predicted it.")
+          .read_only("environment_name", &Plan::environment_name,
+                     "Name of the environment that it was made for.")
+          .read_only("planner", &Plan::planner,
+                     "Name of the planner that made it, as make_planner knows it.")
+          .read_only("seed", &Plan::seed, "Seed of the search that made it.")
+          .property("frame_count", &Plan::frame_count, "T: frames, start and hold included.")
+          .property("duration_s", &Plan::duration_s, "Time of the last frame, hold included [s].")
+          .read_only("cost_kpa", &Plan::cost_kpa, "Sum of |dp| over segments and frames [kPa].")
+          .read_only("clearance_m", &Plan::clearance_m,
+                     "Smallest predicted distance from an obstacle [m], of the tube where there is "
+                     "one; inf without obstacles.")
+          .read_only("goal_distance_m", &Plan::goal_distance_m,
+                     "Predicted distance of the tip from the goal's centre after the hold [m].")
+          .done();
+  bind_plan_origin(plan);
+  bind_plan_motion(plan);
+}
+
 }  // namespace
 
 void bind_plans(py::module_& module) {
+  bind_certified_figures(module);
   bind_plan(module);
   module.def("read_plan", &read_plan, py::arg("path"), py::call_guard<py::gil_scoped_release>(),
              "Reads and checks a plan (JSON). Raises InputError naming file and field.");
   module.def("read_plan_unchecked", &read_plan_unchecked, py::arg("path"),
              py::call_guard<py::gil_scoped_release>(),
-             "Reads what `certify` is to judge: types and finite numbers alone are checked.");
+             "Reads a plan (JSON) for `certify` to judge: only types and finite numbers are "
+             "checked.");
   module.def("write_plan", &write_plan, py::arg("path"), py::arg("plan"),
              py::call_guard<py::gil_scoped_release>(),
              "Writes a plan (JSON), atomically, every number exactly.");
   module.def("write_setpoints_csv", &write_setpoints_csv, py::arg("path"), py::arg("plan"),
              py::call_guard<py::gil_scoped_release>(),
-             "Set points for a valve controller, one row a frame.");
+             "Set points for a valve controller as CSV, one row for each frame: time_s, "
+             "setpoint_0_kpa, ..., pressure_0_kpa, ...");
   module.def("write_backbones_csv", &write_backbones_csv, py::arg("path"), py::arg("plan"),
-             py::call_guard<py::gil_scoped_release>(), "Predicted shapes, one row a frame.");
+             py::call_guard<py::gil_scoped_release>(),
+             "Predicted shapes as CSV, one row for each frame: time_s, x_0_m, y_0_m, "
+             "theta_0_rad, ...");
   module.def("require_plan_of", &require_plan_of, py::arg("plan"), py::arg("arm"),
              py::arg("file") = "plan",
-             "Raises InputError where the plan was made for another arm or breaks its limits.");
+             "Raises InputError where the plan was made for another arm or breaks its "
+             "limits. file: the plan's name in the message.");
 }
 
 }  // namespace limber::python

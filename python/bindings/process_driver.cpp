@@ -163,10 +163,11 @@ void bind_process_driver(py::module_& module) {
            "said; on_message(text): told what came of each vent, else standard error is.")
       .def(
           "state", [](SharedProcessDriver& shared) { return DriverUse(shared)->state(); },
-          "The latest state.")
+          "The latest ArmState, as the driver measured it.")
       .def("command", &command, py::arg("setpoint_kpa"),
-           "One frame at set points (n,) [kPa]; the state after it. Who commands by hand vents by "
-           "hand.")
+           "One frame at set points (n,) [kPa]; returns the ArmState after it. Who "
+           "commands by hand vents by hand. Raises InputError for a set point beyond the "
+           "limits, SystemFault where the driver fails.")
       .def(
           "vent",
           [](SharedProcessDriver& shared) {
@@ -182,7 +183,7 @@ void bind_process_driver(py::module_& module) {
             const py::gil_scoped_release others_may_run;
             return driver->look();
           },
-          "A fresh state of the vented arm.")
+          "A fresh ArmState of the arm while it is vented.")
       .def(
           "close",
           [](SharedProcessDriver& shared) {
@@ -199,7 +200,7 @@ void bind_process_driver(py::module_& module) {
       .def_property_readonly(
           "is_real_time",
           [](SharedProcessDriver& shared) { return DriverUse(shared)->is_real_time(); },
-          "Whether a frame takes its time.")
+          "Whether a frame takes its time: then a set point is due in each.")
       .def_property_readonly(
           "vent_confirmed",
           [](SharedProcessDriver& shared) { return DriverUse(shared)->last_vent().confirmed; },

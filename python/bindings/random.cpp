@@ -12,13 +12,18 @@ void bind_random(py::module_& module) {
       module, "RandomStream",
       "Counter-based random numbers (Philox): the k-th sample depends on seed, "
       "stream and k alone. One stream, one thread.")
-      .def(py::init<std::uint64_t, std::uint64_t>(), py::arg("seed"), py::arg("stream") = 0)
-      .def("next_u32", &RandomStream::next_u32, "Uniform over all 32-bit words.")
+      .def(py::init<std::uint64_t, std::uint64_t>(), py::arg("seed"), py::arg("stream") = 0,
+           "seed: >= 0; stream: >= 0, names the unit of work. Streams of one seed are independent.")
+      .def("next_u32", &RandomStream::next_u32, "The next word, uniform over all 32-bit integers.")
       .def("uniform", py::overload_cast<double, double>(&RandomStream::uniform),
-           py::arg("low") = 0.0, py::arg("high") = 1.0, "Uniform in [low, high).")
-      .def("normal", &RandomStream::normal, "Standard normal deviate.")
-      .def("position", &RandomStream::position, "Draws made so far, in 32-bit words.")
-      .def("seek", &RandomStream::seek, py::arg("position"), "Goes on from a position.")
+           py::arg("low") = 0.0, py::arg("high") = 1.0,
+           "The next number, uniform in [low, high); both finite, low <= high.")
+      .def("normal", &RandomStream::normal,
+           "The next number, normal with mean 0 and standard deviation 1.")
+      .def("position", &RandomStream::position,
+           "How far the stream is, in 32-bit words; seek goes there again.")
+      .def("seek", &RandomStream::seek, py::arg("position"),
+           "Goes on from a position, as `position` returned it.")
       .def("__repr__", [](const RandomStream& random) {
         return "RandomStream(position=" + std::to_string(random.position()) + ")";
       });

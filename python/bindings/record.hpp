@@ -47,11 +47,14 @@ class Record {
 
   /// A constructor that takes every field as a keyword argument, all with limber's defaults.
   Record& keywords() {
+    const std::string doc = "Fields are keyword arguments, all optional. The defaults: " +
+                            record_to_text(py::cast(T{}), names_) + ".";
     class_.def(py::init([names = names_](const py::kwargs& values) {
-      const py::object object = py::cast(T{});
-      set_fields(object, values, names);
-      return object.cast<T>();
-    }));
+                 const py::object object = py::cast(T{});
+                 set_fields(object, values, names);
+                 return object.cast<T>();
+               }),
+               doc.c_str());
     return *this;
   }
 

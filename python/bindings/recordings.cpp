@@ -88,27 +88,30 @@ void bind_episode(py::module_& module) {
       .def(py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
            py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
            py::arg("tracked") = py::none(), py::arg("setpoints_only") = false,
-           "Copies its arrays once: (T,), (T, n), (T, n), (T, m, 3), (T,), and (T,) or None. With "
-           "setpoints_only, pressure_kpa has to be setpoint_kpa.")
+           "Copies its arrays once: time_s (T,) [s], pressure_kpa and setpoint_kpa (T, n) "
+           "[kPa], backbone (T, m, 3) in frame B, motion_index (T,), and tracked (T,) or "
+           "None: all frames. With setpoints_only, pressure_kpa has to be setpoint_kpa. "
+           "Raises InputError naming the array whose shape does not fit.")
       .def_property_readonly(
           "time_s",
           [](const py::object& self) {
             const auto& episode = self.cast<const Episode&>();
             return view_of(episode.time_s.data(), {episode.time_s.size()}, self);
           },
-          "float64 (T,) [s].")
+          "Time of each frame, float64 (T,) [s], increasing.")
       .def_property_readonly(
           "pressure_kpa",
           [](const py::object& self) {
             return view_of_frames(self.cast<const Episode&>().pressure_kpa, self);
           },
-          "Measured, float32 (T, n) [kPa]; the set points, where nothing was measured.")
+          "Measured, float32 (T, n) [kPa], positive bends right; the set points, where "
+          "nothing was measured.")
       .def_property_readonly(
           "setpoint_kpa",
           [](const py::object& self) {
             return view_of_frames(self.cast<const Episode&>().setpoint_kpa, self);
           },
-          "Commanded, float32 (T, n) [kPa].")
+          "Set points that were commanded, float32 (T, n) [kPa], positive bends right.")
       .def_property_readonly(
           "backbone",
           [](const py::object& self) {
@@ -127,9 +130,9 @@ void bind_episode(py::module_& module) {
                              "Whether the backbone was seen, bool (T,); a copy.")
       .def_readonly("setpoints_only", &Episode::setpoints_only,
                     "Nothing was measured: pressure_kpa holds the set points.")
-      .def_property_readonly("frame_count", &Episode::frame_count, "T.")
+      .def_property_readonly("frame_count", &Episode::frame_count, "T: number of frames.")
       .def_property_readonly("untracked_count", &Episode::untracked_count,
-                             "Frames without a measured backbone.")
+                             "Number of frames without a measured backbone.")
       .def("__len__", &Episode::frame_count)
       .def("__repr__", [](const Episode& episode) {
         return fmt::format("Episode(frames={}, segments={}, points={})", episode.frame_count(),
@@ -138,16 +141,21 @@ void bind_episode(py::module_& module) {
 }
 
 void bind_recording(py::module_& module) {
-  py::class_<Recording>(module, "Recording", "Recorded motion of an arm.")
-      .def_readonly("arm_name", &Recording::arm_name, "Of the arm that moved.")
+  py::class_<Recording>(module, "Recording",
+                        "Recorded motion of an arm: episodes of pressures and backbones.")
+      .def_readonly("arm_name", &Recording::arm_name, "Name of the arm that moved.")
       .def_readonly("arm_hash", &Recording::arm_hash, "ArmDescription.hash() of it.")
-      .def_readonly("segment_count", &Recording::segment_count, "n.")
-      .def_readonly("point_count", &Recording::point_count, "m.")
-      .def_readonly("rate_hz", &Recording::rate_hz, "Frames per second.")
-      .def_readonly("seed", &Recording::seed, "Of the schedule and of noise.")
-      .def_readonly("source", &Recording::source, "\"virtual arm\", \"motive log.csv\", ...")
-      .def_readwrite("settings", &Recording::settings, "How it was collected, in words.")
-      .def_readonly("program_version", &Recording::program_version, "That wrote the file.")
+      .def_readonly("segment_count", &Recording::segment_count, "n: segments of that arm.")
+      .def_readonly("point_count", &Recording::point_count, "m: plates of that arm.")
+      .def_readonly("rate_hz", &Recording::rate_hz, "Frames per second [Hz].")
+      .def_readonly("seed", &Recording::seed,
+                    "Seed of its schedule and of noise; 0 for recordings of logs.")
+      .def_readonly("source", &Recording::source,
+                    "What moved, in words: \"virtual arm\", \"motive log.csv\", ...")
+      .def_readwrite("settings", &Recording::settings,
+                     "How it was collected, in words; can be set.")
+      .def_readonly("program_version", &Recording::program_version,
+                    "Version of limber that wrote the file.")
       .def_property_readonly(
           "episodes",
           [](const py::object& self) {
@@ -158,13 +166,15 @@ void bind_recording(py::module_& module) {
             }
             return episodes;
           },
-          "Its runs; no copies.")
+          "List of Episode, its runs; no copies.")
       .def_property_readonly("setpoints_only", &Recording::setpoints_only,
                              "Nothing was measured in any of its episodes.")
-      .def_property_readonly("frame_count", &Recording::frame_count, "Of all episodes.")
+      .def_property_readonly("frame_count", &Recording::frame_count,
+                             "Number of frames of all episodes.")
       .def_property_readonly("untracked_count", &Recording::untracked_count,
-                             "Frames without a measured backbone.")
-      .def_property_readonly("duration_s", &Recording::duration_s, "Frames / rate [s].")
+                             "Number of frames without a measured backbone.")
+      .def_property_readonly("duration_s", &Recording::duration_s,
+                             "Length of all episodes together, frames / rate [s].")
       .def("__repr__", [](const Recording& recording) {
         return fmt::format("Recording(arm='{}', episodes={}, frames={}, duration_s={:.1f})",
                            recording.arm_name, recording.episodes.size(), recording.frame_count(),
@@ -175,11 +185,17 @@ void bind_recording(py::module_& module) {
 void bind_export(py::module_& module) {
   module.def("export_csv", &export_csv, py::arg("recording"), py::arg("folder"),
              py::call_guard<py::gil_scoped_release>(),
-             "Each episode as one CSV table, and mapping.yaml to read them back with.");
+             "Writes each episode as one CSV table, and mapping.yaml to read them back with "
+             "import_csv. folder: made where it is missing.");
   Record<EpisodeErrors>(module, "EpisodeErrors", "The simple model's error in every episode.")
-      .property("outliers", &EpisodeErrors::outliers, "Numbers of broken episodes, rising.")
-      .read_only("median_cm", &EpisodeErrors::median_cm, "At the tip [cm].")
-      .read_only("limit_cm", &EpisodeErrors::limit_cm, "Above it an episode is an outlier [cm].")
+      .property("outliers", &EpisodeErrors::outliers,
+                "Numbers of the broken episodes, from 0, rising; never one of fewer than 5 "
+                "episodes.")
+      .read_only("median_cm", &EpisodeErrors::median_cm,
+                 "Middle one of the episodes' errors at the tip [cm].")
+      .read_only("limit_cm", &EpisodeErrors::limit_cm,
+                 "An episode with a larger error is an outlier [cm]; inf for fewer than 5 "
+                 "episodes.")
       .done()
       .def_property_readonly(
           "tip_cm",
@@ -190,17 +206,23 @@ void bind_export(py::module_& module) {
             }
             return tips;
           },
-          "Mean error of each episode [cm]; NaN where nothing was tracked.")
+          "Mean error of each episode at the tip, a list [cm]; NaN where nothing was "
+          "tracked.")
       .def("__str__", [](const EpisodeErrors& errors) { return to_text(errors); });
   module.def(
       "episode_errors",
-      [](const ArmDescription& arm, const py::iterable& episodes) {
+      [](const ArmDescription& arm, const EpisodeList& episodes) {
         const std::vector<Episode> copies = episodes_from(episodes);
         const py::gil_scoped_release others_may_run;
         return episode_errors(arm, copies);
       },
       py::arg("arm"), py::arg("episodes"),
-      "Errors of the simple model, fitted to all episodes; one far above the others' was broken.");
+      "EpisodeErrors of the simple model, fitted to all episodes; an episode far "
+      "above the others was broken. Raises InputError where there is no episode, or "
+      "nothing was tracked.");
+}
+
+void bind_recording_inspection(py::module_& module) {
   module.def(
       "inspect",
       [](const Recording& recording, const ArmDescription* arm, const std::string& file) {
@@ -212,25 +234,50 @@ void bind_export(py::module_& module) {
         return text;
       },
       py::arg("recording"), py::arg("arm") = py::none(), py::arg("file") = "recording",
-      "What a recording holds and what is odd about it, in sentences.");
+      "What a recording holds and what is odd about it, a text. arm: gives the "
+      "limits, None: the largest set points stand for them; file: its name in "
+      "messages.");
   module.def(
       "identify_valves",
-      [](const py::iterable& episodes, const ArmDescription& arm, const std::string& source) {
+      [](const EpisodeList& episodes, const ArmDescription& arm, const std::string& source) {
         const std::vector<Episode> copies = episodes_from(episodes);
         const py::gil_scoped_release others_may_run;
         return identify_valves(copies, arm, source);
       },
       py::arg("episodes"), py::arg("arm"), py::arg("source") = "recordings",
-      "Valves between set points and measured pressures; the "
-      "findings say how well they fit, or why there are none.");
+      "IdentifiedValves between set points and measured pressures; the findings say "
+      "how well they fit, or why there are none. source: the recordings' name in the "
+      "findings.");
+}
+
+/// @throws TypeError with what to write instead.
+[[noreturn]] void refuse_episodes(const py::handle& found, const char* where) {
+  const char* hint = "";
+  if (py::isinstance<Recording>(found)) {
+    hint = "; its episodes are recording.episodes";
+  } else if (py::isinstance<Episode>(found)) {
+    hint = "; put it in a list: [episode]";
+  } else if (py::isinstance<py::str>(found) || py::hasattr(found, "__fspath__")) {
+    hint = "; read_recording(path).episodes is one";
+  }
+  throw py::type_error(fmt::format("expected a list of Episode, found {}{}{}",
+                                   std::string(py::str(py::type::of(found).attr("__name__"))),
+                                   where, hint));
 }
 
 }  // namespace
 
-std::vector<Episode> episodes_from(const py::iterable& episodes) {
+std::vector<Episode> episodes_from(const EpisodeList& episodes) {
+  if (py::isinstance<Episode>(episodes) || !py::isinstance<py::iterable>(episodes) ||
+      py::isinstance<py::str>(episodes)) {
+    refuse_episodes(episodes, "");
+  }
   std::vector<py::object> kept;  // whose last owner the iterable may be
   std::vector<const Episode*> found;
   for (const py::handle& episode : episodes) {
+    if (!py::isinstance<Episode>(episode)) {
+      refuse_episodes(episode, " in the list");
+    }
     kept.push_back(py::reinterpret_borrow<py::object>(episode));
     found.push_back(&episode.cast<const Episode&>());
   }
@@ -256,7 +303,7 @@ void bind_recordings(py::module_& module) {
   bind_recording(module);
   module.def(
       "make_recording",
-      [](const ArmDescription& arm, const py::iterable& episodes, const std::string& source,
+      [](const ArmDescription& arm, const EpisodeList& episodes, const std::string& source,
          std::uint64_t seed) {
         Recording recording = make_recording(arm, source, seed);
         recording.episodes = episodes_from(episodes);
@@ -265,11 +312,11 @@ void bind_recordings(py::module_& module) {
         return recording;
       },
       py::arg("arm"), py::arg("episodes"), py::arg("source") = "python", py::arg("seed") = 0,
-      "A recording of these episodes (copied), checked: "
-      "sizes agree, times increase, numbers are finite.");
+      "A Recording of these episodes (copied), checked: sizes agree, times increase, "
+      "numbers are finite; else InputError. source: what moved, in words.");
   module.def(
       "with_setpoints_only",
-      [](const py::iterable& episodes) {
+      [](const EpisodeList& episodes) {
         std::vector<Episode> copies = episodes_from(episodes);
         {
           const py::gil_scoped_release others_may_run;
@@ -277,15 +324,21 @@ void bind_recordings(py::module_& module) {
         }
         return episodes_to(std::move(copies));
       },
-      py::arg("episodes"), "Copies of them without what was measured: set points alone.");
+      py::arg("episodes"),
+      "Copies of the episodes without measured pressures: set points take their "
+      "place.");
   module.def("read_recording", &read_recording, py::arg("path"),
-             py::call_guard<py::gil_scoped_release>(), "Reads and checks a recording (HDF5).");
+             py::call_guard<py::gil_scoped_release>(),
+             "Reads and checks a recording (HDF5). Raises InputError naming file and field.");
   module.def("write_recording", &write_recording, py::arg("path"), py::arg("recording"),
-             py::call_guard<py::gil_scoped_release>(), "Writes a recording (HDF5), atomically.");
+             py::call_guard<py::gil_scoped_release>(),
+             "Writes a recording (HDF5) that read_recording reads, atomically.");
   module.def("require_recording_of", &require_recording_of, py::arg("recording"), py::arg("arm"),
              py::arg("file") = "recording", py::call_guard<py::gil_scoped_release>(),
-             "Raises InputError where the recording is not one of this arm.");
+             "Raises InputError where the recording is not one of this arm. file: the "
+             "recording's name in the message.");
   bind_export(module);
+  bind_recording_inspection(module);
 }
 
 }  // namespace limber::python

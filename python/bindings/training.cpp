@@ -40,77 +40,121 @@ TrainingHooks hooks_for(CallerThread& caller, const py::object& on_epoch) {
 
 void bind_choices(py::module_& module) {
   py::enum_<BackboneLayout>(module, "BackboneLayout", "How backbones enter the network.")
-      .value("base_poses", BackboneLayout::base_poses, "the paper's")
+      .value("base_poses", BackboneLayout::base_poses,
+             "each plate's pose about the base, the paper's")
       .value("gap_poses", BackboneLayout::gap_poses, "each plate's pose about the one before it");
   py::enum_<OutputForm>(module, "OutputForm", "What the network's outputs mean.")
-      .value("compensation", OutputForm::compensation, "the paper's (5)")
-      .value("gated_change", OutputForm::gated_change, "(16)");
+      .value("compensation", OutputForm::compensation,
+             "the paper's: what is added to the no-load model's backbone, docs/model.md (5)")
+      .value("gated_change", OutputForm::gated_change,
+             "how much each number changes, through a gate, docs/model.md (16)");
   py::enum_<Optimiser>(module, "Optimiser", "How weights are changed.")
-      .value("sgd", Optimiser::sgd, "the paper's")
-      .value("adam", Optimiser::adam);
+      .value("sgd", Optimiser::sgd, "stochastic gradient descent, the paper's")
+      .value("adam", Optimiser::adam, "Kingma and Ba, 2015");
   py::enum_<LossReduction>(module, "LossReduction", "How windows' errors become one number.")
-      .value("sum_over_batch", LossReduction::sum_over_batch)
-      .value("mean_over_batch", LossReduction::mean_over_batch);
+      .value("sum_over_batch", LossReduction::sum_over_batch,
+             "the paper's: the step grows with the batch")
+      .value("mean_over_batch", LossReduction::mean_over_batch,
+             "the step does not grow with the batch");
   py::enum_<Scaling>(module, "Scaling", "What the network's numbers are scaled to.")
       .value("unit_range", Scaling::unit_range, "[0, 1], the paper's")
       .value("unit_spread", Scaling::unit_spread, "mean 0, standard deviation 1");
   py::enum_<TrainingStatus>(module, "TrainingStatus", "How training ended.")
-      .value("finished", TrainingStatus::finished)
-      .value("interrupted", TrainingStatus::interrupted)
-      .value("diverged", TrainingStatus::diverged);
+      .value("finished", TrainingStatus::finished, "all epochs were done")
+      .value("interrupted", TrainingStatus::interrupted,
+             "it was stopped; the model is the best until then")
+      .value("diverged", TrainingStatus::diverged,
+             "the error became infinite, see TrainingResult.message");
+}
+
+void bind_training_stages(py::module_& module) {
+  Record<TrainingStage>(module, "TrainingStage", "A part of training, windows of one length.")
+      .field("window_frames", &TrainingStage::window_frames,
+             "Frames that the network is rolled over, fed with its own output, >= 1.")
+      .field("windows_per_batch", &TrainingStage::windows_per_batch,
+             "Windows for each change of the weights, >= 1.")
+      .field("epochs", &TrainingStage::epochs, "Passes over the training data, >= 1.")
+      .keywords()
+      .done();
+  py::bind_vector<std::vector<TrainingStage>>(
+      module, "TrainingStages",
+      "Stages of training, a list of TrainingStage that changes in place.")
+      .def("__repr__", [](const py::object& stages) {
+        return "TrainingStages(" + std::string(py::repr(py::list(stages))) + ")";
+      });
 }
 
 void bind_settings(py::module_& module) {
   using S = TrainingSettings;
-  Record<TrainingStage>(module, "TrainingStage", "A part of training, windows of one length.")
-      .field("window_frames", &TrainingStage::window_frames, "Frames a window.")
-      .field("windows_per_batch", &TrainingStage::windows_per_batch, "Windows a batch.")
-      .field("epochs", &TrainingStage::epochs, ">= 1.")
-      .keywords()
-      .done();
-  py::bind_vector<std::vector<TrainingStage>>(module, "TrainingStages",
-                                              "Stages of training, a list.")
-      .def("__repr__", [](const py::object& stages) {
-        return "TrainingStages(" + std::string(py::repr(py::list(stages))) + ")";
-      });
   Record<S>(module, "TrainingSettings",
-            "Everything that decides a training run besides its data. Same settings, data and "
-            "seed: same network, for any number of jobs.")
+            "Everything that decides a training run besides its data; best_preset() fills "
+            "it in, TrainingSettings() has no stages yet. Same settings, data and seed: "
+            "same network, for any number of jobs. `train` raises InputError for a value "
+            "out of range.")
       .field("preset", &S::preset, "\"paper\" or \"best\"; training_preset fills in the rest.")
-      .field("layout", &S::layout, "BackboneLayout.")
-      .field("form", &S::form, "OutputForm.")
-      .field("hidden_units", &S::hidden_units, "Of each hidden layer; assign a whole list.")
-      .field("scaling", &S::scaling, "Scaling.")
-      .field("reduction", &S::reduction, "LossReduction.")
-      .field("stages", &S::stages, "In this order.")
-      .field("optimiser", &S::optimiser, "Optimiser.")
-      .field("learning_rate", &S::learning_rate, "At the start.")
-      .field("cosine_decay", &S::cosine_decay, "Towards zero over the run; else constant.")
-      .field("gradient_norm_limit", &S::gradient_norm_limit, "0: none.")
-      .field("average_decay", &S::average_decay, "Of the weights' moving average; 0: none.")
-      .field("input_noise", &S::input_noise, "Added to a window's first backbone, normalised.")
-      .field("shift_windows", &S::shift_windows, "Each epoch cuts its windows elsewhere.")
-      .field("ensemble", &S::ensemble, "Networks trained together, 1 to 64.")
-      .field("replay_share", &S::replay_share, "Of an epoch's windows, from what is replayed.")
-      .field("seed", &S::seed, "Of all chance.")
-      .field("jobs", &S::jobs, "Threads, 0: one per core.")
-      .field("time_limit_s", &S::time_limit_s, "Fixes the number of epochs at the start [s].")
-      .field("validation_interval", &S::validation_interval, "Epochs between validations.")
-      .field("checkpoint", &S::checkpoint, "File to go on from; empty: none.")
-      .field("checkpoint_interval_s", &S::checkpoint_interval_s, "Between storing [s].")
-      .field("resume", &S::resume, "Go on from the checkpoint.")
+      .field("layout", &S::layout, "BackboneLayout: how backbones enter the network.")
+      .field("form", &S::form, "OutputForm: what the network's outputs mean.")
+      .field("hidden_units", &S::hidden_units,
+             "Units of each hidden layer, >= 1 each; a copy: assign a whole list.")
+      .field("scaling", &S::scaling, "Scaling of the network's inputs and outputs.")
+      .field("reduction", &S::reduction, "LossReduction: how a batch's errors become one number.")
+      .field("stages", &S::stages, "TrainingStages, done in this order; can be changed in place.")
+      .field("optimiser", &S::optimiser, "Optimiser: how weights are changed.")
+      .field("learning_rate", &S::learning_rate, "Step size at the start, > 0.")
+      .field("cosine_decay", &S::cosine_decay,
+             "True: the step size falls towards zero over the run; False: it stays.")
+      .field("gradient_norm_limit", &S::gradient_norm_limit,
+             "Longer gradients are shortened to this; 0: never.")
+      .field("average_decay", &S::average_decay,
+             "Decay of the weights' moving average, in [0, 1); 0: none.")
+      .field("input_noise", &S::input_noise,
+             "Standard deviation of what is added to a window's first backbone, in "
+             "normalised units, >= 0.")
+      .field("shift_windows", &S::shift_windows,
+             "Whether each epoch cuts its windows at another frame.")
+      .field("ensemble", &S::ensemble,
+             "Networks trained together, each from its own weights, 1 to 64.")
+      .field("replay_share", &S::replay_share,
+             "Share of an epoch's windows that comes from TrainingData.replay, 0 to 0.95.")
+      .field("seed", &S::seed, "Seed of first weights and of the windows' order.")
+      .field("jobs", &S::jobs, "Threads, 0: one per core; never changes a result.")
+      .field("time_limit_s", &S::time_limit_s,
+             "> 0: epochs are scaled to about this time, once, at the start [s]; 0: no "
+             "limit.")
+      .field("validation_interval", &S::validation_interval,
+             "Epochs from one validation to the next, >= 1.")
+      .field("checkpoint", &S::checkpoint,
+             "File that the run is stored in to go on from; empty: none.")
+      .field("checkpoint_interval_s", &S::checkpoint_interval_s,
+             "Least time between storing it [s], >= 0.")
+      .field("resume", &S::resume,
+             "Whether to go on from the checkpoint: the result is that of an unbroken run.")
       .keywords()
       .done()
-      .def_property_readonly("epoch_count", &S::epoch_count, "Of all stages.");
-  module.def("training_preset", &training_preset, py::arg("name"), "Settings by name.");
-  module.def("best_preset", &best_preset, "The default.");
-  module.def("paper_preset", &paper_preset, "As published.");
+      .def_property_readonly("epoch_count", &S::epoch_count, "Epochs of all stages together.");
+}
+
+void bind_training_presets(py::module_& module) {
+  module.def("training_preset", &training_preset, py::arg("name"),
+             "TrainingSettings by name: \"best\" or \"paper\". Raises InputError naming "
+             "them.");
+  module.def("best_preset", &best_preset,
+             "The default TrainingSettings: a network that predicts how each plate moves "
+             "about the one before it, trained by Adam in windows of 2, 8 and 32 frames. "
+             "epoch_count says how many epochs; set_epoch_count changes that.");
+  module.def("paper_preset", &paper_preset,
+             "The TrainingSettings of the paper: windows of 32 frames, SGD, 6000 epochs. For "
+             "comparison.");
   module.def("set_epoch_count", &set_epoch_count, py::arg("settings"), py::arg("epochs"),
-             "Scales the stages to so many epochs in all.");
+             "Scales the stages of `settings` to so many epochs in all, keeping their "
+             "proportions. Raises InputError where there are fewer epochs than stages.");
   module.def("set_window_frames", &set_window_frames, py::arg("settings"), py::arg("window_frames"),
-             "Stages of windows of these lengths instead.");
+             "Replaces the stages of `settings` by windows of these lengths [frames], in "
+             "this order, which share the epochs. Raises InputError where there is none or "
+             "one is < 1.");
   module.def("fine_tuning_of", &fine_tuning_of, py::arg("preset"),
-             "Settings to train a model on that has learnt already.");
+             "Settings for fine_tune, to go on with a model that has learnt: the last stage "
+             "of `preset` with half its epochs and a tenth of its learning_rate.");
 }
 
 py::list copies_of(const std::vector<Episode>& episodes) {
@@ -127,31 +171,33 @@ void bind_data(py::module_& module) {
                            "What is learnt from, what chooses the best epoch, "
                            "what is replayed, and what the error is measured "
                            "on. Lists of Episode: copies; assign whole lists.")
-      .def(py::init([](const py::iterable& training, const py::iterable& validation,
-                       const py::iterable& replay, const py::iterable& unseen) {
+      .def(py::init([](const EpisodeList& training, const EpisodeList& validation,
+                       const EpisodeList& replay, const EpisodeList& unseen) {
              return TrainingData{episodes_from(training), episodes_from(validation),
                                  episodes_from(replay), episodes_from(unseen)};
            }),
            py::arg("training"), py::arg("validation") = py::tuple(),
-           py::arg("replay") = py::tuple(), py::arg("unseen") = py::tuple())
+           py::arg("replay") = py::tuple(), py::arg("unseen") = py::tuple(),
+           "Lists of Episode, copied; no episode belongs in two of them.")
       .def_property(
           "training", [](const TrainingData& data) { return copies_of(data.training); },
-          [](TrainingData& data, const py::iterable& e) { data.training = episodes_from(e); },
-          "Learnt from.")
+          [](TrainingData& data, const EpisodeList& e) { data.training = episodes_from(e); },
+          "List of Episode to learn from; a copy.")
       .def_property(
           "validation", [](const TrainingData& data) { return copies_of(data.validation); },
-          [](TrainingData& data, const py::iterable& e) { data.validation = episodes_from(e); },
-          "Chooses the best epoch.")
+          [](TrainingData& data, const EpisodeList& e) { data.validation = episodes_from(e); },
+          "List of Episode that chooses the best epoch; a copy.")
       .def_property(
           "replay", [](const TrainingData& data) { return copies_of(data.replay); },
-          [](TrainingData& data, const py::iterable& e) { data.replay = episodes_from(e); },
-          "What a model to be fine-tuned was trained on.")
+          [](TrainingData& data, const EpisodeList& e) { data.replay = episodes_from(e); },
+          "List of Episode that a model to be fine-tuned was trained on before, so that "
+          "it does not forget them; a copy.")
       .def_property(
           "unseen", [](const TrainingData& data) { return copies_of(data.unseen); },
-          [](TrainingData& data, const py::iterable& e) { data.unseen = episodes_from(e); },
-          "Never looked at by `train`.")
+          [](TrainingData& data, const EpisodeList& e) { data.unseen = episodes_from(e); },
+          "List of Episode for note_unseen, which `train` never looks at; a copy.")
       .def_readonly("held_back", &TrainingData::held_back,
-                    "Which of the episodes given to hold_back_validation validate.")
+                    "Numbers, from 0, of the episodes given to hold_back_validation that validate.")
       .def("__repr__", [](const TrainingData& data) {
         return "TrainingData(training=" + std::to_string(data.training.size()) +
                " episodes, validation=" + std::to_string(data.validation.size()) +
@@ -160,51 +206,73 @@ void bind_data(py::module_& module) {
       });
   module.def(
       "hold_back_validation",
-      [](const py::iterable& episodes, double fraction, std::uint64_t seed) {
+      [](const EpisodeList& episodes, double fraction, std::uint64_t seed) {
         std::vector<Episode> copies = episodes_from(episodes);
         const py::gil_scoped_release others_may_run;
         return hold_back_validation(std::move(copies), fraction, seed);
       },
       py::arg("episodes"), py::arg("fraction"), py::arg("seed"),
-      "Holds back whole episodes for validation, about `fraction` of the frames.");
+      "TrainingData of the episodes, some of which are held back for validation: "
+      "about `fraction` of the frames, in (0, 1), in whole episodes chosen by `seed`, "
+      "at least one. Of a single episode its end is held back. Raises InputError "
+      "where nothing would be left to learn from.");
   module.def("hold_back_unseen", &hold_back_unseen, py::arg("data"), py::arg("fraction"),
              py::arg("seed"), py::call_guard<py::gil_scoped_release>(),
-             "Then moves about `fraction` of the frames to data.unseen.");
+             "Moves about `fraction` of the frames, in [0, 1), from data.training to "
+             "data.unseen, for note_unseen to measure the error on: whole episodes chosen by "
+             "`seed`, or the end of the longest. `data` is changed; where it is too short, "
+             "nothing is moved. Call it after hold_back_validation.");
 }
 
 void bind_training_result(py::module_& module) {
   Record<LearningCurvePoint>(module, "LearningCurvePoint", "One row of the learning curve.")
-      .read_only("epoch", &LearningCurvePoint::epoch, "From 1.")
-      .read_only("window_frames", &LearningCurvePoint::window_frames, "Of its stage.")
-      .read_only("learning_rate", &LearningCurvePoint::learning_rate, "Of its first batch.")
-      .read_only("loss", &LearningCurvePoint::loss, "Mean frame error, normalised units.")
+      .read_only("epoch", &LearningCurvePoint::epoch, "Number of the epoch, from 1.")
+      .read_only("window_frames", &LearningCurvePoint::window_frames, "Frames of its windows.")
+      .read_only("learning_rate", &LearningCurvePoint::learning_rate,
+                 "Step size of its first batch.")
+      .read_only("loss", &LearningCurvePoint::loss, "Mean error of a frame, in normalised units.")
       .read_only("validation_position_error_cm", &LearningCurvePoint::validation_position_error_cm,
-                 "Of the tip [cm]; NaN where not measured.")
-      .read_only("elapsed_s", &LearningCurvePoint::elapsed_s, "[s]")
+                 "Mean distance of the tip over open-loop rollouts of up to 600 frames [cm]; NaN "
+                 "where not measured.")
+      .read_only("elapsed_s", &LearningCurvePoint::elapsed_s, "Since training began [s].")
       .done();
   Record<LongRollout>(module, "LongRollout", "How far a model drifts if it is never corrected.")
-      .read_only("frames", &LongRollout::frames, "Rolled out.")
-      .read_only("max_distance_m", &LongRollout::max_distance_m, "Of a plate from the base [m].")
-      .read_only("max_heading_rad", &LongRollout::max_heading_rad, "Of a plate [rad].")
-      .read_only("bounded", &LongRollout::bounded, "No plate beyond twice the arm's length.")
-      .read_only("held_share", &LongRollout::held_share, "Of the frames, at a bound.")
-      .property("ran_away", &LongRollout::ran_away, "Unbounded, or leaning on its bounds.")
+      .read_only("frames", &LongRollout::frames, "Number of frames that were rolled out.")
+      .read_only("max_distance_m", &LongRollout::max_distance_m,
+                 "Largest distance of a plate from the base [m].")
+      .read_only("max_heading_rad", &LongRollout::max_heading_rad,
+                 "Largest heading of a plate, in magnitude [rad].")
+      .read_only("bounded", &LongRollout::bounded,
+                 "Whether no plate was farther from the base than twice the arm's length.")
+      .read_only("held_share", &LongRollout::held_share,
+                 "Share of the frames in which GapBounds held a gap, 0 to 1.")
+      .property("ran_away", &LongRollout::ran_away,
+                "Whether it was unbounded, or held in over a tenth of the frames.")
       .done();
   Record<TrainingResult>(module, "TrainingResult", "What came of training.")
-      .read_only("status", &TrainingResult::status, "TrainingStatus.")
-      .read_only("message", &TrainingResult::message, "Why it diverged, and what to try.")
-      .read_only("best_epoch", &TrainingResult::best_epoch, "Which the model is of.")
+      .read_only("status", &TrainingResult::status, "TrainingStatus: how training ended.")
+      .read_only("message", &TrainingResult::message,
+                 "Why it diverged, and what to try; else empty.")
+      .read_only("best_epoch", &TrainingResult::best_epoch,
+                 "Number of the epoch that the model is of, from 1.")
       .read_only("best_validation_position_error_cm",
-                 &TrainingResult::best_validation_position_error_cm, "Open loop [cm].")
-      .read_only("wall_time_s", &TrainingResult::wall_time_s, "[s]")
+                 &TrainingResult::best_validation_position_error_cm,
+                 "Error of that epoch by validation, open loop [cm]; NaN without validation "
+                 "episodes.")
+      .read_only("wall_time_s", &TrainingResult::wall_time_s, "How long training took [s].")
       .done()
-      .def_readonly("model", &TrainingResult::model, "The best by validation.")
+      .def_readonly("model", &TrainingResult::model,
+                    "CompensationModel of the best epoch by validation.")
       .def_readonly("passed_over_epochs", &TrainingResult::passed_over_epochs,
-                    "Better by validation, but their networks ran away in a long rollout.")
-      .def_readonly("long_rollout", &TrainingResult::long_rollout, "LongRollout of the best epoch.")
-      .def_readonly("curve", &TrainingResult::curve, "LearningCurvePoint, one an epoch.")
+                    "Epochs with smaller errors by validation whose networks ran away in a long "
+                    "rollout.")
+      .def_readonly("long_rollout", &TrainingResult::long_rollout,
+                    "LongRollout of the best epoch, its worst network.")
+      .def_readonly("curve", &TrainingResult::curve,
+                    "List of LearningCurvePoint, one for each epoch.")
       .def_readonly("member_validation_position_error_cm",
-                    &TrainingResult::member_validation_position_error_cm, "Of an ensemble [cm].")
+                    &TrainingResult::member_validation_position_error_cm,
+                    "The same of each network of an ensemble, a list [cm].")
       .def(
           "_repr_svg_",
           [](const TrainingResult& result) { return learning_curve_svg(result.curve); },
@@ -213,16 +281,20 @@ void bind_training_result(py::module_& module) {
 
 void bind_stage_choice(py::module_& module) {
   Record<WindowsTried>(module, "WindowsTried", "Windows of stages, and how a short run did.")
-      .read_only("window_frames", &WindowsTried::window_frames, "Of each stage.")
-      .read_only("one_step_cm", &WindowsTried::one_step_cm, "Tip error by validation [cm].")
-      .read_only("window_32_cm", &WindowsTried::window_32_cm, "Over rollouts of 32 frames.")
-      .read_only("window_600_cm", &WindowsTried::window_600_cm, "Of 600 frames: what decides.")
+      .read_only("window_frames", &WindowsTried::window_frames,
+                 "Frames of each stage's windows, a list.")
+      .read_only("one_step_cm", &WindowsTried::one_step_cm,
+                 "Mean error of the tip one frame ahead, by validation [cm]; inf: it diverged.")
+      .read_only("window_32_cm", &WindowsTried::window_32_cm,
+                 "The same over rollouts of 32 frames [cm].")
+      .read_only("window_600_cm", &WindowsTried::window_600_cm,
+                 "The same over rollouts of 600 frames [cm]: what decides.")
       .done();
   Record<StageChoice>(module, "StageChoice", "What a race between windows found.")
-      .read_only("tried", &StageChoice::tried, "WindowsTried, the preset's first.")
-      .read_only("chosen", &StageChoice::chosen, "Index in `tried`.")
-      .read_only("race_epochs", &StageChoice::race_epochs, "Of each short run.")
-      .read_only("epochs", &StageChoice::epochs, "Left for the chosen windows.")
+      .read_only("tried", &StageChoice::tried, "List of WindowsTried, the preset's first.")
+      .read_only("chosen", &StageChoice::chosen, "Index of the best in `tried`, from 0.")
+      .read_only("race_epochs", &StageChoice::race_epochs, "Epochs of each short run.")
+      .read_only("epochs", &StageChoice::epochs, "Epochs that are left for the chosen windows.")
       .done()
       .def("__str__", [](const StageChoice& choice) { return to_text(choice); });
   module.def(
@@ -248,8 +320,11 @@ void bind_runs(py::module_& module) {
         return caller.run([&] { return train(arm, data, settings, hooks); });
       },
       py::arg("arm"), py::arg("data"), py::arg("settings"), py::arg("on_epoch") = py::none(),
-      "Trains a network. `on_epoch(LearningCurvePoint)` comes after every epoch; False stops the "
-      "run. Ctrl-C raises KeyboardInterrupt; with a checkpoint, resume=True goes on.");
+      "Trains a network: a TrainingResult. data: TrainingData, as "
+      "hold_back_validation makes it. `on_epoch(LearningCurvePoint)` comes after "
+      "every epoch; False stops the run. Ctrl-C raises KeyboardInterrupt; with a "
+      "checkpoint, resume=True goes on. Raises InputError where the data do not fit "
+      "the arm, or are shorter than one window.");
   module.def(
       "fine_tune",
       [](const ArmDescription& arm, const TrainingData& data, const TrainingSettings& settings,
@@ -259,10 +334,12 @@ void bind_runs(py::module_& module) {
         return caller.run([&] { return fine_tune(arm, data, settings, start, hooks); });
       },
       py::arg("arm"), py::arg("data"), py::arg("settings"), py::arg("start"),
-      py::arg("on_epoch") = py::none(), "The same, from the weights of a model.");
+      py::arg("on_epoch") = py::none(),
+      "Trains on from the weights of the model `start`, which keeps its layout and "
+      "sizes; else as `train`. Raises InputError where it is another arm's.");
   module.def(
       "gap_bounds_of",
-      [](const py::iterable& episodes) {
+      [](const EpisodeList& episodes) {
         const std::vector<Episode> copies = episodes_from(episodes);
         const py::gil_scoped_release others_may_run;
         return gap_bounds_of(copies);
@@ -275,21 +352,26 @@ void bind_runs(py::module_& module) {
       "What a model has learnt that was trained on these data, for model.learnt.");
   module.def(
       "note_unseen",
-      [](const ArmDescription& arm, CompensationModel& model, const py::iterable& unseen,
-         int jobs) {
+      [](const ArmDescription& arm, CompensationModel& model, const EpisodeList& unseen, int jobs) {
         const std::vector<Episode> episodes = episodes_from(unseen);
         const py::gil_scoped_release others_may_run;
         note_unseen(arm, model, episodes, jobs);
       },
       py::arg("arm"), py::arg("model"), py::arg("unseen"), py::arg("jobs") = 0,
-      "Measures the finished model's error on episodes that it has never seen, and stores it.");
+      "Measures the finished model's error on episodes that it has never seen, and "
+      "stores it as model.prediction_error: error_room then keeps plans so far clear "
+      "of obstacles. unseen: data.unseen; motions in it count that move a set point, "
+      "up to 5 s each. Where there is none, or a prediction is not finite, "
+      "prediction_error becomes None. jobs: threads, 0: one per core.");
 }
 
 }  // namespace
 
 void bind_training(py::module_& module) {
   bind_choices(module);
+  bind_training_stages(module);
   bind_settings(module);
+  bind_training_presets(module);
   bind_data(module);
   bind_training_result(module);
   bind_stage_choice(module);

@@ -15,46 +15,72 @@ namespace {
 
 void bind_parameters(py::module_& module) {
   Record<ValveDirection>(module, "ValveDirection", "How a segment's pressure moves one way.")
-      .field("time_constant_s", &ValveDirection::time_constant_s, "[s]; 0 follows at once.")
+      .field("time_constant_s", &ValveDirection::time_constant_s,
+             "Time constant of the lag behind the set point [s], >= 0; 0: no lag.")
       .field("rate_limit_kpa_per_s", &ValveDirection::rate_limit_kpa_per_s,
-             "[kPa/s], > 0; infinite where nothing limits it.")
+             "Fastest change of the pressure [kPa/s], > 0; infinite where nothing limits it.")
       .keywords()
       .done();
   Record<SegmentValves>(module, "SegmentValves", "One segment's valves and their controller.")
-      .field("inflating", &SegmentValves::inflating, "Away from zero.")
-      .field("venting", &SegmentValves::venting, "Toward zero.")
-      .field("dead_time_s", &SegmentValves::dead_time_s, "From a set point to its effect [s].")
+      .field("inflating", &SegmentValves::inflating,
+             "ValveDirection of pressures that go away from 0 (that rise, where has_sides is "
+             "False).")
+      .field("venting", &SegmentValves::venting,
+             "ValveDirection of pressures that go towards 0 (that fall, where has_sides is "
+             "False).")
+      .field("dead_time_s", &SegmentValves::dead_time_s,
+             "From a set point to its first effect [s], 0 to 5; need not be whole frames.")
       .field("dead_band_kpa", &SegmentValves::dead_band_kpa,
-             "The valves stay closed within this distance of the set point [kPa].")
+             "The valves stay closed while the pressure is within this distance of the set "
+             "point [kPa], >= 0; 0: they always follow.")
       .keywords()
       .done();
-  Record<ValveParameters>(module, "ValveParameters",
-                          "Parameters of the valve model; without segments ideal valves.")
-      .field("has_sides", &ValveParameters::has_sides, "Whether a pressure has two sides.")
-      .field("segments", &ValveParameters::segments, "One a segment, or none; assign whole lists.")
+  Record<ValveParameters>(
+      module, "ValveParameters",
+      "Parameters of the valve model. ValveParameters() are ideal valves: pressures "
+      "are the set points at once.")
+      .field("has_sides", &ValveParameters::has_sides,
+             "Whether a command has two sides, one of which vents before the other inflates: "
+             "True for pressures, False for a curvature or an angle.")
+      .field("segments", &ValveParameters::segments,
+             "List of SegmentValves, one for each segment, base first; empty: ideal valves. "
+             "A copy: assign whole lists. ValveModel raises InputError where their number or "
+             "a value does not fit the arm.")
       .keywords()
       .done()
       .def_property_readonly("is_ideal", &ValveParameters::is_ideal,
-                             "Whether pressures are the set points.")
-      .def("hash", &ValveParameters::hash, "Of everything that a prediction depends on.")
+                             "Whether there are no segments, so that pressures are the set points.")
+      .def("hash", &ValveParameters::hash,
+           "Hash of everything that a prediction depends on, a text; empty for ideal "
+           "valves.")
       .def("__eq__", [](const ValveParameters& a, const ValveParameters& b) { return a == b; });
-  Record<ValveErrors>(module, "ValveErrors", "Modelled less measured pressure over moving frames.")
-      .read_only("mean_kpa", &ValveErrors::mean_kpa, "[kPa]")
-      .read_only("p95_kpa", &ValveErrors::p95_kpa, "[kPa]")
-      .read_only("max_kpa", &ValveErrors::max_kpa, "[kPa]")
-      .read_only("frames", &ValveErrors::frames, "0: not measured.")
+}
+
+void bind_valve_findings(py::module_& module) {
+  Record<ValveErrors>(
+      module, "ValveErrors",
+      "Size of modelled less measured pressure, over frames whose set point changed "
+      "within 0.5 s.")
+      .read_only("mean_kpa", &ValveErrors::mean_kpa, "Mean [kPa].")
+      .read_only("p95_kpa", &ValveErrors::p95_kpa, "95th percentile [kPa].")
+      .read_only("max_kpa", &ValveErrors::max_kpa, "Largest [kPa].")
+      .read_only("frames", &ValveErrors::frames, "Frames that were looked at; 0: not measured.")
       .done();
   Record<ValveFindings>(module, "ValveFindings", "How valves were identified, or why not.")
-      .read_only("source", &ValveFindings::source, "The recordings.")
-      .read_only("held_back", &ValveFindings::held_back, "On motions that the fit has not seen.")
+      .read_only("source", &ValveFindings::source, "The recordings that they were identified from.")
+      .read_only("held_back", &ValveFindings::held_back,
+                 "ValveErrors on motions that the fit has not seen.")
       .read_only("from_setpoints", &ValveFindings::from_setpoints,
-                 "The same, had set points been taken for pressures.")
-      .read_only("reason", &ValveFindings::reason, "Why there are no parameters.")
-      .read_only("warnings", &ValveFindings::warnings, "Sentences.")
+                 "ValveErrors on the same motions, if set points were taken for pressures.")
+      .read_only("reason", &ValveFindings::reason,
+                 "Why there are no parameters; empty where there are.")
+      .read_only("warnings", &ValveFindings::warnings,
+                 "What is suspicious about the recordings, a list of sentences.")
       .done();
   Record<IdentifiedValves>(module, "IdentifiedValves", "Valves and how they were found.")
-      .field("parameters", &IdentifiedValves::parameters, "Ideal where there is a reason.")
-      .field("findings", &IdentifiedValves::findings, "How well they fit.")
+      .field("parameters", &IdentifiedValves::parameters,
+             "ValveParameters; ideal where findings.reason says why.")
+      .field("findings", &IdentifiedValves::findings, "ValveFindings: how well the parameters fit.")
       .keywords()
       .done();
 }
@@ -84,16 +110,19 @@ py::array_t<double> run(const ValveModel& model, const DoubleArray& setpoint_kpa
 
 void bind_valves(py::module_& module) {
   bind_parameters(module);
+  bind_valve_findings(module);
   py::class_<ValveModel>(module, "ValveModel",
                          "Set points to pressures, frame by frame. Constant: share it freely.")
       .def(py::init([](const ArmDescription& arm, std::optional<ValveParameters> parameters) {
              return parameters ? ValveModel(arm, *std::move(parameters)) : ValveModel(arm);
            }),
            py::arg("arm"), py::arg("parameters") = py::none(),
-           "Without parameters ideal valves: pressures are the set points.")
-      .def_property_readonly("is_ideal", &ValveModel::is_ideal, "Whether pressures follow at once.")
-      .def_property_readonly("parameters", &ValveModel::parameters, "As given.")
-      .def_property_readonly("segment_count", &ValveModel::segment_count, "n.")
+           "Without parameters ideal valves: pressures are the set points. Raises "
+           "InputError where the parameters do not fit the arm.")
+      .def_property_readonly("is_ideal", &ValveModel::is_ideal,
+                             "Whether pressures are the set points at once.")
+      .def_property_readonly("parameters", &ValveModel::parameters, "ValveParameters, as given.")
+      .def_property_readonly("segment_count", &ValveModel::segment_count, "n: segments of the arm.")
       .def("run", &run, py::arg("setpoint_kpa"), py::arg("first_pressure_kpa"),
            "Pressures along set points float64 (T, n) [kPa] from a settled start (n,): float64 "
            "(T, n), row k after frame k; row 0 is the start.")
@@ -104,9 +133,12 @@ void bind_valves(py::module_& module) {
   module.def(
       "read_valves", [](const std::filesystem::path& path) { return read_valves(path); },
       py::arg("path"), py::call_guard<py::gil_scoped_release>(),
-      "Reads a valve file (YAML or JSON).");
+      "Reads and checks a valve file (YAML or JSON): IdentifiedValves. Raises "
+      "InputError naming file and key.");
   module.def("write_valves", &write_valves, py::arg("path"), py::arg("valves"),
-             py::call_guard<py::gil_scoped_release>(), "Writes a valve file, atomically.");
+             py::call_guard<py::gil_scoped_release>(),
+             "Writes a valve file that read_valves reads, atomically. valves: "
+             "IdentifiedValves.");
 }
 
 }  // namespace limber::python

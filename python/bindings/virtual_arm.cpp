@@ -13,7 +13,8 @@ namespace {
 using ArmUse = SharedVirtualArm::Use;
 
 void bind_state(py::module_& module) {
-  py::class_<ArmState>(module, "ArmState", "What is known of the arm at one frame.")
+  py::class_<ArmState>(module, "ArmState",
+                       "What is known of the arm at one frame: pressures and shape.")
       .def(py::init([](double time_s, const FloatArray& pressure_kpa, const py::object& backbone) {
              ArmState state;
              state.time_s = time_s;
@@ -26,16 +27,17 @@ void bind_state(py::module_& module) {
            }),
            py::arg("time_s"), py::arg("pressure_kpa"), py::arg("backbone") = py::none(),
            "[s], (n,) [kPa], and (m, 3) or None where nothing tracks it.")
-      .def_readonly("time_s", &ArmState::time_s, "[s]")
+      .def_readonly("time_s", &ArmState::time_s, "When it was measured [s].")
       .def_property_readonly(
           "pressure_kpa", [](const ArmState& state) { return vector_array(state.pressure_kpa); },
-          "Measured, float32 (n,) [kPa].")
+          "Measured pressures, float32 (n,) [kPa], positive bends right; a copy.")
       .def_property_readonly(
           "backbone",
           [](const ArmState& state) -> py::object {
             return state.backbone ? py::object(backbone_array<float>(*state.backbone)) : py::none();
           },
-          "float32 (m, 3), or None.")
+          "Measured shape, float32 (m, 3): x_m, y_m, theta_rad of each plate; None where "
+          "nothing tracked it.")
       .def("__repr__", [](const ArmState& state) {
         return "ArmState(time_s=" + std::string(py::repr(py::float_(state.time_s))) +
                ", pressure_kpa=" +
@@ -51,28 +53,40 @@ auto moved(SharedVirtualArm& arm, const Function& function) {
   return function(*use);
 }
 
+void bind_virtual_arm_options(py::module_& module) {
+  Record<VirtualArmOptions>(module, "VirtualArmOptions",
+                            "Faults of a real laboratory, all off by default.")
+      .field("noise_m", &VirtualArmOptions::noise_m,
+             "Standard deviation of measured x and y [m], >= 0.")
+      .field("noise_rad", &VirtualArmOptions::noise_rad,
+             "Standard deviation of measured headings [rad], >= 0.")
+      .field("noise_kpa", &VirtualArmOptions::noise_kpa,
+             "Standard deviation of measured pressures [kPa], >= 0.")
+      .field("drop_rate", &VirtualArmOptions::drop_rate,
+             "Share of frames without a backbone, 0 to 1.")
+      .field("latency_s", &VirtualArmOptions::latency_s,
+             "Everything measured was true this long ago [s], >= 0.")
+      .field("seed", &VirtualArmOptions::seed, "Seed of noise and drops.")
+      .field("stream", &VirtualArmOptions::stream,
+             "Number of the episode or trial, for noise of its own.")
+      .keywords()
+      .done();
+}
+
 }  // namespace
 
 void bind_virtual_arm(py::module_& module) {
   bind_state(module);
-  Record<VirtualArmOptions>(module, "VirtualArmOptions",
-                            "Faults of a real laboratory, all off by default.")
-      .field("noise_m", &VirtualArmOptions::noise_m, "Of measured x and y [m].")
-      .field("noise_rad", &VirtualArmOptions::noise_rad, "Of measured headings [rad].")
-      .field("noise_kpa", &VirtualArmOptions::noise_kpa, "Of measured pressures [kPa].")
-      .field("drop_rate", &VirtualArmOptions::drop_rate, "Share of frames without a backbone.")
-      .field("latency_s", &VirtualArmOptions::latency_s, "Of everything measured [s].")
-      .field("seed", &VirtualArmOptions::seed, "Of noise and drops.")
-      .field("stream", &VirtualArmOptions::stream, "Unit of work, for noise of its own.")
-      .keywords()
-      .done();
+  bind_virtual_arm_options(module);
   py::class_<SharedVirtualArm>(module, "VirtualArm",
                                "A soft arm lying on a table, simulated; an ArmDriver.")
       .def(py::init<const ArmDescription&, const VirtualArmOptions&>(), py::arg("arm"),
            py::arg("options") = VirtualArmOptions{}, py::call_guard<py::gil_scoped_release>(),
-           "At rest: straight, vented, at time 0.")
+           "At rest: straight, vented, at time 0. Raises InputError where an option is out "
+           "of range.")
       .def(
-          "state", [](SharedVirtualArm& arm) { return ArmUse(arm)->state(); }, "The latest state.")
+          "state", [](SharedVirtualArm& arm) { return ArmUse(arm)->state(); },
+          "The latest ArmState; before the first command, the arm at rest.")
       .def(
           "command",
           [](SharedVirtualArm& arm, const FloatArray& setpoint_kpa) {
@@ -80,9 +94,12 @@ void bind_virtual_arm(py::module_& module) {
             const Pressures setpoints = pressures_map(setpoint_kpa);
             return moved(arm, [&](VirtualArm& moving) { return moving.command(setpoints); });
           },
-          py::arg("setpoint_kpa"), "One frame at set points (n,) [kPa]; the state after it.")
+          py::arg("setpoint_kpa"),
+          "One frame at set points (n,) [kPa]; returns the ArmState after it. Raises "
+          "InputError for a set point beyond the limits.")
       .def(
-          "vent", [](SharedVirtualArm& arm) { ArmUse(arm)->vent(); }, "Opens every vent valve.")
+          "vent", [](SharedVirtualArm& arm) { ArmUse(arm)->vent(); },
+          "Opens every vent valve: all set points are 0 until the next command.")
       .def(
           "settle",
           [](SharedVirtualArm& arm, const FloatArray& setpoint_kpa, double seconds) {
@@ -92,17 +109,17 @@ void bind_virtual_arm(py::module_& module) {
                          [&](VirtualArm& moving) { return moving.settle(setpoints, seconds); });
           },
           py::arg("setpoint_kpa"), py::arg("seconds"),
-          "The same set points (n,) [kPa] for so long [s]; the state after it.")
+          "The same set points (n,) [kPa] for so long [s]; returns the ArmState after it.")
       .def(
           "true_backbone",
           [](SharedVirtualArm& arm) {
             return backbone_array<double>(ArmUse(arm)->true_backbone());
           },
-          "float64 (m, 3), without noise, drops or latency.")
+          "Shape now, float64 (m, 3), without noise, drops or latency.")
       .def(
           "true_pressure_kpa",
           [](SharedVirtualArm& arm) { return vector_array(ArmUse(arm)->true_pressure_kpa()); },
-          "float64 (n,) [kPa], without noise or latency.")
+          "Pressures now, float64 (n,) [kPa], without noise or latency.")
       .def("__repr__", [](SharedVirtualArm& arm) {
         return "VirtualArm(time_s=" +
                std::string(py::repr(py::float_(ArmUse(arm)->state().time_s))) + ")";

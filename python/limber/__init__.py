@@ -1,8 +1,31 @@
 """limber: learn, simulate and plan the motion of soft pneumatic arms.
 
-Names, units and frames are those of the C++ library. Arrays are NumPy's: a C-contiguous float32
-array is not copied, anything else is copied once. n: segments, m: plates along the backbone,
-k: queries of a batch, T: frames.
+Where to start: five lines that plan a motion past a pillar.
+
+    arm = limber.load_arm(limber.data_folder() / "arms" / "three_segment.yaml")
+    environment = limber.load_environment(
+        limber.data_folder() / "environments" / "01_pillar.yaml", arm)
+    model = limber.MotionModel(limber.ForwardModel(arm))
+    problem = limber.PlanningProblem(arm, model, environment)
+    print(limber.make_planner().plan(problem, limber.PlannerLimits(time_s=5), seed=1))
+
+docs/tutorial_python.md goes from a folder of logs to a verified plan; docs/python.md has the rest.
+
+Frame    Coordinates are in frame B: its origin is the arm's base, x runs along the straight arm,
+         y to its left. theta_rad is counter-clockwise from x and unwrapped.
+Signs    A positive pressure inflates a segment's right side, which it bends to (towards -y), a
+         negative one its left side. Pressures are gauge. Commands other than pressures have the
+         sign that the arm's file gives them.
+Units    Metres, radians, kPa and seconds, as the names say: x_m, theta_rad, pressure_kpa, time_s.
+         Of an arm with another command than a pressure, kpa stands for the unit of that command.
+Counts   Segments, plates, gaps, obstacles, frames and episodes are counted from 0. Segment 0 and
+         plate 0 are at the base, gap i is between plates i and i + 1, frame 0 is the start.
+Arrays   NumPy's: a C-contiguous float32 array is not copied, anything else is copied once.
+         n: segments, m: plates, k: queries of a batch, T: frames. Pressures are (n,), (k, n) or
+         (T, n); a backbone is (m, 3), with a row x_m, y_m, theta_rad for each plate.
+Errors   InputError (a ValueError) is a mistake in an argument or file, SystemFault a failure of
+         the machine or a driver, Interrupted work that was stopped. No plan is no error: see
+         PlanResult.status and PlanResult.reason.
 """
 
 from __future__ import annotations

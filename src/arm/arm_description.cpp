@@ -12,6 +12,7 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
+#include "read_length.hpp"
 
 namespace limber {
 
@@ -65,8 +66,8 @@ class SegmentReader {
   Segment read(const YamlReader& node) const {
     refuse_unknown_keys(node);
     Segment segment;
-    segment.length_m = node.at("length_m").positive("a length in metres");
-    segment.width_m = node.at("width_m").positive("a length in metres");
+    segment.length_m = read_length_m(node.at("length_m"));
+    segment.width_m = read_length_m(node.at("width_m"));
     segment.gaps = node.at("gaps").integer("the number of gaps between plates", 1, kMaxGaps);
     if (!general_limit_) {
       segment.pressure_limit_kpa =
@@ -282,7 +283,7 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
     arm.pressure_rate_limit_kpa_per_s =
         root.at("pressure_rate_limit_kpa_per_s").positive("a pressure rate in kPa/s");
   }
-  arm.actuator_radius_m = root.at("actuator_radius_m").number("a length in metres", 0.0);
+  arm.actuator_radius_m = read_radius_m(root.at("actuator_radius_m"));
   const YamlReader segments = root.at("segments");
   const SegmentReader reader(root, arm, polynomials);
   for (const YamlReader& node : segments.elements()) {

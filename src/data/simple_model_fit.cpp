@@ -3,6 +3,8 @@
 #include <limits>
 #include <numeric>
 
+#include <fmt/format.h>
+
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/simple_model.hpp"
@@ -180,9 +182,16 @@ class SimpleFitter {
  public:
   SimpleFitter(const ArmDescription& arm, const std::vector<Episode>& episodes)
       : arm_(arm), episodes_(episodes), frames_(frames_of(episodes)) {
-    if (frames_.empty()) {
+    if (episodes.empty()) {
       throw InputError(
-          "the simple model can't be fitted: the arm was tracked in none of the frames");
+          "the simple model can't be fitted: no episodes given; expected at least one. Where one "
+          "is kept for the end, it takes two");
+    }
+    if (frames_.empty()) {
+      throw InputError(fmt::format(
+          "the simple model can't be fitted: the arm was tracked in none of the frames of {} "
+          "episodes",
+          episodes.size()));
     }
     seen_ = shapes_of(arm, episodes, frames_);
     blocks_ = block_count(episodes);

@@ -18,6 +18,7 @@ namespace limber {
 namespace {
 
 constexpr std::uint64_t kCheckStream = 0x636865636bULL;  // apart from the planners' streams
+constexpr double kOtherUnit = 10.0;  // arm lengths: a goal beyond them is hardly in metres
 
 std::string margin_note(const PlanningProblem& problem) {
   if (problem.tube) {
@@ -58,6 +59,13 @@ void check_goal_reach(const PlanningProblem& problem, ProblemCheck& result) {
   const double beyond = distance - goal.position_tolerance_m - problem.arm.length_m();
   if (beyond > 0.0) {
     result.refusal = PlanStatus::goal_unreachable;
+    if (distance > kOtherUnit * problem.arm.length_m()) {
+      result.reason = fmt::format(
+          "goal.x_m = {:.6g} and goal.y_m = {:.6g} are {:.6g} m from the base, and the arm is "
+          "{:.4g} m long: expected a goal in metres, within the arm's reach. Is it in millimetres?",
+          goal.x_m, goal.y_m, distance, problem.arm.length_m());
+      return;
+    }
     result.reason = fmt::format(
         "the goal ({:.3f}, {:.3f}) m is {:.2f} cm beyond the arm's reach: {:.1f} cm from the base, "
         "the arm is {:.1f} cm long, the tolerance {:.2f} cm",

@@ -64,7 +64,10 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
     count += episode.frame_count();
   }
   if (count == 0) {
-    throw InputError("the training data hold no frame");
+    throw InputError(
+        fmt::format("the training data hold no frame in {} episodes; expected at least one "
+                    "episode to learn from",
+                    episodes.size()));
   }
   const int poses = 3 * arm.point_count();
   RawFrames raw;

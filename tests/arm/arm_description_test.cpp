@@ -96,6 +96,9 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"actuator_radius_m: 0.006", "actuator_radius_m: -0.006",
                  "a.yaml:5: actuator_radius_m: -0.006 found; "
                  "expected a length in metres, at least 0"},
+        Breakage{"actuator_radius_m: 0.006", "actuator_radius_m: 6",
+                 "a.yaml:5: actuator_radius_m: 6 found; expected a length in metres, from 0 to 1. "
+                 "Is it in millimetres?"},
         Breakage{"frame_rate_hz", "framerate_hz", "a.yaml:3: framerate_hz: unknown key; allowed"},
         Breakage{"name: small\n", "name: small\nname: other\n",
                  "a.yaml:3: name: the key occurs twice"}));
@@ -107,6 +110,12 @@ INSTANTIATE_TEST_SUITE_P(
         Breakage{"length_m: 0.2", "length_m: 20 cm",
                  "a.yaml:7: segments[0].length_m: '20 cm' found; "
                  "expected a length in metres, a plain finite number"},
+        Breakage{"length_m: 0.2", "length_m: 200",
+                 "a.yaml:7: segments[0].length_m: 200 found; expected a length in metres, > 0 and "
+                 "at most 10. Is it in millimetres?"},
+        Breakage{"width_m: 0.05", "width_m: 50",
+                 "a.yaml:8: segments[0].width_m: 50 found; expected a length in metres, > 0 and at "
+                 "most 10. Is it in millimetres?"},
         Breakage{"width_m: 0.05", "width_m: -0.05",
                  "a.yaml:8: segments[0].width_m: -0.05 found; expected a length in metres, > 0"},
         Breakage{"width_m: 0.05", "width_m: .nan",

@@ -140,6 +140,13 @@ TEST(SimpleModelFit, RefusesWhatWasNeverSeen) {
   EXPECT_THROW(fit_simple_model(arm, {episode}), InputError);
 }
 
+TEST(SimpleModelFit, SaysThatNoEpisodesWereGiven) {
+  EXPECT_THAT([] { (void)fit_simple_model(sample_arm(2), {}); },
+              ::testing::ThrowsMessage<InputError>(
+                  ::testing::AllOf(::testing::HasSubstr("no episodes given; expected at least one"),
+                                   ::testing::Not(::testing::HasSubstr("tracked")))));
+}
+
 // An arm file that says what the arm does leaves nothing to fit.
 TEST(WithSimpleModel, AnArmOfTheFitNeedsNoFurtherFit) {
   const ArmDescription arm = sample_arm(3);

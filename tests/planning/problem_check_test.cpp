@@ -43,6 +43,20 @@ TEST_F(ProblemChecks, AGoalIsOutOfReachWhereItsDiscIs) {
   EXPECT_EQ(refusal(), PlanStatus::goal_unreachable);
 }
 
+TEST_F(ProblemChecks, AGoalInMillimetresIsAskedFor) {
+  setting_.environment.obstacles.clear();
+  setting_.environment.goal = {120.0, 400.0, std::nullopt, 0.02, 0.3};
+  const ProblemCheck check = check_problem(problem_, checker(), kSeed);
+  EXPECT_EQ(check.refusal, PlanStatus::goal_unreachable);
+  EXPECT_THAT(check.reason,
+              AllOf(HasSubstr("goal.x_m = 120 and goal.y_m = 400 are 417.612 m"),
+                    HasSubstr("the arm is 0.705 m long"), HasSubstr("Is it in millimetres?")));
+  setting_.environment.goal.x_m = 6.0;
+  setting_.environment.goal.y_m = 0.0;
+  EXPECT_THAT(check_problem(problem_, checker(), kSeed).reason,
+              HasSubstr("beyond the arm's reach: 600.0 cm from the base"));
+}
+
 // By looking at many points of the disc, and at how far the tip's thickness reaches from them.
 TEST_F(ProblemChecks, AGoalIsInCollisionWhereNoPointOfItsDiscIsFree) {
   const double tip_radius_m = checker().radius_m(setting_.arm.point_count() - 2);

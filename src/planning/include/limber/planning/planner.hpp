@@ -62,10 +62,13 @@ MotionState start_of(const PlanningProblem& problem);
 PressureBox setpoints_of(const PlanningProblem& problem);
 
 /// When to stop; whichever comes first. At least one of time, iterations and queries is set.
+/// The limit of queries is for the search itself, which looks at it after each of its rounds. The
+/// result's statistics count all queries: also those of an ensemble's other networks, which judge
+/// every plan, and of the plan's last simulation. So they may exceed the limit.
 struct PlannerLimits {
   std::optional<double> time_s;
   std::optional<std::uint64_t> iterations;
-  std::optional<std::uint64_t> queries;      ///< of the forward model
+  std::optional<std::uint64_t> queries;      ///< of the forward model, by the search
   std::optional<double> memory_mb;           ///< of the tree
   std::optional<double> cost_threshold_kpa;  ///< stop at a plan this cheap
   /// Share of time, iterations and queries after which a search without a plan ends; in (0, 1].
@@ -110,7 +113,7 @@ struct FirstSolution {
 struct PlannerStatistics {
   double time_s = 0.0;
   std::uint64_t iterations = 0;
-  std::uint64_t queries = 0;  ///< of the forward model
+  std::uint64_t queries = 0;  ///< of the forward model, all of them: may exceed the limit
   std::uint64_t nodes = 0;
   std::uint64_t goal_nodes = 0;
   std::uint64_t rewires_tried = 0;     ///< cheaper parents whose edge was simulated
