@@ -174,6 +174,18 @@ class ExportVerb final : public Verb {
     write_setpoints_csv(setpoints, plan);
     write_backbones_csv(shapes, plan);
     add({setpoints, shapes});
+    if (!arm_.empty() || !plan.arm_description.empty()) {
+      add_commands(
+          plan, arm_.empty() ? read_arm_keys(plan.arm_description, file_) : load_asked_arm(arm_));
+    }
+  }
+
+  void add_commands(const Plan& plan, const ArmDescription& arm) {
+    if (!arm.commands.empty()) {
+      const fs::path commands = fs::path(csv_) / "commands.csv";
+      write_commands_csv(commands, plan, arm);
+      add({commands});
+    }
   }
 
   /// Set points go to valves, which follow whatever they are given.

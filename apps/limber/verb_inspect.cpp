@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "file_kind.hpp"
+#include "limber/arm/arm_commands.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
@@ -67,6 +68,14 @@ Finding inspect_arm(const YamlReader& root) {
         "\n  {}: {} m long, {} m wide, {} gaps, {} {} bends it by {}{:.2f} rad", segment_name(i),
         segment.length_m, segment.width_m, segment.gaps, to_string(segment.pressure_limit_kpa),
         arm.command.unit, segment.pressure_limit_kpa.is_symmetric() ? "" : "up to ", turn_rad);
+  }
+  if (!arm.commands.empty()) {
+    for (const ArmCommand& command : arm.commands) {
+      finding.json["commands"].push_back({{"name", command.name}, {"shares", command.shares}});
+    }
+    for (int i = 0; i < arm.segment_count(); ++i) {
+      finding.text += fmt::format("\n  {} = {}", segment_name(i), command_sum(arm, i));
+    }
   }
   return finding;
 }

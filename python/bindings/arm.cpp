@@ -6,6 +6,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "limber/arm/arm_commands.hpp"
 #include "limber/arm/arm_identity.hpp"
 #include "limber/world/environment.hpp"
 #include "pictures.hpp"
@@ -55,6 +56,49 @@ void bind_segments(py::module_& module) {
           "(lower, upper) limit of its command [kPa], signed: positive bends right.");
 }
 
+Eigen::VectorXd vector_from(const DoubleArray& array, const char* name) {
+  require_shape(array, {array.size()}, name);
+  require_finite(array, name);
+  return Eigen::Map<const Eigen::VectorXd>(array.data(), array.size());
+}
+
+py::array_t<double> double_vector(const Eigen::VectorXd& vector) {
+  return copy_of<double>(vector, {vector.size()});
+}
+
+void bind_commands(py::module_& module) {
+  Record<ArmCommand>(
+      module, "ArmCommand",
+      "A command of the real arm, such as a motor's, and how much of it each segment "
+      "gets.")
+      .read_only("name", &ArmCommand::name, "Of its column in logs.")
+      .read_only("shares", &ArmCommand::shares, "n, with sign.")
+      .done();
+  module.def(
+      "command_shares",
+      [](const ArmDescription& arm) {
+        const Eigen::MatrixXd shares = command_shares(arm);
+        return copy_of<double>(shares, {shares.rows(), shares.cols()});
+      },
+      py::arg("arm"),
+      "S, float64 (n, k): commands of segments are S times the arm's own, k of them.");
+  module.def(
+      "segment_commands",
+      [](const ArmDescription& arm, const DoubleArray& commands) {
+        return double_vector(segment_commands(arm, vector_from(commands, "commands")));
+      },
+      py::arg("arm"), py::arg("commands"),
+      "Commands of segments, float64 (n,), that the arm's own commands (k,) make.");
+  module.def(
+      "commands_for",
+      [](const ArmDescription& arm, const DoubleArray& wanted) {
+        return double_vector(commands_for(arm, vector_from(wanted, "segment_commands")));
+      },
+      py::arg("arm"), py::arg("segment_commands"),
+      "The arm's own commands, float64 (k,), that make these of its segments (n,): the smallest, "
+      "by their sum of squares.");
+}
+
 py::array_t<float> largest_pressures_of(const ArmDescription& arm) {
   py::array_t<float> limits(arm.segment_count());
   for (int i = 0; i < arm.segment_count(); ++i) {
@@ -78,6 +122,7 @@ py::array_t<float> pressure_ranges_of(const ArmDescription& arm) {
 
 void bind_arm(py::module_& module) {
   bind_segments(module);
+  bind_commands(module);
   Record<ArmDescription>(module, "ArmDescription",
                          "A planar arm as its file describes it. Models borrow it, so it does not "
                          "change: load_arm reads one.")
@@ -100,6 +145,9 @@ void bind_arm(py::module_& module) {
       .done()
       .def_readonly("segments", &ArmDescription::segments,
                     "Its Segments, base first: segments[0] is at the base.")
+      .def_readonly("commands", &ArmDescription::commands,
+                    "The real arm's ArmCommands, where they are not one for each segment; else "
+                    "empty.")
       .def_property_readonly("frame_period_s", &ArmDescription::frame_period_s,
                              "Time from one frame to the next, 1/frame_rate_hz [s].")
       .def_property_readonly("pressure_step_limit_kpa", &ArmDescription::pressure_step_limit_kpa,

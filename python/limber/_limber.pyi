@@ -21,6 +21,15 @@ class Approach:
     @property
     def value(self) -> int: ...
 
+class ArmCommand:
+    """A command of the real arm, such as a motor's, and how much of it each segment gets."""
+    @property
+    def name(self) -> str:
+        """Of its column in logs."""
+    @property
+    def shares(self) -> list[float]:
+        """n, with sign."""
+
 class ArmDescription:
     """A planar arm as its file describes it. Models borrow it, so it does not change: load_arm reads one."""
     @property
@@ -53,6 +62,9 @@ class ArmDescription:
     @property
     def segments(self) -> list[Segment]:
         """Its Segments, base first: segments[0] is at the base."""
+    @property
+    def commands(self) -> list[ArmCommand]:
+        """The arm's own, where they are not one for each segment; else none."""
     @property
     def frame_period_s(self) -> float:
         """Time from one frame to the next, 1/frame_rate_hz [s]."""
@@ -2101,6 +2113,12 @@ def choose_stages(arm: ArmDescription, data: TrainingData, settings: TrainingSet
 def collect(arm: ArmDescription, settings: CollectionSettings, make_driver: DriverFactory | ProcessDriver | Callable[[int], ArmDriver], path: str | os.PathLike[str]) -> CollectionResult:
     """Records a schedule to `path` (HDF5). make_driver: virtual_arm_factory(...), a ProcessDriver, or a function of the episode's index that returns an ArmDriver. Ctrl-C vents the arm and raises KeyboardInterrupt; finished episodes stay, for resume=True."""
 
+def command_shares(arm: limber::ArmDescription) -> npt.NDArray[np.float64]:
+    """S, float64 (n, k): commands of segments are S times the arm's own, k of them."""
+
+def commands_for(arm: limber::ArmDescription, segment_commands: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    """The arm's own commands, float64 (k,), that make these of its segments (n,): the smallest, by their sum of squares."""
+
 def content_hash(path: str | os.PathLike[str]) -> str:
     """Hash of a file, a text: what plans and models say of the files they were made with."""
 
@@ -2250,6 +2268,9 @@ def require_recording_of(recording: Recording, arm: ArmDescription, file: str = 
 
 def rest_positions_m(arm: ArmDescription) -> list[float]:
     """Distance along the arm at rest from the base to each plate, a list of m numbers [m]; the first is 0."""
+
+def segment_commands(arm: limber::ArmDescription, commands: npt.ArrayLike) -> npt.NDArray[np.float64]:
+    """Commands of segments, float64 (n,), that the arm's own commands (k,) make."""
 
 def set_epoch_count(settings: TrainingSettings, epochs: int) -> None:
     """Scales the stages of `settings` to so many epochs in all, keeping their proportions. Raises InputError where there are fewer epochs than stages."""

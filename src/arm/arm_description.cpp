@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "arm_commands_file.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
@@ -192,14 +193,6 @@ std::string schema_line() {
   return fmt::format("schema: {}\n", kSchema);
 }
 
-/// A text as one line of YAML that reads back the same, whatever it holds.
-std::string quoted(const std::string& text) {
-  YAML::Emitter emitter;
-  emitter.SetStringFormat(YAML::DoubleQuoted);
-  emitter << text;
-  return emitter.c_str();
-}
-
 }  // namespace
 
 int ArmDescription::point_count() const {
@@ -242,6 +235,9 @@ std::string ArmDescription::hash() const {
   for (const Segment& segment : segments) {
     text += is_plain(*this) ? segment_to_yaml(segment) : segment_to_yaml(segment, *this);
   }
+  for (const ArmCommand& one : commands) {
+    text += fmt::format(" {}", fmt::join(one.shares, " "));
+  }
   return content_hash(text);
 }
 
@@ -269,7 +265,7 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   root.require_schema(kSchema);
   root.refuse_unknown_keys({"schema", "name", "command", "no_load", "frame_rate_hz",
                             "pressure_rate_limit_kpa_per_s", "actuator_radius_m", "segments",
-                            "virtual_arm", "safety"});
+                            "commands", "virtual_arm", "safety"});
   ArmDescription arm;
   arm.name = root.at("name").text();
   if (arm.name.empty()) {
@@ -292,6 +288,9 @@ ArmDescription read_arm(const YamlReader& root, PolynomialsOf polynomials) {
   if (arm.segments.empty() || arm.segments.size() > kMaxSegments) {
     segments.refuse(
         fmt::format("{} segments found; expected 1 to {}", arm.segments.size(), kMaxSegments));
+  }
+  if (root.has("commands")) {
+    arm.commands = read_arm_commands(root.at("commands"), arm.segment_count());
   }
   if (root.has("virtual_arm")) {
     if (!arm.command.is_pressure_kpa()) {
@@ -321,10 +320,10 @@ ArmDescription read_arm_keys(const std::string& keys, const std::string& name) {
 
 std::string arm_keys_to_yaml(const ArmDescription& arm) {
   const bool pressures = arm.command.is_pressure_kpa();
-  std::string text = fmt::format("name: {}\n", quoted(arm.name));
+  std::string text = fmt::format("name: {}\n", yaml_text(arm.name));
   if (!pressures) {
     text += fmt::format("command: {{name: {}, unit: {}, limit: {}, rate_limit_per_s: {}}}\n",
-                        quoted(arm.command.name), quoted(arm.command.unit),
+                        yaml_text(arm.command.name), yaml_text(arm.command.unit),
                         limits_to_yaml(arm.segments.front().pressure_limit_kpa),
                         arm.pressure_rate_limit_kpa_per_s);
   }
@@ -340,7 +339,7 @@ std::string arm_keys_to_yaml(const ArmDescription& arm) {
     text +=
         "  - " + (is_plain(arm) ? segment_to_yaml(segment) : segment_to_yaml(segment, arm)) + "\n";
   }
-  return text;
+  return text + arm_commands_to_yaml(arm.commands);
 }
 
 std::string with_strain_polynomials(const std::string& yaml, const ArmDescription& arm) {

@@ -36,10 +36,25 @@ class Comparison {
     for (std::size_t i = 0; i < here_.segments.size(); ++i) {
       segment(fmt::format("segments[{}].", i), there_.segments[i], here_.segments[i]);
     }
+    commands();
     return found_;
   }
 
  private:
+  /// Shares of commands; names only say which column of a log is which.
+  void commands() {
+    if (there_.commands.size() != here_.commands.size()) {
+      add("commands", there_.commands.size(), here_.commands.size());
+      return;
+    }
+    for (std::size_t k = 0; k < here_.commands.size(); ++k) {
+      for (std::size_t i = 0; i < here_.segments.size(); ++i) {
+        number(fmt::format("commands[{}].acts_on[{}]", k, i), there_.commands[k].shares[i],
+               here_.commands[k].shares[i]);
+      }
+    }
+  }
+
   template <class Value>
   void add(const std::string& key, const Value& there, const Value& here) {
     found_.push_back(fmt::format("{}: {} there, {} here", key, there, here));

@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kMinEpisodes = 5;  // fewer don't say what is usual
 constexpr double kDeviations = 4.0;      // of log errors; robust ones
 constexpr double kMinRatio = 1.75;       // of the middle error, however alike the others are
+constexpr double kUnrelated = 0.4;       // correlation below which turns are not what was told …
+constexpr double kRelated = 0.6;         // … where the others' middle one is above this
 
 double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
   const Eigen::Index tip = expected.cols() - 3;
@@ -33,11 +35,19 @@ double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
   return count > 0 ? kCmPerM * sum / count : std::nan("");
 }
 
-/// Of the segments' turns with the expected ones, mean over those that moved.
-double mean_correlation(const ArmDescription& arm, const FrameMatrix& expected,
-                        const Episode& episode) {
+/// Of the segments' turns with the expected ones.
+struct TurnCorrelation {
+  double mean = 0.0;    ///< over those that moved
+  double pooled = 0.0;  ///< of all of them at once: what moved most counts most
+};
+
+TurnCorrelation correlation_of(const ArmDescription& arm, const FrameMatrix& expected,
+                               const Episode& episode) {
   double sum = 0.0;
   int moved = 0;
+  double product = 0.0;
+  double seen_squares = 0.0;
+  double told_squares = 0.0;
   Eigen::Index column = 2;
   for (const Segment& segment : arm.segments) {
     const Eigen::Index end = column + 3 * segment.gaps;
@@ -50,9 +60,34 @@ double mean_correlation(const ArmDescription& arm, const FrameMatrix& expected,
     const double size = seen.norm() * told.norm();
     sum += size > 0.0 ? seen.dot(told) / size : 0.0;
     moved += size > 0.0 ? 1 : 0;
+    product += seen.dot(told);
+    seen_squares += seen.squaredNorm();
+    told_squares += told.squaredNorm();
     column = end;
   }
-  return moved > 0 ? sum / moved : 0.0;
+  if (moved == 0) {
+    return {};
+  }
+  return {sum / moved, product / std::sqrt(seen_squares * told_squares)};
+}
+
+/// Where all episodes are far off (friction, long lags), the error of one whose commands are those
+/// of another does not stand out. But it errs more than the middle one, and has nothing to do with
+/// what it was told, as the others have.
+void mark_unrelated(const std::vector<TurnCorrelation>& correlations, EpisodeErrors& errors) {
+  std::vector<double> means;
+  for (const TurnCorrelation& one : correlations) {
+    means.push_back(one.mean);
+  }
+  if (means.size() < kMinEpisodes || median(std::move(means)) < kRelated) {
+    return;
+  }
+  for (std::size_t i = 0; i < correlations.size(); ++i) {
+    EpisodeError& episode = errors.episodes[i];
+    episode.is_outlier = episode.is_outlier ||
+                         (episode.tip_cm > errors.median_cm && correlations[i].mean < kUnrelated &&
+                          correlations[i].pooled < kUnrelated);
+  }
 }
 
 nlohmann::ordered_json number(double value) {
@@ -75,10 +110,12 @@ EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episod
   const SimpleModel model = fit_simple_model(arm, episodes).model;
   EpisodeErrors errors;
   std::vector<double> known;
+  std::vector<TurnCorrelation> correlations;
   for (const Episode& episode : episodes) {
     const FrameMatrix expected = predict(model, arm, episode);
+    correlations.push_back(correlation_of(arm, expected, episode));
     errors.episodes.push_back(
-        {mean_tip_error_cm(expected, episode), mean_correlation(arm, expected, episode), false});
+        {mean_tip_error_cm(expected, episode), correlations.back().mean, false});
     if (errors.episodes.back().tip_cm > 0.0) {
       known.push_back(std::log(errors.episodes.back().tip_cm));
     }
@@ -100,6 +137,7 @@ EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episod
   for (EpisodeError& episode : errors.episodes) {
     episode.is_outlier = episode.tip_cm > errors.limit_cm;
   }
+  mark_unrelated(correlations, errors);
   return errors;
 }
 

@@ -229,6 +229,24 @@ void require_sizes_of(const Recording& recording, const ArmDescription& arm,
 
 namespace {
 
+/// Other shares of the arm file's `commands` make other commands of segments.
+void require_same_sums(const Recording& recording, const ArmDescription& arm,
+                       const std::string& file) {
+  if (arm.commands.empty() || recording.arm_description.empty() ||
+      recording.arm_hash == arm.hash()) {
+    return;
+  }
+  const ArmDescription there = read_arm_keys(recording.arm_description, file + ": arm_description");
+  for (const std::string& difference : arm_differences(there, arm)) {
+    if (!there.commands.empty() && difference.starts_with("commands")) {
+      throw InputError(fmt::format(
+          "{}: recorded with arm '{}', whose commands make other commands of segments: {}. Give "
+          "the arm file that it was recorded with (--arm), or import its logs again for this one",
+          file, recording.arm_name, difference));
+    }
+  }
+}
+
 constexpr double kFarBeyond = 1.2;       // of the limit, …
 constexpr double kMaxFarBeyond = 0.001;  // … in this share of the frames: more than single spikes
 constexpr double kNeverBelieved = 3.0;   // of the limit, even once: a spike that ruins the ranges
@@ -268,6 +286,7 @@ void require_recording_of(const Recording& recording, const ArmDescription& arm,
         "that it was recorded with (--arm); if both are the same arm, give them the same name",
         file, recording.arm_name, recording.arm_hash, arm.name, arm.hash(), why));
   }
+  require_same_sums(recording, arm, file);
   for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
     const std::string where = episode_path(e);
     const Episode& episode = recording.episodes[e];

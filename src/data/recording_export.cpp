@@ -53,6 +53,10 @@ std::string command_cells(const Episode& episode, Eigen::Index t) {
 std::string command_mapping(const Recording& recording) {
   std::string text =
       recording.command.is_pressure_kpa() ? "pressures:\n  unit: kPa\n" : "commands:\n";
+  const std::string& arm = recording.arm_description;
+  if (!arm.empty() && !read_arm_keys(arm, "arm_description").commands.empty()) {
+    text += "  of: segments\n";
+  }
   for (const std::string& what : command_names(recording)) {
     text += fmt::format("  {}: [", what == "setpoint" ? "setpoints" : "columns");
     for (int i = 0; i < recording.segment_count; ++i) {

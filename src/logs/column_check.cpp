@@ -18,8 +18,22 @@ std::string other_sign(const std::string& name) {
   return name.starts_with('-') ? name.substr(1) : "-" + name;
 }
 
+/// "segment 0: a - b, segment 1: -(c)", for an arm file's `commands`.
+std::string fitting_sums(const ColumnFit& fit, const CommandColumns& commands) {
+  std::vector<std::string> sums;
+  for (std::size_t i = 0; i < fit.segments.size(); ++i) {
+    const std::string& sum = commands.columns[std::size_t(fit.segments[i].column)];
+    sums.push_back(fmt::format(fmt::runtime(fit.segments[i].turned ? "{}: -({})" : "{}: {}"),
+                               segment_name(Eigen::Index(i)), sum));
+  }
+  return fmt::format("{}", fmt::join(sums, ", "));
+}
+
 /// "right: [a, b], left: [c, d]" or "columns: [a, -b]", as a mapping would have to say it.
 std::string fitting_mapping(const ColumnFit& fit, const CommandColumns& commands) {
+  if (commands.summed) {
+    return fitting_sums(fit, commands);
+  }
   std::vector<std::string> first;
   std::vector<std::string> second;
   for (const FittedColumn& segment : fit.segments) {
@@ -77,8 +91,9 @@ std::string refusal(const std::string& log, const ColumnFit& fit, const ImportMa
                        all_turned ? "the arm" : "a segment", arm.command.name, positive_side(arm));
   }
   return fmt::format(
-      "{}: {}. What would fit: '{}'. Correlations of levels then: {}. Change the mapping{}", log,
+      "{}: {}. What would fit: '{}'. Correlations of levels then: {}. Change the mapping{}{}", log,
       what, fitting_mapping(fit, mapping.commands), correlations_text(fit),
+      mapping.commands.summed ? ", or 'commands' in the arm file" : "",
       all_turned && turned
           ? "; or the plane is seen from the other side: turn y (or 'up'); or the arm gets longer "
             "under pressure, and bends away from it: the right is the side that it bends to"

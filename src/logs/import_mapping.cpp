@@ -80,16 +80,41 @@ bool read_measured(const YamlReader& node, const std::string& key, bool setpoint
   return measured;
 }
 
+/// Whether the columns are those of the arm file's `commands`: where it has such, unless the
+/// mapping says otherwise.
+bool read_summed(const YamlReader& node, const ArmDescription& arm) {
+  if (!node.has("of")) {
+    return !arm.commands.empty();
+  }
+  const std::string of = node.at("of").text();
+  if (of != "segments" && (of != "commands" || arm.commands.empty())) {
+    node.at("of").refuse(
+        fmt::format("{} found; expected segments{}", node.at("of").found(),
+                    arm.commands.empty() ? ": the arm's file has no 'commands'" : " or commands"));
+  }
+  return of == "commands";
+}
+
 CommandColumns read_commands(const YamlReader& node, const std::string& key,
                              const ArmDescription& arm, const TimeColumn& time) {
-  node.refuse_unknown_keys({"unit", "columns", "right", "left", "setpoints", "measured", "time"});
-  const auto n = static_cast<std::size_t>(arm.segment_count());
-  const std::string each = fmt::format("one for each segment of arm '{}', base first", arm.name);
+  node.refuse_unknown_keys(
+      {"unit", "of", "columns", "right", "left", "setpoints", "measured", "time"});
   CommandColumns commands;
+  commands.summed = read_summed(node, arm);
+  const std::size_t n = commands.summed ? arm.commands.size() : arm.segments.size();
+  const std::string each =
+      fmt::format("one for each {} of arm '{}', {}", commands.summed ? "command" : "segment",
+                  arm.name, commands.summed ? "in its file's order" : "base first");
   commands.time = node.has("time") ? read_time(node.at("time")) : time;
   commands.unit = node.has("unit") ? node.at("unit").text() : arm.command.unit;
   if (node.has("unit")) {
     commands.factor = factor_to(node.at("unit"), arm.command.unit);
+  }
+  for (const char* side : {"right", "left"}) {
+    if (commands.summed && node.has(side)) {
+      node.at(side).refuse(
+          "the arm's file has 'commands', which are signed: expected 'columns', one for each");
+    }
   }
   const bool sided = node.has("right") && node.has("left");
   const bool setpoints_alone =
@@ -317,60 +342,6 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
     mapping.longest_gap_s = root.at("longest_gap_s").number("a time in s", 0.0, kLongestGap_s);
   }
   return mapping;
-}
-
-namespace {
-
-/// The names that limber gives the columns of commands.
-CommandColumns default_columns(const ArmDescription& arm, int first) {
-  CommandColumns columns;
-  columns.unit = arm.command.unit;
-  for (int i = first; i < first + arm.segment_count(); ++i) {
-    columns.columns.push_back(quantity_column(arm.command, followed_name(arm.command), i));
-    columns.setpoint.push_back(quantity_column(arm.command, "setpoint", i));
-  }
-  columns.setpoint_optional = true;
-  return columns;
-}
-
-}  // namespace
-
-ImportMapping default_import_mapping(const ArmDescription& arm) {
-  ImportMapping mapping;
-  mapping.commands = default_columns(arm, 0);
-  return mapping;
-}
-
-CommandColumns as_counted_in(const std::vector<std::string>& names, CommandColumns commands,
-                             const ArmDescription& arm) {
-  if (!commands.setpoint_optional) {
-    return commands;
-  }
-  const auto are_there = [&](const std::vector<std::string>& columns) {
-    return std::ranges::all_of(columns, [&](const std::string& name) {
-      return std::ranges::find(names, name) != names.end();
-    });
-  };
-  const auto begin_there = [&](const CommandColumns& columns) {
-    return are_there({columns.columns.front()}) || are_there({columns.setpoint.front()});
-  };
-  const CommandColumns from_1 = default_columns(arm, 1);
-  if (!begin_there(commands) && (are_there(from_1.columns) || are_there(from_1.setpoint))) {
-    commands.columns = from_1.columns;
-    commands.setpoint = from_1.setpoint;
-  }
-  const bool has_setpoints = are_there(commands.setpoint);
-  if (has_setpoints && !are_there({commands.columns.front()})) {
-    commands.columns = commands.setpoint;
-    commands.measured = false;
-  } else if (!has_setpoints && !arm.command.is_pressure_kpa()) {
-    commands.measured = false;  // commands alone are set points
-  }
-  if (!commands.measured) {
-    commands.setpoint.clear();
-    commands.setpoint_optional = false;
-  }
-  return commands;
 }
 
 }  // namespace limber

@@ -12,6 +12,7 @@
 #include "column_check.hpp"
 #include "column_fit.hpp"
 #include "command_check.hpp"
+#include "command_sums.hpp"
 #include "level_correlation.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -64,7 +65,7 @@ void refuse_columns_behind_clocks(const std::string& log, const std::string& com
     const ColumnFit fit = fit_at(offset_s);
     if (!fit.belongs && fit.best_evidence > given + kDecisiveAlone) {
       refuse_columns(fmt::format("{} and {}, --time-offset-s {:.3f}", log, command_log, offset_s),
-                     fit, mapping, arm);
+                     fit, with_sums_named(mapping, arm), arm);
     }
   }
 }
@@ -114,7 +115,9 @@ std::vector<Episode> import_run(const fs::path& log, const std::string& command_
   RunReport same_rows;
   put_in_order(commands_from, run.commands, run.one_clock ? same_rows : run.report);
   check_clocks(name, commands_from, options.mapping, arm, run);
-  check_commands(commands_from, options.mapping, arm, run.commands, run.report);
+  sum_commands(options.mapping, arm, run.commands, run.report);
+  check_commands(commands_from, with_sums_named(options.mapping, arm), arm, run.commands,
+                 run.report);
   const BackboneTrack motion =
       build_backbone(name, std::move(run.points), options.mapping, arm, run.report);
   if (!run.one_clock || options.time_offset_s) {
@@ -183,7 +186,8 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
       result.report.runs.push_back(std::move(run.report));
     }
   }
-  check_columns(run_names, levels, options.mapping, arm, result.report.columns);
+  check_columns(run_names, levels, with_sums_named(options.mapping, arm), arm,
+                result.report.columns);
   if (result.recording.untracked_count() < result.recording.frame_count()) {
     result.report.episode_errors = episode_errors(arm, result.recording.episodes);
   }

@@ -75,7 +75,8 @@ CommandTrack commands_of(const LogTable& table, std::size_t first, const RowGrou
                          const ImportMapping& mapping, const ArmDescription& arm) {
   const CommandColumns& commands = mapping.commands;
   const auto rows = static_cast<Eigen::Index>(group.rows.size());
-  const Eigen::Index n = arm.segment_count();
+  const auto n = static_cast<Eigen::Index>(commands.columns.empty() ? arm.segments.size()
+                                                                    : commands.columns.size());
   CommandTrack track;
   track.measured = commands.measured;
   track.values.resize(rows, n);

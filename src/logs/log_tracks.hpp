@@ -26,7 +26,8 @@ struct PointTracks {
 };
 
 /// Commands (pressures, or what the arm file says) in the arm's unit on the log's own clock; NaN
-/// where a cell was empty.
+/// where a cell was empty. One column for each segment or, until `sum_commands`, for each of the
+/// arm file's `commands`.
 struct CommandTrack {
   std::vector<double> time_s;  ///< T
   Eigen::MatrixXd values;      ///< T×n, signed: measured, or the set points if nothing was

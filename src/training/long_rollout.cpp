@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "limber/common/interrupt.hpp"
 
@@ -42,34 +43,42 @@ bool is_held(const GapBounds& bounds, const Eigen::MatrixX3d& plates) {
   return false;
 }
 
-}  // namespace
+int frames_from_tracked(const Episode& episode) {
+  return episode.frame_count() - episode.next_tracked(0, episode.frame_count());
+}
 
-LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>& episodes,
-                          int frames) {
-  const auto frames_from_tracked = [](const Episode& one) {
-    return one.frame_count() - one.next_tracked(0, one.frame_count());
-  };
-  const Episode& episode = *std::ranges::max_element(episodes, {}, frames_from_tracked);
+/// The longest episodes that a rollout can start in, at most kMaxWalks.
+std::vector<const Episode*> episodes_to_walk(const std::vector<Episode>& episodes) {
+  constexpr std::size_t kMaxWalks = 4;
+  std::vector<const Episode*> longest;
+  for (const Episode& episode : episodes) {
+    if (frames_from_tracked(episode) >= 2) {
+      longest.push_back(&episode);
+    }
+  }
+  std::ranges::stable_sort(longest, std::greater{},
+                           [](const Episode* episode) { return frames_from_tracked(*episode); });
+  longest.resize(std::min(longest.size(), kMaxWalks));
+  return longest;
+}
+
+/// One episode there and back for so many frames, added to `result`; `held` counts frames.
+void walk(const ForwardModel& model, const Episode& episode, int frames, LongRollout& result,
+          int& held) {
   const int count = frames_from_tracked(episode);
   const int begin = episode.frame_count() - count;
-  LongRollout result;
-  if (count < 2) {
-    result.bounded = true;
-    return result;
-  }
   ForwardModel::Workspace workspace;
   Backbone state(model.point_count(), 3);
   state.reshaped<Eigen::RowMajor>() = episode.backbone.row(begin).transpose();
   Pressures previous = episode.pressure_kpa.row(begin);
   const bool is_bounded = model.has_network() && model.compensation().bounds.has_value();
   const GapBounds* const bounds = is_bounded ? &*model.compensation().bounds : nullptr;
-  int held = 0;
-  for (; result.frames < frames && state.allFinite(); ++result.frames) {
+  for (int frame = 0; frame < frames && state.allFinite(); ++frame) {
     throw_if_interrupted();
-    const Pressures current =
-        episode.pressure_kpa.row(begin + there_and_back(result.frames + 1, count));
+    const Pressures current = episode.pressure_kpa.row(begin + there_and_back(frame + 1, count));
     model.step(previous, current, state, state, workspace);
     previous = current;
+    ++result.frames;
     if (state.allFinite()) {
       const Eigen::MatrixX3d plates = state.cast<double>();
       result.max_distance_m =
@@ -79,8 +88,23 @@ LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>&
       held += bounds != nullptr && is_held(*bounds, plates) ? 1 : 0;
     }
   }
+  result.bounded = result.bounded && state.allFinite();
+}
+
+}  // namespace
+
+LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>& episodes,
+                          int frames) {
+  LongRollout result;
+  result.bounded = true;
+  const std::vector<const Episode*> walks = episodes_to_walk(episodes);
+  int held = 0;
+  for (std::size_t i = 0; i < walks.size() && result.bounded; ++i) {
+    const int left = frames - result.frames;
+    walk(model, *walks[i], left / static_cast<int>(walks.size() - i), result, held);
+  }
   result.held_share = result.frames > 0 ? double(held) / result.frames : 0.0;
-  result.bounded = state.allFinite() && result.max_distance_m <= kFarthest * arm_length_m(model);
+  result.bounded = result.bounded && result.max_distance_m <= kFarthest * arm_length_m(model);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/arm_commands.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -103,6 +104,23 @@ void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan) {
       for (const float pressure : row) {
         text += fmt::format(",{}", pressure);
       }
+    }
+    text += '\n';
+  }
+  write_file_atomically(path, text);
+}
+
+void write_commands_csv(const std::filesystem::path& path, const Plan& plan,
+                        const ArmDescription& arm) {
+  std::string text = "time_s";
+  for (const ArmCommand& command : arm.commands) {
+    text += "," + command.name;
+  }
+  text += '\n';
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    text += fmt::format("{}", static_cast<double>(k - 1) / plan.frame_rate_hz);
+    for (const double value : commands_for(arm, plan.frames[k].setpoint_kpa.cast<double>())) {
+      text += fmt::format(",{}", static_cast<float>(value));
     }
     text += '\n';
   }

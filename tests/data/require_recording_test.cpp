@@ -66,6 +66,26 @@ TEST(RequireRecordingOf, NamesWhatDiffersFromTheArm) {
               ThrowsMessage<InputError>(HasSubstr("100 frames per second; arm 'mine' has 20")));
 }
 
+// Other shares make other commands of segments of the same logs, whatever the arm is called.
+TEST(RequireRecordingOf, RefusesOneWhoseCommandsWereSummedOtherwise) {
+  ArmDescription arm = small_arm("mine");
+  const std::string without = arm_keys_to_yaml(arm);
+  arm.commands = {{"a", {1.0, 0.0}}, {"b", {-1.0, 0.0}}, {"c", {0.0, 1.0}}};
+  Recording recording = turning_recording(40);
+  recording.arm_name = "mine";
+  recording.arm_hash = "0";
+  recording.arm_description = arm_keys_to_yaml(arm);
+  EXPECT_NO_THROW(require_recording_of(recording, arm, "a.h5"));
+  recording.arm_description = without;
+  EXPECT_NO_THROW(require_recording_of(recording, arm, "a.h5")) << "of segments' commands";
+  recording.arm_description = arm_keys_to_yaml(arm);
+  arm.commands[1].shares[0] = -0.5;
+  EXPECT_THAT(
+      [&] { require_recording_of(recording, arm, "a.h5"); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("commands[1].acts_on[0]: -1 there, -0.5 here"),
+                                      HasSubstr("import its logs again"))));
+}
+
 TEST(RequireRecordingOf, TakesTheSameArmRenamedOrEditedAndRefusesAnother) {
   const ArmDescription arm = small_arm("mine");
   Recording recording = turning_recording(40);

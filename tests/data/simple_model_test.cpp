@@ -1,6 +1,7 @@
 #include "limber/data/simple_model.hpp"
 
 #include <cmath>
+#include <span>
 
 #include <gmock/gmock.h>
 
@@ -227,6 +228,25 @@ TEST(EpisodeErrors, NameTheBrokenOne) {
   EXPECT_LT(errors.episodes[17].correlation, 0.6);
   EXPECT_GT(errors.episodes[17].tip_cm, errors.limit_cm);
   EXPECT_THAT(to_text(errors), ::testing::HasSubstr("episode 17"));
+}
+
+// Friction and long lags leave all episodes far off; an error alone does not stand out then.
+TEST(EpisodeErrors, NameOneThatDoesNothingOfWhatItWasToldAmongLargeErrors) {
+  const ArmDescription arm = sample_arm(3);
+  std::vector<Episode> episodes = episodes_of(some_model(), arm, 40, 2e-3);
+  for (Episode& rest : std::span(episodes).first(3)) {
+    rest.pressure_kpa.rowwise() = Eigen::RowVectorXf(rest.pressure_kpa.row(0));
+    rest.backbone = predict(some_model(), arm, rest);
+  }
+  episodes[17].backbone = episodes[18].backbone;
+  for (std::size_t i = 3; i < episodes.size(); ++i) {
+    FrameMatrix& backbone = episodes[i].backbone;
+    backbone.col(backbone.cols() - 2).array() += 0.3F + 0.1F * std::sin(float(i));  // [m]
+  }
+  const EpisodeErrors errors = episode_errors(arm, episodes);
+  EXPECT_LT(errors.episodes[17].tip_cm, errors.limit_cm);
+  EXPECT_LT(errors.episodes[0].correlation, 0.4) << "it was told nothing, and does nothing";
+  EXPECT_THAT(errors.outliers(), ::testing::ElementsAre(17));
 }
 
 TEST(EpisodeErrors, FlagNoneOfTooFew) {

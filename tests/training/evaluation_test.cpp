@@ -157,6 +157,23 @@ TEST(LongRollout, CountsTheFramesInWhichBoundsHoldTheModel) {
   EXPECT_TRUE(held.ran_away());
 }
 
+// A model may stay on the longest episode and run away on another.
+TEST(LongRollout, WalksTheFourLongestEpisodesInTurn) {
+  const ArmDescription arm = three_segment_arm();
+  const Episode known = toy_episode(arm, 10, 20, 4);
+  Episode wild = known;
+  wild.pressure_kpa *= 2.0F;  // bends further than what the bounds were made of
+  CompensationModel model = zero_network(arm);
+  model.bounds = gap_bounds_of({known});
+  const ForwardModel forward(arm, model);
+  const LongRollout rollout = roll_out_long(forward, {known, known, known, wild}, 3000);
+  EXPECT_EQ(rollout.frames, 3000);
+  EXPECT_GT(rollout.held_share, LongRollout::kMaxHeldShare);
+  EXPECT_LE(rollout.held_share, 0.25);
+  EXPECT_EQ(roll_out_long(forward, {known, known, known, known, wild}, 3000).held_share, 0.0)
+      << "the fifth is left out";
+}
+
 TEST(Evaluate, AZeroNetworkIsTheNoLoadModel) {
   const ArmDescription arm = three_segment_arm();
   const ForwardModel no_load(arm);

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/arm/arm_commands.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/world/straight_motion.hpp"
@@ -333,6 +334,34 @@ TEST(Plan, IsRefusedForAnotherArmAndBeyondItsLimits) {
   thin.frames[1].setpoint_kpa = Pressures::Zero(2);
   EXPECT_THAT([&] { require_plan_of(thin, arm, "p.json"); },
               ThrowsMessage<InputError>(HasSubstr("frames[1]: 2 pressures")));
+}
+
+TEST(Plan, CsvOfTheArmsOwnCommandsMakesTheSetPoints) {
+  const TemporaryFolder folder;
+  ArmDescription arm = three_segment_arm();
+  arm.commands = {{"m0", {1, 0, 0}}, {"m1", {-1, 0, 0}}, {"m2", {0, 1, 0}}, {"m3", {0, 0.5, 2}}};
+  const Plan plan = small_plan(arm);
+  write_commands_csv(folder.path() / "p.csv", plan, arm);
+  std::ifstream file(folder.path() / "p.csv");
+  std::string line;
+  std::getline(file, line);
+  EXPECT_EQ(line, "time_s,m0,m1,m2,m3");
+  constexpr double kSingle = 1e-4;  // [kPa]
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    ASSERT_TRUE(std::getline(file, line));
+    std::stringstream row(line);
+    std::string cell;
+    std::getline(row, cell, ',');
+    EXPECT_DOUBLE_EQ(number_in<double>(cell), double(k - 1) / 20.0);
+    Eigen::VectorXd commands(4);
+    for (double& command : commands) {
+      std::getline(row, cell, ',');
+      command = number_in<double>(cell);
+    }
+    const Eigen::VectorXd made = segment_commands(arm, commands);
+    EXPECT_TRUE(made.isApprox(plan.frames[k].setpoint_kpa.cast<double>(), kSingle)) << line;
+  }
+  EXPECT_FALSE(std::getline(file, line));
 }
 
 TEST(Plan, CsvHoldsTheSetPointsToCommandAndWhen) {

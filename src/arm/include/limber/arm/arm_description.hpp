@@ -86,6 +86,13 @@ struct Segment {
   double curvature_per_unit = 1.0;
 };
 
+/// A command of the real arm, such as a motor's, where segments have none of their own
+/// (limber/arm/arm_commands.hpp).
+struct ArmCommand {
+  std::string name;            ///< of its column in logs
+  std::vector<double> shares;  ///< n: how much of it is in each segment's command, with sign
+};
+
 /// What an arm's file says under `virtual_arm`, not read yet: whoever simulates the arm does so
 /// (hardware/virtual_arm_parameters.hpp).
 struct VirtualArmSection {
@@ -99,8 +106,9 @@ struct ArmDescription {
   std::string name;
   Command command;
   NoLoadKind no_load = NoLoadKind::strain_polynomial;
-  std::vector<Segment> segments;  ///< base first
-  double frame_rate_hz = 20.0;    ///< of recordings, models and plans
+  std::vector<Segment> segments;     ///< base first
+  std::vector<ArmCommand> commands;  ///< M, where they are not one for each segment; else none
+  double frame_rate_hz = 20.0;       ///< of recordings, models and plans
   double pressure_rate_limit_kpa_per_s =
       0.0;                         ///< what the valves can follow; bounds a plan's frames
   double actuator_radius_m = 0.0;  ///< collision radius of a gap is width/2 + this

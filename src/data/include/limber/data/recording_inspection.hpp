@@ -46,8 +46,9 @@ struct EpisodeError {
   bool is_outlier = false;
 };
 
-/// The simple model's error in every episode. One that is far above the others' was broken: a log
-/// of another trial, a tracker that lost its bodies, a tube that came off.
+/// The simple model's error in every episode. One that is far above the others' was broken, and so
+/// was one that errs more than the middle one and does nothing of what it was told: a log of
+/// another trial, a tracker that lost its bodies, a tube that came off.
 struct EpisodeErrors {
   std::vector<EpisodeError> episodes;
   double median_cm = 0.0;

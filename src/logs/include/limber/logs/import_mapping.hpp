@@ -21,13 +21,16 @@ struct TimeColumn {
 /// Where a log holds commands: either `columns`, signed, or one column per side.
 struct CommandColumns {
   TimeColumn time;
-  std::vector<std::string> columns;  ///< n; a '-' before a name turns its sign
+  /// True: `columns` and `setpoint` are those of the arm file's M `commands`, and are summed to
+  /// those of its n segments (limber/arm/arm_commands.hpp).
+  bool summed = false;
+  std::vector<std::string> columns;  ///< n, or M; a '-' before a name turns its sign
   std::vector<std::string> right;    ///< n; the side that a positive pressure inflates
   std::vector<std::string> left;     ///< n
   /// False: nothing was measured; `columns`, or `right` and `left`, hold set points, and there is
   /// no `setpoint`. They are held from row to row and never interpolated.
   bool measured = true;
-  std::vector<std::string> setpoint;  ///< n, or none
+  std::vector<std::string> setpoint;  ///< as many as `columns`, or none
   bool setpoint_optional = false;     ///< left out if the log has no such columns
   std::string unit = "kPa";
   double factor = 1.0;  ///< to the arm's unit
@@ -82,7 +85,9 @@ ImportMapping read_import_mapping(const std::filesystem::path& path, const ArmDe
 
 /// The mapping if none is given: time_s, and pressure_0_kpa … (command_0 … for another command),
 /// one per segment, with setpoint_0_kpa … if there are such columns. A log that has setpoint_0_kpa
-/// … and no other holds set points only; so does one of command_0 … alone.
+/// … and no other holds set points only; so does one of command_0 … alone. Of an arm with
+/// `commands`, their names, with setpoint_NAME … if there are such columns; a log without any of
+/// them is one of segments' commands.
 ImportMapping default_import_mapping(const ArmDescription& arm);
 
 /// Default columns as a log has them: counted from 0, or from 1 if it has no column 0, as limber

@@ -25,10 +25,11 @@ struct LongRollout {
 /// Frames of the check: a quarter of an hour at 20 Hz.
 inline constexpr int kLongRolloutFrames = 20'000;
 
-/// Rolls `model` out over the measured pressures of the longest episode, forward and back again
-/// until `frames` are done, from the first tracked backbone. Errors that amplify themselves show
-/// within some hundred frames; a model that stays within twice the arm's length for a quarter of an
-/// hour will stay there. Zero frames, and bounded, if no frame follows a tracked one.
+/// Rolls `model` out over the measured pressures of the longest episode, forward and back again,
+/// from the first tracked backbone; of several episodes each of the four longest, a part of
+/// `frames` each. Errors that amplify themselves show within some thousand frames; a model that
+/// stays within twice the arm's length for a quarter of an hour will stay there. Zero frames, and
+/// bounded, if no frame follows a tracked one.
 LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>& episodes,
                           int frames = kLongRolloutFrames);
 

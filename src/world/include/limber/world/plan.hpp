@@ -111,6 +111,11 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
 /// by anything else), one row per frame, time at which the frame's set points are to be commanded.
 void write_setpoints_csv(const std::filesystem::path& path, const Plan& plan);
 
+/// The same set points as the arm's own `commands` (limber/arm/arm_commands.hpp), `time_s` and a
+/// column for each by its name. @param arm  the plan's.
+void write_commands_csv(const std::filesystem::path& path, const Plan& plan,
+                        const ArmDescription& arm);
+
 /// Predicted shapes: `time_s,x_0_m,y_0_m,theta_0_rad,…`, one row per frame, its time the frame's
 /// end.
 void write_backbones_csv(const std::filesystem::path& path, const Plan& plan);

@@ -1,0 +1,173 @@
+#include "limber/arm/arm_commands.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+#include "arm_commands_file.hpp"
+#include "limber/arm/names.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/yaml_reader.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::size_t kMaxCommands = 256;
+constexpr double kSmallestPivot = 1e-9;  // of the largest: below it, rows of S depend on each other
+
+Eigen::MatrixXd shares_of(const std::vector<ArmCommand>& commands, int segments) {
+  Eigen::MatrixXd shares(segments, static_cast<Eigen::Index>(commands.size()));
+  for (std::size_t k = 0; k < commands.size(); ++k) {
+    shares.col(Eigen::Index(k)) =
+        Eigen::Map<const Eigen::VectorXd>(commands[k].shares.data(), segments);
+  }
+  return shares;
+}
+
+void require_size(const ArmDescription& arm, Eigen::Index found, Eigen::Index expected,
+                  const char* what) {
+  if (found != expected) {
+    throw InputError(fmt::format("{} {}; arm '{}' has {}", found, what, arm.name, expected));
+  }
+}
+
+std::string read_name(const YamlReader& node, const std::vector<ArmCommand>& before) {
+  const std::string name = node.text();
+  if (name.empty() || name.starts_with('-') || name.find_first_of(",\"\n") != std::string::npos) {
+    node.refuse(
+        fmt::format("{} found; expected the name of a column in logs, without a sign, "
+                    "commas or quotation marks",
+                    node.found()));
+  }
+  if (std::ranges::any_of(before, [&](const ArmCommand& other) { return other.name == name; })) {
+    node.refuse(fmt::format("'{}' is the name of another command", name));
+  }
+  return name;
+}
+
+/// The keys are segments, the values shares.
+std::vector<double> read_shares(const YamlReader& node, int segments) {
+  std::vector<double> shares(static_cast<std::size_t>(segments), 0.0);
+  for (const std::string& key : node.keys()) {
+    int segment = 0;
+    while (segment < segments && key != std::to_string(segment)) {
+      ++segment;
+    }
+    if (segment == segments) {
+      node.at(key).refuse(
+          fmt::format("no segment '{}'; expected 0, the base, to {}", key, segments - 1));
+    }
+    shares[std::size_t(segment)] =
+        node.at(key).number("a share of the command in the segment's, with sign");
+  }
+  if (std::ranges::all_of(shares, [](double share) { return share == 0.0; })) {
+    node.refuse("the command acts on nothing; expected segments and shares, as in {0: 1, 1: -0.5}");
+  }
+  return shares;
+}
+
+void require_own_commands(const YamlReader& node, const std::vector<ArmCommand>& commands,
+                          int segments) {
+  const Eigen::MatrixXd shares = shares_of(commands, segments);
+  for (int i = 0; i < segments; ++i) {
+    if (shares.row(i).isZero(0.0)) {
+      node.refuse(fmt::format("no command acts on {}; every segment has to be moved by one",
+                              segment_name(i)));
+    }
+  }
+  for (int i = 1; i < segments; ++i) {
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> rows(shares.topRows(i + 1).transpose());
+    rows.setThreshold(kSmallestPivot);
+    if (rows.rank() <= i) {
+      node.refuse(fmt::format(
+          "{} {} can't move {} apart from the segments before it. Where one command bends several "
+          "discs, make them one segment with all their plates: its length is the sum of theirs",
+          commands.size(), commands.size() == 1 ? "command" : "commands", segment_name(i)));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<ArmCommand> read_arm_commands(const YamlReader& node, int segments) {
+  std::vector<ArmCommand> commands;
+  for (const YamlReader& element : node.elements()) {
+    element.refuse_unknown_keys({"name", "acts_on"});
+    ArmCommand command;
+    command.name = read_name(element.at("name"), commands);
+    command.shares = read_shares(element.at("acts_on"), segments);
+    commands.push_back(std::move(command));
+  }
+  if (commands.empty() || commands.size() > kMaxCommands) {
+    node.refuse(
+        fmt::format("{} commands found; expected 1 to {}, or no such key where each segment "
+                    "has a command of its own",
+                    commands.size(), kMaxCommands));
+  }
+  require_own_commands(node, commands, segments);
+  return commands;
+}
+
+std::string yaml_text(const std::string& text) {
+  YAML::Emitter emitter;
+  emitter.SetStringFormat(YAML::DoubleQuoted);
+  emitter << text;
+  return emitter.c_str();
+}
+
+std::string arm_commands_to_yaml(const std::vector<ArmCommand>& commands) {
+  std::string text = commands.empty() ? "" : "commands:\n";
+  for (const ArmCommand& command : commands) {
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < command.shares.size(); ++i) {
+      if (command.shares[i] != 0.0) {
+        parts.push_back(fmt::format("{}: {}", i, command.shares[i]));
+      }
+    }
+    text += fmt::format("  - {{name: {}, acts_on: {{{}}}}}\n", yaml_text(command.name),
+                        fmt::join(parts, ", "));
+  }
+  return text;
+}
+
+Eigen::MatrixXd command_shares(const ArmDescription& arm) {
+  const int n = arm.segment_count();
+  return arm.commands.empty() ? Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n))
+                              : shares_of(arm.commands, n);
+}
+
+Eigen::VectorXd segment_commands(const ArmDescription& arm,
+                                 const Eigen::Ref<const Eigen::VectorXd>& commands) {
+  const Eigen::MatrixXd shares = command_shares(arm);
+  require_size(arm, commands.size(), shares.cols(), "commands");
+  return shares * commands;
+}
+
+Eigen::VectorXd commands_for(const ArmDescription& arm,
+                             const Eigen::Ref<const Eigen::VectorXd>& segment_commands) {
+  const Eigen::MatrixXd shares = command_shares(arm);
+  require_size(arm, segment_commands.size(), shares.rows(), "commands of segments");
+  const Eigen::MatrixXd square = shares * shares.transpose();
+  return shares.transpose() * square.ldlt().solve(segment_commands);
+}
+
+std::string command_sum(const ArmDescription& arm, int segment) {
+  std::string text;
+  for (const ArmCommand& command : arm.commands) {
+    const double share = command.shares[std::size_t(segment)];
+    if (share == 0.0) {
+      continue;
+    }
+    text += text.empty() ? (share < 0.0 ? "-" : "") : (share < 0.0 ? " - " : " + ");
+    text += std::abs(share) == 1.0 ? "" : fmt::format("{:.4g} ", std::abs(share));
+    text += command.name;
+  }
+  return text;
+}
+
+}  // namespace limber

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "limber/logs/import_mapping.hpp"
+#include "limber/logs/import_report.hpp"
+#include "log_tracks.hpp"
+
+namespace limber {
+
+/// Where the log holds the arm file's `commands`: their sums, one for each segment, and a note that
+/// says which. A sum of measured commands is missing where one of them is; of set points those
+/// before stay in force. Rows are in the order of time.
+void sum_commands(const ImportMapping& mapping, const ArmDescription& arm, CommandTrack& commands,
+                  RunReport& report);
+
+/// The mapping with each segment's sum in place of its column, for messages.
+ImportMapping with_sums_named(ImportMapping mapping, const ArmDescription& arm);
+
+}  // namespace limber
