@@ -64,7 +64,7 @@ class ArmDescription:
         """Its Segments, base first: segments[0] is at the base."""
     @property
     def commands(self) -> list[ArmCommand]:
-        """The arm's own, where they are not one for each segment; else none."""
+        """The real arm's ArmCommands, where they are not one for each segment; else empty."""
     @property
     def frame_period_s(self) -> float:
         """Time from one frame to the next, 1/frame_rate_hz [s]."""

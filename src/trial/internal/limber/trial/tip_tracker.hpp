@@ -111,8 +111,8 @@ class TipTracker final : public FrameController {
   TipTrackerSettings settings_;
   LapMemory laps_;
   LapPosture posture_;
-  Eigen::VectorXd posture_kpa_;     // of each knot, in this frame
-  Eigen::VectorXd half_per_kpa_;    // one over half of a segment's limits' width
+  Eigen::VectorXd posture_kpa_;   // of each knot, in this frame
+  Eigen::VectorXd half_per_kpa_;  // one over half of a segment's limits' width
   std::uint64_t seed_;
   std::vector<Pressures> approach_;
   int path_start_frame_ = 0;
