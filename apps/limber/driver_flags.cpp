@@ -23,7 +23,8 @@ constexpr std::string_view kModel = "model:";
 
 /// stem + suffix; numbered, with the separator before the number, where an earlier run's file has
 /// that name.
-std::string free_name(const std::string& stem, std::string_view separator, std::string_view suffix) {
+std::string free_name(const std::string& stem, std::string_view separator,
+                      std::string_view suffix) {
   std::string name = fmt::format("{}{}", stem, suffix);
   for (int run = 1; std::filesystem::exists(name); ++run) {
     name = fmt::format("{}{}{}{}", stem, separator, run, suffix);

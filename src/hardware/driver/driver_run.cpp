@@ -52,7 +52,8 @@ std::optional<ForbiddenSetpoint> first_beyond(const Plan& plan,
       const double value = setpoint[s];
       const PressureLimits& sides = limits[static_cast<std::size_t>(s)];
       const bool is_within =  // no NaN is
-          value <= sides.upper_kpa + kSetpointRounding && value >= sides.lower_kpa - kSetpointRounding;
+          value <= sides.upper_kpa + kSetpointRounding &&
+          value >= sides.lower_kpa - kSetpointRounding;
       if (!is_within) {
         return ForbiddenSetpoint{k, s, value, sides};
       }

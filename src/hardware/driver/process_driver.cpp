@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -185,10 +184,11 @@ class ProcessDriver::Session {
     const Time now = Clock::now();
     if (!running_ || !real_time()) {
       running_ = true;
+      slot_ = now;
       if (real_time()) {
         punctual_.emplace();
+        slot_ = std::max(now, asked_ + frames(1.0));
       }
-      slot_ = real_time() ? std::max(now, asked_ + frames(1.0)) : now;
     } else {
       slot_ += frames(1.0);
       if (now - slot_ > frames(kSilenceFrames - 1.0)) {
@@ -320,8 +320,7 @@ class ProcessDriver::Session {
 
   void report_last(bool answered) {
     if (answered) {
-      report_vent("", false);
-      return;
+      return report_vent("", false);
     }
     vent_.confirmed = false;
     vent_.message = "VENT NOT CONFIRMED: the driver does not answer, shut off the supply";

@@ -7,14 +7,15 @@
 namespace limber {
 
 /// What earlier laps of a path have missed, by the time since the lap's start: iterative learning.
-/// A lap's errors are mostly the same again, friction and what the model misses alike; what is asked
-/// for is shifted by a share of them, lap by lap.
+/// A lap's errors are mostly the same again, friction and what the model misses alike; what is
+/// asked for is shifted by a share of them, lap by lap.
 class LapMemory {
  public:
   /// @param frames  of one lap, ≥ 1  @param share  of an error, that the next lap is shifted by
   LapMemory(int frames, double share);
 
-  /// Where the path had the tip in a frame, minus where it was. @param frame  since lap 0 began, ≥ 0
+  /// Where the path had the tip in a frame, minus where it was.
+  /// @param frame  since lap 0 began, ≥ 0
   void learn(int frame, const Eigen::Vector2d& error_m);
 
   /// What to ask for beside the path: zero in the first lap, and smooth, since a single frame's

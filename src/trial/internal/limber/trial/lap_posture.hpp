@@ -19,8 +19,8 @@ class LapPosture {
   LapPosture(const NoLoadModel& model, const TipPath& path,
              const std::vector<PressureLimits>& limits, std::uint64_t seed);
 
-  /// Whether the no-load model bends at all: one of `no_load: straight` knows no shapes, and all set
-  /// points are zero then.
+  /// Whether the no-load model bends at all: one of `no_load: straight` knows no shapes, and all
+  /// set points are zero then.
   bool is_known() const { return is_known_; }
 
   /// Set points n at a time of the path, any lap; before the path those of its start.

@@ -58,8 +58,8 @@ struct TipTrackerSettings {
 ///
 /// What the model misses within 0.25 s, measured minus predicted tip, is low-passed, bounded, and
 /// added to predictions in proportion to how far ahead they are. Chance comes from a stream of
-/// (seed, frame): simulated runs repeat. A path that is run several times teaches: where the tip was
-/// beside it, the next lap is asked for that much less (LapMemory).
+/// (seed, frame): simulated runs repeat. A path that is run several times teaches: where the tip
+/// was beside it, the next lap is asked for that much less (LapMemory).
 ///
 /// Starts with an approach: straight to the start's set points, then the path's first point for
 /// 2 s; the path's time 0 is `path_start_frame`.
