@@ -1,5 +1,4 @@
 #pragma once
-// For everyone.
 
 namespace limber {
 
