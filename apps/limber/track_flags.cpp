@@ -32,7 +32,6 @@ void TrackFlags::prepare(const ArmDescription& arm, const ModelFlags& model,
   forward_ = std::make_unique<ForwardModel>(model.planning_model(arm, EnsembleFlag{}));
   motion_ = std::make_unique<MotionModel>(model.motion_model(arm, *forward_));
   model.warn_without_valves(*motion_, flags);
-  require_start(arm, flags);
 }
 
 void TrackFlags::require_start(const ArmDescription& arm, const CommonFlags& flags) {

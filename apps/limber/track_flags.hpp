@@ -30,6 +30,7 @@ class TrackFlags {
   TrackRun run(const ArmDescription& arm, const Environment& environment, Driver& driver,
                const std::vector<PressureLimits>& limits, const CommonFlags& flags) {
     settings_.limits = limits;
+    require_start(with_limits(arm, limits), flags);
     TipTracker tracker(arm, *motion_, tip_path_, *start_, settings_, flags.seed);
     ExecutionSettings execution;
     execution.controller = &tracker;

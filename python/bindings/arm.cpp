@@ -74,6 +74,10 @@ void bind_commands(py::module_& module) {
       .read_only("name", &ArmCommand::name, "Of its column in logs.")
       .read_only("shares", &ArmCommand::shares, "n, with sign.")
       .done();
+}
+
+/// Once ArmDescription is known: signatures name it.
+void bind_command_sums(py::module_& module) {
   module.def(
       "command_shares",
       [](const ArmDescription& arm) {
@@ -183,6 +187,7 @@ void bind_arm(py::module_& module) {
       },
       py::arg("there"), py::arg("here"),
       "Keys in which the arms differ, with both values; empty where they are the same arm.");
+  bind_command_sums(module);
 }
 
 }  // namespace limber::python

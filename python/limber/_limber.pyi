@@ -2113,10 +2113,10 @@ def choose_stages(arm: ArmDescription, data: TrainingData, settings: TrainingSet
 def collect(arm: ArmDescription, settings: CollectionSettings, make_driver: DriverFactory | ProcessDriver | Callable[[int], ArmDriver], path: str | os.PathLike[str]) -> CollectionResult:
     """Records a schedule to `path` (HDF5). make_driver: virtual_arm_factory(...), a ProcessDriver, or a function of the episode's index that returns an ArmDriver. Ctrl-C vents the arm and raises KeyboardInterrupt; finished episodes stay, for resume=True."""
 
-def command_shares(arm: limber::ArmDescription) -> npt.NDArray[np.float64]:
+def command_shares(arm: ArmDescription) -> npt.NDArray[np.float64]:
     """S, float64 (n, k): commands of segments are S times the arm's own, k of them."""
 
-def commands_for(arm: limber::ArmDescription, segment_commands: npt.ArrayLike) -> npt.NDArray[np.float64]:
+def commands_for(arm: ArmDescription, segment_commands: npt.ArrayLike) -> npt.NDArray[np.float64]:
     """The arm's own commands, float64 (k,), that make these of its segments (n,): the smallest, by their sum of squares."""
 
 def content_hash(path: str | os.PathLike[str]) -> str:
@@ -2269,7 +2269,7 @@ def require_recording_of(recording: Recording, arm: ArmDescription, file: str = 
 def rest_positions_m(arm: ArmDescription) -> list[float]:
     """Distance along the arm at rest from the base to each plate, a list of m numbers [m]; the first is 0."""
 
-def segment_commands(arm: limber::ArmDescription, commands: npt.ArrayLike) -> npt.NDArray[np.float64]:
+def segment_commands(arm: ArmDescription, commands: npt.ArrayLike) -> npt.NDArray[np.float64]:
     """Commands of segments, float64 (n,), that the arm's own commands (k,) make."""
 
 def set_epoch_count(settings: TrainingSettings, epochs: int) -> None:

@@ -24,18 +24,18 @@ constexpr double kRidge = 1e-3;         // of the fit, over the samples' own var
 constexpr double kStepShares[] = {0.25, 0.5, 0.75, 1.0};
 constexpr int kMinSamples = 8;
 
+Eigen::Vector2d tip_of_shape(const Eigen::Ref<const Backbone>& backbone) {
+  return backbone.bottomRows<1>().leftCols<2>().cast<double>().transpose();
+}
+
+}  // namespace
+
 ArmDescription with_limits(ArmDescription arm, const std::vector<PressureLimits>& limits) {
   for (std::size_t i = 0; i < limits.size(); ++i) {
     arm.segments[i].pressure_limit_kpa = arm.segments[i].pressure_limit_kpa.within(limits[i]);
   }
   return arm;
 }
-
-Eigen::Vector2d tip_of_shape(const Eigen::Ref<const Backbone>& backbone) {
-  return backbone.bottomRows<1>().leftCols<2>().cast<double>().transpose();
-}
-
-}  // namespace
 
 TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
                        const TrackStart& start, const TipTrackerSettings& settings,

@@ -78,10 +78,10 @@ TEST_F(TipTrackerTest, KeepsAPathThatItsModelKnowsToHalfAMillimetre) {
 
 TEST_F(TipTrackerTest, KeepsLimitsAndFrameRuleOnAPathFarOutOfReach) {
   path_.point_m.assign(path_.point_m.size(), Eigen::Vector2d(0.1, 0.35));
-  const TrackStart start = find_track_start(arm_, model_, path_, 1);
-  EXPECT_GT(start.distance_m, 0.02) << "and it is told so";
   TipTrackerSettings settings;
   settings.limits.assign(2, PressureLimits(60.0));
+  const TrackStart start = find_track_start(with_limits(arm_, settings.limits), model_, path_, 1);
+  EXPECT_GT(start.distance_m, 0.02) << "and it is told so";
   path_.laps = 1;
   TipTracker tracker(arm_, model_, path_, start, settings, 1);
   FakeArm driver(arm_, kInstant_s);
