@@ -34,10 +34,10 @@ void TrackFlags::prepare(const ArmDescription& arm, const ModelFlags& model,
   model.warn_without_valves(*motion_, flags);
 }
 
-void TrackFlags::require_start(const ArmDescription& arm, const CommonFlags& flags) {
+TrackStart TrackFlags::start_on(const ArmDescription& arm, const CommonFlags& flags) const {
   constexpr double kStartWithinM = 0.02;
-  start_.emplace(find_track_start(arm, *motion_, tip_path_, flags.seed));
-  if (start_->distance_m > kStartWithinM) {
+  TrackStart start = find_track_start(arm, *motion_, tip_path_, flags.seed);
+  if (start.distance_m > kStartWithinM) {
     throw InputError(
         tip_path_.source_of(path_, 0) +
         fmt::format(
@@ -45,8 +45,9 @@ void TrackFlags::require_start(const ArmDescription& arm, const CommonFlags& fla
             "tip is {:.1f} cm from there, at most {:.0f} cm are allowed. Move the path, or "
             "give the model it was made for",
             tip_path_.point_m.front().x(), tip_path_.point_m.front().y(),
-            kCmPerM * start_->distance_m, kCmPerM * kStartWithinM));
+            kCmPerM * start.distance_m, kCmPerM * kStartWithinM));
   }
+  return start;
 }
 
 Plan TrackFlags::stay_at_rest(const ArmDescription& arm, const Environment& environment) {

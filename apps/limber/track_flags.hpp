@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -21,17 +20,18 @@ class TrackFlags {
 
   bool is_asked() const { return !path_.empty(); }
 
-  /// Reads the path, and looks for set points that bring the tip to its start.
+  /// Reads the path and the model.
   /// @throws InputError naming file and line where path and arm do not fit.
   void prepare(const ArmDescription& arm, const ModelFlags& model, const CommonFlags& flags);
 
+  /// Looks for set points that bring the tip to the path's start, and follows it from there.
   /// @pre prepared. @param limits  narrower than the arm's; empty: the arm's
+  /// @throws InputError naming file and line of a start that the tip does not come to.
   template <class Driver>
   TrackRun run(const ArmDescription& arm, const Environment& environment, Driver& driver,
                const std::vector<PressureLimits>& limits, const CommonFlags& flags) {
-    settings_.limits = limits;
-    require_start(with_limits(arm, limits), flags);
-    TipTracker tracker(arm, *motion_, tip_path_, *start_, settings_, flags.seed);
+    const ArmDescription narrow = with_limits(arm, limits);
+    TipTracker tracker(narrow, *motion_, tip_path_, start_on(narrow, flags), settings_, flags.seed);
     ExecutionSettings execution;
     execution.controller = &tracker;
     TrackRun run;
@@ -46,13 +46,12 @@ class TrackFlags {
  private:
   /// A plan of one frame: the controller decides all others.
   static Plan stay_at_rest(const ArmDescription& arm, const Environment& environment);
-  void require_start(const ArmDescription& arm, const CommonFlags& flags);
+  TrackStart start_on(const ArmDescription& arm, const CommonFlags& flags) const;
 
   std::string path_;
   int laps_ = 1;
   TipTrackerSettings settings_;
   TipPath tip_path_;
-  std::optional<TrackStart> start_;
   std::unique_ptr<ForwardModel> forward_;
   std::unique_ptr<MotionModel> motion_;
 };

@@ -122,6 +122,26 @@ py::array_t<float> pressure_ranges_of(const ArmDescription& arm) {
   return ranges;
 }
 
+void bind_arm_functions(py::module_& module) {
+  module.def(
+      "load_arm", [](const std::filesystem::path& path) { return load_arm(path); }, py::arg("path"),
+      py::call_guard<py::gil_scoped_release>(),
+      "Reads and checks an arm file (YAML). Raises InputError naming file, line and "
+      "field, what was found and what is allowed.");
+  module.def("arm_to_yaml", &arm_to_yaml, py::arg("arm"), py::call_guard<py::gil_scoped_release>(),
+             "The arm as the text of a file that load_arm reads.");
+  module.def("rest_positions_m", &rest_positions_m, py::arg("arm"),
+             "Distance along the arm at rest from the base to each plate, a list of m "
+             "numbers [m]; the first is 0.");
+  module.def(
+      "arm_differences",
+      [](const ArmDescription& there, const ArmDescription& here) {
+        return arm_differences(there, here);
+      },
+      py::arg("there"), py::arg("here"),
+      "Keys in which the arms differ, with both values; empty where they are the same arm.");
+}
+
 }  // namespace
 
 void bind_arm(py::module_& module) {
@@ -169,24 +189,7 @@ void bind_arm(py::module_& module) {
       .def("hash", &ArmDescription::hash,
            "Hash of everything that the no-load model and planning depend on, a text.")
       .def("_repr_svg_", &arm_picture, py::call_guard<py::gil_scoped_release>());
-
-  module.def(
-      "load_arm", [](const std::filesystem::path& path) { return load_arm(path); }, py::arg("path"),
-      py::call_guard<py::gil_scoped_release>(),
-      "Reads and checks an arm file (YAML). Raises InputError naming file, line and "
-      "field, what was found and what is allowed.");
-  module.def("arm_to_yaml", &arm_to_yaml, py::arg("arm"), py::call_guard<py::gil_scoped_release>(),
-             "The arm as the text of a file that load_arm reads.");
-  module.def("rest_positions_m", &rest_positions_m, py::arg("arm"),
-             "Distance along the arm at rest from the base to each plate, a list of m "
-             "numbers [m]; the first is 0.");
-  module.def(
-      "arm_differences",
-      [](const ArmDescription& there, const ArmDescription& here) {
-        return arm_differences(there, here);
-      },
-      py::arg("there"), py::arg("here"),
-      "Keys in which the arms differ, with both values; empty where they are the same arm.");
+  bind_arm_functions(module);
   bind_command_sums(module);
 }
 

@@ -168,8 +168,8 @@ std::optional<Plan> Replanner::nearer(const Plan& before, Environment from_here,
   PlanningProblem problem{arm_, model_, from_here, kAsked.back().margin * room_.margin_m};
   problem.limits = limits_after(before, settings_.limits);
   const Pressures& held_kpa = from_here.start->pressures_kpa;
-  return repaired_plan(problem, state_of(*from_here.start, model_), {held_kpa, held_kpa},
-                       max_error_m, seed_ + static_cast<std::uint64_t>(replans_),
+  return repaired_plan(problem, {held_kpa, held_kpa}, max_error_m,
+                       seed_ + static_cast<std::uint64_t>(replans_),
                        certificate_check(arm_, model_));
 }
 

@@ -40,7 +40,7 @@ ArmDescription with_limits(ArmDescription arm, const std::vector<PressureLimits>
 TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
                        const TrackStart& start, const TipTrackerSettings& settings,
                        std::uint64_t seed)
-    : arm_(with_limits(arm, settings.limits)),
+    : arm_(arm),
       model_(model),
       rollouts_(model),
       path_(path),
@@ -63,11 +63,14 @@ TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, cons
   if (!posture_.is_known()) {
     settings_.posture_m = 0.0;
   }
-  half_per_kpa_.resize(segments());
-  for (Eigen::Index i = 0; i < segments(); ++i) {
-    half_per_kpa_[i] =
-        1.0 / arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.half_width_kpa();
+  posture_weight_m_per_kpa_.resize(knots_kpa_.size());
+  for (Eigen::Index i = 0; i < knots_kpa_.size(); ++i) {
+    posture_weight_m_per_kpa_[i] = settings_.posture_m / limits_of_knot(i).half_width_kpa();
   }
+}
+
+const PressureLimits& TipTracker::limits_of_knot(Eigen::Index i) const {
+  return arm_.segments[static_cast<std::size_t>(i % segments())].pressure_limit_kpa;
 }
 
 double TipTracker::path_time_s(int frame) const {
@@ -187,11 +190,7 @@ Eigen::VectorXd TipTracker::posture_of_knots() const {
 }
 
 Eigen::VectorXd TipTracker::off_posture(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa) const {
-  Eigen::VectorXd off = settings_.posture_m * (knots_kpa - posture_kpa_);
-  for (Eigen::Index i = 0; i < off.size(); ++i) {
-    off[i] *= half_per_kpa_[i % segments()];
-  }
-  return off;
+  return posture_weight_m_per_kpa_.cwiseProduct(knots_kpa - posture_kpa_);
 }
 
 double TipTracker::cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
@@ -211,9 +210,8 @@ Eigen::VectorXd TipTracker::within_rule(Eigen::VectorXd knots_kpa) const {
   const double step_kpa = settings_.frames_per_knot * arm_.pressure_step_limit_kpa();
   for (Eigen::Index i = 0; i < knots_kpa.size(); ++i) {
     const double before = i < n ? double(state_.setpoint_kpa()[i]) : knots_kpa[i - n];
-    const PressureLimits& limits =
-        arm_.segments[static_cast<std::size_t>(i % n)].pressure_limit_kpa;
-    knots_kpa[i] = limits.clamped(std::clamp(knots_kpa[i], before - step_kpa, before + step_kpa));
+    knots_kpa[i] =
+        limits_of_knot(i).clamped(std::clamp(knots_kpa[i], before - step_kpa, before + step_kpa));
   }
   return knots_kpa;
 }
@@ -235,15 +233,11 @@ Eigen::VectorXd TipTracker::fitted_step(const Candidates& samples,
   steps.head(n) -= state_.setpoint_kpa().cast<double>();
   const double effort = std::pow(settings_.effort_m_per_kpa, 2);
   Eigen::MatrixXd left = slope.transpose() * slope + effort * difference.transpose() * difference;
-  Eigen::VectorXd weight_m_per_kpa(size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    weight_m_per_kpa[i] = settings_.posture_m * half_per_kpa_[i % n];
-  }
-  left.diagonal() += weight_m_per_kpa.cwiseAbs2();
+  left.diagonal() += posture_weight_m_per_kpa_.cwiseAbs2();
   const Eigen::VectorXd right =
       slope.transpose() * (wanted - samples.tips_m.col(0)) -
       effort * difference.transpose() * steps -
-      weight_m_per_kpa.cwiseProduct(off_posture(samples.knots_kpa.col(0)));
+      posture_weight_m_per_kpa_.cwiseProduct(off_posture(samples.knots_kpa.col(0)));
   return left.ldlt().solve(right);
 }
 

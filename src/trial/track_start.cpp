@@ -52,8 +52,17 @@ std::vector<Eigen::Vector2d> settled_tips(const ArmDescription& arm, const Motio
   return tips;
 }
 
-PressureLimits limits_of_segment(const ArmDescription& arm, Eigen::Index i) {
-  return arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+/// n×count: each as `draw` has it from its segment's number and limits.
+template <class Draw>
+Eigen::MatrixXf sampled_kpa(const ArmDescription& arm, int count, const Draw& draw) {
+  Eigen::MatrixXf setpoints_kpa(arm.segment_count(), count);
+  for (Eigen::Index c = 0; c < setpoints_kpa.cols(); ++c) {
+    for (Eigen::Index i = 0; i < setpoints_kpa.rows(); ++i) {
+      setpoints_kpa(i, c) =
+          static_cast<float>(draw(i, arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa));
+    }
+  }
+  return setpoints_kpa;
 }
 
 struct Candidate {
@@ -78,29 +87,22 @@ bool is_nearer(const Candidate& a, const Candidate& b) {
 
 Candidate nearest_sample(const ArmDescription& arm, const MotionModel& model,
                          const Eigen::Vector2d& tip_m, RandomStream& random) {
-  Eigen::MatrixXf setpoints_kpa(arm.segment_count(), kStartSamples);
-  for (Eigen::Index c = 0; c < setpoints_kpa.cols(); ++c) {
-    for (Eigen::Index i = 0; i < setpoints_kpa.rows(); ++i) {
-      const PressureLimits limits = limits_of_segment(arm, i);
-      setpoints_kpa(i, c) = static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
-    }
-  }
+  const Eigen::MatrixXf setpoints_kpa =
+      sampled_kpa(arm, kStartSamples, [&](Eigen::Index /*segment*/, const PressureLimits& limits) {
+        return random.uniform(limits.lower_kpa, limits.upper_kpa);
+      });
   const std::vector<Candidate> all = rated(arm, model, tip_m, setpoints_kpa);
   return *std::min_element(all.begin(), all.end(), is_nearer);
 }
 
 Candidate refined(const ArmDescription& arm, const MotionModel& model, const Eigen::Vector2d& tip_m,
                   Candidate best, RandomStream& random) {
-  Eigen::MatrixXf setpoints_kpa(arm.segment_count(), kNearSamples);
   for (const double share : kNearShares) {
-    for (Eigen::Index c = 0; c < setpoints_kpa.cols(); ++c) {
-      for (Eigen::Index i = 0; i < setpoints_kpa.rows(); ++i) {
-        const PressureLimits limits = limits_of_segment(arm, i);
-        const double spread_kpa = share * limits.half_width_kpa();
-        setpoints_kpa(i, c) = static_cast<float>(
-            limits.clamped(double(best.setpoint_kpa[i]) + spread_kpa * random.normal()));
-      }
-    }
+    const Eigen::MatrixXf setpoints_kpa =
+        sampled_kpa(arm, kNearSamples, [&](Eigen::Index i, const PressureLimits& limits) {
+          const double spread_kpa = share * limits.half_width_kpa();
+          return limits.clamped(double(best.setpoint_kpa[i]) + spread_kpa * random.normal());
+        });
     const std::vector<Candidate> near = rated(arm, model, tip_m, setpoints_kpa);
     best = std::min(best, *std::min_element(near.begin(), near.end(), is_nearer), is_nearer);
   }

@@ -78,12 +78,12 @@ TEST_F(TipTrackerTest, KeepsAPathThatItsModelKnowsToHalfAMillimetre) {
 
 TEST_F(TipTrackerTest, KeepsLimitsAndFrameRuleOnAPathFarOutOfReach) {
   path_.point_m.assign(path_.point_m.size(), Eigen::Vector2d(0.1, 0.35));
-  TipTrackerSettings settings;
-  settings.limits.assign(2, PressureLimits(60.0));
-  const TrackStart start = find_track_start(with_limits(arm_, settings.limits), model_, path_, 1);
+  const std::vector<PressureLimits> limits(2, PressureLimits(60.0));
+  const ArmDescription narrow = with_limits(arm_, limits);
+  const TrackStart start = find_track_start(narrow, model_, path_, 1);
   EXPECT_GT(start.distance_m, 0.02) << "and it is told so";
   path_.laps = 1;
-  TipTracker tracker(arm_, model_, path_, start, settings, 1);
+  TipTracker tracker(narrow, model_, path_, start, {}, 1);
   FakeArm driver(arm_, kInstant_s);
   Pressures before_kpa = Pressures::Zero(2);
   while (const auto next = tracker.next(driver.state())) {

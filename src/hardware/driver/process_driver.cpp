@@ -184,11 +184,10 @@ class ProcessDriver::Session {
     const Time now = Clock::now();
     if (!running_ || !real_time()) {
       running_ = true;
-      slot_ = now;
       if (real_time()) {
         punctual_.emplace();
-        slot_ = std::max(now, asked_ + frames(1.0));
       }
+      slot_ = real_time() ? std::max(now, asked_ + frames(1.0)) : now;
     } else {
       slot_ += frames(1.0);
       if (now - slot_ > frames(kSilenceFrames - 1.0)) {

@@ -139,7 +139,7 @@ std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const 
     return std::nullopt;
   }
   if (std::optional<Plan> found =
-          repaired_plan(problem_from(from_here, plan), from,
+          repaired_plan(problem_from(from_here, plan),
                         waypoints_after(plan, next, arm_.pressure_step_limit_kpa()), max_error_m,
                         seed_, check_)) {
     return found;

@@ -27,9 +27,10 @@ PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model)
   };
 }
 
-std::optional<Plan> repaired_plan(PlanningProblem problem, const MotionState& from,
+std::optional<Plan> repaired_plan(PlanningProblem problem,
                                   const std::vector<Pressures>& waypoints_kpa, double max_error_m,
                                   std::uint64_t seed, const PlanCheck& check) {
+  const MotionState from = start_of(problem);
   const std::vector<Obstacle>& obstacles = problem.environment.obstacles;
   const double start_m = CollisionChecker(problem.arm, obstacles).clearance(from.backbone).value_m;
   problem.margin_m = std::max(0.0, std::min(problem.margin_m, kOfClearanceNow * start_m));

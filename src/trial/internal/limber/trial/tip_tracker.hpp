@@ -46,9 +46,8 @@ struct TipTrackerSettings {
   double posture_m = 3e-2;
   /// Of what a lap missed, what the next one is asked for less; 0: nothing is learnt from laps.
   double lap_share = 0.5;
-  double max_bias_m = 0.05;                 ///< bound of the disturbance estimate
-  double blind_s = 0.5;                     ///< bridged by prediction, then the run stops
-  std::vector<PressureLimits> limits = {};  ///< narrower than the arm's; empty: the arm's
+  double max_bias_m = 0.05;  ///< bound of the disturbance estimate
+  double blind_s = 0.5;      ///< bridged by prediction, then the run stops
 };
 
 /// Keeps the tip on a path over time by receding horizon (docs/tracking.md). In
@@ -68,7 +67,7 @@ struct TipTrackerSettings {
 /// 2 s; the path's time 0 is `path_start_frame`.
 class TipTracker final : public FrameController {
  public:
-  /// Borrows what the model borrows.
+  /// Borrows what the model borrows. Set points stay within the arm's limits.
   TipTracker(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
              const TrackStart& start, const TipTrackerSettings& settings, std::uint64_t seed);
 
@@ -88,6 +87,8 @@ class TipTracker final : public FrameController {
 
   int horizon() const { return settings_.knots * settings_.frames_per_knot; }
   Eigen::Index segments() const { return model_.segment_count(); }
+  /// Of the segment that entry `i` of the knots is a set point of.
+  const PressureLimits& limits_of_knot(Eigen::Index i) const;
   double path_time_s(int frame) const;
   bool take_in(const ArmState& state);
   void learn_bias();
@@ -114,8 +115,8 @@ class TipTracker final : public FrameController {
   TipTrackerSettings settings_;
   LapMemory laps_;
   LapPosture posture_;
-  Eigen::VectorXd posture_kpa_;   // of each knot, in this frame
-  Eigen::VectorXd half_per_kpa_;  // one over half of a segment's limits' width
+  Eigen::VectorXd posture_kpa_;               // of each knot, in this frame
+  Eigen::VectorXd posture_weight_m_per_kpa_;  // what a knot costs off it
   std::uint64_t seed_;
   std::vector<Pressures> approach_;
   int path_start_frame_ = 0;
