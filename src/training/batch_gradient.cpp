@@ -17,13 +17,15 @@ namespace {
 
 // Frames of a chunk: many enough for efficient products, few enough that every core gets some.
 constexpr int kFramesPerChunk = 512;
-constexpr int kMinWindowsPerChunk = 32;
+constexpr int kWindowsPerChunk = 32;
+constexpr int kMinWindowsPerChunk = 16;  // of a small batch, which is halved; fewer are inefficient
 // Numbers of the chunks' gradients that one task adds up.
 constexpr std::size_t kNumbersPerSum = 8192;
 
 int windows_per_chunk(int window_frames, int windows_per_batch) {
-  const int windows = std::max(kFramesPerChunk / window_frames, kMinWindowsPerChunk);
-  return std::min(windows, windows_per_batch);
+  const int windows = std::max(kFramesPerChunk / window_frames, kWindowsPerChunk);
+  const int half = std::max(windows_per_batch / 2, kMinWindowsPerChunk);
+  return std::min({windows, half, windows_per_batch});
 }
 
 }  // namespace

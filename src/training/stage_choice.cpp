@@ -21,11 +21,11 @@ namespace {
 constexpr int kLongFrames = 600;  // as `train` validates
 constexpr int kMidFrames = 32;
 
-// A short run takes about so many steps of 2048 frames: enough to tell windows apart. With much
-// data that is few epochs.
-constexpr double kRaceFrames = 1000.0 * 2048.0;
+// A short run takes about so many frames, 2000 to 4000 batches: enough to tell windows apart. With
+// much data that is few epochs.
+constexpr double kRaceFrames = 2e6;
 constexpr int kMinRaceEpochs = 10;
-constexpr int kMaxRaceShare = 15;  // of the epochs, for each run: 1/15
+constexpr int kMaxRaceShare = 10;  // of the epochs, for each run: 1/10
 
 // Between these, three networks were measured to arrive more often than one (docs/training.md).
 constexpr double kMinHoursToShare = 1.0;
@@ -104,7 +104,7 @@ StageChoice choose_stages(const ArmDescription& arm, const TrainingData& data,
   }
   StageChoice choice;
   choice.race_epochs = race_epochs(data, settings.epoch_count());
-  const std::vector<std::vector<int>> schemes = {windows_of(settings), {8, 32}, {32}};
+  const std::vector<std::vector<int>> schemes = {{32}, {8, 32}, windows_of(settings)};
   for (const std::vector<int>& windows : schemes) {
     choice.tried.push_back(raced(arm, data, settings, windows, choice.race_epochs, hooks));
   }

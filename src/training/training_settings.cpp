@@ -48,7 +48,7 @@ TrainingSettings paper_preset() {
 
 TrainingSettings best_preset() {
   TrainingSettings settings;
-  settings.stages = {{2, 512, 150}, {8, 128, 120}, {32, 64, 180}};
+  settings.stages = {{2, 256, 150}, {8, 64, 120}, {32, 32, 180}};
   settings.validation_interval = 2;
   settings.gradient_norm_limit = 1.0;
   return settings;
@@ -85,8 +85,8 @@ void set_epoch_count(TrainingSettings& settings, int epochs) {
 }
 
 void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames) {
-  constexpr int kFramesInBatch = 2048;
-  constexpr int kMaxWindows = 512;
+  constexpr int kFramesInBatch = 1024;
+  constexpr int kMaxWindows = 256;
   const int epochs = settings.epoch_count();
   settings.stages.clear();
   require(!window_frames.empty(), "windows", 0, "at least one stage");

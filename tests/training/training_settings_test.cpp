@@ -56,8 +56,8 @@ TEST(SetWindowFrames, KeepsTheEpochsAndSharesThem) {
   set_window_frames(settings, {32, 5});
   ASSERT_EQ(settings.stages.size(), 2U);
   EXPECT_EQ(settings.stages[0].window_frames, 32);
-  EXPECT_EQ(settings.stages[0].windows_per_batch, 64);
-  EXPECT_EQ(settings.stages[1].windows_per_batch, 409);
+  EXPECT_EQ(settings.stages[0].windows_per_batch, 32);
+  EXPECT_EQ(settings.stages[1].windows_per_batch, 204);
   EXPECT_EQ(settings.epoch_count(), epochs);
   EXPECT_EQ(settings.stages[0].epochs, epochs / 2);
   settings.stages = {{32, 64, 1}};
