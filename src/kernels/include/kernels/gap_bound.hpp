@@ -67,7 +67,7 @@ inline void bound_gap(const GapBound<Scalar>& bound, Scalar& x, Scalar& y, Scala
 template <class Scalar>
 inline void bound_gap_back(const GapBound<Scalar>& bound, Scalar x, Scalar y, Scalar turn,
                            Scalar& by_x, Scalar& by_y, Scalar& by_turn) {
-  if (turn < bound.min_turn || turn > bound.max_turn) {
+  if ((turn < bound.min_turn && by_turn > 0) || (turn > bound.max_turn && by_turn < 0)) {
     by_turn = 0;
   }
   const Scalar square = x * x + y * y;
@@ -82,8 +82,10 @@ inline void bound_gap_back(const GapBound<Scalar>& bound, Scalar x, Scalar y, Sc
   const Scalar length = square < bound.min_square ? bound.min_length : bound.max_length;
   const Scalar ratio = length / root_of(square);
   const Scalar along = (x * by_x + y * by_y) / square;
-  by_x = ratio * (by_x - along * x);
-  by_y = ratio * (by_y - along * y);
+  const bool leads_back = square < bound.min_square ? along < 0 : along > 0;
+  const Scalar kept = leads_back ? along * (1 - ratio) : -along * ratio;
+  by_x = ratio * by_x + kept * x;
+  by_y = ratio * by_y + kept * y;
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ struct WindowsTried {
   double window_600_cm = 0.0;
 
   /// What decides: the mean, as of factors, of the errors over 32 and 600 frames. The latter alone
-  /// hangs on a few episodes that go astray. Over one frame, and after few epochs, short windows are
-  /// ahead even where they end behind.
+  /// hangs on the few episodes that go astray. Over one frame, and after few epochs, short windows
+  /// are ahead even where they end behind.
   double score_cm() const { return std::sqrt(window_32_cm * window_600_cm); }
 };
 
