@@ -57,7 +57,8 @@ inline void bound_gap_of_window_back(const StateBoundsView<Scalar>& bounds, int 
     by[i] = (carried[at] + direct[at] + error[at]) / bounds.scale[3 * g + i];
   }
   const Scalar before[3] = {by[0], by[1], by[2]};
-  bound_gap_back(bounds.gaps[g], given.x, given.y, given.turn, by[0], by[1], by[2]);
+  bound_gap_back(bounds.gaps[g], bounds.lead_back, given.x, given.y, given.turn, by[0], by[1],
+                 by[2]);
   for (int i = 0; i < 3; ++i) {
     if (by[i] != before[i]) {
       const int at = (3 * g + i) * stride;
@@ -115,7 +116,8 @@ inline void bound_base_window_back(const StateBoundsView<Scalar>& bounds, int st
             g > 0 ? in_metres(bounds, r - 3, unbounded[at - 3 * stride]) : Scalar(0);
         step[i] = in_metres(bounds, r, unbounded[at]) - base;
       }
-      bound_gap_back(bounds.gaps[g], step[0], step[1], step[2], by[0], by[1], by[2]);
+      bound_gap_back(bounds.gaps[g], bounds.lead_back, step[0], step[1], step[2], by[0], by[1],
+                     by[2]);
     }
     for (int i = 0; i < 3; ++i) {
       const int r = 3 * (g + 1) + i;

@@ -10,6 +10,7 @@ template <class Scalar>
 struct StateBoundsView {
   int gap_count;
   bool of_base_poses;
+  bool lead_back;
   const GapBound<Scalar>* gaps;
   const Scalar* scale;
   const Scalar* offset;

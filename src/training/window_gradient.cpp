@@ -19,8 +19,12 @@ int group_stride(int window_limit, int lanes) {
 
 template <class Scalar>
 StateBoundsView<Scalar> view_of(const StateBounds<Scalar>& bounds) {
-  return {static_cast<int>(bounds.gaps.size()), bounds.layout == BackboneLayout::base_poses,
-          bounds.gaps.data(), bounds.scale.data(), bounds.offset.data()};
+  return {static_cast<int>(bounds.gaps.size()),
+          bounds.layout == BackboneLayout::base_poses,
+          bounds.lead_back,
+          bounds.gaps.data(),
+          bounds.scale.data(),
+          bounds.offset.data()};
 }
 
 }  // namespace

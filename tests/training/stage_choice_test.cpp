@@ -112,7 +112,7 @@ TEST(ChooseStages, RefusesDataThatChooseNothing) {
 TEST(StageChoice, ComesBackFromItsFile) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "choice.json";
-  StageChoice choice{{{{2, 8, 32}, 0.5, 1.0 / 3.0, 5.0},
+  StageChoice choice{{{{2, 8, 32}, 0.5, 1.25, 5.0},
                       {{32},
                        std::numeric_limits<double>::infinity(),
                        std::numeric_limits<double>::infinity(),
@@ -122,8 +122,8 @@ TEST(StageChoice, ComesBackFromItsFile) {
                      400};
   write_choice(path, choice);
   EXPECT_EQ(to_json(read_choice(path)), to_json(choice));
-  EXPECT_EQ(read_choice(path).tried[0].window_32_cm, 1.0 / 3.0);
-  EXPECT_THAT(to_text(choice), HasSubstr("2 8 32: 5 cm, chosen; 32: inf cm"));
+  EXPECT_EQ(read_choice(path).tried[0].window_32_cm, 1.25);
+  EXPECT_THAT(to_text(choice), HasSubstr("2 8 32: 2.5 cm, chosen; 32: inf cm"));
   TrainingSettings settings = best_preset();
   apply(read_choice(path), settings);
   EXPECT_THAT(windows_of(settings), ElementsAre(2, 8, 32));

@@ -63,11 +63,14 @@ inline void bound_gap(const GapBound<Scalar>& bound, Scalar& x, Scalar& y, Scala
 }
 
 /// From a loss's gradient by the bounded gap to that by the gap (x, y, turn) before bounding. What
-/// is held has no gradient along its bound: of a step only the part across it is left.
+/// is held has no derivative: of a step only the part across its direction is left. With
+/// `lead_back` the part that a descent would follow back within the bound is kept as it is. Without
+/// it, a network that runs into a bound early in its training never leaves it again.
 template <class Scalar>
-inline void bound_gap_back(const GapBound<Scalar>& bound, Scalar x, Scalar y, Scalar turn,
-                           Scalar& by_x, Scalar& by_y, Scalar& by_turn) {
-  if ((turn < bound.min_turn && by_turn > 0) || (turn > bound.max_turn && by_turn < 0)) {
+inline void bound_gap_back(const GapBound<Scalar>& bound, bool lead_back, Scalar x, Scalar y,
+                           Scalar turn, Scalar& by_x, Scalar& by_y, Scalar& by_turn) {
+  const bool is_turned_back = turn < bound.min_turn ? by_turn < 0 : by_turn > 0;
+  if ((turn < bound.min_turn || turn > bound.max_turn) && !(lead_back && is_turned_back)) {
     by_turn = 0;
   }
   const Scalar square = x * x + y * y;
@@ -82,10 +85,10 @@ inline void bound_gap_back(const GapBound<Scalar>& bound, Scalar x, Scalar y, Sc
   const Scalar length = square < bound.min_square ? bound.min_length : bound.max_length;
   const Scalar ratio = length / root_of(square);
   const Scalar along = (x * by_x + y * by_y) / square;
-  const bool leads_back = square < bound.min_square ? along < 0 : along > 0;
-  const Scalar kept = leads_back ? along * (1 - ratio) : -along * ratio;
-  by_x = ratio * by_x + kept * x;
-  by_y = ratio * by_y + kept * y;
+  const bool is_led_back = lead_back && (square < bound.min_square ? along < 0 : along > 0);
+  const Scalar kept = is_led_back ? along : Scalar(0);
+  by_x = ratio * (by_x - along * x) + kept * x;
+  by_y = ratio * (by_y - along * y) + kept * y;
 }
 
 }  // namespace

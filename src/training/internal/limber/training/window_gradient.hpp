@@ -36,12 +36,14 @@ struct StateBounds {
   Vector scale;                        ///< D
   Vector offset;                       ///< D
   BackboneLayout layout = BackboneLayout::gap_poses;
+  /// Whether gradients lead what is held back within its bound; false: the derivative as it is.
+  bool lead_back = true;
 
   /// The same in another precision.
   template <class Other>
   StateBounds<Other> cast() const {
     StateBounds<Other> result{
-        {}, scale.template cast<Other>(), offset.template cast<Other>(), layout};
+        {}, scale.template cast<Other>(), offset.template cast<Other>(), layout, lead_back};
     for (const GapBound<Scalar>& gap : gaps) {
       result.gaps.push_back(
           gap_bound(static_cast<Other>(gap.min_length), static_cast<Other>(gap.max_length),
