@@ -81,7 +81,7 @@ class Bounds(InFolder):
     def test_the_default_chooses_its_windows_and_says_so_for_any_number_of_jobs(self):
         one = self.train("--jobs", 1)
         choice = one["windows_choice"]
-        self.assertEqual([t["windows"] for t in choice["tried"]], [[2, 8, 32], [8, 32], [32]])
+        self.assertEqual([t["windows"] for t in choice["tried"]], [[32], [8, 32], [2, 8, 32]])
         self.assertIn(choice["windows"], [t["windows"] for t in choice["tried"]])
         self.assertEqual(choice["epochs"] + 3 * choice["race_epochs"], 450)
         self.assertEqual(one["epochs"], choice["epochs"])
