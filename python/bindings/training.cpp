@@ -288,10 +288,10 @@ void bind_stage_choice(py::module_& module) {
       .read_only("window_32_cm", &WindowsTried::window_32_cm,
                  "The same over rollouts of 32 frames [cm].")
       .read_only("window_600_cm", &WindowsTried::window_600_cm,
-                 "The same over rollouts of 600 frames [cm]: what decides.")
+                 "The same over 600 frames [cm]. What decides: sqrt(window_32_cm * window_600_cm).")
       .done();
   Record<StageChoice>(module, "StageChoice", "What a race between windows found.")
-      .read_only("tried", &StageChoice::tried, "List of WindowsTried, the preset's first.")
+      .read_only("tried", &StageChoice::tried, "List of WindowsTried, windows of 32 alone first.")
       .read_only("chosen", &StageChoice::chosen, "Index of the best in `tried`, from 0.")
       .read_only("race_epochs", &StageChoice::race_epochs, "Epochs of each short run.")
       .read_only("epochs", &StageChoice::epochs, "Epochs that are left for the chosen windows.")

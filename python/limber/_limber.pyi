@@ -1618,7 +1618,7 @@ class StageChoice:
     """What a race between windows found."""
     @property
     def tried(self) -> list[WindowsTried]:
-        """List of WindowsTried, the preset's first."""
+        """List of WindowsTried, windows of 32 alone first."""
     @property
     def chosen(self) -> int:
         """Index of the best in `tried`, from 0."""
@@ -2084,7 +2084,7 @@ class WindowsTried:
         """The same over rollouts of 32 frames [cm]."""
     @property
     def window_600_cm(self) -> float:
-        """The same over rollouts of 600 frames [cm]: what decides."""
+        """The same over 600 frames [cm]. What decides: sqrt(window_32_cm * window_600_cm)."""
 
 def arm_differences(there: ArmDescription, here: ArmDescription) -> list[str]:
     """Keys in which the arms differ, with both values; empty where they are the same arm."""

@@ -30,7 +30,7 @@ class Training(InFolder):
         choice = limber.choose_stages(self.chain.arm, self.data(), settings,
                                       lambda point: epochs.append(point.epoch))
         self.assertEqual([tried.window_frames for tried in choice.tried],
-                         [[2, 8, 32], [8, 32], [32]])
+                         [[32], [8, 32], [2, 8, 32]])
         self.assertEqual(choice.epochs + 3 * choice.race_epochs, 90)
         self.assertEqual(settings.epoch_count, choice.epochs)
         self.assertEqual([stage.window_frames for stage in settings.stages],
