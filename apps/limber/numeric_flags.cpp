@@ -28,6 +28,13 @@ std::string check_finite(std::string& text) {
                            kMax);
 }
 
+std::string check_blanks(std::string& text) {
+  return text.find(',') == std::string::npos
+             ? ""
+             : fmt::format("'{}' found; expected numbers with blanks between them, no commas",
+                           shortened(text));
+}
+
 /// Rewrites `text` as a plain number, which CLI11 can't take for an octal one.
 template <class Whole>
 std::string check_whole(std::string& text) {
@@ -68,6 +75,10 @@ void require_plain_numbers(CLI::App& command) {
       option->transform(CLI::Validator(check_whole<std::uint64_t>, ""));
     } else if (option->check_name("--planner")) {
       option->check(check_planner);
+    }
+    const bool is_number = type == "FLOAT" || type == "INT" || type == "UINT";
+    if (is_number && option->get_items_expected_max() > 1) {
+      option->transform(CLI::Validator(check_blanks, ""));  // comes before those above
     }
   }
 }

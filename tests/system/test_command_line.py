@@ -69,6 +69,10 @@ class CommandLine(InFolder):
                 result = self.run_limber(verb, "--planner", value, code=2)
                 self.assertIn("expected a finite number", result.stderr)
 
+    def test_lists_of_numbers_with_commas_are_told_to_use_blanks(self):
+        result = self.run_limber("train", "--data", "x.h5", "--windows", "8,32", code=2)
+        self.assertIn("--windows: '8,32' found; expected numbers with blanks", result.stderr)
+
     def test_names_from_files_cannot_command_the_terminal(self):
         self.write("arm.yaml", 'schema: limber/arm/1\nname: "\\e[2Jgone"\nsegments: 3\n')
         for flags in ((), ("--json",)):
