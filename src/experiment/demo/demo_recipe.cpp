@@ -57,6 +57,14 @@ ScheduleSettings unseen_motions(int count) {
   return schedule;
 }
 
+/// Windows of 32 from the start: they predict long motions best (docs/training.md, What it reaches).
+TrainingSettings training_for(int epochs) {
+  TrainingSettings settings = best_preset();
+  set_window_frames(settings, {32});
+  set_epoch_count(settings, epochs);
+  return settings;
+}
+
 }  // namespace
 
 DemoRecipe full_recipe(const ArmDescription& arm) {
@@ -66,9 +74,8 @@ DemoRecipe full_recipe(const ArmDescription& arm) {
   recipe.validation_schedule = one_episode(60);
   recipe.unseen_schedule = unseen_motions(300);
   recipe.test_schedule = one_episode(100);
-  recipe.training = best_preset();
+  recipe.training = training_for(best_preset().epoch_count() / kNetworks);
   recipe.training.ensemble = kNetworks;
-  set_epoch_count(recipe.training, best_preset().epoch_count() / kNetworks);
   // Those that leave room for the error of a network trained on three hours (docs/planning.md).
   recipe.environments = {"01_pillar", "05_between_pillars", "06_overshoot"};
   return recipe;
@@ -79,8 +86,7 @@ DemoRecipe quick_recipe(const ArmDescription& arm) {
   recipe.training_schedules = {transitions(arm, 729), random(300, Approach::step), plan_like(300)};
   recipe.validation_schedule = one_episode(30);
   recipe.unseen_schedule = unseen_motions(50);
-  recipe.training = best_preset();
-  set_epoch_count(recipe.training, 200);
+  recipe.training = training_for(200);
   recipe.bench_queries = 100'000;
   recipe.plans_per_environment = 1;
   recipe.arrival_times_s = {kFirstPlan, 0.1};
