@@ -57,7 +57,7 @@ ScheduleSettings unseen_motions(int count) {
   return schedule;
 }
 
-/// Windows of 32 from the start: they predict long motions best (docs/training.md, What it reaches).
+/// Windows of 32 from the start predict long motions best (docs/training.md, What it reaches).
 TrainingSettings training_for(int epochs) {
   TrainingSettings settings = best_preset();
   set_window_frames(settings, {32});
