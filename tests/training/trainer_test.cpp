@@ -51,17 +51,23 @@ bool same_weights(const CompensationModel& a, const CompensationModel& b) {
 
 // The toy's memory is in its backbone alone, so a pure function of (q, B) can learn it.
 TEST(Train, LearnsAnArmWithPlay) {
+  constexpr int kSeeds = 3;  // of so small a network on so little data, one alone may be lucky
   const ArmDescription arm = three_segment_arm();
-  TrainingSettings settings = small_settings();
-  settings.stages = {{2, 32, 100}, {8, 16, 50}};
-  const TrainingResult result = train(arm, toy_data(arm), settings);
-  ASSERT_EQ(result.status, TrainingStatus::finished);
-  ASSERT_EQ(result.curve.size(), 150U);
-  EXPECT_LT(result.curve.back().loss, 0.5 * result.curve.front().loss);
   const ForwardModel no_load(arm);
-  const ForwardModel network(arm, result.model);
-  const Evaluation evaluation = evaluate(no_load, &network, {toy_episode(arm, 20, 20, 99)});
-  EXPECT_GT(evaluation.position_reduction_percent, 15.0);  // 20 to 26 measured, 0 untrained
+  TrainingSettings settings = small_settings();
+  settings.stages = {{2, 32, 200}, {8, 16, 100}};
+  double reduction_percent = 0.0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    settings.seed = static_cast<std::uint64_t>(seed);
+    const TrainingResult result = train(arm, toy_data(arm), settings);
+    ASSERT_EQ(result.status, TrainingStatus::finished);
+    ASSERT_EQ(result.curve.size(), 300U);
+    EXPECT_LT(result.curve.back().loss, 0.5 * result.curve.front().loss);
+    const ForwardModel network(arm, result.model);
+    const Evaluation evaluation = evaluate(no_load, &network, {toy_episode(arm, 20, 20, 99)});
+    reduction_percent += evaluation.position_reduction_percent / kSeeds;
+  }
+  EXPECT_GT(reduction_percent, 25.0);  // 34 measured, 0 untrained
 }
 
 TEST(Train, GivesTheSameBitsForAnyNumberOfJobs) {
