@@ -12,26 +12,28 @@ void EnsembleFlag::add_to(CLI::App& app) {
   app.add_option("--ensemble", answer_,
                  "What predicts where the model is an ensemble of N networks (train --ensemble): "
                  "first: the one that validated best; mean: the mean of all, nearer to the arm, "
-                 "but N times as many computations per query")
-      ->check(CLI::IsMember({"first", "mean"}))
-      ->capture_default_str();
+                 "but N times as many computations per query. By default what the model's tube was "
+                 "calibrated with, or first")
+      ->check(CLI::IsMember({"first", "mean"}));
 }
 
 CompensationModel EnsembleFlag::read(const std::string& model_file) const {
   require_model(model_file);
   CompensationModel model = read_model(model_file);
-  if (answer() == EnsembleAnswer::mean && model.member_count() == 1) {
+  if (asks_for_mean() && model.member_count() == 1) {
     throw InputError(
         fmt::format("--ensemble mean: {} holds one network, so there is no mean; leave --ensemble "
                     "out, or make an ensemble with limber train --ensemble N",
                     model_file));
   }
-  model.answer = answer();
+  if (!answer_.empty()) {
+    model.answer = asks_for_mean() ? EnsembleAnswer::mean : EnsembleAnswer::first;
+  }
   return model;
 }
 
 void EnsembleFlag::require_model(const std::string& model_file) const {
-  if (answer() == EnsembleAnswer::mean && model_file.empty()) {
+  if (asks_for_mean() && model_file.empty()) {
     throw InputError(
         "--ensemble mean: the no-load model is no ensemble; give --model with a file of limber "
         "train --ensemble N, or leave --ensemble out");
@@ -42,6 +44,7 @@ CompensationModel read_model_of_plan(const std::string& model_file, const Plan& 
                                      const std::string& plan_file) {
   CompensationModel model = read_model(model_file);
   if (plan.ensemble.empty()) {
+    model.answer = EnsembleAnswer::first;
     return model;
   }
   if (model.member_count() == 1) {

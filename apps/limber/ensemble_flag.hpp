@@ -15,17 +15,15 @@ class EnsembleFlag {
   /// --ensemble first|mean.
   void add_to(CLI::App& app);
 
-  EnsembleAnswer answer() const {
-    return answer_ == "mean" ? EnsembleAnswer::mean : EnsembleAnswer::first;
-  }
-  /// Reads `model_file`; its networks answer as asked.
+  bool asks_for_mean() const { return answer_ == "mean"; }
+  /// Reads `model_file`; its networks answer as asked, or as its tube has it.
   /// @throws InputError if --ensemble mean is asked of a single network, or of no model.
   CompensationModel read(const std::string& model_file) const;
   /// @throws InputError if the mean is asked for and `model_file` is empty: the no-load model.
   void require_model(const std::string& model_file) const;
 
  private:
-  std::string answer_ = "first";
+  std::string answer_;  // empty: not asked for
 };
 
 /// Reads `model_file`; its networks answer as they did for `plan`.

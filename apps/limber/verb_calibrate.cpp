@@ -30,6 +30,7 @@ class CalibrateVerb final : public Verb {
         ->capture_default_str();
     app.add_option("--model", model_file_, "Network model to calibrate")->required();
     model_.add_valves_to(app);
+    ensemble_.add_to(app);
     app.add_option("--out", out_, "The model with its tube (safetensors)");
     app.add_option("--levels", settings_.levels, "Shares of runs, rising")->capture_default_str();
     app.add_option("--confidence", settings_.confidence, "How sure each level has to be")
@@ -65,7 +66,7 @@ class CalibrateVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     const ArmDescription arm = load_asked_arm(arm_);
-    CompensationModel model = read_model(model_file_);
+    CompensationModel model = ensemble_.read(model_file_);
     require_model_of(model, arm, model_file_);
     if (check_runs_ > 0) {
       return check(arm, std::move(model), flags);
@@ -192,6 +193,7 @@ class CalibrateVerb final : public Verb {
   std::string arm_ = "three_segment";
   std::string model_file_;
   ModelFlags model_;
+  EnsembleFlag ensemble_;
   std::string out_;
   std::string driver_ = "virtual";
   std::vector<std::string> recordings_;

@@ -88,7 +88,7 @@ class EvaluateVerb final : public Verb {
  private:
   /// @throws InputError where a file is in the way, or --out can't hold what is measured.
   void require_free_paths(const CommonFlags& flags) const {
-    if (!out_.empty() && ensemble_.answer() == EnsembleAnswer::mean) {
+    if (!out_.empty() && ensemble_.asks_for_mean()) {
       throw InputError(
           "--out: a model stores the error of its first network; leave --ensemble mean out, or "
           "give the mean's error to limber plan (--margin-m, --goal-margin-m)");
@@ -154,7 +154,7 @@ class EvaluateVerb final : public Verb {
     const EnsembleForward ensemble(arm, network.compensation());
     const EnsembleEvaluation errors = evaluate_ensemble(ensemble, recording.episodes, jobs);
     json["ensemble"] = to_json(errors);
-    text += (ensemble_.answer() == EnsembleAnswer::mean
+    text += (network.compensation().answer == EnsembleAnswer::mean
                  ? "network: the mean with one backbone for all, as used by plan --ensemble mean; "
                    "below: each with a backbone of its own\n"
                  : "network: the member that validated best, as used for planning\n") +
@@ -166,6 +166,9 @@ class EvaluateVerb final : public Verb {
                         const Recording& recording, int jobs, nlohmann::ordered_json& json,
                         std::string& text) const {
     CompensationModel model = network.compensation();
+    if (!out_.empty()) {
+      model.answer = EnsembleAnswer::first;  // whose error a model stores
+    }
     note_unseen(arm, model, recording.episodes, jobs);
     const std::optional<PredictionError>& error = model.prediction_error;
     json["prediction_error"] = nullptr;

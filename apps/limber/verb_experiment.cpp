@@ -97,7 +97,7 @@ class ExperimentVerb final : public Verb {
     require_writable_folder(settings_.folder);
     const ForwardModel network(settings_.arm, ensemble_.read(settings_.model_file.string()));
     require_bounded(network.compensation(), settings_.model_file.string());
-    settings_.ensemble = ensemble_.answer();
+    settings_.ensemble = network.compensation().answer;
     const MotionModel model = valves_.motion_model(settings_.arm, network);
     valves_.warn_without_valves(model, flags);
     settings_.valves = model.valves().parameters();

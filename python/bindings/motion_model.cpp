@@ -38,6 +38,12 @@ void bind_tube(py::module_& module) {
       .read_only("end_heading_rad", &PlanTube::end_heading_rad,
                  "How far the tip's heading may be off after the hold [rad], >= 0.")
       .done()
+      .def_property_readonly(
+          "start_share", [](const PlanTube& tube) { return tube.growth.start_share; },
+          "Share of its radius that a plate has where it starts, in (0, 1].")
+      .def_property_readonly(
+          "full_after_m", [](const PlanTube& tube) { return tube.growth.full_after_m; },
+          "Distance from there at which it has all of it [m]; 0: everywhere.")
       .def_readonly("goal_inside", &PlanTube::goal_inside,
                     "Of a plan: whether its end lies so far inside the goal.");
 }

@@ -58,7 +58,9 @@ void bind_choices(py::module_& module) {
              "the step does not grow with the batch");
   py::enum_<Scaling>(module, "Scaling", "What the network's numbers are scaled to.")
       .value("unit_range", Scaling::unit_range, "[0, 1], the paper's")
-      .value("unit_spread", Scaling::unit_spread, "mean 0, standard deviation 1");
+      .value("unit_spread", Scaling::unit_spread, "mean 0, standard deviation 1")
+      .value("shared_range", Scaling::shared_range,
+             "[0, 1], one range for poses and compensations: 0 is the no-load model");
   py::enum_<TrainingStatus>(module, "TrainingStatus", "How training ended.")
       .value("finished", TrainingStatus::finished, "all epochs were done")
       .value("interrupted", TrainingStatus::interrupted,

@@ -224,8 +224,12 @@ class Certifier::Certification {
     if (give_up_.now()) {
       return false;
     }
-    const SweptClearance::Result swept = problem_.clearance.over(
-        simulated_, ask_, plan_.tube ? plan_.tube->plate_radius_m : std::vector<double>());
+    SweptRoom room;
+    if (plan_.tube) {
+      room = {plan_.tube->plate_radius_m, plan_.tube->growth.start_share,
+              plan_.tube->growth.full_after_m};
+    }
+    const SweptClearance::Result swept = problem_.clearance.over(simulated_, ask_, room);
     if (!swept.is_finished) {
       give_up_.give_up();
       return false;

@@ -153,12 +153,16 @@ CoveringBox box_about(const Pose& start_from, const Pose& end_from, const Pose& 
 class SweptClearance::Search {
  public:
   Search(const SweptClearance& clearance, const std::vector<ExactArm::Shape>& shapes,
-         const std::function<bool()>& give_up, const std::vector<double>& plate_room_m)
-      : clearance_(clearance), shapes_(shapes), give_up_(give_up), radius_m_(clearance.radius_m_) {
-    for (std::size_t plate = 1; plate < plate_room_m.size(); ++plate) {
-      radius_m_[plate - 1] += std::max(plate_room_m[plate - 1], plate_room_m[plate]);
+         const std::function<bool()>& give_up, const SweptRoom& room)
+      : clearance_(clearance), shapes_(shapes), give_up_(give_up) {
+    std::vector<double> before_m;
+    for (const ExactArm::Shape& shape : shapes) {
+      const std::vector<double> now_m = room_in(shape, room);
+      radius_m_.push_back(radius_over(before_m.empty() ? now_m : before_m, now_m));
+      max_radius_m_ = std::max(
+          max_radius_m_, *std::max_element(radius_m_.back().begin(), radius_m_.back().end()));
+      before_m = now_m;
     }
-    max_radius_m_ = *std::max_element(radius_m_.begin(), radius_m_.end());
   }
 
   Result run() {
@@ -174,6 +178,28 @@ class SweptClearance::Search {
   }
 
  private:
+  /// Of each plate.
+  std::vector<double> room_in(const ExactArm::Shape& shape, const SweptRoom& room) const {
+    std::vector<double> room_m = room.plate_m;
+    for (std::size_t i = 0; i < room_m.size() && room.full_after_m > 0.0; ++i) {
+      const double moved = std::abs(point_of(shape[i]) - point_of(shapes_.front()[i]));
+      const double grown = std::min(moved / room.full_after_m, 1.0);
+      room_m[i] *= room.start_share * (1.0 - grown) + grown;
+    }
+    return room_m;
+  }
+
+  /// Of each gap over a motion. A plate that moves straight is farthest from anywhere at one of its
+  /// ends, so it has the most room there.
+  std::vector<double> radius_over(const std::vector<double>& from_m,
+                                  const std::vector<double>& to_m) const {
+    std::vector<double> radius_m = clearance_.radius_m_;
+    for (std::size_t gap = 0; gap + 1 < to_m.size(); ++gap) {
+      radius_m[gap] += std::max({from_m[gap], from_m[gap + 1], to_m[gap], to_m[gap + 1]});
+    }
+    return radius_m;
+  }
+
   /// @return whether to go on
   bool begin_frame() {
     if (!was_interrupted_) {
@@ -208,7 +234,7 @@ class SweptClearance::Search {
     }
     const auto k = static_cast<std::size_t>(nearest.frame);
     const auto plate = static_cast<std::size_t>(nearest.gap);
-    for (std::size_t gap = plate == 0 ? 0 : plate - 1; gap <= plate && gap < radius_m_.size();
+    for (std::size_t gap = plate == 0 ? 0 : plate - 1; gap <= plate && gap < radius_m_[k].size();
          ++gap) {
       look_at_gap(k, gap, static_cast<std::size_t>(nearest.obstacle));
     }
@@ -217,7 +243,7 @@ class SweptClearance::Search {
 
   /// @param nearest  `gap` is the plate
   void lower_by_plate(std::size_t k, std::size_t plate, std::size_t o, Result& nearest) const {
-    const std::vector<double>& radius = radius_m_;
+    const std::vector<double>& radius = radius_m_[k];
     const double thickest =
         std::max(radius[plate == 0 ? 0 : plate - 1], radius[std::min(plate, radius.size() - 1)]);
     const CoveredObstacle& obstacle = clearance_.obstacles_[o];
@@ -254,7 +280,7 @@ class SweptClearance::Search {
     find_near(all, best_.value_m);
     for (std::size_t gap = 0; gap < gap_boxes_.size(); ++gap) {
       for (const std::size_t o : near_) {
-        const double reach = std::max(0.0, best_.value_m + radius_m_[gap]);
+        const double reach = std::max(0.0, best_.value_m + radius_m_[k][gap]);
         if (clearance_.obstacles_[o].box.squared_distance(gap_boxes_[gap]) <= reach * reach) {
           look_at_gap(k, gap, o);
         }
@@ -269,7 +295,7 @@ class SweptClearance::Search {
     const ExactArm::Shape& from = shapes_[k == 0 ? 0 : k - 1];
     const ExactArm::Shape& to = shapes_[k];
     const MovingArc arc(from[gap], from[gap + 1], to[gap], to[gap + 1]);
-    const double radius = radius_m_[gap];
+    const double radius = radius_m_[k][gap];
     const double known = best_.value_m + radius;
     const double value = lowest(arc, clearance_.obstacles_[o], known);
     if (value < known) {  // compared before the radius is taken off again: rounding finds nothing
@@ -314,7 +340,7 @@ class SweptClearance::Search {
   const SweptClearance& clearance_;
   const std::vector<ExactArm::Shape>& shapes_;
   GiveUp give_up_;
-  std::vector<double> radius_m_;  // one per gap, with its room
+  std::vector<std::vector<double>> radius_m_;  // of each motion's gaps, with their room
   double max_radius_m_ = 0.0;
   // A signal from before has been heeded by the caller, who asks for this all the same.
   const bool was_interrupted_ = interrupt_requested();
@@ -335,8 +361,8 @@ SweptClearance::SweptClearance(const ArmDescription& arm, const std::vector<Obst
 
 SweptClearance::Result SweptClearance::over(const std::vector<ExactArm::Shape>& shapes,
                                             const std::function<bool()>& give_up,
-                                            const std::vector<double>& plate_room_m) const {
-  return Search(*this, shapes, give_up, plate_room_m).run();
+                                            const SweptRoom& room) const {
+  return Search(*this, shapes, give_up, room).run();
 }
 
 }  // namespace limber

@@ -10,6 +10,15 @@
 
 namespace limber {
 
+/// By how much the arm is thicker at its plates; between two of them by the larger.
+struct SweptRoom {
+  std::vector<double> plate_m;  ///< empty: nowhere
+  /// A plate has this share of it where it is in the first shape, and more in proportion to its
+  /// distance from there, up to all of it after `full_after_m`; 0: all of it everywhere.
+  double start_share = 1.0;
+  double full_after_m = 0.0;
+};
+
 /// Smallest distance between a moving arm and obstacles, by bounds on how fast distances change.
 ///
 /// The gap between two plates is the arc through both that turns by the difference of their
@@ -36,12 +45,11 @@ class SweptClearance {
   };
   /// Over the motion from each shape to the next; a single shape stands still. @pre no gap turns by
   /// more than half a turn, and every number is finite.
-  /// @param plate_room_m  the arm is thicker by so much at its plates, and between two of them by
-  ///                      the larger; empty: nowhere
+  /// @param room  in a motion that of its thicker end
   /// @param give_up  called every few dozen microseconds: whether to stop
   /// @throws Interrupted if a signal comes meanwhile.
   Result over(const std::vector<ExactArm::Shape>& shapes, const std::function<bool()>& give_up = {},
-              const std::vector<double>& plate_room_m = {}) const;
+              const SweptRoom& room = {}) const;
 
  private:
   class MovingArc;

@@ -27,17 +27,28 @@ std::string why_no_radii(const PlanTube& tube, const ArmDescription& arm) {
       return fmt::format("a radius of {} m; expected at least 0", radius);
     }
   }
+  const double share = tube.growth.start_share;
+  if (!(share > 0.0 && share <= 1.0) || !is_room(tube.growth.full_after_m)) {
+    return fmt::format("{} of its width at the start, all of it after {} m; expected a share of "
+                       "more than 0 and at most 1, and at least 0 m",
+                       share, tube.growth.full_after_m);
+  }
   return is_room(tube.end_radius_m) && is_room(tube.end_heading_rad)
              ? ""
              : "a width of its end that is not at least 0";
 }
 
 /// Why the network does not promise that; empty: it does.
-std::string why_not_promised(const PlanTube& tube, const CompensationModel* network) {
+std::string why_not_promised(const PlanTube& tube, EnsembleAnswer plan_answer,
+                             const CompensationModel* network) {
   const TubeLevel* promised =
       network != nullptr && network->tube ? network->tube->find(tube.level) : nullptr;
   if (promised == nullptr) {
     return fmt::format("the model promises no tube of {:.6g} % of runs", 100.0 * tube.level);
+  }
+  if (plan_answer != network->tube->answer) {
+    return fmt::format("it is that of {} predictions; the plan has {}",
+                       to_string(network->tube->answer), to_string(plan_answer));
   }
   const auto is_narrower = [&](double radius, double scale) {
     return radius < promised->factor * scale - kRounding;
@@ -49,6 +60,15 @@ std::string why_not_promised(const PlanTube& tube, const CompensationModel* netw
                          plate_name(static_cast<int>(i)), tube.plate_radius_m[i] * 1e3,
                          promised->factor * scale_m[i] * 1e3);
     }
+  }
+  const RoomGrowth& growth = network->tube->growth;
+  if (!growth.is_constant() ? tube.growth.start_share < growth.start_share - kRounding ||
+                                  tube.growth.full_after_m > growth.full_after_m + kRounding
+                            : !tube.growth.is_constant()) {
+    return fmt::format("it grows from {:.3g} of its width over {:.3g} m; the model promises no "
+                       "less than {:.3g}, and all of it after {:.3g} m",
+                       tube.growth.start_share, tube.growth.full_after_m, growth.start_share,
+                       growth.full_after_m);
   }
   return is_narrower(tube.end_radius_m, network->tube->end_scale_m) ||
                  is_narrower(tube.end_heading_rad, network->tube->end_heading_scale_rad)
@@ -65,7 +85,8 @@ void check_tube(const Plan& plan, const CompensationModel* network, const ArmDes
   }
   std::string why = why_no_radii(*plan.tube, arm);
   if (why.empty()) {
-    why = why_not_promised(*plan.tube, network);
+    why = why_not_promised(
+        *plan.tube, plan.ensemble.empty() ? EnsembleAnswer::first : EnsembleAnswer::mean, network);
   }
   if (!why.empty()) {
     certificate.failures.push_back({"tube", -1, std::move(why)});

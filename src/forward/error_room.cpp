@@ -45,14 +45,20 @@ ErrorRoom default_room(const ForwardModel& model) {
 const TubeLevel* level_of(const ForwardModel& model, const AskedRoom& asked) {
   const Tube* tube =
       model.has_network() && model.compensation().tube ? &*model.compensation().tube : nullptr;
+  const bool is_its_own = tube != nullptr && tube->answer == model.compensation().answer;
   if (!asked.tube_level) {
-    return tube == nullptr || asked.margin_m ? nullptr : &tube->default_level();
+    return !is_its_own || asked.margin_m ? nullptr : &tube->default_level();
   }
   if (tube == nullptr) {
     throw InputError(
         fmt::format("a tube of {} is asked for; the model carries none: limber "
                     "calibrate measures one",
                     *asked.tube_level));
+  }
+  if (!is_its_own) {
+    throw InputError(
+        fmt::format("a tube of {} is asked for; the model's was calibrated with --ensemble {}",
+                    *asked.tube_level, to_string(tube->answer)));
   }
   const TubeLevel* level = tube->find(*asked.tube_level);
   if (level == nullptr) {
@@ -68,6 +74,7 @@ ErrorRoom room_of(const Tube& tube, const TubeLevel& level) {
   for (const double scale : tube.plate_scale_m) {
     radii.plate_radius_m.push_back(level.factor * scale);
   }
+  radii.growth = tube.growth;
   radii.end_radius_m = level.factor * tube.end_scale_m;
   radii.end_heading_rad = level.factor * tube.end_heading_scale_rad;
   const double largest =

@@ -137,7 +137,9 @@ CompensationModel CompensationModel::member(int index) const {
   one.valve_findings = valve_findings;
   if (index == 0) {
     one.prediction_error = prediction_error;
-    one.tube = tube;
+    if (tube && tube->answer == EnsembleAnswer::first) {
+      one.tube = tube;
+    }
   }
   one.learnt = learnt;
   one.bounds = bounds;
@@ -215,6 +217,9 @@ void validate(const CompensationModel& model, const std::string& where) {
   }
   if (model.tube) {
     validate(*model.tube, where + ": metadata");
+    if (model.tube->answer == EnsembleAnswer::mean && model.member_count() == 1) {
+      refuse(where, "metadata tube.ensemble is mean; it holds one network");
+    }
     if (static_cast<int>(model.tube->plate_scale_m.size()) != model.point_count) {
       refuse(where, fmt::format("metadata tube.plate_scale_m has {} "
                                 "numbers; expected {}, one per plate",

@@ -98,6 +98,15 @@ void validate_shape(const Tube& tube, const std::string& where) {
   }
   require_scale(where, "end_scale_m", tube.end_scale_m);
   require_scale(where, "end_heading_scale_rad", tube.end_heading_scale_rad);
+  const RoomGrowth& growth = tube.growth;
+  if (!(growth.start_share > 0.0 && growth.start_share <= 1.0)) {
+    refuse_tube(where, fmt::format("start_share is {}; expected more than 0 and at most 1",
+                                   growth.start_share));
+  }
+  if (!(std::isfinite(growth.full_after_m) && growth.full_after_m >= 0.0)) {
+    refuse_tube(where, fmt::format("full_after_m is {}; expected a finite number, at least 0",
+                                   growth.full_after_m));
+  }
 }
 
 }  // namespace
@@ -135,18 +144,33 @@ std::string tube_to_metadata(const Tube& tube) {
   return nlohmann::ordered_json({{"plate_scale_m", tube.plate_scale_m},
                                  {"end_scale_m", tube.end_scale_m},
                                  {"end_heading_scale_rad", tube.end_heading_scale_rad},
+                                 {"start_share", tube.growth.start_share},
+                                 {"full_after_m", tube.growth.full_after_m},
+                                 {"ensemble", to_string(tube.answer)},
                                  {"source", tube.source},
                                  {"levels", levels}})
       .dump();
 }
 
 Tube read_tube(const YamlReader& root) {
-  root.refuse_unknown_keys(
-      {"plate_scale_m", "end_scale_m", "end_heading_scale_rad", "source", "levels"});
+  root.refuse_unknown_keys({"plate_scale_m", "end_scale_m", "end_heading_scale_rad", "start_share",
+                            "full_after_m", "ensemble", "source", "levels"});
   Tube tube;
   tube.plate_scale_m = root.at("plate_scale_m").numbers("lengths in metres");
   tube.end_scale_m = root.at("end_scale_m").positive("a length in metres");
   tube.end_heading_scale_rad = root.at("end_heading_scale_rad").positive("an angle in radians");
+  if (root.has("start_share")) {  // else it is of before tubes grew
+    tube.growth.start_share = root.at("start_share").positive("a share");
+    tube.growth.full_after_m = root.at("full_after_m").number("a length in metres", 0.0);
+  }
+  if (root.has("ensemble")) {  // the same
+    const std::string answer = root.at("ensemble").text();
+    tube.answer = answer == to_string(EnsembleAnswer::mean) ? EnsembleAnswer::mean
+                                                           : EnsembleAnswer::first;
+    if (answer != to_string(tube.answer)) {
+      root.at("ensemble").refuse(fmt::format("'{}'; expected first or mean", answer));
+    }
+  }
   tube.source = root.at("source").text();
   for (const YamlReader& level : root.at("levels").elements()) {
     tube.levels.push_back(read_level(level));

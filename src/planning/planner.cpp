@@ -1,5 +1,7 @@
 #include "limber/planning/planner.hpp"
 
+#include <utility>
+
 #include "limber/forward/motion_simulator.hpp"
 
 namespace limber {
@@ -25,8 +27,13 @@ PlanningProblem problem_with_room(const ArmDescription& arm, const MotionModel& 
 }
 
 CollisionChecker checker_of(const PlanningProblem& problem) {
+  PlateRoom room;
+  if (problem.tube) {
+    room = {problem.tube->plate_radius_m, problem.tube->growth,
+            start_state(problem.environment, problem.arm).backbone};
+  }
   return CollisionChecker(problem.arm, problem.environment.obstacles, problem.margin_m,
-                          problem.tube ? problem.tube->plate_radius_m : std::vector<double>());
+                          std::move(room));
 }
 
 const char* to_string(PlanStatus status) {

@@ -109,6 +109,14 @@ void require_usable(const TrainingSettings& settings) {
   for (const int units : settings.hidden_units) {
     require(units >= 1 && units <= 4096, "hidden_units", units, "1 to 4096 a layer");
   }
+  if (settings.scaling == Scaling::shared_range &&
+      (settings.form != OutputForm::compensation ||
+       settings.layout != BackboneLayout::base_poses)) {
+    throw InputError(fmt::format(
+        "scaling = shared_range with output_form {} and layout {}; it is for compensation of "
+        "base_poses",
+        to_string(settings.form), to_string(settings.layout)));
+  }
   const double rate = settings.learning_rate;
   require(std::isfinite(rate) && rate > 0.0, "learning_rate", rate, "a finite number > 0");
   require(std::isfinite(settings.time_limit_s) && settings.time_limit_s >= 0.0, "time_limit_s",

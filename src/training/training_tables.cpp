@@ -180,6 +180,28 @@ FrameError<float> chained_error(const RawFrames& raw, const Normalisation& input
                            input.offset.segment(layout.backbone_row(), size));
 }
 
+/// Normalisations of state, no-load model and network's answer.
+struct PoseScales {
+  Normalisation state, no_load, output;
+};
+
+PoseScales measure_poses(const RawFrames& raw, const std::vector<EpisodeRange>& episodes,
+                         const NetworkLayout& layout, const TrainingSettings& settings) {
+  const Scaling scaling = settings.scaling;
+  if (scaling == Scaling::shared_range) {
+    const Eigen::MatrixXf state = tracked_only(raw.state, raw);
+    Eigen::MatrixXf both(state.rows(), state.cols() + raw.no_load.cols());
+    both << state, raw.no_load;
+    const Normalisation shared = measure(both, Scaling::unit_range, min_pose_spread);
+    return {shared, shared, {Eigen::VectorXf::Zero(state.rows()), shared.scale}};
+  }
+  return {measure(tracked_only(raw.state, raw), scaling, min_pose_spread),
+          measure(tracked_only(layout.no_load_input(raw.no_load), raw), scaling),
+          settings.form == OutputForm::gated_change
+              ? measure_changes(raw, episodes, scaling)
+              : measure(tracked_only(raw.state - raw.no_load, raw), scaling, min_pose_spread)};
+}
+
 void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSettings& settings,
                TrainingTables& tables) {
   const Eigen::Index size = layout.backbone_size();
@@ -226,13 +248,9 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
   RawFrames raw = gather(arm, episodes, layout, tables.episodes);
   require_varying_pressures(raw.pressure_kpa);
   const Normalisation pressure = measure(tracked_only(raw.pressure_kpa, raw), settings.scaling);
-  tables.input = stack(
-      {pressure, pressure, measure(tracked_only(raw.state, raw), settings.scaling, min_pose_spread),
-       measure(tracked_only(layout.no_load_input(raw.no_load), raw), settings.scaling)});
-  tables.output =
-      settings.form == OutputForm::gated_change
-          ? measure_changes(raw, tables.episodes, settings.scaling)
-          : measure(tracked_only(raw.state - raw.no_load, raw), settings.scaling, min_pose_spread);
+  const PoseScales poses = measure_poses(raw, tables.episodes, layout, settings);
+  tables.input = stack({pressure, pressure, poses.state, poses.no_load});
+  tables.output = poses.output;
   normalise(std::move(raw), layout, settings, tables);
   return tables;
 }

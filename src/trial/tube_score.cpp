@@ -14,7 +14,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kShare = 0.9;         // of the runs, below the shape
+constexpr double kShareInside = 0.99;  // of the runs, below the shape
+/// The same for the last third of the plates and for the end, where a wide tube costs plans most.
+constexpr double kShareAtTip = 0.95;
+constexpr double kTipPlates = 1.0 / 3.0;
+constexpr double kStartShare = 0.4;      // what arms are off in their first frames
+constexpr double kFullAfterShare = 0.15; // of the arm's length
 constexpr double kMinScaleM = 1e-4;    // as the certificate's deviation: nothing is known better
 constexpr double kMinScaleRad = 1e-3;  // the same
 
@@ -52,20 +57,30 @@ void visit_frames(const Plan& plan, const Episode& run, Visit&& visit) {
   }
 }
 
-double quantile(std::vector<double> values) {
-  return conformal_quantile(std::move(values), kShare);
-}
+/// How far each plate of a predicted shape is from where it started.
+class Moved {
+ public:
+  explicit Moved(const Backbone& start) : start_(start) {}
+  double operator()(const Backbone& predicted, Eigen::Index plate) const {
+    return (at(predicted, plate) - at(start_, plate)).norm();
+  }
+
+ private:
+  const Backbone& start_;
+};
 
 }  // namespace
 
-MotionErrors motion_errors(const Plan& plan, const Episode& run) {
+MotionErrors motion_errors(const Plan& plan, const Episode& run, const RoomGrowth& growth) {
   MotionErrors errors;
   errors.plate_m.assign(static_cast<std::size_t>(plan.frames.front().backbone.rows()), 0.0);
+  const Moved moved(plan.frames.front().backbone);
   visit_frames(plan, run, [&](const Backbone& predicted, const Backbone& seen) {
     const Eigen::Index tip = predicted.rows() - 1;
     for (Eigen::Index plate = 0; plate <= tip; ++plate) {
       double& largest = errors.plate_m[static_cast<std::size_t>(plate)];
-      largest = std::max(largest, (at(predicted, plate) - at(seen, plate)).norm());
+      largest = std::max(largest, (at(predicted, plate) - at(seen, plate)).norm() /
+                                      growth.share_after(moved(predicted, plate)));
     }
     errors.end_m = (at(predicted, tip) - at(seen, tip)).norm();
     errors.end_heading_rad = turned(double(predicted(tip, 2)), double(seen(tip, 2)));
@@ -74,18 +89,24 @@ MotionErrors motion_errors(const Plan& plan, const Episode& run) {
 }
 
 double tube_score(const Plan& plan, const Episode& run, const Tube& shape) {
-  const std::vector<double>& scale = shape.plate_scale_m;
   double score = 0.0;
   double end_score = 0.0;
+  const Moved moved(plan.frames.front().backbone);
+  const auto scale = [&](const Backbone& predicted, Eigen::Index plate) {
+    return shape.plate_scale_m[static_cast<std::size_t>(plate)] *
+           shape.growth.share_after(moved(predicted, plate));
+  };
   visit_frames(plan, run, [&](const Backbone& predicted, const Backbone& seen) {
     const Eigen::Index tip = predicted.rows() - 1;
+    double before = 0.0;
     for (Eigen::Index plate = 0; plate <= tip; ++plate) {
-      const auto i = static_cast<std::size_t>(plate);
-      score = std::max(score, (at(predicted, plate) - at(seen, plate)).norm() / scale[i]);
-      if (plate < tip) {
-        score = std::max(score, (middle(predicted, plate) - middle(seen, plate)).norm() /
-                                    std::max(scale[i], scale[i + 1]));
+      const double here = scale(predicted, plate);
+      score = std::max(score, (at(predicted, plate) - at(seen, plate)).norm() / here);
+      if (plate > 0) {
+        score = std::max(score, (middle(predicted, plate - 1) - middle(seen, plate - 1)).norm() /
+                                    std::max(before, here));
       }
+      before = here;
     }
     end_score = std::max(
         (at(predicted, tip) - at(seen, tip)).norm() / shape.end_scale_m,
@@ -94,23 +115,42 @@ double tube_score(const Plan& plan, const Episode& run, const Tube& shape) {
   return std::max(score, end_score);
 }
 
-Tube tube_shape(const std::vector<MotionErrors>& runs) {
+RoomGrowth usual_growth(double arm_length_m) {
+  return {kStartShare, kFullAfterShare * arm_length_m};
+}
+
+double mean_tip_radius_m(const Plan& plan, const Tube& tube, const TubeLevel& level) {
+  const Moved moved(plan.frames.front().backbone);
+  double sum = 0.0;
+  for (const PlanFrame& frame : plan.frames) {
+    const Eigen::Index tip = frame.backbone.rows() - 1;
+    sum += tube.radius_m(level, static_cast<std::size_t>(tip), moved(frame.backbone, tip));
+  }
+  return sum / plan.frame_count();
+}
+
+Tube tube_shape(const std::vector<MotionErrors>& runs, const RoomGrowth& growth) {
   assert(!runs.empty());
   Tube tube;
-  const auto below = [&](auto&& value) {
+  tube.growth = growth;
+  const auto below = [&](double share, auto&& value) {
     std::vector<double> values;
     for (const MotionErrors& run : runs) {
       values.push_back(value(run));
     }
-    return quantile(std::move(values));
+    return conformal_quantile(std::move(values), share);
   };
-  for (std::size_t plate = 0; plate < runs.front().plate_m.size(); ++plate) {
+  const std::size_t plates = runs.front().plate_m.size();
+  for (std::size_t plate = 0; plate < plates; ++plate) {
+    const bool is_inside = double(plate) < (1.0 - kTipPlates) * double(plates);
     tube.plate_scale_m.push_back(
-        std::max(kMinScaleM, below([&](const MotionErrors& run) { return run.plate_m[plate]; })));
+        std::max(kMinScaleM, below(is_inside ? kShareInside : kShareAtTip,
+                                   [&](const MotionErrors& run) { return run.plate_m[plate]; })));
   }
-  tube.end_scale_m = std::max(kMinScaleM, below([](const MotionErrors& r) { return r.end_m; }));
-  tube.end_heading_scale_rad =
-      std::max(kMinScaleRad, below([](const MotionErrors& r) { return r.end_heading_rad; }));
+  tube.end_scale_m =
+      std::max(kMinScaleM, below(kShareAtTip, [](const MotionErrors& r) { return r.end_m; }));
+  tube.end_heading_scale_rad = std::max(
+      kMinScaleRad, below(kShareInside, [](const MotionErrors& r) { return r.end_heading_rad; }));
   return tube;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -207,19 +208,6 @@ void lower_by_motion(const std::vector<ObstacleShape>& shapes, const GapMotion& 
   lower_by_motion(shapes, motion, radius, travel, middle, high, gap, known, best);
 }
 
-template <class Scalar>
-Clearance backbone_clearance(const std::vector<ObstacleShape>& shapes,
-                             const std::vector<double>& radius,
-                             const Eigen::Ref<const BackboneOf<Scalar>>& backbone,
-                             double below_m = kInfinity) {
-  Clearance best{below_m, -1, -1};
-  for (std::size_t gap = 0; gap < radius.size(); ++gap) {
-    const int g = static_cast<int>(gap);
-    lower_by_arc(shapes, gap_arc<Scalar>(backbone, g), radius[gap], g, best);
-  }
-  return best;
-}
-
 /// Calls is_free(gap) for the gaps that boxes cannot clear, from the tip down, which travels
 /// farthest and meets obstacles first. @return whether all of them are
 template <class IsFree>
@@ -243,7 +231,8 @@ bool all_are_free(const BroadPhase& broad, int gaps, const Eigen::Ref<const Back
 
 CollisionChecker::CollisionChecker(const ArmDescription& arm,
                                    const std::vector<Obstacle>& obstacles, double margin_m,
-                                   const std::vector<double>& plate_room_m) {
+                                   PlateRoom room)
+    : room_(std::move(room)) {
   if (!(margin_m >= 0.0 && std::isfinite(margin_m))) {
     throw InputError(
         fmt::format("margin_m = {}; expected a distance in metres, at least 0", margin_m));
@@ -259,26 +248,32 @@ CollisionChecker::CollisionChecker(const ArmDescription& arm,
     radius_m_.insert(radius_m_.end(), static_cast<std::size_t>(segment.gaps),
                      0.5 * segment.width_m + arm.actuator_radius_m + margin_m);
   }
-  add_room(plate_room_m);
+  add_room();
   broad_ = std::make_unique<const BroadPhase>(obstacles_, radius_m_);
 }
 
-void CollisionChecker::add_room(const std::vector<double>& plate_room_m) {
-  if (plate_room_m.empty()) {
+void CollisionChecker::add_room() {
+  const std::vector<double>& full_m = room_.full_m;
+  if (full_m.empty()) {
+    room_.growth = {};
     return;
   }
-  if (plate_room_m.size() != radius_m_.size() + 1) {
-    throw InputError(fmt::format("{} numbers of room; the arm has {} plates", plate_room_m.size(),
+  if (full_m.size() != radius_m_.size() + 1) {
+    throw InputError(fmt::format("{} numbers of room; the arm has {} plates", full_m.size(),
                                  radius_m_.size() + 1));
   }
-  for (const double room : plate_room_m) {
+  for (const double room : full_m) {
     if (!(room >= 0.0 && std::isfinite(room))) {
       throw InputError(
           fmt::format("room of {} m at a plate; expected a distance in metres, at least 0", room));
     }
   }
+  if (!room_.growth.is_constant() && room_.start.rows() != static_cast<Eigen::Index>(full_m.size())) {
+    throw InputError(fmt::format("room grows from a start of {} plates; the arm has {}",
+                                 room_.start.rows(), full_m.size()));
+  }
   for (std::size_t gap = 0; gap < radius_m_.size(); ++gap) {
-    radius_m_[gap] += std::max(plate_room_m[gap], plate_room_m[gap + 1]);
+    radius_m_[gap] += std::max(full_m[gap], full_m[gap + 1]);
   }
 }
 
@@ -286,23 +281,62 @@ CollisionChecker::CollisionChecker(CollisionChecker&&) noexcept = default;
 CollisionChecker& CollisionChecker::operator=(CollisionChecker&&) noexcept = default;
 CollisionChecker::~CollisionChecker() = default;
 
+/// What is not finite has all of its room.
+template <class Scalar>
+double CollisionChecker::grown_room_m(int plate,
+                                      const Eigen::Ref<const BackboneOf<Scalar>>& backbone) const {
+  const double moved_m = std::hypot(double(backbone(plate, 0)) - double(room_.start(plate, 0)),
+                                    double(backbone(plate, 1)) - double(room_.start(plate, 1)));
+  return room_.full_m[static_cast<std::size_t>(plate)] *
+         (moved_m < room_.growth.full_after_m ? room_.growth.share_after(moved_m) : 1.0);
+}
+
+/// The larger room of the gap's plates. A plate that moves straight is farthest from where it
+/// started at one of the motion's ends, so its room is nowhere larger than at both.
+template <class Scalar>
+double CollisionChecker::radius_between_m(int gap, const Eigen::Ref<const BackboneOf<Scalar>>& from,
+                                          const Eigen::Ref<const BackboneOf<Scalar>>& to) const {
+  const double full_m = radius_m(gap);
+  if (room_.growth.is_constant()) {
+    return full_m;
+  }
+  const auto i = static_cast<std::size_t>(gap);
+  const double grown_m =
+      std::max({grown_room_m<Scalar>(gap, from), grown_room_m<Scalar>(gap + 1, from),
+                grown_room_m<Scalar>(gap, to), grown_room_m<Scalar>(gap + 1, to)});
+  return full_m - std::max(room_.full_m[i], room_.full_m[i + 1]) + grown_m;
+}
+
+template <class Scalar>
+Clearance CollisionChecker::clearance_below(const Eigen::Ref<const BackboneOf<Scalar>>& backbone,
+                                            double below_m) const {
+  Clearance best{below_m, -1, -1};
+  for (int gap = 0; gap < gap_count(); ++gap) {
+    lower_by_arc(obstacles_, gap_arc<Scalar>(backbone, gap),
+                 radius_between_m<Scalar>(gap, backbone, backbone), gap, best);
+  }
+  return best;
+}
+
 Clearance CollisionChecker::clearance(const Eigen::Ref<const Backbone>& backbone) const {
-  return backbone_clearance<float>(obstacles_, radius_m_, backbone);
+  return clearance_below<float>(backbone, kInfinity);
 }
 
 Clearance CollisionChecker::clearance(const Eigen::Ref<const BackboneD>& backbone) const {
-  return backbone_clearance<double>(obstacles_, radius_m_, backbone);
+  return clearance_below<double>(backbone, kInfinity);
 }
 
 bool CollisionChecker::is_free(const Eigen::Ref<const Backbone>& backbone) const {
   return all_are_free(*broad_, gap_count(), backbone, backbone, [&](int gap) {
-    return !arc_touches(obstacles_, gap_arc<float>(backbone, gap), radius_m(gap));
+    return !arc_touches(obstacles_, gap_arc<float>(backbone, gap),
+                        radius_between_m<float>(gap, backbone, backbone));
   });
 }
 
 bool CollisionChecker::is_free(const Eigen::Ref<const BackboneD>& backbone) const {
   for (int gap = 0; gap < gap_count(); ++gap) {
-    if (arc_touches(obstacles_, gap_arc<double>(backbone, gap), radius_m(gap))) {
+    if (arc_touches(obstacles_, gap_arc<double>(backbone, gap),
+                    radius_between_m<double>(gap, backbone, backbone))) {
       return false;
     }
   }
@@ -313,23 +347,23 @@ bool CollisionChecker::is_motion_free(const Eigen::Ref<const Backbone>& from,
                                       const Eigen::Ref<const Backbone>& to) const {
   return all_are_free(*broad_, gap_count(), from, to, [&](int gap) {
     const GapMotion motion{gap_arc<float>(from, gap), gap_arc<float>(to, gap)};
-    return motion_is_free(obstacles_, motion, radius_m(gap), motion.travel_bound_m(), 0.0, 1.0);
+    return motion_is_free(obstacles_, motion, radius_between_m<float>(gap, from, to),
+                          motion.travel_bound_m(), 0.0, 1.0);
   });
 }
 
 Clearance CollisionChecker::motion_clearance(const Eigen::Ref<const Backbone>& from,
                                              const Eigen::Ref<const Backbone>& to,
                                              double below_m) const {
-  const Clearance at_start = backbone_clearance<float>(obstacles_, radius_m_, from, below_m);
-  const Clearance at_end = backbone_clearance<float>(obstacles_, radius_m_, to, at_start.value_m);
+  const Clearance at_start = clearance_below<float>(from, below_m);
+  const Clearance at_end = clearance_below<float>(to, at_start.value_m);
   // The ends bound the search from above; both are bounds from below, hence the tolerance.
   Clearance best = at_end.obstacle >= 0 ? at_end : at_start;
   best.value_m = std::min(best.value_m + kToleranceM, below_m);
-  for (std::size_t gap = 0; gap < radius_m_.size(); ++gap) {
-    const int g = static_cast<int>(gap);
-    const GapMotion motion{gap_arc<float>(from, g), gap_arc<float>(to, g)};
-    lower_by_motion(obstacles_, motion, radius_m_[gap], motion.travel_bound_m(), 0.0, 1.0, g,
-                    -kInfinity, best);
+  for (int gap = 0; gap < gap_count(); ++gap) {
+    const GapMotion motion{gap_arc<float>(from, gap), gap_arc<float>(to, gap)};
+    lower_by_motion(obstacles_, motion, radius_between_m<float>(gap, from, to),
+                    motion.travel_bound_m(), 0.0, 1.0, gap, -kInfinity, best);
   }
   return best;
 }

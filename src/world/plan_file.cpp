@@ -191,6 +191,10 @@ std::optional<PlanTube> read_tube(const JsonReader& root) {
   tube.level = field.at("level").number(0.0, 1.0);
   tube.plate_radius_m =
       field.at("plate_radius_m").numbers(std::string::npos, "lengths in metres", 0.0, kMax);
+  if (field.has("start_share")) {  // else it is of before tubes grew
+    tube.growth.start_share = number_at(field, "start_share", 0.0);
+    tube.growth.full_after_m = number_at(field, "full_after_m", 0.0);
+  }
   tube.end_radius_m = number_at(field, "end_radius_m", 0.0);
   tube.end_heading_rad = number_at(field, "end_heading_rad", 0.0);
   tube.goal_inside = field.at("goal_inside").boolean();
@@ -200,6 +204,8 @@ std::optional<PlanTube> read_tube(const JsonReader& root) {
 Json to_json(const PlanTube& tube) {
   return {{"level", tube.level},
           {"plate_radius_m", tube.plate_radius_m},
+          {"start_share", tube.growth.start_share},
+          {"full_after_m", tube.growth.full_after_m},
           {"end_radius_m", tube.end_radius_m},
           {"end_heading_rad", tube.end_heading_rad},
           {"goal_inside", tube.goal_inside}};

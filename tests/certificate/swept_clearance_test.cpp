@@ -13,6 +13,7 @@
 #include "limber/certificate/certificate.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/world/collision.hpp"
 #include "limber/world/obstacle_shape.hpp"
 #include "planning/dense_oracle.hpp"
 #include "planning/play_model.hpp"
@@ -70,6 +71,38 @@ Polygon star(int corners, double inner_m, double outer_m) {
 }
 
 // Boxes over edges only say where not to look: the distance is that over all edges.
+// Room that grows from the first shape: as the planner's own checker has it, which shares no code.
+TEST(SweptClearance, WithGrowingRoomAgreesWithTheCollisionChecker) {
+  constexpr double kToleranceM = 1e-4;
+  const ArmDescription arm = three_segment_arm();
+  const NoLoadModel model(arm);
+  const std::vector<double> full_m(16, 0.03);
+  RandomStream random(3, 0);
+  double least_growth_m = 0.03;
+  for (int trial = 0; trial < 30; ++trial) {
+    const Pressures q = random_pressures(arm, random);
+    Pressures next = q;
+    for (int i = 0; i < 3; ++i) {
+      next[i] += static_cast<float>(random.uniform(-20.0, 20.0));
+    }
+    const Backbone from = no_load_backbone(model, q);
+    const Backbone to = no_load_backbone(model, next);
+    const std::vector<Obstacle> obstacles{random_obstacle(random), random_obstacle(random)};
+    const SweptClearance::Result found = SweptClearance(arm, obstacles, kToleranceM)
+                                             .over({shape_of(from), shape_of(to)}, {},
+                                                   {full_m, 0.2, 0.1});
+    const CollisionChecker checker(arm, obstacles, 0.0, {full_m, {0.2, 0.1}, from});
+    const double expected =
+        std::min(checker.clearance(from).value_m, checker.motion_clearance(from, to).value_m);
+    EXPECT_NEAR(found.value_m, expected, CollisionChecker::kToleranceM + kToleranceM) << trial;
+    const CollisionChecker everywhere(arm, obstacles, 0.0, {full_m});
+    least_growth_m = std::min(
+        least_growth_m, expected - everywhere.motion_clearance(from, to).value_m);
+    EXPECT_GE(expected, everywhere.motion_clearance(from, to).value_m - 1e-9) << trial;
+  }
+  EXPECT_LT(least_growth_m, 0.01);
+}
+
 TEST(SweptClearance, DistanceToAnOutlineIsThatOverAllItsEdges) {
   constexpr double kRoundingM = 1e-12;
   RandomStream random(3, 0);

@@ -24,6 +24,7 @@ Tube awkward_tube(int plates) {
   }
   tube.end_scale_m = 0.1 / 7.0;
   tube.end_heading_scale_rad = 2.0 / 3.0;
+  tube.growth = {1.0 / 3.0, 0.1 / 3.0};
   tube.source = "virtual arm";
   tube.levels = {{0.9, 1.0 / 0.7, 4000, 371, 0.95, 4000, 380}, {0.95, 1.9, 4000, 170, 0.95, 0, 0}};
   return tube;
@@ -32,6 +33,17 @@ Tube awkward_tube(int plates) {
 TEST(TubeText, SurvivesTheRoundTripExactly) {
   const Tube tube = awkward_tube(16);
   EXPECT_EQ(read_tube(YamlReader::from_text(tube_to_metadata(tube), "m")), tube);
+}
+
+// As files of before tubes grew have it.
+TEST(TubeText, WithoutGrowthIsAsWideEverywhere) {
+  Tube tube = awkward_tube(3);
+  tube.growth = {};
+  std::string text = tube_to_metadata(tube);
+  const std::string growth = R"("start_share":1.0,"full_after_m":0.0,)";
+  const std::size_t at = text.find(growth);
+  ASSERT_NE(at, std::string::npos) << text;
+  EXPECT_EQ(read_tube(YamlReader::from_text(text.erase(at, growth.size()), "m")), tube);
 }
 
 TEST(TubeText, IsKeptByModelFilesAndAbsentFromOthers) {
@@ -47,6 +59,34 @@ TEST(TubeText, IsKeptByModelFilesAndAbsentFromOthers) {
   model.tube->plate_scale_m.pop_back();
   EXPECT_THAT([&] { write_model(path, model); },
               ThrowsMessage<InputError>(HasSubstr("plate_scale_m has 15 numbers; expected 16")));
+}
+
+TEST(Tube, GrowsFromItsShareAtTheStartToItsFullWidth) {
+  Tube tube = awkward_tube(2);
+  tube.growth = {0.4, 0.1};
+  const double full_m = 1.9 * tube.plate_scale_m[1];
+  EXPECT_DOUBLE_EQ(tube.radius_m(tube.levels[1], 1, 0.0), 0.4 * full_m);
+  EXPECT_DOUBLE_EQ(tube.radius_m(tube.levels[1], 1, 0.05), 0.7 * full_m);
+  EXPECT_DOUBLE_EQ(tube.radius_m(tube.levels[1], 1, 0.1), full_m);
+  EXPECT_DOUBLE_EQ(tube.radius_m(tube.levels[1], 1, 7.0), full_m);
+}
+
+// A mean's tube makes the mean the default; one network has none.
+TEST(TubeText, OfAMeanMakesTheNetworksAnswerTogether) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "model.safetensors";
+  CompensationModel model = untrained_model(sample_arm(3), BackboneLayout::gap_poses, {7}, 1);
+  model.tube = awkward_tube(16);
+  model.more_members = {model.layers};
+  write_model(path, model);
+  EXPECT_EQ(read_model(path).answer, EnsembleAnswer::first);
+  model.tube->answer = EnsembleAnswer::mean;
+  write_model(path, model);
+  EXPECT_EQ(read_model(path).answer, EnsembleAnswer::mean);
+  EXPECT_FALSE(read_model(path).member(0).tube);
+  model.more_members.clear();
+  EXPECT_THAT([&] { write_model(path, model); },
+              ThrowsMessage<InputError>(HasSubstr("tube.ensemble is mean; it holds one network")));
 }
 
 TEST(Tube, HasADefaultLevelOfNinetyFivePercentOrWhatIsBelow) {
@@ -73,6 +113,10 @@ TEST(Tube, EveryNumberOutOfRangeIsNamed) {
       {"tube.plate_scale_m[1] is 0", [](Tube& t) { t.plate_scale_m[1] = 0.0; }},
       {"tube.end_scale_m is nan", [](Tube& t) { t.end_scale_m = kNan; }},
       {"tube.end_heading_scale_rad is -1", [](Tube& t) { t.end_heading_scale_rad = -1.0; }},
+      {"tube.start_share is 0", [](Tube& t) { t.growth.start_share = 0.0; }},
+      {"tube.start_share is 1.1", [](Tube& t) { t.growth.start_share = 1.1; }},
+      {"tube.full_after_m is nan", [](Tube& t) { t.growth.full_after_m = kNan; }},
+      {"tube.full_after_m is -1", [](Tube& t) { t.growth.full_after_m = -1.0; }},
       {"tube.levels[0].level is 1", [](Tube& t) { t.levels[0].level = 1.0; }},
       {"tube.levels[1].level is 0.5, after 0.9", [](Tube& t) { t.levels[1].level = 0.5; }},
       {"tube.levels[0].factor is 0", [](Tube& t) { t.levels[0].factor = 0.0; }},

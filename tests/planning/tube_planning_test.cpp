@@ -29,6 +29,7 @@ CompensationModel model_with_tube(const ArmDescription& arm) {
   }
   tube.end_scale_m = 0.004;
   tube.end_heading_scale_rad = 0.02;
+  tube.growth = {0.4, 0.1};
   tube.source = "a test";
   tube.levels = {{0.9, 1.0, 100, 3, 0.95, 0, 0}, {0.95, 2.0, 100, 0, 0.95, 0, 0}};
   model.tube = tube;
@@ -92,6 +93,20 @@ TEST(TubeRoom, OfALevelThatIsNotThereNamesThoseThatAre) {
               ThrowsMessage<InputError>(HasSubstr("the model carries none: limber calibrate")));
 }
 
+TEST(TubeRoom, IsForThePredictionsThatItWasCalibratedWith) {
+  const ArmDescription arm = three_segment_arm();
+  CompensationModel model = model_with_tube(arm);
+  model.more_members = {model.layers};
+  model.answer = EnsembleAnswer::mean;
+  EXPECT_FALSE(error_room(ForwardModel(arm, model)).tube);
+  AskedRoom asked;
+  asked.tube_level = 0.95;
+  EXPECT_THAT([&] { (void)error_room(ForwardModel(arm, model), asked); },
+              ThrowsMessage<InputError>(HasSubstr("calibrated with --ensemble first")));
+  model.tube->answer = EnsembleAnswer::mean;
+  EXPECT_TRUE(error_room(ForwardModel(arm, model)).tube);
+}
+
 TEST(TubePlanning, PlansKeepTheInflatedArmFreeAndTheGoalInside) {
   const TubeSetting& s = setting();
   const PlanResult result = s.plan();
@@ -101,7 +116,9 @@ TEST(TubePlanning, PlansKeepTheInflatedArmFreeAndTheGoalInside) {
   EXPECT_TRUE(plan.tube->goal_inside);
   EXPECT_EQ(plan.margin_m, 0.0);
   EXPECT_LE(plan.goal_distance_m, s.environment.goal.position_tolerance_m - 0.008);
-  const CollisionChecker inflated(s.arm, s.environment.obstacles, 0.0, plan.tube->plate_radius_m);
+  const CollisionChecker inflated(
+      s.arm, s.environment.obstacles, 0.0,
+      {plan.tube->plate_radius_m, plan.tube->growth, plan.frames.front().backbone});
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
     const Backbone& from = plan.frames[k - 1].backbone;
@@ -134,6 +151,10 @@ TEST(TubePlanning, TheCertificateRefusesATubeThatTouchesOrIsNotTheModels) {
       {"tube", [](PlanTube& t) { t.end_radius_m = 0.0; }},
       {"tube", [](PlanTube& t) { t.end_heading_rad = 0.0; }},
       {"tube", [](PlanTube& t) { t.level = 0.97; }},
+      {"tube", [](PlanTube& t) { t.growth.start_share = 0.39; }},
+      {"tube", [](PlanTube& t) { t.growth.start_share = 1.1; }},
+      {"tube", [](PlanTube& t) { t.growth.full_after_m = 0.11; }},
+      {"tube", [](PlanTube& t) { t.growth.full_after_m = -0.1; }},
       {"collision", [](PlanTube& t) { t.plate_radius_m.assign(16, 0.2); }},
       {"goal", [](PlanTube& t) { t.end_radius_m = 0.0199; }},
   };
@@ -144,12 +165,21 @@ TEST(TubePlanning, TheCertificateRefusesATubeThatTouchesOrIsNotTheModels) {
   }
 }
 
+TEST(TubePlanning, TheCertificateRefusesTheTubeOfOtherPredictions) {
+  const TubeSetting& s = setting();
+  CompensationModel ensemble = s.model.compensation();
+  ensemble.more_members = {ensemble.layers};
+  ensemble.tube->answer = EnsembleAnswer::mean;
+  const Certificate certificate = certify(*s.plan().plan, s.arm, &ensemble, {}, s.environment);
+  EXPECT_THAT(failed_checks(certificate), Contains("tube"));
+}
+
 TEST(TubePlanning, AStartInsideTheTubeIsRefusedWhereItIsAskedForAndYieldsWhereNot) {
   TubeSetting s;
-  // 8 mm beside the tip of the straight arm, less than its tube.
+  // 4 mm beside the tip of the straight arm, less than its tube has there.
   const Backbone start = start_state(s.environment, s.arm).backbone;
   const CollisionChecker bare(s.arm, {});
-  s.environment.obstacles = {Circle{double(start(15, 0)), -0.008 - 0.01 - bare.radius_m(14), 0.01}};
+  s.environment.obstacles = {Circle{double(start(15, 0)), -0.004 - 0.01 - bare.radius_m(14), 0.01}};
   AskedRoom asked;
   asked.tube_level = 0.95;
   EXPECT_EQ(s.plan(asked).status, PlanStatus::invalid_start);

@@ -74,6 +74,8 @@ TEST(RequireUsable, NamesTheSettingAndWhatIsAllowed) {
     change(settings);
     EXPECT_THAT([&] { require_usable(settings); }, ThrowsMessage<InputError>(HasSubstr(message)));
   };
+  refusal([](auto& s) { s.scaling = Scaling::shared_range; },
+          "shared_range with output_form gated_change and layout gap_poses");
   refusal([](auto& s) { s.learning_rate = 0.0; },
           "learning_rate = 0; expected a finite number > 0");
   refusal([](auto& s) { s.learning_rate = std::nan(""); }, "learning_rate = nan");

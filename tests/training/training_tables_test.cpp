@@ -38,6 +38,24 @@ TEST(TrainingTables, RangesFillZeroToOne) {
   EXPECT_NEAR(tables.frames.pressure.row(1).maxCoeff(), 1.0F, kRounding);
 }
 
+// Of recorded and no-load poses together; an answer of 0 adds nothing to the no-load model.
+TEST(TrainingTables, ASharedRangeLeavesTheNoLoadModelAtZero) {
+  const ArmDescription arm = three_segment_arm();
+  const TrainingTables tables =
+      make_training_tables(arm, {toy_episode(arm, 6, 20, 3)},
+                           settings_for(BackboneLayout::base_poses, Scaling::shared_range));
+  EXPECT_TRUE(tables.output.offset.isZero(0.0F));
+  EXPECT_EQ(tables.output.scale, tables.input.scale.tail(48));
+  EXPECT_EQ(tables.input.scale.segment(6, 48), tables.input.scale.tail(48));
+  EXPECT_EQ(tables.input.offset.segment(6, 48), tables.input.offset.tail(48));
+  EXPECT_LT((tables.frames.uncompensated - tables.frames.no_load).lpNorm<Eigen::Infinity>(),
+            kRounding);
+  const float low = std::min(tables.frames.state.minCoeff(), tables.frames.no_load.minCoeff());
+  const float high = std::max(tables.frames.state.maxCoeff(), tables.frames.no_load.maxCoeff());
+  EXPECT_NEAR(low, 0.0F, kRounding);
+  EXPECT_NEAR(high, 1.0F, kRounding);
+}
+
 // The base plate never moves: its three columns are constant.
 TEST(TrainingTables, ConstantColumnsKeepScaleOne) {
   const ArmDescription arm = three_segment_arm();

@@ -92,20 +92,38 @@ TEST(TubeScore, LeavesOutWhatWasNotTracked) {
   EXPECT_NEAR(tube_score(plan, run, unit_tube()), 0.0, kFloat);
 }
 
-TEST(TubeShape, IsWhatNineTenthsOfTheRunsStayBelow) {
+// The plan's second frame is 5 cm to the side of its first, at the tip.
+TEST(TubeScore, CountsErrorsMoreWhereTheTubeIsNarrower) {
+  Plan plan = straight_plan(3);
+  plan.frames[1].backbone = shape(0.025);
+  plan.frames[2].backbone = shape(0.025);
+  Tube tube = unit_tube();
+  tube.growth = {0.25, 0.1};  // 0.625 of it at the tip then
+  const Episode run = run_of({shape(0.0), shape(0.03), shape(0.025)});
+  EXPECT_NEAR(tube_score(plan, run, tube), 0.005 / (0.4375 * 0.01), 1e-3);  // of the middle plate
+  EXPECT_NEAR(motion_errors(plan, run, tube.growth).plate_m[2], 0.01 / 0.625, 1e-5);
+  EXPECT_NEAR(mean_tip_radius_m(plan, tube, TubeLevel{0.9, 2.0}),
+              2.0 * 0.02 * (0.25 + 0.625 + 0.625) / 3.0, 1e-6);
+}
+
+// 99 of 100 inside, 95 at the tip and at the end.
+TEST(TubeShape, IsWhatMostRunsStayBelow) {
   std::vector<MotionErrors> runs;
-  for (int k = 1; k <= 99; ++k) {
+  for (int k = 1; k <= 199; ++k) {
     MotionErrors run;
-    run.plate_m = {0.0, 0.001 * k};
-    run.end_m = 0.0002 * k;
-    run.end_heading_rad = 0.01 * k;
+    run.plate_m = {0.0, 0.001 * k, 0.001 * k};
+    run.end_m = 0.0001 * k;
+    run.end_heading_rad = 0.005 * k;
     runs.push_back(run);
   }
-  const Tube tube = tube_shape(runs);
+  const RoomGrowth growth{0.4, 0.1};
+  const Tube tube = tube_shape(runs, growth);
+  EXPECT_EQ(tube.growth, growth);
   EXPECT_NEAR(tube.plate_scale_m[0], 1e-4, 1e-12);  // the base does not move; never 0
-  EXPECT_NEAR(tube.plate_scale_m[1], 0.090, 1e-12);
-  EXPECT_NEAR(tube.end_scale_m, 0.018, 1e-12);
-  EXPECT_NEAR(tube.end_heading_scale_rad, 0.9, 1e-12);
+  EXPECT_NEAR(tube.plate_scale_m[1], 0.198, 1e-12);
+  EXPECT_NEAR(tube.plate_scale_m[2], 0.190, 1e-12);
+  EXPECT_NEAR(tube.end_scale_m, 0.019, 1e-12);
+  EXPECT_NEAR(tube.end_heading_scale_rad, 0.99, 1e-12);
 }
 
 }  // namespace

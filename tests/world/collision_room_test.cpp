@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <gmock/gmock.h>
@@ -67,7 +68,7 @@ TEST(CollisionRoom, AgreesWithDenseSamplingOfEveryGap) {
   for (int trial = 0; trial < 60; ++trial) {
     const Backbone b = no_load_backbone(model, random_pressures(arm, random));
     const std::vector<Obstacle> obstacles{random_obstacle(random), random_obstacle(random)};
-    const CollisionChecker checker(arm, obstacles, 0.0, room);
+    const CollisionChecker checker(arm, obstacles, 0.0, {room});
     const double sampled = sampled_clearance(arm, b, obstacles, room, kSamples);
     const double found = checker.clearance(b).value_m;
     EXPECT_LE(found, sampled + kFloatM) << trial;
@@ -94,24 +95,88 @@ TEST(CollisionRoom, OfNoPlateOrOfNothingChangesNoBit) {
   for (int trial = 0; trial < 20; ++trial) {
     const Backbone b = no_load_backbone(model, random_pressures(arm, random));
     const std::vector<Obstacle> obstacles{random_obstacle(random)};
-    EXPECT_EQ(CollisionChecker(arm, obstacles, 0.01, none).clearance(b).value_m,
+    EXPECT_EQ(CollisionChecker(arm, obstacles, 0.01, {none}).clearance(b).value_m,
               CollisionChecker(arm, obstacles, 0.01).clearance(b).value_m);
-    EXPECT_NEAR(CollisionChecker(arm, obstacles, 0.0, even).clearance(b).value_m,
+    EXPECT_NEAR(CollisionChecker(arm, obstacles, 0.0, {even}).clearance(b).value_m,
                 CollisionChecker(arm, obstacles, 0.0125).clearance(b).value_m, 1e-12);
   }
+}
+
+constexpr RoomGrowth kGrowth{0.3, 0.2};
+
+/// The room as it is in one shape, by the words of docs/tube.md (4).
+std::vector<double> room_in(const Backbone& b, const Backbone& start,
+                            const std::vector<double>& full_m) {
+  std::vector<double> room = full_m;
+  for (std::size_t i = 0; i < room.size(); ++i) {
+    const auto plate = static_cast<Eigen::Index>(i);
+    const double dx = double(b(plate, 0)) - double(start(plate, 0));
+    const double dy = double(b(plate, 1)) - double(start(plate, 1));
+    const double moved_m = std::sqrt(dx * dx + dy * dy);
+    room[i] *= moved_m >= 0.2 ? 1.0 : 0.3 + 0.7 * moved_m / 0.2;
+  }
+  return room;
+}
+
+TEST(CollisionRoom, GrowsWithTheDistanceFromTheStart) {
+  const ArmDescription arm = three_segment_arm();
+  const NoLoadModel model(arm);
+  const std::vector<double> full_m = rising_room(arm);
+  RandomStream random(11, 0);
+  for (int trial = 0; trial < 40; ++trial) {
+    const Backbone start = no_load_backbone(model, random_pressures(arm, random));
+    const Backbone b = no_load_backbone(model, random_pressures(arm, random));
+    const std::vector<Obstacle> obstacles{random_obstacle(random), random_obstacle(random)};
+    const CollisionChecker growing(arm, obstacles, 0.0, {full_m, kGrowth, start});
+    const CollisionChecker there(arm, obstacles, 0.0, {room_in(b, start, full_m)});
+    EXPECT_NEAR(growing.clearance(b).value_m, there.clearance(b).value_m, kFloatM) << trial;
+    EXPECT_EQ(growing.is_free(b), there.is_free(b)) << trial;
+  }
+}
+
+// At no moment of a motion that is called free does an obstacle lie in the room of that moment.
+TEST(CollisionRoom, OfAMotionCoversThatOfEveryMoment) {
+  const ArmDescription arm = three_segment_arm();
+  const NoLoadModel model(arm);
+  const std::vector<double> full_m = rising_room(arm);
+  RandomStream random(12, 0);
+  int free = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const Backbone start = no_load_backbone(model, random_pressures(arm, random));
+    const Backbone from = no_load_backbone(model, random_pressures(arm, random));
+    const Backbone to = from + 0.2F * (no_load_backbone(model, random_pressures(arm, random)) - from);
+    const std::vector<Obstacle> obstacles{random_obstacle(random)};
+    const CollisionChecker growing(arm, obstacles, 0.0, {full_m, kGrowth, start});
+    const double least_m = growing.motion_clearance(from, to).value_m;
+    const bool is_free = growing.is_motion_free(from, to);
+    free += is_free ? 1 : 0;
+    for (int k = 0; k <= 10; ++k) {
+      const Backbone b = from + 0.1F * static_cast<float>(k) * (to - from);
+      const CollisionChecker then(arm, obstacles, 0.0, {room_in(b, start, full_m)});
+      EXPECT_LE(least_m, then.clearance(b).value_m + CollisionChecker::kToleranceM) << trial;
+      EXPECT_TRUE(!is_free || then.clearance(b).value_m > -kFloatM) << trial;
+    }
+  }
+  EXPECT_GT(free, 10);
+  EXPECT_LT(free, 55);
 }
 
 TEST(CollisionRoom, RefusesSizesAndNumbersThatAreNone) {
   const ArmDescription arm = three_segment_arm();
   EXPECT_THAT(
       [&] {
-        CollisionChecker(arm, {}, 0.0, {0.01, 0.02});
+        CollisionChecker(arm, {}, 0.0, {{0.01, 0.02}});
       },
       ThrowsMessage<InputError>(HasSubstr("2 numbers of room; the arm has 16 plates")));
   std::vector<double> negative = rising_room(arm);
   negative[3] = -0.001;
-  EXPECT_THAT([&] { CollisionChecker(arm, {}, 0.0, negative); },
+  EXPECT_THAT([&] { CollisionChecker(arm, {}, 0.0, {negative}); },
               ThrowsMessage<InputError>(HasSubstr("room of -0.001 m at a plate")));
+  EXPECT_THAT(
+      [&] {
+        CollisionChecker(arm, {}, 0.0, {rising_room(arm), {0.4, 0.1}, Backbone::Zero(3, 3)});
+      },
+      ThrowsMessage<InputError>(HasSubstr("grows from a start of 3 plates; the arm has 16")));
 }
 
 }  // namespace

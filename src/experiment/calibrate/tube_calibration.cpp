@@ -36,7 +36,8 @@ constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
 /// What has to be the same for runs of two starts to be one calibration.
 Json identity(const CalibrationSettings& settings) {
   const TubeRunSettings& runs = settings.runs;
-  return {{"schema", "limber/calibration/1"},
+  return {{"schema", "limber/calibration/2"},
+          {"ensemble", to_string(runs.model.answer)},
           {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
           {"virtual_arm", content_hash(virtual_arm_to_yaml(runs.executed_arm))},
           {"model", content_hash(read_file(settings.model_file))},
@@ -134,7 +135,9 @@ class Calibration {
   }
 
   void find_shape() {
-    shape_ = tube_shape(run_phase("shape", settings_.scale_runs, nullptr, 0.0).errors());
+    shape_ = tube_shape(run_phase("shape", settings_.scale_runs, nullptr, 0.0).errors(),
+                        usual_growth(settings_.runs.arm.length_m()));
+    shape_.answer = settings_.runs.model.answer;
     shape_.source = "virtual arm";
   }
 

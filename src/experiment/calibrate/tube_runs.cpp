@@ -41,8 +41,8 @@ Json to_json(const TubeRun& run) {
   Json json = {{"number", run.number},     {"status", run.status},
                {"executed", run.executed}, {"score", run.score},
                {"cost", run.cost_kpa},     {"first_solution_s", run.first_solution_s},
-               {"tip_m", run.tip_m},       {"collided", run.collided},
-               {"reached", run.reached}};
+               {"tip_m", run.tip_m},       {"tip_radius_m", run.tip_radius_m},
+               {"collided", run.collided}, {"reached", run.reached}};
   if (run.errors) {
     json["plate_m"] = run.errors->plate_m;
     json["end_m"] = run.errors->end_m;
@@ -60,6 +60,7 @@ TubeRun read_tube_run(const JsonReader& json) {
   run.cost_kpa = json.at("cost").number(0.0);
   run.first_solution_s = json.at("first_solution_s").number(0.0);
   run.tip_m = json.at("tip_m").number(0.0);
+  run.tip_radius_m = json.at("tip_radius_m").number(0.0);
   run.collided = json.at("collided").boolean();
   run.reached = json.at("reached").boolean();
   if (json.has("plate_m")) {
@@ -212,12 +213,14 @@ class PhaseRunner {
     run.executed = true;
     run.collided = execution.collided;
     run.reached = execution.goal_reached && !execution.collided;
-    const MotionErrors errors = motion_errors(plan, execution.episode);
-    run.tip_m = errors.plate_m.back();
+    run.tip_m = motion_errors(plan, execution.episode).plate_m.back();
     if (phase_.shape != nullptr) {
       run.score = tube_score(plan, execution.episode, *phase_.shape);
+      const Tube& tube = *forward_.compensation().tube;
+      run.tip_radius_m = mean_tip_radius_m(plan, tube, tube.levels.front());
     } else {
-      run.errors = errors;
+      run.errors =
+          motion_errors(plan, execution.episode, usual_growth(settings_.arm.length_m()));
     }
   }
 
@@ -306,6 +309,7 @@ Json to_json(const TubeRuns& runs, double factor) {
                       {"high", 1.0 - share_at_least(outside, executed, kInterval)}};
   json["cost"] = mean_of(runs.all, &TubeRun::cost_kpa);
   json["first_solution_s_median"] = median_first_s(runs.all);
+  json["mean_tip_radius_cm"] = kCmPerM * mean_of(runs.all, &TubeRun::tip_radius_m);
   json["mean_largest_tip_error_cm"] = kCmPerM * mean_of(runs.all, &TubeRun::tip_m);
   json["collided"] = count_of(runs.all, &TubeRun::collided);
   json["reached"] = count_of(runs.all, &TubeRun::reached);

@@ -76,11 +76,14 @@ MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
       seed_(seed) {}
 
 CollisionChecker MotionGuide::checker_for(const Plan& plan) const {
-  std::vector<double> radii = plan.tube ? plan.tube->plate_radius_m : std::vector<double>();
-  for (double& radius_m : radii) {
+  PlateRoom room;
+  if (plan.tube) {
+    room = {plan.tube->plate_radius_m, plan.tube->growth, plan.frames.front().backbone};
+  }
+  for (double& radius_m : room.full_m) {
     radius_m *= kRoomInMotion;
   }
-  return CollisionChecker(arm_, environment_.obstacles, 0.0, radii);
+  return CollisionChecker(arm_, environment_.obstacles, 0.0, std::move(room));
 }
 
 double MotionGuide::needed_m(const Plan& plan) const {

@@ -1,6 +1,8 @@
 #pragma once
 // For everyone.
 
+#include <algorithm>
+
 #include <Eigen/Core>
 
 namespace limber {
@@ -28,5 +30,20 @@ Pose tip_pose(const Eigen::MatrixBase<BackboneOf<Scalar>>& backbone) {
   const auto last = backbone.row(backbone.rows() - 1);
   return {double(last[0]), double(last[1]), double(last[2])};
 }
+
+/// How much of the room that is kept around it a plate has: less where it starts, since its place is
+/// known there, and all of it from some distance on (docs/tube.md, (4)).
+struct RoomGrowth {
+  double start_share = 1.0;   ///< of its room that a plate has where it starts, in (0, 1]
+  double full_after_m = 0.0;  ///< from this distance on it has all of it; 0: everywhere
+
+  bool is_constant() const { return start_share >= 1.0 || full_after_m <= 0.0; }
+  double share_after(double distance_m) const {
+    return is_constant()
+               ? 1.0
+               : start_share + (1.0 - start_share) * std::min(1.0, distance_m / full_after_m);
+  }
+  bool operator==(const RoomGrowth&) const = default;
+};
 
 }  // namespace limber

@@ -23,10 +23,12 @@ struct TubeRun {
   double score = 0.0;        ///< (2); 0 where no tube has a shape yet
   double cost_kpa = 0.0;
   double first_solution_s = 0.0;
-  double tip_m = 0.0;  ///< largest error of the tip
+  double tip_m = 0.0;         ///< largest error of the tip
+  double tip_radius_m = 0.0;  ///< of the tube that its plan kept, on average over its frames
   bool collided = false;
   bool reached = false;                ///< ended in the goal, without collision
-  std::optional<MotionErrors> errors;  ///< kept where they give a tube its shape
+  /// Kept where they give a tube its shape, which grows as usual_growth has it.
+  std::optional<MotionErrors> errors;
 };
 
 /// Runs of one phase of a calibration: one plan in each environment, so that they are independent.
@@ -69,7 +71,7 @@ TubeRuns run_tube_phase(const TubeRunSettings& settings, const TubePhase& phase,
                         OutputFolder* folder);
 
 /// Figures of a phase: environments, solved, coverage of `factor` with its 95 % interval, cost,
-/// first plan, collisions, arrivals.
+/// first plan, mean radius at the tip, collisions, arrivals.
 nlohmann::ordered_json to_json(const TubeRuns& runs, double factor);
 
 }  // namespace limber

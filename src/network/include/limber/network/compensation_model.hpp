@@ -35,15 +35,6 @@ enum class OutputForm {
 /// "compensation" or "gated_change", as model files have it.
 const char* to_string(OutputForm form);
 
-/// What an ensemble's networks answer together.
-enum class EnsembleAnswer {
-  first,  ///< what the first one says, the best by validation
-  mean,   ///< (21): the mean of what all of them say, at the cost of all of them
-};
-
-/// "first" or "mean", as the flag --ensemble and plans have it.
-const char* to_string(EnsembleAnswer answer);
-
 /// Affine map of each number, x ↦ (x − offset)·scale, so that training data lie in [0, 1] (or have
 /// unit spread). A number that never changes in the data (the base plate's pose) has no range: its
 /// scale is 1.
@@ -79,7 +70,8 @@ struct CompensationModel {
   /// An ensemble's other networks, of the same shape and normalisation, in the order of their
   /// validation errors: `layers` is the best. For a single prediction, `layers` is enough.
   std::vector<std::vector<Layer>> more_members;
-  /// Chosen by whoever asks the model, and no part of its file. `mean` needs an ensemble.
+  /// Chosen by whoever asks the model, and no part of its file: that of its tube, where a file has
+  /// one. `mean` needs an ensemble.
   EnsembleAnswer answer = EnsembleAnswer::first;
   Normalisation input;
   Normalisation output;
@@ -102,7 +94,7 @@ struct CompensationModel {
   /// Error of `layers` on motions used neither for its training nor for its choice; none if no such
   /// motions were left.
   std::optional<PredictionError> prediction_error;
-  /// Where the arm may be beside the predictions of `layers`; none before `limber calibrate`.
+  /// Where the arm may be beside its predictions; none before `limber calibrate`.
   std::optional<Tube> tube;
   /// What the training recordings held; none in files of before it was kept.
   std::optional<LearntRegion> learnt;

@@ -6,9 +6,20 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/arm/backbone.hpp"
+
 namespace limber {
 
 class YamlReader;
+
+/// What an ensemble's networks answer together.
+enum class EnsembleAnswer {
+  first,  ///< what the first one says, the best by validation
+  mean,   ///< (21): the mean of what all of them say, at the cost of all of them
+};
+
+/// "first" or "mean", as the flag --ensemble and plans have it.
+const char* to_string(EnsembleAnswer answer);
 
 /// How far predictions were from the arm on motions used neither for training nor for choosing the
 /// model. Predictions are open loop from set points, through the model's valves and its (leading)
@@ -45,8 +56,16 @@ struct Tube {
   std::vector<double> plate_scale_m;   ///< one per plate, base first, > 0
   double end_scale_m = 0.0;            ///< of the tip after the hold, > 0
   double end_heading_scale_rad = 0.0;  ///< > 0
-  std::string source;                  ///< "virtual arm", or what the recordings say
+  RoomGrowth growth;                   ///< of the scales of plates, from where they start
+  /// Whose predictions it is about.
+  EnsembleAnswer answer = EnsembleAnswer::first;
+  std::string source;  ///< "virtual arm", or what the recordings say
   std::vector<TubeLevel> levels;       ///< rising levels, at least one
+
+  /// The tube of a level, in metres, of plate i where it is `moved_m` from where it started.
+  double radius_m(const TubeLevel& level, std::size_t plate, double moved_m) const {
+    return level.factor * plate_scale_m[plate] * growth.share_after(moved_m);
+  }
 
   static constexpr double kDefaultLevel = 0.95;
   /// None if it holds no such level.

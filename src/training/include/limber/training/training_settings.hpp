@@ -25,6 +25,10 @@ enum class LossReduction { sum_over_batch, mean_over_batch };
 enum class Scaling {
   unit_range,   ///< [0, 1], the paper's
   unit_spread,  ///< mean 0, standard deviation 1
+  /// [0, 1], with one range for poses, the no-load model's poses and what is added to them, so that
+  /// an answer of 0 is the no-load model: another reading of the paper. For compensations of poses
+  /// about the base alone.
+  shared_range,
 };
 
 /// A part of training with windows of one length.

@@ -10,22 +10,29 @@ namespace limber {
 
 /// How far an executed plan was from its prediction (docs/tube.md, (1)).
 struct MotionErrors {
-  std::vector<double> plate_m;  ///< largest over the plan's frames, one per plate
+  /// Largest over the plan's frames, one per plate, each over the share of its room that the plate
+  /// has there.
+  std::vector<double> plate_m;
   double end_m = 0.0;           ///< of the tip at the run's end, after the hold
   double end_heading_rad = 0.0;
 };
 
 /// Frame k of the run beside frame k of the plan; what is held longer than planned beside its last.
 /// @pre the run is that plan's, open loop: run_of_plan
-MotionErrors motion_errors(const Plan& plan, const Episode& run);
+MotionErrors motion_errors(const Plan& plan, const Episode& run, const RoomGrowth& growth = {});
 
 /// (2): the largest of error over scale, over plates, the middles of gaps and frames, and over tip
 /// and heading at the run's end. The run is inside a tube if its score does not exceed the factor.
 double tube_score(const Plan& plan, const Episode& run, const Tube& shape);
 
-/// Shape of a tube, without levels (docs/tube.md, (3)): what 90 % of the runs stay below, at each
-/// plate, and how the tip's error grows with the frame.
-/// @pre at least one run; all of one arm
-Tube tube_shape(const std::vector<MotionErrors>& runs);
+/// (5): what tubes of limber's start with where their arm starts.
+RoomGrowth usual_growth(double arm_length_m);
+
+/// The tube's radius at the tip, on average over the plan's frames.
+double mean_tip_radius_m(const Plan& plan, const Tube& tube, const TubeLevel& level);
+
+/// Shape of a tube, without levels (docs/tube.md, (3)): what most of the runs stay below.
+/// @param runs    at least one, all of one arm, with that growth
+Tube tube_shape(const std::vector<MotionErrors>& runs, const RoomGrowth& growth);
 
 }  // namespace limber

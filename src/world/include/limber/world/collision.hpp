@@ -23,22 +23,29 @@ struct Clearance {
   int obstacle = -1;  ///< index in the environment's list
 };
 
+/// Room for the model's error about a moving arm, beside a margin (docs/tube.md).
+struct PlateRoom {
+  std::vector<double> full_m;  ///< ≥ 0, one per plate; or none at all
+  RoomGrowth growth = {};
+  Backbone start = {};  ///< m×3, from where it grows; unused where it does not
+};
+
 /// Collision of a thick backbone with the obstacles of an environment (docs/planning.md).
 ///
 /// Shape:   between two successive plates, the arc of constant curvature through both that turns
 ///          by the difference of their headings (at most half a turn), thickened on all sides by
-///          half the width of its segment + the arm's actuator radius + a margin. The base
-///          counts; the arm's collision with itself does not.
+///          half the width of its segment + the arm's actuator radius + a margin + the larger room
+///          of its two plates; in a motion, that of both its ends. The base counts; the arm's
+///          collision with itself does not.
 /// Bounds:  never misses; a reported value is at most kTolerance below the true one.
 /// Threads: constant after construction; share it freely. Nothing allocates after construction.
 class CollisionChecker {
  public:
   static constexpr double kToleranceM = 0.001;  ///< false alarms only this close to touching
 
-  /// @param margin_m      added to the arm's radius everywhere, ≥ 0.
-  /// @param plate_room_m  added to it beside that, ≥ 0: one per plate, or none at all.
+  /// @param margin_m  added to the arm's radius everywhere, ≥ 0.
   CollisionChecker(const ArmDescription& arm, const std::vector<Obstacle>& obstacles,
-                   double margin_m = 0.0, const std::vector<double>& plate_room_m = {});
+                   double margin_m = 0.0, PlateRoom room = {});
   CollisionChecker(CollisionChecker&&) noexcept;
   CollisionChecker& operator=(CollisionChecker&&) noexcept;
   ~CollisionChecker();
@@ -64,14 +71,23 @@ class CollisionChecker {
 
   int obstacle_count() const { return static_cast<int>(obstacles_.size()); }
   int gap_count() const { return static_cast<int>(radius_m_.size()); }
-  /// Half width of the gap's segment + actuator radius + margin + room.
+  /// Half width of the gap's segment + actuator radius + margin + full room.
   double radius_m(int gap) const { return radius_m_[static_cast<std::size_t>(gap)]; }
 
  private:
-  void add_room(const std::vector<double>& plate_room_m);
+  void add_room();
+  template <class Scalar>
+  double grown_room_m(int plate, const Eigen::Ref<const BackboneOf<Scalar>>& backbone) const;
+  template <class Scalar>
+  double radius_between_m(int gap, const Eigen::Ref<const BackboneOf<Scalar>>& from,
+                          const Eigen::Ref<const BackboneOf<Scalar>>& to) const;
+  template <class Scalar>
+  Clearance clearance_below(const Eigen::Ref<const BackboneOf<Scalar>>& backbone,
+                            double below_m) const;
 
   std::vector<ObstacleShape> obstacles_;  // nearest to the base first
-  std::vector<double> radius_m_;          // one per gap
+  std::vector<double> radius_m_;          // one per gap, with its full room
+  PlateRoom room_;
   std::unique_ptr<const BroadPhase> broad_;
 };
 

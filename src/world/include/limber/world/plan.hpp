@@ -33,7 +33,8 @@ struct CertifiedFigures {
 /// that far from where it is predicted, in a share `level` of all runs.
 struct PlanTube {
   double level = 0.0;                  ///< in (0, 1)
-  std::vector<double> plate_radius_m;  ///< one per plate, ≥ 0
+  std::vector<double> plate_radius_m;  ///< one per plate, ≥ 0: where it has its full width
+  RoomGrowth growth;                   ///< of these, from where the plan starts
   double end_radius_m = 0.0;           ///< of the tip after the hold, ≥ 0
   double end_heading_rad = 0.0;        ///< ≥ 0
   /// Whether the plan's end lies so far inside the goal's tolerances. False where a goal is too
@@ -64,7 +65,7 @@ struct Plan {
   std::string planner;
   std::uint64_t seed = 0;
   double margin_m = 0.0;         ///< clearance asked for; beside the tube, if there is one
-  std::optional<PlanTube> tube;  ///< kept free of obstacles at full width in all frames
+  std::optional<PlanTube> tube;  ///< kept free of obstacles in all frames
   double frame_rate_hz = 0.0;
   /// That the plan was asked to stay within, one of each segment; empty: the arm's own.
   std::vector<PressureLimits> limits;
