@@ -1124,6 +1124,12 @@ class PlanTube:
     def end_heading_rad(self) -> float:
         """How far the tip's heading may be off after the hold [rad], >= 0."""
     @property
+    def start_share(self) -> float:
+        """Share of its radius that a plate has where it starts, in (0, 1]."""
+    @property
+    def full_after_m(self) -> float:
+        """Distance from there at which it has all of it [m]; 0: everywhere."""
+    @property
     def goal_inside(self) -> bool:
         """Of a plan: whether its end lies so far inside the goal."""
 
@@ -1482,6 +1488,7 @@ class Scaling:
     """What the network's numbers are scaled to."""
     unit_range: Scaling
     unit_spread: Scaling
+    shared_range: Scaling
     def __init__(self, value: int) -> None: ...
     def __int__(self) -> int: ...
     def __index__(self) -> int: ...

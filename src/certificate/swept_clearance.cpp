@@ -159,8 +159,8 @@ class SweptClearance::Search {
     for (const ExactArm::Shape& shape : shapes) {
       const std::vector<double> now_m = room_in(shape, room);
       radius_m_.push_back(radius_over(before_m.empty() ? now_m : before_m, now_m));
-      max_radius_m_ = std::max(
-          max_radius_m_, *std::max_element(radius_m_.back().begin(), radius_m_.back().end()));
+      max_radius_m_ = std::max(max_radius_m_,
+                               *std::max_element(radius_m_.back().begin(), radius_m_.back().end()));
       before_m = now_m;
     }
   }

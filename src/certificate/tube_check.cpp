@@ -29,9 +29,10 @@ std::string why_no_radii(const PlanTube& tube, const ArmDescription& arm) {
   }
   const double share = tube.growth.start_share;
   if (!(share > 0.0 && share <= 1.0) || !is_room(tube.growth.full_after_m)) {
-    return fmt::format("{} of its width at the start, all of it after {} m; expected a share of "
-                       "more than 0 and at most 1, and at least 0 m",
-                       share, tube.growth.full_after_m);
+    return fmt::format(
+        "{} of its width at the start, all of it after {} m; expected a share of "
+        "more than 0 and at most 1, and at least 0 m",
+        share, tube.growth.full_after_m);
   }
   return is_room(tube.end_radius_m) && is_room(tube.end_heading_rad)
              ? ""
@@ -65,10 +66,10 @@ std::string why_not_promised(const PlanTube& tube, EnsembleAnswer plan_answer,
   if (!growth.is_constant() ? tube.growth.start_share < growth.start_share - kRounding ||
                                   tube.growth.full_after_m > growth.full_after_m + kRounding
                             : !tube.growth.is_constant()) {
-    return fmt::format("it grows from {:.3g} of its width over {:.3g} m; the model promises no "
-                       "less than {:.3g}, and all of it after {:.3g} m",
-                       tube.growth.start_share, tube.growth.full_after_m, growth.start_share,
-                       growth.full_after_m);
+    return fmt::format(
+        "it grows from {:.3g} of its width over {:.3g} m; the model promises no "
+        "less than {:.3g}, and all of it after {:.3g} m",
+        tube.growth.start_share, tube.growth.full_after_m, growth.start_share, growth.full_after_m);
   }
   return is_narrower(tube.end_radius_m, network->tube->end_scale_m) ||
                  is_narrower(tube.end_heading_rad, network->tube->end_heading_scale_rad)

@@ -165,8 +165,8 @@ Tube read_tube(const YamlReader& root) {
   }
   if (root.has("ensemble")) {  // the same
     const std::string answer = root.at("ensemble").text();
-    tube.answer = answer == to_string(EnsembleAnswer::mean) ? EnsembleAnswer::mean
-                                                           : EnsembleAnswer::first;
+    tube.answer =
+        answer == to_string(EnsembleAnswer::mean) ? EnsembleAnswer::mean : EnsembleAnswer::first;
     if (answer != to_string(tube.answer)) {
       root.at("ensemble").refuse(fmt::format("'{}'; expected first or mean", answer));
     }

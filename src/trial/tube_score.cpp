@@ -18,10 +18,10 @@ constexpr double kShareInside = 0.99;  // of the runs, below the shape
 /// The same for the last third of the plates and for the end, where a wide tube costs plans most.
 constexpr double kShareAtTip = 0.95;
 constexpr double kTipPlates = 1.0 / 3.0;
-constexpr double kStartShare = 0.4;      // what arms are off in their first frames
-constexpr double kFullAfterShare = 0.15; // of the arm's length
-constexpr double kMinScaleM = 1e-4;    // as the certificate's deviation: nothing is known better
-constexpr double kMinScaleRad = 1e-3;  // the same
+constexpr double kStartShare = 0.4;       // what arms are off in their first frames
+constexpr double kFullAfterShare = 0.15;  // of the arm's length
+constexpr double kMinScaleM = 1e-4;       // as the certificate's deviation: nothing is known better
+constexpr double kMinScaleRad = 1e-3;     // the same
 
 Vector2d at(const Eigen::Ref<const Backbone>& backbone, Eigen::Index plate) {
   return {double(backbone(plate, 0)), double(backbone(plate, 1))};

@@ -268,7 +268,8 @@ void CollisionChecker::add_room() {
           fmt::format("room of {} m at a plate; expected a distance in metres, at least 0", room));
     }
   }
-  if (!room_.growth.is_constant() && room_.start.rows() != static_cast<Eigen::Index>(full_m.size())) {
+  if (!room_.growth.is_constant() &&
+      room_.start.rows() != static_cast<Eigen::Index>(full_m.size())) {
     throw InputError(fmt::format("room grows from a start of {} plates; the arm has {}",
                                  room_.start.rows(), full_m.size()));
   }

@@ -88,16 +88,16 @@ TEST(SweptClearance, WithGrowingRoomAgreesWithTheCollisionChecker) {
     const Backbone from = no_load_backbone(model, q);
     const Backbone to = no_load_backbone(model, next);
     const std::vector<Obstacle> obstacles{random_obstacle(random), random_obstacle(random)};
-    const SweptClearance::Result found = SweptClearance(arm, obstacles, kToleranceM)
-                                             .over({shape_of(from), shape_of(to)}, {},
-                                                   {full_m, 0.2, 0.1});
+    const SweptClearance::Result found =
+        SweptClearance(arm, obstacles, kToleranceM)
+            .over({shape_of(from), shape_of(to)}, {}, {full_m, 0.2, 0.1});
     const CollisionChecker checker(arm, obstacles, 0.0, {full_m, {0.2, 0.1}, from});
     const double expected =
         std::min(checker.clearance(from).value_m, checker.motion_clearance(from, to).value_m);
     EXPECT_NEAR(found.value_m, expected, CollisionChecker::kToleranceM + kToleranceM) << trial;
     const CollisionChecker everywhere(arm, obstacles, 0.0, {full_m});
-    least_growth_m = std::min(
-        least_growth_m, expected - everywhere.motion_clearance(from, to).value_m);
+    least_growth_m =
+        std::min(least_growth_m, expected - everywhere.motion_clearance(from, to).value_m);
     EXPECT_GE(expected, everywhere.motion_clearance(from, to).value_m - 1e-9) << trial;
   }
   EXPECT_LT(least_growth_m, 0.01);

@@ -144,7 +144,8 @@ TEST(CollisionRoom, OfAMotionCoversThatOfEveryMoment) {
   for (int trial = 0; trial < 60; ++trial) {
     const Backbone start = no_load_backbone(model, random_pressures(arm, random));
     const Backbone from = no_load_backbone(model, random_pressures(arm, random));
-    const Backbone to = from + 0.2F * (no_load_backbone(model, random_pressures(arm, random)) - from);
+    const Backbone to =
+        from + 0.2F * (no_load_backbone(model, random_pressures(arm, random)) - from);
     const std::vector<Obstacle> obstacles{random_obstacle(random)};
     const CollisionChecker growing(arm, obstacles, 0.0, {full_m, kGrowth, start});
     const double least_m = growing.motion_clearance(from, to).value_m;

@@ -219,8 +219,7 @@ class PhaseRunner {
       const Tube& tube = *forward_.compensation().tube;
       run.tip_radius_m = mean_tip_radius_m(plan, tube, tube.levels.front());
     } else {
-      run.errors =
-          motion_errors(plan, execution.episode, usual_growth(settings_.arm.length_m()));
+      run.errors = motion_errors(plan, execution.episode, usual_growth(settings_.arm.length_m()));
     }
   }
 

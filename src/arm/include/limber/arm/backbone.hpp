@@ -31,8 +31,8 @@ Pose tip_pose(const Eigen::MatrixBase<BackboneOf<Scalar>>& backbone) {
   return {double(last[0]), double(last[1]), double(last[2])};
 }
 
-/// How much of the room that is kept around it a plate has: less where it starts, since its place is
-/// known there, and all of it from some distance on (docs/tube.md, (4)).
+/// How much of the room that is kept around it a plate has: less where it starts, since its place
+/// is known there, and all of it from some distance on (docs/tube.md, (2)).
 struct RoomGrowth {
   double start_share = 1.0;   ///< of its room that a plate has where it starts, in (0, 1]
   double full_after_m = 0.0;  ///< from this distance on it has all of it; 0: everywhere

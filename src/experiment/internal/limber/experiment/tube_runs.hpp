@@ -26,7 +26,7 @@ struct TubeRun {
   double tip_m = 0.0;         ///< largest error of the tip
   double tip_radius_m = 0.0;  ///< of the tube that its plan kept, on average over its frames
   bool collided = false;
-  bool reached = false;                ///< ended in the goal, without collision
+  bool reached = false;  ///< ended in the goal, without collision
   /// Kept where they give a tube its shape, which grows as usual_growth has it.
   std::optional<MotionErrors> errors;
 };

@@ -59,8 +59,8 @@ struct Tube {
   RoomGrowth growth;                   ///< of the scales of plates, from where they start
   /// Whose predictions it is about.
   EnsembleAnswer answer = EnsembleAnswer::first;
-  std::string source;  ///< "virtual arm", or what the recordings say
-  std::vector<TubeLevel> levels;       ///< rising levels, at least one
+  std::string source;             ///< "virtual arm", or what the recordings say
+  std::vector<TubeLevel> levels;  ///< rising levels, at least one
 
   /// The tube of a level, in metres, of plate i where it is `moved_m` from where it started.
   double radius_m(const TubeLevel& level, std::size_t plate, double moved_m) const {

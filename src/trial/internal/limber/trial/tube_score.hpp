@@ -13,7 +13,7 @@ struct MotionErrors {
   /// Largest over the plan's frames, one per plate, each over the share of its room that the plate
   /// has there.
   std::vector<double> plate_m;
-  double end_m = 0.0;           ///< of the tip at the run's end, after the hold
+  double end_m = 0.0;  ///< of the tip at the run's end, after the hold
   double end_heading_rad = 0.0;
 };
 
