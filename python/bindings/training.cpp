@@ -96,6 +96,8 @@ void bind_settings(py::module_& module) {
       .field("preset", &S::preset, "\"paper\" or \"best\"; training_preset fills in the rest.")
       .field("layout", &S::layout, "BackboneLayout: how backbones enter the network.")
       .field("form", &S::form, "OutputForm: what the network's outputs mean.")
+      .field("reads_change", &S::reads_change,
+             "Whether the network reads how the backbone changed in the frame before.")
       .field("hidden_units", &S::hidden_units,
              "Units of each hidden layer, >= 1 each; a copy: assign a whole list.")
       .field("scaling", &S::scaling, "Scaling of the network's inputs and outputs.")

@@ -1,5 +1,6 @@
 #include "limber/forward/forward_model.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -83,22 +84,39 @@ void ForwardModel::step(const Eigen::Ref<const Pressures>& previous_kpa,
                         const Eigen::Ref<const Pressures>& current_kpa,
                         const Eigen::Ref<const Backbone>& previous, Eigen::Ref<Backbone> next,
                         Workspace& workspace) const {
+  step(previous_kpa, current_kpa, previous, previous, next, workspace);
+}
+
+void ForwardModel::step(const Eigen::Ref<const Pressures>& previous_kpa,
+                        const Eigen::Ref<const Pressures>& current_kpa,
+                        const Eigen::Ref<const Backbone>& before,
+                        const Eigen::Ref<const Backbone>& previous, Eigen::Ref<Backbone> next,
+                        Workspace& workspace) const {
   assert(previous_kpa.size() == segment_count() && current_kpa.size() == segment_count());
   assert(previous.rows() == point_count() && next.rows() == point_count());
   assert(previous_kpa.allFinite() && current_kpa.allFinite() && previous.allFinite());
   // A contiguous backbone is a column of 3m numbers; a row of a wider matrix is not.
-  assert(previous.outerStride() == 3 && next.outerStride() == 3);
+  assert(previous.outerStride() == 3 && next.outerStride() == 3 && before.outerStride() == 3);
   const int size = 3 * point_count();
   pipeline_->run(1,
                  {{previous_kpa.data(), segment_count()},
                   {current_kpa.data(), segment_count()},
                   {previous.data(), size},
-                  {next.data(), size}},
+                  {next.data(), size},
+                  {before.data(), size}},
                  scratch_of(workspace));
 }
 
 void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
                               const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
+                              const Eigen::Ref<const Eigen::MatrixXf>& previous,
+                              Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const {
+  step_batch(previous_kpa, current_kpa, previous, previous, next, workspace);
+}
+
+void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
+                              const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
+                              const Eigen::Ref<const Eigen::MatrixXf>& before,
                               const Eigen::Ref<const Eigen::MatrixXf>& previous,
                               Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const {
   assert(previous_kpa.rows() == segment_count() && current_kpa.rows() == segment_count());
@@ -110,7 +128,8 @@ void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_
                  {columns_of(previous_kpa),
                   columns_of(current_kpa),
                   columns_of(previous),
-                  {next.data(), static_cast<int>(next.outerStride())}},
+                  {next.data(), static_cast<int>(next.outerStride())},
+                  columns_of(before)},
                  scratch_of(workspace));
 }
 
@@ -129,7 +148,8 @@ void ForwardModel::rollout(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kp
                            Eigen::Ref<Eigen::MatrixXf> backbones, Workspace& workspace) const {
   assert(pressures_kpa.cols() == backbones.cols());
   for (Eigen::Index t = 1; t < pressures_kpa.cols(); ++t) {
-    step_batch(pressures_kpa.col(t - 1), pressures_kpa.col(t), backbones.col(t - 1),
+    step_batch(pressures_kpa.col(t - 1), pressures_kpa.col(t),
+               backbones.col(std::max(t - 2, Eigen::Index{0})), backbones.col(t - 1),
                backbones.col(t), workspace);
   }
 }

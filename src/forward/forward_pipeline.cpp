@@ -49,7 +49,8 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
       points_(arm.point_count()),
       rows_(row_kernels(level)),
       layout_(model != nullptr ? model->layout : BackboneLayout::base_poses,
-              model != nullptr ? model->form : OutputForm::compensation, arm) {
+              model != nullptr ? model->form : OutputForm::compensation, arm,
+              model != nullptr && model->reads_change) {
   for (const Segment& segment : arm.segments) {
     no_load_.push_back(pack(segment, arm.no_load));
   }
@@ -109,12 +110,17 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
   float* const pressure = input + layout_.pressure_row() * stride;
   float* const backbone = input + layout_.backbone_row() * stride;
   float* const no_load = input + layout_.no_load_row() * stride;
+  float* const change = input + layout_.change_row() * stride;
   float* const layers = input + layout_.input_size() * stride;
   rows_.gather(segments_, count, queries.previous_kpa.data, queries.previous_kpa.ld, input, stride);
   rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
   if (layout_.backbone_layout() == BackboneLayout::base_poses) {
     rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, backbone, stride);
+    if (layout_.reads_change()) {
+      rows_.gather(3 * points_, count, queries.before.data, queries.before.ld, change, stride);
+      subtract_from(backbone, 3 * points_ * stride, change);
+    }
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
     rows_.chain_segments(no_load_.data(), segments_, gap, no_load, stride);
     const float* output = network_->evaluate_rows(stride, input, layers);
@@ -126,6 +132,11 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
   } else {
     rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, base, stride);
     rows_.encode_gaps(points_ - 1, base, backbone, stride);
+    if (layout_.reads_change()) {
+      rows_.gather(3 * points_, count, queries.before.data, queries.before.ld, base, stride);
+      rows_.encode_gaps(points_ - 1, base, change, stride);
+      subtract_from(backbone, layout_.backbone_size() * stride, change);
+    }
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, no_load, stride);
     compose_gaps(stride, backbone, no_load, network_->evaluate_rows(stride, input, layers), gap);
     if (!bounds_.empty()) {
@@ -155,6 +166,15 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
                                column + layout_.backbone_row());
     } else {
       std::copy_n(queries.previous.column(q), 3 * points_, column + layout_.backbone_row());
+    }
+    if (layout_.reads_change()) {
+      float* const change = column + layout_.change_row();
+      if (has_gap_poses) {
+        rows_.encode_gaps_of_one(points_ - 1, queries.before.column(q), change);
+      } else {
+        std::copy_n(queries.before.column(q), 3 * points_, change);
+      }
+      subtract_from(column + layout_.backbone_row(), layout_.backbone_size(), change);
     }
   }
   rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
@@ -186,6 +206,12 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
         rows_.bound_base_of_one(points_ - 1, bounds_.data(), next);
       }
     }
+  }
+}
+
+void ForwardPipeline::subtract_from(const float* after, int count, float* change) {
+  for (int i = 0; i < count; ++i) {
+    change[i] = after[i] - change[i];
   }
 }
 

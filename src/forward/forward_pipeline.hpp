@@ -30,8 +30,10 @@ struct QueryColumns {
   ConstColumns current_kpa;
   ConstColumns previous;
   Columns next;
+  ConstColumns before;  ///< B_{t−2}; read where the model reads changes
   QueryColumns from(int j) const {
-    return {previous_kpa.from(j), current_kpa.from(j), previous.from(j), next.from(j)};
+    return {previous_kpa.from(j), current_kpa.from(j), previous.from(j), next.from(j),
+            before.from(j)};
   }
 };
 
@@ -47,13 +49,15 @@ class ForwardPipeline {
   /// Floats of scratch that `run` needs, whatever the batch.
   std::size_t scratch_size() const;
 
-  /// `count` queries. `next` may be `previous`.
+  /// `count` queries. `next` may be `previous` or `before`.
   void run(int count, const QueryColumns& queries, float* scratch) const;
 
  private:
   void run_no_load(int count, const QueryColumns& queries, float* scratch) const;
   void run_many(int count, const QueryColumns& queries, float* scratch) const;
   void run_few(int count, const QueryColumns& queries, float* scratch) const;
+  /// change = after − change.
+  static void subtract_from(const float* after, int count, float* change);
   void compose(int count, const float* previous, const float* no_load, const float* output,
                const float* gate, float* next) const;
   void spread_over_gaps(const float* no_load, float* gaps) const;

@@ -5,8 +5,12 @@
 
 namespace limber {
 
-NetworkLayout::NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm)
-    : layout_(layout), form_(form), point_count_(arm.point_count()) {
+NetworkLayout::NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm,
+                             bool reads_change)
+    : layout_(layout),
+      form_(form),
+      reads_change_(reads_change),
+      point_count_(arm.point_count()) {
   int gap = 0;
   for (const Segment& segment : arm.segments) {
     first_gap_.push_back(gap);

@@ -70,13 +70,15 @@ void walk(const ForwardModel& model, const Episode& episode, int frames, LongRol
   ForwardModel::Workspace workspace;
   Backbone state(model.point_count(), 3);
   state.reshaped<Eigen::RowMajor>() = episode.backbone.row(begin).transpose();
+  Backbone before = state;
   Pressures previous = episode.pressure_kpa.row(begin);
   const bool is_bounded = model.has_network() && model.compensation().bounds.has_value();
   const GapBounds* const bounds = is_bounded ? &*model.compensation().bounds : nullptr;
   for (int frame = 0; frame < frames && state.allFinite(); ++frame) {
     throw_if_interrupted();
     const Pressures current = episode.pressure_kpa.row(begin + there_and_back(frame + 1, count));
-    model.step(previous, current, state, state, workspace);
+    model.step(previous, current, before, state, before, workspace);
+    before.swap(state);
     previous = current;
     ++result.frames;
     if (state.allFinite()) {

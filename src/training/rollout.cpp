@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::size_t kPiecesPerBatch = 64;
 
+/// The frame that tells how the arm moves in frame `first`; itself where nobody saw that.
+int before_start(const Episode& episode, int first) {
+  return first > 0 && episode.was_tracked(first - 1) ? first - 1 : first;
+}
+
 /// Rolls out pieces of a batch; they are sorted, longest first, so that those still running are the
 /// first columns.
 void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episodes,
@@ -26,6 +31,7 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
   Eigen::MatrixXf previous_kpa(model.segment_count(), columns);
   Eigen::MatrixXf current_kpa(model.segment_count(), columns);
   Eigen::MatrixXf state(size, columns);
+  Eigen::MatrixXf before(size, columns);
   ForwardModel::Workspace workspace;
   std::vector<char> ran_off(pieces.size(), 0);  // their predictions stay NaN from there on
   Eigen::Index active = columns;
@@ -43,10 +49,13 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
       current_kpa.col(j) = episode.pressure_kpa.row(piece.first + k + 1);
       if (k == 0) {
         state.col(j) = episode.backbone.row(piece.first);
+        before.col(j) = episode.backbone.row(before_start(episode, piece.first));
       }
     }
     model.step_batch(previous_kpa.leftCols(active), current_kpa.leftCols(active),
-                     state.leftCols(active), state.leftCols(active), workspace);
+                     before.leftCols(active), state.leftCols(active), before.leftCols(active),
+                     workspace);
+    state.leftCols(active).swap(before.leftCols(active));
     for (Eigen::Index j = 0; j < active; ++j) {
       const auto at = static_cast<std::size_t>(j);
       if (!state.col(j).allFinite()) {

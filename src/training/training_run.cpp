@@ -26,6 +26,7 @@ constexpr int kRivals = 10;  // epochs that are kept to choose from
 TrainingSettings in_form_of(const CompensationModel& start, TrainingSettings settings) {
   settings.layout = start.layout;
   settings.form = start.form;
+  settings.reads_change = start.reads_change;
   settings.ensemble = start.member_count();
   settings.hidden_units.clear();
   for (std::size_t layer = 0; layer + 1 < start.layers.size(); ++layer) {

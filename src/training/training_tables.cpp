@@ -145,18 +145,23 @@ Normalisation stack(const std::vector<Normalisation>& parts) {
   return result;
 }
 
+/// What changed since the frame before, in the episodes' first frames nothing.
+Eigen::MatrixXf changes_of(const RawFrames& raw, const std::vector<EpisodeRange>& episodes) {
+  Eigen::MatrixXf changes = Eigen::MatrixXf::Zero(raw.state.rows(), raw.state.cols());
+  for (const EpisodeRange episode : episodes) {
+    const int steps = std::max(episode.count - 1, 0);
+    changes.middleCols(episode.first + 1, steps) =
+        raw.state.middleCols(episode.first + 1, steps) - raw.state.middleCols(episode.first, steps);
+  }
+  return changes;
+}
+
 /// Scale of the changes from frame to frame. They are not shifted, so that no change stays no
 /// change. Untracked frames are interpolated between their neighbours, so that no change is too
 /// large.
 Normalisation measure_changes(const RawFrames& raw, const std::vector<EpisodeRange>& episodes,
                               Scaling scaling) {
-  Eigen::MatrixXf changes = Eigen::MatrixXf::Zero(raw.state.rows(), raw.state.cols());
-  for (const EpisodeRange episode : episodes) {
-    const int steps = std::max(episode.count - 1, 0);
-    changes.middleCols(episode.first, steps) =
-        raw.state.middleCols(episode.first + 1, steps) - raw.state.middleCols(episode.first, steps);
-  }
-  Normalisation result = measure(changes, scaling);
+  Normalisation result = measure(changes_of(raw, episodes), scaling);
   result.offset.setZero();
   return result;
 }
@@ -220,6 +225,11 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
             : tables.output;
     tables.map.error = FrameError<float>(spread.scale.array() / state_scale);
   }
+  if (settings.reads_change) {
+    const auto scale = tables.input.scale.segment(layout.change_row(), size).array();
+    tables.map.change_scale = scale / state_scale;
+    frames.change = changes_of(raw, tables.episodes).array().colwise() * scale;
+  }
   frames.tracked = std::move(raw.tracked);
   frames.pressure = normalised(std::move(raw.pressure_kpa), tables.input, layout.pressure_row());
   frames.state = normalised(std::move(raw.state), tables.input, layout.backbone_row());
@@ -243,13 +253,16 @@ void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa) {
 
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings) {
-  const NetworkLayout layout(settings.layout, settings.form, arm);
+  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_change);
   TrainingTables tables;
   RawFrames raw = gather(arm, episodes, layout, tables.episodes);
   require_varying_pressures(raw.pressure_kpa);
   const Normalisation pressure = measure(tracked_only(raw.pressure_kpa, raw), settings.scaling);
   const PoseScales poses = measure_poses(raw, tables.episodes, layout, settings);
   tables.input = stack({pressure, pressure, poses.state, poses.no_load});
+  if (settings.reads_change) {
+    tables.input = stack({tables.input, measure_changes(raw, tables.episodes, settings.scaling)});
+  }
   tables.output = poses.output;
   normalise(std::move(raw), layout, settings, tables);
   return tables;
@@ -258,7 +271,7 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings, const Normalisation& input,
                                     const Normalisation& output) {
-  const NetworkLayout layout(settings.layout, settings.form, arm);
+  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_change);
   TrainingTables tables;
   tables.input = input;
   tables.output = output;

@@ -41,7 +41,7 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
       window_limit_(window_limit),
       stride_(group_stride(window_limit, kernels_.lanes)),
       slots_(std::max(kGradientQueries / stride_, 1)) {
-  assert(layout.inputs(0) >= 2 * segment_count + size_);
+  assert(layout.inputs(0) >= 2 * segment_count + size_ * (map.reads_change() ? 2 : 1));
   assert(layout.outputs(layout.layer_count() - 1) == map.output_count());
   const int groups = (window_limit + stride_ - 1) / stride_;
   const auto numbers = [&](int blocks, int rows) {
@@ -64,6 +64,8 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
   last_state_.resize(numbers(1, size_));
   carried_.resize(numbers(1, size_));
   direct_.resize(numbers(1, size_));
+  changed_.resize(map.reads_change() ? numbers(1, size_) : 0);
+  change_back_.resize(changed_.size());
   unbounded_.resize(map.is_bounded() ? numbers(blocks, size_) : 0);
   gate_.resize(map.is_gated() ? numbers(blocks, size_) : 0);
 }
@@ -96,6 +98,9 @@ void WindowGradient<Scalar>::load_block(const FrameTable<Scalar>& frames, int gr
   gather(frames.pressure, input);
   if (frame == 0) {
     gather(frames.state, input + 2 * segments_ * stride_);
+    if (map_.reads_change()) {
+      gather(frames.change, change(block));
+    }
   }
   std::for_each(index, index + stride_, [](int& column) { ++column; });
   gather(frames.pressure, input + segments_ * stride_);
@@ -157,12 +162,27 @@ double WindowGradient<Scalar>::forward(const Scalar* parameters) {
       Scalar* state =
           k + 1 == frames_ ? last_state_.data() : previous_state(block_of(group, k + 1));
       apply_output(block, state);
+      if (map_.reads_change() && k + 1 < frames_) {
+        note_change(block, state, change(block_of(group, k + 1)));
+      }
       loss += static_cast<double>(map_.error.compute(stride_, state, at(target_, size_, block),
                                                      at(weight_, 1, block),
                                                      at(error_gradient_, size_, block)));
     }
   }
   return loss;
+}
+
+/// From a block's state before to that after it.
+template <class Scalar>
+void WindowGradient<Scalar>::note_change(int block, const Scalar* state, Scalar* change) const {
+  const Scalar* before = const_cast<WindowGradient*>(this)->previous_state(block);
+  for (int r = 0; r < size_; ++r) {
+    const Scalar scale = map_.change_scale[r];
+    for (int i = r * stride_; i < (r + 1) * stride_; ++i) {
+      change[i] = scale * (state[i] - before[i]);
+    }
+  }
 }
 
 template <class Scalar>
@@ -228,6 +248,27 @@ void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block,
       stride_, outputs, size_, delta(0),
       parameters + layout_.weight_offset(0) + std::ptrdiff_t{2} * segments_ * outputs,
       carried_.data());
+  if (map_.reads_change()) {
+    carry_change_back(parameters, delta(0));
+  }
+}
+
+// B_{t−1} − B_{t−2} is read in frame t: B_{t−1} counts in it, and counts less in that of frame t + 1.
+template <class Scalar>
+void WindowGradient<Scalar>::carry_change_back(const Scalar* parameters, const Scalar* delta) {
+  const int outputs = layout_.outputs(0);
+  kernels_.layer_back(stride_, outputs, size_, delta,
+                      parameters + layout_.weight_offset(0) +
+                          std::ptrdiff_t{layout_.inputs(0) - size_} * outputs,
+                      change_back_.data());
+  for (int r = 0; r < size_; ++r) {
+    const Scalar scale = map_.change_scale[r];
+    for (int i = r * stride_; i < (r + 1) * stride_; ++i) {
+      change_back_[i] *= scale;
+      carried_[i] += change_back_[i] - changed_[i];
+    }
+  }
+  std::swap(change_back_, changed_);
 }
 
 template <class Scalar>
@@ -252,6 +293,7 @@ void WindowGradient<Scalar>::backward(const Scalar* parameters, Scalar* gradient
     if (block % frames_ == 0) {
       std::fill(carried_.begin(), carried_.end(), Scalar(0));
       std::fill(direct_.begin(), direct_.end(), Scalar(0));
+      std::fill(changed_.begin(), changed_.end(), Scalar(0));
     }
     backward_block(parameters, block, pending);
     ++pending;

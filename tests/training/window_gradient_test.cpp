@@ -26,12 +26,13 @@ using Vector = Eigen::VectorXd;
 FrameTable<double> in_double(const FrameTable<float>& frames) {
   return {frames.pressure.cast<double>(),      frames.no_load.cast<double>(),
           frames.uncompensated.cast<double>(), frames.state.cast<double>(),
-          frames.target.cast<double>(),        frames.tracked};
+          frames.target.cast<double>(),        frames.tracked,
+          frames.change.cast<double>()};
 }
 
 StateMap<double> in_double(const StateMap<float>& map) {
   return {map.output_scale.cast<double>(), map.error.cast<double>(), map.form,
-          map.bounds.cast<double>()};
+          map.bounds.cast<double>(), map.change_scale.cast<double>()};
 }
 
 TrainingSettings settings_for(BackboneLayout layout, bool error_in_base_poses, Scaling scaling,
@@ -45,12 +46,13 @@ TrainingSettings settings_for(BackboneLayout layout, bool error_in_base_poses, S
 }
 
 class GradientInLayout
-    : public testing::TestWithParam<std::tuple<BackboneLayout, bool, OutputForm, bool>> {};
+    : public testing::TestWithParam<std::tuple<BackboneLayout, bool, OutputForm, bool, bool>> {};
 
 TEST_P(GradientInLayout, AgreesWithFiniteDifferencesOverAWholeWindow) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingSettings settings = settings_for(std::get<0>(GetParam()), std::get<1>(GetParam()),
-                                                 Scaling::unit_range, std::get<2>(GetParam()));
+  TrainingSettings settings = settings_for(std::get<0>(GetParam()), std::get<1>(GetParam()),
+                                           Scaling::unit_range, std::get<2>(GetParam()));
+  settings.reads_change = std::get<4>(GetParam());
   TrainingTables tables = make_training_tables(arm, {toy_episode(arm, 4, 20, 3)}, settings);
   if (std::get<3>(GetParam())) {
     set_bounds(tables, settings, narrow_bounds(arm));
@@ -87,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(BackboneLayout::base_poses, BackboneLayout::gap_poses),
                      testing::Bool(),
                      testing::Values(OutputForm::compensation, OutputForm::gated_change),
-                     testing::Bool()));
+                     testing::Bool(), testing::Bool()));
 
 struct PyTorchCase {
   nlohmann::json values =

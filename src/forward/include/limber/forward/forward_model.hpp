@@ -52,15 +52,28 @@ class ForwardModel {
   /// @pre has_network()
   const CompensationModel& compensation() const { return *compensation_; }
 
+  /// Whether it has to be told B_{t−2} as well: how a moving arm moved in the frame before. Where
+  /// nobody says, the arm stood still.
+  bool reads_change() const { return has_network() && compensation_->reads_change; }
+
   /// One query, unchecked: sizes n, n, m×3, m×3 and finite numbers (asserted in the dev preset).
-  /// `next` may be `previous`.
+  /// `next` may be `previous` or `before`. Without `before` (B_{t−2}) the arm stood still.
+  void step(const Eigen::Ref<const Pressures>& previous_kpa,
+            const Eigen::Ref<const Pressures>& current_kpa,
+            const Eigen::Ref<const Backbone>& before, const Eigen::Ref<const Backbone>& previous,
+            Eigen::Ref<Backbone> next, Workspace& workspace) const;
   void step(const Eigen::Ref<const Pressures>& previous_kpa,
             const Eigen::Ref<const Pressures>& current_kpa,
             const Eigen::Ref<const Backbone>& previous, Eigen::Ref<Backbone> next,
             Workspace& workspace) const;
 
   /// k queries: pressures n×k, backbones 3m×k; unchecked like `step`. Column j of `next` equals, to
-  /// the bit, what `step` gives for column j of the inputs. `next` may be `previous`.
+  /// the bit, what `step` gives for column j of the inputs. `next` may be `previous` or `before`.
+  void step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
+                  const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
+                  const Eigen::Ref<const Eigen::MatrixXf>& before,
+                  const Eigen::Ref<const Eigen::MatrixXf>& previous,
+                  Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const;
   void step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
                   const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
                   const Eigen::Ref<const Eigen::MatrixXf>& previous,
@@ -72,7 +85,7 @@ class ForwardModel {
                         const Backbone& previous) const;
 
   /// Feeds its own output back along a motion: pressures n×(T + 1); column 0 of `backbones`,
-  /// 3m×(T + 1), is given, columns 1 … T are written.
+  /// 3m×(T + 1), is given, columns 1 … T are written. The arm stood still before.
   void rollout(const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
                Eigen::Ref<Eigen::MatrixXf> backbones, Workspace& workspace) const;
 

@@ -11,7 +11,8 @@ namespace limber {
 
 /// Which numbers a network reads and writes, and where they sit (docs/model.md, (5)).
 ///
-/// Input, one column per query: q_{t−1} (n), q_t (n), B_{t−1} (backbone_size), B̃_t (no_load_size).
+/// Input, one column per query: q_{t−1} (n), q_t (n), B_{t−1} (backbone_size), B̃_t (no_load_size);
+/// where the network reads changes, B_{t−1} − B_{t−2} (backbone_size).
 /// Output: B_t − B̃_t (backbone_size), or the change and the gates of (16) (backbone_size each).
 /// base_poses: B and B̃ are 3m numbers, poses about the arm's base: 102 → 48 for n = 3, m = 16.
 /// gap_poses:  B is 3(m − 1) numbers, each plate's pose about the plate before it; the base plate
@@ -21,7 +22,8 @@ namespace limber {
 /// Sizes: n segments, m points, k columns. Threads: constant after construction.
 class NetworkLayout {
  public:
-  NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm);
+  NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm,
+                bool reads_change = false);
 
   BackboneLayout backbone_layout() const { return layout_; }
   OutputForm output_form() const { return form_; }
@@ -29,7 +31,8 @@ class NetworkLayout {
   int point_count() const { return point_count_; }
   int backbone_size() const;
   int no_load_size() const;
-  int input_size() const { return no_load_row() + no_load_size(); }
+  bool reads_change() const { return reads_change_; }
+  int input_size() const { return change_row() + (reads_change_ ? backbone_size() : 0); }
   int output_size() const {
     return form_ == OutputForm::gated_change ? 2 * backbone_size() : backbone_size();
   }
@@ -39,6 +42,7 @@ class NetworkLayout {
   int pressure_row() const { return segment_count(); }
   int backbone_row() const { return 2 * segment_count(); }
   int no_load_row() const { return backbone_row() + backbone_size(); }
+  int change_row() const { return no_load_row() + no_load_size(); }
 
   /// First gap of a segment; its shape stands for all of the unloaded segment.
   int first_gap(int segment) const { return first_gap_[static_cast<std::size_t>(segment)]; }
@@ -52,6 +56,7 @@ class NetworkLayout {
  private:
   BackboneLayout layout_;
   OutputForm form_;
+  bool reads_change_;
   int point_count_;
   std::vector<int> first_gap_;
 };

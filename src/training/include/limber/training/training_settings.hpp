@@ -44,6 +44,7 @@ struct TrainingSettings {
   std::string preset = "best";
   BackboneLayout layout = BackboneLayout::gap_poses;
   OutputForm form = OutputForm::gated_change;
+  bool reads_change = false;  ///< CompensationModel::reads_change
   double first_gate_bias = -4.5;  ///< of (16)'s gates, before training: they start at 1.1 %
   std::vector<int> hidden_units = {100, 100, 100};
   Scaling scaling = Scaling::unit_spread;

@@ -24,6 +24,7 @@ struct FrameTable {
   Matrix state;                       ///< D×F, recorded backbones
   Matrix target;                      ///< D×F, what the frame error compares with; empty: `state`
   std::vector<std::uint8_t> tracked;  ///< F, 0 if the backbone was not tracked; empty: always
+  Matrix change = {};  ///< D×F, B_t − B_{t−1} as the network reads it; empty: it does not
 
   const Matrix& targets() const { return target.size() > 0 ? target : state; }
 };
@@ -64,8 +65,11 @@ struct StateMap {
   FrameError<Scalar> error;
   OutputForm form = OutputForm::compensation;
   StateBounds<Scalar> bounds = {};  ///< applied last
+  /// D: the network reads change_scale ∘ (state_{t−1} − state_{t−2}); empty: it does not.
+  Vector change_scale = {};
 
   bool is_bounded() const { return !bounds.gaps.empty(); }
+  bool reads_change() const { return change_scale.size() > 0; }
   bool is_gated() const { return form == OutputForm::gated_change; }
   /// Number of the network's outputs.
   int output_count() const { return static_cast<int>(output_scale.size()) * (is_gated() ? 2 : 1); }
@@ -87,7 +91,8 @@ class WindowGradient {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  /// @param layout  2n + D + N inputs (q_{t−1}, q_t, B_{t−1}, B̃_t), map.output_count() outputs.
+  /// @param layout  2n + D + N inputs (q_{t−1}, q_t, B_{t−1}, B̃_t), and D more where the map has a
+  ///                change_scale; map.output_count() outputs.
   WindowGradient(const ParameterLayout& layout, const StateMap<Scalar>& map, int segment_count,
                  int window_frames, int window_limit);
 
@@ -117,6 +122,11 @@ class WindowGradient {
   }
   Scalar* layer_input(int layer, int block);
   Scalar* previous_state(int block) { return layer_input(0, block) + 2 * segments_ * stride_; }
+  Scalar* change(int block) {
+    return layer_input(0, block) + (layout_.inputs(0) - size_) * stride_;
+  }
+  void note_change(int block, const Scalar* state, Scalar* change) const;
+  void carry_change_back(const Scalar* parameters, const Scalar* delta);
   void apply_output(int block, Scalar* state);
   void compose(int block, Scalar* state);
   void carry_back(int block, Scalar* delta);
@@ -148,6 +158,8 @@ class WindowGradient {
   Storage last_state_;      ///< one block: what no frame reads
   Storage carried_;         ///< one block: ∂loss/∂state, carried from frame to frame
   Storage direct_;          ///< one block: the part of it that the network had no part in
+  Storage changed_;         ///< one block: ∂loss/∂(state's change) of the frame behind, in state's units
+  Storage change_back_;     ///< one block: the same of this frame
   Storage unbounded_;       ///< states before (20), where there are bounds
   Storage gate_;            ///< g, where there are gates
   Storage error_gradient_;  ///< ∂(frame error)/∂state
