@@ -159,13 +159,17 @@ class Certifier::Certification {
     ExactNetwork::Workspace workspace;
     simulated_.reserve(plan_.frames.size());
     ExactArm::Shape stored = shape_of(plan_.frames.front().backbone);
+    ExactArm::Shape stored_before = start_.before;
     compare(0, stored);
     for (std::size_t k = 1; k < plan_.frames.size(); ++k) {
       if (give_up_.now()) {
         return false;
       }
+      const ExactArm::Shape& before = k == 1 ? start_.before : simulated_[k - 2];
       std::array<ExactArm::Shape, 2> next = problem_.model.next_two(
-          pressures_kpa_[k - 1], pressures_kpa_[k], {&simulated_.back(), &stored}, workspace);
+          pressures_kpa_[k - 1], pressures_kpa_[k],
+          {{{&before, &simulated_.back()}, {&stored_before, &stored}}}, workspace);
+      stored_before = std::move(stored);
       stored = shape_of(plan_.frames[k].backbone);
       simulated_.push_back(std::move(next[0]));
       const Deviation of_step = deviation(next[1], stored);

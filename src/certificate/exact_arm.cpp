@@ -191,6 +191,7 @@ ExactArm::ExactArm(const ArmDescription& arm, const CompensationModel* network) 
   if (network != nullptr) {
     layout_ = network->layout;
     form_ = network->form;
+    reads_change_ = network->reads_change;
     bounds_ = network->bounds;
     for (int member = 0; member < network->asked_count(); ++member) {
       networks_.emplace_back(network->member(member));
@@ -200,7 +201,7 @@ ExactArm::ExactArm(const ArmDescription& arm, const CompensationModel* network) 
 
 std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& previous_kpa,
                                                   const std::vector<double>& current_kpa,
-                                                  const std::array<const Shape*, 2>& previous,
+                                                  const std::array<Past, 2>& past,
                                                   ExactNetwork::Workspace& workspace) const {
   if (networks_.empty()) {
     const Shape free = no_load(current_kpa);
@@ -222,13 +223,19 @@ std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& pre
   }
   std::array<std::vector<double>, 2> before;
   for (std::size_t c = 0; c < 2; ++c) {
-    before[c] = coordinates(*previous[c], layout_);
+    before[c] = coordinates(*past[c].previous, layout_);
     std::vector<double>& input = workspace.input[c];
     input.clear();
     const std::array<const std::vector<double>*, 4> parts{&previous_kpa, &current_kpa, &before[c],
                                                           &unloaded_input};
     for (const std::vector<double>* part : parts) {
       input.insert(input.end(), part->begin(), part->end());
+    }
+    if (reads_change_) {
+      const std::vector<double> earlier = coordinates(*past[c].before, layout_);
+      for (std::size_t i = 0; i < earlier.size(); ++i) {
+        input.push_back(before[c][i] - earlier[i]);
+      }
     }
   }
   std::array<std::vector<Shape>, 2> answers;
@@ -249,7 +256,8 @@ ExactArm::Shape ExactArm::next(const std::vector<double>& previous_kpa,
                                const std::vector<double>& current_kpa,
                                const Shape& previous) const {
   ExactNetwork::Workspace workspace;
-  return next_two(previous_kpa, current_kpa, {&previous, &previous}, workspace)[0];
+  const Past still{&previous, &previous};
+  return next_two(previous_kpa, current_kpa, {still, still}, workspace)[0];
 }
 
 }  // namespace limber

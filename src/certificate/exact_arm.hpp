@@ -23,20 +23,28 @@ class ExactArm {
   /// B̃ by (3), (4), or by (17) or (18).
   Shape no_load(const std::vector<double>& pressures_kpa) const;
 
-  /// F(q_{t−1}, q_t, B_{t−1}), (5) or (16), kept within (20).
+  /// Two successive shapes: B_{t−2}, which the network may read, and B_{t−1}.
+  struct Past {
+    const Shape* before;
+    const Shape* previous;
+  };
+
+  /// F(q_{t−1}, q_t, B_{t−1}), (5) or (16), kept within (20), of an arm that stood still.
   Shape next(const std::vector<double>& previous_kpa, const std::vector<double>& current_kpa,
              const Shape& previous) const;
 
-  /// The same for two shapes that the same pressures move, in little more time than for one.
+  /// F(q_{t−1}, q_t, B_{t−2}, B_{t−1}) for two pasts that the same pressures move, in little more
+  /// time than for one.
   std::array<Shape, 2> next_two(const std::vector<double>& previous_kpa,
                                 const std::vector<double>& current_kpa,
-                                const std::array<const Shape*, 2>& previous,
+                                const std::array<Past, 2>& past,
                                 ExactNetwork::Workspace& workspace) const;
 
  private:
   const ArmDescription& arm_;
   BackboneLayout layout_ = BackboneLayout::gap_poses;
   OutputForm form_ = OutputForm::compensation;
+  bool reads_change_ = false;
   std::optional<GapBounds> bounds_;
   std::vector<ExactNetwork> networks_;  // none: no load; several: their mean, (21)
 };

@@ -14,6 +14,7 @@ struct ExactStart {
   std::vector<double> setpoint_kpa;        ///< of an arm at rest the pressures
   ExactValves::Configurations before_kpa;  ///< set points before that, the newest first
   ExactArm::Shape shape;
+  ExactArm::Shape before;  ///< a frame earlier
 };
 
 /// The environment's start, at rest or in motion; without one, the straight arm without pressure.

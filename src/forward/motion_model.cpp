@@ -38,14 +38,30 @@ MotionModel::MotionModel(const ForwardModel& forward, ValveModel valves)
 
 MotionState MotionModel::settled_state(const Eigen::Ref<const Pressures>& kpa,
                                        const Eigen::Ref<const Backbone>& backbone) const {
-  return {kpa.size(), valves_.settled_state(kpa), backbone};
+  return moving_state(valves_.settled_state(kpa), backbone, backbone);
+}
+
+MotionState MotionModel::moving_state(Eigen::VectorXf valves,
+                                      const Eigen::Ref<const Backbone>& backbone,
+                                      const Eigen::Ref<const Backbone>& before) const {
+  MotionState state{segment_count(), std::move(valves), backbone};
+  if (reads_change()) {
+    state.before = before;
+  }
+  return state;
 }
 
 void MotionModel::step(const Eigen::Ref<const Pressures>& setpoint_kpa, MotionState& state,
                        Workspace& workspace) const {
   const SmallPressures before_kpa = state.pressure_kpa();
   valves_.step(setpoint_kpa, state.valves);
-  forward_->step(before_kpa, state.pressure_kpa(), state.backbone, state.backbone, workspace);
+  if (!reads_change()) {
+    forward_->step(before_kpa, state.pressure_kpa(), state.backbone, state.backbone, workspace);
+    return;
+  }
+  forward_->step(before_kpa, state.pressure_kpa(), state.before, state.backbone, state.before,
+                 workspace);
+  state.before.swap(state.backbone);
 }
 
 Pose MotionModel::settled_tip(const Eigen::Ref<const Eigen::VectorXf>& valves,

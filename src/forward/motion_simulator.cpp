@@ -17,6 +17,9 @@ const Pressures& setpoint_before(const ArmStart& start, std::size_t back) {
 
 MotionState state_of(const ArmStart& start, const MotionModel& model) {
   MotionState state = model.settled_state(start.pressures_kpa, start.backbone);
+  if (model.reads_change() && start.before.rows() > 0) {
+    state.before = start.before;
+  }
   const Eigen::Index n = state.segments;
   for (int back = 0; back < model.valves().setpoint_count(); ++back) {
     state.valves.segment((1 + back) * n, n) = setpoint_before(start, std::size_t(back));
@@ -28,7 +31,13 @@ MotionState state_after(const std::vector<PlanFrame>& frames, const MotionModel&
                         const ArmStart* start) {
   const PlanFrame& last = frames.back();
   const Eigen::Index n = last.setpoint_kpa.size();
-  MotionState state{n, Eigen::VectorXf(model.valves().state_size()), last.backbone};
+  const bool is_first = frames.size() == 1;
+  const bool moved = is_first && start != nullptr && start->before.rows() > 0;
+  MotionState state =
+      model.moving_state(Eigen::VectorXf(model.valves().state_size()), last.backbone,
+                         moved      ? start->before
+                         : is_first ? last.backbone
+                                    : frames[frames.size() - 2].backbone);
   state.valves.head(n) = last.pressure_kpa;
   const std::size_t newest = frames.size() - 1;
   for (std::size_t back = 0; back < std::size_t(model.valves().setpoint_count()); ++back) {

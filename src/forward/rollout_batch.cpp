@@ -17,6 +17,7 @@ RolloutBatch::RolloutBatch(const MotionModel& model)
     m->resize(model.segment_count(), 0);
   }
   valves_.resize(model.valves().state_size(), 0);
+  earlier_.resize(model.reads_change() ? 3 * model.point_count() : 0, 0);
   before_.resize(3 * model.point_count(), 0);
   now_.resize(3 * model.point_count(), 0);
 }
@@ -24,13 +25,12 @@ RolloutBatch::RolloutBatch(const MotionModel& model)
 void RolloutBatch::grow() {
   const Eigen::Index capacity = std::max(kFirstCapacity, 2 * now_.cols());
   for (Eigen::MatrixXf* m :
-       {&from_kpa_, &to_kpa_, &before_kpa_, &now_kpa_, &valves_, &before_, &now_}) {
+       {&from_kpa_, &to_kpa_, &before_kpa_, &now_kpa_, &valves_, &earlier_, &before_, &now_}) {
     m->conservativeResize(Eigen::NoChange, capacity);
   }
 }
 
-void RolloutBatch::add(int label, const Eigen::Ref<const Eigen::VectorXf>& valves,
-                       const Eigen::Ref<const Backbone>& backbone,
+void RolloutBatch::add(int label, const MotionState& from,
                        const Eigen::Ref<const Pressures>& to_kpa, int frames) {
   assert(frames >= 1);
   const Eigen::Index column = size();
@@ -38,16 +38,21 @@ void RolloutBatch::add(int label, const Eigen::Ref<const Eigen::VectorXf>& valve
     grow();
   }
   motions_.push_back({label, 0, frames});
-  const Eigen::Index n = setpoint_kpa_.size();
-  from_kpa_.col(column) = valves.segment(n, n);
+  from_kpa_.col(column) = from.setpoint_kpa();
   to_kpa_.col(column) = to_kpa;
-  now_kpa_.col(column) = valves.head(n);
-  valves_.col(column) = valves;
-  Eigen::Map<Backbone>(now_.col(column).data(), model_.point_count(), 3) = backbone;
+  now_kpa_.col(column) = from.pressure_kpa();
+  valves_.col(column) = from.valves;
+  Eigen::Map<Backbone>(now_.col(column).data(), model_.point_count(), 3) = from.backbone;
+  if (model_.reads_change()) {
+    Eigen::Map<Backbone>(before_.col(column).data(), model_.point_count(), 3) = from.before;
+  }
 }
 
 void RolloutBatch::step() {
   now_kpa_.swap(before_kpa_);
+  if (model_.reads_change()) {
+    before_.swap(earlier_);
+  }
   now_.swap(before_);
   for (int c = 0; c < size(); ++c) {
     Motion& motion = motions_[static_cast<std::size_t>(c)];
@@ -57,8 +62,10 @@ void RolloutBatch::step() {
     model_.valves().step(setpoint_kpa_, valves_.col(c));
     now_kpa_.col(c) = valves_.col(c).head(setpoint_kpa_.size());
   }
+  const Eigen::MatrixXf& earlier = model_.reads_change() ? earlier_ : before_;
   model_.forward().step_batch(before_kpa_.leftCols(size()), now_kpa_.leftCols(size()),
-                              before_.leftCols(size()), now_.leftCols(size()), workspace_);
+                              earlier.leftCols(size()), before_.leftCols(size()),
+                              now_.leftCols(size()), workspace_);
 }
 
 Eigen::Map<const Backbone> RolloutBatch::before(int column) const {
@@ -75,7 +82,8 @@ Eigen::Map<const Eigen::VectorXf> RolloutBatch::valves(int column) const {
 }
 
 MotionState RolloutBatch::state(int column) const {
-  return {setpoint_kpa_.size(), valves(column), now(column)};
+  const Eigen::Map<const Backbone> before(before_.col(column).data(), model_.point_count(), 3);
+  return model_.moving_state(valves(column), now(column), before);
 }
 
 void RolloutBatch::remove(int column) {

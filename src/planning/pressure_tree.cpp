@@ -18,6 +18,7 @@ int PressureTree::add(const MotionState& state, const Pose& settled_tip, int par
   valves_.insert(valves_.end(), state.valves.begin(), state.valves.end());
   backbones_.insert(backbones_.end(), state.backbone.data(),
                     state.backbone.data() + state.backbone.size());
+  befores_.insert(befores_.end(), state.before.data(), state.before.data() + state.before.size());
   if (parent >= 0) {
     attach(i, parent);
   }
@@ -38,8 +39,14 @@ Eigen::Map<const Backbone> PressureTree::backbone(int i) const {
   return {backbones_.data() + std::ptrdiff_t(i) * 3 * points, points, 3};
 }
 
+Eigen::Map<const Backbone> PressureTree::before(int i) const {
+  const int points = model_.point_count();
+  return {befores_.data() + std::ptrdiff_t(i) * 3 * points, points, 3};
+}
+
 MotionState PressureTree::state(int i) const {
-  return {model_.segment_count(), valves(i), backbone(i)};
+  return model_.moving_state(valves(i), backbone(i),
+                             model_.reads_change() ? before(i) : backbone(i));
 }
 
 void PressureTree::attach(int i, int parent) {
@@ -62,6 +69,8 @@ void PressureTree::set_state(int i, const MotionState& state) {
             valves_.begin() + std::ptrdiff_t(i) * state.valves.size());
   std::copy_n(state.backbone.data(), state.backbone.size(),
               backbones_.begin() + std::ptrdiff_t(i) * state.backbone.size());
+  std::copy_n(state.before.data(), state.before.size(),
+              befores_.begin() + std::ptrdiff_t(i) * state.before.size());
   node(i).settled_tip = model_.settled_tip(state.valves, state.backbone);
 }
 
@@ -84,7 +93,8 @@ std::vector<Pressures> PressureTree::path_to(int i) const {
 
 std::size_t PressureTree::bytes_per_node() const {
   return sizeof(Node) + sizeof(float) * static_cast<std::size_t>(model_.valves().state_size() +
-                                                                 3 * model_.point_count());
+                                                                 (model_.reads_change() ? 6 : 3) *
+                                                                     model_.point_count());
 }
 
 }  // namespace limber

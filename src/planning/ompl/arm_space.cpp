@@ -79,7 +79,7 @@ class ArmSampler final : public ob::StateSampler {
 class TipProjection final : public ob::ProjectionEvaluator {
  public:
   TipProjection(const ob::StateSpace* space, const ArmWorld& world)
-      : ProjectionEvaluator(space), tip_(world.valves() + world.poses() - 3) {
+      : ProjectionEvaluator(space), tip_(world.backbone_index() + world.poses() - 3) {
     constexpr double kCells = 20.0;  // an arm's length
     cellSizes_ = {world.problem.arm.length_m() / kCells, world.problem.arm.length_m() / kCells};
   }
@@ -120,7 +120,7 @@ class ArmSpace final : public ob::RealVectorStateSpace {
       const double change = (values(a)[i] - values(b)[i]) / scale_kpa(world_, i);
       squares += change * change;
     }
-    const int tip = world_.valves() + world_.poses() - 3;
+    const int tip = world_.backbone_index() + world_.poses() - 3;
     const double distance =
         std::hypot(values(a)[tip] - values(b)[tip], values(a)[tip + 1] - values(b)[tip + 1]) *
         world_.settings.tip_weight / world_.problem.arm.length_m();
@@ -293,9 +293,13 @@ Pressures ArmWorld::setpoint_kpa(const ob::State* state) const {
 MotionState ArmWorld::motion_state(const ob::State* state) const {
   const Eigen::Index n = segments();
   const double* numbers = values(state);
-  MotionState result{
-      n, Eigen::Map<const Eigen::VectorXd>(numbers, valves()).cast<float>(),
-      Eigen::Map<const BackboneD>(numbers + valves(), problem.arm.point_count(), 3).cast<float>()};
+  const auto backbone_at = [&](int index) {
+    return Eigen::Map<const BackboneD>(numbers + index, problem.arm.point_count(), 3)
+        .cast<float>();
+  };
+  MotionState result = problem.model.moving_state(
+      Eigen::Map<const Eigen::VectorXd>(numbers, valves()).cast<float>(),
+      backbone_at(backbone_index()), backbone_at(before() > 0 ? valves() : backbone_index()));
   result.valves.head(n).swap(result.valves.segment(n, n));  // set points first in OMPL's state
   return result;
 }
@@ -306,7 +310,9 @@ void ArmWorld::write(const MotionState& motion_state, double cost_kpa, bool free
   const Eigen::Index n = segments();
   std::copy(motion_state.valves.begin(), motion_state.valves.end(), numbers);
   std::swap_ranges(numbers, numbers + n, numbers + n);
-  std::copy_n(motion_state.backbone.data(), motion_state.backbone.size(), numbers + valves());
+  std::copy_n(motion_state.before.data(), motion_state.before.size(), numbers + valves());
+  std::copy_n(motion_state.backbone.data(), motion_state.backbone.size(),
+              numbers + backbone_index());
   numbers[cost_index()] = cost_kpa;
   numbers[free_index()] = free ? 1.0 : 0.0;
 }

@@ -35,7 +35,10 @@ struct ArmWorld {
   int segments() const { return problem.arm.segment_count(); }
   int valves() const { return problem.model.valves().state_size(); }
   int poses() const { return 3 * problem.arm.point_count(); }
-  int cost_index() const { return valves() + poses(); }
+  /// Of the backbone a frame earlier, where the model reads changes; they come before the others.
+  int before() const { return problem.model.reads_change() ? poses() : 0; }
+  int backbone_index() const { return valves() + before(); }
+  int cost_index() const { return backbone_index() + poses(); }
   int free_index() const { return cost_index() + 1; }
   int size() const { return cost_index() + 2; }
   /// Largest Δp of a frame, with room for rounding to float32.

@@ -8,6 +8,7 @@ ArmStart start_at(const MotionState& state) {
   for (Eigen::Index at = n; at + n <= state.valves.size(); at += n) {
     start.setpoints_kpa.emplace_back(state.valves.segment(at, n));
   }
+  start.before = state.before;
   return start;
 }
 
@@ -31,7 +32,9 @@ void ArmEstimate::observe(const Pressures& setpoint_kpa, const ArmState& measure
     if (state_ && is_later) {
       note_miss(*measured.backbone);
     }
-    state_ = MotionState{setpoint_kpa.size(), valves_, *measured.backbone};
+    // What it had a frame ago was corrected then, and has been kept by the prediction since.
+    const Backbone before = state_ ? state_->before : *measured.backbone;
+    state_ = model_.moving_state(valves_, *measured.backbone, before);
     frames_unseen_ = 0;
   }
   look_ahead();
@@ -63,8 +66,13 @@ void ArmEstimate::predict(const Pressures& setpoint_kpa, const Pressures& pressu
     valves_.head(n) = pressure_kpa;
   }
   if (state_) {
-    model_.forward().step(before_kpa, valves_.head(n), state_->backbone, state_->backbone,
-                          workspace_);
+    const bool reads_change = model_.reads_change();
+    const Backbone last = state_->backbone;
+    model_.forward().step(before_kpa, valves_.head(n), reads_change ? state_->before : last, last,
+                          state_->backbone, workspace_);
+    if (reads_change) {
+      state_->before = last;
+    }
     state_->valves = valves_;
   }
 }

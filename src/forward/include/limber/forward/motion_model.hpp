@@ -15,16 +15,17 @@ struct MotionState {
   Eigen::Index segments = 0;  ///< n
   Eigen::VectorXf valves;     ///< a valve state: pressures, last set points, those before
   Backbone backbone;          ///< m×3
+  Backbone before = {};       ///< m×3, a frame earlier; empty where the model does not read changes
 
   auto pressure_kpa() const { return valves.head(segments); }
   auto setpoint_kpa() const { return valves.segment(segments, segments); }
   bool operator==(const MotionState& other) const {
-    return valves == other.valves && backbone == other.backbone;
+    return valves == other.valves && backbone == other.backbone && before == other.before;
   }
 };
 
 /// Set points to backbones, frame by frame: the valves V and after them the forward model F
-/// (docs/valves.md), p_t = V(p_{t−1}, set points), B_t = F(p_{t−1}, p_t, B_{t−1}). Every prediction
+/// (docs/valves.md), p_t = V(p_{t−1}, set points), B_t = F(p_{t−1}, p_t, B_{t−2}, B_{t−1}). Every prediction
 /// of a motion goes through this one function. It is a pure function of its state.
 ///
 /// Borrows the forward model, holds the valves. Threads: constant after construction; each thread
@@ -50,6 +51,8 @@ class MotionModel {
   int segment_count() const { return forward_->segment_count(); }
   int point_count() const { return forward_->point_count(); }
   bool has_network() const { return forward_->has_network(); }
+  /// Whether states hold the backbone of a frame earlier.
+  bool reads_change() const { return forward_->reads_change(); }
   const NoLoadModel& no_load() const { return forward_->no_load(); }
   /// @pre has_network()
   const CompensationModel& compensation() const { return forward_->compensation(); }
@@ -57,6 +60,10 @@ class MotionModel {
   /// The state of an arm at rest at `kpa` with this backbone.
   MotionState settled_state(const Eigen::Ref<const Pressures>& kpa,
                             const Eigen::Ref<const Backbone>& backbone) const;
+
+  /// The state of an arm with these valves that had the backbone `before` a frame earlier.
+  MotionState moving_state(Eigen::VectorXf valves, const Eigen::Ref<const Backbone>& backbone,
+                           const Eigen::Ref<const Backbone>& before) const;
 
   /// One frame at `setpoint_kpa`: `state` becomes what follows it. Unchecked, as
   /// ForwardModel::step.

@@ -24,13 +24,8 @@ class RolloutBatch {
 
   /// Adds a motion from a state, that is from its last set points, to `to_kpa` in `frames` ≥ 1
   /// frames (motion_setpoint). Numbers finite. `label` is the caller's.
-  void add(int label, const Eigen::Ref<const Eigen::VectorXf>& valves,
-           const Eigen::Ref<const Backbone>& backbone, const Eigen::Ref<const Pressures>& to_kpa,
-           int frames);
   void add(int label, const MotionState& from, const Eigen::Ref<const Pressures>& to_kpa,
-           int frames) {
-    add(label, from.valves, from.backbone, to_kpa, frames);
-  }
+           int frames);
 
   /// Motions in progress; they are in columns 0 … size() − 1.
   int size() const { return static_cast<int>(motions_.size()); }
@@ -71,7 +66,8 @@ class RolloutBatch {
   Eigen::MatrixXf before_kpa_;  // n × capacity, pressures, as the next one
   Eigen::MatrixXf now_kpa_;
   Eigen::MatrixXf valves_;  // valve states
-  Eigen::MatrixXf before_;  // 3m × capacity
+  Eigen::MatrixXf earlier_;  // 3m × capacity, B_{t−2}; no rows where the model does not read it
+  Eigen::MatrixXf before_;   // 3m × capacity
   Eigen::MatrixXf now_;
 };
 

@@ -54,6 +54,7 @@ struct ArmStart {
   /// delay, the newest first; the last one counts for all before it. Empty: the arm is at rest, and
   /// its pressures were the set points for long.
   std::vector<Pressures> setpoints_kpa = {};
+  Backbone before = {};  ///< m×3, of an arm in motion: a frame earlier; empty: it stood still
 
   /// In force.
   const Pressures& setpoint_kpa() const {
