@@ -10,13 +10,11 @@ Table I takes trials x models x environments x seconds / jobs: 53 minutes on two
 """
 
 import argparse
-import json
 import pathlib
-import subprocess
-import sys
 
 import limber
 import numpy as np
+from kept_parts import KeptParts
 
 TRANSITIONS_SEED = 11
 TEST_SEED = 1_600_001  # used for nothing else
@@ -49,26 +47,11 @@ READINGS = {"published": as_published, "shared_units": in_shared_units, "adam": 
             "shared_units_adam": in_shared_units_with_adam}
 
 
-class Reproduction:
+class Reproduction(KeptParts):
     def __init__(self, options):
+        super().__init__(options.limber, options.out)
         self.options = options
-        self.out = options.out
-        self.out.mkdir(parents=True, exist_ok=True)
         self.arm = limber.load_arm(options.arm)
-
-    def limber(self, *arguments):
-        command = [str(self.options.limber), *map(str, arguments)]
-        done = subprocess.run(command, stdout=subprocess.PIPE, encoding="utf-8", check=False)
-        if done.returncode != 0:
-            sys.exit(f"{' '.join(command)}: exit code {done.returncode}")
-        return json.loads(done.stdout)
-
-    def kept(self, name, make):
-        """A part's JSON: read if it is there, else made and written."""
-        path = self.out / f"{name}.json"
-        if not path.exists():
-            path.write_text(json.dumps(make(), indent=1), encoding="utf-8")
-        return json.loads(path.read_text(encoding="utf-8"))
 
     def recording(self, name, *flags):
         path = self.out / f"{name}.h5"
@@ -125,18 +108,12 @@ class Reproduction:
                     "--jobs", self.options.jobs, "--out", folder, "--resume", *flags)
         return folder / "table.md"
 
-    def random_environments(self):
-        folder = self.out / "random"
-        if not folder.exists():
-            self.limber("environment", "--json", "--random", "--seed", RANDOM_SEED, "--count",
-                        RANDOM_ENVIRONMENTS, "--model", self.options.model, "--out", folder)
-        return folder
-
     def tables(self, part):
         planner = "paper,valves=1" if part.endswith("valves") else "paper"
         if part.startswith("table"):
             return self.table(part, planner, "--trials", self.options.trials)
-        return self.table(part, planner, "--trials", 2, "--environments", self.random_environments())
+        return self.table(part, planner, "--trials", 2, "--environments",
+                          self.random_environments(RANDOM_SEED, RANDOM_ENVIRONMENTS, self.options.model))
 
 
 def errors_of(found):

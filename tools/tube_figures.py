@@ -10,13 +10,14 @@ goes on where it was. --share 0.01 runs a hundredth of it, with levels that so f
 import argparse
 import json
 import pathlib
-import subprocess
 import sys
 
-SEED = 1_500_001  # used for nothing else
-CHECK_SEED = 1_500_002
-EXPERIMENT_SEED = 1_500_003
-RANDOM_SEED = 1_500_004
+from kept_parts import KeptParts
+
+SEED = 1_700_001  # used for nothing else
+CHECK_SEED = 1_700_002
+EXPERIMENT_SEED = 1_700_003
+RANDOM_SEED = 1_700_004
 DISTURBANCES = {
     "as calibrated": [],
     "friction x 0.7": ["--friction-factor", "0.7"],
@@ -26,31 +27,14 @@ DISTURBANCES = {
 }
 
 
-class Campaign:
+class Campaign(KeptParts):
     def __init__(self, options):
+        super().__init__(options.limber, options.out)
         self.options = options
-        self.out = options.out
         self.model = options.out / "calibrated.safetensors"
-        self.out.mkdir(parents=True, exist_ok=True)
 
     def scaled(self, runs, least):
         return str(max(least, round(runs * self.options.share)))
-
-    def limber(self, *arguments, codes=(0,)):
-        command = [str(self.options.limber), *map(str, arguments)]
-        done = subprocess.run(command, stdout=subprocess.PIPE, encoding="utf-8", check=False)
-        if done.returncode not in codes:
-            sys.exit(f"{' '.join(command)}: exit code {done.returncode}")
-        return json.loads(done.stdout)
-
-    def kept(self, name, make):
-        """A part's JSON: read if it is there, else made and written."""
-        path = self.out / f"{name}.json"
-        if path.exists():
-            return json.loads(path.read_text(encoding="utf-8"))
-        found = make()
-        path.write_text(json.dumps(found, indent=1), encoding="utf-8")
-        return found
 
     def calibrate(self):
         whole = self.options.share >= 1.0
@@ -79,13 +63,6 @@ class Campaign:
                 "collided": sum(t["execution"]["collided"] for t in solved),
                 "first_certified_ms": 1e3 * first[len(first) // 2] if first else None}
 
-    def random_environments(self):
-        folder = self.out / "random"
-        if not folder.exists():
-            self.limber("environment", "--json", "--random", "--seed", RANDOM_SEED, "--count",
-                        self.scaled(100, 3), "--model", self.options.model, "--out", folder)
-        return folder
-
 
 def percent(coverage):
     return (f"{100 * coverage['share']:.2f} % ({100 * coverage['low']:.2f} to "
@@ -98,11 +75,12 @@ def write_page(calibration, checks, experiments, out):
         lines.append(f"| {level['level']} | {level['factor']:.3f} | {level['tip_radius_cm']:.2f} cm "
                      f"| {level['end_radius_cm']:.2f} cm | {level['outside']} of {level['runs']} "
                      f"outside | {level['audit_outside']} of {level['audit_runs']} outside |")
-    lines += ["", "| phase | factor | coverage | solved | cost | collided | arrived |",
-              "|---|---|---|---|---|---|---|"]
+    lines += ["", "| phase | factor | tip, mean over frames | coverage | solved | cost | collided | arrived |",
+              "|---|---|---|---|---|---|---|---|"]
     for phase in calibration["phases"]:
         if "coverage" in phase:
-            lines.append(f"| {phase['phase']} | {phase['factor']:.3f} | {percent(phase['coverage'])} "
+            lines.append(f"| {phase['phase']} | {phase['factor']:.3f} | "
+                         f"{phase['mean_tip_radius_cm']:.2f} cm | {percent(phase['coverage'])} "
                          f"| {phase['solved']} of {phase['environments']} | {phase['cost']:.0f} "
                          f"| {phase['collided']} | {phase['reached']} of {phase['runs']} |")
     lines += ["", "| 200 runs, level 0.95 | coverage | solved | collided | arrived |",
@@ -141,7 +119,8 @@ def main():
             "eight", "--trials", trials, "--seed", EXPERIMENT_SEED)),
         "random environments": campaign.kept("experiment_random", lambda: campaign.experiment(
             "hundred", "--trials", 1, "--seed", EXPERIMENT_SEED, "--environments",
-            campaign.random_environments())),
+            campaign.random_environments(
+                RANDOM_SEED, campaign.scaled(100, 3), campaign.options.model))),
     }
     write_page(calibration, checks, experiments, campaign.out)
 

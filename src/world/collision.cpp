@@ -282,14 +282,12 @@ CollisionChecker::CollisionChecker(CollisionChecker&&) noexcept = default;
 CollisionChecker& CollisionChecker::operator=(CollisionChecker&&) noexcept = default;
 CollisionChecker::~CollisionChecker() = default;
 
-/// What is not finite has all of its room.
 template <class Scalar>
 double CollisionChecker::grown_room_m(int plate,
                                       const Eigen::Ref<const BackboneOf<Scalar>>& backbone) const {
   const double moved_m = std::hypot(double(backbone(plate, 0)) - double(room_.start(plate, 0)),
                                     double(backbone(plate, 1)) - double(room_.start(plate, 1)));
-  return room_.full_m[static_cast<std::size_t>(plate)] *
-         (moved_m < room_.growth.full_after_m ? room_.growth.share_after(moved_m) : 1.0);
+  return room_.full_m[static_cast<std::size_t>(plate)] * room_.growth.share_after(moved_m);
 }
 
 /// The larger room of the gap's plates. A plate that moves straight is farthest from where it

@@ -38,6 +38,7 @@ struct RoomGrowth {
   double full_after_m = 0.0;  ///< from this distance on it has all of it; 0: everywhere
 
   bool is_constant() const { return start_share >= 1.0 || full_after_m <= 0.0; }
+  /// What is not finite has all of it.
   double share_after(double distance_m) const {
     return is_constant()
                ? 1.0

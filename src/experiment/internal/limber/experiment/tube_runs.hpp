@@ -20,7 +20,7 @@ struct TubeRun {
   std::uint64_t number = 0;  ///< of the environment among those of the phase's seed
   std::string status;        ///< PlanStatus, or "no_environment"
   bool executed = false;     ///< to the end of its plan; only these are scored
-  double score = 0.0;        ///< (2); 0 where no tube has a shape yet
+  double score = 0.0;        ///< (3); 0 where no tube has a shape yet
   double cost_kpa = 0.0;
   double first_solution_s = 0.0;
   double tip_m = 0.0;         ///< largest error of the tip

@@ -21,11 +21,11 @@ struct MotionErrors {
 /// @pre the run is that plan's, open loop: run_of_plan
 MotionErrors motion_errors(const Plan& plan, const Episode& run, const RoomGrowth& growth = {});
 
-/// (2): the largest of error over scale, over plates, the middles of gaps and frames, and over tip
+/// (3): the largest of error over scale, over plates, the middles of gaps and frames, and over tip
 /// and heading at the run's end. The run is inside a tube if its score does not exceed the factor.
 double tube_score(const Plan& plan, const Episode& run, const Tube& shape);
 
-/// (5): what tubes of limber's start with where their arm starts.
+/// (2) of docs/tube.md, with limber's own numbers.
 RoomGrowth usual_growth(double arm_length_m);
 
 /// The tube's radius at the tip, on average over the plan's frames.

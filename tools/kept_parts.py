@@ -1,0 +1,39 @@
+"""For scripts that measure in parts: limber's answers, and parts that are not measured twice."""
+
+import json
+import subprocess
+import sys
+
+
+class KeptParts:
+    """Runs limber; keeps the results of parts as OUT/NAME.json."""
+
+    def __init__(self, limber, out):
+        self.program = limber
+        self.out = out
+        self.out.mkdir(parents=True, exist_ok=True)
+
+    def limber(self, *arguments, codes=(0,)):
+        """The JSON that limber prints; ends the script where the exit code is another."""
+        command = [str(self.program), *map(str, arguments)]
+        done = subprocess.run(command, stdout=subprocess.PIPE, encoding="utf-8", check=False)
+        if done.returncode not in codes:
+            sys.exit(f"{' '.join(command)}: exit code {done.returncode}")
+        return json.loads(done.stdout)
+
+    def kept(self, name, make):
+        """A part's JSON: read if it is there, else made and written."""
+        path = self.out / f"{name}.json"
+        if path.exists():
+            return json.loads(path.read_text(encoding="utf-8"))
+        found = make()
+        path.write_text(json.dumps(found, indent=1), encoding="utf-8")
+        return found
+
+    def random_environments(self, seed, count, model):
+        """The folder of so many, which are sampled if it is not there."""
+        folder = self.out / "random"
+        if not folder.exists():
+            self.limber("environment", "--json", "--random", "--seed", seed, "--count", count,
+                        "--model", model, "--out", folder)
+        return folder
