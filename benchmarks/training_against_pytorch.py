@@ -73,22 +73,26 @@ def entry_error(states, target, tables):
     return ((states - target).abs() * tables["error.weight"][0]).sum()
 
 
-def rollout_loss(frames, gated, given, state, uncompensated, target, tables, layers):
-    """Sum over a batch's windows of their errors. `given`: what an input holds besides the backbone."""
+def rollout_loss(frames, gated, given, state, change, uncompensated, target, tables, layers):
+    """Sum over a batch's windows of their errors. `given`: what an input holds besides the backbone
+    and its change, which has no columns where the network reads no velocities."""
     segments = tables["pressure"].shape[1]
     scale = tables["output_scale"][0]
     states = []
     for k in range(frames):
-        x = torch.cat([given[k][:, : 2 * segments], state, given[k][:, 2 * segments :]], 1)
+        x = torch.cat([given[k][:, : 2 * segments], state, given[k][:, 2 * segments :], change], 1)
         for weight, bias in layers[:-1]:
             x = torch.relu(torch.nn.functional.linear(x, weight, bias))
         output = torch.nn.functional.linear(x, *layers[-1])
+        before = state
         if gated:
-            change, gate = output.chunk(2, 1)
+            added, gate = output.chunk(2, 1)
             pulled = torch.lerp(state, uncompensated[k], gate.sigmoid())
-            state = torch.addcmul(pulled, change, scale)
+            state = torch.addcmul(pulled, added, scale)
         else:
             state = torch.addcmul(uncompensated[k], output, scale)
+        if "change_scale" in tables:
+            change = (state - before) * tables["change_scale"][0]
         states.append(state)
     error = chained_error if "error.scale" in tables else entry_error
     return error(torch.stack(states), target, tables) / frames
@@ -123,17 +127,19 @@ class Peer:
         given = torch.cat(
             [tables["pressure"][index], tables["pressure"][index + 1], tables["no_load"][index + 1]], 2
         )
+        state = tables["state"][starts]
         return (
             given,
-            tables["state"][starts],
+            state,
+            tables["change"][starts] if "change" in tables else state[:, :0],
             tables["uncompensated"][index + 1],
             tables["target"][index + 1],
         )
 
-    def loss(self, given, state, uncompensated, target, *parameters):
+    def loss(self, given, state, change, uncompensated, target, *parameters):
         layers = list(zip(parameters[::2], parameters[1::2]))
         return rollout_loss(
-            self.frames, self.gated, given, state, uncompensated, target, self.tables, layers
+            self.frames, self.gated, given, state, change, uncompensated, target, self.tables, layers
         )
 
     def epoch(self):

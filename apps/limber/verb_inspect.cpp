@@ -203,6 +203,7 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
                   {"arm_hash", model.arm_hash},
                   {"preset", model.preset},
                   {"layout", layout},
+                  {"reads_velocity", model.reads_velocity},
                   {"shape", model.shape()},
                   {"members", model.member_count()},
                   {"segments", model.segment_count},
@@ -216,6 +217,9 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
                   {"bounds", nullptr}};
   finding.text = fmt::format("model of arm '{}' ({}), preset {}\n  {}, {}", model.arm_name,
                              model.arm_hash, model.preset, model.shape(), layout);
+  if (model.reads_velocity) {
+    finding.text += ", reads velocities";
+  }
   if (model.member_count() > 1) {
     finding.text += fmt::format(", an ensemble of {} networks", model.member_count());
   }

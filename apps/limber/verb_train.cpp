@@ -82,6 +82,12 @@ class TrainVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--hidden", hidden_, "Units of each hidden layer, such as --hidden 100 100 100")
         ->check(CLI::Range(1, 4096));
+    app.add_flag_callback(
+        "--velocity", [this] { velocity_ = true; },
+        "Let the network read how the arm moved in the frame before; best does");
+    app.add_flag_callback(
+           "--no-velocity", [this] { velocity_ = false; }, "Don't let it; paper does not")
+        ->excludes("--velocity");
     app.add_option("--ensemble", ensemble_,
                    "Networks to train together; their spread says how certain they are. "
                    "Without this flag, best trains 3 for a third of the epochs where the "
@@ -219,6 +225,12 @@ class TrainVerb final : public Verb {
                       "leave --hidden out, or --from",
                       fmt::join(hidden_, " "), from_, fmt::join(units, " ")));
     }
+    if (velocity_ && *velocity_ != start.reads_velocity) {
+      throw InputError(fmt::format(
+          "--{}velocity: {} {} velocities, and keeps to that; leave --{}velocity out, or --from",
+          *velocity_ ? "" : "no-", from_, start.reads_velocity ? "reads" : "does not read",
+          *velocity_ ? "" : "no-"));
+    }
     if (ensemble_ && *ensemble_ != start.member_count()) {
       throw InputError(
           fmt::format("--ensemble {}: {} holds {} networks, which are all tuned; leave "
@@ -243,6 +255,7 @@ class TrainVerb final : public Verb {
     if (!hidden_.empty()) {
       settings.hidden_units = hidden_;
     }
+    settings.reads_velocity = velocity_.value_or(settings.reads_velocity);
     settings.ensemble = ensemble_.value_or(settings.ensemble);
     settings.replay_share = replay_share_.value_or(settings.replay_share);
     settings.checkpoint = checkpoint_path();
@@ -369,6 +382,7 @@ class TrainVerb final : public Verb {
   std::optional<double> learning_rate_;
   std::vector<int> windows_;
   std::vector<int> hidden_;
+  std::optional<bool> velocity_;
   std::optional<int> ensemble_;
   bool setpoints_ = false;
   RecordingKinds kinds_;

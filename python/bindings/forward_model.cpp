@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -21,17 +22,22 @@ ForwardModel::Workspace& workspace() {
   return scratch;
 }
 
+using Before = std::optional<FloatArray>;  // the backbone of a frame before `previous`
+
 void require_finite_query(const FloatArray& previous_kpa, const FloatArray& current_kpa,
-                          const FloatArray& previous) {
+                          const FloatArray& previous, const Before& before) {
   require_finite(previous_kpa, "previous_kpa");
   require_finite(current_kpa, "current_kpa");
   require_finite(previous, "previous");
+  if (before) {
+    require_finite(*before, "before");
+  }
 }
 
 /// Sizes of one query or, with `rows` ≥ 0, of a batch.
 void require_query_shapes(const ForwardModel& model, py::ssize_t rows,
                           const FloatArray& previous_kpa, const FloatArray& current_kpa,
-                          const FloatArray& previous) {
+                          const FloatArray& previous, const Before& before) {
   const py::ssize_t n = model.segment_count();
   const py::ssize_t m = model.point_count();
   const bool fits = rows < 0 ? previous_kpa.ndim() == 1 && previous_kpa.shape(0) == n &&
@@ -44,62 +50,72 @@ void require_query_shapes(const ForwardModel& model, py::ssize_t rows,
     require_shape(current_kpa, rows < 0 ? Shape{n} : Shape{rows, n}, "current_kpa");
     require_shape(previous, rows < 0 ? Shape{m, 3} : Shape{rows, m, 3}, "previous");
   }
+  if (before) {
+    require_shape(*before, rows < 0 ? Shape{m, 3} : Shape{rows, m, 3}, "before");
+  }
 }
 
 /// Sizes and numbers of one query.
 void require_query(const ForwardModel& model, const FloatArray& previous_kpa,
-                   const FloatArray& current_kpa, const FloatArray& previous) {
-  require_query_shapes(model, -1, previous_kpa, current_kpa, previous);
-  require_finite_query(previous_kpa, current_kpa, previous);
+                   const FloatArray& current_kpa, const FloatArray& previous,
+                   const Before& before) {
+  require_query_shapes(model, -1, previous_kpa, current_kpa, previous, before);
+  require_finite_query(previous_kpa, current_kpa, previous, before);
 }
 
 py::array_t<float> step(const ForwardModel& model, const FloatArray& previous_kpa,
                         const FloatArray& current_kpa, const FloatArray& previous,
-                        const py::object& out) {
-  require_query(model, previous_kpa, current_kpa, previous);
+                        const py::object& out, const Before& before) {
+  require_query(model, previous_kpa, current_kpa, previous, before);
   py::array_t<float> next = result_array(out, {model.point_count(), 3});
-  model.step(pressures_map(previous_kpa), pressures_map(current_kpa), backbone_map(previous),
+  model.step(pressures_map(previous_kpa), pressures_map(current_kpa),
+             backbone_map(before.value_or(previous)), backbone_map(previous),
              Eigen::Map<Backbone>(next.mutable_data(), model.point_count(), 3), workspace());
   return next;
 }
 
 py::array_t<float> checked_step(const ForwardModel& model, const FloatArray& previous_kpa,
-                                const FloatArray& current_kpa, const FloatArray& previous) {
-  require_query(model, previous_kpa, current_kpa, previous);
-  return backbone_array<float>(model.checked_step(
-      pressures_map(previous_kpa), pressures_map(current_kpa), backbone_map(previous)));
+                                const FloatArray& current_kpa, const FloatArray& previous,
+                                const Before& before) {
+  require_query(model, previous_kpa, current_kpa, previous, before);
+  return backbone_array<float>(
+      model.checked_step(pressures_map(previous_kpa), pressures_map(current_kpa),
+                         backbone_map(before.value_or(previous)), backbone_map(previous)));
 }
 
 /// The batch's results; `query` gets inputs and outputs as limber has them.
 template <class Query>
 py::array_t<float> batch(const ForwardModel& model, const FloatArray& previous_kpa,
                          const FloatArray& current_kpa, const FloatArray& previous,
-                         const py::object& out, const Query& query) {
+                         const Before& before, const py::object& out, const Query& query) {
   const py::ssize_t rows = batch_size(previous_kpa, "previous_kpa");
-  require_query_shapes(model, rows, previous_kpa, current_kpa, previous);
+  require_query_shapes(model, rows, previous_kpa, current_kpa, previous, before);
   py::array_t<float> next = result_array(out, {rows, model.point_count(), 3});
   require_no_part_of(next, previous, "previous");
+  if (before) {
+    require_no_part_of(next, *before, "before");
+  }
   require_no_part_of(next, previous_kpa, "previous_kpa");
   require_no_part_of(next, current_kpa, "current_kpa");
   const auto from = batch_map(previous_kpa);
   const auto to = batch_map(current_kpa);
-  const auto before = batch_map(previous);
+  const auto now = batch_map(previous);
+  const auto earlier = batch_map(before ? *before : previous);
   auto after = batch_map(next);
   const py::gil_scoped_release others_may_run;
-  require_finite_query(previous_kpa, current_kpa, previous);
+  require_finite_query(previous_kpa, current_kpa, previous, before);
   if (rows > 0) {
-    query(from, to, before, after);
+    query(from, to, earlier, now, after);
   }
   return next;
 }
 
 py::array_t<float> step_batch(const ForwardModel& model, const FloatArray& previous_kpa,
                               const FloatArray& current_kpa, const FloatArray& previous,
-                              const py::object& out) {
-  return batch(model, previous_kpa, current_kpa, previous, out,
-               [&](const auto& from, const auto& to, const auto& before, auto& after) {
-                 model.step_batch(from, to, before, after, workspace());
-               });
+                              const py::object& out, const Before& before) {
+  return batch(model, previous_kpa, current_kpa, previous, before, out,
+               [&](const auto& from, const auto& to, const auto& earlier, const auto& now,
+                   auto& after) { model.step_batch(from, to, earlier, now, after, workspace()); });
 }
 
 /// Processor time of this thread [s].
@@ -114,7 +130,7 @@ double processor_s() {
 double pass_s(const ForwardModel& model, const FloatArray& previous_kpa,
               const FloatArray& current_kpa, const FloatArray& previous, py::array_t<float>& out,
               Eigen::Index size) {
-  require_query_shapes(model, previous_kpa.shape(0), previous_kpa, current_kpa, previous);
+  require_query_shapes(model, previous_kpa.shape(0), previous_kpa, current_kpa, previous, {});
   require_shape(out, shape_of(previous), "out");
   const auto from = batch_map(previous_kpa);
   const auto to = batch_map(current_kpa);
@@ -164,16 +180,17 @@ void bind_parallel_forward(py::module_& module) {
       .def(
           "step_batch",
           [](ParallelForward& parallel, const ForwardModel& model, const FloatArray& previous_kpa,
-             const FloatArray& current_kpa, const FloatArray& previous, const py::object& out) {
-            return batch(model, previous_kpa, current_kpa, previous, out,
-                         [&](const auto& from, const auto& to, const auto& before, auto& after) {
-                           parallel.step_batch(model, from, to, before, after);
-                         });
+             const FloatArray& current_kpa, const FloatArray& previous, const py::object& out,
+             const Before& before) {
+            return batch(
+                model, previous_kpa, current_kpa, previous, before, out,
+                [&](const auto& from, const auto& to, const auto& earlier, const auto& now,
+                    auto& after) { parallel.step_batch(model, from, to, earlier, now, after); });
           },
           py::arg("model"), py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
-          py::arg("out") = py::none(),
+          py::arg("out") = py::none(), py::arg("before") = py::none(),
           "ForwardModel.step_batch, in parts of some hundred queries: float32 (k, n), (k, n) [kPa] "
-          "and (k, m, 3) give (k, m, 3).")
+          "and (k, m, 3) give (k, m, 3). `before` as in ForwardModel.step.")
       .def("__repr__", [](const ParallelForward& parallel) {
         return fmt::format("ParallelForward(jobs={})", parallel.jobs());
       });
@@ -199,6 +216,9 @@ void bind_forward_model(py::module_& module) {
       .def_property_readonly("point_count", &ForwardModel::point_count,
                              "m: plates of the arm, base included.")
       .def_property_readonly("has_network", &ForwardModel::has_network, "Whether it has a network.")
+      .def_property_readonly("reads_velocity", &ForwardModel::reads_velocity,
+                             "Whether its network reads how the backbone changed in the frame "
+                             "before, and so wants to be told `before`.")
       .def_property_readonly("no_load", &ForwardModel::no_load,
                              "The NoLoadModel that the network compensates.")
       .def_property_readonly(
@@ -209,22 +229,23 @@ void bind_forward_model(py::module_& module) {
           py::return_value_policy::reference_internal,
           "The CompensationModel, or None: the no-load model alone.")
       .def("step", &step, py::arg("previous_kpa"), py::arg("current_kpa"), py::arg("previous"),
-           py::arg("out") = py::none(),
+           py::arg("out") = py::none(), py::arg("before") = py::none(),
            "One query: pressures a frame ago and now, float32 (n,) and (n,) [kPa], and the "
            "backbone a frame ago (m, 3) give the backbone now (m, 3). It is written to "
-           "`out` where one is given, which may be `previous`. Raises InputError for a "
-           "wrong shape, NaN or infinity.")
+           "`out` where one is given, which may be `previous`. `before` is the backbone two "
+           "frames ago (m, 3), for models of which reads_velocity says so; None: the arm stood "
+           "still. Raises InputError for a wrong shape, NaN or infinity.")
       .def("checked_step", &checked_step, py::arg("previous_kpa"), py::arg("current_kpa"),
-           py::arg("previous"),
+           py::arg("previous"), py::arg("before") = py::none(),
            "One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3); pressures beyond their "
-           "limits are refused too.")
+           "limits are refused too. `before` as in step.")
       .def("step_batch", &step_batch, py::arg("previous_kpa"), py::arg("current_kpa"),
-           py::arg("previous"), py::arg("out") = py::none(),
+           py::arg("previous"), py::arg("out") = py::none(), py::arg("before") = py::none(),
            "k queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3), each row to the "
-           "bit what step gives. `out` may be `previous`.")
+           "bit what step gives. `out` may be `previous` or `before`, (k, m, 3) as in step.")
       .def("rollout", &rollout, py::arg("pressures_kpa"), py::arg("first"),
            "Feeds its own output back: pressures float32 (T, n) [kPa] from backbone `first` "
-           "(m, 3) give (T, m, 3), row 0 being `first`.")
+           "(m, 3), where the arm stood still, give (T, m, 3), row 0 being `first`.")
       .def("__repr__", [](const ForwardModel& model) {
         return fmt::format("ForwardModel(segments={}, points={}, network={})",
                            model.segment_count(), model.point_count(),

@@ -96,7 +96,7 @@ void bind_settings(py::module_& module) {
       .field("preset", &S::preset, "\"paper\" or \"best\"; training_preset fills in the rest.")
       .field("layout", &S::layout, "BackboneLayout: how backbones enter the network.")
       .field("form", &S::form, "OutputForm: what the network's outputs mean.")
-      .field("reads_change", &S::reads_change,
+      .field("reads_velocity", &S::reads_velocity,
              "Whether the network reads how the backbone changed in the frame before.")
       .field("hidden_units", &S::hidden_units,
              "Units of each hidden layer, >= 1 each; a copy: assign a whole list.")
@@ -109,6 +109,9 @@ void bind_settings(py::module_& module) {
              "True: the step size falls towards zero over the run; False: it stays.")
       .field("gradient_norm_limit", &S::gradient_norm_limit,
              "Longer gradients are shortened to this; 0: never.")
+      .field("growth_limit", &S::growth_limit,
+             "What a window's gradients may grow to on their way back, over what was put in; 0: "
+             "anything.")
       .field("average_decay", &S::average_decay,
              "Decay of the weights' moving average, in [0, 1); 0: none.")
       .field("input_noise", &S::input_noise,

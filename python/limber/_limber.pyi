@@ -371,6 +371,9 @@ class CompensationModel:
     def preset(self) -> str:
         """Preset it was trained by: "paper" or "best"."""
     @property
+    def reads_velocity(self) -> bool:
+        """Whether it reads how the backbone changed in the frame before."""
+    @property
     def training(self) -> dict[str, str]:
         """Record of the training, a dict of texts; assign a whole one."""
     @training.setter
@@ -654,6 +657,9 @@ class ForwardModel:
     def has_network(self) -> bool:
         """Whether it has a network."""
     @property
+    def reads_velocity(self) -> bool:
+        """Whether its network reads how the backbone changed in the frame before, and so wants to be told `before`."""
+    @property
     def no_load(self) -> NoLoadModel:
         """The NoLoadModel that the network compensates."""
     @property
@@ -661,14 +667,14 @@ class ForwardModel:
         """The CompensationModel, or None: the no-load model alone."""
     def __init__(self, arm: ArmDescription, compensation: CompensationModel | None = None) -> None:
         """compensation: a CompensationModel, None: the no-load model alone. Raises InputError where it was trained for another arm."""
-    def step(self, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, out: npt.NDArray[np.float32] | None = None) -> npt.NDArray[np.float32]:
-        """One query: pressures a frame ago and now, float32 (n,) and (n,) [kPa], and the backbone a frame ago (m, 3) give the backbone now (m, 3). It is written to `out` where one is given, which may be `previous`. Raises InputError for a wrong shape, NaN or infinity."""
-    def checked_step(self, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike) -> npt.NDArray[np.float32]:
-        """One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3); pressures beyond their limits are refused too."""
-    def step_batch(self, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, out: npt.NDArray[np.float32] | None = None) -> npt.NDArray[np.float32]:
-        """k queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3), each row to the bit what step gives. `out` may be `previous`."""
+    def step(self, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, out: npt.NDArray[np.float32] | None = None, before: npt.ArrayLike | None = None) -> npt.NDArray[np.float32]:
+        """One query: pressures a frame ago and now, float32 (n,) and (n,) [kPa], and the backbone a frame ago (m, 3) give the backbone now (m, 3). It is written to `out` where one is given, which may be `previous`. `before` is the backbone two frames ago (m, 3), for models of which reads_velocity says so; None: the arm stood still. Raises InputError for a wrong shape, NaN or infinity."""
+    def checked_step(self, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, before: npt.ArrayLike | None = None) -> npt.NDArray[np.float32]:
+        """One query: float32 (n,), (n,) [kPa] and (m, 3) give (m, 3); pressures beyond their limits are refused too. `before` as in step."""
+    def step_batch(self, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, out: npt.NDArray[np.float32] | None = None, before: npt.ArrayLike | None = None) -> npt.NDArray[np.float32]:
+        """k queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3), each row to the bit what step gives. `out` may be `previous` or `before`, (k, m, 3) as in step."""
     def rollout(self, pressures_kpa: npt.ArrayLike, first: npt.ArrayLike) -> npt.NDArray[np.float32]:
-        """Feeds its own output back: pressures float32 (T, n) [kPa] from backbone `first` (m, 3) give (T, m, 3), row 0 being `first`."""
+        """Feeds its own output back: pressures float32 (T, n) [kPa] from backbone `first` (m, 3), where the arm stood still, give (T, m, 3), row 0 being `first`."""
 
 class GapBounds:
     """What predictions keep the shape of every gap between two plates within: float32 (m - 1,) each, base first; views of limber's memory."""
@@ -952,8 +958,8 @@ class ParallelForward:
         """Number of threads."""
     def __init__(self, jobs: int = 0) -> None:
         """jobs: threads, 0: one per core; never changes a result."""
-    def step_batch(self, model: ForwardModel, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, out: npt.NDArray[np.float32] | None = None) -> npt.NDArray[np.float32]:
-        """ForwardModel.step_batch, in parts of some hundred queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3)."""
+    def step_batch(self, model: ForwardModel, previous_kpa: npt.ArrayLike, current_kpa: npt.ArrayLike, previous: npt.ArrayLike, out: npt.NDArray[np.float32] | None = None, before: npt.ArrayLike | None = None) -> npt.NDArray[np.float32]:
+        """ForwardModel.step_batch, in parts of some hundred queries: float32 (k, n), (k, n) [kPa] and (k, m, 3) give (k, m, 3). `before` as in ForwardModel.step."""
 
 class Plan:
     """A motion in pressure space. Frame 0 is the start; the set points of frame k are commanded at (k - 1) / frame_rate_hz. Its frames are executed as they stand, never resampled."""
@@ -1750,6 +1756,11 @@ class TrainingSettings:
     @form.setter
     def form(self, value: OutputForm) -> None: ...
     @property
+    def reads_velocity(self) -> bool:
+        """Whether the network reads how the backbone changed in the frame before."""
+    @reads_velocity.setter
+    def reads_velocity(self, value: bool) -> None: ...
+    @property
     def hidden_units(self) -> list[int]:
         """Units of each hidden layer, >= 1 each; a copy: assign a whole list."""
     @hidden_units.setter
@@ -1789,6 +1800,11 @@ class TrainingSettings:
         """Longer gradients are shortened to this; 0: never."""
     @gradient_norm_limit.setter
     def gradient_norm_limit(self, value: float) -> None: ...
+    @property
+    def growth_limit(self) -> float:
+        """What a window's gradients may grow to on their way back, over what was put in; 0: anything."""
+    @growth_limit.setter
+    def growth_limit(self, value: float) -> None: ...
     @property
     def average_decay(self) -> float:
         """Decay of the weights' moving average, in [0, 1); 0: none."""
@@ -1852,8 +1868,8 @@ class TrainingSettings:
     @property
     def epoch_count(self) -> int:
         """Epochs of all stages together."""
-    def __init__(self, *, preset: str = ..., layout: BackboneLayout = ..., form: OutputForm = ..., hidden_units: list[int] = ..., scaling: Scaling = ..., reduction: LossReduction = ..., stages: TrainingStages = ..., optimiser: Optimiser = ..., learning_rate: float = ..., cosine_decay: bool = ..., gradient_norm_limit: float = ..., average_decay: float = ..., input_noise: float = ..., shift_windows: bool = ..., ensemble: int = ..., replay_share: float = ..., seed: int = ..., jobs: int = ..., time_limit_s: float = ..., validation_interval: int = ..., checkpoint: str | os.PathLike[str] = ..., checkpoint_interval_s: float = ..., resume: bool = ...) -> None:
-        """Fields are keyword arguments, all optional. The defaults: TrainingSettings(preset='best', layout=<BackboneLayout.gap_poses: 1>, form=<OutputForm.gated_change: 1>, hidden_units=[100, 100, 100], scaling=<Scaling.unit_spread: 1>, reduction=<LossReduction.mean_over_batch: 1>, stages=TrainingStages([]), optimiser=<Optimiser.adam: 1>, learning_rate=0.003, cosine_decay=True, gradient_norm_limit=0.0, average_decay=0.0, input_noise=0.0, shift_windows=True, ensemble=1, replay_share=0.25, seed=1, jobs=0, time_limit_s=0.0, validation_interval=1, checkpoint=PosixPath('.'), checkpoint_interval_s=20.0, resume=False)."""
+    def __init__(self, *, preset: str = ..., layout: BackboneLayout = ..., form: OutputForm = ..., reads_velocity: bool = ..., hidden_units: list[int] = ..., scaling: Scaling = ..., reduction: LossReduction = ..., stages: TrainingStages = ..., optimiser: Optimiser = ..., learning_rate: float = ..., cosine_decay: bool = ..., gradient_norm_limit: float = ..., growth_limit: float = ..., average_decay: float = ..., input_noise: float = ..., shift_windows: bool = ..., ensemble: int = ..., replay_share: float = ..., seed: int = ..., jobs: int = ..., time_limit_s: float = ..., validation_interval: int = ..., checkpoint: str | os.PathLike[str] = ..., checkpoint_interval_s: float = ..., resume: bool = ...) -> None:
+        """Fields are keyword arguments, all optional. The defaults: TrainingSettings(preset='best', layout=<BackboneLayout.gap_poses: 1>, form=<OutputForm.gated_change: 1>, reads_velocity=True, hidden_units=[100, 100, 100], scaling=<Scaling.unit_spread: 1>, reduction=<LossReduction.mean_over_batch: 1>, stages=TrainingStages([]), optimiser=<Optimiser.adam: 1>, learning_rate=0.003, cosine_decay=True, gradient_norm_limit=0.0, growth_limit=0.0, average_decay=0.0, input_noise=0.0, shift_windows=True, ensemble=1, replay_share=0.25, seed=1, jobs=0, time_limit_s=0.0, validation_interval=1, checkpoint=PosixPath('.'), checkpoint_interval_s=20.0, resume=False)."""
 
 class TrainingStage:
     """A part of training, windows of one length."""

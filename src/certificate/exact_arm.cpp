@@ -191,7 +191,7 @@ ExactArm::ExactArm(const ArmDescription& arm, const CompensationModel* network) 
   if (network != nullptr) {
     layout_ = network->layout;
     form_ = network->form;
-    reads_change_ = network->reads_change;
+    reads_velocity_ = network->reads_velocity;
     bounds_ = network->bounds;
     for (int member = 0; member < network->asked_count(); ++member) {
       networks_.emplace_back(network->member(member));
@@ -231,7 +231,7 @@ std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& pre
     for (const std::vector<double>* part : parts) {
       input.insert(input.end(), part->begin(), part->end());
     }
-    if (reads_change_) {
+    if (reads_velocity_) {
       const std::vector<double> earlier = coordinates(*past[c].before, layout_);
       for (std::size_t i = 0; i < earlier.size(); ++i) {
         input.push_back(before[c][i] - earlier[i]);

@@ -44,7 +44,7 @@ class ExactArm {
   const ArmDescription& arm_;
   BackboneLayout layout_ = BackboneLayout::gap_poses;
   OutputForm form_ = OutputForm::compensation;
-  bool reads_change_ = false;
+  bool reads_velocity_ = false;
   std::optional<GapBounds> bounds_;
   std::vector<ExactNetwork> networks_;  // none: no load; several: their mean, (21)
 };

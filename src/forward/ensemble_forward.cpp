@@ -14,16 +14,6 @@ EnsembleForward::EnsembleForward(const ArmDescription& arm, const CompensationMo
   }
 }
 
-void EnsembleForward::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
-                                 const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
-                                 std::vector<Eigen::MatrixXf>& backbones,
-                                 ForwardModel::Workspace& workspace) const {
-  assert(backbones.size() == members_.size());
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    members_[i].step_batch(previous_kpa, current_kpa, backbones[i], backbones[i], workspace);
-  }
-}
-
 EnsembleForward::Prediction EnsembleForward::rollout(
     const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
     const Eigen::Ref<const Eigen::VectorXf>& first) const {

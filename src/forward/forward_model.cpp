@@ -135,12 +135,18 @@ void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_
 
 Backbone ForwardModel::checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
                                     const Backbone& previous) const {
+  return checked_step(previous_kpa, current_kpa, previous, previous);
+}
+
+Backbone ForwardModel::checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
+                                    const Backbone& before, const Backbone& previous) const {
   require_pressures("previous_kpa", previous_kpa, no_load_);
   require_pressures("current_kpa", current_kpa, no_load_);
   require_backbone("previous", previous, point_count());
+  require_backbone("before", before, point_count());
   Backbone next(point_count(), 3);
   Workspace workspace;
-  step(previous_kpa, current_kpa, previous, next, workspace);
+  step(previous_kpa, current_kpa, before, previous, next, workspace);
   return next;
 }
 

@@ -50,7 +50,7 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
       rows_(row_kernels(level)),
       layout_(model != nullptr ? model->layout : BackboneLayout::base_poses,
               model != nullptr ? model->form : OutputForm::compensation, arm,
-              model != nullptr && model->reads_change) {
+              model != nullptr && model->reads_velocity) {
   for (const Segment& segment : arm.segments) {
     no_load_.push_back(pack(segment, arm.no_load));
   }
@@ -117,7 +117,7 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
                stride);
   if (layout_.backbone_layout() == BackboneLayout::base_poses) {
     rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, backbone, stride);
-    if (layout_.reads_change()) {
+    if (layout_.reads_velocity()) {
       rows_.gather(3 * points_, count, queries.before.data, queries.before.ld, change, stride);
       subtract_from(backbone, 3 * points_ * stride, change);
     }
@@ -132,7 +132,7 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
   } else {
     rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, base, stride);
     rows_.encode_gaps(points_ - 1, base, backbone, stride);
-    if (layout_.reads_change()) {
+    if (layout_.reads_velocity()) {
       rows_.gather(3 * points_, count, queries.before.data, queries.before.ld, base, stride);
       rows_.encode_gaps(points_ - 1, base, change, stride);
       subtract_from(backbone, layout_.backbone_size() * stride, change);
@@ -167,7 +167,7 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
     } else {
       std::copy_n(queries.previous.column(q), 3 * points_, column + layout_.backbone_row());
     }
-    if (layout_.reads_change()) {
+    if (layout_.reads_velocity()) {
       float* const change = column + layout_.change_row();
       if (has_gap_poses) {
         rows_.encode_gaps_of_one(points_ - 1, queries.before.column(q), change);

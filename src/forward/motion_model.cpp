@@ -45,7 +45,7 @@ MotionState MotionModel::moving_state(Eigen::VectorXf valves,
                                       const Eigen::Ref<const Backbone>& backbone,
                                       const Eigen::Ref<const Backbone>& before) const {
   MotionState state{segment_count(), std::move(valves), backbone};
-  if (reads_change()) {
+  if (reads_velocity()) {
     state.before = before;
   }
   return state;
@@ -55,7 +55,7 @@ void MotionModel::step(const Eigen::Ref<const Pressures>& setpoint_kpa, MotionSt
                        Workspace& workspace) const {
   const SmallPressures before_kpa = state.pressure_kpa();
   valves_.step(setpoint_kpa, state.valves);
-  if (!reads_change()) {
+  if (!reads_velocity()) {
     forward_->step(before_kpa, state.pressure_kpa(), state.backbone, state.backbone, workspace);
     return;
   }

@@ -17,7 +17,7 @@ const Pressures& setpoint_before(const ArmStart& start, std::size_t back) {
 
 MotionState state_of(const ArmStart& start, const MotionModel& model) {
   MotionState state = model.settled_state(start.pressures_kpa, start.backbone);
-  if (model.reads_change() && start.before.rows() > 0) {
+  if (model.reads_velocity() && start.before.rows() > 0) {
     state.before = start.before;
   }
   const Eigen::Index n = state.segments;

@@ -35,14 +35,23 @@ void ParallelForward::step_batch(const ForwardModel& model,
                                  const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
                                  const Eigen::Ref<const Eigen::MatrixXf>& previous,
                                  Eigen::Ref<Eigen::MatrixXf> next) {
+  step_batch(model, previous_kpa, current_kpa, previous, previous, next);
+}
+
+void ParallelForward::step_batch(const ForwardModel& model,
+                                 const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
+                                 const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
+                                 const Eigen::Ref<const Eigen::MatrixXf>& before,
+                                 const Eigen::Ref<const Eigen::MatrixXf>& previous,
+                                 Eigen::Ref<Eigen::MatrixXf> next) {
   const Eigen::Index parts = (next.cols() + kPart - 1) / kPart;
   threads_->arena.execute([&] {
     tbb::parallel_for(Eigen::Index{0}, parts, [&](Eigen::Index part) {
       const Eigen::Index from = part * kPart;
       const Eigen::Index count = std::min(kPart, next.cols() - from);
       model.step_batch(previous_kpa.middleCols(from, count), current_kpa.middleCols(from, count),
-                       previous.middleCols(from, count), next.middleCols(from, count),
-                       threads_->workspaces.local());
+                       before.middleCols(from, count), previous.middleCols(from, count),
+                       next.middleCols(from, count), threads_->workspaces.local());
     });
   });
 }

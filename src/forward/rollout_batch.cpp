@@ -17,7 +17,7 @@ RolloutBatch::RolloutBatch(const MotionModel& model)
     m->resize(model.segment_count(), 0);
   }
   valves_.resize(model.valves().state_size(), 0);
-  earlier_.resize(model.reads_change() ? 3 * model.point_count() : 0, 0);
+  earlier_.resize(model.reads_velocity() ? 3 * model.point_count() : 0, 0);
   before_.resize(3 * model.point_count(), 0);
   now_.resize(3 * model.point_count(), 0);
 }
@@ -43,14 +43,14 @@ void RolloutBatch::add(int label, const MotionState& from,
   now_kpa_.col(column) = from.pressure_kpa();
   valves_.col(column) = from.valves;
   Eigen::Map<Backbone>(now_.col(column).data(), model_.point_count(), 3) = from.backbone;
-  if (model_.reads_change()) {
+  if (model_.reads_velocity()) {
     Eigen::Map<Backbone>(before_.col(column).data(), model_.point_count(), 3) = from.before;
   }
 }
 
 void RolloutBatch::step() {
   now_kpa_.swap(before_kpa_);
-  if (model_.reads_change()) {
+  if (model_.reads_velocity()) {
     before_.swap(earlier_);
   }
   now_.swap(before_);
@@ -62,7 +62,7 @@ void RolloutBatch::step() {
     model_.valves().step(setpoint_kpa_, valves_.col(c));
     now_kpa_.col(c) = valves_.col(c).head(setpoint_kpa_.size());
   }
-  const Eigen::MatrixXf& earlier = model_.reads_change() ? earlier_ : before_;
+  const Eigen::MatrixXf& earlier = model_.reads_velocity() ? earlier_ : before_;
   model_.forward().step_batch(before_kpa_.leftCols(size()), now_kpa_.leftCols(size()),
                               earlier.leftCols(size()), before_.leftCols(size()),
                               now_.leftCols(size()), workspace_);

@@ -6,10 +6,10 @@
 namespace limber {
 
 NetworkLayout::NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm,
-                             bool reads_change)
+                             bool reads_velocity)
     : layout_(layout),
       form_(form),
-      reads_change_(reads_change),
+      reads_velocity_(reads_velocity),
       point_count_(arm.point_count()) {
   int gap = 0;
   for (const Segment& segment : arm.segments) {

@@ -27,7 +27,7 @@ Sizes expected_sizes(const CompensationModel& model) {
   const Eigen::Index backbone = base ? 3 * m : 3 * (m - 1);
   const Eigen::Index no_load = base ? 3 * m : 3 * n;
   const bool gated = model.form == OutputForm::gated_change;
-  const Eigen::Index change = model.reads_change ? backbone : 0;
+  const Eigen::Index change = model.reads_velocity ? backbone : 0;
   return {2 * n + backbone + no_load + change, backbone, gated ? 2 * backbone : backbone};
 }
 
@@ -124,7 +124,7 @@ CompensationModel CompensationModel::member(int index) const {
   CompensationModel one;
   one.layout = layout;
   one.form = form;
-  one.reads_change = reads_change;
+  one.reads_velocity = reads_velocity;
   one.layers = index == 0 ? layers : more_members[static_cast<std::size_t>(index) - 1];
   one.input = input;
   one.output = output;

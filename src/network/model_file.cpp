@@ -23,7 +23,7 @@ constexpr const char* kTrainingPrefix = "training.";
 constexpr const char* kValvesKey = "valves";
 constexpr const char* kLearntFromKey = "learnt_from";
 constexpr const char* kErrorKey = "prediction_error";
-constexpr const char* kReadsChangeKey = "reads_change";
+constexpr const char* kReadsVelocityKey = "reads_velocity";
 constexpr const char* kTubeKey = "tube";
 constexpr const char* kLearntPrefix = "learnt.";
 constexpr const char* kBoundsPrefix = "bounds.";
@@ -157,10 +157,10 @@ OutputForm output_form_at(const Safetensors& content, const std::string& where) 
 }
 
 // Models of before there was a choice don't.
-bool reads_change_at(const Safetensors& content, const std::string& where) {
-  const auto found = content.metadata.find(kReadsChangeKey);
+bool reads_velocity_at(const Safetensors& content, const std::string& where) {
+  const auto found = content.metadata.find(kReadsVelocityKey);
   if (found != content.metadata.end() && found->second != "yes") {
-    refuse(where, fmt::format("metadata {} = '{}'; expected yes, or no such key", kReadsChangeKey,
+    refuse(where, fmt::format("metadata {} = '{}'; expected yes, or no such key", kReadsVelocityKey,
                               shortened(found->second)));
   }
   return found != content.metadata.end();
@@ -281,8 +281,8 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
                       {"point_count", std::to_string(model.point_count)},
                       {"preset", model.preset},
                       {kLearntFromKey, commands_are(model.learnt_from_setpoints)}};
-  if (model.reads_change) {
-    content.metadata[kReadsChangeKey] = "yes";
+  if (model.reads_velocity) {
+    content.metadata[kReadsVelocityKey] = "yes";
   }
   if (!model.arm_description.empty()) {
     content.metadata["arm_description"] = model.arm_description;
@@ -324,7 +324,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
   }
   model.layout = layout_at(content, where);
   model.form = output_form_at(content, where);
-  model.reads_change = reads_change_at(content, where);
+  model.reads_velocity = reads_velocity_at(content, where);
   model.segment_count = count_at(content, "segment_count", where);
   model.point_count = count_at(content, "point_count", where);
   model.preset = text_at(content, "preset", where);

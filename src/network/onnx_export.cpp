@@ -272,6 +272,7 @@ void write_onnx(const std::filesystem::path& path, const CompensationModel& mode
   add_metadata(file, "arm_hash", model.arm_hash);
   add_metadata(file, "layout", to_string(model.layout));
   add_metadata(file, "output_form", to_string(model.form));
+  add_metadata(file, "reads_velocity", model.reads_velocity ? "yes" : "no");
   add_metadata(file, "segment_count", std::to_string(model.segment_count));
   add_metadata(file, "point_count", std::to_string(model.point_count));
   add_metadata(file, "preset", model.preset);

@@ -13,7 +13,7 @@ namespace {
 constexpr float kBend_rad = 3.0F;          // a segment's largest turn, about
 constexpr float kCompensation_m = 0.02F;   // output range of a position
 constexpr float kCompensation_rad = 0.1F;  // and of an angle
-constexpr float kChangeShare = 0.1F;       // of that, what changes within a frame
+constexpr float kChangeShare = 0.1F;       // of all these, what changes within a frame
 
 Layer random_layer(int inputs, int outputs, RandomStream& random) {
   // He's bound: the spread of the numbers stays the same from layer to layer.
@@ -36,11 +36,12 @@ Eigen::VectorXf pose_ranges(Eigen::Index size, float metres, float radians) {
 
 CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layout,
                                   const std::vector<int>& hidden, std::uint64_t seed,
-                                  OutputForm form) {
-  const NetworkLayout sizes(layout, form, arm);
+                                  OutputForm form, bool reads_velocity) {
+  const NetworkLayout sizes(layout, form, arm, reads_velocity);
   CompensationModel model;
   model.layout = layout;
   model.form = form;
+  model.reads_velocity = reads_velocity;
   model.set_arm(arm);
   model.preset = "untrained";
 
@@ -68,8 +69,10 @@ CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layo
     }
   }
   const int poses = sizes.backbone_size() + sizes.no_load_size();
-  high.tail(poses) = pose_ranges(poses, length * share, turn * share);
-  low.tail(poses) = -high.tail(poses);
+  high.segment(sizes.backbone_row(), poses) = pose_ranges(poses, length * share, turn * share);
+  const int changes = sizes.input_size() - sizes.change_row();
+  high.tail(changes) = kChangeShare * pose_ranges(changes, length * share, turn * share);
+  low.tail(poses + changes) = -high.tail(poses + changes);
   model.input.offset = low;
   model.input.scale = (high - low).cwiseInverse();
   const Eigen::VectorXf output =

@@ -46,7 +46,7 @@ Eigen::Map<const Backbone> PressureTree::before(int i) const {
 
 MotionState PressureTree::state(int i) const {
   return model_.moving_state(valves(i), backbone(i),
-                             model_.reads_change() ? before(i) : backbone(i));
+                             model_.reads_velocity() ? before(i) : backbone(i));
 }
 
 void PressureTree::attach(int i, int parent) {
@@ -93,7 +93,7 @@ std::vector<Pressures> PressureTree::path_to(int i) const {
 
 std::size_t PressureTree::bytes_per_node() const {
   return sizeof(Node) + sizeof(float) * static_cast<std::size_t>(model_.valves().state_size() +
-                                                                 (model_.reads_change() ? 6 : 3) *
+                                                                 (model_.reads_velocity() ? 6 : 3) *
                                                                      model_.point_count());
 }
 

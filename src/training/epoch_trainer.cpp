@@ -229,7 +229,7 @@ CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
   CompensationModel model;
   model.layout = settings_.layout;
   model.form = settings_.form;
-  model.reads_change = settings_.reads_change;
+  model.reads_velocity = settings_.reads_velocity;
   for (const int member : order) {
     std::vector<Layer> layers =
         to_layers(layout_, parameters.segment(member * layout_.size(), layout_.size()));

@@ -53,9 +53,11 @@ double peak_gmac_per_s(int threads) {
   return std::accumulate(rates.begin(), rates.end(), 0.0);
 }
 
-/// The settings of one stage alone, at a constant rate.
+/// The settings of one stage alone, at a constant rate; without a limit on growth, since PyTorch,
+/// with which this is compared, has nothing like it.
 TrainingSettings of_stage(TrainingSettings settings, const TrainingStage& stage) {
   settings.stages = {stage};
+  settings.growth_limit = 0.0;
   settings.cosine_decay = false;
   return settings;
 }
@@ -68,7 +70,9 @@ double useful_multiply_adds(const EpochTrainer& trainer, const TrainingStage& st
     all += static_cast<double>(layout.inputs(layer)) * layout.outputs(layer);
   }
   const double first = static_cast<double>(layout.inputs(0)) * layout.outputs(0);
-  const double carried = static_cast<double>(trainer.tables().frames.state.rows()) *
+  // Back in time lead the columns that read B_{t−1}, and those that read its change.
+  const int read_twice = trainer.tables().map.reads_velocity() ? 2 : 1;
+  const double carried = static_cast<double>(read_twice * trainer.tables().frames.state.rows()) *
                          layout.outputs(0) * (stage.window_frames - 1) / stage.window_frames;
   return (3.0 * all - first + carried) * stage.window_frames * static_cast<double>(windows) *
          trainer.member_count();
@@ -159,6 +163,10 @@ void write_training_tables(const std::filesystem::path& path, const ArmDescripti
     content.tensors["no_load"] = tensor_of(tables.frames.no_load);
     content.tensors["uncompensated"] = tensor_of(tables.frames.uncompensated);
     content.tensors["state"] = tensor_of(tables.frames.state);
+    if (tables.map.reads_velocity()) {
+      content.tensors["change"] = tensor_of(tables.frames.change);
+      content.tensors["change_scale"] = tensor_of(tables.map.change_scale);
+    }
     content.tensors["target"] = tensor_of(tables.frames.targets());
     content.tensors["output_scale"] = tensor_of(tables.map.output_scale);
     content.tensors["error.weight"] = tensor_of(tables.map.error.weight());

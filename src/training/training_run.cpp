@@ -26,7 +26,7 @@ constexpr int kRivals = 10;  // epochs that are kept to choose from
 TrainingSettings in_form_of(const CompensationModel& start, TrainingSettings settings) {
   settings.layout = start.layout;
   settings.form = start.form;
-  settings.reads_change = start.reads_change;
+  settings.reads_velocity = start.reads_velocity;
   settings.ensemble = start.member_count();
   settings.hidden_units.clear();
   for (std::size_t layer = 0; layer + 1 < start.layers.size(); ++layer) {
@@ -259,13 +259,13 @@ std::string TrainingRun::identity() const {
                             static_cast<std::size_t>(matrix.size()) * sizeof(float));
   };
   const TrainingSettings& s = settings_;
-  std::string text =
-      fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm_.hash(), s.preset,
-                  fmt::join(s.hidden_units, "-"), static_cast<int>(s.layout), to_string(s.form),
-                  s.first_gate_bias, static_cast<int>(s.scaling), s.error_in_base_poses,
-                  static_cast<int>(s.reduction), static_cast<int>(s.optimiser), s.learning_rate,
-                  s.cosine_decay, s.gradient_norm_limit, s.average_decay, s.input_noise,
-                  s.shift_windows, s.validation_interval, s.ensemble, s.seed);
+  std::string text = fmt::format(
+      "{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", arm_.hash(), s.preset,
+      fmt::join(s.hidden_units, "-"), static_cast<int>(s.layout), to_string(s.form),
+      s.reads_velocity, s.growth_limit, s.first_gate_bias, static_cast<int>(s.scaling),
+      s.error_in_base_poses, static_cast<int>(s.reduction), static_cast<int>(s.optimiser),
+      s.learning_rate, s.cosine_decay, s.gradient_norm_limit, s.average_decay, s.input_noise,
+      s.shift_windows, s.validation_interval, s.ensemble, s.seed);
   if (!data_.replay.empty()) {
     text += fmt::format(" replay {} of {} episodes", s.replay_share, data_.replay.size());
   }

@@ -32,6 +32,7 @@ TrainingSettings paper_preset() {
   settings.preset = "paper";
   settings.layout = BackboneLayout::base_poses;
   settings.form = OutputForm::compensation;
+  settings.reads_velocity = false;
   settings.scaling = Scaling::unit_range;
   settings.reduction = LossReduction::sum_over_batch;
   settings.stages = {{32, 128, 6000}};
@@ -51,6 +52,7 @@ TrainingSettings best_preset() {
   settings.stages = {{2, 256, 150}, {8, 64, 120}, {32, 32, 180}};
   settings.validation_interval = 2;
   settings.gradient_norm_limit = 1.0;
+  settings.growth_limit = 1.5;
   return settings;
 }
 
@@ -125,6 +127,8 @@ void require_usable(const TrainingSettings& settings) {
           "a finite number");
   require(settings.gradient_norm_limit >= 0.0, "gradient_norm_limit", settings.gradient_norm_limit,
           ">= 0 (0: no limit)");
+  require(std::isfinite(settings.growth_limit) && settings.growth_limit >= 0.0, "growth_limit",
+          settings.growth_limit, "a finite number >= 0 (0: no limit)");
   require(settings.average_decay >= 0.0 && settings.average_decay < 1.0, "average_decay",
           settings.average_decay, "[0, 1)");
   require(settings.input_noise >= 0.0, "input_noise", settings.input_noise, ">= 0");

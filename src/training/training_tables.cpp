@@ -104,6 +104,11 @@ float min_pose_spread(Eigen::Index row) {
   return row % 3 == 2 ? kMinInputSpread_rad : kMinInputSpread_m;
 }
 
+/// Least spread of their changes from frame to frame: below that they are rounding.
+float min_change_spread(Eigen::Index row) {
+  return 0.1F * min_pose_spread(row);
+}
+
 /// Of other numbers: any spread counts.
 float no_least_spread(Eigen::Index) {
   return 0.0F;
@@ -156,12 +161,18 @@ Eigen::MatrixXf changes_of(const RawFrames& raw, const std::vector<EpisodeRange>
   return changes;
 }
 
-/// Scale of the changes from frame to frame. They are not shifted, so that no change stays no
-/// change. Untracked frames are interpolated between their neighbours, so that no change is too
-/// large.
+/// Scale of the changes from one tracked frame to the next. They are not shifted, so that no change
+/// stays no change.
 Normalisation measure_changes(const RawFrames& raw, const std::vector<EpisodeRange>& episodes,
                               Scaling scaling) {
-  Normalisation result = measure(changes_of(raw, episodes), scaling);
+  Eigen::MatrixXf changes = changes_of(raw, episodes);
+  for (Eigen::Index t = 0; t < changes.cols() && !raw.tracked.empty(); ++t) {
+    const auto at = static_cast<std::size_t>(t);
+    if (raw.tracked[at] == 0 || (t > 0 && raw.tracked[at - 1] == 0)) {
+      changes.col(t).setZero();
+    }
+  }
+  Normalisation result = measure(changes, scaling, min_change_spread);
   result.offset.setZero();
   return result;
 }
@@ -225,7 +236,8 @@ void normalise(RawFrames raw, const NetworkLayout& layout, const TrainingSetting
             : tables.output;
     tables.map.error = FrameError<float>(spread.scale.array() / state_scale);
   }
-  if (settings.reads_change) {
+  tables.map.growth_limit = static_cast<float>(settings.growth_limit);
+  if (settings.reads_velocity) {
     const auto scale = tables.input.scale.segment(layout.change_row(), size).array();
     tables.map.change_scale = scale / state_scale;
     frames.change = changes_of(raw, tables.episodes).array().colwise() * scale;
@@ -253,14 +265,14 @@ void require_varying_pressures(const Eigen::MatrixXf& pressure_kpa) {
 
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings) {
-  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_change);
+  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_velocity);
   TrainingTables tables;
   RawFrames raw = gather(arm, episodes, layout, tables.episodes);
   require_varying_pressures(raw.pressure_kpa);
   const Normalisation pressure = measure(tracked_only(raw.pressure_kpa, raw), settings.scaling);
   const PoseScales poses = measure_poses(raw, tables.episodes, layout, settings);
   tables.input = stack({pressure, pressure, poses.state, poses.no_load});
-  if (settings.reads_change) {
+  if (settings.reads_velocity) {
     tables.input = stack({tables.input, measure_changes(raw, tables.episodes, settings.scaling)});
   }
   tables.output = poses.output;
@@ -271,7 +283,7 @@ TrainingTables make_training_tables(const ArmDescription& arm, const std::vector
 TrainingTables make_training_tables(const ArmDescription& arm, const std::vector<Episode>& episodes,
                                     const TrainingSettings& settings, const Normalisation& input,
                                     const Normalisation& output) {
-  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_change);
+  const NetworkLayout layout(settings.layout, settings.form, arm, settings.reads_velocity);
   TrainingTables tables;
   tables.input = input;
   tables.output = output;

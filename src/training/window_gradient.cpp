@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <functional>
 
 #include "training_kernels.hpp"
 
@@ -41,7 +43,7 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
       window_limit_(window_limit),
       stride_(group_stride(window_limit, kernels_.lanes)),
       slots_(std::max(kGradientQueries / stride_, 1)) {
-  assert(layout.inputs(0) >= 2 * segment_count + size_ * (map.reads_change() ? 2 : 1));
+  assert(layout.inputs(0) >= 2 * segment_count + size_ * (map.reads_velocity() ? 2 : 1));
   assert(layout.outputs(layout.layer_count() - 1) == map.output_count());
   const int groups = (window_limit + stride_ - 1) / stride_;
   const auto numbers = [&](int blocks, int rows) {
@@ -64,8 +66,10 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
   last_state_.resize(numbers(1, size_));
   carried_.resize(numbers(1, size_));
   direct_.resize(numbers(1, size_));
-  changed_.resize(map.reads_change() ? numbers(1, size_) : 0);
+  changed_.resize(map.reads_velocity() ? numbers(1, size_) : 0);
   change_back_.resize(changed_.size());
+  put_in_.resize(map.growth_limit > 0 ? numbers(1, 1) : 0);
+  shortened_.resize(put_in_.size());
   unbounded_.resize(map.is_bounded() ? numbers(blocks, size_) : 0);
   gate_.resize(map.is_gated() ? numbers(blocks, size_) : 0);
 }
@@ -98,7 +102,7 @@ void WindowGradient<Scalar>::load_block(const FrameTable<Scalar>& frames, int gr
   gather(frames.pressure, input);
   if (frame == 0) {
     gather(frames.state, input + 2 * segments_ * stride_);
-    if (map_.reads_change()) {
+    if (map_.reads_velocity()) {
       gather(frames.change, change(block));
     }
   }
@@ -162,7 +166,7 @@ double WindowGradient<Scalar>::forward(const Scalar* parameters) {
       Scalar* state =
           k + 1 == frames_ ? last_state_.data() : previous_state(block_of(group, k + 1));
       apply_output(block, state);
-      if (map_.reads_change() && k + 1 < frames_) {
+      if (map_.reads_velocity() && k + 1 < frames_) {
         note_change(block, state, change(block_of(group, k + 1)));
       }
       loss += static_cast<double>(map_.error.compute(stride_, state, at(target_, size_, block),
@@ -231,6 +235,9 @@ void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block,
     return at(delta_[static_cast<std::size_t>(layer)], layout_.outputs(layer), slot);
   };
   const int last = layout_.layer_count() - 1;
+  if (map_.growth_limit > 0) {
+    note_error(block);
+  }
   carry_back(block, delta(last));
   for (int layer = last; layer > 0; --layer) {
     const int inputs = layout_.inputs(layer);
@@ -248,19 +255,59 @@ void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block,
       stride_, outputs, size_, delta(0),
       parameters + layout_.weight_offset(0) + std::ptrdiff_t{2} * segments_ * outputs,
       carried_.data());
-  if (map_.reads_change()) {
+  if (map_.reads_velocity()) {
     carry_change_back(parameters, delta(0));
+  }
+  if (map_.growth_limit > 0) {
+    limit_growth();
   }
 }
 
-// B_{t−1} − B_{t−2} is read in frame t: B_{t−1} counts in it, and counts less in that of frame t + 1.
+template <class Scalar>
+void WindowGradient<Scalar>::note_error(int block) {
+  std::fill(shortened_.begin(), shortened_.end(), Scalar(0));
+  const Scalar* error = at(error_gradient_, size_, block);
+  for (int r = 0; r < size_; ++r) {
+    for (int i = 0; i < stride_; ++i) {
+      shortened_[i] += error[r * stride_ + i] * error[r * stride_ + i];
+    }
+  }
+  for (int i = 0; i < stride_; ++i) {
+    put_in_[i] += std::sqrt(shortened_[i]);
+  }
+}
+
+template <class Scalar>
+void WindowGradient<Scalar>::limit_growth() {
+  std::fill(shortened_.begin(), shortened_.end(), Scalar(0));
+  for (int r = 0; r < size_; ++r) {
+    for (int i = 0; i < stride_; ++i) {
+      const Scalar whole = carried_[r * stride_ + i] + direct_[r * stride_ + i];
+      shortened_[i] += whole * whole;
+    }
+  }
+  for (int i = 0; i < stride_; ++i) {
+    const Scalar longest = map_.growth_limit * put_in_[i];
+    shortened_[i] = longest / std::max(longest, std::sqrt(shortened_[i]));
+    if (!(shortened_[i] >= 0)) {
+      shortened_[i] = 0;  // nothing was put in, or the gradient is beyond all numbers
+    }
+  }
+  for (Storage* part : {&carried_, &direct_, &changed_}) {
+    for (auto row = part->begin(); row != part->end(); row += stride_) {
+      std::transform(row, row + stride_, shortened_.begin(), row, std::multiplies<>());
+    }
+  }
+}
+
+// B_{t−1} − B_{t−2} is read in frame t: B_{t−1} counts in it, and counts less in that of t + 1.
 template <class Scalar>
 void WindowGradient<Scalar>::carry_change_back(const Scalar* parameters, const Scalar* delta) {
   const int outputs = layout_.outputs(0);
-  kernels_.layer_back(stride_, outputs, size_, delta,
-                      parameters + layout_.weight_offset(0) +
-                          std::ptrdiff_t{layout_.inputs(0) - size_} * outputs,
-                      change_back_.data());
+  kernels_.layer_back(
+      stride_, outputs, size_, delta,
+      parameters + layout_.weight_offset(0) + std::ptrdiff_t{layout_.inputs(0) - size_} * outputs,
+      change_back_.data());
   for (int r = 0; r < size_; ++r) {
     const Scalar scale = map_.change_scale[r];
     for (int i = r * stride_; i < (r + 1) * stride_; ++i) {
@@ -294,6 +341,7 @@ void WindowGradient<Scalar>::backward(const Scalar* parameters, Scalar* gradient
       std::fill(carried_.begin(), carried_.end(), Scalar(0));
       std::fill(direct_.begin(), direct_.end(), Scalar(0));
       std::fill(changed_.begin(), changed_.end(), Scalar(0));
+      std::fill(put_in_.begin(), put_in_.end(), Scalar(0));
     }
     backward_block(parameters, block, pending);
     ++pending;

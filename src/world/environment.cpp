@@ -29,17 +29,23 @@ std::string to_yaml(const Polygon& polygon) {
   return fmt::format("polygon: [{}]", fmt::join(points, ", "));
 }
 
-std::string to_yaml(const ArmStart& start) {
+std::string to_yaml(const Backbone& backbone) {
   std::vector<std::string> rows;
-  for (Eigen::Index i = 0; i < start.backbone.rows(); ++i) {
-    rows.push_back(fmt::format("[{}, {}, {}]", start.backbone(i, 0), start.backbone(i, 1),
-                               start.backbone(i, 2)));
+  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+    rows.push_back(fmt::format("[{}, {}, {}]", backbone(i, 0), backbone(i, 1), backbone(i, 2)));
   }
+  return fmt::format("[{}]", fmt::join(rows, ", "));
+}
+
+std::string to_yaml(const ArmStart& start) {
   const auto numbers = [](const Pressures& kpa) {
     return fmt::format("[{}]", fmt::join(std::vector<float>(kpa.begin(), kpa.end()), ", "));
   };
-  std::string text = fmt::format("\n  pressures_kpa: {}\n  backbone: [{}]",
-                                 numbers(start.pressures_kpa), fmt::join(rows, ", "));
+  std::string text = fmt::format("\n  pressures_kpa: {}\n  backbone: {}",
+                                 numbers(start.pressures_kpa), to_yaml(start.backbone));
+  if (start.before.rows() > 0) {
+    text += "\n  backbone_before: " + to_yaml(start.before);
+  }
   if (!start.setpoints_kpa.empty()) {
     std::vector<std::string> setpoints;
     for (const Pressures& kpa : start.setpoints_kpa) {

@@ -18,6 +18,7 @@ namespace limber {
 namespace {
 
 constexpr const char* kSchema = "limber/environment/1";
+constexpr const char* kBefore = "backbone_before";
 constexpr double kFarthestM = 1000.0;  // keeps squares of coordinates finite, and catches mm
 constexpr double kMaxAngleRad = 1000.0;
 constexpr double kOrientationToleranceRad = 0.3;  // where the file gives theta alone
@@ -166,15 +167,9 @@ std::vector<YamlReader> setpoints_of(const YamlReader& start) {
   return start.has(key) ? start.at(key).elements() : std::vector<YamlReader>();
 }
 
-ArmStart read_given_start(const YamlReader& node) {
-  node.refuse_unknown_keys({"pressures_kpa", "commands", "backbone", "setpoints_kpa", "setpoints"});
-  ArmStart start;
-  start.pressures_kpa = read_pressures(commands_of(node));
-  for (const YamlReader& row : setpoints_of(node)) {
-    start.setpoints_kpa.push_back(read_pressures(row));
-  }
-  const std::vector<YamlReader> rows = node.at("backbone").elements();
-  start.backbone.resize(static_cast<Eigen::Index>(rows.size()), 3);
+Backbone read_backbone(const YamlReader& node) {
+  const std::vector<YamlReader> rows = node.elements();
+  Backbone backbone(static_cast<Eigen::Index>(rows.size()), 3);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<YamlReader> pose = rows[i].elements();
     if (pose.size() != 3) {
@@ -183,7 +178,22 @@ ArmStart read_given_start(const YamlReader& node) {
     }
     // All three first: a row that is begun and left by an exception is an error to Eigen.
     const Eigen::RowVector3d row(coordinate(pose[0]), coordinate(pose[1]), angle(pose[2]));
-    start.backbone.row(static_cast<Eigen::Index>(i)) = row.cast<float>();
+    backbone.row(static_cast<Eigen::Index>(i)) = row.cast<float>();
+  }
+  return backbone;
+}
+
+ArmStart read_given_start(const YamlReader& node) {
+  node.refuse_unknown_keys(
+      {"pressures_kpa", "commands", "backbone", kBefore, "setpoints_kpa", "setpoints"});
+  ArmStart start;
+  start.pressures_kpa = read_pressures(commands_of(node));
+  for (const YamlReader& row : setpoints_of(node)) {
+    start.setpoints_kpa.push_back(read_pressures(row));
+  }
+  start.backbone = read_backbone(node.at("backbone"));
+  if (node.has(kBefore)) {
+    start.before = read_backbone(node.at(kBefore));
   }
   return start;
 }
@@ -240,6 +250,14 @@ void require_pressures_fit(const YamlReader& node, const Pressures& kpa,
   }
 }
 
+void require_one_pose_per_plate(const YamlReader& node, const Backbone& backbone,
+                                const ArmDescription& arm) {
+  if (backbone.rows() != arm.point_count()) {
+    node.refuse(fmt::format("{} poses found; expected {}, one per plate of arm '{}'",
+                            backbone.rows(), arm.point_count(), arm.name));
+  }
+}
+
 void require_start_fits(const YamlReader& root, const ArmStart& start, const ArmDescription& arm) {
   const YamlReader backbone = root.at("start").at("backbone");
   require_pressures_fit(commands_of(root.at("start")), start.pressures_kpa, arm);
@@ -247,9 +265,9 @@ void require_start_fits(const YamlReader& root, const ArmStart& start, const Arm
   for (std::size_t k = 0; k < setpoints.size(); ++k) {
     require_pressures_fit(setpoints[k], start.setpoints_kpa[k], arm);
   }
-  if (start.backbone.rows() != arm.point_count()) {
-    backbone.refuse(fmt::format("{} poses found; expected {}, one per plate of arm '{}'",
-                                start.backbone.rows(), arm.point_count(), arm.name));
+  require_one_pose_per_plate(backbone, start.backbone, arm);
+  if (root.at("start").has(kBefore)) {
+    require_one_pose_per_plate(root.at("start").at(kBefore), start.before, arm);
   }
   if (const std::optional<StartFault> fault = find_start_fault(start.backbone, arm)) {
     backbone.elements()[static_cast<std::size_t>(fault->row)].refuse(fault->message);

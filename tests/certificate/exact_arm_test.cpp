@@ -23,9 +23,10 @@ std::vector<double> doubles(const Pressures& q) {
   return {q.begin(), q.end()};
 }
 
-class ExactArmWithBounds : public testing::TestWithParam<bool> {};
+/// With bounds or without, reading changes or not.
+class ExactArmOfKind : public testing::TestWithParam<std::tuple<bool, bool>> {};
 
-TEST_P(ExactArmWithBounds, AgreesWithTheForwardModelInEveryLayoutAndForm) {
+TEST_P(ExactArmOfKind, AgreesWithTheForwardModelInEveryLayoutAndForm) {
   const ArmDescription arm = three_segment_arm();
   RandomStream random(1, 0);
   for (const auto& [layout, form] :
@@ -33,21 +34,28 @@ TEST_P(ExactArmWithBounds, AgreesWithTheForwardModelInEveryLayoutAndForm) {
         {BackboneLayout::base_poses, OutputForm::gated_change},
         {BackboneLayout::gap_poses, OutputForm::compensation},
         {BackboneLayout::gap_poses, OutputForm::gated_change}}) {
-    CompensationModel model = untrained_model(arm, layout, {100, 100, 100}, 5, form);
-    if (GetParam()) {
+    CompensationModel model =
+        untrained_model(arm, layout, {100, 100, 100}, 5, form, std::get<1>(GetParam()));
+    if (std::get<0>(GetParam())) {
       model.bounds = narrow_bounds(arm);
     }
     const ForwardModel fast(arm, model);
     const ExactArm exact(arm, &fast.compensation());
     const NoLoadModel no_load(arm);
     ForwardModel::Workspace workspace;
+    ExactNetwork::Workspace of_exact;
     for (int trial = 0; trial < 200; ++trial) {
       const Pressures before = random_pressures(arm, random);
       const Pressures now = random_pressures(arm, random);
-      const Backbone from = no_load_backbone(no_load, random_pressures(arm, random));
+      const Pressures of_shape = random_pressures(arm, random);
+      const Backbone from = no_load_backbone(no_load, of_shape);
+      const Backbone earlier = no_load_backbone(no_load, 0.9F * of_shape);
       Backbone to(arm.point_count(), 3);
-      fast.step(before, now, from, to, workspace);
-      const ExactArm::Shape shape = exact.next(doubles(before), doubles(now), shape_of(from));
+      fast.step(before, now, earlier, from, to, workspace);
+      const std::array<ExactArm::Shape, 2> shapes{shape_of(earlier), shape_of(from)};
+      const ExactArm::Past past{&shapes[0], &shapes[1]};
+      const ExactArm::Shape shape =
+          exact.next_two(doubles(before), doubles(now), {past, past}, of_exact)[1];
       ASSERT_EQ(shape.size(), 16U);
       for (std::size_t i = 0; i < shape.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
@@ -59,7 +67,8 @@ TEST_P(ExactArmWithBounds, AgreesWithTheForwardModelInEveryLayoutAndForm) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(WithoutAndWith, ExactArmWithBounds, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(BoundsAndChange, ExactArmOfKind,
+                         testing::Combine(testing::Bool(), testing::Bool()));
 
 TEST(ExactArm, AgreesWithTheForwardModelAboutAnEnsemblesMean) {
   const ArmDescription arm = three_segment_arm();

@@ -96,10 +96,12 @@ TEST_P(CreepingModel, IsHeldInBatchesAndEnsemblesToo) {
   const MotionModel model(forward, ValveModel(arm, {}));
   RolloutBatch batch(model);
   const Eigen::VectorXf start = rest(arm);
+  const MotionState at_rest =
+      model.settled_state(Pressures::Zero(arm.segment_count()),
+                          Eigen::Map<const Backbone>(start.data(), arm.point_count(), 3));
   const Eigen::MatrixXf to = random_pressures(arm, 40);
   for (int k = 0; k < 40; ++k) {
-    batch.add(k, Eigen::VectorXf::Zero(model.valves().state_size()),
-              Eigen::Map<const Backbone>(start.data(), arm.point_count(), 3), to.col(k), 300);
+    batch.add(k, at_rest, to.col(k), 300);
   }
   for (int t = 0; t < 300; ++t) {
     batch.step();

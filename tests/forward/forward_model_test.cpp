@@ -1,5 +1,6 @@
 #include "limber/forward/forward_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,12 +23,14 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 constexpr double kRelativeToLength = 1e-5;  // of the arm's length, in metres and radians: float32
-constexpr double kGatedRelativeToLength = 2e-5;  // a gate's rounding moves all that it weighs
+// A gate's rounding moves all that it weighs, and a change's counts as much as ten of a pose's.
+constexpr double kGatedRelativeToLength = 2e-5;
 
 struct Queries {
   MatrixXf previous_kpa;
   MatrixXf current_kpa;
   MatrixXf previous;
+  MatrixXf before;  ///< a frame earlier
 };
 
 // Pressures a little past the limits; backbones near what the arm does, from other pressures.
@@ -37,12 +40,15 @@ Queries random_queries(const ArmDescription& arm, int count, std::uint64_t seed)
   const auto pressure = [&] { return static_cast<float>(random.uniform(-104.0, 104.0)); };
   const int n = arm.segment_count();
   Queries queries{MatrixXf::NullaryExpr(n, count, pressure),
-                  MatrixXf::NullaryExpr(n, count, pressure),
+                  MatrixXf::NullaryExpr(n, count, pressure), MatrixXf(3 * arm.point_count(), count),
                   MatrixXf(3 * arm.point_count(), count)};
   for (int j = 0; j < count; ++j) {
+    const Pressures kpa = Pressures::NullaryExpr(n, pressure);
     Backbone backbone(arm.point_count(), 3);
-    no_load.backbone(Pressures(Pressures::NullaryExpr(n, pressure)), backbone);
+    no_load.backbone(kpa, backbone);
     queries.previous.col(j) = Eigen::Map<Eigen::VectorXf>(backbone.data(), backbone.size());
+    no_load.backbone(Pressures(0.9F * kpa), backbone);
+    queries.before.col(j) = Eigen::Map<Eigen::VectorXf>(backbone.data(), backbone.size());
   }
   return queries;
 }
@@ -62,13 +68,16 @@ MatrixXd reference(const ArmDescription& arm, const CompensationModel* model,
     return answers;
   }
   const bool gaps = model->layout == BackboneLayout::gap_poses;
-  const NetworkLayout layout(model->layout, model->form, arm);
+  const NetworkLayout layout(model->layout, model->form, arm, model->reads_velocity);
   const MatrixXd previous_base = queries.previous.cast<double>();
   const MatrixXd previous = gaps ? gap_poses_of(previous_base) : previous_base;
   const MatrixXd no_load_encoded = gaps ? gap_poses_of(answers) : answers;
   MatrixXd x(layout.input_size(), answers.cols());
+  const MatrixXd before_base = queries.before.cast<double>();
+  const MatrixXd change = previous - (gaps ? gap_poses_of(before_base) : before_base);
   x << queries.previous_kpa.cast<double>(), queries.current_kpa.cast<double>(), previous,
-      layout.no_load_input(no_load_encoded.cast<float>()).cast<double>();
+      layout.no_load_input(no_load_encoded.cast<float>()).cast<double>(),
+      model->reads_velocity ? change : MatrixXd(0, change.cols());
   x = model->input.scale.cast<double>().asDiagonal() *
       (x.colwise() - model->input.offset.cast<double>());
   for (std::size_t l = 0; l < model->layers.size(); ++l) {
@@ -97,7 +106,8 @@ MatrixXd reference(const ArmDescription& arm, const CompensationModel* model,
 MatrixXf answers_of(const ForwardModel& model, const Queries& queries) {
   MatrixXf answers(queries.previous.rows(), queries.previous.cols());
   ForwardModel::Workspace workspace;
-  model.step_batch(queries.previous_kpa, queries.current_kpa, queries.previous, answers, workspace);
+  model.step_batch(queries.previous_kpa, queries.current_kpa, queries.before, queries.previous,
+                   answers, workspace);
   return answers;
 }
 
@@ -106,11 +116,14 @@ std::vector<ForwardModel> models_of(const ArmDescription& arm, CpuLevel level) {
   models.emplace_back(arm, level);
   for (const BackboneLayout layout : {BackboneLayout::base_poses, BackboneLayout::gap_poses}) {
     for (const OutputForm form : {OutputForm::compensation, OutputForm::gated_change}) {
-      const CompensationModel network = untrained_model(arm, layout, {100, 37, 100}, 3, form);
-      models.emplace_back(arm, network, level);
-      CompensationModel bounded = network;
-      bounded.bounds = narrow_bounds(arm);
-      models.emplace_back(arm, std::move(bounded), level);
+      for (const bool reads_velocity : {false, true}) {
+        const CompensationModel network =
+            untrained_model(arm, layout, {100, 37, 100}, 3, form, reads_velocity);
+        models.emplace_back(arm, network, level);
+        CompensationModel bounded = network;
+        bounded.bounds = narrow_bounds(arm);
+        models.emplace_back(arm, std::move(bounded), level);
+      }
     }
   }
   return models;
@@ -132,7 +145,8 @@ TEST_P(ForwardModelOfLevel, AgreesWithDoublePrecision) {
         const double error =
             (answers_of(model, queries).cast<double>() - wanted).cwiseAbs().maxCoeff();
         const bool gated =
-            model.has_network() && model.compensation().form == OutputForm::gated_change;
+            model.has_network() &&
+            (model.compensation().form == OutputForm::gated_change || model.reads_velocity());
         EXPECT_LT(error, (gated ? kGatedRelativeToLength : kRelativeToLength) * arm.length_m())
             << segments << " segments, " << count << " queries, "
             << (model.has_network() ? to_string(model.compensation().layout) : "no load");
@@ -167,10 +181,11 @@ TEST_P(ForwardModelOfLevel, QueryIsTheSameToTheBitAloneAndAnywhereInABatch) {
     ForwardModel::Workspace workspace;
     for (int j = 0; j < 150; ++j) {
       Backbone alone(arm.point_count(), 3);
-      const Backbone previous =
-          Eigen::Map<const Backbone>(queries.previous.col(j).data(), arm.point_count(), 3);
-      model.step(queries.previous_kpa.col(j), queries.current_kpa.col(j), previous, alone,
-                 workspace);
+      const auto backbone_of = [&](const MatrixXf& backbones) {
+        return Backbone(Eigen::Map<const Backbone>(backbones.col(j).data(), arm.point_count(), 3));
+      };
+      model.step(queries.previous_kpa.col(j), queries.current_kpa.col(j),
+                 backbone_of(queries.before), backbone_of(queries.previous), alone, workspace);
       EXPECT_TRUE(Eigen::Map<Eigen::VectorXf>(alone.data(), alone.size()) == together.col(j))
           << "query " << j;
     }
@@ -178,7 +193,8 @@ TEST_P(ForwardModelOfLevel, QueryIsTheSameToTheBitAloneAndAnywhereInABatch) {
       for (const int count : {2, 3, 5, 12, 13, 17, 30}) {
         const Queries part = {queries.previous_kpa.middleCols(from, count),
                               queries.current_kpa.middleCols(from, count),
-                              queries.previous.middleCols(from, count)};
+                              queries.previous.middleCols(from, count),
+                              queries.before.middleCols(from, count)};
         EXPECT_TRUE(answers_of(model, part) == together.middleCols(from, count))
             << count << " queries from " << from;
       }
@@ -190,10 +206,16 @@ TEST_P(ForwardModelOfLevel, AnswersMayReplaceTheQuestions) {
   const ArmDescription arm = sample_arm(3);
   const Queries queries = random_queries(arm, 70, 29);
   for (const ForwardModel& model : models_of(arm, GetParam())) {
-    MatrixXf in_place = queries.previous;
+    const MatrixXf wanted = answers_of(model, queries);
     ForwardModel::Workspace workspace;
-    model.step_batch(queries.previous_kpa, queries.current_kpa, in_place, in_place, workspace);
-    EXPECT_TRUE(in_place == answers_of(model, queries));
+    MatrixXf in_place = queries.previous;
+    model.step_batch(queries.previous_kpa, queries.current_kpa, queries.before, in_place, in_place,
+                     workspace);
+    EXPECT_TRUE(in_place == wanted);
+    in_place = queries.before;
+    model.step_batch(queries.previous_kpa, queries.current_kpa, in_place, queries.previous,
+                     in_place, workspace);
+    EXPECT_TRUE(in_place == wanted);
   }
 }
 
@@ -205,7 +227,8 @@ TEST_P(ForwardModelOfLevel, RolloutFeedsItsAnswersBack) {
     ForwardModel::Workspace workspace;
     model.rollout(pressures, backbones, workspace);
     for (int t = 1; t < 9; ++t) {
-      const Queries step = {pressures.col(t - 1), pressures.col(t), backbones.col(t - 1)};
+      const Queries step = {pressures.col(t - 1), pressures.col(t), backbones.col(t - 1),
+                            backbones.col(std::max(t - 2, 0))};
       EXPECT_TRUE(answers_of(model, step) == backbones.col(t)) << "frame " << t;
     }
   }
@@ -218,7 +241,7 @@ TEST(ForwardModel, WorkspaceServesModelsOfAnySizeInTurn) {
   const ForwardModel second(large, untrained_model(large, BackboneLayout::gap_poses, {200}, 1));
   const Queries few = random_queries(small, 5, 1);
   const Queries many = random_queries(large, 5, 1);
-  const MatrixXf wanted = answers_of(first, few);
+  const MatrixXf wanted = answers_of(first, few);  // which reads no change
   ForwardModel::Workspace workspace;
   MatrixXf large_answers(many.previous.rows(), 5);
   second.step_batch(many.previous_kpa, many.current_kpa, many.previous, large_answers, workspace);
@@ -229,12 +252,23 @@ TEST(ForwardModel, WorkspaceServesModelsOfAnySizeInTurn) {
 
 TEST(ForwardModel, CheckedStepGivesWhatStepGives) {
   const ArmDescription arm = sample_arm(3);
-  const ForwardModel model(arm, untrained_model(arm, BackboneLayout::gap_poses, {100}, 1));
-  const Queries query = random_queries(arm, 1, 37);
-  const Backbone previous = Eigen::Map<const Backbone>(query.previous.data(), arm.point_count(), 3);
-  const Backbone next =
-      model.checked_step(query.previous_kpa.col(0), query.current_kpa.col(0), previous);
-  EXPECT_TRUE(Eigen::Map<const MatrixXf>(next.data(), next.size(), 1) == answers_of(model, query));
+  const ForwardModel model(arm, untrained_model(arm, BackboneLayout::gap_poses, {100}, 1,
+                                                OutputForm::gated_change, true));
+  Queries query = random_queries(arm, 1, 37);
+  const int points = arm.point_count();
+  const Backbone previous = Eigen::Map<const Backbone>(query.previous.data(), points, 3);
+  const Backbone before = Eigen::Map<const Backbone>(query.before.data(), points, 3);
+  const auto answer = [](const Backbone& next) {
+    return MatrixXf(Eigen::Map<const MatrixXf>(next.data(), next.size(), 1));
+  };
+  const Pressures from = query.previous_kpa.col(0);
+  const Pressures to = query.current_kpa.col(0);
+  const MatrixXf moving = answers_of(model, query);
+  EXPECT_TRUE(answer(model.checked_step(from, to, before, previous)) == moving);
+  query.before = query.previous;
+  const MatrixXf still = answers_of(model, query);
+  EXPECT_TRUE(answer(model.checked_step(from, to, previous)) == still);
+  EXPECT_GT((moving - still).cwiseAbs().maxCoeff(), 1e-4F) << "the change is read";
 }
 
 TEST(ForwardModel, CheckedStepNamesWhatIsWrong) {

@@ -33,7 +33,16 @@ class MotionModelOfArm : public ::testing::Test {
   RandomStream random_{4, 0};
 };
 
-TEST_F(MotionModelOfArm, BehindIdealValvesIsTheForwardModel) {
+/// Of a network that reads changes, or does not.
+class MotionModelOfNetwork : public MotionModelOfArm, public testing::WithParamInterface<bool> {
+ protected:
+  ForwardModel forward_{arm_, untrained_model(arm_, BackboneLayout::gap_poses, {32, 32}, 1,
+                                              OutputForm::gated_change, GetParam())};
+};
+
+INSTANTIATE_TEST_SUITE_P(ReadsVelocity, MotionModelOfNetwork, testing::Bool());
+
+TEST_P(MotionModelOfNetwork, BehindIdealValvesIsTheForwardModel) {
   const MotionModel model(forward_);
   ForwardModel::Workspace workspace;
   const Pressures from = pressures();
@@ -41,13 +50,16 @@ TEST_F(MotionModelOfArm, BehindIdealValvesIsTheForwardModel) {
   forward_.no_load().backbone(from, backbone);
   MotionState state = model.settled_state(from, backbone);
   Pressures before = from;
+  Backbone earlier = backbone;
   for (int k = 0; k < 20; ++k) {
     const Pressures now = pressures();
-    forward_.step(before, now, backbone, backbone, workspace);
+    const Backbone last = backbone;
+    forward_.step(before, now, earlier, last, backbone, workspace);
     model.step(now, state, workspace);
     EXPECT_EQ(state.backbone, backbone);
     EXPECT_EQ(Pressures(state.pressure_kpa()), now);
     before = now;
+    earlier = last;
   }
 }
 
@@ -62,7 +74,7 @@ TEST_F(MotionModelOfArm, TakesNoValvesBeforeANetworkThatLearntFromSetPoints) {
   EXPECT_TRUE(MotionModel(of_setpoints).valves().is_ideal());
 }
 
-TEST_F(MotionModelOfArm, FeedsTheForwardModelWithWhatTheValvesLetThrough) {
+TEST_P(MotionModelOfNetwork, FeedsTheForwardModelWithWhatTheValvesLetThrough) {
   const MotionModel model(forward_, valves_);
   ForwardModel::Workspace workspace;
   const Pressures from = pressures();
@@ -70,18 +82,21 @@ TEST_F(MotionModelOfArm, FeedsTheForwardModelWithWhatTheValvesLetThrough) {
   forward_.no_load().backbone(from, backbone);
   MotionState state = model.settled_state(from, backbone);
   Eigen::VectorXf valves = valves_.settled_state(from);
+  Backbone earlier = backbone;
   for (int k = 0; k < 20; ++k) {
     const Pressures setpoint = pressures();
     const Pressures before = valves.head(3);
+    const Backbone last = backbone;
     valves_.step(setpoint, valves);
-    forward_.step(before, valves.head(3), backbone, backbone, workspace);
+    forward_.step(before, valves.head(3), earlier, last, backbone, workspace);
+    earlier = last;
     model.step(setpoint, state, workspace);
     EXPECT_EQ(state.backbone, backbone);
     EXPECT_EQ(state.valves, valves);
   }
 }
 
-TEST_F(MotionModelOfArm, ABatchOfMotionsIsToTheBitTheModelsSteps) {
+TEST_P(MotionModelOfNetwork, ABatchOfMotionsIsToTheBitTheModelsSteps) {
   const MotionModel model(forward_, valves_);
   ForwardModel::Workspace workspace;
   RolloutBatch batch(model);

@@ -165,6 +165,23 @@ TEST(ModelFile, KeepsTheFormOfTheOutput) {
   EXPECT_TRUE(back.output.offset == gated.output.offset && back.output.scale == gated.output.scale);
 }
 
+TEST(ModelFile, KeepsWhetherVelocitiesAreRead) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "model.safetensors";
+  for (const bool reads_velocity : {false, true}) {
+    write_model(path, untrained_model(sample_arm(3), BackboneLayout::gap_poses, {7}, 1,
+                                      OutputForm::gated_change, reads_velocity));
+    const CompensationModel back = read_model(path);
+    EXPECT_EQ(back.reads_velocity, reads_velocity);
+    EXPECT_EQ(back.shape(), reads_velocity ? "105-7-90" : "60-7-90");
+    Safetensors content = parse_safetensors(read_file(path), path);
+    content.metadata["reads_velocity"] = "maybe";
+    write_file_atomically(path, safetensors_bytes(content));
+    EXPECT_THAT([&] { read_model(path); },
+                ThrowsMessage<InputError>(HasSubstr("reads_velocity = 'maybe'; expected yes")));
+  }
+}
+
 TEST(ModelFile, WithoutAFormIsThePapers) {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "model.safetensors";

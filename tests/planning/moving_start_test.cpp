@@ -13,6 +13,7 @@ namespace {
 
 using ::testing::Contains;
 using ::testing::Field;
+using ::testing::IsEmpty;
 
 constexpr std::size_t kCut = 6;  // frame of a plan in which the arm moves
 
@@ -23,7 +24,7 @@ struct MovingSetting : Setting {
   MotionModel motion{model, ValveModel(arm, parameters)};
   Plan whole;
 
-  MovingSetting() : Setting(true) {
+  explicit MovingSetting(float momentum) : Setting(true, momentum) {
     PlannerLimits limits;
     limits.iterations = 2500;
     PlanResult result = make_planner("default", 1)->plan({arm, motion, environment}, limits, 3);
@@ -36,6 +37,7 @@ struct MovingSetting : Setting {
     Environment result = environment;
     const PlanFrame& now = whole.frames[kCut];
     result.start = ArmStart{now.pressure_kpa, now.backbone};
+    result.start->before = whole.frames[kCut - 1].backbone;
     for (std::size_t k = kCut + 1; k-- > 0;) {
       result.start->setpoints_kpa.push_back(whole.frames[k].setpoint_kpa);
     }
@@ -60,10 +62,15 @@ std::vector<Pressures> rest_of_waypoints(const Plan& plan, const ArmDescription&
   return rest;
 }
 
-TEST(MovingStart, TheRestOfAPlanIsAPlanFromWhereTheArmIsThen) {
+/// Of models that read velocities, and of others.
+class MovingStart : public testing::TestWithParam<float> {};
+
+INSTANTIATE_TEST_SUITE_P(Momentum, MovingStart, testing::Values(0.0F, kMomentum));
+
+TEST_P(MovingStart, TheRestOfAPlanIsAPlanFromWhereTheArmIsThen) {
   constexpr float kRoundingKpa = 1e-4F;  // of the set points between two waypoints
   constexpr float kRoundingM = 1e-5F;
-  const MovingSetting s;
+  const MovingSetting s(GetParam());
   const Environment here = s.in_motion();
   const PlanningProblem problem{s.arm, s.motion, here};
   const CollisionChecker checker = checker_of(problem);
@@ -81,16 +88,16 @@ TEST(MovingStart, TheRestOfAPlanIsAPlanFromWhereTheArmIsThen) {
   EXPECT_TRUE(s.certificate(rest, here).certified());
 }
 
-TEST(MovingStart, ItsStateHoldsWhatIsStillDelayed) {
-  const MovingSetting s;
+TEST_P(MovingStart, ItsStateHoldsWhatIsStillDelayed) {
+  const MovingSetting s(GetParam());
   const std::vector<PlanFrame> until(s.whole.frames.begin(), s.whole.frames.begin() + kCut + 1);
   const Environment here = s.in_motion();
   ASSERT_GT(s.motion.valves().setpoint_count(), 2);
   EXPECT_TRUE(state_of(*here.start, s.motion) == state_after(until, s.motion));
 }
 
-TEST(MovingStart, EveryPlannersPlanIsCertifiedFromThere) {
-  const MovingSetting s;
+TEST_P(MovingStart, EveryPlannersPlanIsCertifiedFromThere) {
+  const MovingSetting s(GetParam());
   const Environment here = s.in_motion();
   for (const char* planner : {"default", "paper,valves=1"}) {
     PlannerLimits limits;
@@ -103,8 +110,8 @@ TEST(MovingStart, EveryPlannersPlanIsCertifiedFromThere) {
   }
 }
 
-TEST(MovingStart, ACertificateKnowsWhatWasCommandedAndWhatWasMeasured) {
-  const MovingSetting s;
+TEST_P(MovingStart, ACertificateKnowsWhatWasCommandedAndWhatWasMeasured) {
+  const MovingSetting s(GetParam());
   const Environment here = s.in_motion();
   PlannerLimits limits;
   limits.iterations = 2500;
@@ -130,6 +137,13 @@ TEST(MovingStart, ACertificateKnowsWhatWasCommandedAndWhatWasMeasured) {
   other = here;
   other.start->setpoints_kpa.clear();  // at rest: then the pressures are the set points
   EXPECT_THAT(failures_from(other), Contains(is("start")));
+  other = here;
+  other.start->before.resize(0, 3);  // it stood still
+  if (GetParam() > 0.0F) {
+    EXPECT_THAT(failures_from(other), Contains(is("model")));
+  } else {
+    EXPECT_THAT(failures_from(other), IsEmpty());
+  }
 }
 
 }  // namespace

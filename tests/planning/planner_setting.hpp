@@ -16,6 +16,7 @@
 namespace limber {
 
 inline constexpr float kPlayM = 0.01F;  ///< half width of the plates' play in the setting with one
+inline constexpr float kMomentum = 0.3F;  ///< share of a change that goes on, where velocity counts
 
 /// A pillar to the left, a slanted block to the right, a goal behind the pillar.
 inline Environment pillars() {
@@ -33,8 +34,8 @@ struct Setting {
   ForwardModel model;
   Environment environment = pillars();
 
-  explicit Setting(bool play)
-      : model(play ? ForwardModel(arm, play_network(arm, kPlayM)) : ForwardModel(arm)) {}
+  explicit Setting(bool play, float momentum = 0.0F)
+      : model(play ? ForwardModel(arm, play_network(arm, kPlayM, momentum)) : ForwardModel(arm)) {}
 
   PlanResult plan(const std::string& planner, std::uint64_t iterations, std::uint64_t seed = 3) {
     PlannerLimits limits;

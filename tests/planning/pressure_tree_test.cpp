@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "limber/network/untrained_model.hpp"
 #include "planning/random_shapes.hpp"
 
 namespace limber {
@@ -16,7 +17,8 @@ class PressureTrees : public ::testing::Test {
     for (Eigen::Index i = 1; i < b.rows(); ++i) {
       b(i, 1) += static_cast<float>(random_.uniform(-0.01, 0.01));
     }
-    return model_.settled_state(random_pressures(arm_, random_), b);
+    const Pressures kpa = random_pressures(arm_, random_);
+    return model_.moving_state(model_.valves().settled_state(kpa), b, 0.9F * b);
   }
 
   /// A tree of random parents, and who they are.
@@ -54,7 +56,9 @@ class PressureTrees : public ::testing::Test {
 
   RandomStream random_{1, 1};
   ArmDescription arm_ = three_segment_arm();
-  ForwardModel forward_{arm_};
+  // It reads velocities, so that a state has everything that one can have.
+  ForwardModel forward_{arm_, untrained_model(arm_, BackboneLayout::gap_poses, {8}, 1,
+                                              OutputForm::gated_change, true)};
   MotionModel model_{forward_};
   ArmStart start_ = start_state(Environment{}, arm_);
   PressureTree tree_{model_};

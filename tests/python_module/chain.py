@@ -58,7 +58,7 @@ class Chain:
                     "--episodes", 3, "--hold-s", 1, "--seed", 4, "--out", self.recording,
                     folder=self.folder)
         run_program("train", "--arm", TWO_SEGMENT, "--data", self.recording, "--hidden", 16, 16,
-                    "--epochs", 30, "--seed", 3, "--out", self.model, folder=self.folder)
+                    "--epochs", 30, "--seed", 4, "--out", self.model, folder=self.folder)
         self.arm = limber.load_arm(TWO_SEGMENT)
         self.environment = limber.Environment(
             "a wall", [limber.Circle(x_m=0.30, y_m=-0.30, radius_m=0.03)],

@@ -173,10 +173,31 @@ class Arrays(unittest.TestCase):
     def test_a_rollout_is_its_steps(self):
         pressures = self.before[:50]
         rolled = self.model.rollout(pressures, self.backbones[0])
-        state = self.backbones[0].copy()
+        before = state = self.backbones[0]
         for t in range(1, len(pressures)):
-            self.model.step(pressures[t - 1], pressures[t], state, state)
+            after = self.model.step(pressures[t - 1], pressures[t], state, before=before)
+            before, state = state, after
             np.testing.assert_array_equal(state, rolled[t])
+
+    def test_how_the_arm_moved_before_counts(self):
+        self.assertTrue(self.model.reads_velocity)
+        before = (0.99 * self.backbones).astype(np.float32)
+        moving = self.model.step_batch(self.before, self.after, self.backbones, before=before)
+        still = self.model.step_batch(self.before, self.after, self.backbones)
+        self.assertGreater(np.abs(moving - still).max(), 1e-5)
+        np.testing.assert_array_equal(still, self.model.step_batch(
+            self.before, self.after, self.backbones, before=self.backbones))
+        alone = self.model.step(self.before[3], self.after[3], self.backbones[3], before=before[3])
+        np.testing.assert_array_equal(alone, moving[3])
+        np.testing.assert_array_equal(alone, self.model.checked_step(
+            self.before[3], self.after[3], self.backbones[3], before=before[3]))
+        np.testing.assert_array_equal(moving, limber.ParallelForward(2).step_batch(
+            self.model, self.before, self.after, self.backbones, before=before))
+        with self.assertRaisesRegex(limber.InputError, "before"):
+            self.model.step(self.before[3], self.after[3], self.backbones[3], before=before[3][1:])
+        before[5, 2, 1] = np.nan
+        with self.assertRaisesRegex(limber.InputError, "before"):
+            self.model.step_batch(self.before, self.after, self.backbones, before=before)
 
     def test_an_empty_batch_is_an_empty_answer(self):
         empty = self.model.step_batch(self.before[:0], self.after[:0], self.backbones[:0])

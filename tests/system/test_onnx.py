@@ -52,7 +52,8 @@ def bounded_next(tensors, queries, answers, preset, segments=2):
     else:
         previous = queries[:, 2 * segments:2 * segments + size]
         gaps = size // 3 // segments
-        no_load = np.repeat(queries[:, -3 * segments:].reshape(-1, segments, 3), gaps, axis=1)
+        no_load = queries[:, 2 * segments + size:5 * segments + size]  # velocities follow
+        no_load = np.repeat(no_load.reshape(-1, segments, 3), gaps, axis=1)
         gate = 1.0 / (1.0 + np.exp(-answers[:, size:]))
         steps = previous + answers[:, :size] + gate * (no_load.reshape(-1, size) - previous)
         steps = steps.reshape(len(queries), -1, 3)

@@ -13,7 +13,7 @@ class BatchGradientTest : public testing::Test {
  protected:
   BatchGradientTest()
       : tables_(make_training_tables(arm_, {toy_episode(arm_, 60, 20, 3)}, best_preset())),
-        layout_({60, 20, 90}),
+        layout_({105, 20, 90}),
         parameters_(initial_parameters(layout_, 5)),
         starts_(window_starts(tables_.episodes, {}, 4, 0)) {}
 

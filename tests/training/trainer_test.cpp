@@ -55,6 +55,7 @@ TEST(Train, LearnsAnArmWithPlay) {
   const ArmDescription arm = three_segment_arm();
   const ForwardModel no_load(arm);
   TrainingSettings settings = small_settings();
+  settings.reads_velocity = false;
   settings.stages = {{2, 32, 200}, {8, 16, 100}};
   double reduction_percent = 0.0;
   for (int seed = 1; seed <= kSeeds; ++seed) {

@@ -48,7 +48,7 @@ TEST_F(TrainingBenchmark, WritesTablesForAPeer) {
   EXPECT_EQ(content.tensors.at("pressure").shape, (std::vector<std::size_t>{201, 3}));
   EXPECT_EQ(content.tensors.at("starts.2").shape, (std::vector<std::size_t>{6}));
   const std::vector<std::size_t>& shape = content.tensors.at("layers.0.weight").shape;
-  EXPECT_EQ(shape, (std::vector<std::size_t>{100, 60}));
+  EXPECT_EQ(shape, (std::vector<std::size_t>{100, 105}));
 }
 
 TEST_F(TrainingBenchmark, StopsOnCtrlC) {

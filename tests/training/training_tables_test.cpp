@@ -20,6 +20,7 @@ TrainingSettings settings_for(BackboneLayout layout, Scaling scaling,
   settings.layout = layout;
   settings.scaling = scaling;
   settings.form = form;
+  settings.reads_velocity = false;
   return settings;
 }
 
@@ -157,9 +158,35 @@ TEST(TrainingTables, RefusesConstantPressures) {
 }
 
 // A dropped frame is filled in between its neighbours: a guess, which must shape nothing.
+// Behind the other inputs, not shifted: an arm that stands still has a change of 0.
+TEST(TrainingTables, VelocitiesAreTheChangesOfTheFrameBefore) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = settings_for(BackboneLayout::gap_poses, Scaling::unit_spread);
+  settings.reads_velocity = true;
+  const TrainingTables tables =
+      make_training_tables(arm, {toy_episode(arm, 6, 20, 3), toy_episode(arm, 6, 20, 4)}, settings);
+  EXPECT_EQ(tables.input.scale.size(), 105);
+  EXPECT_TRUE(tables.input.offset.tail(45).isZero(0.0F));
+  const FrameTable<float>& frames = tables.frames;
+  for (const EpisodeRange& episode : tables.episodes) {
+    EXPECT_TRUE(frames.change.col(episode.first).isZero(0.0F)) << "nothing is known before";
+    for (const int t : {1, 40, 100}) {
+      const Eigen::VectorXf expected =
+          tables.map.change_scale.array() *
+          (frames.state.col(episode.first + t) - frames.state.col(episode.first + t - 1)).array();
+      EXPECT_LT((frames.change.col(episode.first + t) - expected).lpNorm<Eigen::Infinity>(),
+                10.0F * kRounding)
+          << t;
+    }
+  }
+  const auto tip = frames.change.row(43).array();
+  EXPECT_NEAR((tip - tip.mean()).square().mean(), 1.0F, 0.05F);
+}
+
 TEST(TrainingTables, UntrackedFramesShapeNoRange) {
   const ArmDescription arm = three_segment_arm();
-  const TrainingSettings settings = settings_for(BackboneLayout::gap_poses, Scaling::unit_spread);
+  TrainingSettings settings = settings_for(BackboneLayout::gap_poses, Scaling::unit_spread);
+  settings.reads_velocity = true;
   Episode dropped = toy_episode(arm, 6, 20, 3);
   dropped.tracked.assign(121, 1);
   dropped.tracked[30] = 0;

@@ -52,7 +52,7 @@ TEST_P(GradientInLayout, AgreesWithFiniteDifferencesOverAWholeWindow) {
   const ArmDescription arm = three_segment_arm();
   TrainingSettings settings = settings_for(std::get<0>(GetParam()), std::get<1>(GetParam()),
                                            Scaling::unit_range, std::get<2>(GetParam()));
-  settings.reads_change = std::get<4>(GetParam());
+  settings.reads_velocity = std::get<4>(GetParam());
   TrainingTables tables = make_training_tables(arm, {toy_episode(arm, 4, 20, 3)}, settings);
   if (std::get<3>(GetParam())) {
     set_bounds(tables, settings, narrow_bounds(arm));
@@ -90,6 +90,49 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Bool(),
                      testing::Values(OutputForm::compensation, OutputForm::gated_change),
                      testing::Bool(), testing::Bool()));
+
+/// A network of large weights, which amplifies whatever it is told.
+struct Amplifier {
+  ArmDescription arm = three_segment_arm();
+  TrainingSettings settings = [] {
+    TrainingSettings result;
+    result.reads_velocity = true;
+    return result;
+  }();
+  TrainingTables tables = make_training_tables(arm, {toy_episode(arm, 4, 20, 3)}, settings);
+  ParameterLayout layout{
+      {static_cast<int>(tables.input.scale.size()), 20, 20, tables.map.output_count()}};
+  Vector parameters = (2.5 * initial_parameters(layout, 5)).cast<double>();
+
+  Vector gradient(const std::vector<int>& starts, double growth_limit) const {
+    StateMap<double> map = in_double(tables.map);
+    map.growth_limit = growth_limit;
+    WindowGradient<double> window(layout, map, arm.segment_count(), 16, 4);
+    window.load(in_double(tables.frames), starts);
+    window.forward(parameters.data());
+    Vector result(layout.size());
+    window.backward(parameters.data(), result.data());
+    return result;
+  }
+};
+
+TEST(WindowGradient, WhatGrowsOnItsWayBackIsShortened) {
+  const Amplifier amplifier;
+  const double free = amplifier.gradient({2, 30}, 0.0).norm();
+  EXPECT_EQ(amplifier.gradient({2, 30}, 1e100), amplifier.gradient({2, 30}, 0.0));
+  const double kept = amplifier.gradient({2, 30}, 1.5).norm();
+  EXPECT_GT(free, 10.0 * kept) << "it amplifies";
+  EXPECT_GT(kept, 0.0);
+  EXPECT_LT(amplifier.gradient({2, 30}, 0.1).norm(), kept);
+}
+
+// A window that has run away leaves the others' gradients as they are.
+TEST(WindowGradient, EachWindowIsShortenedByItself) {
+  const Amplifier amplifier;
+  const Vector sum = amplifier.gradient({2}, 1.5) + amplifier.gradient({30}, 1.5);
+  const Vector together = amplifier.gradient({2, 30}, 1.5);
+  EXPECT_LT((together - sum).norm(), 1e-9 * sum.norm());
+}
 
 struct PyTorchCase {
   nlohmann::json values =

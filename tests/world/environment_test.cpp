@@ -76,6 +76,7 @@ TEST(Environment, SurvivesWritingAndReadingExactly) {
       e.start = ArmStart{q, no_load_backbone(NoLoadModel(arm), q)};
       for (int k = 0; k < trial % 4; ++k) {  // in motion
         e.start->setpoints_kpa.push_back(random_pressures(arm, random));
+        e.start->before = no_load_backbone(NoLoadModel(arm), random_pressures(arm, random));
       }
     }
     e.goal = {random.uniform(), random.uniform(), std::nullopt, random.uniform(0.001, 0.1), 0.3};
@@ -92,6 +93,7 @@ TEST(Environment, SurvivesWritingAndReadingExactly) {
     ASSERT_EQ(again.start.has_value(), e.start.has_value());
     if (e.start) {
       EXPECT_EQ(again.start->backbone, e.start->backbone);
+      EXPECT_EQ(again.start->before, e.start->before);
       EXPECT_EQ(again.start->pressures_kpa, e.start->pressures_kpa);
       EXPECT_EQ(again.start->setpoints_kpa, e.start->setpoints_kpa);
     }
@@ -199,6 +201,22 @@ TEST(Environment, SetPointsOfAStartInMotionFitTheArmAndCountInTheHash) {
   e.start->setpoints_kpa = {Pressures::Zero(2)};
   EXPECT_THAT(reading, ThrowsMessage<InputError>(AllOf(HasSubstr("start.setpoints_kpa[0]"),
                                                        HasSubstr("2 pressures found"))));
+}
+
+TEST(Environment, ShapeBeforeAStartInMotionFitsTheArmAndCountsInTheHash) {
+  const ArmDescription arm = three_segment_arm();
+  Environment e = read(kGood);
+  const Pressures q = Pressures::Constant(3, 20.0F);
+  e.start = ArmStart{q, no_load_backbone(NoLoadModel(arm), q)};
+  const std::string at_rest = environment_hash(e);
+  e.start->before = e.start->backbone;
+  e.start->before(15, 0) += 0.01F;
+  EXPECT_NE(environment_hash(e), at_rest);
+  e.start->before = Backbone::Zero(15, 3);
+  EXPECT_THAT(
+      [&] { (void)read_environment(YamlReader::from_text(environment_to_yaml(e), "e.yaml"), arm); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("start.backbone_before"),
+                                      HasSubstr("15 poses found; expected 16, one per plate"))));
 }
 
 // Of an arm that is driven by angles, nothing has to be called kPa. Old files are still read.

@@ -190,7 +190,8 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
 ForestKey forest_key(const ArmDescription& arm, const std::string& model_hash,
                      const ValveParameters& valves, const ArmStart& start) {
   std::string bytes = bytes_of(start.pressures_kpa.data(), start.pressures_kpa.size()) +
-                      bytes_of(start.backbone.data(), start.backbone.size());
+                      bytes_of(start.backbone.data(), start.backbone.size()) +
+                      bytes_of(start.before.data(), start.before.size());
   for (const Pressures& kpa : start.setpoints_kpa) {
     bytes += bytes_of(kpa.data(), kpa.size());
   }

@@ -294,8 +294,7 @@ MotionState ArmWorld::motion_state(const ob::State* state) const {
   const Eigen::Index n = segments();
   const double* numbers = values(state);
   const auto backbone_at = [&](int index) {
-    return Eigen::Map<const BackboneD>(numbers + index, problem.arm.point_count(), 3)
-        .cast<float>();
+    return Eigen::Map<const BackboneD>(numbers + index, problem.arm.point_count(), 3).cast<float>();
   };
   MotionState result = problem.model.moving_state(
       Eigen::Map<const Eigen::VectorXd>(numbers, valves()).cast<float>(),

@@ -36,7 +36,7 @@ struct ArmWorld {
   int valves() const { return problem.model.valves().state_size(); }
   int poses() const { return 3 * problem.arm.point_count(); }
   /// Of the backbone a frame earlier, where the model reads changes; they come before the others.
-  int before() const { return problem.model.reads_change() ? poses() : 0; }
+  int before() const { return problem.model.reads_velocity() ? poses() : 0; }
   int backbone_index() const { return valves() + before(); }
   int cost_index() const { return backbone_index() + poses(); }
   int free_index() const { return cost_index() + 1; }

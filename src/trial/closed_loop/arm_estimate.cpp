@@ -66,11 +66,11 @@ void ArmEstimate::predict(const Pressures& setpoint_kpa, const Pressures& pressu
     valves_.head(n) = pressure_kpa;
   }
   if (state_) {
-    const bool reads_change = model_.reads_change();
+    const bool reads_velocity = model_.reads_velocity();
     const Backbone last = state_->backbone;
-    model_.forward().step(before_kpa, valves_.head(n), reads_change ? state_->before : last, last,
+    model_.forward().step(before_kpa, valves_.head(n), reads_velocity ? state_->before : last, last,
                           state_->backbone, workspace_);
-    if (reads_change) {
+    if (reads_velocity) {
       state_->before = last;
     }
     state_->valves = valves_;

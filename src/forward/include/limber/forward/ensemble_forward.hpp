@@ -13,8 +13,8 @@ namespace limber {
 /// one backbone is needed (planning, execution), ForwardModel on the same file is the member with
 /// the smallest validation error or, if asked for, the mean with one backbone for all (21).
 ///
-/// Sizes: N members, n segments, m backbone points; k queries, one per column.
-/// Threads: constant after construction; each thread brings its own Workspace.
+/// Sizes: N members, n segments, m backbone points.
+/// Threads: constant after construction.
 class EnsembleForward {
  public:
   /// @throws InputError as ForwardModel.
@@ -22,13 +22,6 @@ class EnsembleForward {
 
   int member_count() const { return static_cast<int>(members_.size()); }
   const ForwardModel& member(int index) const { return members_[static_cast<std::size_t>(index)]; }
-
-  /// One step of every member from its own backbones: pressures n×k, `backbones` N matrices 3m×k,
-  /// overwritten with the next ones. Unchecked, as ForwardModel::step_batch.
-  void step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
-                  const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
-                  std::vector<Eigen::MatrixXf>& backbones,
-                  ForwardModel::Workspace& workspace) const;
 
   /// Of a rollout: 3m×(T + 1) each. The standard deviation is the members' own (divided by N): 0
   /// for a single network, and 0 in the given first column.

@@ -54,7 +54,7 @@ class ForwardModel {
 
   /// Whether it has to be told B_{t−2} as well: how a moving arm moved in the frame before. Where
   /// nobody says, the arm stood still.
-  bool reads_change() const { return has_network() && compensation_->reads_change; }
+  bool reads_velocity() const { return has_network() && compensation_->reads_velocity; }
 
   /// One query, unchecked: sizes n, n, m×3, m×3 and finite numbers (asserted in the dev preset).
   /// `next` may be `previous` or `before`. Without `before` (B_{t−2}) the arm stood still.
@@ -81,6 +81,8 @@ class ForwardModel {
 
   /// One query, checked. @throws InputError if a size is wrong, a number not finite or a
   /// pressure beyond its limit (by more than 5 %: a measured pressure overshoots).
+  Backbone checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
+                        const Backbone& before, const Backbone& previous) const;
   Backbone checked_step(const Pressures& previous_kpa, const Pressures& current_kpa,
                         const Backbone& previous) const;
 

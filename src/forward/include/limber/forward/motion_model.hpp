@@ -15,7 +15,7 @@ struct MotionState {
   Eigen::Index segments = 0;  ///< n
   Eigen::VectorXf valves;     ///< a valve state: pressures, last set points, those before
   Backbone backbone;          ///< m×3
-  Backbone before = {};       ///< m×3, a frame earlier; empty where the model does not read changes
+  Backbone before = {};  ///< m×3, a frame earlier; empty where the model does not read changes
 
   auto pressure_kpa() const { return valves.head(segments); }
   auto setpoint_kpa() const { return valves.segment(segments, segments); }
@@ -25,8 +25,8 @@ struct MotionState {
 };
 
 /// Set points to backbones, frame by frame: the valves V and after them the forward model F
-/// (docs/valves.md), p_t = V(p_{t−1}, set points), B_t = F(p_{t−1}, p_t, B_{t−2}, B_{t−1}). Every prediction
-/// of a motion goes through this one function. It is a pure function of its state.
+/// (docs/valves.md), p_t = V(p_{t−1}, set points), B_t = F(p_{t−1}, p_t, B_{t−2}, B_{t−1}). Every
+/// prediction of a motion goes through this one function. It is a pure function of its state.
 ///
 /// Borrows the forward model, holds the valves. Threads: constant after construction; each thread
 /// brings its own Workspace.
@@ -52,7 +52,7 @@ class MotionModel {
   int point_count() const { return forward_->point_count(); }
   bool has_network() const { return forward_->has_network(); }
   /// Whether states hold the backbone of a frame earlier.
-  bool reads_change() const { return forward_->reads_change(); }
+  bool reads_velocity() const { return forward_->reads_velocity(); }
   const NoLoadModel& no_load() const { return forward_->no_load(); }
   /// @pre has_network()
   const CompensationModel& compensation() const { return forward_->compensation(); }

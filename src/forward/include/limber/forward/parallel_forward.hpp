@@ -24,6 +24,11 @@ class ParallelForward {
   /// ForwardModel::step_batch, in parts of some hundred queries.
   void step_batch(const ForwardModel& model, const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
                   const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
+                  const Eigen::Ref<const Eigen::MatrixXf>& before,
+                  const Eigen::Ref<const Eigen::MatrixXf>& previous,
+                  Eigen::Ref<Eigen::MatrixXf> next);
+  void step_batch(const ForwardModel& model, const Eigen::Ref<const Eigen::MatrixXf>& previous_kpa,
+                  const Eigen::Ref<const Eigen::MatrixXf>& current_kpa,
                   const Eigen::Ref<const Eigen::MatrixXf>& previous,
                   Eigen::Ref<Eigen::MatrixXf> next);
 

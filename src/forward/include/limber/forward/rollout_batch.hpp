@@ -65,7 +65,7 @@ class RolloutBatch {
   Eigen::MatrixXf to_kpa_;
   Eigen::MatrixXf before_kpa_;  // n × capacity, pressures, as the next one
   Eigen::MatrixXf now_kpa_;
-  Eigen::MatrixXf valves_;  // valve states
+  Eigen::MatrixXf valves_;   // valve states
   Eigen::MatrixXf earlier_;  // 3m × capacity, B_{t−2}; no rows where the model does not read it
   Eigen::MatrixXf before_;   // 3m × capacity
   Eigen::MatrixXf now_;

@@ -58,17 +58,17 @@ struct GapBounds {
   Eigen::VectorXf max_turn_rad;  ///< ≥ min_turn_rad
 };
 
-/// The network Φ of (5) or (16) with everything needed to use it. Its inputs (q_{t−1}, q_t,
-/// B_{t−1}, B̃_t, and B_{t−1} − B_{t−2} where it reads that) are normalised by `input`. Its result is in the coordinates of `layout`: the
-/// compensation B_t − B̃_t normalised by `output`; or a change normalised by `output` (which scales
-/// but never shifts it, so that no change stays no change) and the gates' arguments, not
-/// normalised. Plain values.
+/// The network Φ of (5), (16) or (22) with everything needed to use it. Its inputs (q_{t−1}, q_t,
+/// B_{t−1}, B̃_t, and B_{t−1} − B_{t−2} where it reads velocities) are normalised by `input`. Its
+/// result is in the coordinates of `layout`: the compensation B_t − B̃_t normalised by `output`; or
+/// a change normalised by `output` (which scales but never shifts it, so that no change stays no
+/// change) and the gates' arguments, not normalised. Plain values.
 struct CompensationModel {
   BackboneLayout layout = BackboneLayout::gap_poses;
   OutputForm form = OutputForm::compensation;
-  /// Whether it reads how the backbone changed in the frame before, B_{t−1} − B_{t−2}, in the
-  /// coordinates of `layout`: what a moving arm's inertia does can't be told from one backbone.
-  bool reads_change = false;
+  /// (22): it reads how the backbone changed in the frame before, B_{t−1} − B_{t−2} in the
+  /// coordinates of `layout`. Whether an arm moves can't be told from one backbone.
+  bool reads_velocity = false;
   std::vector<Layer> layers;
   /// An ensemble's other networks, of the same shape and normalisation, in the order of their
   /// validation errors: `layers` is the best. For a single prediction, `layers` is enough.

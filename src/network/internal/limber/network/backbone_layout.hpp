@@ -23,7 +23,7 @@ namespace limber {
 class NetworkLayout {
  public:
   NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDescription& arm,
-                bool reads_change = false);
+                bool reads_velocity = false);
 
   BackboneLayout backbone_layout() const { return layout_; }
   OutputForm output_form() const { return form_; }
@@ -31,8 +31,8 @@ class NetworkLayout {
   int point_count() const { return point_count_; }
   int backbone_size() const;
   int no_load_size() const;
-  bool reads_change() const { return reads_change_; }
-  int input_size() const { return change_row() + (reads_change_ ? backbone_size() : 0); }
+  bool reads_velocity() const { return reads_velocity_; }
+  int input_size() const { return change_row() + (reads_velocity_ ? backbone_size() : 0); }
   int output_size() const {
     return form_ == OutputForm::gated_change ? 2 * backbone_size() : backbone_size();
   }
@@ -56,7 +56,7 @@ class NetworkLayout {
  private:
   BackboneLayout layout_;
   OutputForm form_;
-  bool reads_change_;
+  bool reads_velocity_;
   int point_count_;
   std::vector<int> first_gap_;
 };

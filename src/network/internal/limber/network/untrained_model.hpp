@@ -13,6 +13,7 @@ namespace limber {
 /// @param hidden  units of each hidden layer, all > 0; {100, 100, 100} is the paper's.
 CompensationModel untrained_model(const ArmDescription& arm, BackboneLayout layout,
                                   const std::vector<int>& hidden, std::uint64_t seed,
-                                  OutputForm form = OutputForm::compensation);
+                                  OutputForm form = OutputForm::compensation,
+                                  bool reads_velocity = false);
 
 }  // namespace limber

@@ -44,7 +44,9 @@ struct TrainingSettings {
   std::string preset = "best";
   BackboneLayout layout = BackboneLayout::gap_poses;
   OutputForm form = OutputForm::gated_change;
-  bool reads_change = false;  ///< CompensationModel::reads_change
+  /// Whether the network reads how the backbone moved in the frame before, as
+  /// CompensationModel::reads_velocity.
+  bool reads_velocity = true;
   double first_gate_bias = -4.5;  ///< of (16)'s gates, before training: they start at 1.1 %
   std::vector<int> hidden_units = {100, 100, 100};
   Scaling scaling = Scaling::unit_spread;
@@ -58,7 +60,11 @@ struct TrainingSettings {
   double learning_rate = 3e-3;     ///< 6e-3 learns faster, but sometimes diverges
   bool cosine_decay = true;        ///< towards zero over the whole run, otherwise constant
   double gradient_norm_limit = 0;  ///< longer gradients are shortened to this; 0: never
-  double average_decay = 0;        ///< of the exponential moving average of the weights; 0: none
+  /// The gradient that a window carries back to a frame is shortened to this many times the sum of
+  /// what later frames put in: networks that read velocities may otherwise begin to amplify, and
+  /// then nothing is learnt any more. 0: never.
+  double growth_limit = 0;
+  double average_decay = 0;   ///< of the exponential moving average of the weights; 0: none
   double input_noise = 0;     ///< standard deviation added to a window's first backbone, normalised
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset
 

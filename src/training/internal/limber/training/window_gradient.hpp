@@ -67,9 +67,12 @@ struct StateMap {
   StateBounds<Scalar> bounds = {};  ///< applied last
   /// D: the network reads change_scale ∘ (state_{t−1} − state_{t−2}); empty: it does not.
   Vector change_scale = {};
+  /// > 0: the gradient that a window carries back to a frame is shortened to this many times the
+  /// sum of what the frames behind it put in. What grows more has run away: no arm amplifies so.
+  Scalar growth_limit = 0;
 
   bool is_bounded() const { return !bounds.gaps.empty(); }
-  bool reads_change() const { return change_scale.size() > 0; }
+  bool reads_velocity() const { return change_scale.size() > 0; }
   bool is_gated() const { return form == OutputForm::gated_change; }
   /// Number of the network's outputs.
   int output_count() const { return static_cast<int>(output_scale.size()) * (is_gated() ? 2 : 1); }
@@ -127,6 +130,8 @@ class WindowGradient {
   }
   void note_change(int block, const Scalar* state, Scalar* change) const;
   void carry_change_back(const Scalar* parameters, const Scalar* delta);
+  void note_error(int block);
+  void limit_growth();
   void apply_output(int block, Scalar* state);
   void compose(int block, Scalar* state);
   void carry_back(int block, Scalar* delta);
@@ -153,13 +158,15 @@ class WindowGradient {
       delta_;  ///< a layer each: ∂loss/∂(its output before ReLU), of `slots_` blocks
   Storage target_;
   Storage uncompensated_;
-  Storage weight_;          ///< of a block's windows: 1 / tracked frames, or 0
-  Storage output_;          ///< one block
-  Storage last_state_;      ///< one block: what no frame reads
-  Storage carried_;         ///< one block: ∂loss/∂state, carried from frame to frame
-  Storage direct_;          ///< one block: the part of it that the network had no part in
-  Storage changed_;         ///< one block: ∂loss/∂(state's change) of the frame behind, in state's units
+  Storage weight_;      ///< of a block's windows: 1 / tracked frames, or 0
+  Storage output_;      ///< one block
+  Storage last_state_;  ///< one block: what no frame reads
+  Storage carried_;     ///< one block: ∂loss/∂state, carried from frame to frame
+  Storage direct_;      ///< one block: the part of it that the network had no part in
+  Storage changed_;  ///< one block: ∂loss/∂(state's change) of the frame behind, in state's units
   Storage change_back_;     ///< one block: the same of this frame
+  Storage put_in_;          ///< of a group's windows: norms of the frames' error gradients, summed
+  Storage shortened_;       ///< of a group's windows: the factor that keeps them from growing
   Storage unbounded_;       ///< states before (20), where there are bounds
   Storage gate_;            ///< g, where there are gates
   Storage error_gradient_;  ///< ∂(frame error)/∂state
