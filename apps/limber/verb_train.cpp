@@ -82,12 +82,9 @@ class TrainVerb final : public Verb {
         ->check(CLI::PositiveNumber);
     app.add_option("--hidden", hidden_, "Units of each hidden layer, such as --hidden 100 100 100")
         ->check(CLI::Range(1, 4096));
-    app.add_flag_callback(
-        "--velocity", [this] { velocity_ = true; },
-        "Let the network read how the arm moved in the frame before; best does");
-    app.add_flag_callback(
-           "--no-velocity", [this] { velocity_ = false; }, "Don't let it; paper does not")
-        ->excludes("--velocity");
+    app.add_flag_function(
+        "--velocity,!--no-velocity", [this](std::int64_t sign) { velocity_ = sign > 0; },
+        "Whether the network reads how the arm moved in the frame before; else as the preset");
     app.add_option("--ensemble", ensemble_,
                    "Networks to train together; their spread says how certain they are. "
                    "Without this flag, best trains 3 for a third of the epochs where the "

@@ -158,24 +158,7 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
   float* const pressure = layers;  // rows again, read before the layers are written
   const bool has_gap_poses = layout_.backbone_layout() == BackboneLayout::gap_poses;
   for (int q = 0; q < count; ++q) {
-    float* const column = input + q * ld;
-    std::copy_n(queries.previous_kpa.column(q), segments_, column);
-    std::copy_n(queries.current_kpa.column(q), segments_, column + segments_);
-    if (has_gap_poses) {
-      rows_.encode_gaps_of_one(points_ - 1, queries.previous.column(q),
-                               column + layout_.backbone_row());
-    } else {
-      std::copy_n(queries.previous.column(q), 3 * points_, column + layout_.backbone_row());
-    }
-    if (layout_.reads_velocity()) {
-      float* const change = column + layout_.change_row();
-      if (has_gap_poses) {
-        rows_.encode_gaps_of_one(points_ - 1, queries.before.column(q), change);
-      } else {
-        std::copy_n(queries.before.column(q), 3 * points_, change);
-      }
-      subtract_from(column + layout_.backbone_row(), layout_.backbone_size(), change);
-    }
+    write_column(queries.from(q), input + q * ld);
   }
   rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
@@ -206,6 +189,26 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
         rows_.bound_base_of_one(points_ - 1, bounds_.data(), next);
       }
     }
+  }
+}
+
+// All of the first query's input but B̃.
+void ForwardPipeline::write_column(const QueryColumns& queries, float* column) const {
+  const auto encode = [&](const float* base_poses, float* to) {
+    if (layout_.backbone_layout() == BackboneLayout::gap_poses) {
+      rows_.encode_gaps_of_one(points_ - 1, base_poses, to);
+    } else {
+      std::copy_n(base_poses, 3 * points_, to);
+    }
+  };
+  std::copy_n(queries.previous_kpa.data, segments_, column);
+  std::copy_n(queries.current_kpa.data, segments_, column + segments_);
+  float* const backbone = column + layout_.backbone_row();
+  encode(queries.previous.data, backbone);
+  if (layout_.reads_velocity()) {
+    float* const change = column + layout_.change_row();
+    encode(queries.before.data, change);
+    subtract_from(backbone, layout_.backbone_size(), change);
   }
 }
 

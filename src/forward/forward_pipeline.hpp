@@ -56,6 +56,7 @@ class ForwardPipeline {
   void run_no_load(int count, const QueryColumns& queries, float* scratch) const;
   void run_many(int count, const QueryColumns& queries, float* scratch) const;
   void run_few(int count, const QueryColumns& queries, float* scratch) const;
+  void write_column(const QueryColumns& queries, float* column) const;
   /// change = after − change.
   static void subtract_from(const float* after, int count, float* change);
   void compose(int count, const float* previous, const float* no_load, const float* output,

@@ -116,6 +116,16 @@ class Train(InFolder):
             self.assertGreater(evaluation[key]["position_error_cm"]["mean"], 0)
         self.assertEqual(self.run_json("inspect", "model.safetensors")["members"], 3)
 
+    def test_velocities_are_read_or_not_as_asked_for_and_kept_by_fine_tuning(self):
+        for flags, read in (((), True), (("--velocity",), True), (("--no-velocity",), False),
+                            (("--preset", "paper"), False)):
+            self.train("--epochs", 3, *flags, "--out", "model.safetensors", "--force")
+            found = self.run_json("inspect", "model.safetensors")
+            self.assertEqual(found["reads_velocity"], read, flags)
+        message = self.train("--epochs", 3, "--from", "model.safetensors", "--velocity",
+                             "--out", "other.safetensors", code=2).stderr
+        self.assertIn("model.safetensors does not read velocities, and keeps to that", message)
+
     def test_fine_tuning_shows_errors_before_and_after(self):
         self.train("--epochs", 6, "--out", "old.safetensors")
         self.run_limber(
