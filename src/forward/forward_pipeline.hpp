@@ -30,7 +30,7 @@ struct QueryColumns {
   ConstColumns current_kpa;
   ConstColumns previous;
   Columns next;
-  ConstColumns before;  ///< B_{t−2}; read where the model reads changes
+  ConstColumns before;  ///< B_{t−2}; read where the model reads velocities
   QueryColumns from(int j) const {
     return {previous_kpa.from(j), current_kpa.from(j), previous.from(j), next.from(j),
             before.from(j)};

@@ -28,7 +28,7 @@ class PressureTree {
   Eigen::Map<const Pressures> setpoint_kpa(int i) const;
   Eigen::Map<const Eigen::VectorXf> valves(int i) const;
   Eigen::Map<const Backbone> backbone(int i) const;
-  /// A frame earlier. @pre the model reads changes
+  /// A frame earlier. @pre the model reads velocities
   Eigen::Map<const Backbone> before(int i) const;
   MotionState state(int i) const;
   /// MotionModel::settled_tip of the state: about where the node's set points lead.
@@ -72,7 +72,7 @@ class PressureTree {
   std::vector<Node> nodes_;
   std::vector<float> valves_;     // one valve state per node
   std::vector<float> backbones_;  // 3m per node
-  std::vector<float> befores_;    // the same, where the model reads changes
+  std::vector<float> befores_;    // the same, where the model reads velocities
 };
 
 }  // namespace limber

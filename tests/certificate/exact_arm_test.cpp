@@ -23,7 +23,7 @@ std::vector<double> doubles(const Pressures& q) {
   return {q.begin(), q.end()};
 }
 
-/// With bounds or without, reading changes or not.
+/// With bounds or without, reading velocities or not.
 class ExactArmOfKind : public testing::TestWithParam<std::tuple<bool, bool>> {};
 
 TEST_P(ExactArmOfKind, AgreesWithTheForwardModelInEveryLayoutAndForm) {

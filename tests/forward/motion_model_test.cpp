@@ -33,7 +33,7 @@ class MotionModelOfArm : public ::testing::Test {
   RandomStream random_{4, 0};
 };
 
-/// Of a network that reads changes, or does not.
+/// Of a network that reads velocities, or does not.
 class MotionModelOfNetwork : public MotionModelOfArm, public testing::WithParamInterface<bool> {
  protected:
   ForwardModel forward_{arm_, untrained_model(arm_, BackboneLayout::gap_poses, {32, 32}, 1,

@@ -35,7 +35,7 @@ struct ArmWorld {
   int segments() const { return problem.arm.segment_count(); }
   int valves() const { return problem.model.valves().state_size(); }
   int poses() const { return 3 * problem.arm.point_count(); }
-  /// Of the backbone a frame earlier, where the model reads changes; they come before the others.
+  /// Numbers of the backbone a frame earlier, behind the valves; 0: no velocities are read.
   int before() const { return problem.model.reads_velocity() ? poses() : 0; }
   int backbone_index() const { return valves() + before(); }
   int cost_index() const { return backbone_index() + poses(); }

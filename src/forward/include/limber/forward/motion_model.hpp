@@ -15,7 +15,7 @@ struct MotionState {
   Eigen::Index segments = 0;  ///< n
   Eigen::VectorXf valves;     ///< a valve state: pressures, last set points, those before
   Backbone backbone;          ///< m×3
-  Backbone before = {};  ///< m×3, a frame earlier; empty where the model does not read changes
+  Backbone before = {};  ///< m×3, a frame earlier; empty where the model does not read velocities
 
   auto pressure_kpa() const { return valves.head(segments); }
   auto setpoint_kpa() const { return valves.segment(segments, segments); }
