@@ -14,10 +14,10 @@ import sys
 
 from kept_parts import KeptParts
 
-SEED = 1_900_001  # used for nothing else
-CHECK_SEED = 1_900_002
-EXPERIMENT_SEED = 1_900_003
-RANDOM_SEED = 1_900_004
+SEED = 2_000_001  # used for nothing else
+CHECK_SEED = 2_000_002
+EXPERIMENT_SEED = 2_000_003
+RANDOM_SEED = 2_000_004
 DISTURBANCES = {
     "as calibrated": [],
     "friction x 0.7": ["--friction-factor", "0.7"],

@@ -19,6 +19,8 @@ namespace {
 /// Of improve's training: what learns from ten minutes of an arm that was recorded for two hours
 /// without forgetting those (docs/improving.md has the figures).
 constexpr double kReplayShare = 0.75;
+/// Of --from-start: windows of 32 predict long motions best (docs/training.md, What it reaches).
+constexpr int kWindowFrames = 32;
 
 class ImproveVerb final : public Verb {
  public:
@@ -57,15 +59,21 @@ class ImproveVerb final : public Verb {
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     room_.add_to(app);
+    auto* from_start = app.add_flag(
+        "--from-start", settings_.from_start,
+        "Each round trains a new network on --data and all rounds, instead of going on from the "
+        "last round's: takes longer, and is better where there are hours of plans");
     app.add_option("--epochs", epochs_,
-                   "Epochs of each round's training; half of train's by default")
+                   "Epochs of each round's training; by default train's with --from-start, else "
+                   "half of them")
         ->check(CLI::Range(1, 10'000'000));
     app.add_option("--learning-rate", learning_rate_,
-                   "Of each round's training; a tenth of train's by default")
+                   "Of each round's training; by default train's with --from-start, else a tenth")
         ->check(CLI::PositiveNumber);
     app.add_option("--replay", replay_share_,
                    "Share of each epoch's windows that come from --data, 0 to 0.95")
         ->check(CLI::Range(0.0, 0.95))
+        ->excludes(from_start)
         ->capture_default_str();
     app.add_option("--out", out_, "Folder for models, recordings, figures and the report")
         ->capture_default_str();
@@ -100,7 +108,12 @@ class ImproveVerb final : public Verb {
     settings_.data_files.assign(data_.begin(), data_.end());
     settings_.folder = out_;
     settings_.room = room_.asked();
-    settings_.training = fine_tuning_of(training_preset("best"));
+    settings_.training = training_preset("best");
+    if (settings_.from_start) {
+      set_window_frames(settings_.training, {kWindowFrames});
+    } else {
+      settings_.training = fine_tuning_of(settings_.training);
+    }
     if (epochs_) {
       set_epoch_count(settings_.training, *epochs_);
     }

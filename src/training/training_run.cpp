@@ -22,19 +22,6 @@ namespace {
 constexpr int kValidationFrames = 600;
 constexpr int kRivals = 10;  // epochs that are kept to choose from
 
-/// The settings with the layout, hidden units and members of `start`.
-TrainingSettings in_form_of(const CompensationModel& start, TrainingSettings settings) {
-  settings.layout = start.layout;
-  settings.form = start.form;
-  settings.reads_velocity = start.reads_velocity;
-  settings.ensemble = start.member_count();
-  settings.hidden_units.clear();
-  for (std::size_t layer = 0; layer + 1 < start.layers.size(); ++layer) {
-    settings.hidden_units.push_back(static_cast<int>(start.layers[layer].bias.size()));
-  }
-  return settings;
-}
-
 TrainingSettings usable(TrainingSettings settings, const CompensationModel* start) {
   require_usable(settings);
   return start != nullptr ? in_form_of(*start, std::move(settings)) : settings;

@@ -99,6 +99,18 @@ void set_window_frames(TrainingSettings& settings, const std::vector<int>& windo
   set_epoch_count(settings, epochs);
 }
 
+TrainingSettings in_form_of(const CompensationModel& model, TrainingSettings settings) {
+  settings.layout = model.layout;
+  settings.form = model.form;
+  settings.reads_velocity = model.reads_velocity;
+  settings.ensemble = model.member_count();
+  settings.hidden_units.clear();
+  for (std::size_t layer = 0; layer + 1 < model.layers.size(); ++layer) {
+    settings.hidden_units.push_back(static_cast<int>(model.layers[layer].bias.size()));
+  }
+  return settings;
+}
+
 void require_usable(const TrainingSettings& settings) {
   require(!settings.stages.empty(), "stages", 0, "at least one");
   for (const TrainingStage& stage : settings.stages) {

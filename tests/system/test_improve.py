@@ -90,6 +90,16 @@ class Improve(InFolder):
         self.assertFalse((self.folder / "out" / "round_1" / "plans.h5").exists())
         self.assertTrue((self.folder / "out" / "round_2" / "model.safetensors").exists())
 
+    def test_training_anew_learns_from_everything(self):
+        self.run_limber(*self.command("out", "--from-start", "--rounds", 1))
+        found = self.run_json("inspect", "out/round_1/model.safetensors")
+        self.assertIn("round_1/plans.h5", found["training"]["data"])
+        self.assertIn("t.h5", found["training"]["data"])
+        self.run_limber(*self.command("out", "--from-start", "--rounds", 2, "--resume"))
+        refused = self.run_limber(*self.command("out", "--rounds", 2, "--resume"), code=2)
+        self.assertIn("training", refused.stderr)
+        self.run_limber(*self.command("new", "--from-start", "--replay", 0.5), code=2)
+
     def test_learns_on_a_driver(self):
         driver = f"exec:{PROGRAM} virtual-arm --serve --arm two_segment"
         summary = self.run_json("improve", *ARM, "--model", "m.safetensors", "--data", "t.h5", "--rounds", 1,

@@ -13,6 +13,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
+#include "limber/experiment/factor_search.hpp"
 #include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/report/evidence_page.hpp"
 #include "limber/trial/binomial_bound.hpp"
@@ -32,13 +33,13 @@ constexpr double kFirstNarrow = 1.5;
 constexpr double kStep = 0.975;
 constexpr int kFactors = 32;               // down to 0.73
 constexpr double kScreenConfidence = 0.5;  // a screen only finds what is worth testing
-constexpr int kMaxTests = 3;               // of one level; they share its confidence
+constexpr int kMaxWiderTests = 3;          // of one level; they share its confidence
 constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
 
 /// What has to be the same for runs of two starts to be one calibration.
 Json identity(const CalibrationSettings& settings) {
   const TubeRunSettings& runs = settings.runs;
-  return {{"schema", "limber/calibration/2"},
+  return {{"schema", "limber/calibration/3"},
           {"ensemble", to_string(runs.model.answer)},
           {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
           {"virtual_arm", content_hash(virtual_arm_to_yaml(runs.executed_arm))},
@@ -185,28 +186,27 @@ class Calibration {
                  "smaller errors is needed, or a larger budget");
       return std::nullopt;
     }
-    std::size_t k = *candidates_[l];
-    for (int test = 0; test < kMaxTests; ++test) {
-      std::optional<TubeLevel> found = test_factor(level, factors_[k], test);
-      if (found) {
-        audit(*found);
-        return found;
-      }
-      if (k == 0) {
-        break;
-      }
-      --k;
+    std::optional<TubeLevel> narrowest;
+    int tests = 0;
+    const auto holds = [&](std::size_t k) {
+      const std::optional<TubeLevel> found = test_factor(level, factors_[k], tests++);
+      narrowest = found ? found : narrowest;
+      return found.has_value();
+    };
+    if (!narrowest_factor(*candidates_[l], factors_.size(), kMaxWiderTests, holds)) {
+      fail(level, fmt::format("no factor held its test on {} runs", settings_.test_runs));
+      return std::nullopt;
     }
-    fail(level, fmt::format("no factor held its test on {} runs", settings_.test_runs));
-    return std::nullopt;
+    audit(*narrowest);
+    return narrowest;
   }
 
-  /// In environments of its own. The tests of a level share its confidence (Bonferroni).
+  /// In environments of its own. The tests of a level share its confidence (narrowest_factor).
   std::optional<TubeLevel> test_factor(double level, double factor, int test) {
     const TubeRuns runs = run_phase(fmt::format("test_{:g}_{}", 100.0 * level, test),
                                     settings_.test_runs, &shape_, factor);
     const int outside = runs.outside(factor);
-    const double confidence = 1.0 - (1.0 - settings_.confidence) / kMaxTests;
+    const double confidence = 1.0 - (1.0 - settings_.confidence) / kMaxWiderTests;
     settings_.say(fmt::format("level {}: factor {:.3f}: {} of {} runs outside", level, factor,
                               outside, runs.executed()));
     if (share_at_most(outside, runs.executed(), confidence) > 1.0 - level) {
@@ -283,7 +283,7 @@ void require_usable(const CalibrationSettings& settings) {
       throw InputError(fmt::format("a share of {}: expected more than 0 and less than 1", share));
     }
   }
-  const double confidence = 1.0 - (1.0 - settings.confidence) / kMaxTests;
+  const double confidence = 1.0 - (1.0 - settings.confidence) / kMaxWiderTests;
   for (const auto& [flag, runs, sure] :
        {std::tuple{"--screen-runs", settings.screen_runs, kScreenConfidence},
         std::tuple{"--test-runs", settings.test_runs, confidence}}) {

@@ -79,6 +79,7 @@ Json to_json(const ImproveSettings& settings, const ImproveArm& on) {
   json["goal_margin_rad"] = optional_json(settings.room.goal_margin_rad);
   json["limit_scale"] = on.limit_scale;
   json["training"] = to_json(settings.training);
+  json["training"]["from_start"] = settings.from_start;
   json["seed"] = settings.seed;
   return json;
 }

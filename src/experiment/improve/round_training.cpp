@@ -10,6 +10,7 @@
 #include "limber/training/learnt_region_fit.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
+#include "run_roles.hpp"
 
 namespace limber {
 
@@ -20,7 +21,10 @@ CompensationModel learn_round(const ImproveSettings& settings, const Compensatio
   training.seed = settings.seed;
   training.jobs = settings.jobs;
   training.progress = settings.progress;
-  TrainingResult result = fine_tune(settings.arm, data, training, start);
+  TrainingResult result = settings.from_start
+                              ? train(settings.arm, with_replay_as_data(data),
+                                      in_form_of(start, std::move(training)))
+                              : fine_tune(settings.arm, data, training, start);
   throw_if_interrupted();
   if (result.status == TrainingStatus::diverged) {
     throw SystemFault("training diverged: " + result.message);
@@ -36,6 +40,15 @@ CompensationModel learn_round(const ImproveSettings& settings, const Compensatio
   model.training["from"] = start_hash;
   model.training["validation"] = "limber improve: of ten runs of a recording, run 1";
   return std::move(model);
+}
+
+TrainingData with_replay_as_data(TrainingData data) {
+  for (std::size_t i = 0; i < data.replay.size(); ++i) {
+    const bool validates = role_of(static_cast<int>(i)) == RunRole::validation;
+    (validates ? data.validation : data.training).push_back(std::move(data.replay[i]));
+  }
+  data.replay.clear();
+  return data;
 }
 
 std::optional<PredictionError> kept_error(const std::optional<PredictionError>& known,

@@ -9,14 +9,18 @@
 
 namespace limber {
 
-/// The model of a round: `start`, fine-tuned on `data`, whole and ready for `plan`. Valves are
-/// those of `start`; if it has none, those that the data show. The region that counts as learnt is
-/// widened, and the error is measured on `data.unseen`.
+/// The model of a round: `start`, fine-tuned on `data`, or trained anew on `data` and what it
+/// replays; whole and ready for `plan`. Valves are those of `start`; if it has none, those that the
+/// data show. The region that counts as learnt is widened, and the error is measured on
+/// `data.unseen`.
 /// @param sources  what was learnt from in this run, for the training record
 /// @throws SystemFault if training diverges; Interrupted after Ctrl-C.
 CompensationModel learn_round(const ImproveSettings& settings, const CompensationModel& start,
                               const std::string& start_hash, const TrainingData& data,
                               const std::string& sources);
+
+/// `data` with its replayed episodes among the others: of ten one validates.
+TrainingData with_replay_as_data(TrainingData data);
 
 /// So few runs say little about an error that 95 % of runs stay below: then the larger of what was
 /// known and what was measured is kept.

@@ -33,5 +33,17 @@ TEST(RoundTraining, WhatIsKnownStaysIfNothingCanBeMeasured) {
   EXPECT_FALSE(kept_error(std::nullopt, std::nullopt));
 }
 
+TEST(RoundTraining, TrainingAnewLearnsFromWhatWouldBeReplayed) {
+  TrainingData data;
+  data.replay.resize(12);
+  data.training.resize(3);
+  data.unseen.resize(2);
+  const TrainingData all = with_replay_as_data(data);
+  EXPECT_EQ(all.training.size(), 3U + 10U);
+  EXPECT_EQ(all.validation.size(), 2U);  // of ten one, from the second on
+  EXPECT_EQ(all.unseen.size(), 2U);
+  EXPECT_TRUE(all.replay.empty());
+}
+
 }  // namespace
 }  // namespace limber

@@ -48,7 +48,10 @@ struct ImproveSettings {
   int reported = 30;        ///< environments and random motions of each round's figures, ≥ 2
   std::uint64_t queries = 20000;  ///< of each plan
   AskedRoom room;                 ///< if nothing is asked for, each model's own error
-  /// Of each round: `fine_tuning_of` a preset. Seed, jobs and progress are those below.
+  /// Each round trains new networks on everything, in the form of the model to start from; else it
+  /// goes on from the last round's.
+  bool from_start = false;
+  /// Of each round: a preset, or `fine_tuning_of` one. Seed, jobs and progress are those below.
   TrainingSettings training;
   std::uint64_t seed = 1;
   int jobs = 0;         ///< threads, 0: one per core; never changes a result

@@ -109,6 +109,9 @@ void set_epoch_count(TrainingSettings& settings, int epochs);
 /// @throws InputError if there is none, one is < 1, or there are fewer epochs than stages.
 void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames);
 
+/// The settings with layout, output, hidden units and number of networks of `model`.
+TrainingSettings in_form_of(const CompensationModel& model, TrainingSettings settings);
+
 /// @throws InputError naming the setting, what it is and what is allowed.
 void require_usable(const TrainingSettings& settings);
 

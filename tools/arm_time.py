@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""How much arm time plans take to end where they are predicted: random motions against `limber improve`.
+
+    tools/arm_time.py --limber build/release/bin/limber --environments-model model.safetensors --out OUT
+
+Both ways begin with the same six minutes of random motions, and add arm time up to 0.2, 0.4, 0.6, 2 h.
+At each of these a new network is trained from the start on all of it (`improve --from-start`), for as
+many epoch-hours either way, and plans 100 random environments, which are the same for all and were
+sampled with --environments-model. The error is how far the tip ends from where the plan has it,
+executed open loop. --shares are the shares of the added time that are plans: 0 is plain collection.
+
+Every part lies in OUT; parts that are finished are not run again.
+"""
+
+import argparse
+import json
+import math
+import pathlib
+import statistics
+
+from kept_parts import KeptParts
+
+ENVIRONMENT_SEED = 2_100_001  # used for nothing else
+FIRST_SEED = 2_100_002
+START_H = 0.1
+HOURS = [0.2, 0.4, 0.6, 2.0]
+EPOCH_HOURS = 150  # of each training, and at least MIN_EPOCHS
+MIN_EPOCHS = 150
+MOTION_S = 3.0
+GOAL_CM = 1.0
+ROOM = ("--margin-m", 0.01, "--goal-margin-m", 0, "--goal-margin-rad", 0)
+QUERIES = ("--max-queries", 20_000)
+
+
+def epochs(hours):
+    return max(MIN_EPOCHS, round(EPOCH_HOURS / hours))
+
+
+class ArmTime(KeptParts):
+    def __init__(self, options):
+        super().__init__(options.limber, options.out)
+        self.options = options
+        self.environments = self.random_environments(
+            ENVIRONMENT_SEED, options.count, options.environments_model)
+
+    def start(self, seed):
+        """Six minutes, and the network that learns from them."""
+        data, model = self.out / f"start_{seed}.h5", self.out / f"start_{seed}.safetensors"
+        if not model.exists():
+            motions = round(START_H * 3600 / MOTION_S)
+            self.limber("collect", "--json", "--force", "--schedule", "random", "--count", motions // 5,
+                        "--episodes", 5, "--seed", seed, "--out", data)
+            self.limber("train", "--json", "--force", "--data", data, "--windows", 32,
+                        "--epochs", epochs(START_H), "--seed", seed, "--out", model)
+        return data, model
+
+    def judged(self, name, model):
+        """Executed plans: the tip's errors at their ends, and how many arrive."""
+        folder = self.out / f"{name}_plans"
+        self.limber("experiment", "--json", "--model", model, "--network-only", "--trials", 1, "--seed", 1,
+                    "--environments", self.environments, *QUERIES, *ROOM, "--out", folder, "--resume")
+        trials = [json.loads(path.read_text(encoding="utf-8"))
+                  for path in sorted((folder / "trials").glob("*.json"))]
+        runs = [trial["execution"] for trial in trials if trial["execution"]]
+        errors = sorted(run["prediction_error_cm"]["final"] for run in runs)
+        return {"environments": len(trials), "executed": len(runs),
+                "collided": sum(run["collided"] for run in runs),
+                "median_cm": statistics.median(errors), "mean_cm": statistics.fmean(errors),
+                "p95_cm": errors[math.ceil(0.95 * len(errors)) - 1]}
+
+    def curve(self, seed, share):
+        """Arm time [h] and what plans are then off by."""
+        data, model = self.start(seed)
+        recordings, hours = [data], START_H
+        points = {START_H: self.kept(f"start_{seed}_judged", lambda: self.judged(f"start_{seed}", model))}
+        for until in self.options.hours:
+            name = f"share_{share:g}_seed_{seed}_{until:g}h"
+            folder = self.out / name
+            if not (folder / "summary.json").exists():
+                self.limber("improve", "--json", "--from-start", "--model", model, "--data", *recordings,
+                            "--rounds", 1, "--round-min", 60 * (until - hours), "--plan-share", share,
+                            "--selection", 2, "--reported", 2, "--epochs", epochs(until), *QUERIES, *ROOM,
+                            "--seed", seed + round(1000 * until), "--out", folder, "--resume")
+            round_1 = folder / "round_1"
+            model, hours = round_1 / "model.safetensors", until
+            recordings += [path for path in (round_1 / "plans.h5", round_1 / "exploration.h5")
+                           if path.exists()]
+            points[until] = self.kept(f"{name}_judged", lambda: self.judged(name, model))
+        return points
+
+
+def hours_to_goal(points):
+    """Where the median error falls to GOAL_CM, between two points on logarithmic axes; None: never."""
+    known = [(hours, point["median_cm"]) for hours, point in sorted(points.items())]
+    for (left, before), (right, after) in zip(known, known[1:]):
+        if before > GOAL_CM >= after:
+            part = math.log(before / GOAL_CM) / math.log(before / after)
+            return left * (right / left) ** part
+    return None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--limber", type=pathlib.Path, default="build/release/bin/limber")
+    parser.add_argument("--environments-model", type=pathlib.Path, required=True)
+    parser.add_argument("--out", type=pathlib.Path, required=True)
+    parser.add_argument("--shares", type=float, nargs="+", default=[0.0, 0.5, 1.0])
+    parser.add_argument("--seeds", type=int, default=3)
+    parser.add_argument("--hours", type=float, nargs="+", default=HOURS)
+    parser.add_argument("--count", type=int, default=100, help="of environments")
+    run = ArmTime(parser.parse_args())
+    curves = {}
+    for seed in range(FIRST_SEED, FIRST_SEED + run.options.seeds):
+        for share in run.options.shares:
+            curves[share, seed] = points = run.curve(seed, share)
+            reached = hours_to_goal(points)
+            print(f"share {share:g}, seed {seed}: " + ", ".join(
+                f"{hours:g} h {point['median_cm']:.2f} cm ({point['p95_cm']:.2f})"
+                for hours, point in sorted(points.items())) +
+                f"; {GOAL_CM:g} cm after " + (f"{reached:.2f} h" if reached else "no arm time"), flush=True)
+    for share in run.options.shares:
+        of_share = [points for (its, _), points in curves.items() if its == share]
+        means = {hours: statistics.fmean(points[hours]["median_cm"] for points in of_share)
+                 for hours in of_share[0]}
+        reached = [hours_to_goal(points) for points in of_share]
+        print(f"share {share:g}, mean of the medians: " + ", ".join(
+            f"{hours:g} h {mean:.2f} cm" for hours, mean in sorted(means.items())) +
+            (f"; {GOAL_CM:g} cm after {statistics.fmean(reached):.2f} h" if all(reached) else ""))
+
+
+if __name__ == "__main__":
+    main()
