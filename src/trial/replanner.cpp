@@ -24,6 +24,9 @@ constexpr double kNearM = 0.01;
 constexpr double kNearerShare =
     0.8;  // of the distance that is left, where no plan ends in the goal
 constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is less than kNearM
+/// Small gains in a row that end the corrections. Friction holds the tip until several of them add
+/// up.
+constexpr int kPatience = 6;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
 
 double largest_distance_m(const Backbone& a, const Backbone& b) {
@@ -66,7 +69,7 @@ bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
     small_gains_ = *error_before_m_ - error_m < settings_.min_gain_m ? small_gains_ + 1 : 0;
   }
   error_before_m_ = error_m;
-  return small_gains_ < 2 || !has_arrived;
+  return small_gains_ < kPatience || !has_arrived;
 }
 
 std::vector<PressureLimits> limits_after(const Plan& plan,

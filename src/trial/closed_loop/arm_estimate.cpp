@@ -34,7 +34,11 @@ void ArmEstimate::observe(const Pressures& setpoint_kpa, const ArmState& measure
     }
     // What it had a frame ago was corrected then, and has been kept by the prediction since.
     const Backbone before = state_ ? state_->before : *measured.backbone;
-    state_ = model_.moving_state(valves_, *measured.backbone, before);
+    const Backbone* predicted = state_ ? &state_->backbone : start_ ? &*start_ : nullptr;
+    const Backbone now = filter_ && predicted != nullptr
+                             ? filter_->corrected(*predicted, *measured.backbone)
+                             : *measured.backbone;
+    state_ = model_.moving_state(valves_, now, state_ ? before : now);
     frames_unseen_ = 0;
   }
   look_ahead();
@@ -64,6 +68,9 @@ void ArmEstimate::predict(const Pressures& setpoint_kpa, const Pressures& pressu
   model_.valves().step(setpoint_kpa, valves_);
   if (!model_.valves().is_ideal()) {
     valves_.head(n) = pressure_kpa;
+  }
+  if (filter_) {
+    filter_->predict();
   }
   if (state_) {
     const bool reads_velocity = model_.reads_velocity();

@@ -8,6 +8,7 @@
 #include "limber/hardware/state_lag.hpp"
 #include "limber/world/environment.hpp"
 #include "pressure_lag.hpp"
+#include "shape_filter.hpp"
 
 namespace limber {
 
@@ -34,6 +35,13 @@ class ArmEstimate {
   explicit ArmEstimate(const MotionModel& model) : model_(model), pressure_lag_(model_.valves()) {}
   ArmEstimate(const ArmEstimate&) = delete;  // the lag borrows the model's valves
   ArmEstimate& operator=(const ArmEstimate&) = delete;
+
+  /// Measured shapes count as much as their noise allows, beside predicted ones from where the arm
+  /// starts; without this, as they are.
+  void filter_noise(const ShapeFilter& filter, const Backbone& start) {
+    filter_ = filter;
+    start_ = start;
+  }
 
   /// The first call is the start, where the arm has long had these set points.
   void observe(const Pressures& setpoint_kpa, const ArmState& measured);
@@ -63,6 +71,8 @@ class ArmEstimate {
   std::deque<Pressures> coming_kpa_;  // set points whose frames no state has shown yet
   std::optional<MotionState> state_;  // in the frame that the last state shows
   std::optional<MotionState> ahead_;  // after those that are coming
+  std::optional<ShapeFilter> filter_;
+  std::optional<Backbone> start_;
   int frames_unseen_ = 0;
   ModelMiss miss_;
 };

@@ -7,8 +7,28 @@
 #include "limber/planning/planner_factory.hpp"
 #include "limber/trial/plan_trial.hpp"
 #include "motion_guide.hpp"
+#include "rest_average.hpp"
 
 namespace limber {
+
+namespace {
+
+constexpr double kRestS = 0.5;
+/// What a plate is measured to beside where the arm can have it: a tracker's noise, and as much
+/// again for what the filter's covariance leaves out. Noise of 0.5 mm is let through too far with
+/// 0.5 and 1 mm (docs/planning.md, Closed loop).
+constexpr double kMeasuredM = 0.002;
+
+Eigen::VectorXd gap_lengths_m(const ArmDescription& arm) {
+  Eigen::VectorXd lengths_m(arm.point_count() - 1);
+  for (int gap = 0; gap < lengths_m.size(); ++gap) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(arm.segment_of_gap(gap))];
+    lengths_m[gap] = segment.length_m / segment.gaps;
+  }
+  return lengths_m;
+}
+
+}  // namespace
 
 struct ClosedLoop::Motion {
   Motion(const ArmDescription& the_arm, const MotionModel& the_model, const ErrorRoom& the_room,
@@ -19,7 +39,8 @@ struct ClosedLoop::Motion {
         settings(the_settings),
         seed(the_seed),
         planner(make_planner("default", settings.corrections.planner_jobs)),
-        estimate(model) {}
+        estimate(model),
+        rest(the_arm.frames_in(kRestS)) {}
 
   void move_in(const Environment& environment) {
     corrections.emplace(arm, model, environment, room, settings.corrections, seed);
@@ -28,6 +49,23 @@ struct ClosedLoop::Motion {
                                       settings.corrections.limits},
                   *planner, certificate_check(arm, model), seed);
     aim = environment.goal;
+  }
+
+  /// Without memory a model predicts from pressures alone.
+  void filter_noise(const Environment& environment) {
+    if (model.has_network()) {
+      estimate.filter_noise(ShapeFilter(gap_lengths_m(arm), kMeasuredM),
+                            start_of(PlanningProblem{arm, model, environment, 0.0}).backbone);
+    }
+  }
+
+  /// Where the arm rests, free of most of the tracker's noise.
+  ArmState at_rest(ArmState state) {
+    const std::lock_guard lock(estimate_mutex);
+    if (const std::optional<Backbone> mean = rest.backbone(); state.backbone && mean) {
+      state.backbone = mean;
+    }
+    return state;
   }
 
   bool is_blind() const { return estimate.frames_unseen() > arm.frames_in(settings.blind_s); }
@@ -39,7 +77,8 @@ struct ClosedLoop::Motion {
   std::uint64_t seed;
   std::unique_ptr<Planner> planner;
   ArmEstimate estimate;
-  std::mutex estimate_mutex;  // in real time the arm is observed while `next` searches
+  RestAverage rest;
+  std::mutex estimate_mutex;  // of both: in real time the arm is observed while `next` searches
   std::optional<Replanner> corrections;
   std::optional<MotionGuide> guide;
   PoseGoal aim;  // of the plan that is followed
@@ -50,6 +89,7 @@ ClosedLoop::ClosedLoop(const ArmDescription& arm, const MotionModel& model,
                        const ClosedLoopSettings& settings, std::uint64_t seed)
     : motion_(std::make_unique<Motion>(arm, model, room, settings, seed)) {
   motion_->move_in(environment);
+  motion_->filter_noise(environment);
 }
 
 ClosedLoop::~ClosedLoop() = default;
@@ -57,6 +97,7 @@ ClosedLoop::~ClosedLoop() = default;
 void ClosedLoop::observe(const Pressures& setpoint_kpa, const ArmState& state) {
   const std::lock_guard lock(motion_->estimate_mutex);
   motion_->estimate.observe(setpoint_kpa, state);
+  motion_->rest.observe(state.backbone);
 }
 
 std::function<MotionAdvice()> ClosedLoop::advise(const Plan& plan, std::size_t next) {
@@ -83,7 +124,7 @@ bool ClosedLoop::may_go_on(const Plan& plan, std::size_t frame, const ArmState& 
 }
 
 std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const ArmState& state) {
-  std::optional<Plan> found = motion_->corrections->next(plan, frame, state);
+  std::optional<Plan> found = motion_->corrections->next(plan, frame, motion_->at_rest(state));
   motion_->aim = motion_->corrections->aim();
   const std::lock_guard lock(motion_->estimate_mutex);
   motion_->estimate.forget_miss();

@@ -1,0 +1,115 @@
+#include "shape_filter.hpp"
+
+#include <algorithm>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "limber/network/backbone_layout.hpp"
+
+namespace limber {
+
+namespace {
+
+// What a frame's prediction misses, of an arm that the model knows: a fifth of how gaps usually
+// change within a frame. Per metre of gap.
+constexpr double kTurnRadPerM = 0.025;
+constexpr double kStretch = 6e-4;
+constexpr double kOffArc = 2e-4;
+constexpr double kFramesAtStart = 25.0;  // the start is known as well as after so many
+
+Eigen::MatrixXd growth_of(const Eigen::VectorXd& gap_length_m) {
+  const Eigen::Index gaps = gap_length_m.size();
+  Eigen::MatrixXd growth = Eigen::MatrixXd::Zero(3 * gaps, 3 * gaps);
+  for (Eigen::Index g = 0; g < gaps; ++g) {
+    const double length_m = gap_length_m[g];
+    const double turn = std::pow(kTurnRadPerM * length_m, 2);
+    const double aside_m = length_m / 2.0;  // per radian
+    auto block = growth.block<3, 3>(3 * g, 3 * g);
+    block(0, 0) = std::pow(kStretch * length_m, 2);
+    block(1, 1) = std::pow(kOffArc * length_m, 2) + aside_m * aside_m * turn;
+    block(1, 2) = block(2, 1) = aside_m * turn;
+    block(2, 2) = turn;
+  }
+  return growth;
+}
+
+Eigen::VectorXd flat(const Backbone& backbone) {
+  Eigen::VectorXd result(3 * backbone.rows());
+  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
+    result.segment<3>(3 * i) = backbone.row(i).transpose().cast<double>();
+  }
+  return result;
+}
+
+/// How poses of the plates behind the base depend on gap poses, 3g×3g.
+Eigen::MatrixXd jacobian_at(const Backbone& backbone) {
+  const Eigen::Index gaps = backbone.rows() - 1;
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(3 * gaps, 3 * gaps);
+  for (Eigen::Index g = 0; g < gaps; ++g) {
+    const double theta = double(backbone(g, 2));
+    for (Eigen::Index i = g; i < gaps; ++i) {
+      auto block = jacobian.block<3, 3>(3 * i, 3 * g);
+      block(0, 0) = std::cos(theta);
+      block(1, 0) = std::sin(theta);
+      block(0, 1) = -std::sin(theta);
+      block(1, 1) = std::cos(theta);
+      block(0, 2) = -double(backbone(i + 1, 1) - backbone(g + 1, 1));
+      block(1, 2) = double(backbone(i + 1, 0) - backbone(g + 1, 0));
+      block(2, 2) = 1.0;
+    }
+  }
+  return jacobian;
+}
+
+}  // namespace
+
+ShapeFilter::ShapeFilter(Eigen::VectorXd gap_length_m, double noise_m)
+    : gap_length_m_(std::move(gap_length_m)),
+      noise_m_(noise_m),
+      growth_(growth_of(gap_length_m_)),
+      covariance_(kFramesAtStart * growth_) {}
+
+void ShapeFilter::predict() {
+  covariance_ += growth_;
+}
+
+Backbone ShapeFilter::corrected(const Backbone& predicted, const Backbone& measured) {
+  const Eigen::Index gaps = predicted.rows() - 1;
+  // In units of the noise, which is then the identity.
+  Eigen::VectorXd weight(3 * gaps);
+  for (Eigen::Index g = 0; g < gaps; ++g) {
+    weight.segment<3>(3 * g) << 1.0 / noise_m_, 1.0 / noise_m_, gap_length_m_[g] / noise_m_;
+  }
+  const Eigen::VectorXd expected = flat(predicted);
+  const Eigen::VectorXd innovation =
+      weight.cwiseProduct((flat(measured) - expected).tail(3 * gaps));
+  const Eigen::MatrixXd jacobian = weight.asDiagonal() * jacobian_at(predicted);
+  widen_for(jacobian, innovation);
+  const Eigen::MatrixXd cross = covariance_ * jacobian.transpose();
+  Eigen::MatrixXd spread = jacobian * cross;
+  spread.diagonal().array() += 1.0;
+  const Eigen::LLT<Eigen::MatrixXd> solver(spread);
+  const Eigen::VectorXd change = cross * solver.solve(innovation);
+  covariance_ -= cross * solver.solve(cross.transpose());
+  covariance_ = 0.5 * (covariance_ + covariance_.transpose().eval());
+
+  const Eigen::VectorXd gap_poses = gap_poses_of(expected) + change;
+  const Eigen::MatrixXd poses = base_poses_of(gap_poses);
+  Backbone result(predicted.rows(), 3);
+  for (Eigen::Index i = 0; i < predicted.rows(); ++i) {
+    result.row(i) = poses.block<3, 1>(3 * i, 0).transpose().cast<float>();
+  }
+  return result;
+}
+
+/// If what is measured is farther off than covariance and noise have it, so that it no longer is.
+void ShapeFilter::widen_for(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& innovation) {
+  const double explained = (jacobian * covariance_).cwiseProduct(jacobian).sum();
+  const double found = innovation.squaredNorm() - double(innovation.size());
+  covariance_ *= std::max(1.0, found / explained);
+}
+
+}  // namespace limber
