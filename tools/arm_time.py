@@ -3,7 +3,7 @@
 
     tools/arm_time.py --limber build/release/bin/limber --environments-model model.safetensors --out OUT
 
-Both ways begin with the same six minutes of random motions, and add arm time up to 0.2, 0.4, 0.6, 2 h.
+Both ways begin with the same --start-h of random motions, and add arm time up to each of --hours.
 At each of these a new network is trained from the start on all of it (`improve --from-start`), for as
 many epoch-hours either way, and plans 100 random environments, which are the same for all and were
 sampled with --environments-model. The error is how far the tip ends from where the plan has it,
@@ -22,7 +22,6 @@ from kept_parts import KeptParts
 
 ENVIRONMENT_SEED = 2_100_001  # used for nothing else
 FIRST_SEED = 2_100_002
-START_H = 0.1
 HOURS = [0.2, 0.4, 0.6, 2.0]
 EPOCH_HOURS = 150  # of each training, and at least MIN_EPOCHS
 MIN_EPOCHS = 150
@@ -44,14 +43,14 @@ class ArmTime(KeptParts):
             ENVIRONMENT_SEED, options.count, options.environments_model)
 
     def start(self, seed):
-        """Six minutes, and the network that learns from them."""
+        """The first recording, and the network that learns from it."""
         data, model = self.out / f"start_{seed}.h5", self.out / f"start_{seed}.safetensors"
         if not model.exists():
-            motions = round(START_H * 3600 / MOTION_S)
+            motions = round(self.options.start_h * 3600 / MOTION_S)
             self.limber("collect", "--json", "--force", "--schedule", "random", "--count", motions // 5,
                         "--episodes", 5, "--seed", seed, "--out", data)
             self.limber("train", "--json", "--force", "--data", data, "--windows", 32,
-                        "--epochs", epochs(START_H), "--seed", seed, "--out", model)
+                        "--epochs", epochs(self.options.start_h), "--seed", seed, "--out", model)
         return data, model
 
     def judged(self, name, model):
@@ -71,8 +70,8 @@ class ArmTime(KeptParts):
     def curve(self, seed, share):
         """Arm time [h] and what plans are then off by."""
         data, model = self.start(seed)
-        recordings, hours = [data], START_H
-        points = {START_H: self.kept(f"start_{seed}_judged", lambda: self.judged(f"start_{seed}", model))}
+        recordings, hours = [data], self.options.start_h
+        points = {hours: self.kept(f"start_{seed}_judged", lambda: self.judged(f"start_{seed}", model))}
         for until in self.options.hours:
             name = f"share_{share:g}_seed_{seed}_{until:g}h"
             folder = self.out / name
@@ -107,6 +106,7 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--shares", type=float, nargs="+", default=[0.0, 0.5, 1.0])
     parser.add_argument("--seeds", type=int, default=3)
+    parser.add_argument("--start-h", type=float, default=0.1)
     parser.add_argument("--hours", type=float, nargs="+", default=HOURS)
     parser.add_argument("--count", type=int, default=100, help="of environments")
     run = ArmTime(parser.parse_args())
