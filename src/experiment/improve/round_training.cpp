@@ -21,10 +21,9 @@ CompensationModel learn_round(const ImproveSettings& settings, const Compensatio
   training.seed = settings.seed;
   training.jobs = settings.jobs;
   training.progress = settings.progress;
-  TrainingResult result = settings.from_start
-                              ? train(settings.arm, with_replay_as_data(data),
-                                      in_form_of(start, std::move(training)))
-                              : fine_tune(settings.arm, data, training, start);
+  TrainingResult result = settings.from_start ? train(settings.arm, with_replay_as_data(data),
+                                                      in_form_of(start, std::move(training)))
+                                              : fine_tune(settings.arm, data, training, start);
   throw_if_interrupted();
   if (result.status == TrainingStatus::diverged) {
     throw SystemFault("training diverged: " + result.message);

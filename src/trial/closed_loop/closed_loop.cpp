@@ -14,10 +14,10 @@ namespace limber {
 namespace {
 
 constexpr double kRestS = 0.5;
-/// What a plate is measured to beside where the arm can have it: a tracker's noise, and as much
-/// again for what the filter's covariance leaves out. Noise of 0.5 mm is let through too far with
-/// 0.5 and 1 mm (docs/planning.md, Closed loop).
-constexpr double kMeasuredM = 0.002;
+/// Of the arm's length: what a plate is measured beside where the filter believes the arm can have
+/// it. 2 mm of the arm of the paper, four times a tracker's noise: with 0.5 and 1 mm a noise of
+/// 0.5 mm still moved the arm (docs/experiments.md, Disturbances).
+constexpr double kMeasuredShare = 0.00284;
 
 Eigen::VectorXd gap_lengths_m(const ArmDescription& arm) {
   Eigen::VectorXd lengths_m(arm.point_count() - 1);
@@ -54,7 +54,7 @@ struct ClosedLoop::Motion {
   /// Without memory a model predicts from pressures alone.
   void filter_noise(const Environment& environment) {
     if (model.has_network()) {
-      estimate.filter_noise(ShapeFilter(gap_lengths_m(arm), kMeasuredM),
+      estimate.filter_noise(ShapeFilter(gap_lengths_m(arm), kMeasuredShare * arm.length_m()),
                             start_of(PlanningProblem{arm, model, environment, 0.0}).backbone);
     }
   }

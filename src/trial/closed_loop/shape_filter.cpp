@@ -1,7 +1,6 @@
 #include "shape_filter.hpp"
 
 #include <algorithm>
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,18 +13,19 @@ namespace limber {
 namespace {
 
 // What a frame's prediction misses, of an arm that the model knows: a fifth of how gaps usually
-// change within a frame. Per metre of gap.
-constexpr double kTurnRadPerM = 0.025;
-constexpr double kStretch = 6e-4;
+// change within a frame.
+constexpr double kTurnRad = 0.0176;  // of the whole arm, if all gaps turn alike
+constexpr double kStretch = 6e-4;    // of a gap's length
 constexpr double kOffArc = 2e-4;
 constexpr double kFramesAtStart = 25.0;  // the start is known as well as after so many
 
 Eigen::MatrixXd growth_of(const Eigen::VectorXd& gap_length_m) {
   const Eigen::Index gaps = gap_length_m.size();
+  const double arm_m = gap_length_m.sum();
   Eigen::MatrixXd growth = Eigen::MatrixXd::Zero(3 * gaps, 3 * gaps);
   for (Eigen::Index g = 0; g < gaps; ++g) {
     const double length_m = gap_length_m[g];
-    const double turn = std::pow(kTurnRadPerM * length_m, 2);
+    const double turn = std::pow(kTurnRad * length_m / arm_m, 2);
     const double aside_m = length_m / 2.0;  // per radian
     auto block = growth.block<3, 3>(3 * g, 3 * g);
     block(0, 0) = std::pow(kStretch * length_m, 2);
