@@ -90,7 +90,7 @@ class Improve(InFolder):
         self.assertFalse((self.folder / "out" / "round_1" / "plans.h5").exists())
         self.assertTrue((self.folder / "out" / "round_2" / "model.safetensors").exists())
 
-    def test_training_anew_learns_from_everything(self):
+    def test_training_from_the_start_learns_from_everything(self):
         self.run_limber(*self.command("out", "--from-start", "--rounds", 1))
         found = self.run_json("inspect", "out/round_1/model.safetensors")
         self.assertIn("round_1/plans.h5", found["training"]["data"])

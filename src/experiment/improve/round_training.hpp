@@ -9,7 +9,7 @@
 
 namespace limber {
 
-/// The model of a round: `start`, fine-tuned on `data`, or trained anew on `data` and what it
+/// The model of a round: `start`, fine-tuned on `data`, or trained from the start on `data` and what it
 /// replays; whole and ready for `plan`. Valves are those of `start`; if it has none, those that the
 /// data show. The region that counts as learnt is widened, and the error is measured on
 /// `data.unseen`.

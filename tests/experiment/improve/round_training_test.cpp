@@ -33,7 +33,7 @@ TEST(RoundTraining, WhatIsKnownStaysIfNothingCanBeMeasured) {
   EXPECT_FALSE(kept_error(std::nullopt, std::nullopt));
 }
 
-TEST(RoundTraining, TrainingAnewLearnsFromWhatWouldBeReplayed) {
+TEST(RoundTraining, TrainingFromTheStartLearnsFromWhatWouldBeReplayed) {
   TrainingData data;
   data.replay.resize(12);
   data.training.resize(3);
