@@ -9,9 +9,9 @@
 
 namespace limber {
 
-/// The model of a round: `start`, fine-tuned on `data`, or trained from the start on `data` and what it
-/// replays; whole and ready for `plan`. Valves are those of `start`; if it has none, those that the
-/// data show. The region that counts as learnt is widened, and the error is measured on
+/// The model of a round: `start`, fine-tuned on `data`, or one trained from the start on `data` and
+/// what they replay; whole and ready for `plan`. Valves are those of `start`; if it has none, those
+/// that the data show. The region that counts as learnt is widened, and the error is measured on
 /// `data.unseen`.
 /// @param sources  what was learnt from in this run, for the training record
 /// @throws SystemFault if training diverges; Interrupted after Ctrl-C.
