@@ -47,8 +47,9 @@ void bind_certified_figures(py::module_& module) {
       .done();
 }
 
-void bind_plan_origin(py::class_<Plan>& plan) {
-  plan.def_readwrite("model_hash", &Plan::model_hash,
+void bind_plan_origin(py::class_<Plan>& binding) {
+  binding
+      .def_readwrite("model_hash", &Plan::model_hash,
                      "content_hash of the model's file; empty for the no-load model.")
       .def_readonly("ensemble", &Plan::ensemble,
                     "\"mean\": predicted by all of an ensemble's networks; empty: by one.")
@@ -69,8 +70,9 @@ void bind_plan_origin(py::class_<Plan>& plan) {
       .def_readonly("certified", &Plan::certified, "CertifiedFigures, or None: not certified.");
 }
 
-void bind_plan_motion(py::class_<Plan>& plan) {
-  plan.def_property_readonly(
+void bind_plan_motion(py::class_<Plan>& binding) {
+  binding
+      .def_property_readonly(
           "waypoints_kpa",
           [](const Plan& plan) {
             return rows_of(plan.waypoints_kpa,
