@@ -3,8 +3,8 @@
 
 The same search tunes both, on seeds that no table uses: gains are drawn on a logarithmic scale, then
 in shrinking ranges around the best. A run's score is its distance to the goal at the end, or 10 cm
-more if it collided; a set of gains is as good as the mean over all environments and trials. The best
-belong into src/trial/jacobian_gains.cpp, as defaults.
+more if it collided; a set of gains is as good as the mean over all environments, disturbances and
+trials. The best belong into src/trial/jacobian_gains.cpp, as defaults.
 
     tools/tune_baselines.py --limber build/release/bin/limber --model model.safetensors
 """
@@ -25,6 +25,7 @@ RANGES = {
 }
 GAINS = {"jacobian": ("proportional", "integral", "damping"),
          "online_jacobian": ("proportional", "integral", "damping", "update")}
+DISTURBANCES = ("none", "noise", "lost_tracking", "weak_actuator", "friction", "tip_load")
 COLLISION_CM = 10.0
 
 
@@ -52,6 +53,8 @@ def scores(arguments, controllers, folder):
                "--seed", arguments.seed, "--out", folder, "--resume", "--quiet"]
     for controller in controllers:
         command += ["--controller", controller]
+    for disturbance in arguments.disturbance or DISTURBANCES:
+        command += ["--disturbance", disturbance]
     if arguments.environments:
         command += ["--environments", arguments.environments]
     subprocess.run([*map(str, command)], check=True, stdout=subprocess.DEVNULL)
@@ -93,6 +96,8 @@ def main():
     parser.add_argument("--max-queries", type=int, default=20000)
     parser.add_argument("--seed", type=int, default=7001, help="of plans and gains; not a table's")
     parser.add_argument("--controller", choices=tuple(GAINS), action="append")
+    parser.add_argument("--disturbance", action="append",
+                        help=f"may be repeated; {', '.join(DISTURBANCES)} by default")
     arguments = parser.parse_args()
     for controller in arguments.controller or tuple(GAINS):
         with tempfile.TemporaryDirectory() as folder:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "closed_loop/plan_repair.hpp"
 #include "closed_loop/repaired_plan.hpp"
@@ -23,11 +24,18 @@ struct Asked {
 constexpr double kNearM = 0.01;
 constexpr double kNearerShare =
     0.8;  // of the distance that is left, where no plan ends in the goal
+/// What a straight plan has to end within: of the distance that is left, and of the tolerance.
+constexpr double kOfStraight = 0.5;
 constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is less than kNearM
 /// Small gains in a row that end the corrections. Friction holds the tip until several of them add
 /// up.
 constexpr int kPatience = 6;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
+
+Eigen::Vector3d beside(const Pose& pose, const Pose& other) {
+  return {pose.x_m - other.x_m, pose.y_m - other.y_m,
+          std::remainder(pose.theta_rad - other.theta_rad, 2.0 * std::numbers::pi)};
+}
 
 double largest_distance_m(const Backbone& a, const Backbone& b) {
   return double((a - b).leftCols<2>().rowwise().norm().maxCoeff());
@@ -92,8 +100,7 @@ void Replanner::learn_bias(const Plan& ended, const Pose& measured) {
     return;
   }
   const Pose expected = tip_pose(ended.frames.back().backbone);
-  const Eigen::Vector3d missed(measured.x_m - expected.x_m, measured.y_m - expected.y_m,
-                               measured.theta_rad - expected.theta_rad);
+  const Eigen::Vector3d missed = beside(measured, expected) + creep_;
   bias_ += kShare * (missed - bias_);
   const double size_m = bias_.head<2>().norm();
   if (size_m > kMaxBiasM) {
@@ -101,14 +108,46 @@ void Replanner::learn_bias(const Plan& ended, const Pose& measured) {
   }
 }
 
+/// A model with memory may have an arm creep that rests: under a load, or where friction differs.
+/// The arm will not, so plans are asked for what the model has them do beside that.
+void Replanner::note_creep(const Plan& plan, const Backbone& measured) {
+  if (!model_.has_network()) {
+    return;  // what that misses is learnt as bias
+  }
+  const Pressures& held_kpa = plan.frames.back().setpoint_kpa;
+  MotionState state = model_.settled_state(held_kpa, measured);
+  MotionModel::Workspace workspace;
+  for (int k = 0; k < plan.hold_frame_count; ++k) {
+    model_.step(held_kpa, state, workspace);
+  }
+  creep_ = beside(tip_pose(state.backbone), tip_pose(measured));
+}
+
 PoseGoal Replanner::shifted_goal() const {
+  const Eigen::Vector3d shift = creep_ - bias_;
   PoseGoal goal = environment_.goal;
-  goal.x_m -= bias_.x();
-  goal.y_m -= bias_.y();
+  goal.x_m += shift.x();
+  goal.y_m += shift.y();
   if (goal.theta_rad) {
-    *goal.theta_rad -= bias_.z();
+    *goal.theta_rad += shift.z();
   }
   return goal;
+}
+
+/// As far as the model's creep, which the arm will not follow, lets it be said: as much of it in
+/// each frame.
+bool Replanner::stays_in_goal(const Plan& plan) const {
+  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
+    const Eigen::Vector3d crept = double(k) / double(plan.frames.size()) * creep_;
+    Pose tip = tip_pose(plan.frames[k].backbone);
+    tip.x_m -= crept.x();
+    tip.y_m -= crept.y();
+    tip.theta_rad -= crept.z();
+    if (!is_within(environment_.goal, pose_error(environment_.goal, tip))) {
+      return false;
+    }
+  }
+  return true;
 }
 
 std::optional<Plan> Replanner::search(const Plan& before, const Environment& from_here,
@@ -128,44 +167,57 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   if (!state.backbone || replans_ >= settings_.max_replans) {
     return std::nullopt;
   }
-  const Pose measured = tip_pose(state.backbone->cast<double>().eval());
+  const Pose measured = tip_pose(*state.backbone);
   const PoseError error = pose_error(environment_.goal, measured);
+  const double error_m = as_length_m(environment_.goal, error);
   const bool halted = frame + 1 < plan.frames.size();
-  if (!halted) {
+  const bool has_arrived = !halted && is_within(environment_.goal, error);
+  if (halted) {
+    creep_.setZero();
+  } else {
     learn_bias(plan, measured);
-  }
-  if (!halted && !has_more_to_gain(as_length_m(environment_.goal, error),
-                                   is_within(environment_.goal, error))) {
-    return std::nullopt;
+    if (!has_more_to_gain(error_m, has_arrived)) {
+      return std::nullopt;
+    }
+    note_creep(plan, *state.backbone);
   }
   Environment from_here = environment_;
   from_here.start = ArmStart{plan.frames[frame].setpoint_kpa, *state.backbone};
-  for (const Asked& asked : kAsked) {
-    aim_ = shifted_goal();
-    from_here.goal = aim_;
-    from_here.goal.position_tolerance_m *= asked.tolerance;
-    from_here.goal.orientation_tolerance_rad *= asked.tolerance;
-    std::optional<Plan> found = search(plan, from_here, asked.margin * room_.margin_m);
-    if (found) {
-      ++replans_;
-      return found;
+  aim_ = shifted_goal();
+  from_here.goal = aim_;
+  std::optional<Plan> found;
+  if (!halted) {
+    found =
+        straight(plan, from_here, 1.0, kOfStraight * std::min(error_m, aim_.position_tolerance_m));
+  }
+  if (!found) {
+    found = search_less_and_less(plan, from_here);
+    if (found && has_arrived && !stays_in_goal(*found)) {
+      found.reset();
     }
   }
-  std::optional<Plan> found = nearer(plan, from_here, measured);
+  if (!found) {
+    found = nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured)));
+  }
   replans_ += found ? 1 : 0;
   return found;
 }
 
-/// Straight from where the arm is, as near to the aim as that comes.
-std::optional<Plan> Replanner::nearer(const Plan& before, Environment from_here,
-                                      const Pose& measured) {
-  const double error_m = as_length_m(aim_, pose_error(aim_, measured));
-  const double max_error_m = kNearerShare * error_m;
-  if (!(error_m - max_error_m >= settings_.min_gain_m)) {
-    return std::nullopt;
+std::optional<Plan> Replanner::search_less_and_less(const Plan& before, Environment from_here) {
+  for (const Asked& asked : kAsked) {
+    from_here.goal.position_tolerance_m = asked.tolerance * aim_.position_tolerance_m;
+    from_here.goal.orientation_tolerance_rad = asked.tolerance * aim_.orientation_tolerance_rad;
+    if (std::optional<Plan> found = search(before, from_here, asked.margin * room_.margin_m)) {
+      return found;
+    }
   }
-  const double widened = std::max(1.0, max_error_m / aim_.position_tolerance_m);
-  from_here.goal = aim_;
+  return std::nullopt;
+}
+
+/// From where the arm is to where the model has it in the goal, whose tolerances are widened by a
+/// factor.
+std::optional<Plan> Replanner::straight(const Plan& before, Environment from_here, double widened,
+                                        double max_error_m) {
   from_here.goal.position_tolerance_m *= widened;
   from_here.goal.orientation_tolerance_rad *= widened;
   PlanningProblem problem{arm_, model_, from_here, kAsked.back().margin * room_.margin_m};
@@ -174,6 +226,17 @@ std::optional<Plan> Replanner::nearer(const Plan& before, Environment from_here,
   return repaired_plan(problem, {held_kpa, held_kpa}, max_error_m,
                        seed_ + static_cast<std::uint64_t>(replans_),
                        certificate_check(arm_, model_));
+}
+
+/// As near to the aim as a straight motion comes, where that is clearly nearer than the arm is.
+std::optional<Plan> Replanner::nearer(const Plan& before, const Environment& from_here,
+                                      double error_m) {
+  const double max_error_m = kNearerShare * error_m;
+  if (!(error_m - max_error_m >= settings_.min_gain_m)) {
+    return std::nullopt;
+  }
+  return straight(before, from_here, std::max(1.0, max_error_m / aim_.position_tolerance_m),
+                  max_error_m);
 }
 
 }  // namespace limber

@@ -40,6 +40,10 @@ void ArmEstimate::observe(const Pressures& setpoint_kpa, const ArmState& measure
                              : *measured.backbone;
     state_ = model_.moving_state(valves_, now, state_ ? before : now);
     frames_unseen_ = 0;
+    if (is_later) {
+      check_.compare(*state_);
+      miss_.plate_m = check_.missed_m();
+    }
   }
   look_ahead();
 }
@@ -72,6 +76,7 @@ void ArmEstimate::predict(const Pressures& setpoint_kpa, const Pressures& pressu
   if (filter_) {
     filter_->predict();
   }
+  check_.step(model_, before_kpa, valves_.head(n), workspace_);
   if (state_) {
     const bool reads_velocity = model_.reads_velocity();
     const Backbone last = state_->backbone;

@@ -3,6 +3,7 @@
 #include <deque>
 #include <optional>
 
+#include "forecast_check.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "limber/hardware/arm_driver.hpp"
 #include "limber/hardware/state_lag.hpp"
@@ -21,6 +22,7 @@ struct ModelMiss {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();     ///< of the tip over all frames: x, y, theta
   Eigen::Vector3d latest = Eigen::Vector3d::Zero();  ///< of the frame measured last
   double travelled_kpa = 0.0;                        ///< Σ|Δp| of the set points meanwhile
+  Eigen::VectorXd plate_m;                           ///< ForecastCheck::missed_m
 };
 
 /// The arm's state from frame to frame: predicted by the model, corrected by what is measured.
@@ -29,10 +31,13 @@ struct ModelMiss {
 /// driver's states are behind its set points, as they say themselves (StateLag) or their pressures
 /// show (PressureLag), the model says what these lead to.
 ///
-/// Threads: one estimate, one thread. One query per frame, and one for each that states are behind.
+/// Threads: one estimate, one thread. One query per frame, one for each that states are behind, and
+/// those of a ForecastCheck.
 class ArmEstimate {
  public:
-  explicit ArmEstimate(const MotionModel& model) : model_(model), pressure_lag_(model_.valves()) {}
+  /// @param check_frames  of the ForecastCheck
+  ArmEstimate(const MotionModel& model, std::size_t check_frames)
+      : model_(model), pressure_lag_(model_.valves()), check_(check_frames) {}
   ArmEstimate(const ArmEstimate&) = delete;  // the lag borrows the model's valves
   ArmEstimate& operator=(const ArmEstimate&) = delete;
 
@@ -55,7 +60,10 @@ class ArmEstimate {
 
   /// Of the frames since the last `forget_miss`.
   const ModelMiss& miss() const { return miss_; }
-  void forget_miss() { miss_ = {}; }
+  void forget_miss() {
+    miss_ = {};
+    check_.forget();
+  }
 
  private:
   void take_next(const Pressures& pressure_kpa);
@@ -75,6 +83,7 @@ class ArmEstimate {
   std::optional<Backbone> start_;
   int frames_unseen_ = 0;
   ModelMiss miss_;
+  ForecastCheck check_;
 };
 
 }  // namespace limber

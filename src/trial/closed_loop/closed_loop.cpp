@@ -14,6 +14,7 @@ namespace limber {
 namespace {
 
 constexpr double kRestS = 0.5;
+constexpr double kCheckS = 0.5;  // as long before an obstacle as an arm halts
 /// Of the arm's length: what a plate is measured beside where the filter believes the arm can have
 /// it. 2 mm of the arm of the paper, four times a tracker's noise: with 0.5 and 1 mm a noise of
 /// 0.5 mm still moved the arm (docs/experiments.md, Disturbances).
@@ -39,7 +40,7 @@ struct ClosedLoop::Motion {
         settings(the_settings),
         seed(the_seed),
         planner(make_planner("default", settings.corrections.planner_jobs)),
-        estimate(model),
+        estimate(model, static_cast<std::size_t>(the_arm.frames_in(kCheckS))),
         rest(the_arm.frames_in(kRestS)) {}
 
   void move_in(const Environment& environment) {
@@ -81,7 +82,8 @@ struct ClosedLoop::Motion {
   std::mutex estimate_mutex;  // of both: in real time the arm is observed while `next` searches
   std::optional<Replanner> corrections;
   std::optional<MotionGuide> guide;
-  PoseGoal aim;  // of the plan that is followed
+  PoseGoal aim;                // of the plan that is followed
+  bool is_correction = false;  // it starts at rest, and knows what a model with memory misses there
 };
 
 ClosedLoop::ClosedLoop(const ArmDescription& arm, const MotionModel& model,
@@ -114,7 +116,8 @@ std::function<MotionAdvice()> ClosedLoop::advise(const Plan& plan, std::size_t n
     };
   }
   // What is measured meanwhile is the next question's.
-  return [&motion, &plan, next, now = motion.estimate.state(), miss = motion.estimate.miss()] {
+  return [&motion, &plan, next, now = motion.estimate.state(),
+          miss = motion.is_correction ? ModelMiss{} : motion.estimate.miss()] {
     return motion.guide->advise(plan, next, motion.aim, now, miss);
   };
 }
@@ -126,6 +129,7 @@ bool ClosedLoop::may_go_on(const Plan& plan, std::size_t frame, const ArmState& 
 std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const ArmState& state) {
   std::optional<Plan> found = motion_->corrections->next(plan, frame, motion_->at_rest(state));
   motion_->aim = motion_->corrections->aim();
+  motion_->is_correction = motion_->model.has_network() && frame + 1 == plan.frames.size();
   const std::lock_guard lock(motion_->estimate_mutex);
   motion_->estimate.forget_miss();
   return found;

@@ -21,7 +21,7 @@ constexpr double kOfPromised = 0.9;      // of a plan's own clearance, where tha
 /// that strays. Less is left to the corrections, which are predicted better.
 constexpr double kStrays = 0.5;
 constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at half the speed
-constexpr double kStopS = 0.5;
+constexpr double kHaltS = 1.0;  // that an arm takes to come to rest
 
 std::vector<Pressures> setpoints_after(const Plan& plan, std::size_t next) {
   std::vector<Pressures> rest;
@@ -60,6 +60,23 @@ Eigen::Vector3d miss_ahead(const MotionModel& model, const ModelMiss& miss,
   return bounded(share * miss.sum, kMaxMissM);
 }
 
+/// At least as much as the model's forecasts were off of late, from here on.
+void widen(PlateRoom& room, const Eigen::VectorXd& missed_m, double kept_m) {
+  if (room.full_m.empty()) {
+    room.full_m.resize(static_cast<std::size_t>(missed_m.size()), 0.0);
+  }
+  bool is_wider = false;
+  for (Eigen::Index plate = 0; plate < missed_m.size(); ++plate) {
+    const auto i = static_cast<std::size_t>(plate);
+    const double more_m = missed_m[plate] - kept_m;
+    is_wider = is_wider || more_m > room.full_m[i];
+    room.full_m[i] = std::max(room.full_m[i], more_m);
+  }
+  if (is_wider) {
+    room.growth = {};
+  }
+}
+
 }  // namespace
 
 MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
@@ -75,7 +92,7 @@ MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
       check_(std::move(check)),
       seed_(seed) {}
 
-CollisionChecker MotionGuide::checker_for(const Plan& plan) const {
+CollisionChecker MotionGuide::checker_for(const Plan& plan, const ModelMiss& miss) const {
   PlateRoom room;
   if (plan.tube) {
     room = {plan.tube->plate_radius_m, plan.tube->growth, plan.frames.front().backbone};
@@ -83,6 +100,7 @@ CollisionChecker MotionGuide::checker_for(const Plan& plan) const {
   for (double& radius_m : room.full_m) {
     radius_m *= kRoomInMotion;
   }
+  widen(room, miss.plate_m, needed_m(plan));
   return CollisionChecker(arm_, environment_.obstacles, 0.0, std::move(room));
 }
 
@@ -100,12 +118,12 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   MotionState from = now;
   MotionModel::Workspace workspace;
   model_.step(next_kpa, from, workspace);
-  const CollisionChecker checker = checker_for(plan);
+  const CollisionChecker checker = checker_for(plan, miss);
   // An arm that is nearer already may go on where it comes no nearer.
   const double start_m = checker.clearance(from.backbone).value_m;
   const double kept_m = start_m > 0.0 ? kOfPromised * start_m : start_m / kOfPromised;
-  const RestForecast rest =
-      forecast(model_, checker, from, rest_kpa, std::min(needed_m(plan), kept_m));
+  const double asked_m = std::min(needed_m(plan), kept_m);
+  const RestForecast rest = forecast(model_, checker, from, rest_kpa, asked_m);
   const Eigen::Vector3d ahead = miss_ahead(model_, miss, rest_kpa, next_kpa);
   // The tip will be that much beside where the model has it, so the model is asked for as much
   // less. The shift of a memoryless model's goal is of the same kind, and known better now.
@@ -123,11 +141,12 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
     has_waited_ = false;
     return {};
   }
-  if (std::optional<Plan> found = find(plan, next, from, goal, rest.is_safe(), error_m)) {
+  std::optional<Plan> found = find(plan, next, from, goal, rest.is_safe(), error_m);
+  if (found && forecast(model_, checker, from, setpoints_after(*found, 0), asked_m).is_safe()) {
     has_waited_ = false;
     return {MotionAdvice::Kind::go_on, std::move(found)};
   }
-  return rest.is_safe() ? MotionAdvice{} : slow_down(rest);
+  return rest.is_safe() ? MotionAdvice{} : slow_down(checker, from, rest_kpa, rest, asked_m);
 }
 
 std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const MotionState& from,
@@ -169,12 +188,20 @@ std::optional<Plan> MotionGuide::searched(const Plan& plan, const Environment& f
   return is_certified ? std::move(result.plan) : std::nullopt;
 }
 
-MotionAdvice MotionGuide::slow_down(const RestForecast& rest) {
-  const int left = rest.unsafe_frame + 1;
-  if (left > arm_.frames_in(kSlowS)) {
+/// A held arm moves on for a while, as its valves and its mass have it. So it is held in the last
+/// frame from which that is free.
+MotionAdvice MotionGuide::slow_down(const CollisionChecker& checker, const MotionState& from,
+                                    const std::vector<Pressures>& rest_kpa,
+                                    const RestForecast& rest, double needed_m) {
+  if (rest.unsafe_frame + 1 > arm_.frames_in(kSlowS)) {
     return {};
   }
-  if (left > arm_.frames_in(kStopS)) {
+  MotionState later = from;
+  MotionModel::Workspace workspace;
+  model_.step(rest_kpa.front(), later, workspace);
+  const std::vector<Pressures> held_kpa(static_cast<std::size_t>(arm_.frames_in(kHaltS)),
+                                        rest_kpa.front());
+  if (forecast(model_, checker, later, held_kpa, needed_m).is_safe()) {
     has_waited_ = !has_waited_;
     return {has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
   }

@@ -46,14 +46,16 @@ class MotionGuide {
 
  private:
   /// Obstacles and clearance that the rest of a plan is asked for.
-  CollisionChecker checker_for(const Plan& plan) const;
+  CollisionChecker checker_for(const Plan& plan, const ModelMiss& miss) const;
   double needed_m(const Plan& plan) const;
   PlanningProblem problem_from(const Environment& from_here, const Plan& plan) const;
   /// The best of what is found that is better than going on.
   std::optional<Plan> find(const Plan& plan, std::size_t next, const MotionState& from,
                            const PoseGoal& goal, bool is_safe, double error_m);
   std::optional<Plan> searched(const Plan& plan, const Environment& from_here);
-  MotionAdvice slow_down(const RestForecast& rest);
+  MotionAdvice slow_down(const CollisionChecker& checker, const MotionState& from,
+                         const std::vector<Pressures>& rest_kpa, const RestForecast& rest,
+                         double needed_m);
 
   const ArmDescription& arm_;
   MotionModel model_;

@@ -72,7 +72,7 @@ class MotionGuideTest : public ::testing::Test {
     const Eigen::Vector3d off(environment_.goal.x_m - there.x_m, environment_.goal.y_m - there.y_m,
                               0.0);
     EXPECT_GT(off.norm(), 0.011);
-    return {off, off, 1.0};
+    return {off, off, 1.0, {}};
   }
 
   MotionState start() const {
@@ -159,17 +159,59 @@ TEST_F(MotionGuideTest, NoPlanIsTakenThatItsCertificateRefuses) {
   EXPECT_GT(planner_.calls, 0) << "it found one, which is not certified";
 }
 
-TEST_F(MotionGuideTest, SlowsDownFarFromWhatIsInTheWayAndStopsNearIt) {
+TEST_F(MotionGuideTest, StopsInTheLastFrameFromWhichAHeldArmStaysFree) {
   planner_.searches = false;
   const auto refuse = [](Plan&, const Environment&) { return false; };
   const std::size_t end = plan_.frames.size() - 1 - std::size_t(plan_.hold_frame_count);
   ASSERT_LE(end, std::size_t(arm_.frames_in(1.0))) << "the whole motion is within slowing down";
   block(end);
   MotionGuide one = guide(refuse);
-  const MotionAdvice near = ask(one, end - 2, planned(end - 3));
-  EXPECT_EQ(near.kind, MotionAdvice::Kind::stop);
-  EXPECT_THAT(near.reason, HasSubstr("obstacle 0 (circle) is in the way"));
+  std::size_t next = 1;
+  MotionAdvice advice = ask(one, next, planned(0));
+  EXPECT_NE(advice.kind, MotionAdvice::Kind::stop) << "far away it only slows down";
+  while (advice.kind != MotionAdvice::Kind::stop && next < end) {
+    ++next;
+    advice = ask(one, next, planned(next - 1));
+  }
+  ASSERT_EQ(advice.kind, MotionAdvice::Kind::stop);
+  EXPECT_THAT(advice.reason, HasSubstr("obstacle 0 (circle) is in the way"));
   EXPECT_EQ(planner_.asked_queries, 5000U);
+  // The arm does as the model says: it comes to rest beside the circle.
+  const CollisionChecker checker(arm_, environment_.obstacles);
+  const auto clearance_held = [&](std::size_t frame) {
+    MotionState state = planned(frame);
+    MotionModel::Workspace workspace;
+    double least_m = checker.clearance(state.backbone).value_m;
+    for (int k = 0; k < arm_.frames_in(1.0); ++k) {
+      model_.step(plan_.frames[frame].setpoint_kpa, state, workspace);
+      least_m = std::min(least_m, checker.clearance(state.backbone).value_m);
+    }
+    return least_m;
+  };
+  EXPECT_GE(clearance_held(next), 0.25 * kMarginM - CollisionChecker::kToleranceM);
+  EXPECT_LT(clearance_held(next + 1), 0.25 * kMarginM) << "a frame later is too late";
+}
+
+TEST_F(MotionGuideTest, KeepsAsFarAwayAsTheForecastsWereOff) {
+  planner_.searches = false;
+  const auto refuse = [](Plan&, const Environment&) { return false; };
+  const std::size_t middle = (plan_.frames.size() - std::size_t(plan_.hold_frame_count)) / 2;
+  const Pose tip = tip_pose(plan_.frames[middle].backbone);
+  const Pose end = tip_pose(plan_.frames.back().backbone);
+  const double way_m = std::hypot(end.x_m - tip.x_m, end.y_m - tip.y_m);
+  // Beside the rest of the way, farther than a quarter of the margin.
+  const double aside_m = arm_.segments.back().width_m / 2.0 + arm_.actuator_radius_m + 0.02;
+  environment_.obstacles = {Circle{end.x_m + aside_m * (end.x_m - tip.x_m) / way_m,
+                                   end.y_m + aside_m * (end.y_m - tip.y_m) / way_m, 0.005}};
+  const MotionState now = planned(middle - 1);
+  MotionGuide sure = guide(refuse);
+  EXPECT_EQ(ask(sure, middle, now).kind, MotionAdvice::Kind::go_on);
+  EXPECT_EQ(planner_.calls, 0);
+  ModelMiss off;
+  off.plate_m = Eigen::VectorXd::Constant(arm_.point_count(), 0.03);
+  MotionGuide wary = guide(refuse);
+  ask(wary, middle, now, off);
+  EXPECT_EQ(planner_.calls, 1) << "the rest of the plan is not free any more";
 }
 
 TEST_F(MotionGuideTest, EverySecondFrameOfSlowingDownIsAFrameOfWaiting) {

@@ -35,7 +35,7 @@ std::vector<PressureLimits> limits_after(const Plan& plan,
 /// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
 /// goal, and where it has strayed so far from its plan that it comes near an obstacle. Every
 /// plan is certified. Small corrections from rest are predicted well, since the network's error
-/// grows with the motion. What the model misses all the same, where a correction ended beside its
+/// grows with the motion; an arm that has arrived gets none that leaves the goal again. What the model misses all the same, where a correction ended beside its
 /// prediction, shifts the goal of the next one: half of it each time, and at most 10 cm. A model
 /// without memory errs as much after a correction as before, so its first plan counts too.
 ///
@@ -56,9 +56,14 @@ class Replanner final : public PlanSource {
  private:
   bool has_more_to_gain(double error_m, bool has_arrived);
   void learn_bias(const Plan& ended, const Pose& measured);
+  void note_creep(const Plan& plan, const Backbone& measured);
   PoseGoal shifted_goal() const;
+  bool stays_in_goal(const Plan& plan) const;
   std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
-  std::optional<Plan> nearer(const Plan& before, Environment from_here, const Pose& measured);
+  std::optional<Plan> search_less_and_less(const Plan& before, Environment from_here);
+  std::optional<Plan> straight(const Plan& before, Environment from_here, double widened,
+                               double max_error_m);
+  std::optional<Plan> nearer(const Plan& before, const Environment& from_here, double error_m);
 
   const ArmDescription& arm_;
   MotionModel model_;
@@ -71,8 +76,11 @@ class Replanner final : public PlanSource {
   PoseGoal aim_;
   int replans_ = 0;
   int small_gains_ = 0;
-  std::optional<double> error_before_m_;            // of the correction under way
-  Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();  // measured beside predicted ends: x, y, theta
+  std::optional<double> error_before_m_;  // of the correction under way
+  // Of the tip, x, y, theta: measured beside predicted ends; where the model has an arm that is held
+  // beside where it rests.
+  Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d creep_ = Eigen::Vector3d::Zero();
 };
 
 }  // namespace limber

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+
+#include "limber/forward/motion_model.hpp"
+
+namespace limber {
+
+/// How far the plates came from where the model had them, over a stretch as long as a halt takes:
+/// in each frame a forecast starts where the arm is then, follows the pressures that are measured,
+/// and is compared with the arm when it is that old. Before the first is, the oldest one counts.
+///
+/// Threads: one check, one thread. One query per frame and forecast.
+class ForecastCheck {
+ public:
+  /// @param frames  age of the forecasts that count, ≥ 1
+  explicit ForecastCheck(std::size_t frames) : frames_(frames) {}
+
+  /// All forecasts go on by a frame, in which the pressures change from one to the other.
+  void step(const MotionModel& model, const Pressures& before_kpa, const Pressures& pressure_kpa,
+            MotionModel::Workspace& workspace);
+  /// Compares with where the arm is, and starts a forecast there.
+  void compare(const MotionState& now);
+  void forget();
+
+  /// Per plate, the most of late: what was seen counts a tenth less with every frame. Empty before
+  /// anything was compared. [m]
+  const Eigen::VectorXd& missed_m() const { return missed_m_; }
+
+ private:
+  struct Forecast {
+    Backbone before;
+    Backbone now;
+  };
+
+  std::size_t frames_;
+  std::deque<Forecast> forecasts_;  // the oldest first
+  Eigen::VectorXd missed_m_;
+};
+
+}  // namespace limber
