@@ -13,7 +13,6 @@ Every part lies in OUT; parts that are finished are not run again.
 """
 
 import argparse
-import json
 import math
 import pathlib
 import statistics
@@ -56,10 +55,8 @@ class ArmTime(KeptParts):
     def judged(self, name, model):
         """Executed plans: the tip's errors at their ends, and how many arrive."""
         folder = self.out / f"{name}_plans"
-        self.limber("experiment", "--json", "--model", model, "--network-only", "--trials", 1, "--seed", 1,
-                    "--environments", self.environments, *QUERIES, *ROOM, "--out", folder, "--resume")
-        trials = [json.loads(path.read_text(encoding="utf-8"))
-                  for path in sorted((folder / "trials").glob("*.json"))]
+        trials = self.trials(folder, "--model", model, "--network-only", "--trials", 1, "--seed", 1,
+                             "--environments", self.environments, *QUERIES, *ROOM)
         runs = [trial["execution"] for trial in trials if trial["execution"]]
         errors = sorted(run["prediction_error_cm"]["final"] for run in runs)
         return {"environments": len(trials), "executed": len(runs),

@@ -30,6 +30,12 @@ class KeptParts:
         path.write_text(json.dumps(found, indent=1), encoding="utf-8")
         return found
 
+    def trials(self, folder, *arguments):
+        """All trials of `limber experiment` with these arguments; those in the folder are kept."""
+        self.limber("experiment", "--json", *arguments, "--out", folder, "--resume")
+        return [json.loads(path.read_text(encoding="utf-8"))
+                for path in sorted((folder / "trials").glob("*.json"))]
+
     def random_environments(self, seed, count, model):
         """The folder of so many, which are sampled if it is not there."""
         folder = self.out / "random"

@@ -8,7 +8,6 @@ goes on where it was. --share 0.01 runs a hundredth of it, with levels that so f
 """
 
 import argparse
-import json
 import pathlib
 import sys
 
@@ -51,10 +50,8 @@ class Campaign(KeptParts):
                            self.scaled(200, 5), "--seed", CHECK_SEED, *flags)
 
     def experiment(self, name, *flags):
-        self.limber("experiment", "--json", "--model", self.model, "--network-only",
-                    "--time-limit-s", 1, "--jobs", 1, "--out", self.out / name, "--resume", *flags)
-        trials = [json.loads(path.read_text(encoding="utf-8"))
-                  for path in sorted((self.out / name / "trials").glob("*.json"))]
+        trials = self.trials(self.out / name, "--model", self.model, "--network-only",
+                             "--time-limit-s", 1, "--jobs", 1, *flags)
         solved = [trial for trial in trials if trial["execution"]]
         first = sorted(trial["first_solution"]["time_s"] for trial in solved)
         return {"trials": len(trials), "solved": len(solved),

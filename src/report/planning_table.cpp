@@ -24,7 +24,7 @@ struct Samples {
 };
 
 void add_execution(const PlanTrial& trial, PlanningRow& row, Samples& samples) {
-  if (!trial.execution || trial.execution->status != ExecutionStatus::done) {
+  if (!trial.execution || !has_run(*trial.execution)) {
     return;
   }
   const ExecutionResult& run = *trial.execution;
@@ -147,8 +147,7 @@ ReportTable one_plan_table(const std::vector<PlanningRow>& rows) {
                                       with_error(row.first_solution_s, 4),
                                       with_error(row.cost_psi, 1)};
     const PlanTrial* trial = row.one_plan;
-    const bool ran =
-        trial != nullptr && trial->execution && trial->execution->status == ExecutionStatus::done;
+    const bool ran = trial != nullptr && trial->execution && has_run(*trial->execution);
     const bool free = ran && !trial->execution->collided;
     cells.push_back(!ran ? "N/A" : free ? "No" : "Yes");
     cells.push_back(free ? fmt::format("{:.2f}", trial->execution->goal_error.position_m * kCmPerM)

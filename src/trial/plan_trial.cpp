@@ -85,7 +85,7 @@ TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& 
       first_certificate_s.add(first.certificate_s);
       cost_kpa.add(trial.planning.plan->cost_kpa);
     }
-    if (!trial.execution || trial.execution->status != ExecutionStatus::done) {
+    if (!trial.execution || !has_run(*trial.execution)) {
       continue;
     }
     const ExecutionResult& run = *trial.execution;

@@ -43,6 +43,30 @@ TEST(RunTable, HasARowForEveryControllerAndDisturbanceOverAllEnvironments) {
   EXPECT_EQ(run_table(rows).rows.size(), 3U);
 }
 
+TEST(RunTable, ARunThatWasStoppedCountsWithWhatItStruckAndAFaultDoesNot) {
+  std::vector<PlanTrial> trials{run_of("a", "replan", "", 0.3), run_of("b", "replan", "", 0.4)};
+  trials[0].execution->status = ExecutionStatus::stopped;
+  trials[0].execution->collided = true;
+  trials[1].execution->status = ExecutionStatus::fault;
+  const RunRow row = run_rows(trials).front();
+  EXPECT_EQ(row.executed, 1);
+  EXPECT_EQ(row.stopped, 1);
+  EXPECT_EQ(row.collided, 1);
+  EXPECT_EQ(row.faults, 1);
+  EXPECT_DOUBLE_EQ(*row.distance_cm.median, 30.0);
+  const TrialSummary sum = summarise(trials, "", "");
+  EXPECT_EQ(sum.executed, 1);
+  EXPECT_EQ(sum.collided, 1);
+}
+
+TEST(RunTable, TimesToTheGoalAreOfTheRunsThatEndThere) {
+  std::vector<PlanTrial> trials{run_of("a", "replan", "", 0.01), run_of("b", "replan", "", 0.4)};
+  trials[0].execution->goal_time_s = 3.0;
+  trials[0].execution->planned_goal_time_s = 2.0;
+  trials[1].execution->planned_goal_time_s = 2.0;
+  EXPECT_DOUBLE_EQ(*run_rows(trials).front().goal_time_ratio.mean, 1.5);
+}
+
 TEST(RunTable, OnlyAStopForAnObstacleThatAppearedWithoutContactIsClean) {
   PlanTrial trial = run_of("a", "replan", "obstacle", 0.2);
   ExecutionResult& run = *trial.execution;

@@ -2,9 +2,11 @@
 not is refused by name."""
 
 import json
+import subprocess
+import sys
 import unittest
 
-from program import InFolder
+from program import PROGRAM, ROOT, InFolder
 from test_plan import PILLAR
 
 ARM = ("--arm", "two_segment")
@@ -75,6 +77,25 @@ class Disturbance(InFolder):
                             if row["controller"] == "open"))
         error = self.run_limber(*command, "--out", "x", "--controller", "magic", code=2).stderr
         self.assertIn("controller 'magic': no such one; expected open, replan", error)
+
+    def test_the_long_table_is_written_by_its_script(self):
+        """A seeded hundredth of it."""
+        self.run_limber("collect", *ARM, "--schedule", "random", "--count", 20, "--out", "t.h5")
+        self.run_limber("train", *ARM, "--data", "t.h5", "--epochs", 3, "--out", "m.safetensors")
+        (self.folder / "environments").mkdir()
+        self.write("environments/a.yaml", json.dumps(PILLAR))
+        command = [sys.executable, str(ROOT / "tools" / "closed_loop_table.py"), "--limber", PROGRAM,
+                   "--model", "m.safetensors", "--out", "table", "--commit", "0000fe" + 34 * "0",
+                   "--trials", "2", "--max-queries", "5000", "--controller", "replan", "jacobian",
+                   "--disturbance", "none", "noise", *ARM, "--environments", "environments"]
+        tables = [subprocess.run(command, cwd=self.folder, check=True, stdout=subprocess.PIPE,
+                                 encoding="utf-8").stdout for _ in range(2)]
+        self.assertEqual(*tables)
+        self.assertIn("seed 254,", tables[0])
+        rows = [line.split(" | ") for line in tables[0].splitlines()[4:]]
+        self.assertEqual([row[0].strip("| ") + " " + row[1] for row in rows],
+                         ["replan none", "replan noise", "jacobian none", "jacobian noise"])
+        self.assertTrue(all(row[2].endswith(" of 2") for row in rows))
 
 
 if __name__ == "__main__":

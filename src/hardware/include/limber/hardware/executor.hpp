@@ -151,6 +151,11 @@ struct ExecutionResult {
   Episode episode;
 };
 
+/// Whether it says what becomes of a plan: a run that its controller stopped does, a fault does not.
+inline bool has_run(const ExecutionResult& result) {
+  return result.status != ExecutionStatus::fault;
+}
+
 /// The environment in which the run ended: an obstacle that appeared is the last one.
 Environment with_appeared(const Environment& environment, const ExecutionResult& result);
 

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""The table of docs/experiments.md: controllers and disturbances, over limber's environments.
+
+Every controller executes the same plans. Parts that are in OUT are not run again. Seeds come from a
+commit, so that nobody chose them: of the last one that changed a source file, unless said. Other
+flags go to `limber experiment`.
+
+    tools/closed_loop_table.py --model calibrated.safetensors --out closed_loop
+"""
+
+import argparse
+import json
+import pathlib
+import subprocess
+
+from kept_parts import KeptParts
+
+CONTROLLERS = ("replan", "open", "jacobian", "online_jacobian")
+DISTURBANCES = ("none", "noise", "lost_tracking", "obstacle", "weak_actuator", "friction", "tip_load")
+HEADER = ("| controller | disturbance | arrive | collide | stopped (clean) | distance: median, 95 % | "
+          "time to the goal | replans |\n|---|---|---|---|---|---|---|---|")
+
+
+def seed_of(commit):
+    """Its first 24 bits."""
+    return int(commit[:6], 16)
+
+
+def last_commit():
+    done = subprocess.run(["git", "log", "-1", "--format=%H", "--", "src", "apps"], check=True,
+                          stdout=subprocess.PIPE, encoding="utf-8",
+                          cwd=pathlib.Path(__file__).parent.parent)
+    return done.stdout.strip()
+
+
+def shown(value):
+    return "–" if value is None else f"{value:.2f}"
+
+
+def line(row, trials):
+    distance = row["distance_to_goal_cm"]
+    return (f"| {row['controller']} | {row['disturbance'] or 'none'} | {row['reached']} of "
+            f"{trials} | {row['collided']} | {row['stopped']} ({row['stopped_ahead']}) | "
+            f"{shown(distance['median'])}, {shown(distance['p95'])} cm | "
+            f"{shown(row['goal_time_over_plan']['median'])} | {shown(row['replans']['mean'])} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--limber", type=pathlib.Path, default="build/release/bin/limber")
+    parser.add_argument("--model", type=pathlib.Path, required=True)
+    parser.add_argument("--out", type=pathlib.Path, required=True)
+    parser.add_argument("--commit", help="whose hash gives the seed")
+    parser.add_argument("--trials", type=int, default=20, help="in each environment")
+    parser.add_argument("--max-queries", type=int, default=100000, help="of each plan")
+    parser.add_argument("--motion-queries", type=int, default=2000, help="of a search in motion")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--controller", nargs="+", default=CONTROLLERS, choices=CONTROLLERS)
+    parser.add_argument("--disturbance", nargs="+", default=DISTURBANCES,
+                        help="a kind, or several with commas between that act at once")
+    options, others = parser.parse_known_args()
+    parts = KeptParts(options.limber, options.out)
+    commit = options.commit or last_commit()
+    print(f"seed {seed_of(commit)}, of commit {commit}\n\n{HEADER}", flush=True)
+    for controller in options.controller:
+        for disturbance in options.disturbance:
+            folder = options.out / f"{controller}_{disturbance}"
+            trials = parts.trials(
+                folder, "--model", options.model, "--network-only", "--trials", options.trials,
+                "--max-queries", options.max_queries, "--motion-queries", options.motion_queries,
+                "--seed", seed_of(commit), "--jobs", options.jobs, "--controller", controller,
+                "--disturbance", disturbance, *others)
+            (row,) = json.loads((folder / "runs.json").read_text(encoding="utf-8"))
+            print(line(row, len(trials)), flush=True)
+
+
+if __name__ == "__main__":
+    main()
