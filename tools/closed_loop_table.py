@@ -2,8 +2,9 @@
 """The table of docs/experiments.md: controllers and disturbances, over limber's environments.
 
 Every controller executes the same plans. Parts that are in OUT are not run again. Seeds come from a
-commit, so that nobody chose them: of the last one that changed a source file, unless said. Other
-flags go to `limber experiment`.
+commit, so that nobody chose them: that of OUT, or the last one that changed a source file, unless
+said. Other flags go to `limber experiment`. Arrivals are of all trials, whether a plan was found or
+not; the rest is of executed plans.
 
     tools/closed_loop_table.py --model calibrated.safetensors --out closed_loop
 """
@@ -31,6 +32,10 @@ def last_commit():
                           stdout=subprocess.PIPE, encoding="utf-8",
                           cwd=pathlib.Path(__file__).parent.parent)
     return done.stdout.strip()
+
+
+def read(path):
+    return json.loads(path.read_text(encoding="utf-8"))
 
 
 def shown(value):
@@ -61,18 +66,18 @@ def main():
                         help="a kind, or several with commas between that act at once")
     options, others = parser.parse_known_args()
     parts = KeptParts(options.limber, options.out)
-    commit = options.commit or last_commit()
+    commit = parts.kept("commit", lambda: options.commit or last_commit())
     print(f"seed {seed_of(commit)}, of commit {commit}\n\n{HEADER}", flush=True)
     for controller in options.controller:
         for disturbance in options.disturbance:
             folder = options.out / f"{controller}_{disturbance}"
-            trials = parts.trials(
+            parts.trials(
                 folder, "--model", options.model, "--network-only", "--trials", options.trials,
                 "--max-queries", options.max_queries, "--motion-queries", options.motion_queries,
                 "--seed", seed_of(commit), "--jobs", options.jobs, "--controller", controller,
                 "--disturbance", disturbance, *others)
-            (row,) = json.loads((folder / "runs.json").read_text(encoding="utf-8"))
-            print(line(row, len(trials)), flush=True)
+            (row,) = read(folder / "runs.json")
+            print(line(row, sum(cell["trials"] for cell in read(folder / "table.json"))), flush=True)
 
 
 if __name__ == "__main__":

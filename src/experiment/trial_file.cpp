@@ -107,6 +107,12 @@ AppearedObstacle read_appeared(const JsonReader& json) {
           {json.at("x_m").number(), json.at("y_m").number(), json.at("radius_m").number(0.0)}};
 }
 
+/// None where there is none, and in trials that were written before it was.
+std::optional<double> read_time(const JsonReader& json, const char* key) {
+  return json.has(key) && !json.at(key).is_null() ? std::optional(json.at(key).number(0.0))
+                                                  : std::nullopt;
+}
+
 ExecutionResult read_execution(const JsonReader& json, const ArmDescription& arm) {
   ExecutionResult run;
   run.status = read_status(json.at("status"), kExecutionStatuses);
@@ -115,6 +121,8 @@ ExecutionResult read_execution(const JsonReader& json, const ArmDescription& arm
   run.goal_reached = json.at("goal_reached").boolean();
   run.frames = json.at("frames").integer(0, std::numeric_limits<int>::max());
   run.replans = json.at("replans").integer(0, std::numeric_limits<int>::max());
+  run.goal_time_s = read_time(json, "goal_time_s");
+  run.planned_goal_time_s = read_time(json, "planned_goal_time_s");
   if (json.has("stopped_ahead")) {
     run.stopped_ahead = json.at("stopped_ahead").boolean();
   }

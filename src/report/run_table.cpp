@@ -38,9 +38,12 @@ void add_run(const PlanTrial& trial, RunRow& row, RunSamples& samples) {
   row.collided += run.collided ? 1 : 0;
   row.stopped_ahead += is_clean_stop(run) ? 1 : 0;
   row.appeared += run.appeared ? 1 : 0;
-  samples.distance_cm.push_back(kCmPerM * run.goal_error.position_m);
+  if (!is_clean_stop(run)) {
+    samples.distance_cm.push_back(kCmPerM * run.goal_error.position_m);
+  }
   samples.replans.push_back(run.replans);
-  if (run.goal_time_s && run.planned_goal_time_s.value_or(0.0) > 0.0) {
+  if (run.goal_reached && !run.collided && run.goal_time_s &&
+      run.planned_goal_time_s.value_or(0.0) > 0.0) {
     samples.goal_time_ratio.push_back(*run.goal_time_s / *run.planned_goal_time_s);
   }
   if (trial.planning.plan && trial.planning.plan->frame_count() > 1) {
@@ -113,8 +116,8 @@ ReportTable run_table(const std::vector<RunRow>& rows) {
   ReportTable table;
   table.caption =
       "All environments together. Clean stops: clear of everything, for an obstacle that had "
-      "appeared. Distance of all runs. Times over the plan's: until the tip is in the goal for good, "
-      "of the runs that end there, and of the whole run";
+      "appeared. Distance of all other runs. Times over the plan's: until the tip is in the goal "
+      "for good, of runs that arrive, and of the whole run";
   table.header = {"Model",
                   "Planner",
                   "Controller",

@@ -32,7 +32,7 @@ constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is le
 constexpr int kPatience = 6;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
 
-Eigen::Vector3d beside(const Pose& pose, const Pose& other) {
+Eigen::Vector3d difference(const Pose& pose, const Pose& other) {
   return {pose.x_m - other.x_m, pose.y_m - other.y_m,
           std::remainder(pose.theta_rad - other.theta_rad, 2.0 * std::numbers::pi)};
 }
@@ -100,7 +100,7 @@ void Replanner::learn_bias(const Plan& ended, const Pose& measured) {
     return;
   }
   const Pose expected = tip_pose(ended.frames.back().backbone);
-  const Eigen::Vector3d missed = beside(measured, expected) + creep_;
+  const Eigen::Vector3d missed = difference(measured, expected) + creep();
   bias_ += kShare * (missed - bias_);
   const double size_m = bias_.head<2>().norm();
   if (size_m > kMaxBiasM) {
@@ -108,9 +108,10 @@ void Replanner::learn_bias(const Plan& ended, const Pose& measured) {
   }
 }
 
-/// A model with memory may have an arm creep that rests: under a load, or where friction differs.
-/// The arm will not, so plans are asked for what the model has them do beside that.
+/// Under a load, or with more friction than it learnt, a model has an arm that is just held drift
+/// away. The arm does not, so that drift is taken off what the model says of plans from there.
 void Replanner::note_creep(const Plan& plan, const Backbone& measured) {
+  creep_.clear();
   if (!model_.has_network()) {
     return;  // what that misses is learnt as bias
   }
@@ -119,12 +120,17 @@ void Replanner::note_creep(const Plan& plan, const Backbone& measured) {
   MotionModel::Workspace workspace;
   for (int k = 0; k < plan.hold_frame_count; ++k) {
     model_.step(held_kpa, state, workspace);
+    creep_.push_back(difference(tip_pose(state.backbone), tip_pose(measured)));
   }
-  creep_ = beside(tip_pose(state.backbone), tip_pose(measured));
+}
+
+Eigen::Vector3d Replanner::creep(std::size_t frame) const {
+  return creep_.empty() || frame == 0 ? Eigen::Vector3d(0.0, 0.0, 0.0)
+                                      : creep_[std::min(frame, creep_.size()) - 1];
 }
 
 PoseGoal Replanner::shifted_goal() const {
-  const Eigen::Vector3d shift = creep_ - bias_;
+  const Eigen::Vector3d shift = creep() - bias_;
   PoseGoal goal = environment_.goal;
   goal.x_m += shift.x();
   goal.y_m += shift.y();
@@ -134,15 +140,13 @@ PoseGoal Replanner::shifted_goal() const {
   return goal;
 }
 
-/// As far as the model's creep, which the arm will not follow, lets it be said: as much of it in
-/// each frame.
-bool Replanner::stays_in_goal(const Plan& plan) const {
+/// From where the tip is, as the model has it move beside its creep.
+bool Replanner::stays_in_goal(const Plan& plan, const Pose& measured) const {
+  const Pose start = tip_pose(plan.frames.front().backbone);
   for (std::size_t k = 0; k < plan.frames.size(); ++k) {
-    const Eigen::Vector3d crept = double(k) / double(plan.frames.size()) * creep_;
-    Pose tip = tip_pose(plan.frames[k].backbone);
-    tip.x_m -= crept.x();
-    tip.y_m -= crept.y();
-    tip.theta_rad -= crept.z();
+    const Eigen::Vector3d moved = difference(tip_pose(plan.frames[k].backbone), start) - creep(k);
+    const Pose tip{measured.x_m + moved.x(), measured.y_m + moved.y(),
+                   measured.theta_rad + moved.z()};
     if (!is_within(environment_.goal, pose_error(environment_.goal, tip))) {
       return false;
     }
@@ -173,7 +177,7 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   const bool halted = frame + 1 < plan.frames.size();
   const bool has_arrived = !halted && is_within(environment_.goal, error);
   if (halted) {
-    creep_.setZero();
+    creep_.clear();
   } else {
     learn_bias(plan, measured);
     if (!has_more_to_gain(error_m, has_arrived)) {
@@ -185,21 +189,24 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   from_here.start = ArmStart{plan.frames[frame].setpoint_kpa, *state.backbone};
   aim_ = shifted_goal();
   from_here.goal = aim_;
+  const auto is_taken = [&](const std::optional<Plan>& found) {
+    return found && (!has_arrived || stays_in_goal(*found, measured));
+  };
   std::optional<Plan> found;
   if (!halted) {
     found =
         straight(plan, from_here, 1.0, kOfStraight * std::min(error_m, aim_.position_tolerance_m));
   }
-  if (!found) {
+  if (!is_taken(found)) {
     found = search_less_and_less(plan, from_here);
-    if (found && has_arrived && !stays_in_goal(*found)) {
-      found.reset();
-    }
   }
-  if (!found) {
-    found = nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured)));
+  if (!is_taken(found)) {
+    found = nearer(plan, from_here, error_m);
   }
-  replans_ += found ? 1 : 0;
+  if (!is_taken(found)) {
+    return std::nullopt;
+  }
+  ++replans_;
   return found;
 }
 

@@ -32,6 +32,7 @@ class TrialFile : public ::testing::Test {
     trial.execution.emplace();
     trial.execution->final_backbone = Backbone::Zero(arm_.point_count(), 3);
     trial.execution->goal_error = {0.01, 0.1};
+    trial.execution->planned_goal_time_s = 2.5;
     write_trial(output_, key_, trial, environment_);
     trial_ = read_file(trial_path());
     plan_ = read_file(plan_path());
@@ -95,6 +96,9 @@ TEST_F(TrialFile, ComesBackAfterARoundTrip) {
   ASSERT_TRUE(trial.planning.plan && trial.execution && trial.execution->final_backbone);
   EXPECT_EQ(trial.execution->final_backbone->rows(), arm_.point_count());
   EXPECT_TRUE(has_trial(output_.path(), key_.id));
+  const Json written = Json::parse(trial_).at("execution");
+  ASSERT_TRUE(written.at("planned_goal_time_s").is_number());
+  EXPECT_EQ(trial.execution->planned_goal_time_s, written.at("planned_goal_time_s").get<double>());
 }
 
 TEST_F(TrialFile, DamageIsRefusedWithFileFieldAndWhatToDo) {

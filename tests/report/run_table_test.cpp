@@ -76,6 +76,7 @@ TEST(RunTable, OnlyAStopForAnObstacleThatAppearedWithoutContactIsClean) {
   run.appeared = AppearedObstacle{1.0, {0.3, 0.1, 0.02}};
   EXPECT_TRUE(is_clean_stop(run));
   EXPECT_EQ(run_rows({trial})[0].stopped_ahead, 1);
+  EXPECT_FALSE(run_rows({trial})[0].distance_cm.median) << "it stopped where it had to";
   run.collided = true;
   EXPECT_FALSE(is_clean_stop(run));
   run.collided = false;

@@ -14,7 +14,7 @@ namespace limber {
 namespace {
 
 constexpr double kRestS = 0.5;
-constexpr double kCheckS = 0.5;  // as long before an obstacle as an arm halts
+constexpr double kCheckS = 0.5;  // most of what an arm that is held still moves is over by then
 /// Of the arm's length: what a plate is measured beside where the filter believes the arm can have
 /// it. 2 mm of the arm of the paper, four times a tracker's noise: with 0.5 and 1 mm a noise of
 /// 0.5 mm still moved the arm (docs/experiments.md, Disturbances).
@@ -82,8 +82,10 @@ struct ClosedLoop::Motion {
   std::mutex estimate_mutex;  // of both: in real time the arm is observed while `next` searches
   std::optional<Replanner> corrections;
   std::optional<MotionGuide> guide;
-  PoseGoal aim;                // of the plan that is followed
-  bool is_correction = false;  // it starts at rest, and knows what a model with memory misses there
+  PoseGoal aim;  // of the plan that is followed
+  /// It starts at rest, and its goal is shifted by what the model has a held arm do: that is not
+  /// missed once more.
+  bool is_correction = false;
 };
 
 ClosedLoop::ClosedLoop(const ArmDescription& arm, const MotionModel& model,

@@ -10,11 +10,16 @@ constexpr double kMemory = 0.9;  // per frame
 
 void ForecastCheck::step(const MotionModel& model, const Pressures& before_kpa,
                          const Pressures& pressure_kpa, MotionModel::Workspace& workspace) {
+  missed_m_ *= kMemory;
+  if (!forecasts_.empty() && forecasts_.front().age >= frames_) {
+    forecasts_.pop_front();
+  }
   for (Forecast& forecast : forecasts_) {
     const Backbone last = forecast.now;
     const Backbone& before = model.reads_velocity() ? forecast.before : last;
     model.forward().step(before_kpa, pressure_kpa, before, last, forecast.now, workspace);
     forecast.before = last;
+    ++forecast.age;
   }
 }
 
@@ -22,12 +27,9 @@ void ForecastCheck::compare(const MotionState& now) {
   if (!forecasts_.empty()) {
     const Backbone off = now.backbone - forecasts_.front().now;
     const Eigen::VectorXd off_m = off.leftCols<2>().rowwise().norm().cast<double>();
-    missed_m_ = missed_m_.size() == 0 ? off_m : off_m.cwiseMax(kMemory * missed_m_).eval();
-    if (forecasts_.size() >= frames_) {
-      forecasts_.pop_front();
-    }
+    missed_m_ = missed_m_.size() == 0 ? off_m : off_m.cwiseMax(missed_m_).eval();
   }
-  forecasts_.push_back({now.before, now.backbone});
+  forecasts_.push_back({now.before, now.backbone, 0});
 }
 
 void ForecastCheck::forget() {

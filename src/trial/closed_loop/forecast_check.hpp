@@ -7,14 +7,15 @@
 
 namespace limber {
 
-/// How far the plates came from where the model had them, over a stretch as long as a halt takes:
-/// in each frame a forecast starts where the arm is then, follows the pressures that are measured,
-/// and is compared with the arm when it is that old. Before the first is, the oldest one counts.
+/// How far the plates came from where the model had them a moment before. In each frame a forecast
+/// starts where the arm is, follows the pressures that the arm has then, and counts as long as it
+/// is the oldest one. Frames in which the arm was not seen make forecasts older, and drop the
+/// oldest.
 ///
 /// Threads: one check, one thread. One query per frame and forecast.
 class ForecastCheck {
  public:
-  /// @param frames  age of the forecasts that count, ≥ 1
+  /// @param frames  the oldest that a forecast becomes, ≥ 1
   explicit ForecastCheck(std::size_t frames) : frames_(frames) {}
 
   /// All forecasts go on by a frame, in which the pressures change from one to the other.
@@ -24,14 +25,15 @@ class ForecastCheck {
   void compare(const MotionState& now);
   void forget();
 
-  /// Per plate, the most of late: what was seen counts a tenth less with every frame. Empty before
-  /// anything was compared. [m]
+  /// Per plate, the most of late: what was seen counts a tenth less with every frame that passes.
+  /// Empty before anything was compared. [m]
   const Eigen::VectorXd& missed_m() const { return missed_m_; }
 
  private:
   struct Forecast {
     Backbone before;
     Backbone now;
+    std::size_t age = 0;
   };
 
   std::size_t frames_;

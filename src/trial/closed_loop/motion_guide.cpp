@@ -60,7 +60,8 @@ Eigen::Vector3d miss_ahead(const MotionModel& model, const ModelMiss& miss,
   return bounded(share * miss.sum, kMaxMissM);
 }
 
-/// At least as much as the model's forecasts were off of late, from here on.
+/// By what the model's forecasts were off of late. Where a plate was off by more than its whole
+/// room, none of them waits for its room to grow.
 void widen(PlateRoom& room, const Eigen::VectorXd& missed_m, double kept_m) {
   if (room.full_m.empty()) {
     room.full_m.resize(static_cast<std::size_t>(missed_m.size()), 0.0);
@@ -100,7 +101,9 @@ CollisionChecker MotionGuide::checker_for(const Plan& plan, const ModelMiss& mis
   for (double& radius_m : room.full_m) {
     radius_m *= kRoomInMotion;
   }
-  widen(room, miss.plate_m, needed_m(plan));
+  if (model_.has_network()) {  // another is off by as much now as later, which `miss_ahead` knows
+    widen(room, miss.plate_m, needed_m(plan));
+  }
   return CollisionChecker(arm_, environment_.obstacles, 0.0, std::move(room));
 }
 
@@ -122,8 +125,8 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   // An arm that is nearer already may go on where it comes no nearer.
   const double start_m = checker.clearance(from.backbone).value_m;
   const double kept_m = start_m > 0.0 ? kOfPromised * start_m : start_m / kOfPromised;
-  const double asked_m = std::min(needed_m(plan), kept_m);
-  const RestForecast rest = forecast(model_, checker, from, rest_kpa, asked_m);
+  const Ahead way{from, checker, std::min(needed_m(plan), kept_m)};
+  const RestForecast rest = way.forecast_of(model_, rest_kpa);
   const Eigen::Vector3d ahead = miss_ahead(model_, miss, rest_kpa, next_kpa);
   // The tip will be that much beside where the model has it, so the model is asked for as much
   // less. The shift of a memoryless model's goal is of the same kind, and known better now.
@@ -141,18 +144,21 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
     has_waited_ = false;
     return {};
   }
-  std::optional<Plan> found = find(plan, next, from, goal, rest.is_safe(), error_m);
-  if (found && forecast(model_, checker, from, setpoints_after(*found, 0), asked_m).is_safe()) {
+  if (std::optional<Plan> found = find(plan, next, way, goal, rest.is_safe(), error_m)) {
     has_waited_ = false;
     return {MotionAdvice::Kind::go_on, std::move(found)};
   }
-  return rest.is_safe() ? MotionAdvice{} : slow_down(checker, from, rest_kpa, rest, asked_m);
+  if (rest.is_safe()) {
+    return {};
+  }
+  // Nearer than it may be, it does not come nearer frame by frame.
+  return slow_down({from, checker, needed_m(plan)}, rest_kpa, rest);
 }
 
-std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const MotionState& from,
+std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const Ahead& way,
                                       const PoseGoal& goal, bool is_safe, double error_m) {
   Environment from_here = environment_;
-  from_here.start = start_at(from);
+  from_here.start = start_at(way.from);
   from_here.goal = goal;
   const double tolerance_m = environment_.goal.position_tolerance_m;
   const double max_error_m =
@@ -160,16 +166,20 @@ std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const 
   if (max_error_m <= 0.0) {
     return std::nullopt;
   }
-  if (std::optional<Plan> found =
-          repaired_plan(problem_from(from_here, plan),
-                        waypoints_after(plan, next, arm_.pressure_step_limit_kpa()), max_error_m,
-                        seed_, check_)) {
+  const auto is_free = [&](const std::optional<Plan>& found) {
+    return found && way.forecast_of(model_, setpoints_after(*found, 0)).is_safe();
+  };
+  std::optional<Plan> found = repaired_plan(
+      problem_from(from_here, plan), waypoints_after(plan, next, arm_.pressure_step_limit_kpa()),
+      max_error_m, seed_, check_);
+  if (is_free(found)) {
     return found;
   }
   if (is_safe && error_m <= tolerance_m) {
     return std::nullopt;  // good enough for the corrections to start from
   }
-  return searched(plan, from_here);
+  found = searched(plan, from_here);
+  return is_free(found) ? std::move(found) : std::nullopt;
 }
 
 PlanningProblem MotionGuide::problem_from(const Environment& from_here, const Plan& plan) const {
@@ -190,18 +200,14 @@ std::optional<Plan> MotionGuide::searched(const Plan& plan, const Environment& f
 
 /// A held arm moves on for a while, as its valves and its mass have it. So it is held in the last
 /// frame from which that is free.
-MotionAdvice MotionGuide::slow_down(const CollisionChecker& checker, const MotionState& from,
-                                    const std::vector<Pressures>& rest_kpa,
-                                    const RestForecast& rest, double needed_m) {
+MotionAdvice MotionGuide::slow_down(const Ahead& way, const std::vector<Pressures>& rest_kpa,
+                                    const RestForecast& rest) {
   if (rest.unsafe_frame + 1 > arm_.frames_in(kSlowS)) {
     return {};
   }
-  MotionState later = from;
-  MotionModel::Workspace workspace;
-  model_.step(rest_kpa.front(), later, workspace);
-  const std::vector<Pressures> held_kpa(static_cast<std::size_t>(arm_.frames_in(kHaltS)),
-                                        rest_kpa.front());
-  if (forecast(model_, checker, later, held_kpa, needed_m).is_safe()) {
+  const std::vector<Pressures> held_a_frame_later_kpa(
+      1 + static_cast<std::size_t>(arm_.frames_in(kHaltS)), rest_kpa.front());
+  if (way.forecast_of(model_, held_a_frame_later_kpa).is_safe()) {
     has_waited_ = !has_waited_;
     return {has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
   }

@@ -28,7 +28,7 @@ struct MotionGuideSettings {
 /// looks for a plan that starts in that state: the rest of the present one with its end shifted,
 /// and then, if the rest is not safe or would miss the goal, whatever a planner finds within its
 /// queries. It takes one that is certified and better. If there is none and the way is not free,
-/// the arm slows down far from the obstacle, and stops near to it.
+/// the arm slows down, and is held in the last frame from which it comes to rest free.
 ///
 /// Threads: one guide, one thread at a time. All arguments are borrowed.
 class MotionGuide {
@@ -40,7 +40,7 @@ class MotionGuide {
   /// @param next  frame of the plan whose set points are commanded next, whatever is said
   /// @param aim   the goal that the plan was made for
   /// @param now   after the last frame
-  /// @param miss  of the model, since this motion began
+  /// @param miss  of the model, since this motion began; none in corrections
   MotionAdvice advise(const Plan& plan, std::size_t next, const PoseGoal& aim,
                       const MotionState& now, const ModelMiss& miss);
 
@@ -49,13 +49,23 @@ class MotionGuide {
   CollisionChecker checker_for(const Plan& plan, const ModelMiss& miss) const;
   double needed_m(const Plan& plan) const;
   PlanningProblem problem_from(const Environment& from_here, const Plan& plan) const;
-  /// The best of what is found that is better than going on.
-  std::optional<Plan> find(const Plan& plan, std::size_t next, const MotionState& from,
+  /// Where the next frame leads, and what is kept from obstacles from there on.
+  struct Ahead {
+    const MotionState& from;
+    const CollisionChecker& checker;
+    double needed_m;
+
+    RestForecast forecast_of(const MotionModel& model,
+                             const std::vector<Pressures>& setpoints_kpa) const {
+      return forecast(model, checker, from, setpoints_kpa, needed_m);
+    }
+  };
+  /// The best of what is found that is free as the rest of a plan has to be, and better than it.
+  std::optional<Plan> find(const Plan& plan, std::size_t next, const Ahead& way,
                            const PoseGoal& goal, bool is_safe, double error_m);
   std::optional<Plan> searched(const Plan& plan, const Environment& from_here);
-  MotionAdvice slow_down(const CollisionChecker& checker, const MotionState& from,
-                         const std::vector<Pressures>& rest_kpa, const RestForecast& rest,
-                         double needed_m);
+  MotionAdvice slow_down(const Ahead& way, const std::vector<Pressures>& rest_kpa,
+                         const RestForecast& rest);
 
   const ArmDescription& arm_;
   MotionModel model_;

@@ -57,6 +57,20 @@ TEST(ForecastCheck, IsWhatWasMissedSinceTheOldestForecast) {
   EXPECT_LT(s.check.missed_m().maxCoeff(), 0.7 * most_m) << "what is past counts less and less";
 }
 
+TEST(ForecastCheck, IsNoOlderAfterTheArmWasNotSeen) {
+  CheckSetting s;
+  for (int k = 1; k < 6; ++k) {  // unseen, and it drifts
+    const Pressures before_kpa = s.state.pressure_kpa();
+    s.model.step(Pressures::Constant(2, 3.0F * float(k)), s.state, s.workspace);
+    s.check.step(s.model, before_kpa, s.state.pressure_kpa(), s.workspace);
+    s.state.backbone.col(1).array() += 0.01F;
+  }
+  s.check.compare(s.state);
+  EXPECT_EQ(s.check.missed_m().size(), 0) << "there is no forecast of the last frames";
+  s.frame(6, 0.0F);
+  EXPECT_LT(s.check.missed_m().maxCoeff(), 0.01) << "what it does now is what counts";
+}
+
 TEST(ForecastCheck, KnowsNothingOnceForgotten) {
   CheckSetting s;
   s.frame(1, 0.01F);

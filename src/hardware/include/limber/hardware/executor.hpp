@@ -151,7 +151,7 @@ struct ExecutionResult {
   Episode episode;
 };
 
-/// Whether it says what becomes of a plan: a run that its controller stopped does, a fault does not.
+/// Whether it says what becomes of a plan: a run that was stopped does, a fault does not.
 inline bool has_run(const ExecutionResult& result) {
   return result.status != ExecutionStatus::fault;
 }

@@ -19,12 +19,13 @@ struct RunRow {
   int executed = 0;
   int reached = 0;
   int collided = 0;
-  int stopped = 0;        ///< by their controller, wherever that was
-  int stopped_ahead = 0;  ///< clean stops for an obstacle that had appeared
-  int appeared = 0;       ///< runs in which one did
-  int faults = 0;         ///< runs that count nowhere else
-  SampleFigures distance_cm;
-  SampleFigures goal_time_ratio;  ///< of runs that end in the goal: when they came there for good
+  int stopped = 0;                ///< by their controller, wherever that was
+  int stopped_ahead = 0;          ///< clean stops for an obstacle that had appeared
+  int appeared = 0;               ///< runs in which one did
+  int faults = 0;                 ///< runs that count nowhere else
+  SampleFigures distance_cm;      ///< of all executed but clean stops
+  SampleFigures goal_time_ratio;  ///< of runs that arrive: when they were there for good, over the
+                                  ///< plan's time
   SampleFigures time_ratio;       ///< frames of the run over the plan's
   SampleFigures replans;
 };

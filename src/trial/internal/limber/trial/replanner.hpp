@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -35,9 +36,10 @@ std::vector<PressureLimits> limits_after(const Plan& plan,
 /// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
 /// goal, and where it has strayed so far from its plan that it comes near an obstacle. Every
 /// plan is certified. Small corrections from rest are predicted well, since the network's error
-/// grows with the motion; an arm that has arrived gets none that leaves the goal again. What the model misses all the same, where a correction ended beside its
-/// prediction, shifts the goal of the next one: half of it each time, and at most 10 cm. A model
-/// without memory errs as much after a correction as before, so its first plan counts too.
+/// grows with the motion; an arm that has arrived gets none that leaves the goal again. What the
+/// model misses all the same, where a correction ended beside its prediction, shifts the goal of
+/// the next one: half of it each time, and at most 10 cm. A model without memory errs as much after
+/// a correction as before, so its first plan counts too.
 ///
 /// Borrows arm, model and environment. Without tracking it asks for no plan: the run is then open
 /// loop.
@@ -57,8 +59,10 @@ class Replanner final : public PlanSource {
   bool has_more_to_gain(double error_m, bool has_arrived);
   void learn_bias(const Plan& ended, const Pose& measured);
   void note_creep(const Plan& plan, const Backbone& measured);
+  /// After so many frames; it has ended with a plan's hold.
+  Eigen::Vector3d creep(std::size_t frame = std::numeric_limits<std::size_t>::max()) const;
   PoseGoal shifted_goal() const;
-  bool stays_in_goal(const Plan& plan) const;
+  bool stays_in_goal(const Plan& plan, const Pose& measured) const;
   std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
   std::optional<Plan> search_less_and_less(const Plan& before, Environment from_here);
   std::optional<Plan> straight(const Plan& before, Environment from_here, double widened,
@@ -77,10 +81,9 @@ class Replanner final : public PlanSource {
   int replans_ = 0;
   int small_gains_ = 0;
   std::optional<double> error_before_m_;  // of the correction under way
-  // Of the tip, x, y, theta: measured beside predicted ends; where the model has an arm that is held
-  // beside where it rests.
-  Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d creep_ = Eigen::Vector3d::Zero();
+  // Of the tip, x, y, theta.
+  Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();  // measured beside predicted ends
+  std::vector<Eigen::Vector3d> creep_;  // of a held arm after each frame, as the model has it
 };
 
 }  // namespace limber
