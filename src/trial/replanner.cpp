@@ -26,6 +26,8 @@ constexpr double kNearerShare =
     0.8;  // of the distance that is left, where no plan ends in the goal
 /// What a straight plan has to end within: of the distance that is left, and of the tolerance.
 constexpr double kOfStraight = 0.5;
+/// Of the goal's tolerance: an arm this near to the centre is not led out of the goal again.
+constexpr double kWellInside = 0.5;
 constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is less than kNearM
 /// Small gains in a row that end the corrections. Friction holds the tip until several of them add
 /// up.
@@ -189,8 +191,10 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   from_here.start = ArmStart{plan.frames[frame].setpoint_kpa, *state.backbone};
   aim_ = shifted_goal();
   from_here.goal = aim_;
+  const bool is_well_inside =
+      !halted && error_m <= kWellInside * environment_.goal.position_tolerance_m;
   const auto is_taken = [&](const std::optional<Plan>& found) {
-    return found && (!has_arrived || stays_in_goal(*found, measured));
+    return found && (!is_well_inside || stays_in_goal(*found, measured));
   };
   std::optional<Plan> found;
   if (!halted) {

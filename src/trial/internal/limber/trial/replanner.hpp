@@ -36,7 +36,7 @@ std::vector<PressureLimits> limits_after(const Plan& plan,
 /// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
 /// goal, and where it has strayed so far from its plan that it comes near an obstacle. Every
 /// plan is certified. Small corrections from rest are predicted well, since the network's error
-/// grows with the motion; an arm that has arrived gets none that leaves the goal again. What the
+/// grows with the motion; an arm well inside the goal gets none that leaves it on the way. What the
 /// model misses all the same, where a correction ended beside its prediction, shifts the goal of
 /// the next one: half of it each time, and at most 10 cm. A model without memory errs as much after
 /// a correction as before, so its first plan counts too.
