@@ -142,13 +142,17 @@ PoseGoal Replanner::shifted_goal() const {
   return goal;
 }
 
-/// From where the tip is, as the model has it move beside its creep.
-bool Replanner::stays_in_goal(const Plan& plan, const Pose& measured) const {
-  const Pose start = tip_pose(plan.frames.front().backbone);
-  for (std::size_t k = 0; k < plan.frames.size(); ++k) {
-    const Eigen::Vector3d moved = difference(tip_pose(plan.frames[k].backbone), start) - creep(k);
-    const Pose tip{measured.x_m + moved.x(), measured.y_m + moved.y(),
-                   measured.theta_rad + moved.z()};
+/// As the arm will go, and not as the model has it: without creep, and, of a model without memory,
+/// with the bias that it has in every frame but the first.
+bool Replanner::stays_in_goal(const Plan& plan) const {
+  const Eigen::Vector3d in_every_frame =
+      model_.has_network() ? Eigen::Vector3d(0.0, 0.0, 0.0) : bias_;
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    const Eigen::Vector3d off = in_every_frame - creep(k);
+    Pose tip = tip_pose(plan.frames[k].backbone);
+    tip.x_m += off.x();
+    tip.y_m += off.y();
+    tip.theta_rad += off.z();
     if (!is_within(environment_.goal, pose_error(environment_.goal, tip))) {
       return false;
     }
@@ -194,7 +198,7 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   const bool is_well_inside =
       !halted && error_m <= kWellInside * environment_.goal.position_tolerance_m;
   const auto is_taken = [&](const std::optional<Plan>& found) {
-    return found && (!is_well_inside || stays_in_goal(*found, measured));
+    return found && (!is_well_inside || stays_in_goal(*found));
   };
   std::optional<Plan> found;
   if (!halted) {

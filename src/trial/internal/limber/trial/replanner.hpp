@@ -62,7 +62,7 @@ class Replanner final : public PlanSource {
   /// After so many frames; it has ended with a plan's hold.
   Eigen::Vector3d creep(std::size_t frame = std::numeric_limits<std::size_t>::max()) const;
   PoseGoal shifted_goal() const;
-  bool stays_in_goal(const Plan& plan, const Pose& measured) const;
+  bool stays_in_goal(const Plan& plan) const;
   std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
   std::optional<Plan> search_less_and_less(const Plan& before, Environment from_here);
   std::optional<Plan> straight(const Plan& before, Environment from_here, double widened,
