@@ -60,7 +60,7 @@ Eigen::Vector3d miss_ahead(const MotionModel& model, const ModelMiss& miss,
   return bounded(share * miss.sum, kMaxMissM);
 }
 
-/// By what the model's forecasts were off of late. Where a plate was off by more than its whole
+/// By what the model's forecasts were off recently. Where a plate was off by more than its whole
 /// room, none of them waits for its room to grow.
 void widen(PlateRoom& room, const Eigen::VectorXd& missed_m, double kept_m) {
   if (room.full_m.empty()) {
