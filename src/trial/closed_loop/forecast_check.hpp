@@ -25,8 +25,8 @@ class ForecastCheck {
   void compare(const MotionState& now);
   void forget();
 
-  /// Per plate, the most that was seen recently: it counts a tenth less with every frame that passes.
-  /// Empty before anything was compared. [m]
+  /// Per plate, the most that was seen recently: it counts a tenth less with every frame. Empty
+  /// before anything was compared. [m]
   const Eigen::VectorXd& missed_m() const { return missed_m_; }
 
  private:
