@@ -209,7 +209,7 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
     found = search_less_and_less(plan, from_here);
   }
   if (!is_taken(found)) {
-    found = nearer(plan, from_here, error_m);
+    found = nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured)));
   }
   if (!is_taken(found)) {
     return std::nullopt;
@@ -243,7 +243,9 @@ std::optional<Plan> Replanner::straight(const Plan& before, Environment from_her
                        certificate_check(arm_, model_));
 }
 
-/// As near to the aim as a straight motion comes, where that is clearly nearer than the arm is.
+/// As near to the aim as a straight motion comes, where that is clearly nearer than the arm is. For
+/// the model an arm that is held is nearer too, by its creep; but an arm that stands short of the
+/// goal had better be moved a little than not at all (docs/experiments.md, Disturbances).
 std::optional<Plan> Replanner::nearer(const Plan& before, const Environment& from_here,
                                       double error_m) {
   const double max_error_m = kNearerShare * error_m;
