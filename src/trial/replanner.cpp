@@ -21,6 +21,9 @@ struct Asked {
   double tolerance;
   double margin;
 };
+/// A search usually asks 25 times in an iteration. From where every motion strikes at once it asks
+/// once or not at all, and would go on for minutes.
+constexpr std::uint64_t kQueriesPerIteration = 5;
 constexpr double kNearM = 0.01;
 constexpr double kNearerShare =
     0.8;  // of the distance that is left, where no plan ends in the goal
@@ -167,6 +170,7 @@ std::optional<Plan> Replanner::search(const Plan& before, const Environment& fro
   problem.margin_yields_to_start = true;
   PlannerLimits limits;
   limits.queries = settings_.queries;
+  limits.iterations = std::max<std::uint64_t>(1, settings_.queries / kQueriesPerIteration);
   const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(replans_);
   return planner_
       ->plan(problem, limits, seed, [](const PlannerProgress&) { return !interrupt_requested(); })
