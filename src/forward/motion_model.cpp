@@ -55,13 +55,18 @@ void MotionModel::step(const Eigen::Ref<const Pressures>& setpoint_kpa, MotionSt
                        Workspace& workspace) const {
   const SmallPressures before_kpa = state.pressure_kpa();
   valves_.step(setpoint_kpa, state.valves);
+  step_shape(before_kpa, state.pressure_kpa(), state.before, state.backbone, workspace);
+}
+
+void MotionModel::step_shape(const Eigen::Ref<const Pressures>& before_kpa,
+                             const Eigen::Ref<const Pressures>& pressure_kpa, Backbone& before,
+                             Backbone& backbone, Workspace& workspace) const {
   if (!reads_velocity()) {
-    forward_->step(before_kpa, state.pressure_kpa(), state.backbone, state.backbone, workspace);
+    forward_->step(before_kpa, pressure_kpa, backbone, backbone, workspace);
     return;
   }
-  forward_->step(before_kpa, state.pressure_kpa(), state.before, state.backbone, state.before,
-                 workspace);
-  state.before.swap(state.backbone);
+  forward_->step(before_kpa, pressure_kpa, before, backbone, before, workspace);
+  before.swap(backbone);
 }
 
 Pose MotionModel::settled_tip(const Eigen::Ref<const Eigen::VectorXf>& valves,

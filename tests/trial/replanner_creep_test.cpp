@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "limber/planning/planner_factory.hpp"
 #include "limber/trial/replanner.hpp"
 #include "planning/play_model.hpp"
 #include "support/fake_arm.hpp"

@@ -78,13 +78,7 @@ void ArmEstimate::predict(const Pressures& setpoint_kpa, const Pressures& pressu
   }
   check_.step(model_, before_kpa, valves_.head(n), workspace_);
   if (state_) {
-    const bool reads_velocity = model_.reads_velocity();
-    const Backbone last = state_->backbone;
-    model_.forward().step(before_kpa, valves_.head(n), reads_velocity ? state_->before : last, last,
-                          state_->backbone, workspace_);
-    if (reads_velocity) {
-      state_->before = last;
-    }
+    model_.step_shape(before_kpa, valves_.head(n), state_->before, state_->backbone, workspace_);
     state_->valves = valves_;
   }
 }

@@ -15,10 +15,7 @@ void ForecastCheck::step(const MotionModel& model, const Pressures& before_kpa,
     forecasts_.pop_front();
   }
   for (Forecast& forecast : forecasts_) {
-    const Backbone last = forecast.now;
-    const Backbone& before = model.reads_velocity() ? forecast.before : last;
-    model.forward().step(before_kpa, pressure_kpa, before, last, forecast.now, workspace);
-    forecast.before = last;
+    model.step_shape(before_kpa, pressure_kpa, forecast.before, forecast.now, workspace);
     ++forecast.age;
   }
 }

@@ -69,6 +69,12 @@ class MotionModel {
   /// ForwardModel::step.
   void step(const Eigen::Ref<const Pressures>& setpoint_kpa, MotionState& state,
             Workspace& workspace) const;
+  /// Its part behind the valves: the shape after a frame in which the pressures change from the
+  /// first to the second.
+  /// @param before  a frame earlier; stays as it is where the model does not read velocities
+  void step_shape(const Eigen::Ref<const Pressures>& before_kpa,
+                  const Eigen::Ref<const Pressures>& pressure_kpa, Backbone& before,
+                  Backbone& backbone, Workspace& workspace) const;
 
   /// Estimate of where the tip of a moving arm comes to rest at its last set points: each segment
   /// is turned about its middle, and lengthened, by what the no-load model says of the pressure
