@@ -22,6 +22,7 @@ namespace limber {
 
 namespace {
 
+constexpr double kHaltS = 0.3;          // that an arm stands where it was halted, before it goes on
 constexpr double kLongestBlindS = 1.0;  // waited for the arm to be tracked, before the next plan
 
 class Execution {
@@ -30,7 +31,8 @@ class Execution {
             ArmDriver& driver, RunWatch::Look look, const ExecutionSettings& settings)
       : arm_(arm),
         environment_(environment),
-        plan_(&plan),
+        plans_{plan},
+        plan_(&plans_.back()),
         driver_(driver),
         settings_(settings),
         watch_(arm, environment, driver, std::move(look), settings) {
@@ -77,8 +79,8 @@ class Execution {
     result_.halts += halted ? 1 : 0;
     int late = 0;  // frames after the plan's end, in which its last ones are seen
     // A plan's own hold counts: planner and executor judge the goal at the same moment.
-    for (int held = halted ? 0 : plan_->hold_frame_count; held < arm_.frames_in(settings_.hold_s);
-         ++held) {
+    const double hold_s = halted ? std::min(kHaltS, settings_.hold_s) : settings_.hold_s;
+    for (int held = halted ? 0 : plan_->hold_frame_count; held < arm_.frames_in(hold_s); ++held) {
       command(held_kpa());
       if (!halted) {
         watch_.compare(*plan_, frame_ + static_cast<std::size_t>(++late));
@@ -95,6 +97,8 @@ class Execution {
       bool goes_on = true;
       for (bool waits = false; goes_on && frame_ + 1 < plan_->frames.size();) {
         const std::size_t next = waits ? frame_ : frame_ + 1;
+        const Pressures planned_kpa = plan_->frames[next].setpoint_kpa;
+        correct_setpoint(next);
         ask_for_advice(job, next);
         command(plan_->frames[next].setpoint_kpa);
         if (waits) {
@@ -102,7 +106,7 @@ class Execution {
         } else {
           frame_ = next;
           watch_.compare(*plan_, frame_);
-          count_motion(held_kpa());
+          count_motion(planned_kpa);
         }
         goes_on = is_at_end() || may_go_on();
         if (std::optional<MotionAdvice> advice = job.end(); advice && goes_on) {
@@ -132,6 +136,18 @@ class Execution {
                                           driver_.state());
   }
 
+  /// As the source of plans wants it. The plan shows what is sent.
+  void correct_setpoint(std::size_t next) {
+    if (settings_.replanner == nullptr) {
+      return;
+    }
+    Pressures sent_kpa = settings_.replanner->setpoint(*plan_, frame_, next);
+    if (sent_kpa != plan_->frames[next].setpoint_kpa) {
+      require_frame_rule(arm_, watch_.frames(), held_kpa(), sent_kpa);
+      plan_->frames[next].setpoint_kpa = std::move(sent_kpa);
+    }
+  }
+
   void ask_for_advice(AdviceJob& job, std::size_t next) {
     if (settings_.replanner != nullptr) {
       job.begin(settings_.replanner->advise(*plan_, next));
@@ -157,8 +173,8 @@ class Execution {
     if (next.frames.front().setpoint_kpa != held_kpa()) {
       throw InputError(name + " does not start at the set points that the arm holds");
     }
-    more_plans_.push_back(std::move(next));
-    plan_ = &more_plans_.back();
+    plans_.push_back(std::move(next));
+    plan_ = &plans_.back();
     first_motion_ = ++motion_;
   }
 
@@ -272,8 +288,8 @@ class Execution {
 
   const ArmDescription& arm_;
   const Environment& environment_;
-  const Plan* plan_;  // the one that is followed
-  std::list<Plan> more_plans_;
+  std::list<Plan> plans_;  // one after another, with the set points that were sent
+  Plan* plan_;             // the one that is followed
   std::size_t frame_ = 0;  // the last one of it that was commanded
   ArmDriver& driver_;
   const ExecutionSettings& settings_;
@@ -318,6 +334,10 @@ void check(const ArmDescription& arm, const Environment& environment, const Plan
 }  // namespace
 
 void PlanSource::observe(const Pressures& /*setpoint_kpa*/, const ArmState& /*state*/) {}
+
+Pressures PlanSource::setpoint(const Plan& plan, std::size_t /*frame*/, std::size_t next) {
+  return plan.frames[next].setpoint_kpa;
+}
 
 std::function<MotionAdvice()> PlanSource::advise(const Plan& /*plan*/, std::size_t /*next*/) {
   return {};

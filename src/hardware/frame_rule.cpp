@@ -31,19 +31,29 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
   }
 }
 
-Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
+Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double step_limit_kpa,
+                            const Pressures& before_kpa,
                             const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa) {
-  const double step_kpa = arm.pressure_step_limit_kpa();
   Pressures result = before_kpa;
-  for (Eigen::Index i = 0; i < arm.segment_count(); ++i) {
+  for (std::size_t segment = 0; segment < limits.size(); ++segment) {
+    const auto i = static_cast<Eigen::Index>(segment);
     if (std::isfinite(wanted_kpa[i])) {
       const double before = before_kpa[i];
-      const double near = std::clamp(wanted_kpa[i], before - step_kpa, before + step_kpa);
-      const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
-      result[i] = static_cast<float>(limits.clamped(near));
+      const double near =
+          std::clamp(wanted_kpa[i], before - step_limit_kpa, before + step_limit_kpa);
+      result[i] = static_cast<float>(limits[segment].clamped(near));
     }
   }
   return result;
+}
+
+Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
+                            const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa) {
+  std::vector<PressureLimits> limits;
+  for (const Segment& segment : arm.segments) {
+    limits.push_back(segment.pressure_limit_kpa);
+  }
+  return within_frame_rule(limits, arm.pressure_step_limit_kpa(), before_kpa, wanted_kpa);
 }
 
 }  // namespace limber

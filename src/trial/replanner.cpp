@@ -24,6 +24,11 @@ struct Asked {
 /// A search usually asks 25 times in an iteration. From where every motion strikes at once it asks
 /// once or not at all, and would go on for minutes.
 constexpr std::uint64_t kQueriesPerIteration = 5;
+/// An arm nearer to the goal's centre than this share of what corrections missed in the mean had
+/// better stay: the next one would more likely lead away. So many of them have to be known, and
+/// the model has to have a memory: what another misses stays the same, and is learnt.
+constexpr double kOfMissed = 0.5;
+constexpr int kMissesKnown = 2;
 constexpr double kNearM = 0.01;
 constexpr double kNearerShare =
     0.8;  // of the distance that is left, where no plan ends in the goal
@@ -78,6 +83,10 @@ bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
   if (error_m < settings_.min_gain_m) {
     return false;
   }
+  const bool is_known = model_.has_network() && misses_ >= kMissesKnown;
+  if (is_known && has_arrived && error_m < kOfMissed * missed_m_ / misses_) {
+    return false;
+  }
   if (error_before_m_) {
     small_gains_ = *error_before_m_ - error_m < settings_.min_gain_m ? small_gains_ + 1 : 0;
   }
@@ -107,6 +116,8 @@ void Replanner::learn_bias(const Plan& ended, const Pose& measured) {
   const Pose expected = tip_pose(ended.frames.back().backbone);
   const Eigen::Vector3d missed = difference(measured, expected) + creep();
   bias_ += kShare * (missed - bias_);
+  missed_m_ += missed.head<2>().norm();
+  ++misses_;
   const double size_m = bias_.head<2>().norm();
   if (size_m > kMaxBiasM) {
     bias_ *= kMaxBiasM / size_m;

@@ -13,6 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
+constexpr double kHaltS = 0.3;       // for which an arm that was halted is held
 constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
 
 /// Halts once, in frame 3, and goes on with one more plan.
@@ -53,8 +54,8 @@ TEST(PlanSource, HoldsWhereItHaltsAndGoesOnFromThere) {
   const ExecutionResult result = execute(arm, environment, plan, driver, settings);
   EXPECT_EQ(result.halts, 1);
   EXPECT_EQ(result.replans, 1);
-  EXPECT_EQ(result.frames, plan.frame_count() - 1 + 2 * arm.frames_in(0.5));
-  EXPECT_EQ(result.episode.setpoint_kpa.row(3 + arm.frames_in(0.5)),
+  EXPECT_EQ(result.frames, plan.frame_count() - 1 + arm.frames_in(kHaltS) + arm.frames_in(0.5));
+  EXPECT_EQ(result.episode.setpoint_kpa.row(3 + arm.frames_in(kHaltS)),
             plan.frames[3].setpoint_kpa.transpose());
 }
 

@@ -14,6 +14,10 @@ namespace limber {
 namespace {
 
 constexpr double kRestS = 0.5;
+constexpr double kSettleS = 0.25;     // of a hold: the arm comes to where its plan ends
+constexpr double kWellInside = 0.25;  // of the tolerance: left alone
+constexpr double kStillS = 0.3;       // at a hold's end, for the arm to come to rest
+constexpr int kLedOn = 3;             // times that an arm short of its goal is led on
 constexpr double kCheckS = 0.5;  // most of what an arm that is held still moves is over by then
 /// Of the arm's length: what a plate is measured beside where the filter believes the arm can have
 /// it. 2 mm of the arm of the paper, four times a tracker's noise: with 0.5 and 1 mm a noise of
@@ -29,6 +33,14 @@ Eigen::VectorXd gap_lengths_m(const ArmDescription& arm) {
   return lengths_m;
 }
 
+/// The hold of a plan, once more.
+Plan held_on(Plan plan) {
+  const PlanFrame end = plan.frames.back();
+  plan.frames.assign(static_cast<std::size_t>(plan.hold_frame_count) + 1, end);
+  plan.waypoints_kpa = {end.setpoint_kpa, end.setpoint_kpa};
+  return plan;
+}
+
 }  // namespace
 
 struct ClosedLoop::Motion {
@@ -41,15 +53,16 @@ struct ClosedLoop::Motion {
         seed(the_seed),
         planner(make_planner("default", settings.corrections.planner_jobs)),
         estimate(model, static_cast<std::size_t>(the_arm.frames_in(kCheckS))),
-        rest(the_arm.frames_in(kRestS)) {}
+        rest(the_arm.frames_in(kRestS)),
+        follower(the_arm, model.no_load()) {}
 
-  void move_in(const Environment& environment) {
-    corrections.emplace(arm, model, environment, room, settings.corrections, seed);
-    guide.emplace(arm, model, environment, room,
+  void move_in(const Environment& now) {
+    corrections.emplace(arm, model, now, room, settings.corrections, seed);
+    guide.emplace(arm, model, now, room,
                   MotionGuideSettings{settings.motion_queries, settings.corrections.min_gain_m,
                                       settings.corrections.limits},
                   *planner, certificate_check(arm, model), seed);
-    aim = environment.goal;
+    aim = goal = now.goal;
   }
 
   /// Without memory a model predicts from pressures alone.
@@ -69,6 +82,21 @@ struct ClosedLoop::Motion {
     return state;
   }
 
+  /// Corrections are short and their goals shifted, and the shapes that a model without memory
+  /// predicts are no arm's.
+  bool is_led() const { return model.has_network() && !is_correction && estimate.has_state(); }
+
+  bool is_well_inside(const Backbone& shape) const {
+    return as_length_m(goal, pose_error(goal, tip_pose(shape))) <
+           kWellInside * goal.position_tolerance_m;
+  }
+
+  /// An arm that rests short of the goal where its plan has it inside.
+  bool is_led_on(const Plan& plan, std::size_t frame, const ArmState& state) const {
+    return is_led() && times_led_on < kLedOn && frame + 1 == plan.frames.size() && state.backbone &&
+           !is_within(goal, pose_error(goal, tip_pose(*state.backbone)));
+  }
+
   bool is_blind() const { return estimate.frames_unseen() > arm.frames_in(settings.blind_s); }
 
   const ArmDescription& arm;
@@ -79,10 +107,14 @@ struct ClosedLoop::Motion {
   std::unique_ptr<Planner> planner;
   ArmEstimate estimate;
   RestAverage rest;
+  PlanFollower follower;
+  const Plan* followed = nullptr;  // by the follower
+  int times_led_on = 0;
   std::mutex estimate_mutex;  // of both: in real time the arm is observed while `next` searches
   std::optional<Replanner> corrections;
   std::optional<MotionGuide> guide;
-  PoseGoal aim;  // of the plan that is followed
+  PoseGoal aim;   // of the plan that is followed
+  PoseGoal goal;  // of the environment
   /// It starts at rest, and its goal is shifted by what the model has a held arm do: that is not
   /// missed once more.
   bool is_correction = false;
@@ -104,6 +136,36 @@ void ClosedLoop::observe(const Pressures& setpoint_kpa, const ArmState& state) {
   motion_->rest.observe(state.backbone);
 }
 
+/// Along the plan's shapes; when it has ended, into the goal. An arm that waits is left alone, and
+/// so is one that is well inside, or has to come to rest before corrections begin.
+Pressures ClosedLoop::setpoint(const Plan& plan, std::size_t frame, std::size_t next) {
+  Motion& motion = *motion_;
+  const Pressures& held_kpa = plan.frames[frame].setpoint_kpa;
+  if (!motion.is_led()) {
+    return plan.frames[next].setpoint_kpa;
+  }
+  if (motion.followed != &plan) {
+    motion.followed = &plan;
+    motion.follower.forget();
+  }
+  if (next == frame) {
+    return held_kpa;
+  }
+  const Backbone& shape = motion.estimate.state().backbone;
+  const int held = static_cast<int>(next) + plan.hold_frame_count - plan.frame_count();
+  const int settles = motion.times_led_on > 0 ? 0 : motion.arm.frames_in(kSettleS);
+  if (held < settles) {
+    motion.follower.learn(plan.frames[frame].backbone, shape);
+  } else if (motion.is_well_inside(shape) ||
+             held >= plan.hold_frame_count - motion.arm.frames_in(kStillS)) {
+    return held_kpa;
+  } else {
+    motion.follower.learn_from_goal(motion.goal, shape);
+  }
+  return motion.follower.setpoint(plan.frames[next].setpoint_kpa, held_kpa,
+                                  limits_after(plan, motion.settings.corrections.limits));
+}
+
 std::function<MotionAdvice()> ClosedLoop::advise(const Plan& plan, std::size_t next) {
   Motion& motion = *motion_;
   const bool is_moving = static_cast<int>(next) + plan.hold_frame_count < plan.frame_count();
@@ -117,10 +179,11 @@ std::function<MotionAdvice()> ClosedLoop::advise(const Plan& plan, std::size_t n
           fmt::format("the arm was not tracked for more than {} s: it was stopped", blind_s)};
     };
   }
-  // What is measured meanwhile is the next question's.
-  return [&motion, &plan, next, now = motion.estimate.state(),
-          miss = motion.is_correction ? ModelMiss{} : motion.estimate.miss()] {
-    return motion.guide->advise(plan, next, motion.aim, now, miss);
+  // What is measured and sent meanwhile is the next question's.
+  return [&motion, plan, next, now = motion.estimate.state(),
+          miss = motion.is_correction ? ModelMiss{} : motion.estimate.miss(),
+          follower = motion.is_led() ? std::optional(motion.follower) : std::nullopt] {
+    return motion.guide->advise(plan, next, motion.aim, now, miss, follower);
   };
 }
 
@@ -129,6 +192,10 @@ bool ClosedLoop::may_go_on(const Plan& plan, std::size_t frame, const ArmState& 
 }
 
 std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const ArmState& state) {
+  if (motion_->is_led_on(plan, frame, state)) {
+    ++motion_->times_led_on;
+    return held_on(plan);
+  }
   std::optional<Plan> found = motion_->corrections->next(plan, frame, motion_->at_rest(state));
   motion_->aim = motion_->corrections->aim();
   motion_->is_correction = motion_->model.has_network() && frame + 1 == plan.frames.size();

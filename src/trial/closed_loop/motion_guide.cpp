@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,9 @@ constexpr double kOfPromised = 0.9;      // of a plan's own clearance, where tha
 /// that strays. Less is left to the corrections, which are predicted better.
 constexpr double kStrays = 0.5;
 constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at half the speed
+/// Of the arm's length: a plate that is farther from where its plan has it holds the plan up. 3 cm
+/// of the arm of the paper.
+constexpr double kOffPlan = 0.043;
 constexpr double kHaltS = 1.0;  // that an arm takes to come to rest
 
 std::vector<Pressures> setpoints_after(const Plan& plan, std::size_t next) {
@@ -93,7 +97,7 @@ MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
       check_(std::move(check)),
       seed_(seed) {}
 
-CollisionChecker MotionGuide::checker_for(const Plan& plan, const ModelMiss& miss) const {
+PlateRoom MotionGuide::room_in_motion(const Plan& plan) const {
   PlateRoom room;
   if (plan.tube) {
     room = {plan.tube->plate_radius_m, plan.tube->growth, plan.frames.front().backbone};
@@ -101,6 +105,11 @@ CollisionChecker MotionGuide::checker_for(const Plan& plan, const ModelMiss& mis
   for (double& radius_m : room.full_m) {
     radius_m *= kRoomInMotion;
   }
+  return room;
+}
+
+CollisionChecker MotionGuide::checker_for(const Plan& plan, const ModelMiss& miss) const {
+  PlateRoom room = room_in_motion(plan);
   if (model_.has_network()) {  // another is off by as much now as later, which `miss_ahead` knows
     widen(room, miss.plate_m, needed_m(plan));
   }
@@ -112,7 +121,8 @@ double MotionGuide::needed_m(const Plan& plan) const {
 }
 
 MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseGoal& aim,
-                                 const MotionState& now, const ModelMiss& miss) {
+                                 const MotionState& now, const ModelMiss& miss,
+                                 const std::optional<PlanFollower>& follower) {
   const Pressures& next_kpa = plan.frames[next].setpoint_kpa;
   const std::vector<Pressures> rest_kpa = setpoints_after(plan, next);
   if (is_at_rest(rest_kpa, next_kpa)) {
@@ -126,8 +136,16 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   const double start_m = checker.clearance(from.backbone).value_m;
   const double kept_m = start_m > 0.0 ? kOfPromised * start_m : start_m / kOfPromised;
   const Ahead way{from, checker, std::min(needed_m(plan), kept_m)};
-  const RestForecast rest = way.forecast_of(model_, rest_kpa);
-  const Eigen::Vector3d ahead = miss_ahead(model_, miss, rest_kpa, next_kpa);
+  ++seed_;
+  if (follower) {
+    if (std::optional<MotionAdvice> led = lead(plan, next, *follower)) {
+      return *std::move(led);
+    }
+  }
+  const RestForecast rest =
+      follower ? led_forecast(plan, next, way, *follower) : way.forecast_of(model_, rest_kpa);
+  const Eigen::Vector3d ahead =
+      follower ? Eigen::Vector3d::Zero().eval() : miss_ahead(model_, miss, rest_kpa, next_kpa);
   // The tip will be that much beside where the model has it, so the model is asked for as much
   // less. The shift of a memoryless model's goal is of the same kind, and known better now.
   PoseGoal goal = model_.has_network() ? aim : environment_.goal;
@@ -139,7 +157,6 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   const double error_m = as_length_m(goal, pose_error(goal, rest.end));
   const double promised_m =
       as_length_m(goal, PoseError{plan.goal_distance_m, plan.goal_orientation_rad});
-  ++seed_;
   if (rest.is_safe() && error_m <= promised_m + kStrays * goal.position_tolerance_m) {
     has_waited_ = false;
     return {};
@@ -153,6 +170,48 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   }
   // Nearer than it may be, it does not come nearer frame by frame.
   return slow_down({from, checker, needed_m(plan)}, rest_kpa, rest);
+}
+
+std::size_t MotionGuide::frames_free(const Plan& plan, std::size_t next,
+                                     const Backbone& off) const {
+  const CollisionChecker checker(arm_, environment_.obstacles, 0.0, room_in_motion(plan));
+  const auto shape = [&](std::size_t k) {
+    Backbone at = plan.frames[k].backbone;
+    if (off.rows() > 0) {
+      at += off;
+    }
+    return at;
+  };
+  std::size_t k = next;
+  while (k < plan.frames.size() && checker.motion_clearance(shape(k - 1), shape(k)).value_m > 0.0) {
+    ++k;
+  }
+  return k - next;
+}
+
+std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next,
+                                              const PlanFollower& follower) {
+  const std::size_t rest = plan.frames.size() - next;
+  const std::size_t soon = std::min(rest, static_cast<std::size_t>(arm_.frames_in(kSlowS)));
+  if (frames_free(plan, next, {}) < rest || frames_free(plan, next, follower.off_plan()) < soon) {
+    return std::nullopt;
+  }
+  has_waited_ = !has_waited_ && follower.farthest_m() > kOffPlan * arm_.length_m();
+  return MotionAdvice{has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
+}
+
+RestForecast MotionGuide::led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
+                                       PlanFollower follower) const {
+  const std::vector<PressureLimits> limits = limits_after(plan, settings_.limits);
+  Pressures sent_kpa = plan.frames[next].setpoint_kpa;
+  const auto setpoint_kpa = [&](std::size_t k, const MotionState& before) {
+    const std::size_t frame = next + k;
+    follower.learn(plan.frames[frame].backbone, before.backbone);
+    sent_kpa = follower.setpoint(plan.frames[frame + 1].setpoint_kpa, sent_kpa, limits);
+    return sent_kpa;
+  };
+  return forecast(model_, way.checker, way.from, plan.frames.size() - next - 1, setpoint_kpa,
+                  way.needed_m);
 }
 
 std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const Ahead& way,

@@ -8,6 +8,7 @@
 #include "limber/forward/error_room.hpp"
 #include "limber/hardware/executor.hpp"
 #include "limber/planning/planner.hpp"
+#include "plan_follower.hpp"
 #include "plan_repair.hpp"
 #include "repaired_plan.hpp"
 #include "rest_forecast.hpp"
@@ -41,10 +42,14 @@ class MotionGuide {
   /// @param aim   the goal that the plan was made for
   /// @param now   after the last frame
   /// @param miss  of the model, since this motion began; none in corrections
+  /// @param follower  that leads the arm; it has said the set points of `next`. None: the arm has
+  ///   the plan's
   MotionAdvice advise(const Plan& plan, std::size_t next, const PoseGoal& aim,
-                      const MotionState& now, const ModelMiss& miss);
+                      const MotionState& now, const ModelMiss& miss,
+                      const std::optional<PlanFollower>& follower = std::nullopt);
 
  private:
+  PlateRoom room_in_motion(const Plan& plan) const;
   /// Obstacles and clearance that the rest of a plan is asked for.
   CollisionChecker checker_for(const Plan& plan, const ModelMiss& miss) const;
   double needed_m(const Plan& plan) const;
@@ -60,6 +65,15 @@ class MotionGuide {
       return forecast(model, checker, from, setpoints_kpa, needed_m);
     }
   };
+  /// Whether an arm that is led goes on or waits. None: it needs another way.
+  std::optional<MotionAdvice> lead(const Plan& plan, std::size_t next,
+                                   const PlanFollower& follower);
+  /// Of the frames from `next` on, those before something is too near.
+  /// @param off  that the arm is beside the plan in all of them; empty: it is not
+  std::size_t frames_free(const Plan& plan, std::size_t next, const Backbone& off) const;
+  /// What becomes of an arm that is led along the rest of a plan.
+  RestForecast led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
+                            PlanFollower follower) const;
   /// The best of what is found that is free as the rest of a plan has to be, and better than it.
   std::optional<Plan> find(const Plan& plan, std::size_t next, const Ahead& way,
                            const PoseGoal& goal, bool is_safe, double error_m);

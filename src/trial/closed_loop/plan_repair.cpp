@@ -14,18 +14,18 @@ constexpr double kProbeShare = 0.02;     // of a segment's range: what sensitivi
 constexpr double kRepairDamping = 1e-3;  // of the normal matrix, of its mean diagonal
 constexpr int kRepairSteps = 4;
 
+}  // namespace
+
 double m_per_rad(const PoseGoal& goal) {
   return goal.theta_rad ? goal.position_tolerance_m / goal.orientation_tolerance_rad : 0.0;
 }
 
-Eigen::Vector3d missing(const PoseGoal& goal, const Pose& tip) {
+Eigen::Vector3d missing_m(const PoseGoal& goal, const Pose& tip) {
   const double turn = goal.theta_rad
                           ? std::remainder(*goal.theta_rad - tip.theta_rad, 2.0 * std::numbers::pi)
                           : 0.0;
   return {goal.x_m - tip.x_m, goal.y_m - tip.y_m, m_per_rad(goal) * turn};
 }
-
-}  // namespace
 
 double as_length_m(const PoseGoal& goal, const PoseError& error) {
   return std::hypot(error.position_m, m_per_rad(goal) * error.orientation_rad);
@@ -130,7 +130,7 @@ std::optional<std::vector<Pressures>> PlanRepair::toward(
       max_error_m = error_m;
       best = tried;
     }
-    shift_kpa += jacobian.transpose() * solver.solve(missing(goal, *tip));
+    shift_kpa += jacobian.transpose() * solver.solve(missing_m(goal, *tip));
     tried = shifted(waypoints_kpa, shift_kpa);
   }
   return best;

@@ -1,18 +1,29 @@
 #include "rest_forecast.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace limber {
 
 RestForecast forecast(const MotionModel& model, const CollisionChecker& checker, MotionState state,
                       const std::vector<Pressures>& setpoints_kpa, double needed_m) {
+  return forecast(
+      model, checker, std::move(state), setpoints_kpa.size(),
+      [&](std::size_t k, const MotionState&) { return setpoints_kpa[k]; }, needed_m);
+}
+
+RestForecast forecast(
+    const MotionModel& model, const CollisionChecker& checker, MotionState state,
+    std::size_t frames,
+    const std::function<Pressures(std::size_t k, const MotionState& before)>& setpoint_kpa,
+    double needed_m) {
   RestForecast result;
   result.clearance_m = std::numeric_limits<double>::infinity();
   MotionModel::Workspace workspace;
   Backbone before = state.backbone;
-  for (std::size_t k = 0; k < setpoints_kpa.size(); ++k) {
+  for (std::size_t k = 0; k < frames; ++k) {
     before = state.backbone;
-    model.step(setpoints_kpa[k], state, workspace);
+    model.step(setpoint_kpa(k, state), state, workspace);
     ++result.queries;
     const Clearance clearance =
         checker.motion_clearance(before, state.backbone, result.clearance_m);

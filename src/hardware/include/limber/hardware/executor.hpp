@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
@@ -47,6 +48,12 @@ class PlanSource {
   /// Told of every set point and of what was measured after it; first of the start, where the arm
   /// has long had the plan's first set points.
   virtual void observe(const Pressures& setpoint_kpa, const ArmState& state);
+  /// Set points to send in frame `next` of a plan, in place of the plan's own; from then on the
+  /// plan that this source is shown has them. They are within the limits, and no farther from the
+  /// last ones than the frame rule allows. Asked for each frame of a plan, also where the arm waits
+  /// in one.
+  /// @param frame  the one commanded last, `next` where it waits
+  virtual Pressures setpoint(const Plan& plan, std::size_t frame, std::size_t next);
   /// Asked before each frame of a motion, whose set points `plan.frames[next]` are then sent
   /// without waiting for the answer: it takes effect in the frame after that one, or never if it
   /// comes later. In real time it is called on another thread; meanwhile nothing but `observe` and
@@ -82,10 +89,14 @@ void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& b
 /// The set points nearest to `wanted_kpa`, each by itself, that keep them; NaN stays before_kpa.
 Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
                             const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa);
+/// The same with other limits, one for each segment, and another step.
+Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double step_limit_kpa,
+                            const Pressures& before_kpa,
+                            const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa);
 
 struct ExecutionSettings {
   /// The last set point is held this long in all, including the plan's own hold (which is never
-  /// cut); then the goal is judged. [s], ≥ 0.
+  /// cut); then the goal is judged. An arm that was halted is held 0.3 s at most. [s], ≥ 0.
   double hold_s = 1.0;
   /// Asked for more plans; borrowed. None: the plan is executed open loop.
   PlanSource* replanner = nullptr;

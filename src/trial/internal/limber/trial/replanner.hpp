@@ -80,6 +80,8 @@ class Replanner final : public PlanSource {
   PoseGoal aim_;
   int replans_ = 0;
   int small_gains_ = 0;
+  double missed_m_ = 0.0;  // sum over corrections, of the tip
+  int misses_ = 0;
   std::optional<double> error_before_m_;  // of the correction under way
   // Of the tip, x, y, theta.
   Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();  // measured beside predicted ends

@@ -1,0 +1,19 @@
+#include "plan_follower.hpp"
+
+namespace limber {
+
+void PlanFollower::forget() {
+  feedback_.forget();
+  off_plan_.resize(0, 3);
+}
+
+void PlanFollower::learn(const Backbone& planned, const Backbone& shape) {
+  feedback_.learn(planned, shape);
+  off_plan_ = shape - planned;
+}
+
+double PlanFollower::farthest_m() const {
+  return off_plan_.rows() == 0 ? 0.0 : double(off_plan_.leftCols<2>().rowwise().norm().maxCoeff());
+}
+
+}  // namespace limber

@@ -1,0 +1,101 @@
+#include "shape_feedback.hpp"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "limber/hardware/executor.hpp"
+#include "plan_repair.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kProportional = 1.5;
+constexpr double kIntegralPerS = 8.0;
+constexpr double kDamping = 0.014;     // of the arm's length: 1 cm of the arm of the paper
+constexpr double kLeastBendRad = 0.1;  // between its limits: less is no bending
+
+double turn_rad(const NoLoadModel& model, int segment, double kpa) {
+  const SegmentShape shape = model.segment_shape(segment, kpa);
+  return shape.curvature_per_m * shape.length_m;
+}
+
+}  // namespace
+
+ShapeFeedback::ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model)
+    : plates_{0},
+      kpa_per_rad_(Eigen::VectorXd::Zero(arm.segment_count())),
+      arm_length_m_(arm.length_m()),
+      step_limit_kpa_(arm.pressure_step_limit_kpa()),
+      frame_period_s_(arm.frame_period_s()) {
+  for (int i = 0; i < arm.segment_count(); ++i) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
+    const PressureLimits& limits = segment.pressure_limit_kpa;
+    limits_.push_back(limits);
+    plates_.push_back(plates_.back() + segment.gaps);
+    const double bend_rad =
+        turn_rad(model, i, limits.upper_kpa) - turn_rad(model, i, limits.lower_kpa);
+    if (std::abs(bend_rad) >= kLeastBendRad) {
+      kpa_per_rad_[i] = (limits.upper_kpa - limits.lower_kpa) / bend_rad;
+    }
+  }
+  forget();
+}
+
+void ShapeFeedback::forget() {
+  trim_kpa_ = Eigen::VectorXd::Zero(kpa_per_rad_.size());
+  missed_rad_.resize(0);
+}
+
+Eigen::VectorXd ShapeFeedback::bends_rad(const Backbone& backbone) const {
+  Eigen::VectorXd bends(kpa_per_rad_.size());
+  for (Eigen::Index i = 0; i < bends.size(); ++i) {
+    const auto segment = static_cast<std::size_t>(i);
+    bends[i] = double(backbone(plates_[segment + 1], 2)) - double(backbone(plates_[segment], 2));
+  }
+  return bends;
+}
+
+void ShapeFeedback::learn(const Backbone& planned, const Backbone& shape) {
+  learn_missed(bends_rad(planned) - bends_rad(shape));
+}
+
+void ShapeFeedback::learn_from_goal(const PoseGoal& goal, const Backbone& shape) {
+  const Pose tip = tip_pose(shape);
+  Eigen::Matrix3Xd turns = Eigen::Matrix3Xd::Zero(3, kpa_per_rad_.size());
+  for (Eigen::Index i = 0; i < turns.cols(); ++i) {
+    if (kpa_per_rad_[i] == 0.0) {
+      continue;
+    }
+    const auto segment = static_cast<std::size_t>(i);
+    const Eigen::RowVector2d middle =
+        0.5 *
+        (shape.row(plates_[segment]) + shape.row(plates_[segment + 1])).head<2>().cast<double>();
+    turns.col(i) << middle[1] - tip.y_m, tip.x_m - middle[0], m_per_rad(goal);
+  }
+  const double damping_m = kDamping * arm_length_m_;
+  Eigen::Matrix3d square = turns * turns.transpose();
+  square.diagonal().array() += damping_m * damping_m;
+  learn_missed(turns.transpose() * square.ldlt().solve(missing_m(goal, tip)));
+}
+
+void ShapeFeedback::learn_missed(const Eigen::VectorXd& missed_rad) {
+  Eigen::VectorXd more_rad = kIntegralPerS * frame_period_s_ * missed_rad;
+  if (missed_rad_.size() > 0) {
+    more_rad += kProportional * (missed_rad - missed_rad_);
+  }
+  trim_kpa_ += kpa_per_rad_.cwiseProduct(more_rad);
+  missed_rad_ = missed_rad;
+}
+
+Pressures ShapeFeedback::setpoint(const Pressures& planned_kpa, const Pressures& before_kpa,
+                                  const std::vector<PressureLimits>& limits) {
+  const Eigen::VectorXd planned = planned_kpa.cast<double>();
+  const Pressures sent = within_frame_rule(limits.empty() ? limits_ : limits, step_limit_kpa_,
+                                           before_kpa, planned + trim_kpa_);
+  trim_kpa_ = sent.cast<double>() - planned;
+  return sent;
+}
+
+}  // namespace limber
