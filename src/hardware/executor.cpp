@@ -142,10 +142,8 @@ class Execution {
       return;
     }
     Pressures sent_kpa = settings_.replanner->setpoint(*plan_, frame_, next);
-    if (sent_kpa != plan_->frames[next].setpoint_kpa) {
-      require_frame_rule(arm_, watch_.frames(), held_kpa(), sent_kpa);
-      plan_->frames[next].setpoint_kpa = std::move(sent_kpa);
-    }
+    require_frame_rule(arm_, watch_.frames(), held_kpa(), sent_kpa);
+    plan_->frames[next].setpoint_kpa = std::move(sent_kpa);
   }
 
   void ask_for_advice(AdviceJob& job, std::size_t next) {

@@ -39,7 +39,7 @@ constexpr double kWellInside = 0.5;
 constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is less than kNearM
 /// Small gains in a row that end the corrections. Friction holds the tip until several of them add
 /// up.
-constexpr int kPatience = 6;
+constexpr int kPatience = 10;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
 
 Eigen::Vector3d difference(const Pose& pose, const Pose& other) {
@@ -75,8 +75,8 @@ bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& s
   // No obstacle is nearer to the plan than its clearance, so that much is always allowed.
   const bool strays =
       !(largest_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m);
-  return !strays || near_.clearance(*state.backbone).value_m >=
-                        std::min(kNearM, kNearOfClearance * plan.clearance_m);
+  return !strays ||
+         clearance_m(*state.backbone) >= std::min(kNearM, kNearOfClearance * plan.clearance_m);
 }
 
 bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
@@ -109,14 +109,13 @@ std::vector<PressureLimits> limits_after(const Plan& plan,
 void Replanner::learn_bias(const Plan& ended, const Pose& measured) {
   constexpr double kShare = 0.5;
   constexpr double kMaxBiasM = 0.1;
-  const bool starts_as_measured = replans_ > 0;  // the first plan starts where nobody looked
-  if (model_.has_network() && !starts_as_measured) {
-    return;
+  if (model_.has_network() && !is_correction_) {
+    return;  // a long way, on which the arm was led
   }
   const Pose expected = tip_pose(ended.frames.back().backbone);
   const Eigen::Vector3d missed = difference(measured, expected) + creep();
   bias_ += kShare * (missed - bias_);
-  missed_m_ += missed.head<2>().norm();
+  missed_m_ += std::hypot(missed.head<2>().norm(), m_per_rad(environment_.goal) * missed.z());
   ++misses_;
   const double size_m = bias_.head<2>().norm();
   if (size_m > kMaxBiasM) {
@@ -230,6 +229,7 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
     return std::nullopt;
   }
   ++replans_;
+  is_correction_ = !halted;
   return found;
 }
 

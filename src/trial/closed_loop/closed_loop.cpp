@@ -14,10 +14,11 @@ namespace limber {
 namespace {
 
 constexpr double kRestS = 0.5;
-constexpr double kSettleS = 0.25;     // of a hold: the arm comes to where its plan ends
-constexpr double kWellInside = 0.25;  // of the tolerance: left alone
-constexpr double kStillS = 0.3;       // at a hold's end, for the arm to come to rest
-constexpr int kLedOn = 3;             // times that an arm short of its goal is led on
+constexpr double kSettleS = 0.25;       // of a hold: the arm comes to where its plan ends
+constexpr double kWellInside = 0.25;    // of the tolerance: left alone
+constexpr double kStillS = 0.5;         // at a hold's end, for the arm to come to rest
+constexpr double kRoomOfLeading = 1.0;  // of the room for the model's error: kept from obstacles
+constexpr int kLedOn = 3;               // times that an arm short of its goal is led on
 constexpr double kCheckS = 0.5;  // most of what an arm that is held still moves is over by then
 /// Of the arm's length: what a plate is measured beside where the filter believes the arm can have
 /// it. 2 mm of the arm of the paper, four times a tracker's noise: with 0.5 and 1 mm a noise of
@@ -38,6 +39,7 @@ Plan held_on(Plan plan) {
   const PlanFrame end = plan.frames.back();
   plan.frames.assign(static_cast<std::size_t>(plan.hold_frame_count) + 1, end);
   plan.waypoints_kpa = {end.setpoint_kpa, end.setpoint_kpa};
+  plan.certified.reset();
   return plan;
 }
 
@@ -54,7 +56,7 @@ struct ClosedLoop::Motion {
         planner(make_planner("default", settings.corrections.planner_jobs)),
         estimate(model, static_cast<std::size_t>(the_arm.frames_in(kCheckS))),
         rest(the_arm.frames_in(kRestS)),
-        follower(the_arm, model.no_load()) {}
+        follower(the_arm, model) {}
 
   void move_in(const Environment& now) {
     corrections.emplace(arm, model, now, room, settings.corrections, seed);
@@ -83,18 +85,31 @@ struct ClosedLoop::Motion {
   }
 
   /// Corrections are short and their goals shifted, and the shapes that a model without memory
-  /// predicts are no arm's.
-  bool is_led() const { return model.has_network() && !is_correction && estimate.has_state(); }
+  /// predicts are no arm's. Led, an arm swings about its plan; where that is too near to something,
+  /// it is better predicted than led.
+  bool is_led(const Plan& plan) const {
+    const bool has_room = plan.tube || plan.clearance_m >= room.margin_m;
+    return model.has_network() && settings.motion_queries > 0 && !is_correction && has_room &&
+           estimate.has_state();
+  }
 
-  bool is_well_inside(const Backbone& shape) const {
-    return as_length_m(goal, pose_error(goal, tip_pose(shape))) <
-           kWellInside * goal.position_tolerance_m;
+  bool is_in_goal(const Backbone& shape) const {
+    return is_within(goal, pose_error(goal, tip_pose(shape)));
+  }
+
+  /// Where a plan ends in the goal, and there is room for what the way there may miss.
+  bool may_be_led_to_goal(const Plan& plan, const Backbone& shape) const {
+    const double error_m = as_length_m(goal, pose_error(goal, tip_pose(shape)));
+    return error_m >= kWellInside * goal.position_tolerance_m &&
+           is_in_goal(plan.frames.back().backbone) &&
+           corrections->clearance_m(shape) >= kRoomOfLeading * room.margin_m;
   }
 
   /// An arm that rests short of the goal where its plan has it inside.
   bool is_led_on(const Plan& plan, std::size_t frame, const ArmState& state) const {
-    return is_led() && times_led_on < kLedOn && frame + 1 == plan.frames.size() && state.backbone &&
-           !is_within(goal, pose_error(goal, tip_pose(*state.backbone)));
+    return state.backbone && is_led(plan) && settings.corrections.max_replans > 0 &&
+           times_led_on < kLedOn && frame + 1 == plan.frames.size() &&
+           !is_in_goal(*state.backbone) && may_be_led_to_goal(plan, *state.backbone);
   }
 
   bool is_blind() const { return estimate.frames_unseen() > arm.frames_in(settings.blind_s); }
@@ -141,7 +156,7 @@ void ClosedLoop::observe(const Pressures& setpoint_kpa, const ArmState& state) {
 Pressures ClosedLoop::setpoint(const Plan& plan, std::size_t frame, std::size_t next) {
   Motion& motion = *motion_;
   const Pressures& held_kpa = plan.frames[frame].setpoint_kpa;
-  if (!motion.is_led()) {
+  if (!motion.is_led(plan)) {
     return plan.frames[next].setpoint_kpa;
   }
   if (motion.followed != &plan) {
@@ -154,9 +169,12 @@ Pressures ClosedLoop::setpoint(const Plan& plan, std::size_t frame, std::size_t 
   const Backbone& shape = motion.estimate.state().backbone;
   const int held = static_cast<int>(next) + plan.hold_frame_count - plan.frame_count();
   const int settles = motion.times_led_on > 0 ? 0 : motion.arm.frames_in(kSettleS);
+  const bool is_seen = motion.estimate.frames_unseen() == 0;
   if (held < settles) {
-    motion.follower.learn(plan.frames[frame].backbone, shape);
-  } else if (motion.is_well_inside(shape) ||
+    if (is_seen) {
+      motion.follower.learn(plan.frames[frame].backbone, shape);
+    }
+  } else if (!is_seen || !motion.may_be_led_to_goal(plan, shape) ||
              held >= plan.hold_frame_count - motion.arm.frames_in(kStillS)) {
     return held_kpa;
   } else {
@@ -182,7 +200,7 @@ std::function<MotionAdvice()> ClosedLoop::advise(const Plan& plan, std::size_t n
   // What is measured and sent meanwhile is the next question's.
   return [&motion, plan, next, now = motion.estimate.state(),
           miss = motion.is_correction ? ModelMiss{} : motion.estimate.miss(),
-          follower = motion.is_led() ? std::optional(motion.follower) : std::nullopt] {
+          follower = motion.is_led(plan) ? std::optional(motion.follower) : std::nullopt] {
     return motion.guide->advise(plan, next, motion.aim, now, miss, follower);
   };
 }
@@ -198,7 +216,11 @@ std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const 
   }
   std::optional<Plan> found = motion_->corrections->next(plan, frame, motion_->at_rest(state));
   motion_->aim = motion_->corrections->aim();
-  motion_->is_correction = motion_->model.has_network() && frame + 1 == plan.frames.size();
+  motion_->is_correction =
+      motion_->model.has_network() &&
+      static_cast<int>(frame) + plan.hold_frame_count >= plan.frame_count() - 1;
+  motion_->times_led_on = 0;
+  motion_->followed = nullptr;
   const std::lock_guard lock(motion_->estimate_mutex);
   motion_->estimate.forget_miss();
   return found;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -124,7 +123,7 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
                                  const MotionState& now, const ModelMiss& miss,
                                  const std::optional<PlanFollower>& follower) {
   const Pressures& next_kpa = plan.frames[next].setpoint_kpa;
-  const std::vector<Pressures> rest_kpa = setpoints_after(plan, next);
+  std::vector<Pressures> rest_kpa = setpoints_after(plan, next);
   if (is_at_rest(rest_kpa, next_kpa)) {
     return {};  // its hold: corrections follow it
   }
@@ -174,7 +173,8 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
 
 std::size_t MotionGuide::frames_free(const Plan& plan, std::size_t next,
                                      const Backbone& off) const {
-  const CollisionChecker checker(arm_, environment_.obstacles, 0.0, room_in_motion(plan));
+  const CollisionChecker checker(arm_, environment_.obstacles, needed_m(plan),
+                                 room_in_motion(plan));
   const auto shape = [&](std::size_t k) {
     Backbone at = plan.frames[k].backbone;
     if (off.rows() > 0) {
@@ -200,18 +200,21 @@ std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next
   return MotionAdvice{has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
 }
 
+Pressures MotionGuide::led_setpoint(const Plan& plan, std::size_t next, const MotionState& from,
+                                    PlanFollower& follower) const {
+  follower.learn(plan.frames[next].backbone, from.backbone);
+  return follower.setpoint(plan.frames[next + 1].setpoint_kpa, from.setpoint_kpa(),
+                           limits_after(plan, settings_.limits));
+}
+
 RestForecast MotionGuide::led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
                                        PlanFollower follower) const {
-  const std::vector<PressureLimits> limits = limits_after(plan, settings_.limits);
-  Pressures sent_kpa = plan.frames[next].setpoint_kpa;
-  const auto setpoint_kpa = [&](std::size_t k, const MotionState& before) {
-    const std::size_t frame = next + k;
-    follower.learn(plan.frames[frame].backbone, before.backbone);
-    sent_kpa = follower.setpoint(plan.frames[frame + 1].setpoint_kpa, sent_kpa, limits);
-    return sent_kpa;
-  };
-  return forecast(model_, way.checker, way.from, plan.frames.size() - next - 1, setpoint_kpa,
-                  way.needed_m);
+  return forecast(
+      model_, way.checker, way.from, plan.frames.size() - next - 1,
+      [&](std::size_t k, const MotionState& before) {
+        return led_setpoint(plan, next + k, before, follower);
+      },
+      way.needed_m);
 }
 
 std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const Ahead& way,

@@ -71,6 +71,9 @@ class MotionGuide {
   /// Of the frames from `next` on, those before something is too near.
   /// @param off  that the arm is beside the plan in all of them; empty: it is not
   std::size_t frames_free(const Plan& plan, std::size_t next, const Backbone& off) const;
+  /// Set points of the frame after `next`.
+  Pressures led_setpoint(const Plan& plan, std::size_t next, const MotionState& from,
+                         PlanFollower& follower) const;
   /// What becomes of an arm that is led along the rest of a plan.
   RestForecast led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
                             PlanFollower follower) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "limber/forward/motion_model.hpp"
 #include "shape_feedback.hpp"
 
 namespace limber {
@@ -10,7 +11,8 @@ namespace limber {
 /// A value: a copy goes on as this one would.
 class PlanFollower {
  public:
-  PlanFollower(const ArmDescription& arm, const NoLoadModel& model) : feedback_(arm, model) {}
+  PlanFollower(const ArmDescription& arm, const MotionModel& model)
+      : feedback_(arm, model.no_load(), model.valves()) {}
 
   /// Another plan begins.
   void forget();

@@ -11,8 +11,13 @@ namespace limber {
 
 namespace {
 
-constexpr double kProportional = 1.5;
-constexpr double kIntegralPerS = 8.0;
+// Of an arm that has gone less than half the way to new set points after a frame.
+constexpr double kSlowProportional = 1.5;
+constexpr double kSlowIntegralPerS = 8.0;
+// Of others: g (2 K_p + K_i Δt) < 2 keeps an arm from swinging that bends g times as far as
+// modelled.
+constexpr double kProportional = 0.2;
+constexpr double kIntegralPerS = 4.0;
 constexpr double kDamping = 0.014;     // of the arm's length: 1 cm of the arm of the paper
 constexpr double kLeastBendRad = 0.1;  // between its limits: less is no bending
 
@@ -21,11 +26,23 @@ double turn_rad(const NoLoadModel& model, int segment, double kpa) {
   return shape.curvature_per_m * shape.length_m;
 }
 
+/// Whether all pressures are less than half the way to new set points after a frame.
+bool is_slow(const ValveModel& valves) {
+  const Eigen::Index n = valves.segment_count();
+  const Pressures step_kpa = Pressures::Ones(n);
+  Eigen::VectorXf state = valves.settled_state(Pressures::Zero(n));
+  valves.step(step_kpa, state);
+  return state.head(n).maxCoeff() < 0.5F;
+}
+
 }  // namespace
 
-ShapeFeedback::ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model)
+ShapeFeedback::ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model,
+                             const ValveModel& valves)
     : plates_{0},
       kpa_per_rad_(Eigen::VectorXd::Zero(arm.segment_count())),
+      proportional_(is_slow(valves) ? kSlowProportional : kProportional),
+      integral_per_s_(is_slow(valves) ? kSlowIntegralPerS : kIntegralPerS),
       arm_length_m_(arm.length_m()),
       step_limit_kpa_(arm.pressure_step_limit_kpa()),
       frame_period_s_(arm.frame_period_s()) {
@@ -81,9 +98,9 @@ void ShapeFeedback::learn_from_goal(const PoseGoal& goal, const Backbone& shape)
 }
 
 void ShapeFeedback::learn_missed(const Eigen::VectorXd& missed_rad) {
-  Eigen::VectorXd more_rad = kIntegralPerS * frame_period_s_ * missed_rad;
+  Eigen::VectorXd more_rad = integral_per_s_ * frame_period_s_ * missed_rad;
   if (missed_rad_.size() > 0) {
-    more_rad += kProportional * (missed_rad - missed_rad_);
+    more_rad += proportional_ * (missed_rad - missed_rad_);
   }
   trim_kpa_ += kpa_per_rad_.cwiseProduct(more_rad);
   missed_rad_ = missed_rad;

@@ -7,6 +7,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/backbone.hpp"
 #include "limber/arm/no_load_model.hpp"
+#include "limber/arm/valve_model.hpp"
 #include "limber/world/pose_goal.hpp"
 
 namespace limber {
@@ -20,18 +21,20 @@ namespace limber {
 ///
 /// where s is what a kPa turns the unloaded segment by, the mean over its limits. What the frame
 /// rule or a limit takes off is forgotten, so nothing winds up. A segment that the no-load model
-/// hardly bends is left alone.
+/// hardly bends is left alone. An arm that follows its set points within a frame, and bends by up
+/// to three times what the model says, is kept as well as one that valves make slow, but with
+/// smaller gains: those for the slow one would have it swing.
 ///
 /// A value: a copy goes on as this one would.
 class ShapeFeedback {
  public:
-  ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model);
+  ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model, const ValveModel& valves);
 
   /// No set point is off any more, and nothing was missed before.
   void forget();
   /// The arm came to `shape` in a frame in which its plan has it at `planned`.
   void learn(const Backbone& planned, const Backbone& shape);
-  /// The arm came to `shape`, and had better have its tip at the goal. The bends that it misses are the
+  /// The arm came to `shape`, and its tip is to be at the goal. The bends that it misses are the
   /// smallest turns, about the middles of the segments, that bring it there (damped least squares).
   void learn_from_goal(const PoseGoal& goal, const Backbone& shape);
   /// In place of the plan's set points. Keeps the limits, and the frame rule after `before_kpa`.
@@ -46,6 +49,8 @@ class ShapeFeedback {
   std::vector<PressureLimits> limits_;
   std::vector<Eigen::Index> plates_;  // size n + 1: where segments begin and end
   Eigen::VectorXd kpa_per_rad_;       // size n; 0: left alone
+  double proportional_;
+  double integral_per_s_;
   double arm_length_m_;
   double step_limit_kpa_;
   double frame_period_s_;

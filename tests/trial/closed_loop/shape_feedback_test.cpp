@@ -1,6 +1,7 @@
 #include "src/trial/closed_loop/shape_feedback.hpp"
 
-#include <limits>
+#include <cmath>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -37,7 +38,7 @@ class ShapeFeedbackTest : public ::testing::Test {
 };
 
 TEST_F(ShapeFeedbackTest, AnArmWhereItsPlanHasItGetsThePlansSetPoints) {
-  ShapeFeedback feedback(known_, model_);
+  ShapeFeedback feedback(known_, model_, ValveModel::ideal(2));
   for (int k = 0; k < 20; ++k) {
     feedback.learn(planned(there_kpa_), planned(there_kpa_));
     EXPECT_EQ(feedback.setpoint(there_kpa_, there_kpa_, {}), there_kpa_);
@@ -45,7 +46,7 @@ TEST_F(ShapeFeedbackTest, AnArmWhereItsPlanHasItGetsThePlansSetPoints) {
 }
 
 TEST_F(ShapeFeedbackTest, BringsAWeakArmToItsPlansShape) {
-  ShapeFeedback feedback(known_, model_);
+  ShapeFeedback feedback(known_, model_, ValveModel::ideal(2));
   FakeArm arm(real_, kInstant_s);
   Pressures sent_kpa = arm.command(there_kpa_).pressure_kpa;
   const Backbone goal = planned(there_kpa_);
@@ -61,7 +62,7 @@ TEST_F(ShapeFeedbackTest, BringsAWeakArmToItsPlansShape) {
 }
 
 TEST_F(ShapeFeedbackTest, LeadsTheTipToTheGoal) {
-  ShapeFeedback feedback(known_, model_);
+  ShapeFeedback feedback(known_, model_, ValveModel::ideal(2));
   FakeArm arm(real_, kInstant_s);
   const Pose aim = tip_pose(planned(there_kpa_));
   const PoseGoal goal{aim.x_m, aim.y_m, std::nullopt, 0.02, 0.1};
@@ -78,7 +79,7 @@ TEST_F(ShapeFeedbackTest, LeadsTheTipToTheGoal) {
 }
 
 TEST_F(ShapeFeedbackTest, KeepsTheFrameRuleAndTheLimitsAndWindsNothingUp) {
-  ShapeFeedback feedback(known_, model_);
+  ShapeFeedback feedback(known_, model_, ValveModel::ideal(2));
   const Backbone straight = planned(Pressures::Zero(2));
   const std::vector<PressureLimits> limits(2, PressureLimits(-30.0, 30.0));
   Pressures before_kpa = there_kpa_;
@@ -100,7 +101,7 @@ TEST_F(ShapeFeedbackTest, LeavesASegmentAloneThatTheModelDoesNotBend) {
   ArmDescription stiff = known_;
   stiff.no_load = NoLoadKind::straight;
   const NoLoadModel straight(stiff);
-  ShapeFeedback feedback(stiff, straight);
+  ShapeFeedback feedback(stiff, straight, ValveModel::ideal(2));
   feedback.learn(planned(there_kpa_), planned(Pressures::Zero(2)));
   EXPECT_EQ(feedback.setpoint(there_kpa_, there_kpa_, {}), there_kpa_);
 }

@@ -52,6 +52,7 @@ class Replanner final : public PlanSource {
   bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
 
+  double clearance_m(const Backbone& shape) const { return near_.clearance(shape).value_m; }
   /// The goal that the last plan was made for: shifted by what the model misses.
   const PoseGoal& aim() const { return aim_; }
 
@@ -79,8 +80,9 @@ class Replanner final : public PlanSource {
   std::unique_ptr<Planner> planner_;
   PoseGoal aim_;
   int replans_ = 0;
+  bool is_correction_ = false;  // what the arm follows
   int small_gains_ = 0;
-  double missed_m_ = 0.0;  // sum over corrections, of the tip
+  double missed_m_ = 0.0;  // sum over corrections, as_length_m
   int misses_ = 0;
   std::optional<double> error_before_m_;  // of the correction under way
   // Of the tip, x, y, theta.
