@@ -18,7 +18,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kHaltS = 0.5;       // for which an arm that was halted is held
+constexpr double kHaltS = 0.3;       // for which an arm that was halted is held
 constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
 
 /// Advises what it is told to, and notes what it was shown.

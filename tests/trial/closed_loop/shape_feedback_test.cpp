@@ -61,6 +61,24 @@ TEST_F(ShapeFeedbackTest, BringsAWeakArmToItsPlansShape) {
   EXPECT_NEAR(bend_rad(*arm.state().backbone), bend_rad(goal), kThereRad);
 }
 
+// The gains for an arm that valves make slow would have these swing.
+TEST_F(ShapeFeedbackTest, DoesNotSwingWhereAnArmFollowsAtOnceAndBendsMoreThanModelled) {
+  for (const double share : {1.0, 2.0, 3.0}) {
+    ShapeFeedback feedback(known_, model_, ValveModel::ideal(2));
+    FakeArm arm(scaled(small_arm(), share), kInstant_s);
+    Pressures sent_kpa = there_kpa_;
+    arm.command(sent_kpa + Eigen::Vector2f(4.0F, -4.0F));
+    const Backbone goal = planned(there_kpa_);
+    for (int k = 0; k < 60; ++k) {
+      feedback.learn(goal, *arm.state().backbone);
+      sent_kpa = feedback.setpoint(there_kpa_, sent_kpa, {});
+      arm.command(sent_kpa);
+    }
+    constexpr double kThereRad = 0.005;
+    EXPECT_NEAR(bend_rad(*arm.state().backbone), bend_rad(goal), kThereRad) << share;
+  }
+}
+
 TEST_F(ShapeFeedbackTest, LeadsTheTipToTheGoal) {
   ShapeFeedback feedback(known_, model_, ValveModel::ideal(2));
   FakeArm arm(real_, kInstant_s);

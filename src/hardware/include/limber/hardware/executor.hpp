@@ -56,15 +56,15 @@ class PlanSource {
   virtual Pressures setpoint(const Plan& plan, std::size_t frame, std::size_t next);
   /// Asked before each frame of a motion, whose set points `plan.frames[next]` are then sent
   /// without waiting for the answer: it takes effect in the frame after that one, or never if it
-  /// comes later. In real time it is called on another thread; meanwhile nothing but `observe` and
-  /// `may_go_on` is called. Empty: the arm goes on.
+  /// comes later. In real time the answer is worked out on another thread while the arm goes on:
+  /// it copies what it needs of `plan`. Empty: the arm goes on.
   virtual std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next);
   /// Whether the rest of the plan may be followed; asked after each of its frames but the last.
   /// Where not, the arm holds where it is and `next` is asked.
   virtual bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
   /// The plan to follow from here on, for an arm that has held the set points of frame `frame` of
-  /// `plan` for the hold: the last one, or the one after which it was not allowed to go on. It
-  /// starts there. None ends the run. In real time it is called on another thread; meanwhile
+  /// `plan` for the hold (a halted one for 0.3 s at most): the last one, or the one after which it
+  /// was not allowed to go on. It starts there. None ends the run. In real time it is called on another thread; meanwhile
   /// nothing but `observe` is called.
   virtual std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
   /// An obstacle has appeared: from now on the environment is this one, which outlives the run.
@@ -96,7 +96,7 @@ Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double st
 
 struct ExecutionSettings {
   /// The last set point is held this long in all, including the plan's own hold (which is never
-  /// cut); then the goal is judged. An arm that was halted is held 0.5 s at most. [s], ≥ 0.
+  /// cut); then the goal is judged. An arm that was halted is held 0.3 s at most. [s], ≥ 0.
   double hold_s = 1.0;
   /// Asked for more plans; borrowed. None: the plan is executed open loop.
   PlanSource* replanner = nullptr;

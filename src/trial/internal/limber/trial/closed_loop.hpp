@@ -14,15 +14,16 @@ struct ClosedLoopSettings {
   /// Plans from rest, after a motion.
   ReplannerSettings corrections = {};
   /// Model queries of a search in mid-motion; its result is waited for during one frame: see
-  /// queries_within. 0: the arm is not guided while it moves.
+  /// queries_within. 0: the arm is neither led nor guided while it moves.
   std::uint64_t motion_queries = 2000;
   /// A moving arm that is not tracked for longer than that is stopped. [s], ≥ 0.
   double blind_s = 0.5;
 };
 
 /// The whole closed loop (docs/planning.md, Closed loop): in each frame of a motion the state is
-/// corrected by what is measured, and what is left of the plan is simulated from there and replaced
-/// where it is no longer any good; after a motion, corrections from rest.
+/// corrected by what is measured, the arm is led along its plan, and what is left of that is
+/// replaced where it is no longer any good; then the tip is led into the goal, and corrections from
+/// rest follow.
 ///
 /// An arm that was never tracked runs open loop. Borrows arm, model and environment.
 class ClosedLoop final : public PlanSource {

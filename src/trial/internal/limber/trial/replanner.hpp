@@ -18,7 +18,7 @@ struct ReplannerSettings {
   /// Of each search; a number of queries, so that runs in simulated time can be repeated.
   std::uint64_t queries = 20000;
   int max_replans = 24;
-  /// Corrections of an arm that has arrived end once they gain less than that, six times in a row,
+  /// Corrections of an arm that has arrived end once they gain less than that, ten times in a row,
   /// or nothing is left to gain: about what the tracker's noise hides. Short of the goal they go
   /// on. [m], > 0.
   double min_gain_m = 0.001;
