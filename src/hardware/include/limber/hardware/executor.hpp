@@ -63,9 +63,9 @@ class PlanSource {
   /// Where not, the arm holds where it is and `next` is asked.
   virtual bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
   /// The plan to follow from here on, for an arm that has held the set points of frame `frame` of
-  /// `plan` for the hold (a halted one for 0.3 s at most): the last one, or the one after which it
-  /// was not allowed to go on. It starts there. None ends the run. In real time it is called on another thread; meanwhile
-  /// nothing but `observe` is called.
+  /// `plan` for the hold, or 0.3 s where it was halted: the last one, or the one after which it was
+  /// not allowed to go on. It starts there. None ends the run. In real time it is called on another
+  /// thread; meanwhile nothing but `observe` is called.
   virtual std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
   /// An obstacle has appeared: from now on the environment is this one, which outlives the run.
   virtual void obstacle_appeared(const Environment& now) { (void)now; }
