@@ -75,14 +75,16 @@ class Execution {
  private:
   /// The plan, or its beginning where its rest must not be followed, and the hold.
   void follow() {
-    const bool halted = !move();
-    result_.halts += halted ? 1 : 0;
+    halted_ = !move();
+    result_.halts += halted_ ? 1 : 0;
     int late = 0;  // frames after the plan's end, in which its last ones are seen
     // A plan's own hold counts: planner and executor judge the goal at the same moment.
-    const double hold_s = halted ? std::min(kHaltS, settings_.hold_s) : settings_.hold_s;
-    for (int held = halted ? 0 : plan_->hold_frame_count; held < arm_.frames_in(hold_s); ++held) {
+    const int held = halted_ ? 0 : plan_->hold_frame_count;
+    const int most =
+        arm_.frames_in(halted_ ? std::min(kHaltS, settings_.hold_s) : settings_.hold_s);
+    for (int k = held; k < most; ++k) {
       command(held_kpa());
-      if (!halted) {
+      if (!halted_) {
         watch_.compare(*plan_, frame_ + static_cast<std::size_t>(++late));
       }
     }
@@ -203,6 +205,12 @@ class Execution {
       command(held_kpa());
     }
     std::optional<Plan> next = ask_for_next();
+    if (!next && halted_) {  // it may still have moved a little
+      for (int k = arm_.frames_in(kHaltS); k < arm_.frames_in(settings_.hold_s); ++k) {
+        command(held_kpa());
+      }
+      next = ask_for_next();
+    }
     if (!next) {
       result_.stopped_ahead = frame_ + 1 < plan_->frames.size();
       note_stop();
@@ -293,6 +301,7 @@ class Execution {
   const ExecutionSettings& settings_;
   RunWatch watch_;
   ExecutionResult result_;
+  bool halted_ = false;
   int motion_ = 0;
   int first_motion_ = 0;     // of the plan that is followed
   std::string stop_reason_;  // of the plan that was left last
