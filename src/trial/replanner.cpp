@@ -83,15 +83,14 @@ bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
   if (error_m < settings_.min_gain_m) {
     return false;
   }
-  const bool is_known = model_.has_network() && misses_ >= kMissesKnown;
-  if (is_known && has_arrived && error_m < kOfMissed * missed_m_ / misses_) {
-    return false;
-  }
   if (error_before_m_) {
     small_gains_ = *error_before_m_ - error_m < settings_.min_gain_m ? small_gains_ + 1 : 0;
   }
   error_before_m_ = error_m;
-  return small_gains_ < kPatience || !has_arrived;
+  const bool is_as_near_as_can_be = model_.has_network() && small_gains_ > 0 &&
+                                    misses_ >= kMissesKnown &&
+                                    error_m < kOfMissed * missed_m_ / misses_;
+  return !has_arrived || (small_gains_ < kPatience && !is_as_near_as_can_be);
 }
 
 std::vector<PressureLimits> limits_after(const Plan& plan,
