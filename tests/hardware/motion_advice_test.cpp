@@ -18,7 +18,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-constexpr double kHaltS = 0.3;       // for which an arm that was halted is held
 constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
 
 /// Advises what it is told to, and notes what it was shown.
@@ -137,7 +136,7 @@ TEST_F(MotionAdviceTest, AStoppedArmHoldsAndSaysWhy) {
   EXPECT_EQ(result.status, ExecutionStatus::stopped);
   EXPECT_EQ(result.message, "no way");
   EXPECT_EQ(result.halts, 1);
-  EXPECT_EQ(result.frames, 3 + arm_.frames_in(kHaltS));
+  EXPECT_EQ(result.frames, 3 + arm_.frames_in(0.5)) << "the whole hold, as nothing was found";
   EXPECT_EQ(adviser.commanded_kpa.back(), plan_.frames[3].setpoint_kpa);
 }
 

@@ -96,7 +96,8 @@ Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double st
 
 struct ExecutionSettings {
   /// The last set point is held this long in all, including the plan's own hold (which is never
-  /// cut); then the goal is judged. An arm that was halted is held 0.3 s at most. [s], ≥ 0.
+  /// cut); then the goal is judged. A source of plans is asked 0.3 s after a halt, and then again
+  /// if it found none. [s], ≥ 0.
   double hold_s = 1.0;
   /// Asked for more plans; borrowed. None: the plan is executed open loop.
   PlanSource* replanner = nullptr;
