@@ -48,7 +48,8 @@ class ExecuteVerb final : public Verb {
     replan_.add_to(app);
     app.add_option("--disturbance", disturbance_,
                    "The virtual arm is not as it was: " + disturbance_kinds() +
-                       "; several at once with commas between; sampled from --seed");
+                       "; several at once with commas between; sampled from --seed. A program "
+                       "(exec:) can have the obstacle, which exists for limber alone");
     model_.add_to(app, " that the plan was made with; for --replan");
     room_.add_to(app);
     app.add_option("--out", out_, "Recording of the run to write");
@@ -64,9 +65,7 @@ class ExecuteVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     driver_.check();
     const std::vector<Disturbance> disturbances = parse_disturbances(disturbance_);
-    if (!disturbances.empty() && !driver_.is_virtual()) {
-      throw InputError("--disturbance: only the virtual arm can be disturbed (--driver virtual)");
-    }
+    refuse_what_cannot_be_disturbed(disturbances);
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_asked_arm(arm_file);
     if (track_.is_asked()) {
@@ -93,6 +92,7 @@ class ExecuteVerb final : public Verb {
     }
     out_ = driver_.recording_or_default(out_, flags);
     refuse_to_overwrite_any(flags);
+    const DisturbedArm met = disturbed(arm, plan, disturbances, flags.seed);
     if (driver_.is_program()) {
       const std::unique_ptr<ProcessDriver> driver = driver_.start(arm, arm_file, out_, true, flags);
       require_within(plan, driver->limits_kpa(), plan_, "the driver");
@@ -100,6 +100,7 @@ class ExecuteVerb final : public Verb {
       settings_.max_start_error_m =
           max_start_error_m_.value_or(std::max(plan.margin_m, kMeasured_m));
       replan_.settings().corrections.limits = driver->limits_kpa();
+      settings_.obstacle = met.obstacle ? &*met.obstacle : nullptr;
       const ExecutionResult result = run_plan(arm, environment, plan, *driver, flags);
       return finish(arm, environment, plan, result, driver.get(), flags);
     }
@@ -110,7 +111,6 @@ class ExecuteVerb final : public Verb {
       const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
       return finish(arm, environment, plan, result, nullptr, flags);
     }
-    const DisturbedArm met = disturbed(arm, plan, disturbances, flags.seed);
     settings_.obstacle = met.obstacle ? &*met.obstacle : nullptr;
     VirtualArm driver(met.arm, met.options);
     const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
@@ -118,6 +118,18 @@ class ExecuteVerb final : public Verb {
   }
 
  private:
+  void refuse_what_cannot_be_disturbed(const std::vector<Disturbance>& disturbances) const {
+    const bool is_obstacle =
+        disturbances.size() == 1 && has_kind(disturbances, DisturbanceKind::obstacle);
+    if (disturbances.empty() || driver_.is_virtual() || (driver_.is_program() && is_obstacle)) {
+      return;
+    }
+    throw InputError(
+        "--disturbance: only the virtual arm can be disturbed (--driver virtual, or --driver "
+        "\"exec:limber virtual-arm --serve --disturbance …\"); a program (exec:) can have the "
+        "obstacle alone");
+  }
+
   void refuse_to_overwrite_any(const CommonFlags& flags) const {
     for (const std::string& file : {out_, svg_, pressures_svg_, times_svg_, animation_}) {
       if (!file.empty()) {

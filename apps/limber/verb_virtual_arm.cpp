@@ -1,5 +1,6 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/hardware/disturbance.hpp"
 #include "limber/hardware/driver_server.hpp"
 #include "verbs.hpp"
 
@@ -47,6 +48,10 @@ class VirtualArmVerb final : public Verb {
     app.add_option("--drop-rate", settings_.arm.drop_rate,
                    "Probability that a frame has no backbone");
     app.add_option("--latency-s", settings_.arm.latency_s, "Delay of everything measured");
+    app.add_option("--disturbance", disturbance_,
+                   "Be another arm than --arm says, as with limber execute --disturbance; without "
+                   "obstacles. Sampled from --seed");
+    app.add_option("--plan", plan_, "Plan while which lost_tracking loses the arm");
   }
 
   int run(const CommonFlags& flags) override {
@@ -62,13 +67,34 @@ class VirtualArmVerb final : public Verb {
       refuse_to_overwrite(settings_.device_log, flags.force);
     }
     const ArmDescription arm = load_arm(find_arm_file(arm_), PolynomialsOf::characterisation);
-    settings_.arm.seed = flags.seed;
-    misassemble(arm, flags);
-    serve_virtual_arm(arm, settings_);
+    const DisturbedArm served = disturb(arm, flags.seed);
+    settings_.arm = served.options;
+    misassemble(served.arm, flags);
+    serve_virtual_arm(served.arm, settings_);
     return kExitDone;
   }
 
  private:
+  DisturbedArm disturb(const ArmDescription& arm, std::uint64_t seed) const {
+    const std::vector<Disturbance> disturbances = parse_disturbances(disturbance_);
+    if (has_kind(disturbances, DisturbanceKind::obstacle)) {
+      throw InputError(
+          "--disturbance obstacle: the arm does not know obstacles; limber execute has the flag");
+    }
+    const bool needs_plan = has_kind(disturbances, DisturbanceKind::lost_tracking);
+    if (needs_plan == plan_.empty()) {
+      throw InputError(needs_plan
+                           ? "--disturbance lost_tracking: in which plan's motion? (--plan FILE)"
+                           : "--plan: goes with --disturbance lost_tracking");
+    }
+    Plan plan;
+    if (needs_plan) {
+      plan = read_plan(plan_);
+      require_plan_of(plan, arm, plan_);
+    }
+    return disturbed(arm, plan, disturbances, seed, settings_.arm);
+  }
+
   void misassemble(const ArmDescription& arm, const CommonFlags& flags) {
     if (!misassembled_) {
       if (!truth_.empty()) {
@@ -88,6 +114,8 @@ class VirtualArmVerb final : public Verb {
   }
 
   std::string arm_ = "three_segment";
+  std::string disturbance_;
+  std::string plan_;
   std::string fault_;
   std::optional<std::uint64_t> misassembled_;
   std::string truth_;

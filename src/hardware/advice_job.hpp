@@ -13,7 +13,11 @@ namespace limber {
 /// Threads: used by one. The destructor waits for the other, if there is one.
 class AdviceJob {
  public:
-  explicit AdviceJob(bool in_real_time) : in_real_time_(in_real_time) {}
+  /// @param times  noted there in real time; borrowed
+  AdviceJob(bool in_real_time, AdviceTimes& times) : in_real_time_(in_real_time), times_(times) {}
+  ~AdviceJob();
+  AdviceJob(const AdviceJob&) = delete;
+  AdviceJob& operator=(const AdviceJob&) = delete;
 
   /// Begins, unless the one before is still being worked out: that one is late,
   /// and will be dropped.
@@ -27,9 +31,18 @@ class AdviceJob {
   bool is_busy() const;
 
  private:
+  struct Timed {
+    MotionAdvice advice;
+    double took_s;
+  };
+
+  bool is_ready() const;
+  MotionAdvice take();
+
   bool in_real_time_;
+  AdviceTimes& times_;
   bool is_late_ = false;
-  std::future<MotionAdvice> advice_;
+  std::future<Timed> advice_;
 };
 
 }  // namespace limber

@@ -90,8 +90,7 @@ std::vector<Disturbance> parse_disturbances(const std::string& text) {
   for (std::size_t begin = 0; begin < text.size() || (begin > 0 && begin == text.size());) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const Disturbance one = parse_one(text.substr(begin, end - begin));
-    if (std::any_of(result.begin(), result.end(),
-                    [&](const Disturbance& other) { return other.kind == one.kind; })) {
+    if (has_kind(result, one.kind)) {
       throw InputError(fmt::format("disturbance '{}': {} twice; each kind acts once", text,
                                    to_string(one.kind)));
     }
@@ -112,9 +111,15 @@ std::string to_string(const std::vector<Disturbance>& disturbances) {
   return text;
 }
 
+bool has_kind(const std::vector<Disturbance>& disturbances, DisturbanceKind kind) {
+  return std::any_of(disturbances.begin(), disturbances.end(),
+                     [&](const Disturbance& one) { return one.kind == kind; });
+}
+
 DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
-                       const std::vector<Disturbance>& disturbances, std::uint64_t seed) {
-  DisturbedArm result{arm, {}, std::nullopt};
+                       const std::vector<Disturbance>& disturbances, std::uint64_t seed,
+                       const VirtualArmOptions& options) {
+  DisturbedArm result{arm, options, std::nullopt};
   result.options.seed = seed;
   for (const Disturbance& one : disturbances) {
     const std::uint64_t stream = kDisturbanceStreams + static_cast<std::uint64_t>(one.kind);

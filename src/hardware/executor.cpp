@@ -6,6 +6,7 @@
 #include <functional>
 #include <future>
 #include <list>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -22,7 +23,7 @@ namespace limber {
 
 namespace {
 
-constexpr double kHaltS = 0.3;          // that an arm stands where it was halted, before it goes on
+constexpr double kHaltHoldS = 0.3;      // that a halted arm stands before it is asked how to go on
 constexpr double kLongestBlindS = 1.0;  // waited for the arm to be tracked, before the next plan
 
 class Execution {
@@ -77,12 +78,16 @@ class Execution {
   void follow() {
     halted_ = !move();
     result_.halts += halted_ ? 1 : 0;
-    int late = 0;  // frames after the plan's end, in which its last ones are seen
     // A plan's own hold counts: planner and executor judge the goal at the same moment.
-    const int held = halted_ ? 0 : plan_->hold_frame_count;
-    const int most =
-        arm_.frames_in(halted_ ? std::min(kHaltS, settings_.hold_s) : settings_.hold_s);
-    for (int k = held; k < most; ++k) {
+    hold(halted_ ? 0 : plan_->hold_frame_count,
+         halted_ ? std::min(kHaltHoldS, settings_.hold_s) : settings_.hold_s);
+  }
+
+  /// @param held  frames of the hold that are over
+  /// @param until_s  since the hold began
+  void hold(int held, double until_s) {
+    int late = 0;  // frames after the plan's end, in which its last ones are seen
+    for (int k = held; k < arm_.frames_in(until_s); ++k) {
       command(held_kpa());
       if (!halted_) {
         watch_.compare(*plan_, frame_ + static_cast<std::size_t>(++late));
@@ -93,7 +98,7 @@ class Execution {
   /// Commands the plan's frames, and those of plans that replace it meanwhile.
   /// @return whether the last of them came to its end
   bool move() {
-    AdviceJob job(driver_.is_real_time());
+    AdviceJob job(driver_.is_real_time(), result_.advice);
     frame_ = 0;
     try {
       bool goes_on = true;
@@ -103,6 +108,9 @@ class Execution {
         correct_setpoint(next);
         ask_for_advice(job, next);
         command(plan_->frames[next].setpoint_kpa);
+        if (!job.is_busy()) {
+          tell_of_obstacle();
+        }
         if (waits) {
           ++result_.waits;
         } else {
@@ -206,9 +214,7 @@ class Execution {
     }
     std::optional<Plan> next = ask_for_next();
     if (!next && halted_) {  // it may still have moved a little
-      for (int k = arm_.frames_in(kHaltS); k < arm_.frames_in(settings_.hold_s); ++k) {
-        command(held_kpa());
-      }
+      hold(arm_.frames_in(kHaltHoldS), settings_.hold_s);
       next = ask_for_next();
     }
     if (!next) {
@@ -235,6 +241,7 @@ class Execution {
   /// A driver in real time gets its set points while the next plan is searched for; simulated time
   /// stands still meanwhile, so that runs can be repeated.
   std::optional<Plan> ask_for_next() {
+    tell_of_obstacle();
     if (!driver_.is_real_time()) {
       return settings_.replanner->next(*plan_, frame_, driver_.state());
     }
@@ -268,7 +275,13 @@ class Execution {
       return;
     }
     settings_.replanner->observe(setpoint_kpa, state);
-    if (now != nullptr) {
+    appeared_ = now != nullptr ? now : appeared_;
+  }
+
+  /// While nothing is being worked out: that would be for the environment of before.
+  void tell_of_obstacle() {
+    if (const Environment* now = std::exchange(appeared_, nullptr);
+        now != nullptr && settings_.replanner != nullptr) {
       settings_.replanner->obstacle_appeared(*now);
     }
   }
@@ -303,8 +316,9 @@ class Execution {
   ExecutionResult result_;
   bool halted_ = false;
   int motion_ = 0;
-  int first_motion_ = 0;     // of the plan that is followed
-  std::string stop_reason_;  // of the plan that was left last
+  int first_motion_ = 0;                   // of the plan that is followed
+  std::string stop_reason_;                // of the plan that was left last
+  const Environment* appeared_ = nullptr;  // the source of plans does not know yet
 };
 
 /// Sees every simulator step as long as it lives.

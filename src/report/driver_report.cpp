@@ -19,8 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMsPerS = 1e3;
-
 Json to_json(const DeadmanResult& deadman) {
   if (!deadman.tested) {
     return nullptr;
@@ -78,7 +76,9 @@ Json times_in_ms(std::vector<double> seconds) {
   if (seconds.empty()) {
     return nullptr;
   }
-  return {{"p50", quantile_ms(seconds, 0.5)},
+  return {{"count", seconds.size()},
+          {"p50", quantile_ms(seconds, 0.5)},
+          {"p99", quantile_ms(seconds, 0.99)},
           {"p999", quantile_ms(seconds, 0.999)},
           {"max", quantile_ms(seconds, 1.0)}};
 }

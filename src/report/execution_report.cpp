@@ -7,6 +7,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/units.hpp"
+#include "limber/report/driver_report.hpp"
 
 namespace limber {
 
@@ -51,6 +52,12 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
   json["switches"] = result.switches;
   json["waits"] = result.waits;
   json["halts"] = result.halts;
+  json["advice_ms"] = times_in_ms(result.advice.all_s);
+  json["searches_ms"] = Json::array();
+  for (const double took_s : result.advice.searches_s) {
+    json["searches_ms"].push_back(kMsPerS * took_s);
+  }
+  json["late_advice"] = result.advice.late;
   json["goal_time_s"] = optional_number(result.goal_time_s);
   json["planned_goal_time_s"] = optional_number(result.planned_goal_time_s);
   json["open_loop_distance_to_goal_cm"] =

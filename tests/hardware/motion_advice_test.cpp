@@ -1,4 +1,5 @@
 // Plans that are replaced, waited with or left while the arm moves along them.
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -8,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
+#include "limber/hardware/appearing_obstacle.hpp"
 #include "limber/hardware/executor.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
@@ -39,6 +41,14 @@ class Adviser final : public PlanSource {
     return std::nullopt;
   }
 
+  void obstacle_appeared(const Environment&) override {
+    told_while_thinking = told_while_thinking || is_thinking;
+    told_after = commanded_kpa.size() - 1;
+  }
+
+  std::atomic<bool> is_thinking = false;  ///< set by answers that take a while
+  bool told_while_thinking = false;
+  std::optional<std::size_t> told_after;  ///< frames of the run, of the obstacle
   std::vector<Pressures> commanded_kpa;
   std::vector<double> times_s;
   std::vector<std::size_t> asked_at;  ///< frames of the run after which it was asked
@@ -63,9 +73,11 @@ Plan rest_of(const Plan& plan, std::size_t frame) {
 
 class MotionAdviceTest : public ::testing::Test {
  protected:
-  ExecutionResult run(Adviser& adviser, ArmDriver& driver) {
+  ExecutionResult run(Adviser& adviser, ArmDriver& driver,
+                      const AppearingObstacle* obstacle = nullptr) {
     ExecutionSettings settings = held_shortly();
     settings.replanner = &adviser;
+    settings.obstacle = obstacle;
     return execute(arm_, environment_, plan_, driver, settings);
   }
   ExecutionResult run(Adviser& adviser) {
@@ -194,6 +206,38 @@ TEST_F(MotionAdviceTest, WhatComesLateIsDroppedAndDelaysNoFrame) {
   EXPECT_EQ(result.status, ExecutionStatus::done);
   EXPECT_GE(answers, 1);
   EXPECT_LT(answers, plan_.frame_count() - 1) << "nobody is asked while one is still thinking";
+  EXPECT_EQ(result.advice.late, answers);
+  ASSERT_EQ(result.advice.all_s.size(), std::size_t(answers));
+  EXPECT_GE(*std::min_element(result.advice.all_s.begin(), result.advice.all_s.end()), 0.06);
+}
+
+TEST_F(MotionAdviceTest, InRealTimeNobodyIsToldOfAnObstacleWhileThinking) {
+  Adviser slow([&](const Plan&, std::size_t) {
+    slow.is_thinking = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));  // several frames
+    slow.is_thinking = false;
+    return MotionAdvice{};
+  });
+  RealTimeArm driver(arm_, std::chrono::milliseconds(5));
+  const AppearingObstacle beside{1, {Circle{0.0, 1.0, 0.02}}};
+  const ExecutionResult result = run(slow, driver, &beside);
+  ASSERT_TRUE(result.appeared && slow.told_after);
+  EXPECT_GT(*slow.told_after, 1U) << "it appeared while one was thinking";
+  EXPECT_FALSE(slow.told_while_thinking);
+}
+
+TEST_F(MotionAdviceTest, NotesHowLongSearchesTookInRealTimeAlone) {
+  const auto searching = [](const Plan&, std::size_t next) {
+    return MotionAdvice{.has_searched = next % 2 == 0};
+  };
+  Adviser adviser(searching);
+  RealTimeArm driver(arm_, std::chrono::milliseconds(5));
+  const ExecutionResult result = run(adviser, driver);
+  EXPECT_EQ(result.advice.all_s.size(), adviser.asked_at.size());
+  EXPECT_GT(result.advice.searches_s.size(), 0U);
+  EXPECT_LT(result.advice.searches_s.size(), result.advice.all_s.size());
+  Adviser again(searching);
+  EXPECT_TRUE(run(again).advice.all_s.empty());
 }
 
 TEST_F(MotionAdviceTest, InRealTimeWhatComesInTimeTakesEffect) {

@@ -39,6 +39,46 @@ class Disturbance(InFolder):
             found = self.execute("--disturbance", kind)
             self.assertEqual(found["final_backbone"], calm["final_backbone"], kind)
 
+    def served(self, *flags):
+        words = [str(PROGRAM), "virtual-arm", "--serve", "--fast", *flags]
+        return "exec:" + " ".join(f"'{word}'" for word in words)
+
+    def test_behind_the_driver_protocol_the_arm_is_disturbed_alike(self):
+        self.plan()
+        for kind, more in (("friction", ARM), ("weak_actuator", ARM),
+                           ("noise,lost_tracking", (*ARM, "--plan", "p.json"))):
+            flags = ("--disturbance", kind, "--seed", "4")
+            served = self.execute("--driver", self.served(*flags, *more), "--out", f"{kind}.h5")
+            direct = self.execute(*flags)
+            if kind == "noise,lost_tracking":
+                # Seen late and noisy, where the virtual arm's true shape is known in `direct`.
+                self.assertLess(abs(served["distance_to_goal_cm"] - direct["distance_to_goal_cm"]), 0.5)
+                frames = self.run_json("inspect", f"{kind}.h5")["frames_dropped"]
+                self.assertEqual(frames, 10, "half a second")
+                continue
+            for a, b in zip(served["final_backbone"], direct["final_backbone"]):
+                for x, y in zip(a, b):
+                    self.assertAlmostEqual(x, y, places=5, msg=kind)
+
+    def test_an_obstacle_appears_for_limber_alone(self):
+        self.run_limber("plan", "--no-load", "--max-queries", 20000, "--environment", "01_pillar",
+                        "--out", "long.json")
+        command = ("execute", "--plan", "long.json", "--environment", "01_pillar",
+                   "--disturbance", "obstacle", "--seed", "4")
+        direct = self.run_json(*command)
+        served = self.run_json(*command, "--driver", self.served(), "--out", "o.h5")
+        self.assertIsNotNone(direct["obstacle_appeared"])
+        for key, value in direct["obstacle_appeared"].items():
+            self.assertAlmostEqual(served["obstacle_appeared"][key], value, places=5, msg=key)
+
+    def test_what_a_served_arm_cannot_have_is_refused(self):
+        for flags, said in ((("--disturbance", "obstacle"), "does not know obstacles"),
+                            (("--disturbance", "lost_tracking"), "in which plan's motion?"),
+                            (("--plan", "p.json"), "goes with --disturbance lost_tracking"),
+                            (("--disturbance", "wind"), "no such kind")):
+            error = self.run_limber("virtual-arm", "--serve", *ARM, *flags, code=2).stderr
+            self.assertIn(said, error)
+
     def test_what_there_is_not_is_refused(self):
         self.plan()
         command = ("execute", *ARM, "--plan", "p.json", "--environment", "e.yaml")

@@ -69,7 +69,7 @@ class Collecting(Driver):
         run = json.loads(self.collect(served("--fast"), "--limit-scale", 0.3, "--json").stdout)
         self.assertGreater(run["frames"], 10)
         self.assertTrue(run["driver"]["vent"]["confirmed"])
-        self.assertEqual(set(run["driver"]["late_ms"]), {"p50", "p999", "max"})
+        self.assertEqual(set(run["driver"]["late_ms"]), {"count", "p50", "p99", "p999", "max"})
         with h5py.File(self.folder / "run.h5") as file:
             largest = max(abs(e["setpoint_kpa"][()]).max() for e in file["episodes"].values())
         self.assertLessEqual(largest, 30.0)

@@ -38,7 +38,8 @@ struct MotionAdvice {
   Kind kind = Kind::go_on;
   /// To go on along, if not along its own: it starts at the set points of that next frame.
   std::optional<Plan> plan = std::nullopt;
-  std::string reason = {};  ///< of a stop
+  std::string reason = {};    ///< of a stop
+  bool has_searched = false;  ///< for another plan, in vain or not
 };
 
 /// How to go on while a plan is executed, from what is measured (docs/planning.md, Closed loop).
@@ -68,6 +69,7 @@ class PlanSource {
   /// thread; meanwhile nothing but `observe` is called.
   virtual std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
   /// An obstacle has appeared: from now on the environment is this one, which outlives the run.
+  /// Said while no advice and no plan is being worked out.
   virtual void obstacle_appeared(const Environment& now) { (void)now; }
 };
 
@@ -126,6 +128,13 @@ struct AppearedObstacle {
   Circle circle;
 };
 
+/// What advice in motion took to work out, in real time; in simulated time nothing is noted.
+struct AdviceTimes {
+  std::vector<double> all_s;
+  std::vector<double> searches_s;  ///< of it, what searched for another plan
+  int late = 0;                    ///< came after its frame, and was dropped
+};
+
 struct ExecutionResult {
   ExecutionStatus status = ExecutionStatus::done;
   std::string message;  ///< of a fault or stop; empty otherwise
@@ -147,6 +156,7 @@ struct ExecutionResult {
   int switches = 0;  ///< plans that another one replaced in mid-motion
   int waits = 0;     ///< frames in which the arm waited in mid-motion
   int halts = 0;     ///< plans that were left before their end, since the arm strayed
+  AdviceTimes advice;
   std::optional<AppearedObstacle> appeared;
   /// A plan was left before its end, and none was found that leads on: the arm held and stayed.
   bool stopped_ahead = false;

@@ -47,9 +47,14 @@ struct DisturbedArm {
   std::optional<AppearingObstacle> obstacle;
 };
 
-/// The arm that a plan meets; with no disturbance, `arm` as it is and no faults. What is random is
-/// sampled from `seed`, each kind from a stream of its own. Times count from the arm's first frame.
+/// The arm that a plan meets; with no disturbance, `arm` and `options` as they are, but for the
+/// seed. What is random is sampled from `seed`, each kind from a stream of its own. Times count from
+/// the arm's first frame.
 DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
-                       const std::vector<Disturbance>& disturbances, std::uint64_t seed);
+                       const std::vector<Disturbance>& disturbances, std::uint64_t seed,
+                       const VirtualArmOptions& options = {});
+
+/// Whether one of them is of this kind.
+bool has_kind(const std::vector<Disturbance>& disturbances, DisturbanceKind kind);
 
 }  // namespace limber

@@ -38,7 +38,6 @@ class ClosedLoop final : public PlanSource {
   bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
 
-  /// @pre simulated time, or an arm that stands: no advice is being worked out
   void obstacle_appeared(const Environment& now) override;
 
  private:
