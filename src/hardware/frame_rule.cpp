@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/executor.hpp"
 
@@ -49,11 +50,7 @@ Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double st
 
 Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
                             const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa) {
-  std::vector<PressureLimits> limits;
-  for (const Segment& segment : arm.segments) {
-    limits.push_back(segment.pressure_limit_kpa);
-  }
-  return within_frame_rule(limits, arm.pressure_step_limit_kpa(), before_kpa, wanted_kpa);
+  return within_frame_rule(limits_of(arm), arm.pressure_step_limit_kpa(), before_kpa, wanted_kpa);
 }
 
 }  // namespace limber

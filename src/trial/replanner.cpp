@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "closed_loop/plan_repair.hpp"
+#include "closed_loop/goal_lengths.hpp"
 #include "closed_loop/repaired_plan.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
@@ -24,6 +24,9 @@ struct Asked {
 /// A search usually asks 25 times in an iteration. From where every motion strikes at once it asks
 /// once or not at all, and would go on for minutes.
 constexpr std::uint64_t kQueriesPerIteration = 5;
+/// Times the queries of a search, for an arm that was halted and found no way on: it stands, and
+/// would stay there.
+constexpr std::uint64_t kQueriesOfLastResort = 25;
 /// An arm nearer to the goal's centre than this share of what corrections missed in the mean had
 /// better stay: the next one would more likely lead away. So many of them have to be known, and
 /// the model has to have a memory: what another misses stays the same, and is learnt.
@@ -178,8 +181,8 @@ std::optional<Plan> Replanner::search(const Plan& before, const Environment& fro
   problem.limits = limits_after(before, settings_.limits);
   problem.margin_yields_to_start = true;
   PlannerLimits limits;
-  limits.queries = settings_.queries;
-  limits.iterations = std::max<std::uint64_t>(1, settings_.queries / kQueriesPerIteration);
+  limits.queries = (halts_in_vain_ > 0 ? kQueriesOfLastResort : 1) * settings_.queries;
+  limits.iterations = std::max<std::uint64_t>(1, *limits.queries / kQueriesPerIteration);
   const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(replans_);
   return planner_
       ->plan(problem, limits, seed, [](const PlannerProgress&) { return !interrupt_requested(); })
@@ -221,9 +224,10 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   if (!is_taken(found)) {
     found = search_less_and_less(plan, from_here);
   }
-  if (!is_taken(found)) {
+  if (!halted && !is_taken(found)) {
     found = nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured)));
   }
+  halts_in_vain_ = halted && !is_taken(found) ? halts_in_vain_ + 1 : 0;
   if (!is_taken(found)) {
     return std::nullopt;
   }

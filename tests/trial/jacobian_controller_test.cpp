@@ -4,6 +4,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "support/bending_arms.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
 
@@ -27,13 +28,6 @@ class JacobianControllerTest : public ::testing::Test {
     plan_.environment_hash = environment_hash(environment_);
   }
 
-  static ArmDescription weaker(ArmDescription arm) {
-    for (Segment& segment : arm.segments) {
-      segment.strain_polynomial[0] *= 0.85;
-    }
-    return arm;
-  }
-
   ExecutionResult run(const ArmDescription& real, const JacobianGains& gains,
                       FakeFaults faults = {}) {
     JacobianController controller(arm_, plan_, goal_, gains);
@@ -50,7 +44,7 @@ class JacobianControllerTest : public ::testing::Test {
 };
 
 TEST_F(JacobianControllerTest, WithoutGainsItCommandsThePlansSetPoints) {
-  const ExecutionResult result = run(weaker(arm_), {0.0, 0.0, 1e-3, 0.0});
+  const ExecutionResult result = run(bending(arm_, 0.85), {0.0, 0.0, 1e-3, 0.0});
   ASSERT_GE(result.frames, plan_.frame_count() - 1);
   for (int k = 0; k < plan_.frame_count(); ++k) {
     EXPECT_EQ(result.episode.setpoint_kpa.row(k),
@@ -61,7 +55,7 @@ TEST_F(JacobianControllerTest, WithoutGainsItCommandsThePlansSetPoints) {
 
 TEST_F(JacobianControllerTest, ItsIntegralBringsAWeakerArmToTheGoal) {
   for (const JacobianGains& gains : {kGains, kOnline}) {
-    const ExecutionResult result = run(weaker(arm_), gains);
+    const ExecutionResult result = run(bending(arm_, 0.85), gains);
     EXPECT_EQ(result.status, ExecutionStatus::done);
     EXPECT_LT(result.goal_error.position_m, 0.001);
   }
@@ -70,7 +64,7 @@ TEST_F(JacobianControllerTest, ItsIntegralBringsAWeakerArmToTheGoal) {
 TEST_F(JacobianControllerTest, WithoutTrackingItIsOpenLoop) {
   FakeFaults blind;
   blind.drop_every = 1;
-  const ExecutionResult result = run(weaker(arm_), kGains, blind);
+  const ExecutionResult result = run(bending(arm_, 0.85), kGains, blind);
   EXPECT_EQ(result.status, ExecutionStatus::done);
   EXPECT_FALSE(result.final_backbone);
   EXPECT_EQ(result.frames, plan_.frame_count() - 1 + arm_.frames_in(10.0));
@@ -78,7 +72,7 @@ TEST_F(JacobianControllerTest, WithoutTrackingItIsOpenLoop) {
 
 TEST_F(JacobianControllerTest, AGoalOutOfReachKeepsLimitsAndFrameRule) {
   goal_.x_m = 5.0;  // the executor refuses what breaks them
-  const ExecutionResult result = run(weaker(arm_), {2.0, 50.0, 1e-6, 0.0});
+  const ExecutionResult result = run(bending(arm_, 0.85), {2.0, 50.0, 1e-6, 0.0});
   EXPECT_EQ(result.status, ExecutionStatus::done);
 }
 

@@ -4,6 +4,7 @@
 
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/planning/planner_factory.hpp"
+#include "support/bending_arms.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
@@ -17,19 +18,7 @@ class ReplannerTest : public ::testing::Test {
  protected:
   ReplannerTest() {
     environment_.name = "a goal to the right";
-    const Pressures setpoint_kpa = Pressures::Constant(2, 40.0F);
-    Backbone there(arm_.point_count(), 3);
-    NoLoadModel(arm_).backbone(Eigen::Ref<const Eigen::VectorXf>(setpoint_kpa),
-                               Eigen::Ref<Backbone>(there));
-    const Pose goal = tip_pose(there);
-    environment_.goal = {goal.x_m, goal.y_m, std::nullopt, 0.02, 0.1};
-  }
-
-  static ArmDescription weaker(ArmDescription arm) {
-    for (Segment& segment : arm.segments) {
-      segment.strain_polynomial[0] *= 0.5;
-    }
-    return arm;
+    environment_.goal = goal_at(arm_, Pressures::Constant(2, 40.0F));
   }
 
   Plan open_loop_plan() const {
@@ -52,7 +41,7 @@ class ReplannerTest : public ::testing::Test {
   }
 
   const ArmDescription arm_ = small_arm();
-  const ArmDescription known_ = weaker(arm_);
+  const ArmDescription known_ = bending(arm_, 0.5);
   const ForwardModel forward_{known_};
   const MotionModel model_{forward_};
   Environment environment_;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "limber/trial/track_errors.hpp"
+#include "support/bending_arms.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
@@ -53,13 +54,6 @@ class TipTrackerTest : public ::testing::Test {
     return result;
   }
 
-  static ArmDescription weaker(ArmDescription arm) {
-    for (Segment& segment : arm.segments) {
-      segment.strain_polynomial[0] *= 0.85;
-    }
-    return arm;
-  }
-
   const ArmDescription arm_ = small_arm();
   const ForwardModel forward_{arm_};
   const MotionModel model_{forward_};
@@ -97,9 +91,9 @@ TEST_F(TipTrackerTest, KeepsLimitsAndFrameRuleOnAPathFarOutOfReach) {
 TEST_F(TipTrackerTest, ItsDisturbanceEstimateHelpsWithAnArmThatTheModelDoesNotKnow) {
   TipTrackerSettings without;
   without.max_bias_m = 0.0;
-  (void)run(weaker(arm_), without);
+  (void)run(bending(arm_, 0.85), without);
   const double before_m = errors_.later_laps->rms_m;
-  (void)run(weaker(arm_));
+  (void)run(bending(arm_, 0.85));
   EXPECT_LT(errors_.later_laps->rms_m, 0.5 * before_m);
 }
 
@@ -107,17 +101,17 @@ TEST_F(TipTrackerTest, LapsTeach) {
   TipTrackerSettings without;
   without.max_bias_m = 0.0;
   without.lap_share = 0.0;
-  (void)run(weaker(arm_), without);
+  (void)run(bending(arm_, 0.85), without);
   const double before_m = errors_.later_laps->rms_m;
   TipTrackerSettings with = without;
   with.lap_share = 0.5;
-  (void)run(weaker(arm_), with);
+  (void)run(bending(arm_, 0.85), with);
   EXPECT_LT(errors_.later_laps->rms_m, 0.7 * before_m);
 }
 
 TEST_F(TipTrackerTest, SeedsRepeatToTheBit) {
-  const ExecutionResult a = run(weaker(arm_));
-  const ExecutionResult b = run(weaker(arm_));
+  const ExecutionResult a = run(bending(arm_, 0.85));
+  const ExecutionResult b = run(bending(arm_, 0.85));
   EXPECT_EQ(a.episode.setpoint_kpa, b.episode.setpoint_kpa);
   EXPECT_EQ(a.episode.backbone, b.episode.backbone);
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "goal_lengths.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/trial/plan_trial.hpp"
 #include "motion_guide.hpp"

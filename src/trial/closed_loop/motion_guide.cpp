@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "goal_lengths.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/trial/replanner.hpp"
 
@@ -16,7 +17,10 @@ namespace {
 /// is one of whole motions, and what is left of one starts where the arm was just measured.
 constexpr double kRoomInMotion = 0.25;
 constexpr double kRoomOfNewPlans = 0.5;  // more, so that they are not given up at once
-constexpr double kOfPromised = 0.9;      // of a plan's own clearance, where that is less
+/// For where a halted arm comes to rest. With a quarter of the room some touched what they were
+/// halted for; from farther away they also find another way more often.
+constexpr double kRoomOfHalts = 1.0;
+constexpr double kOfPromised = 0.9;  // of a plan's own clearance, where that is less
 /// Of the goal's tolerance: an arm that will end farther from the goal than promised by more than
 /// that strays. Less is left to the corrections, which are predicted better.
 constexpr double kStrays = 0.5;
@@ -96,19 +100,20 @@ MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
       check_(std::move(check)),
       seed_(seed) {}
 
-PlateRoom MotionGuide::room_in_motion(const Plan& plan) const {
+PlateRoom MotionGuide::room_in_motion(const Plan& plan, double share) const {
   PlateRoom room;
   if (plan.tube) {
     room = {plan.tube->plate_radius_m, plan.tube->growth, plan.frames.front().backbone};
   }
   for (double& radius_m : room.full_m) {
-    radius_m *= kRoomInMotion;
+    radius_m *= share;
   }
   return room;
 }
 
-CollisionChecker MotionGuide::checker_for(const Plan& plan, const ModelMiss& miss) const {
-  PlateRoom room = room_in_motion(plan);
+CollisionChecker MotionGuide::checker_for(const Plan& plan, const ModelMiss& miss,
+                                          double share) const {
+  PlateRoom room = room_in_motion(plan, share);
   if (model_.has_network()) {  // another is off by as much now as later, which `miss_ahead` knows
     widen(room, miss.plate_m, needed_m(plan));
   }
@@ -123,24 +128,24 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
                                  const MotionState& now, const ModelMiss& miss,
                                  const std::optional<PlanFollower>& follower) {
   const Pressures& next_kpa = plan.frames[next].setpoint_kpa;
-  std::vector<Pressures> rest_kpa = setpoints_after(plan, next);
+  const std::vector<Pressures> rest_kpa = setpoints_after(plan, next);
   if (is_at_rest(rest_kpa, next_kpa)) {
     return {};  // its hold: corrections follow it
   }
-  MotionState from = now;
-  MotionModel::Workspace workspace;
-  model_.step(next_kpa, from, workspace);
-  const CollisionChecker checker = checker_for(plan, miss);
-  // An arm that is nearer already may go on where it comes no nearer.
-  const double start_m = checker.clearance(from.backbone).value_m;
-  const double kept_m = start_m > 0.0 ? kOfPromised * start_m : start_m / kOfPromised;
-  const Ahead way{from, checker, std::min(needed_m(plan), kept_m)};
   ++seed_;
   if (follower) {
     if (std::optional<MotionAdvice> led = lead(plan, next, *follower)) {
       return *std::move(led);
     }
   }
+  MotionState from = now;
+  MotionModel::Workspace workspace;
+  model_.step(next_kpa, from, workspace);
+  const CollisionChecker checker = checker_for(plan, miss, kRoomInMotion);
+  // An arm that is nearer already may go on where it comes no nearer.
+  const double start_m = checker.clearance(from.backbone).value_m;
+  const double kept_m = start_m > 0.0 ? kOfPromised * start_m : start_m / kOfPromised;
+  const Ahead way{from, checker, std::min(needed_m(plan), kept_m)};
   const RestForecast rest =
       follower ? led_forecast(plan, next, way, *follower) : way.forecast_of(model_, rest_kpa);
   const Eigen::Vector3d ahead =
@@ -162,38 +167,42 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   }
   if (std::optional<Plan> found = find(plan, next, way, goal, rest.is_safe(), error_m)) {
     has_waited_ = false;
-    return {MotionAdvice::Kind::go_on, std::move(found)};
+    return {MotionAdvice::Kind::go_on, std::move(found), "", true};
   }
   if (rest.is_safe()) {
-    return {};
+    return {.has_searched = true};
   }
+  std::optional<PlanFollower> leads = follower;
+  const Pressures after_next_kpa =
+      leads ? led_setpoint(plan, next, from, *leads) : rest_kpa.front();
   // Nearer than it may be, it does not come nearer frame by frame.
-  return slow_down({from, checker, needed_m(plan)}, rest_kpa, rest);
+  MotionAdvice slowed = slow_down({from, checker_for(plan, miss, kRoomOfHalts), needed_m(plan)},
+                                  after_next_kpa, rest);
+  slowed.has_searched = true;
+  return slowed;
 }
 
-std::size_t MotionGuide::frames_free(const Plan& plan, std::size_t next,
-                                     const Backbone& off) const {
+bool MotionGuide::is_free(const Plan& plan, std::size_t next, std::size_t frames,
+                          const Backbone& off) const {
   const CollisionChecker checker(arm_, environment_.obstacles, needed_m(plan),
-                                 room_in_motion(plan));
-  const auto shape = [&](std::size_t k) {
-    Backbone at = plan.frames[k].backbone;
-    if (off.rows() > 0) {
-      at += off;
+                                 room_in_motion(plan, kRoomInMotion));
+  Backbone before = plan.frames[next - 1].backbone + off;
+  for (std::size_t k = next; k < next + frames; ++k) {
+    Backbone now = plan.frames[k].backbone + off;
+    if (!(checker.motion_clearance(before, now).value_m > 0.0)) {
+      return false;
     }
-    return at;
-  };
-  std::size_t k = next;
-  while (k < plan.frames.size() && checker.motion_clearance(shape(k - 1), shape(k)).value_m > 0.0) {
-    ++k;
+    before.swap(now);
   }
-  return k - next;
+  return true;
 }
 
 std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next,
                                               const PlanFollower& follower) {
   const std::size_t rest = plan.frames.size() - next;
   const std::size_t soon = std::min(rest, static_cast<std::size_t>(arm_.frames_in(kSlowS)));
-  if (frames_free(plan, next, {}) < rest || frames_free(plan, next, follower.off_plan()) < soon) {
+  const Backbone on_plan = Backbone::Zero(arm_.point_count(), 3);
+  if (!is_free(plan, next, rest, on_plan) || !is_free(plan, next, soon, follower.off_plan())) {
     return std::nullopt;
   }
   has_waited_ = !has_waited_ && follower.farthest_m() > kOffPlan * arm_.length_m();
@@ -262,13 +271,13 @@ std::optional<Plan> MotionGuide::searched(const Plan& plan, const Environment& f
 
 /// A held arm moves on for a while, as its valves and its mass have it. So it is held in the last
 /// frame from which that is free.
-MotionAdvice MotionGuide::slow_down(const Ahead& way, const std::vector<Pressures>& rest_kpa,
+MotionAdvice MotionGuide::slow_down(const Ahead& way, const Pressures& held_kpa,
                                     const RestForecast& rest) {
   if (rest.unsafe_frame + 1 > arm_.frames_in(kSlowS)) {
     return {};
   }
   const std::vector<Pressures> held_a_frame_later_kpa(
-      1 + static_cast<std::size_t>(arm_.frames_in(kHaltS)), rest_kpa.front());
+      1 + static_cast<std::size_t>(arm_.frames_in(kHaltS)), held_kpa);
   if (way.forecast_of(model_, held_a_frame_later_kpa).is_safe()) {
     has_waited_ = !has_waited_;
     return {has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};

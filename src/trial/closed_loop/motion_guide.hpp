@@ -26,12 +26,12 @@ struct MotionGuideSettings {
 /// Says what an arm in mid-motion does after its next frame (docs/planning.md, Closed loop). One
 /// that is led goes on where the plan is free, also for an arm as far beside it as this one is, and
 /// slower where that is far. Else what is left of the plan is simulated from the state that the
-/// next frame leads to. If that is safe
-/// and ends where the plan promised, or nearer to the goal, the arm goes on. If not, the guide
-/// looks for a plan that starts in that state: the rest of the present one with its end shifted,
-/// and then, if the rest is not safe or would miss the goal, whatever a planner finds within its
-/// queries. It takes one that is certified and better. If there is none and the way is not free,
-/// the arm slows down, and is held in the last frame from which it comes to rest free.
+/// next frame leads to. If that is safe and ends where the plan promised, or nearer to the goal,
+/// the arm goes on. If not, the guide looks for a plan that starts in that state: the rest of the
+/// present one with its end shifted, and then, if the rest is not safe or would miss the goal,
+/// whatever a planner finds within its queries. It takes one that is certified and better. If there
+/// is none and the way is not free, the arm slows down, and is held in the last frame from which it
+/// comes to rest free.
 ///
 /// Threads: one guide, one thread at a time. All arguments are borrowed.
 class MotionGuide {
@@ -51,9 +51,10 @@ class MotionGuide {
                       const std::optional<PlanFollower>& follower = std::nullopt);
 
  private:
-  PlateRoom room_in_motion(const Plan& plan) const;
+  /// Of the plan's tube, if it has one, this share.
+  PlateRoom room_in_motion(const Plan& plan, double share) const;
   /// Obstacles and clearance that the rest of a plan is asked for.
-  CollisionChecker checker_for(const Plan& plan, const ModelMiss& miss) const;
+  CollisionChecker checker_for(const Plan& plan, const ModelMiss& miss, double share) const;
   double needed_m(const Plan& plan) const;
   PlanningProblem problem_from(const Environment& from_here, const Plan& plan) const;
   /// Where the next frame leads, and what is kept from obstacles from there on.
@@ -70,9 +71,9 @@ class MotionGuide {
   /// Whether an arm that is led goes on or waits. None: it needs another way.
   std::optional<MotionAdvice> lead(const Plan& plan, std::size_t next,
                                    const PlanFollower& follower);
-  /// Of the frames from `next` on, those before something is too near.
-  /// @param off  that the arm is beside the plan in all of them; empty: it is not
-  std::size_t frames_free(const Plan& plan, std::size_t next, const Backbone& off) const;
+  /// Whether so many frames of a plan are, from `next` on.
+  /// @param off  that the arm is beside the plan in all of them
+  bool is_free(const Plan& plan, std::size_t next, std::size_t frames, const Backbone& off) const;
   /// Set points of the frame after `next`.
   Pressures led_setpoint(const Plan& plan, std::size_t next, const MotionState& from,
                          PlanFollower& follower) const;
@@ -83,8 +84,8 @@ class MotionGuide {
   std::optional<Plan> find(const Plan& plan, std::size_t next, const Ahead& way,
                            const PoseGoal& goal, bool is_safe, double error_m);
   std::optional<Plan> searched(const Plan& plan, const Environment& from_here);
-  MotionAdvice slow_down(const Ahead& way, const std::vector<Pressures>& rest_kpa,
-                         const RestForecast& rest);
+  /// @param held_kpa  of the frame after the next, where the arm would be held a frame later
+  MotionAdvice slow_down(const Ahead& way, const Pressures& held_kpa, const RestForecast& rest);
 
   const ArmDescription& arm_;
   MotionModel model_;

@@ -4,7 +4,7 @@ namespace limber {
 
 void PlanFollower::forget() {
   feedback_.forget();
-  off_plan_.resize(0, 3);
+  off_plan_.setZero();
 }
 
 void PlanFollower::learn(const Backbone& planned, const Backbone& shape) {
@@ -13,7 +13,7 @@ void PlanFollower::learn(const Backbone& planned, const Backbone& shape) {
 }
 
 double PlanFollower::farthest_m() const {
-  return off_plan_.rows() == 0 ? 0.0 : double(off_plan_.leftCols<2>().rowwise().norm().maxCoeff());
+  return double(off_plan_.leftCols<2>().rowwise().norm().maxCoeff());
 }
 
 }  // namespace limber

@@ -12,7 +12,8 @@ namespace limber {
 class PlanFollower {
  public:
   PlanFollower(const ArmDescription& arm, const MotionModel& model)
-      : feedback_(arm, model.no_load(), model.valves()) {}
+      : feedback_(arm, model.no_load(), model.valves()),
+        off_plan_(Backbone::Zero(arm.point_count(), 3)) {}
 
   /// Another plan begins.
   void forget();
@@ -28,15 +29,14 @@ class PlanFollower {
     return feedback_.setpoint(planned_kpa, before_kpa, limits);
   }
 
-  /// Where the arm is beside where its plan has it: its shape less the plan's. Empty before
-  /// anything was learnt.
+  /// Where the arm is beside where its plan has it: its shape less the plan's.
   const Backbone& off_plan() const { return off_plan_; }
   /// The farthest that a plate is off. [m]
   double farthest_m() const;
 
  private:
   ShapeFeedback feedback_;
-  Backbone off_plan_;
+  Backbone off_plan_;  // in the frame that was learnt last; none: zero
 };
 
 }  // namespace limber

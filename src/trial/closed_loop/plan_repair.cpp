@@ -1,10 +1,10 @@
 #include "plan_repair.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include <Eigen/Cholesky>
+
+#include "goal_lengths.hpp"
 
 namespace limber {
 
@@ -15,21 +15,6 @@ constexpr double kRepairDamping = 1e-3;  // of the normal matrix, of its mean di
 constexpr int kRepairSteps = 4;
 
 }  // namespace
-
-double m_per_rad(const PoseGoal& goal) {
-  return goal.theta_rad ? goal.position_tolerance_m / goal.orientation_tolerance_rad : 0.0;
-}
-
-Eigen::Vector3d missing_m(const PoseGoal& goal, const Pose& tip) {
-  const double turn = goal.theta_rad
-                          ? std::remainder(*goal.theta_rad - tip.theta_rad, 2.0 * std::numbers::pi)
-                          : 0.0;
-  return {goal.x_m - tip.x_m, goal.y_m - tip.y_m, m_per_rad(goal) * turn};
-}
-
-double as_length_m(const PoseGoal& goal, const PoseError& error) {
-  return std::hypot(error.position_m, m_per_rad(goal) * error.orientation_rad);
-}
 
 std::vector<Pressures> waypoints_after(const Plan& plan, std::size_t next, double step_limit_kpa) {
   std::vector<Pressures> rest{plan.frames[next].setpoint_kpa};

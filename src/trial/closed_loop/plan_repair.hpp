@@ -43,12 +43,4 @@ class PlanRepair {
   PressureBox box_;
 };
 
-/// Both errors of a pose as one length: the heading counts as much as the position where each is at
-/// its tolerance.
-double as_length_m(const PoseGoal& goal, const PoseError& error);
-/// What a radian of heading counts as there; 0 where the goal asks for none.
-double m_per_rad(const PoseGoal& goal);
-/// From a tip to the goal's centre: x, y and the heading as a length. [m]
-Eigen::Vector3d missing_m(const PoseGoal& goal, const Pose& tip);
-
 }  // namespace limber

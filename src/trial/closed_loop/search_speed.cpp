@@ -45,8 +45,9 @@ double seconds_per_query(const ArmDescription& arm, const MotionModel& model) {
 }  // namespace
 
 std::uint64_t queries_within(double seconds, const ArmDescription& arm, const MotionModel& model) {
-  // A search checks for collisions too, and its plan is certified.
-  constexpr double kShareOfModel = 0.4;
+  // A search checks for collisions too, its plan is certified, and the way ahead is forecast. Half
+  // of the time stays free: the arm, its driver and whatever else runs here take some of it.
+  constexpr double kShareOfModel = 0.2;
   const double queries = kShareOfModel * seconds / seconds_per_query(arm, model);
   constexpr double kMaxQueries = 1e6;
   const auto steps = static_cast<std::uint64_t>(std::min(queries, kMaxQueries)) / kQueryStep;

@@ -4,8 +4,9 @@
 
 #include <Eigen/Cholesky>
 
+#include "goal_lengths.hpp"
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/hardware/executor.hpp"
-#include "plan_repair.hpp"
 
 namespace limber {
 
@@ -39,7 +40,8 @@ bool is_slow(const ValveModel& valves) {
 
 ShapeFeedback::ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model,
                              const ValveModel& valves)
-    : plates_{0},
+    : limits_(limits_of(arm)),
+      plates_{0},
       kpa_per_rad_(Eigen::VectorXd::Zero(arm.segment_count())),
       proportional_(is_slow(valves) ? kSlowProportional : kProportional),
       integral_per_s_(is_slow(valves) ? kSlowIntegralPerS : kIntegralPerS),
@@ -49,7 +51,6 @@ ShapeFeedback::ShapeFeedback(const ArmDescription& arm, const NoLoadModel& model
   for (int i = 0; i < arm.segment_count(); ++i) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
     const PressureLimits& limits = segment.pressure_limit_kpa;
-    limits_.push_back(limits);
     plates_.push_back(plates_.back() + segment.gaps);
     const double bend_rad =
         turn_rad(model, i, limits.upper_kpa) - turn_rad(model, i, limits.lower_kpa);

@@ -5,6 +5,7 @@
 #include "limber/planning/planner_factory.hpp"
 #include "limber/trial/plan_trial.hpp"
 #include "limber/world/collision.hpp"
+#include "support/bending_arms.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
@@ -19,26 +20,7 @@ class ClosedLoopTest : public ::testing::Test {
  protected:
   ClosedLoopTest() {
     environment_.name = "a goal to the right";
-    const Pressures setpoint_kpa = Pressures::Constant(2, 50.0F);
-    Backbone there(arm_.point_count(), 3);
-    NoLoadModel(arm_).backbone(Eigen::Ref<const Eigen::VectorXf>(setpoint_kpa),
-                               Eigen::Ref<Backbone>(there));
-    const Pose goal = tip_pose(there);
-    environment_.goal = {goal.x_m, goal.y_m, std::nullopt, 0.02, 0.1};
-  }
-
-  /// Of what the fake arm does, the share that is known.
-  static ArmDescription known(ArmDescription arm, double share) {
-    for (Segment& segment : arm.segments) {
-      segment.strain_polynomial[0] *= share;
-    }
-    return arm;
-  }
-
-  /// 5 kPa per frame.
-  static ArmDescription slow(ArmDescription arm) {
-    arm.pressure_rate_limit_kpa_per_s = 100.0;
-    return arm;
+    environment_.goal = goal_at(arm_, Pressures::Constant(2, 50.0F));
   }
 
   static ClosedLoopSettings few_queries() {
@@ -91,7 +73,7 @@ TEST_F(ClosedLoopTest, WithAPerfectModelItGoesOnAsOpenLoopUntilThePlanEnds) {
 }
 
 TEST_F(ClosedLoopTest, TheOneForUsersIsTheSameWithDefaultSettings) {
-  const ArmDescription weaker = known(arm_, 0.6);
+  const ArmDescription weaker = bending(arm_, 0.6);
   const Plan plan = plan_of(weaker);
   FakeArm one(arm_, kInstant_s);
   const ExecutionResult own = run(weaker, plan, one, ClosedLoopSettings{});
@@ -107,7 +89,7 @@ TEST_F(ClosedLoopTest, TheOneForUsersIsTheSameWithDefaultSettings) {
 }
 
 TEST_F(ClosedLoopTest, APlanThatTheArmDoesNotFollowIsReplacedInMotionAndArrives) {
-  const ArmDescription weaker = known(arm_, 0.6);
+  const ArmDescription weaker = bending(arm_, 0.6);
   const Plan plan = plan_of(weaker);
   FakeArm one(arm_, kInstant_s);
   ASSERT_FALSE(run(weaker, plan, one, std::nullopt).goal_reached);
@@ -159,7 +141,7 @@ class LosingArm final : public ArmDriver {
 };
 
 TEST_F(ClosedLoopTest, NeverTrackedItIsOpenLoopToTheBit) {
-  const ArmDescription weaker = known(arm_, 0.6);
+  const ArmDescription weaker = bending(arm_, 0.6);
   const Plan plan = plan_of(weaker);
   LosingArm driver(arm_, 0, 1000);
   const ExecutionResult result = run(weaker, plan, driver, few_queries());
@@ -200,7 +182,7 @@ TEST_F(ClosedLoopTest, LostForLongItGoesOnAsOpenLoopThenHoldsAndSaysSo) {
 }
 
 TEST_F(ClosedLoopTest, SameSeedSameRunWhateverTheThreads) {
-  const ArmDescription weaker = known(arm_, 0.6);
+  const ArmDescription weaker = bending(arm_, 0.6);
   const Plan plan = plan_of(weaker);
   std::vector<Eigen::MatrixXf> runs;
   for (const int jobs : {1, 2}) {
@@ -213,7 +195,7 @@ TEST_F(ClosedLoopTest, SameSeedSameRunWhateverTheThreads) {
 }
 
 TEST_F(ClosedLoopTest, WithoutQueriesInMotionItPlansAtRestAlone) {
-  const ArmDescription weaker = known(arm_, 0.6);
+  const ArmDescription weaker = bending(arm_, 0.6);
   const Plan plan = plan_of(weaker);
   FakeArm driver(arm_, kInstant_s);
   ClosedLoopSettings settings = few_queries();

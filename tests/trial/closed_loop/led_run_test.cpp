@@ -4,6 +4,7 @@
 #include "limber/planning/planner_factory.hpp"
 #include "limber/trial/closed_loop.hpp"
 #include "planning/play_model.hpp"
+#include "support/bending_arms.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
@@ -17,12 +18,7 @@ class LedRunTest : public ::testing::Test {
  protected:
   LedRunTest() {
     environment_.name = "a goal to the right";
-    const Pressures setpoint_kpa = Pressures::Constant(2, 50.0F);
-    Backbone there(known_.point_count(), 3);
-    NoLoadModel(known_).backbone(Eigen::Ref<const Eigen::VectorXf>(setpoint_kpa),
-                                 Eigen::Ref<Backbone>(there));
-    const Pose goal = tip_pose(there);
-    environment_.goal = {goal.x_m, goal.y_m, std::nullopt, 0.02, 0.1};
+    environment_.goal = goal_at(known_, Pressures::Constant(2, 50.0F));
     PlannerLimits limits;
     limits.queries = 5000;
     PlanResult result =
@@ -36,15 +32,6 @@ class LedRunTest : public ::testing::Test {
     plan_.goal_distance_m = 0.0;
   }
 
-  /// 5 kPa per frame.
-  static ArmDescription slow(ArmDescription arm, double share) {
-    arm.pressure_rate_limit_kpa_per_s = 100.0;
-    for (Segment& segment : arm.segments) {
-      segment.strain_polynomial[0] *= share;
-    }
-    return arm;
-  }
-
   ExecutionResult run(ArmDriver& driver, std::uint64_t motion_queries) const {
     ClosedLoopSettings loop_settings;
     loop_settings.corrections.max_replans = 0;  // what comes after the plan does not count
@@ -55,8 +42,8 @@ class LedRunTest : public ::testing::Test {
     return execute(known_, environment_, plan_, driver, settings);
   }
 
-  const ArmDescription known_ = slow(small_arm(), 1.0);
-  const ArmDescription weak_ = slow(small_arm(), 0.7);
+  const ArmDescription known_ = slow(small_arm());
+  const ArmDescription weak_ = bending(known_, 0.7);
   const ForwardModel forward_{known_, play_network(known_, kNoPlayM)};
   const MotionModel model_{forward_};
   Environment environment_;
@@ -86,7 +73,7 @@ TEST_F(LedRunTest, AnArmAsTheNetworkKnowsItHasThePlansSetPoints) {
 }
 
 TEST_F(LedRunTest, KeepsTheLimitsAndTheFrameRule) {
-  const ArmDescription very_weak = slow(small_arm(), 0.3);
+  const ArmDescription very_weak = bending(known_, 0.3);
   FakeArm driver(very_weak, kInstant_s);
   const auto setpoints = run(driver, 1000).episode.setpoint_kpa;
   const Eigen::Index last = setpoints.rows() - 1;

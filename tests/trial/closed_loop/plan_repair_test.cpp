@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "limber/world/environment.hpp"
+#include "src/trial/closed_loop/goal_lengths.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/bending_arms.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
@@ -15,24 +16,12 @@ constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is to
 /// limber's model has the arm bend twice as far as it does, so that it stays behind its plan.
 class ShapeFeedbackTest : public ::testing::Test {
  protected:
-  static ArmDescription scaled(ArmDescription arm, double share) {
-    for (Segment& segment : arm.segments) {
-      segment.strain_polynomial[0] *= share;
-    }
-    arm.pressure_rate_limit_kpa_per_s = 100.0;
-    return arm;
-  }
-
-  Backbone planned(const Pressures& kpa) const {
-    Backbone shape(known_.point_count(), 3);
-    model_.backbone(Eigen::Ref<const Eigen::VectorXf>(kpa), Eigen::Ref<Backbone>(shape));
-    return shape;
-  }
+  Backbone planned(const Pressures& kpa) const { return unloaded_shape(known_, kpa); }
 
   static double bend_rad(const Backbone& shape) { return double(shape(shape.rows() - 1, 2)); }
 
-  const ArmDescription known_ = scaled(small_arm(), 1.0);
-  const ArmDescription real_ = scaled(small_arm(), 0.5);
+  const ArmDescription known_ = slow(small_arm());
+  const ArmDescription real_ = bending(known_, 0.5);
   const NoLoadModel model_{known_};
   const Pressures there_kpa_ = Pressures::Constant(2, 20.0F);
 };
@@ -65,7 +54,7 @@ TEST_F(ShapeFeedbackTest, BringsAWeakArmToItsPlansShape) {
 TEST_F(ShapeFeedbackTest, DoesNotSwingWhereAnArmFollowsAtOnceAndBendsMoreThanModelled) {
   for (const double share : {1.0, 2.0, 3.0}) {
     ShapeFeedback feedback(known_, model_, ValveModel::ideal(2));
-    FakeArm arm(scaled(small_arm(), share), kInstant_s);
+    FakeArm arm(bending(known_, share), kInstant_s);
     Pressures sent_kpa = there_kpa_;
     arm.command(sent_kpa + Eigen::Vector2f(4.0F, -4.0F));
     const Backbone goal = planned(there_kpa_);
