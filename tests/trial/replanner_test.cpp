@@ -143,5 +143,29 @@ TEST_F(ReplannerTest, HaltsWhereTheArmStraysTowardsAnObstacle) {
   EXPECT_TRUE(source.may_go_on(plan, 1, state)) << "nobody sees it";
 }
 
+TEST_F(ReplannerTest, AHaltedArmThatFoundNoWaySearchesOnceMoreWithMoreQueries) {
+  const Plan plan = open_loop_plan();
+  const PlanFrame& halt = plan.frames[1];
+  environment_.obstacles = {
+      Circle{0.35, -0.08, 0.002}};  // beside the straight way, which it blocks
+  const ArmState state{0.0, halt.pressure_kpa, std::nullopt, halt.backbone};
+  ReplannerSettings settings;
+  settings.queries = 400;
+  constexpr std::uint64_t kSeeds = 20;
+  std::uint64_t found_at_once = 0;
+  std::uint64_t found_later = 0;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    Replanner source(known_, model_, environment_, ErrorRoom{}, settings, seed);
+    const auto ask = [&] { return source.next(plan, 1, state).has_value(); };
+    if (ask()) {
+      ++found_at_once;
+    } else if (ask()) {
+      ++found_later;
+    }
+  }
+  EXPECT_EQ(found_at_once + found_later, kSeeds);
+  EXPECT_GT(found_later, found_at_once);
+}
+
 }  // namespace
 }  // namespace limber

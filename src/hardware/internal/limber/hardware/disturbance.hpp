@@ -48,8 +48,8 @@ struct DisturbedArm {
 };
 
 /// The arm that a plan meets; with no disturbance, `arm` and `options` as they are, but for the
-/// seed. What is random is sampled from `seed`, each kind from a stream of its own. Times count from
-/// the arm's first frame.
+/// seed. What is random is sampled from `seed`, each kind from a stream of its own. Times count
+/// from the arm's first frame.
 DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
                        const std::vector<Disturbance>& disturbances, std::uint64_t seed,
                        const VirtualArmOptions& options = {});

@@ -80,7 +80,7 @@ class Replanner final : public PlanSource {
   std::unique_ptr<Planner> planner_;
   PoseGoal aim_;
   int replans_ = 0;
-  int halts_in_vain_ = 0;  // questions in a row of a halted arm that found no plan
+  int halts_in_vain_ = 0;       // questions in a row of a halted arm that found no plan
   bool is_correction_ = false;  // what the arm follows
   int small_gains_ = 0;
   double missed_m_ = 0.0;  // sum over corrections, as_length_m
