@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "closed_loop/goal_lengths.hpp"
 #include "closed_loop/repaired_plan.hpp"
@@ -44,6 +45,8 @@ constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is le
 /// up.
 constexpr int kPatience = 10;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
+/// Of an arm that was halted: its way is long again.
+constexpr std::array kAskedOfHalted = {Asked{0.1, 1.0}, Asked{1.0, 1.0}};
 
 Eigen::Vector3d difference(const Pose& pose, const Pose& other) {
   return {pose.x_m - other.x_m, pose.y_m - other.y_m,
@@ -222,7 +225,7 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
         straight(plan, from_here, 1.0, kOfStraight * std::min(error_m, aim_.position_tolerance_m));
   }
   if (!is_taken(found)) {
-    found = search_less_and_less(plan, from_here);
+    found = search_less_and_less(plan, from_here, halted);
   }
   if (!halted && !is_taken(found)) {
     found = nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured)));
@@ -236,8 +239,9 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   return found;
 }
 
-std::optional<Plan> Replanner::search_less_and_less(const Plan& before, Environment from_here) {
-  for (const Asked& asked : kAsked) {
+std::optional<Plan> Replanner::search_less_and_less(const Plan& before, Environment from_here,
+                                                    bool is_halted) {
+  for (const Asked& asked : is_halted ? std::span<const Asked>(kAskedOfHalted) : kAsked) {
     from_here.goal.position_tolerance_m = asked.tolerance * aim_.position_tolerance_m;
     from_here.goal.orientation_tolerance_rad = asked.tolerance * aim_.orientation_tolerance_rad;
     if (std::optional<Plan> found = search(before, from_here, asked.margin * room_.margin_m)) {

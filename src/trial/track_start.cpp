@@ -3,6 +3,7 @@
 
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/trial/lap_fit.hpp"
 #include "limber/trial/tip_tracker.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/straight_motion.hpp"
@@ -113,7 +114,8 @@ Candidate refined(const ArmDescription& arm, const MotionModel& model, const Eig
 
 TrackStart find_track_start(const ArmDescription& arm, const MotionModel& model,
                             const TipPath& path, std::uint64_t seed) {
-  LapPosture posture(model.no_load(), path, limits_of(arm), seed);
+  LapPosture posture =
+      fitted_to(path, arm, model, LapPosture(model.no_load(), path, limits_of(arm), seed));
   const Eigen::Vector2d& tip_m = path.point_m.front();
   RandomStream random(seed, 0);
   const Eigen::MatrixXf first_kpa = posture.at(0.0).cast<float>();

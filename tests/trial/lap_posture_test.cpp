@@ -1,5 +1,6 @@
 #include "limber/trial/lap_posture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -7,6 +8,9 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/pressure_limits.hpp"
+#include "limber/trial/lap_fit.hpp"
+#include "limber/world/environment.hpp"
+#include "support/bending_arms.hpp"
 
 namespace limber {
 namespace {
@@ -57,6 +61,55 @@ TEST(LapPosture, RepeatsForItsSeedAndIsStillBeforeThePath) {
   const LapPosture b(model, circle(1), limits_of(arm), 3);
   EXPECT_EQ(a.at(3.3), b.at(3.3));
   EXPECT_EQ(a.at(-2.0), a.at(0.0));
+}
+
+/// Largest distance of the model's tip from the path in the second lap of such set points.
+double farthest_m(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
+                  const LapPosture& posture) {
+  const ArmStart vented = start_state(Environment{}, arm);
+  MotionState state = model.settled_state(vented.pressures_kpa, vented.backbone);
+  MotionModel::Workspace workspace;
+  double farthest = 0.0;
+  for (int frame = 1; frame <= 400; ++frame) {
+    const double time_s = 0.05 * frame;
+    const Pressures setpoint_kpa = posture.at(time_s).cast<float>();
+    model.step(setpoint_kpa, state, workspace);
+    const Eigen::Vector2d tip_m =
+        state.backbone.bottomRows<1>().leftCols<2>().cast<double>().transpose();
+    farthest = std::max(farthest, frame > 200 ? (tip_m - path.at(time_s)).norm() : 0.0);
+  }
+  return farthest;
+}
+
+TEST(LapFit, MovesTheSetPointsUntilAnotherModelKeepsThePath) {
+  const ArmDescription arm =
+      load_arm(std::filesystem::path(LIMBER_SOURCE_DIR) / "arms/three_segment.yaml");
+  const TipPath path = circle(2);
+  const LapPosture posture(NoLoadModel(arm), path, limits_of(arm), 1);
+  const ForwardModel forward(bending(arm, 0.8));
+  const ValveParameters slow{
+      true, std::vector<SegmentValves>(3, {{0.1, 100.0}, {0.12, 100.0}, 0.12, 0.2})};
+  const MotionModel model(forward, ValveModel(arm, slow));
+  const double before_m = farthest_m(arm, model, path, posture);
+  const LapPosture fitted = fitted_to(path, arm, model, posture);
+  EXPECT_GT(before_m, 0.02);
+  EXPECT_LT(farthest_m(arm, model, path, fitted), 0.15 * before_m);
+  for (const Eigen::VectorXd& kpa : fitted.points_kpa()) {
+    EXPECT_LE(kpa.cwiseAbs().maxCoeff(), 100.0);
+  }
+  EXPECT_TRUE(fitted.at(0.0).isApprox(fitted.at(10.0))) << "the lap closes";
+}
+
+TEST(LapFit, LeavesALapOfFewFramesAsItIs) {
+  const ArmDescription arm =
+      load_arm(std::filesystem::path(LIMBER_SOURCE_DIR) / "arms/three_segment.yaml");
+  TipPath path = circle(2);
+  for (double& time_s : path.time_s) {
+    time_s /= 5.0;
+  }
+  const ForwardModel forward(bending(arm, 0.8));
+  const LapPosture posture(NoLoadModel(arm), path, limits_of(arm), 1);
+  EXPECT_EQ(fitted_to(path, arm, MotionModel(forward), posture).points_kpa(), posture.points_kpa());
 }
 
 }  // namespace

@@ -176,8 +176,9 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   const Pressures after_next_kpa =
       leads ? led_setpoint(plan, next, from, *leads) : rest_kpa.front();
   // Nearer than it may be, it does not come nearer frame by frame.
-  MotionAdvice slowed = slow_down({from, checker_for(plan, miss, kRoomOfHalts), needed_m(plan)},
-                                  after_next_kpa, rest);
+  const double kept_at_halt = plan.tube ? 0.0 : kRoomOfHalts * room_.margin_m;
+  MotionAdvice slowed =
+      slow_down({from, checker_for(plan, miss, kRoomOfHalts), kept_at_halt}, after_next_kpa, rest);
   slowed.has_searched = true;
   return slowed;
 }

@@ -65,7 +65,8 @@ class Replanner final : public PlanSource {
   PoseGoal shifted_goal() const;
   bool stays_in_goal(const Plan& plan) const;
   std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
-  std::optional<Plan> search_less_and_less(const Plan& before, Environment from_here);
+  std::optional<Plan> search_less_and_less(const Plan& before, Environment from_here,
+                                           bool is_halted);
   std::optional<Plan> straight(const Plan& before, Environment from_here, double widened,
                                double max_error_m);
   std::optional<Plan> nearer(const Plan& before, const Environment& from_here, double error_m);

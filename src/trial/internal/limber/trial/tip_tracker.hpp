@@ -43,7 +43,7 @@ struct TipTrackerSettings {
   /// What a knot costs that lies off the lap's posture by half of its limits' width: metres of tip
   /// error. Many shapes have the same tip; without it the arm drifts into bends from which a short
   /// horizon finds no way back.
-  double posture_m = 1.5e-2;
+  double posture_m = 3e-2;
   /// Of what a lap missed, what the next one is asked for less; 0: nothing is learnt from laps.
   double lap_share = 0.25;
   double max_bias_m = 0.05;  ///< bound of the disturbance estimate
