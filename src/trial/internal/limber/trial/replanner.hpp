@@ -84,6 +84,8 @@ class Replanner final : public PlanSource {
   int halts_in_vain_ = 0;       // questions in a row of a halted arm that found no plan
   bool is_correction_ = false;  // what the arm follows
   int small_gains_ = 0;
+  double best_error_m_ = std::numeric_limits<double>::infinity();  // that the arm ever had
+  int corrections_since_best_ = 0;
   double missed_m_ = 0.0;  // sum over corrections, as_length_m
   int misses_ = 0;
   std::optional<double> error_before_m_;  // of the correction under way
