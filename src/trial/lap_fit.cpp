@@ -56,8 +56,8 @@ class LapFit {
     knots_kpa_ = within_limits(knots_kpa_);
   }
 
-  /// Where a step leads, laps begin in another state than the one that it was made for: so not every
-  /// step is a gain.
+  /// Where a step leads, laps begin in another state than the one that it was made for: so not
+  /// every step is a gain.
   void run() {
     double min_cost = std::numeric_limits<double>::infinity();
     Eigen::VectorXd best_kpa = knots_kpa_;
