@@ -8,8 +8,8 @@
 namespace limber {
 
 /// The set points of a lap, moved until the model's own tip keeps the path: least squares by
-/// damped Gauss–Newton steps, with slopes from rollouts of the whole lap, one for each number. The
-/// no-load model, which a posture comes from, errs by several centimetres, and on the rim of what
+/// damped Gauss–Newton steps, with slopes from rollouts of the whole lap, one for each number. A
+/// posture comes from the no-load model, whose error is several centimetres, and on the rim of what
 /// the arm reaches no correction that looks a fraction of a second ahead makes up for that: there
 /// the arm has to have another shape.
 ///
