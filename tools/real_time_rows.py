@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Closed loop in real time beside the virtual arm: the last table of docs/experiments.md, Disturbances.
+"""Closed loop in real time beside the virtual arm: a table of docs/experiments.md, Disturbances.
 
 Plans and disturbances are those of closed_loop_table.py (its --out is --table here): of each row the
 first runs, as many in every environment. The virtual arm is a program of its own behind the driver
-protocol, whose frames take wall time. A run of 5 to 30 s is kept in OUT and not done again.
+protocol, whose frames take wall time. A run takes 5 to 30 s; what is in OUT is not run again. A
+clean stop's distance does not count. Rows can be run side by side (--disturbance).
 
     tools/real_time_rows.py --model calibrated.safetensors --table closed_loop --out real_time
 """
@@ -57,10 +58,11 @@ def line(kind, runs, trials):
     simulated = sum(trial["execution"]["goal_reached"] for _, trial in trials)
     share = f"{100 * within / len(searches):.1f} %" if searches else "–"
     late = [one["driver"]["late_ms"] for one in runs]
+    distances = [one["distance_to_goal_cm"] for one in runs if not one["stopped_ahead"]]
     return (f"| {kind} | {sum(one['goal_reached'] for one in runs)} of {len(runs)} ({simulated}) | "
             f"{sum(one['collided'] for one in runs)} | "
             f"{sum(one['stopped_ahead'] and not one['collided'] for one in runs)} | "
-            f"{statistics.median(one['distance_to_goal_cm'] for one in runs):.2f} cm | "
+            f"{statistics.median(distances):.2f} cm | "
             f"{len(searches)} | {share} | {max(searches, default=0.0):.1f} ms | "
             f"{sum(one['late_advice'] for one in runs)} of "
             f"{sum(one['advice_ms']['count'] for one in runs if one['advice_ms'])} | "

@@ -65,6 +65,19 @@ class Collecting(Driver):
         self.assertEqual(log[1]["to_driver"]["type"], "hello")
         self.run_limber("inspect", "run.h5", *ARM)
 
+    def test_a_late_state_says_which_set_points_it_shows(self):
+        self.collect(served("--fast", "--latency-s", 0.1))
+        log = [json.loads(line) for line in (self.folder / "run.h5.driver.jsonl").read_text().splitlines()]
+        asked = {m["seq"]: m["pressure_kpa"] for m in (line.get("to_driver", {}) for line in log)
+                 if m.get("type") == "set"}
+        shown = {m["seq"]: m["setpoint_kpa"] for m in (line.get("from_driver", {}) for line in log)
+                 if m.get("type") == "state"}
+        compared = [k for k in asked if k in shown and {k - 1, k - 2} <= set(asked)]
+        self.assertGreater(len(compared), 20)
+        self.assertNotEqual([asked[k] for k in compared], [asked[k - 2] for k in compared])
+        for k in compared:
+            self.assertEqual(shown[k], asked[k - 2], k)
+
     def test_limits_are_scaled(self):
         run = json.loads(self.collect(served("--fast"), "--limit-scale", 0.3, "--json").stdout)
         self.assertGreater(run["frames"], 10)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <deque>
 #include <thread>
 #include <utility>
 
@@ -105,8 +106,20 @@ class DriverServer {
       arm_.vent();
     }
     ArmState state = arm_.command(wire_.from_wire(setpoint_kpa));
-    state.setpoint_kpa = wire_.from_wire(in_force_);
+    state.setpoint_kpa = in_force_then(wire_.from_wire(in_force_));
     return wire_.to_wire(std::move(state));
+  }
+
+  /// Set points of the frame that is measured now: with a latency, of an earlier one.
+  Pressures in_force_then(Pressures now_kpa) {
+    constexpr double kRounding = 1e-9;
+    const auto late = static_cast<std::size_t>(settings_.arm.latency_s / period_s() + kRounding);
+    if (were_in_force_.empty()) {
+      were_in_force_.assign(late + 1, Pressures::Zero(now_kpa.size()));
+    }
+    were_in_force_.pop_front();
+    were_in_force_.push_back(std::move(now_kpa));
+    return were_in_force_.front();
   }
 
   /// A frame at the set points in force. @return the state that answers its request
@@ -295,6 +308,7 @@ class DriverServer {
   LineReader input_;
   ArmState measured_;  // at the end of the last frame, as on the wire
   Pressures in_force_;
+  std::deque<Pressures> were_in_force_;  // in the last frames, the one that is measured first
   Clock::time_point last_request_ = Clock::now();
   ArmState last_;
   int frame_ = -1;  // of the last `set`
