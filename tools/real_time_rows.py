@@ -4,7 +4,8 @@
 Plans and disturbances are those of closed_loop_table.py (its --out is --table here): of each row the
 first runs, as many in every environment. The virtual arm is a program of its own behind the driver
 protocol, whose frames take wall time. A run takes 5 to 30 s; what is in OUT is not run again. A
-clean stop's distance does not count. Rows can be run side by side (--disturbance).
+clean stop's distance does not count. Rows can be run side by side (--disturbance). Other flags go
+to `limber execute`.
 
     tools/real_time_rows.py --model calibrated.safetensors --table closed_loop --out real_time
 """
@@ -34,7 +35,8 @@ def first_trials(folder, runs):
 
 def served(options, kind, plan, seed):
     """The command that is the disturbed arm."""
-    command = [str(options.limber), "virtual-arm", "--serve", "--seed", str(seed)]
+    command = [str(options.limber), "virtual-arm", "--serve", "--arm", str(options.arm),
+               "--seed", str(seed)]
     if kind not in ("none", "obstacle"):
         command += ["--disturbance", kind]
     if kind == "lost_tracking":
@@ -45,10 +47,13 @@ def served(options, kind, plan, seed):
 def run(parts, options, kind, name, trial):
     plan = options.table / f"replan_{kind}" / "plans" / f"{name}.json"
     obstacle = ("--disturbance", "obstacle") if kind == "obstacle" else ()
+    environment = trial["environment"]
+    if options.environments:
+        environment = options.environments / f"{environment}.yaml"
     return parts.limber(
-        "execute", "--json", "--quiet", "--plan", plan, "--environment", trial["environment"],
-        "--replan", "--model", options.model, "--tube", options.tube, "--seed", trial["seed"],
-        *obstacle, "--driver", served(options, kind, plan, trial["seed"]), "--force",
+        "execute", "--json", "--quiet", "--arm", options.arm, "--plan", plan,
+        "--environment", environment, "--replan", "--model", options.model, "--seed", trial["seed"],
+        *obstacle, *options.others, "--driver", served(options, kind, plan, trial["seed"]), "--force",
         "--out", options.out / f"{name}.h5", codes=(0, 1))
 
 
@@ -76,10 +81,12 @@ def main():
     parser.add_argument("--model", type=pathlib.Path, required=True)
     parser.add_argument("--table", type=pathlib.Path, required=True, help="of closed_loop_table.py")
     parser.add_argument("--out", type=pathlib.Path, required=True)
-    parser.add_argument("--tube", type=float, default=0.95)
+    parser.add_argument("--arm", default="three_segment", help="as in the table")
+    parser.add_argument("--environments", type=pathlib.Path,
+                        help="folder of the table's, where they are not limber's own")
     parser.add_argument("--runs", type=int, default=20, help="of each row")
     parser.add_argument("--disturbance", nargs="+", default=DISTURBANCES, choices=DISTURBANCES)
-    options = parser.parse_args()
+    options, options.others = parser.parse_known_args()
     parts = KeptParts(options.limber, options.out)
     print(HEADER, flush=True)
     for kind in options.disturbance:

@@ -137,6 +137,12 @@ class Disturbance(InFolder):
         self.assertEqual([row[0].strip("| ") + " " + row[1] for row in rows],
                          ["replan none", "replan noise", "jacobian none", "jacobian noise"])
         self.assertTrue(all(row[2].endswith(" of 2") for row in rows))
+        rows = subprocess.run(
+            [sys.executable, str(ROOT / "tools" / "real_time_rows.py"), "--limber", PROGRAM, *ARM,
+             "--model", "m.safetensors", "--table", "table", "--out", "real", "--runs", "1",
+             "--environments", "environments", "--disturbance", "noise", "--max-replans", "1"],
+            cwd=self.folder, check=True, stdout=subprocess.PIPE, encoding="utf-8").stdout
+        self.assertRegex(rows.splitlines()[-1], r"^\| noise \| [01] of 1 \([01]\) \|")
 
 
 if __name__ == "__main__":
