@@ -45,7 +45,7 @@ constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is le
 /// up.
 constexpr int kPatience = 10;
 /// An arm that is about as near as it ever was, after so many corrections that were no better, will
-/// hardly come nearer, and more likely ends farther away.
+/// hardly come nearer, and more likely ends farther away. One that is clearly nearer goes on.
 constexpr int kBestIsOld = 4;
 constexpr double kAboutAsGood = 1.1;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
@@ -98,7 +98,8 @@ bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
   }
   error_before_m_ = error_m;
   const bool is_best_again = model_.has_network() && corrections_since_best_ >= kBestIsOld &&
-                             error_m <= kAboutAsGood * best_error_m_;
+                             error_m <= kAboutAsGood * best_error_m_ &&
+                             kAboutAsGood * error_m >= best_error_m_;
   corrections_since_best_ = error_m < best_error_m_ ? 0 : corrections_since_best_ + 1;
   best_error_m_ = std::min(best_error_m_, error_m);
   const bool is_as_near_as_can_be = model_.has_network() && small_gains_ > 0 &&
