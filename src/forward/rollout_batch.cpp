@@ -86,6 +86,13 @@ MotionState RolloutBatch::state(int column) const {
   return model_.moving_state(valves(column), now(column), before);
 }
 
+void RolloutBatch::go_on(int column, const Eigen::Ref<const Pressures>& to_kpa, int frames) {
+  assert(frames >= 1 && has_ended(column));
+  from_kpa_.col(column) = to_kpa_.col(column);
+  to_kpa_.col(column) = to_kpa;
+  motions_[static_cast<std::size_t>(column)] = {label(column), 0, frames};
+}
+
 void RolloutBatch::remove(int column) {
   const int last = size() - 1;
   if (column != last) {

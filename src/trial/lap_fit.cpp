@@ -142,25 +142,18 @@ class LapFit {
       rollouts_.step();
       for (int column = 0; column < rollouts_.size(); ++column) {
         tips_m.col(rollouts_.label(column)).segment<2>(2 * frame) =
-            rollouts_.now(column).bottomRows<1>().leftCols<2>().cast<double>().transpose();
+            tip_position_m(rollouts_.now(column));
       }
       if (frame + 1 < frame_of(point)) {
         continue;
       }
       ++point;
-      // All end together. Backwards: what takes a removed one's place has been through already.
-      for (int column = rollouts_.size() - 1; column >= 0; --column) {
-        const int label = rollouts_.label(column);
-        MotionState state = rollouts_.state(column);
-        rollouts_.remove(column);
-        if (point <= intervals_) {
-          rollouts_.add(label, state, point_kpa(knots_kpa.col(label), point),
+      for (int column = 0; point <= intervals_ && column < rollouts_.size(); ++column) {
+        rollouts_.go_on(column, point_kpa(knots_kpa.col(rollouts_.label(column)), point),
                         frame_of(point) - frame_of(point - 1));
-        } else if (label == 0) {
-          end_ = std::move(state);
-        }
       }
     }
+    end_ = rollouts_.state(0);
     return tips_m;
   }
 

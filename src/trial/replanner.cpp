@@ -34,8 +34,8 @@ constexpr std::uint64_t kQueriesOfLastResort = 25;
 constexpr double kOfMissed = 0.5;
 constexpr int kMissesKnown = 2;
 constexpr double kNearM = 0.01;
-constexpr double kNearerShare =
-    0.8;  // of the distance that is left, where no plan ends in the goal
+/// Of the distance that is left, where no plan ends in the goal.
+constexpr double kNearerShare = 0.8;
 /// What a straight plan has to end within: of the distance that is left, and of the tolerance.
 constexpr double kOfStraight = 0.5;
 /// Of the goal's tolerance: an arm this near to the centre is not led out of the goal again.
@@ -193,7 +193,7 @@ std::optional<Plan> Replanner::search(const Plan& before, const Environment& fro
   problem.limits = limits_after(before, settings_.limits);
   problem.margin_yields_to_start = true;
   PlannerLimits limits;
-  limits.queries = (halts_in_vain_ > 0 ? kQueriesOfLastResort : 1) * settings_.queries;
+  limits.queries = (has_halted_in_vain_ ? kQueriesOfLastResort : 1) * settings_.queries;
   limits.iterations = std::max<std::uint64_t>(1, *limits.queries / kQueriesPerIteration);
   const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(replans_);
   return planner_
@@ -239,7 +239,7 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   if (!halted && !is_taken(found)) {
     found = nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured)));
   }
-  halts_in_vain_ = halted && !is_taken(found) ? halts_in_vain_ + 1 : 0;
+  has_halted_in_vain_ = halted && !is_taken(found);
   if (!is_taken(found)) {
     return std::nullopt;
   }

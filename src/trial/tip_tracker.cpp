@@ -24,10 +24,6 @@ constexpr double kRidge = 1e-3;         // of the fit, over the samples' own var
 constexpr double kStepShares[] = {0.25, 0.5, 0.75, 1.0};
 constexpr int kMinSamples = 8;
 
-Eigen::Vector2d tip_of_shape(const Eigen::Ref<const Backbone>& backbone) {
-  return backbone.bottomRows<1>().leftCols<2>().cast<double>().transpose();
-}
-
 }  // namespace
 
 ArmDescription with_limits(ArmDescription arm, const std::vector<PressureLimits>& limits) {
@@ -118,7 +114,8 @@ void TipTracker::learn_bias() {
     model_.step(setpoint_kpa, predicted, workspace_);
   }
   queries_ += commanded_.size();
-  const Eigen::Vector2d missed = tip_of_shape(state_.backbone) - tip_of_shape(predicted.backbone);
+  const Eigen::Vector2d missed =
+      tip_position_m(state_.backbone) - tip_position_m(predicted.backbone);
   bias_m_ += kBiasShare * (missed - bias_m_);
   bias_m_ *= std::min(1.0, settings_.max_bias_m / std::max(bias_m_.norm(), 1e-12));
   states_.pop_front();
@@ -128,7 +125,7 @@ void TipTracker::learn_bias() {
 void TipTracker::learn_lap() {
   const int since = frame_ - path_start_frame_;
   if (since > 0) {  // the lap's first frame is the approach's
-    laps_.learn(since, path_.at(path_time_s(frame_)) - tip_of_shape(state_.backbone));
+    laps_.learn(since, path_.at(path_time_s(frame_)) - tip_position_m(state_.backbone));
   }
 }
 
@@ -164,16 +161,13 @@ void TipTracker::roll_out(Candidates& candidates) {
     rollouts_.step();
     for (int column = 0; column < rollouts_.size(); ++column) {
       candidates.tips_m.col(rollouts_.label(column)).segment<2>(2 * h) =
-          tip_of_shape(rollouts_.now(column));
+          tip_position_m(rollouts_.now(column));
     }
     const int next_knot = (h + 1) / settings_.frames_per_knot;
     if ((h + 1) % settings_.frames_per_knot == 0 && next_knot < settings_.knots) {
-      // All end together. Backwards: what takes a removed one's place has been through already.
-      for (int column = rollouts_.size() - 1; column >= 0; --column) {
-        const int label = rollouts_.label(column);
-        const MotionState state = rollouts_.state(column);
-        rollouts_.remove(column);
-        rollouts_.add(label, state, knot(label, next_knot), settings_.frames_per_knot);
+      for (int column = 0; column < rollouts_.size(); ++column) {
+        rollouts_.go_on(column, knot(rollouts_.label(column), next_knot),
+                        settings_.frames_per_knot);
       }
     }
   }

@@ -39,14 +39,13 @@ std::vector<Eigen::Vector2d> settled_tips(const ArmDescription& arm, const Motio
         continue;
       }
       const auto label = static_cast<std::size_t>(rollouts.label(column));
-      const MotionState end = rollouts.state(column);
-      rollouts.remove(column);
       if (arrived[label]) {
-        tips[label] = end.backbone.bottomRows<1>().leftCols<2>().cast<double>().transpose();
+        tips[label] = tip_position_m(rollouts.now(column));
+        rollouts.remove(column);
       } else {
         arrived[label] = true;
-        rollouts.add(static_cast<int>(label), end, setpoints_kpa.col(Eigen::Index(label)),
-                     arm.frames_in(kStartSettlingS));
+        rollouts.go_on(column, setpoints_kpa.col(Eigen::Index(label)),
+                       arm.frames_in(kStartSettlingS));
       }
     }
   }

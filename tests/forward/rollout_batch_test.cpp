@@ -94,6 +94,27 @@ TEST_F(RolloutBatchOfModel, MotionsAreTheSameToTheBitAsAlone) {
   EXPECT_LE(steps, 120) << "columns of ended motions were filled again";
 }
 
+TEST_F(RolloutBatchOfModel, AMotionThatGoesOnIsOneThatIsAddedWhereItEnds) {
+  const Pressures next_kpa = motions_[1].to_kpa;
+  RolloutBatch batch(model_);
+  RolloutBatch added(model_);
+  add(batch, 0);
+  while (!batch.has_ended(0)) {
+    batch.step();
+  }
+  added.add(0, batch.state(0), next_kpa, 5);
+  batch.go_on(0, next_kpa, 5);
+  for (int k = 1; k <= 5; ++k) {
+    EXPECT_FALSE(batch.has_ended(0));
+    batch.step();
+    added.step();
+    EXPECT_EQ(batch.frame(0), k);
+    EXPECT_TRUE(batch.state(0) == added.state(0)) << "frame " << k;
+  }
+  EXPECT_TRUE(batch.has_ended(0));
+  EXPECT_EQ(batch.state(0).setpoint_kpa(), next_kpa);
+}
+
 TEST_F(RolloutBatchOfModel, RemovedMotionLeavesTheOthersAlone) {
   RolloutBatch batch(model_);
   add(batch, 0);

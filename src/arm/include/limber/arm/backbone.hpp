@@ -31,6 +31,14 @@ Pose tip_pose(const Eigen::MatrixBase<BackboneOf<Scalar>>& backbone) {
   return {double(last[0]), double(last[1]), double(last[2])};
 }
 
+template <class Derived>
+Eigen::Vector2d tip_position_m(const Eigen::MatrixBase<Derived>& backbone) {
+  return backbone.template bottomRows<1>()
+      .template leftCols<2>()
+      .template cast<double>()
+      .transpose();
+}
+
 /// How much of the room that is kept around it a plate has: less where it starts, since its place
 /// is known there, and all of it from some distance on (docs/tube.md, (2)).
 struct RoomGrowth {

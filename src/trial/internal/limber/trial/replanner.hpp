@@ -81,8 +81,8 @@ class Replanner final : public PlanSource {
   std::unique_ptr<Planner> planner_;
   PoseGoal aim_;
   int replans_ = 0;
-  int halts_in_vain_ = 0;       // questions in a row of a halted arm that found no plan
-  bool is_correction_ = false;  // what the arm follows
+  bool has_halted_in_vain_ = false;  // the arm, halted, asked and found no plan
+  bool is_correction_ = false;       // what the arm follows
   int small_gains_ = 0;
   double best_error_m_ = std::numeric_limits<double>::infinity();  // that the arm ever had
   int corrections_since_best_ = 0;
