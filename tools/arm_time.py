@@ -3,11 +3,12 @@
 
     tools/arm_time.py --limber build/release/bin/limber --environments-model model.safetensors --out OUT
 
-Both ways begin with the same --start-h of random motions, and add arm time up to each of --hours.
-At each of these a new network is trained from the start on all of it (`improve --from-start`), for as
-many epoch-hours either way, and plans 100 random environments, which are the same for all and were
-sampled with --environments-model. The error is how far the tip ends from where the plan has it,
-executed open loop. --shares are the shares of the added time that are plans: 0 is plain collection.
+A way is START:SHARE. It begins with --start-h of motions: `random` ones, as `collect --schedule random`
+makes them, or `straight` ones, each from rest. Then it adds arm time up to each of --hours; SHARE of
+that are plans, the rest random motions, so random:0 is plain collection. At each of --hours a new
+network is trained from the start on all of it (`improve --from-start`), for as many epoch-hours either
+way, and plans 100 random environments, which are the same for all and were sampled with
+--environments-model. The error is how far the tip ends from where the plan has it, executed open loop.
 
 Every part lies in OUT; parts that are finished are not run again.
 """
@@ -22,16 +23,33 @@ from kept_parts import KeptParts
 ENVIRONMENT_SEED = 2_100_001  # used for nothing else
 FIRST_SEED = 2_100_002
 HOURS = [0.2, 0.4, 0.6, 2.0]
-EPOCH_HOURS = 150  # of each training, and at least MIN_EPOCHS
+EPOCH_HOURS = 150  # of each training
 MIN_EPOCHS = 150
+MAX_EPOCHS = 1000
 MOTION_S = 3.0
+STRAIGHT_MOTION_S = 1.8  # from rest, with its hold, in the mean
 GOAL_CM = 1.0
 ROOM = ("--margin-m", 0.01, "--goal-margin-m", 0, "--goal-margin-rad", 0)
 QUERIES = ("--max-queries", 20_000)
 
 
 def epochs(hours):
-    return max(MIN_EPOCHS, round(EPOCH_HOURS / hours))
+    return min(MAX_EPOCHS, max(MIN_EPOCHS, round(EPOCH_HOURS / hours)))
+
+
+def first_motions(kind, hours):
+    """What `collect` is asked for."""
+    if kind == "random":
+        return ("--count", round(hours * 3600 / MOTION_S) // 5, "--episodes", 5)
+    return ("--approach", "straight", "--hold-s", 1, "--count", 1,
+            "--episodes", round(hours * 3600 / STRAIGHT_MOTION_S))
+
+
+def way(text):
+    kind, colon, share = text.partition(":")
+    if kind not in ("random", "straight") or not colon or not 0.0 <= float(share) <= 1.0:
+        raise argparse.ArgumentTypeError(f"{text}: expected random:SHARE or straight:SHARE, as straight:1")
+    return kind, float(share)
 
 
 class ArmTime(KeptParts):
@@ -41,13 +59,13 @@ class ArmTime(KeptParts):
         self.environments = self.random_environments(
             ENVIRONMENT_SEED, options.count, options.environments_model)
 
-    def start(self, seed):
+    def start(self, kind, seed):
         """The first recording, and the network that learns from it."""
-        data, model = self.out / f"start_{seed}.h5", self.out / f"start_{seed}.safetensors"
+        name = f"start_{kind}_{seed}"
+        data, model = self.out / f"{name}.h5", self.out / f"{name}.safetensors"
         if not model.exists():
-            motions = round(self.options.start_h * 3600 / MOTION_S)
-            self.limber("collect", "--json", "--force", "--schedule", "random", "--count", motions // 5,
-                        "--episodes", 5, "--seed", seed, "--out", data)
+            self.limber("collect", "--json", "--force", "--schedule", "random", "--seed", seed,
+                        *first_motions(kind, self.options.start_h), "--out", data)
             self.limber("train", "--json", "--force", "--data", data, "--windows", 32,
                         "--epochs", epochs(self.options.start_h), "--seed", seed, "--out", model)
         return data, model
@@ -64,13 +82,13 @@ class ArmTime(KeptParts):
                 "median_cm": statistics.median(errors), "mean_cm": statistics.fmean(errors),
                 "p95_cm": errors[math.ceil(0.95 * len(errors)) - 1]}
 
-    def curve(self, seed, share):
+    def curve(self, seed, kind, share):
         """Arm time [h] and what plans are then off by."""
-        data, model = self.start(seed)
-        recordings, hours = [data], self.options.start_h
-        points = {hours: self.kept(f"start_{seed}_judged", lambda: self.judged(f"start_{seed}", model))}
+        data, model = self.start(kind, seed)
+        recordings, hours, first = [data], self.options.start_h, f"start_{kind}_{seed}"
+        points = {hours: self.kept(f"{first}_judged", lambda: self.judged(first, model))}
         for until in self.options.hours:
-            name = f"share_{share:g}_seed_{seed}_{until:g}h"
+            name = f"{kind}_{share:g}_seed_{seed}_{until:g}h"
             folder = self.out / name
             if not (folder / "summary.json").exists():
                 self.limber("improve", "--json", "--from-start", "--model", model, "--data", *recordings,
@@ -101,27 +119,29 @@ def main():
     parser.add_argument("--limber", type=pathlib.Path, default="build/release/bin/limber")
     parser.add_argument("--environments-model", type=pathlib.Path, required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
-    parser.add_argument("--shares", type=float, nargs="+", default=[0.0, 0.5, 1.0])
+    parser.add_argument("--ways", type=way, nargs="+", metavar="START:SHARE",
+                        default=[("random", 0.0), ("random", 1.0), ("straight", 1.0)])
+    parser.add_argument("--first-seed", type=int, default=FIRST_SEED)
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--start-h", type=float, default=0.1)
     parser.add_argument("--hours", type=float, nargs="+", default=HOURS)
     parser.add_argument("--count", type=int, default=100, help="of environments")
     run = ArmTime(parser.parse_args())
     curves = {}
-    for seed in range(FIRST_SEED, FIRST_SEED + run.options.seeds):
-        for share in run.options.shares:
-            curves[share, seed] = points = run.curve(seed, share)
+    for seed in range(run.options.first_seed, run.options.first_seed + run.options.seeds):
+        for kind, share in run.options.ways:
+            curves[(kind, share), seed] = points = run.curve(seed, kind, share)
             reached = hours_to_goal(points)
-            print(f"share {share:g}, seed {seed}: " + ", ".join(
+            print(f"{kind}:{share:g}, seed {seed}: " + ", ".join(
                 f"{hours:g} h {point['median_cm']:.2f} cm ({point['p95_cm']:.2f})"
                 for hours, point in sorted(points.items())) +
                 f"; {GOAL_CM:g} cm after " + (f"{reached:.2f} h" if reached else "no arm time"), flush=True)
-    for share in run.options.shares:
-        of_share = [points for (its, _), points in curves.items() if its == share]
-        means = {hours: statistics.fmean(points[hours]["median_cm"] for points in of_share)
-                 for hours in of_share[0]}
-        reached = [hours_to_goal(points) for points in of_share]
-        print(f"share {share:g}, mean of the medians: " + ", ".join(
+    for kind, share in run.options.ways:
+        of_way = [points for (its, _), points in curves.items() if its == (kind, share)]
+        means = {hours: statistics.fmean(points[hours]["median_cm"] for points in of_way)
+                 for hours in of_way[0]}
+        reached = [hours_to_goal(points) for points in of_way]
+        print(f"{kind}:{share:g}, mean of the medians: " + ", ".join(
             f"{hours:g} h {mean:.2f} cm" for hours, mean in sorted(means.items())) +
             (f"; {GOAL_CM:g} cm after {statistics.fmean(reached):.2f} h" if all(reached) else ""))
 
