@@ -17,7 +17,8 @@ import subprocess
 from kept_parts import KeptParts
 
 CONTROLLERS = ("replan", "open", "jacobian", "online_jacobian")
-DISTURBANCES = ("none", "noise", "lost_tracking", "obstacle", "weak_actuator", "friction", "tip_load")
+DISTURBANCES = ("none", "sensor_noise", "noise", "lost_tracking", "obstacle", "weak_actuator", "friction",
+                "tip_load")
 HEADER = ("| controller | disturbance | arrive | collide | stopped (clean) | distance: median, 95 % | "
           "time to the goal | replans |\n|---|---|---|---|---|---|---|---|")
 

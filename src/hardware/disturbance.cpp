@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,7 @@ constexpr std::array kKindFacts = {
     KindFacts{DisturbanceKind::noise, "noise", 0.0005, 0.1, "m"},
     KindFacts{DisturbanceKind::lost_tracking, "lost_tracking", 0.5, 60.0, "s"},
     KindFacts{DisturbanceKind::obstacle, "obstacle", 0.02, 0.5, "m, radius"},
+    KindFacts{DisturbanceKind::sensor_noise, "sensor_noise", 0.0005, 0.1, "m"},
 };
 
 const KindFacts& facts_of(DisturbanceKind kind) {
@@ -143,7 +145,7 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
         });
         break;
       case DisturbanceKind::noise:
-        result.options.noise_m = one.amount;
+        result.options.noise_m = std::hypot(result.options.noise_m, one.amount);
         result.options.latency_s = kDisturbedLatencyS;
         break;
       case DisturbanceKind::lost_tracking:
@@ -152,6 +154,9 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
         break;
       case DisturbanceKind::obstacle:
         result.obstacle = appearing_obstacle(arm, plan, one.amount, seed, stream);
+        break;
+      case DisturbanceKind::sensor_noise:
+        result.options.noise_m = std::hypot(result.options.noise_m, one.amount);
         break;
     }
   }

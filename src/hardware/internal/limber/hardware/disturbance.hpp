@@ -20,6 +20,7 @@ enum class DisturbanceKind {
   noise,          ///< standard deviation of measured x and y [m], delivered 100 ms late
   lost_tracking,  ///< no backbone for so long [s], once, at a time sampled by seed
   obstacle,       ///< a circle of this radius [m] appears on the rest of the path
+  sensor_noise,   ///< as `noise`, in time
 };
 
 /// One of them. The model and the plan know nothing of it.
@@ -33,8 +34,8 @@ const char* to_string(DisturbanceKind kind);
 /// "tip_load, friction, …", each with its unit and usual amount: for `--help` and messages.
 std::string disturbance_kinds();
 
-/// "friction", "tip_load=0.1,noise": what acts together; without an amount the usual one of the
-/// issue's table: 0.05 kg, 0.3, 0.2, 0.5 mm, 0.5 s, 2 cm. Empty: none.
+/// "friction", "tip_load=0.1,noise": what acts together; without an amount the usual one: 0.05 kg,
+/// 0.3, 0.2, 0.5 mm, 0.5 s, 2 cm, 0.5 mm. Empty: none.
 /// @throws InputError naming what was found and what there is.
 std::vector<Disturbance> parse_disturbances(const std::string& text);
 /// As `parse_disturbances` reads it, amounts where they are not the usual ones.
