@@ -15,10 +15,9 @@ import json
 import pathlib
 import statistics
 
+from closed_loop_table import DISTURBANCES
 from kept_parts import KeptParts
 
-DISTURBANCES = ("none", "sensor_noise", "noise", "lost_tracking", "obstacle", "weak_actuator", "friction",
-                "tip_load")
 SEARCH_MS = 20.0  # what a search in motion is given
 HEADER = ("| disturbance | arrive (simulated time) | collide | stopped cleanly | distance: median | "
           "searches in motion | within 20 ms | the longest | late advice | set points late by: 99.9 %, most |\n"

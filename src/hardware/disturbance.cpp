@@ -145,8 +145,10 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
         });
         break;
       case DisturbanceKind::noise:
-        result.options.noise_m = std::hypot(result.options.noise_m, one.amount);
         result.options.latency_s = kDisturbedLatencyS;
+        [[fallthrough]];
+      case DisturbanceKind::sensor_noise:
+        result.options.noise_m = std::hypot(result.options.noise_m, one.amount);
         break;
       case DisturbanceKind::lost_tracking:
         result.options.lost_for_s = one.amount;
@@ -154,9 +156,6 @@ DisturbedArm disturbed(const ArmDescription& arm, const Plan& plan,
         break;
       case DisturbanceKind::obstacle:
         result.obstacle = appearing_obstacle(arm, plan, one.amount, seed, stream);
-        break;
-      case DisturbanceKind::sensor_noise:
-        result.options.noise_m = std::hypot(result.options.noise_m, one.amount);
         break;
     }
   }

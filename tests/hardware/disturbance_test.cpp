@@ -33,7 +33,7 @@ class DisturbanceTest : public ::testing::Test {
   Eigen::Vector2d settled_tip(const DisturbedArm& met) const {
     VirtualArm driver(met.arm, met.options);
     driver.settle(Pressures::Constant(2, 80.0F), 6.0);
-    return driver.true_backbone().bottomRows<1>().leftCols<2>().transpose();
+    return tip_position_m(driver.true_backbone());
   }
 
   const ArmDescription arm_ = sample_arm(2);

@@ -31,7 +31,7 @@ TipPath circle(int laps) {
 Eigen::Vector2d tip(const NoLoadModel& model, const Eigen::VectorXd& kpa) {
   BackboneD backbone(model.point_count(), 3);
   model.backbone(Eigen::Ref<const Eigen::VectorXd>(kpa), Eigen::Ref<BackboneD>(backbone));
-  return backbone.bottomRows<1>().leftCols<2>().transpose();
+  return tip_position_m(backbone);
 }
 
 TEST(LapPosture, HasItsTipOnThePathWithinTheLimitsAndInSmallSteps) {
@@ -74,9 +74,8 @@ double farthest_m(const ArmDescription& arm, const MotionModel& model, const Tip
     const double time_s = 0.05 * frame;
     const Pressures setpoint_kpa = posture.at(time_s).cast<float>();
     model.step(setpoint_kpa, state, workspace);
-    const Eigen::Vector2d tip_m =
-        state.backbone.bottomRows<1>().leftCols<2>().cast<double>().transpose();
-    farthest = std::max(farthest, frame > 200 ? (tip_m - path.at(time_s)).norm() : 0.0);
+    const double off_m = (tip_position_m(state.backbone) - path.at(time_s)).norm();
+    farthest = std::max(farthest, frame > 200 ? off_m : 0.0);
   }
   return farthest;
 }

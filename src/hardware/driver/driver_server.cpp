@@ -112,9 +112,9 @@ class DriverServer {
 
   /// Set points of the frame that is measured now: with a latency, of an earlier one.
   Pressures in_force_then(Pressures now_kpa) {
-    constexpr double kRounding = 1e-9;
-    const auto late = static_cast<std::size_t>(settings_.arm.latency_s / period_s() + kRounding);
     if (were_in_force_.empty()) {
+      constexpr double kRounding = 1e-9;
+      const auto late = static_cast<std::size_t>(settings_.arm.latency_s / period_s() + kRounding);
       were_in_force_.assign(late + 1, Pressures::Zero(now_kpa.size()));
     }
     were_in_force_.pop_front();
