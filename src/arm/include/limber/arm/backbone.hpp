@@ -31,6 +31,7 @@ Pose tip_pose(const Eigen::MatrixBase<BackboneOf<Scalar>>& backbone) {
   return {double(last[0]), double(last[1]), double(last[2])};
 }
 
+/// Where the last pose of a backbone (m×3, m ≥ 1) is, x and y in frame B.
 template <class Derived>
 Eigen::Vector2d tip_position_m(const Eigen::MatrixBase<Derived>& backbone) {
   return backbone.template bottomRows<1>()

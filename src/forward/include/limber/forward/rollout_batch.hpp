@@ -43,7 +43,8 @@ class RolloutBatch {
   Eigen::Map<const Eigen::VectorXf> valves(int column) const;
   MotionState state(int column) const;
 
-  /// Begins the next motion in place of one that has ended, from where that is.
+  /// Begins the next motion in place of one, from where that has ended, under the same label.
+  /// @pre has_ended(column), `frames` ≥ 1, numbers finite
   void go_on(int column, const Eigen::Ref<const Pressures>& to_kpa, int frames);
   /// Ends a motion; the last column is then this one.
   void remove(int column);
