@@ -28,11 +28,28 @@ constexpr std::uint64_t kQueriesPerIteration = 5;
 /// Times the queries of a search, for an arm that was halted and found no way on: it stands, and
 /// would stay there.
 constexpr std::uint64_t kQueriesOfLastResort = 25;
-/// An arm nearer to the goal's centre than this share of what corrections missed in the mean had
-/// better stay: the next one would more likely lead away. So many of them have to be known, and
-/// the model has to have a memory: what another misses stays the same, and is learnt.
-constexpr double kOfMissed = 0.5;
-constexpr int kMissesKnown = 2;
+/// Of the goal's tolerance: near enough, for a model with a memory. Corrections of an arm with
+/// friction end some 4 mm beside their predictions: from nearer than that, more of them lead away
+/// than on (docs/experiments.md, Disturbances).
+constexpr double kNearEnough = 0.1;
+/// More of the tolerance with each plan after so many: an arm that needed them is hard to place.
+constexpr double kNearEnoughLater = 0.01;
+constexpr int kPlansBeforeLater = 6;
+/// What a sampled correction has to end within: of the distance that is left, and of the tolerance.
+constexpr double kOfNow = 0.8;
+constexpr double kFarthest = 0.5;
+/// Up to that share of the tolerance it may be a little more than the distance that is left: moved,
+/// an arm that friction holds ends somewhere else, which is worth as much as a good prediction.
+constexpr double kNear = 0.35;
+constexpr double kOfNowNear = 1.3;
+/// SampledMotion::effort: friction holds an arm that is moved by less. It is doubled, a few times
+/// at most, by each correction that moved the arm by less than that share of what was predicted.
+constexpr double kLeastEffort = 0.05;
+constexpr double kHardlyMoved = 0.25;
+constexpr int kMaxDoublings = 3;
+/// By that share of a memory's creep, and of what it missed, is the goal shifted. Arms that are
+/// hardly moved show all of the creep, others next to none.
+constexpr double kShiftShare = 0.5;
 constexpr double kNearM = 0.01;
 /// Of the distance that is left, where no plan ends in the goal.
 constexpr double kNearerShare = 0.8;
@@ -40,15 +57,13 @@ constexpr double kNearerShare = 0.8;
 constexpr double kOfStraight = 0.5;
 /// Of the goal's tolerance: an arm this near to the centre is not led out of the goal again.
 constexpr double kWellInside = 0.5;
+constexpr double kLeastCostKpa = 1.0;     // of a correction: less moves no arm
 constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is less than kNearM
-/// Small gains in a row that end the corrections. Friction holds the tip until several of them add
-/// up.
+/// Small gains in a row that end the corrections of a model without memory. Friction holds the tip
+/// until several of them add up.
 constexpr int kPatience = 10;
-/// An arm that is about as near as it ever was, after so many corrections that were no better, will
-/// hardly come nearer, and more likely ends farther away. One that is clearly nearer goes on.
-constexpr int kBestIsOld = 4;
-constexpr double kAboutAsGood = 1.1;
-constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, 0.25}, Asked{1.0, 0.25}};
+constexpr double kLeastMargin = 0.25;
+constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, kLeastMargin}, Asked{1.0, kLeastMargin}};
 /// Of an arm that was halted: its way is long again.
 constexpr std::array kAskedOfHalted = {Asked{0.1, 1.0}, Asked{1.0, 1.0}};
 
@@ -93,19 +108,16 @@ bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
   if (error_m < settings_.min_gain_m) {
     return false;
   }
+  if (model_.has_network()) {
+    const double near_enough =
+        kNearEnough + kNearEnoughLater * std::max(0, replans_ - kPlansBeforeLater);
+    return !has_arrived || error_m >= near_enough * environment_.goal.position_tolerance_m;
+  }
   if (error_before_m_) {
     small_gains_ = *error_before_m_ - error_m < settings_.min_gain_m ? small_gains_ + 1 : 0;
   }
   error_before_m_ = error_m;
-  const bool is_best_again = model_.has_network() && corrections_since_best_ >= kBestIsOld &&
-                             error_m <= kAboutAsGood * best_error_m_ &&
-                             kAboutAsGood * error_m >= best_error_m_;
-  corrections_since_best_ = error_m < best_error_m_ ? 0 : corrections_since_best_ + 1;
-  best_error_m_ = std::min(best_error_m_, error_m);
-  const bool is_as_near_as_can_be = model_.has_network() && small_gains_ > 0 &&
-                                    misses_ >= kMissesKnown &&
-                                    error_m < kOfMissed * missed_m_ / misses_;
-  return !has_arrived || (small_gains_ < kPatience && !is_as_near_as_can_be && !is_best_again);
+  return !has_arrived || small_gains_ < kPatience;
 }
 
 std::vector<PressureLimits> limits_after(const Plan& plan,
@@ -120,17 +132,19 @@ std::vector<PressureLimits> limits_after(const Plan& plan,
   return limits;
 }
 
-void Replanner::learn_bias(const Plan& ended, const Pose& measured) {
+void Replanner::learn_from(const Plan& ended, const Pose& measured) {
   constexpr double kShare = 0.5;
   constexpr double kMaxBiasM = 0.1;
   if (model_.has_network() && !is_correction_) {
     return;  // a long way, on which the arm was led
   }
   const Pose expected = tip_pose(ended.frames.back().backbone);
+  const Pose start = tip_pose(ended.frames.front().backbone);
+  const double moved_m = difference(measured, start).head<2>().norm();
+  const double wanted_m = (difference(expected, start) - creep()).head<2>().norm();
+  stuck_ = moved_m < kHardlyMoved * wanted_m ? stuck_ + 1 : 0;
   const Eigen::Vector3d missed = difference(measured, expected) + creep();
   bias_ += kShare * (missed - bias_);
-  missed_m_ += std::hypot(missed.head<2>().norm(), m_per_rad(environment_.goal) * missed.z());
-  ++misses_;
   const double size_m = bias_.head<2>().norm();
   if (size_m > kMaxBiasM) {
     bias_ *= kMaxBiasM / size_m;
@@ -159,7 +173,8 @@ Eigen::Vector3d Replanner::creep(std::size_t frame) const {
 }
 
 PoseGoal Replanner::shifted_goal() const {
-  const Eigen::Vector3d shift = creep() - bias_;
+  const double share = model_.has_network() ? kShiftShare : 1.0;
+  const Eigen::Vector3d shift = share * (creep() - bias_);
   PoseGoal goal = environment_.goal;
   goal.x_m += shift.x();
   goal.y_m += shift.y();
@@ -213,7 +228,7 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   if (halted) {
     creep_.clear();
   } else {
-    learn_bias(plan, measured);
+    learn_from(plan, measured);
     if (!has_more_to_gain(error_m, has_arrived)) {
       return std::nullopt;
     }
@@ -226,17 +241,17 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   const bool is_well_inside =
       !halted && error_m <= kWellInside * environment_.goal.position_tolerance_m;
   const auto is_taken = [&](const std::optional<Plan>& found) {
-    return found && (!is_well_inside || stays_in_goal(*found));
+    return found && (halted || found->cost_kpa >= kLeastCostKpa) &&
+           (!is_well_inside || stays_in_goal(*found));
   };
   std::optional<Plan> found;
   if (!halted) {
-    found =
-        straight(plan, from_here, 1.0, kOfStraight * std::min(error_m, aim_.position_tolerance_m));
+    found = short_correction(plan, from_here, error_m);
   }
   if (!is_taken(found)) {
     found = search_less_and_less(plan, from_here, halted);
   }
-  if (!halted && !is_taken(found)) {
+  if (!is_taken(found) && !halted) {
     found = nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured)));
   }
   has_halted_in_vain_ = halted && !is_taken(found);
@@ -260,17 +275,45 @@ std::optional<Plan> Replanner::search_less_and_less(const Plan& before, Environm
   return std::nullopt;
 }
 
+/// From where the arm rests to where the model has it near the aim, without looking for ways
+/// around anything. Slopes say where a model without memory goes.
+std::optional<Plan> Replanner::short_correction(const Plan& before, const Environment& from_here,
+                                                double error_m) {
+  const double tolerance_m = aim_.position_tolerance_m;
+  if (!model_.has_network()) {
+    return straight(before, from_here, 1.0, kOfStraight * std::min(error_m, tolerance_m));
+  }
+  const double near_m = std::min(kOfNowNear * error_m, kNear * tolerance_m);
+  const SampledPlanAsked asked{
+      std::min(kFarthest * tolerance_m, std::max(near_m, kOfNow * error_m)),
+      std::ldexp(kLeastEffort, std::min(stuck_, kMaxDoublings))};
+  for (const double share : {1.0, kLeastMargin}) {
+    if (std::optional<Plan> found = sampled_plan(
+            correction_problem(before, from_here, share), asked, settings_.queries,
+            seed_ + static_cast<std::uint64_t>(replans_), certificate_check(arm_, model_))) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+/// @param share  of the room for the model's error: kept
+PlanningProblem Replanner::correction_problem(const Plan& before, const Environment& from_here,
+                                              double share) const {
+  PlanningProblem problem{arm_, model_, from_here, share * room_.margin_m};
+  problem.limits = limits_after(before, settings_.limits);
+  return problem;
+}
+
 /// From where the arm is to where the model has it in the goal, whose tolerances are widened by a
 /// factor.
 std::optional<Plan> Replanner::straight(const Plan& before, Environment from_here, double widened,
                                         double max_error_m) {
   from_here.goal.position_tolerance_m *= widened;
   from_here.goal.orientation_tolerance_rad *= widened;
-  PlanningProblem problem{arm_, model_, from_here, kAsked.back().margin * room_.margin_m};
-  problem.limits = limits_after(before, settings_.limits);
   const Pressures& held_kpa = from_here.start->pressures_kpa;
-  return repaired_plan(problem, {held_kpa, held_kpa}, max_error_m,
-                       seed_ + static_cast<std::uint64_t>(replans_),
+  return repaired_plan(correction_problem(before, from_here, kLeastMargin), {held_kpa, held_kpa},
+                       max_error_m, seed_ + static_cast<std::uint64_t>(replans_),
                        certificate_check(arm_, model_));
 }
 

@@ -39,6 +39,18 @@ class ReplannerCreepTest : public ::testing::Test {
     return tip_pose(state.backbone);
   }
 
+  /// At rest where it was, whatever the plan had in mind.
+  ArmState state_of(const Plan& plan) const {
+    return {0.0, plan.frames.back().setpoint_kpa, std::nullopt, resting_};
+  }
+
+  std::optional<Plan> plan_from(const Backbone& shape) const {
+    Replanner source(arm_, model_, environment_, ErrorRoom{}, ReplannerSettings{}, 1);
+    ArmState state = state_of(ended_);
+    state.backbone = shape;
+    return source.next(ended_, ended_.frames.size() - 1, state);
+  }
+
   const ArmDescription arm_ = small_arm();
   const ForwardModel forward_{arm_, play_network(arm_, kPlayM)};
   const MotionModel model_{forward_};
@@ -47,21 +59,44 @@ class ReplannerCreepTest : public ::testing::Test {
   Plan ended_;
 };
 
-TEST_F(ReplannerCreepTest, AnArmAtRestIsMovedByWhatIsMissingWhateverTheModelHasItCreep) {
+/// Half of the creep is believed. What is missing is moved, to within the rest of it.
+TEST_F(ReplannerCreepTest, AnArmAtRestIsMovedByWhatIsMissingAndHalfOfTheCreep) {
   const Pose before = tip_pose(resting_);
   const Pose creeping = crept();
   ASSERT_GT(std::abs(creeping.y_m - before.y_m), 0.01) << "the model has it back in the goal";
-  Replanner source(arm_, model_, environment_, ErrorRoom{}, ReplannerSettings{}, 1);
-  const Pressures& held_kpa = ended_.frames.back().setpoint_kpa;
-  const std::optional<Plan> next =
-      source.next(ended_, ended_.frames.size() - 1, {0.0, held_kpa, std::nullopt, resting_});
+  const std::optional<Plan> next = plan_from(resting_);
   ASSERT_TRUE(next);
   const Pose end = tip_pose(next->frames.back().backbone);
-  const double missing_m =
-      std::hypot(environment_.goal.x_m - before.x_m, environment_.goal.y_m - before.y_m);
-  EXPECT_NEAR(end.x_m - creeping.x_m, environment_.goal.x_m - before.x_m, 0.5 * missing_m);
-  EXPECT_NEAR(end.y_m - creeping.y_m, environment_.goal.y_m - before.y_m, 0.5 * missing_m);
-  EXPECT_EQ(next->waypoints_kpa.size(), 2U) << "straight, without a turn";
+  const PoseGoal& goal = environment_.goal;
+  EXPECT_NEAR(end.x_m, goal.x_m + 0.5 * (creeping.x_m - before.x_m), 0.003);
+  EXPECT_NEAR(end.y_m, goal.y_m + 0.5 * (creeping.y_m - before.y_m), 0.003);
+}
+
+TEST_F(ReplannerCreepTest, AnArmThatIsNearEnoughIsLeftAloneAndOneBesideTheGoalIsNot) {
+  const Backbone off = resting_;
+  for (const double distance_m : {0.0005, 0.0015}) {
+    resting_ = off;
+    environment_.goal.x_m = double(off(off.rows() - 1, 0)) + distance_m;
+    environment_.goal.y_m = double(off(off.rows() - 1, 1));
+    EXPECT_FALSE(plan_from(resting_)) << distance_m << " of a tolerance of 0.02";
+  }
+  environment_.goal.x_m += 0.004;
+  EXPECT_TRUE(plan_from(resting_));
+}
+
+TEST_F(ReplannerCreepTest, AnArmThatDidNotMoveIsMovedByMore) {
+  Replanner source(arm_, model_, environment_, ErrorRoom{}, ReplannerSettings{}, 1);
+  Plan plan = ended_;
+  std::vector<double> costs_kpa;
+  for (int k = 0; k < 4; ++k) {
+    const std::optional<Plan> next = source.next(plan, plan.frames.size() - 1, state_of(plan));
+    ASSERT_TRUE(next) << k;
+    costs_kpa.push_back(next->cost_kpa);
+    plan = *next;
+  }
+  EXPECT_GE(costs_kpa[0], 5.0);
+  EXPECT_GE(costs_kpa[2], 10.0) << "one correction before it moved nothing";
+  EXPECT_GE(costs_kpa[3], 20.0);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRestS = 0.5;
 constexpr double kSettleS = 0.25;       // of a hold: the arm comes to where its plan ends
-constexpr double kWellInside = 0.25;    // of the tolerance: left alone
+constexpr double kWellInside = 0.05;    // of the tolerance: left alone
 constexpr double kStillS = 0.5;         // at a hold's end, for the arm to come to rest
 constexpr double kRoomOfLeading = 1.0;  // of the room for the model's error: kept from obstacles
 constexpr int kLedOn = 3;               // times that an arm short of its goal is led on

@@ -32,8 +32,7 @@ std::vector<Pressures> waypoints_after(const Plan& plan, std::size_t next, doubl
   return rest;
 }
 
-Eigen::MatrixXd PlanRepair::sensitivity(const MotionState& from,
-                                        const std::vector<Pressures>& waypoints_kpa) {
+Eigen::MatrixXd PlanRepair::sensitivity(const std::vector<Pressures>& waypoints_kpa) {
   const Eigen::Index n = waypoints_kpa.front().size();
   const Pressures range_kpa = box_.high_kpa - box_.low_kpa;
   std::vector<std::vector<Pressures>> paths{waypoints_kpa};
@@ -44,8 +43,8 @@ Eigen::MatrixXd PlanRepair::sensitivity(const MotionState& from,
     probes[i] = (has_room ? kProbeShare : -kProbeShare) * double(range_kpa[i]);
     paths.push_back(shifted(waypoints_kpa, probes[i] * Eigen::VectorXd::Unit(n, i)));
   }
-  MotionBatch batch(simulator_);
-  std::vector<MotionState> at(paths.size(), from);
+  MotionBatch batch(plans_.simulator());
+  std::vector<MotionState> at(paths.size(), plans_.from());
   Eigen::MatrixXf to(n, static_cast<Eigen::Index>(paths.size()));
   for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
     for (std::size_t j = 0; j < paths.size(); ++j) {
@@ -58,7 +57,7 @@ Eigen::MatrixXd PlanRepair::sensitivity(const MotionState& from,
   }
   Eigen::MatrixXd result(3, n);
   const auto settled = [&](std::size_t j) {
-    const Pose tip = simulator_.model().settled_tip(at[j].valves, at[j].backbone);
+    const Pose tip = plans_.problem().model.settled_tip(at[j].valves, at[j].backbone);
     return Eigen::Vector3d(tip.x_m, tip.y_m, tip.theta_rad);
   };
   const Eigen::Vector3d middle = settled(0);
@@ -66,17 +65,6 @@ Eigen::MatrixXd PlanRepair::sensitivity(const MotionState& from,
     result.col(i) = (settled(static_cast<std::size_t>(i) + 1) - middle) / probes[i];
   }
   return result;
-}
-
-std::optional<Pose> PlanRepair::held_tip(const MotionState& from,
-                                         const std::vector<Pressures>& waypoints_kpa) {
-  MotionState state = from;
-  for (std::size_t w = 1; w < waypoints_kpa.size(); ++w) {
-    if (!simulator_.move(state, waypoints_kpa[w], state)) {
-      return std::nullopt;
-    }
-  }
-  return simulator_.hold(state, state) ? std::optional(tip_pose(state.backbone)) : std::nullopt;
 }
 
 std::vector<Pressures> PlanRepair::shifted(std::vector<Pressures> waypoints_kpa,
@@ -94,10 +82,10 @@ std::vector<Pressures> PlanRepair::shifted(std::vector<Pressures> waypoints_kpa,
   return waypoints_kpa;
 }
 
-std::optional<std::vector<Pressures>> PlanRepair::toward(
-    const PoseGoal& goal, const MotionState& from, const std::vector<Pressures>& waypoints_kpa,
-    double max_error_m) {
-  Eigen::MatrixXd jacobian = sensitivity(from, waypoints_kpa);
+std::optional<std::vector<Pressures>> PlanRepair::toward_goal(
+    const std::vector<Pressures>& waypoints_kpa, double max_error_m) {
+  const PoseGoal& goal = plans_.problem().environment.goal;
+  Eigen::MatrixXd jacobian = sensitivity(waypoints_kpa);
   jacobian.row(2) *= m_per_rad(goal);
   Eigen::Matrix3d normal = jacobian * jacobian.transpose();
   normal.diagonal().array() += kRepairDamping * normal.trace() / 3.0;
@@ -106,16 +94,17 @@ std::optional<std::vector<Pressures>> PlanRepair::toward(
   Eigen::VectorXd shift_kpa = Eigen::VectorXd::Zero(waypoints_kpa.front().size());
   std::vector<Pressures> tried = waypoints_kpa;
   for (int step = 0; step <= kRepairSteps; ++step) {
-    const std::optional<Pose> tip = held_tip(from, tried);
-    if (!tip) {
+    const std::optional<MotionState> end = plans_.end_of(tried);
+    if (!end) {
       break;
     }
-    const double error_m = as_length_m(goal, pose_error(goal, *tip));
+    const Pose tip = tip_pose(end->backbone);
+    const double error_m = as_length_m(goal, pose_error(goal, tip));
     if (error_m < max_error_m) {
       max_error_m = error_m;
       best = tried;
     }
-    shift_kpa += jacobian.transpose() * solver.solve(missing_m(goal, *tip));
+    shift_kpa += jacobian.transpose() * solver.solve(missing_m(goal, tip));
     tried = shifted(waypoints_kpa, shift_kpa);
   }
   return best;

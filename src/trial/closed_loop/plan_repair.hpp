@@ -3,9 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "limber/forward/motion_simulator.hpp"
-#include "limber/world/pose_goal.hpp"
-#include "limber/world/pressure_box.hpp"
+#include "checked_plans.hpp"
 
 namespace limber {
 
@@ -18,29 +16,23 @@ std::vector<Pressures> waypoints_after(const Plan& plan, std::size_t next, doubl
 /// what a shift does (finite differences, one rollout per segment), then a few damped Newton steps
 /// are taken, each simulated. The nearest of them that is free is the repair.
 ///
-/// Threads: as MotionSimulator. Borrows it.
+/// Borrows what makes plans.
 class PlanRepair {
  public:
-  /// @param box  set points stay in there
-  PlanRepair(MotionSimulator& simulator, PressureBox box)
-      : simulator_(simulator), box_(std::move(box)) {}
+  explicit PlanRepair(CheckedPlans& plans) : plans_(plans), box_(setpoints_of(plans.problem())) {}
 
-  /// @param from  the state at the first of the waypoints
   /// @return waypoints, the first one kept; none if nothing free ends nearer than `max_error_m`
-  std::optional<std::vector<Pressures>> toward(const PoseGoal& goal, const MotionState& from,
-                                               const std::vector<Pressures>& waypoints_kpa,
-                                               double max_error_m);
+  std::optional<std::vector<Pressures>> toward_goal(const std::vector<Pressures>& waypoints_kpa,
+                                                    double max_error_m);
 
  private:
   /// Columns: what one kPa at the end of each segment does to the settled tip (x, y, heading).
-  Eigen::MatrixXd sensitivity(const MotionState& from, const std::vector<Pressures>& waypoints_kpa);
-  std::optional<Pose> held_tip(const MotionState& from,
-                               const std::vector<Pressures>& waypoints_kpa);
+  Eigen::MatrixXd sensitivity(const std::vector<Pressures>& waypoints_kpa);
   std::vector<Pressures> shifted(std::vector<Pressures> waypoints_kpa,
                                  const Eigen::VectorXd& shift_kpa) const;
 
-  MotionSimulator& simulator_;
-  PressureBox box_;
+  CheckedPlans& plans_;
+  PressureBox box_;  // set points stay in there
 };
 
 }  // namespace limber

@@ -1,51 +1,45 @@
 #include "repaired_plan.hpp"
 
-#include <algorithm>
-
-#include "limber/certificate/certificate.hpp"
-#include "limber/planning/plan_builder.hpp"
 #include "plan_repair.hpp"
+#include "sampled_motions.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr double kOfClearanceNow = 0.9;   // where that is less than the margin
-constexpr double kRepairReserveM = 2e-4;  // float32 searches, double certifies
+constexpr int kTries = 60;  // of the best sampled motions
 
 }  // namespace
 
-PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model) {
-  return [&arm, &model](Plan& plan, const Environment& environment) {
-    const Certificate certificate =
-        certify(plan, arm, model.has_network() ? &model.compensation() : nullptr,
-                model.valves().parameters(), environment);
-    if (certificate.certified()) {
-      plan.certified = CertifiedFigures{certificate.clearance_m, certificate.max_deviation_m};
-    }
-    return certificate.certified();
-  };
-}
-
-std::optional<Plan> repaired_plan(PlanningProblem problem,
+std::optional<Plan> repaired_plan(const PlanningProblem& problem,
                                   const std::vector<Pressures>& waypoints_kpa, double max_error_m,
                                   std::uint64_t seed, const PlanCheck& check) {
-  const MotionState from = start_of(problem);
-  const std::vector<Obstacle>& obstacles = problem.environment.obstacles;
-  const double start_m = CollisionChecker(problem.arm, obstacles).clearance(from.backbone).value_m;
-  problem.margin_m = std::max(0.0, std::min(problem.margin_m, kOfClearanceNow * start_m));
-  const CollisionChecker checker(
-      problem.arm, obstacles,
-      std::max(problem.margin_m, Certificate::kMinClearanceM) + kRepairReserveM);
-  MotionSimulator simulator(problem.arm, problem.model, checker);
-  PlanRepair repair(simulator, setpoints_of(problem));
+  CheckedPlans plans(problem, check);
   const std::optional<std::vector<Pressures>> shifted_kpa =
-      repair.toward(problem.environment.goal, from, waypoints_kpa, max_error_m);
-  if (!shifted_kpa) {
-    return std::nullopt;
+      PlanRepair(plans).toward_goal(waypoints_kpa, max_error_m);
+  return shifted_kpa ? plans.checked(*shifted_kpa, seed) : std::nullopt;
+}
+
+std::optional<Plan> sampled_plan(const PlanningProblem& problem, const SampledPlanAsked& asked,
+                                 std::uint64_t queries, std::uint64_t seed,
+                                 const PlanCheck& check) {
+  CheckedPlans plans(problem, check);
+  int tried = 0;
+  for (const SampledMotion& motion : sampled_motions(problem, queries, seed)) {
+    if (motion.error_m > asked.max_error_m || motion.effort < asked.least_effort) {
+      continue;
+    }
+    if (++tried > kTries) {
+      break;
+    }
+    if (!plans.end_of(motion.waypoints_kpa)) {
+      continue;
+    }
+    if (std::optional<Plan> plan = plans.checked(motion.waypoints_kpa, seed)) {
+      return plan;
+    }
   }
-  Plan found = build_plan(problem, simulator, *shifted_kpa, "repair", seed);
-  return check(found, problem.environment) ? std::optional(std::move(found)) : std::nullopt;
+  return std::nullopt;
 }
 
 }  // namespace limber

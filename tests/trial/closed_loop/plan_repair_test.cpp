@@ -14,30 +14,39 @@ struct RepairSetting {
   ArmDescription arm = small_arm(3);
   ForwardModel forward{arm};
   MotionModel model{forward};
-  CollisionChecker free{arm, {}};
-  MotionSimulator simulator{arm, model, free};
-  MotionState rest = simulator.start(start_state(Environment{}, arm));
+  Environment environment;
+  std::vector<PressureLimits> limits;
   std::vector<Pressures> waypoints_kpa{Pressures::Zero(3), Pressures::Constant(3, 30.0F),
                                        Pressures::Constant(3, 60.0F)};
 
   Pose end(const std::vector<Pressures>& along) {
-    MotionState state = rest;
+    const CollisionChecker free(arm, {});
+    MotionSimulator simulator(arm, model, free);
+    MotionState state = simulator.start(start_state(Environment{}, arm));
     for (std::size_t w = 1; w < along.size(); ++w) {
       simulator.move_unchecked(state, along[w], state);
     }
     return tip_pose(state.backbone);
   }
+
+  std::optional<std::vector<Pressures>> repaired(const PoseGoal& goal, double max_error_m) {
+    environment.goal = goal;
+    PlanningProblem problem{arm, model, environment};
+    problem.limits = limits;
+    const PlanCheck accept = [](Plan&, const Environment&) { return true; };
+    CheckedPlans plans(problem, accept);
+    return PlanRepair(plans).toward_goal(waypoints_kpa, max_error_m);
+  }
 };
 
 TEST(PlanRepair, EndsWhereItIsAskedTo) {
   RepairSetting s;
-  PlanRepair repair(s.simulator, pressure_box(s.arm));
   for (const float share : {-1.0F, 0.3F, 1.0F}) {
     std::vector<Pressures> there = s.waypoints_kpa;
     there.back() += share * Eigen::Vector3f(15.0F, -10.0F, 20.0F);
     const Pose tip = s.end(there);
     const PoseGoal goal{tip.x_m, tip.y_m, std::nullopt, 0.02, 0.1};
-    const auto repaired = repair.toward(goal, s.rest, s.waypoints_kpa, 0.005);
+    const auto repaired = s.repaired(goal, 0.005);
     ASSERT_TRUE(repaired) << share;
     EXPECT_LT(pose_error(goal, s.end(*repaired)).position_m, 0.001) << share;
     EXPECT_EQ(repaired->front(), s.waypoints_kpa.front()) << "it is there already";
@@ -49,8 +58,7 @@ TEST(PlanRepair, TurnsTheTipWhereAHeadingIsAskedFor) {
   RepairSetting s;
   const Pose now = s.end(s.waypoints_kpa);
   const PoseGoal goal{now.x_m, now.y_m, now.theta_rad + 0.1, 0.02, 0.1};
-  PlanRepair repair(s.simulator, pressure_box(s.arm));
-  const auto repaired = repair.toward(goal, s.rest, s.waypoints_kpa, 0.01);
+  const auto repaired = s.repaired(goal, 0.01);
   ASSERT_TRUE(repaired);
   EXPECT_LT(as_length_m(goal, pose_error(goal, s.end(*repaired))), 0.005);
 }
@@ -58,13 +66,10 @@ TEST(PlanRepair, TurnsTheTipWhereAHeadingIsAskedFor) {
 TEST(PlanRepair, KeepsTheLimitsAndReturnsNothingThatIsNotNearEnough) {
   RepairSetting s;
   const Pose now = s.end(s.waypoints_kpa);
-  PressureBox box = pressure_box(s.arm);
-  box.high_kpa.setConstant(61.0F);
-  box.low_kpa.setConstant(-61.0F);
-  PlanRepair repair(s.simulator, box);
+  s.limits.assign(3, PressureLimits(-61.0, 61.0));
   const PoseGoal goal{now.x_m, now.y_m - 0.2, std::nullopt, 0.02, 0.1};
-  EXPECT_FALSE(repair.toward(goal, s.rest, s.waypoints_kpa, 0.01));
-  const auto nearer = repair.toward(goal, s.rest, s.waypoints_kpa, 1.0);
+  EXPECT_FALSE(s.repaired(goal, 0.01));
+  const auto nearer = s.repaired(goal, 1.0);
   ASSERT_TRUE(nearer);
   for (const Pressures& kpa : *nearer) {
     EXPECT_LE(kpa.cwiseAbs().maxCoeff(), 61.0F);
@@ -74,11 +79,8 @@ TEST(PlanRepair, KeepsTheLimitsAndReturnsNothingThatIsNotNearEnough) {
 TEST(PlanRepair, NothingThatTouchesAnObstacleIsARepair) {
   RepairSetting s;
   const Pose now = s.end(s.waypoints_kpa);
-  const CollisionChecker blocked(s.arm, {Circle{now.x_m, now.y_m, 0.01}});
-  MotionSimulator simulator(s.arm, s.model, blocked);
-  PlanRepair repair(simulator, pressure_box(s.arm));
-  const PoseGoal goal{now.x_m, now.y_m, std::nullopt, 0.02, 0.1};
-  EXPECT_FALSE(repair.toward(goal, s.rest, s.waypoints_kpa, 1.0));
+  s.environment.obstacles = {Circle{now.x_m, now.y_m, 0.01}};
+  EXPECT_FALSE(s.repaired({now.x_m, now.y_m, std::nullopt, 0.02, 0.1}, 1.0));
 }
 
 TEST(WaypointsAfter, AreThoseStillAheadAndTheFirstIsWhereTheArmIs) {

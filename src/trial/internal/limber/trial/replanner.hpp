@@ -18,9 +18,9 @@ struct ReplannerSettings {
   /// Of each search; a number of queries, so that runs in simulated time can be repeated.
   std::uint64_t queries = 20000;
   int max_replans = 24;
-  /// Corrections of an arm that has arrived end once they gain less than that, ten times in a row,
-  /// or nothing is left to gain: about what the tracker's noise hides. Short of the goal they go
-  /// on. [m], > 0.
+  /// About what the tracker's noise hides. An arm nearer to the goal's centre than that is left
+  /// alone, and so is one in the goal that a model without memory brought nearer by less, ten times
+  /// in a row. [m], > 0.
   double min_gain_m = 0.001;
   int planner_jobs = 1;
   /// Of set points, where they are narrower than the arm's; empty: the arm's. Plans stay within
@@ -36,10 +36,11 @@ std::vector<PressureLimits> limits_after(const Plan& plan,
 /// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
 /// goal, and where it has strayed so far from its plan that it comes near an obstacle. Every
 /// plan is certified. Small corrections from rest are predicted well, since the network's error
-/// grows with the motion; an arm well inside the goal gets none that leaves it on the way. What the
-/// model misses all the same, where a correction ended beside its prediction, shifts the goal of
-/// the next one: half of it each time, and at most 10 cm. A model without memory errs as much after
-/// a correction as before, so its first plan counts too.
+/// grows with the motion: of many that are sampled, the one that ends nearest. They end where the
+/// arm is so near that the next one is no likely gain. An arm well inside the goal gets none that
+/// leaves it on the way. What the model misses all the same, where a correction ended beside its
+/// prediction, shifts the goal of the next one, by at most 10 cm. A model without memory errs as
+/// much after a correction as before, so its first plan counts too; it is corrected along slopes.
 ///
 /// Borrows arm, model and environment. Without tracking it asks for no plan: the run is then open
 /// loop.
@@ -58,7 +59,7 @@ class Replanner final : public PlanSource {
 
  private:
   bool has_more_to_gain(double error_m, bool has_arrived);
-  void learn_bias(const Plan& ended, const Pose& measured);
+  void learn_from(const Plan& ended, const Pose& measured);
   void note_creep(const Plan& plan, const Backbone& measured);
   /// After so many frames; it has ended with a plan's hold.
   Eigen::Vector3d creep(std::size_t frame = std::numeric_limits<std::size_t>::max()) const;
@@ -67,6 +68,10 @@ class Replanner final : public PlanSource {
   std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
   std::optional<Plan> search_less_and_less(const Plan& before, Environment from_here,
                                            bool is_halted);
+  std::optional<Plan> short_correction(const Plan& before, const Environment& from_here,
+                                       double error_m);
+  PlanningProblem correction_problem(const Plan& before, const Environment& from_here,
+                                     double share) const;
   std::optional<Plan> straight(const Plan& before, Environment from_here, double widened,
                                double max_error_m);
   std::optional<Plan> nearer(const Plan& before, const Environment& from_here, double error_m);
@@ -83,11 +88,8 @@ class Replanner final : public PlanSource {
   int replans_ = 0;
   bool has_halted_in_vain_ = false;  // the arm, halted, asked and found no plan
   bool is_correction_ = false;       // what the arm follows
+  int stuck_ = 0;                    // corrections in a row that hardly moved the arm
   int small_gains_ = 0;
-  double best_error_m_ = std::numeric_limits<double>::infinity();  // that the arm ever had
-  int corrections_since_best_ = 0;
-  double missed_m_ = 0.0;  // sum over corrections, as_length_m
-  int misses_ = 0;
   std::optional<double> error_before_m_;  // of the correction under way
   // Of the tip, x, y, theta.
   Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();  // measured beside predicted ends
