@@ -37,13 +37,14 @@ constexpr double kNearEnoughLater = 0.01;
 constexpr int kPlansBeforeLater = 6;
 /// What a sampled correction has to end within: of the distance that is left, and of the tolerance.
 constexpr double kOfNow = 0.8;
-constexpr double kFarthest = 0.5;
+constexpr double kFarthest = 0.6;
 /// Up to that share of the tolerance it may be a little more than the distance that is left: moved,
 /// an arm that friction holds ends somewhere else, which is worth as much as a good prediction.
-constexpr double kNear = 0.35;
+constexpr double kNear = 0.5;
 constexpr double kOfNowNear = 1.3;
-/// SampledMotion::effort: friction holds an arm that is moved by less. It is doubled, a few times
-/// at most, by each correction that moved the arm by less than that share of what was predicted.
+/// SampledMotion::effort: friction holds an arm that is moved by less. Twice as much is better, a
+/// few times at most, after each correction that moved the arm by less than that share of what was
+/// predicted.
 constexpr double kLeastEffort = 0.05;
 constexpr double kHardlyMoved = 0.25;
 constexpr int kMaxDoublings = 3;
@@ -240,22 +241,24 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   from_here.goal = aim_;
   const bool is_well_inside =
       !halted && error_m <= kWellInside * environment_.goal.position_tolerance_m;
-  const auto is_taken = [&](const std::optional<Plan>& found) {
-    return found && (halted || found->cost_kpa >= kLeastCostKpa) &&
-           (!is_well_inside || stays_in_goal(*found));
+  const IsTaken is_taken = [&](const Plan& found) {
+    return (halted || found.cost_kpa >= kLeastCostKpa) && (!is_well_inside || stays_in_goal(found));
+  };
+  const auto if_taken = [&](std::optional<Plan> found) {
+    return found && is_taken(*found) ? std::move(found) : std::nullopt;
   };
   std::optional<Plan> found;
   if (!halted) {
-    found = short_correction(plan, from_here, error_m);
+    found = if_taken(short_correction(plan, from_here, error_m, is_taken));
   }
-  if (!is_taken(found)) {
-    found = search_less_and_less(plan, from_here, halted);
+  if (!found) {
+    found = if_taken(search_less_and_less(plan, from_here, halted));
   }
-  if (!is_taken(found) && !halted) {
-    found = nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured)));
+  if (!found && !halted) {
+    found = if_taken(nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured))));
   }
-  has_halted_in_vain_ = halted && !is_taken(found);
-  if (!is_taken(found)) {
+  has_halted_in_vain_ = halted && !found;
+  if (!found) {
     return std::nullopt;
   }
   ++replans_;
@@ -278,19 +281,23 @@ std::optional<Plan> Replanner::search_less_and_less(const Plan& before, Environm
 /// From where the arm rests to where the model has it near the aim, without looking for ways
 /// around anything. Slopes say where a model without memory goes.
 std::optional<Plan> Replanner::short_correction(const Plan& before, const Environment& from_here,
-                                                double error_m) {
+                                                double error_m, const IsTaken& is_taken) {
   const double tolerance_m = aim_.position_tolerance_m;
   if (!model_.has_network()) {
     return straight(before, from_here, 1.0, kOfStraight * std::min(error_m, tolerance_m));
   }
   const double near_m = std::min(kOfNowNear * error_m, kNear * tolerance_m);
   const SampledPlanAsked asked{
-      std::min(kFarthest * tolerance_m, std::max(near_m, kOfNow * error_m)),
+      std::min(kFarthest * tolerance_m, std::max(near_m, kOfNow * error_m)), kLeastEffort,
       std::ldexp(kLeastEffort, std::min(stuck_, kMaxDoublings))};
+  const PlanCheck certified = certificate_check(arm_, model_);
+  const PlanCheck check = [&](Plan& plan, const Environment& environment) {
+    return is_taken(plan) && certified(plan, environment);
+  };
   for (const double share : {1.0, kLeastMargin}) {
-    if (std::optional<Plan> found = sampled_plan(
-            correction_problem(before, from_here, share), asked, settings_.queries,
-            seed_ + static_cast<std::uint64_t>(replans_), certificate_check(arm_, model_))) {
+    if (std::optional<Plan> found =
+            sampled_plan(correction_problem(before, from_here, share), asked, settings_.queries,
+                         seed_ + static_cast<std::uint64_t>(replans_), check)) {
       return found;
     }
   }

@@ -1,5 +1,7 @@
 #include "repaired_plan.hpp"
 
+#include <algorithm>
+
 #include "plan_repair.hpp"
 #include "sampled_motions.hpp"
 
@@ -7,7 +9,7 @@ namespace limber {
 
 namespace {
 
-constexpr int kTries = 60;  // of the best sampled motions
+constexpr int kTries = 300;  // of the best sampled motions
 
 }  // namespace
 
@@ -24,19 +26,23 @@ std::optional<Plan> sampled_plan(const PlanningProblem& problem, const SampledPl
                                  std::uint64_t queries, std::uint64_t seed,
                                  const PlanCheck& check) {
   CheckedPlans plans(problem, check);
-  int tried = 0;
-  for (const SampledMotion& motion : sampled_motions(problem, queries, seed)) {
-    if (motion.error_m > asked.max_error_m || motion.effort < asked.least_effort) {
-      continue;
-    }
-    if (++tried > kTries) {
-      break;
-    }
-    if (!plans.end_of(motion.waypoints_kpa)) {
-      continue;
-    }
-    if (std::optional<Plan> plan = plans.checked(motion.waypoints_kpa, seed)) {
-      return plan;
+  const std::vector<SampledMotion> motions = sampled_motions(problem, queries, seed);
+  for (const double least_effort :
+       {std::max(asked.better_effort, asked.least_effort), asked.least_effort}) {
+    int tried = 0;
+    for (const SampledMotion& motion : motions) {
+      if (motion.error_m > asked.max_error_m || motion.effort < least_effort) {
+        continue;
+      }
+      if (++tried > kTries) {
+        break;
+      }
+      if (!plans.end_of(motion.waypoints_kpa)) {
+        continue;
+      }
+      if (std::optional<Plan> plan = plans.checked(motion.waypoints_kpa, seed)) {
+        return plan;
+      }
     }
   }
   return std::nullopt;

@@ -16,8 +16,9 @@ std::optional<Plan> repaired_plan(const PlanningProblem& problem,
 
 /// What a sampled plan has to be like.
 struct SampledPlanAsked {
-  double max_error_m;   ///< as_length_m
-  double least_effort;  ///< SampledMotion::effort
+  double max_error_m;          ///< as_length_m
+  double least_effort;         ///< SampledMotion::effort
+  double better_effort = 0.0;  ///< one of so much is preferred; 0: none is
 };
 
 /// The best of `sampled_motions` that is like that, as a checked plan.

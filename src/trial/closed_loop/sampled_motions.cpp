@@ -16,14 +16,14 @@ constexpr std::uint64_t kStream = 0x73616d706c65;
 /// Of a segment's pressure scale: deviations of ends and of points on the way. Less than the least
 /// moves no arm, the most moves the tip by several times the corrections that are needed.
 constexpr double kLeast = 0.01;
-constexpr double kMostOfEnds = 0.5;
+constexpr double kMostOfEnds = 0.7;
 constexpr double kLeastOnTheWay = 0.03;
 constexpr double kMostOnTheWay = 0.8;
 constexpr double kErrorOfEffort = 0.0014;  // of the arm's length: what effort has to be worth
 constexpr std::uint64_t kQueriesOfMotion = 30;
 constexpr std::size_t kLeastMotions = 32;
-// More than one round of a few finds ends that are nearer for the model, and not for the arm.
-constexpr std::size_t kBest = 8;
+constexpr int kRounds = 3;  // around the best
+constexpr std::size_t kBest = 16;
 constexpr int kAroundEach = 8;
 constexpr double kSpread = 0.4;  // around the best, of how far they go
 
@@ -49,7 +49,9 @@ class MotionSampler {
       sampled.push_back(std::move(waypoints_kpa));
     }
     simulate(std::move(sampled));
-    simulate(around_the_best());
+    for (int round = 0; round < kRounds; ++round) {
+      simulate(around_the_best());
+    }
     return std::move(motions_);
   }
 

@@ -100,6 +100,19 @@ TEST_F(SampledMotionsTest, APlanOfThemIsCheckedAndAsAskedFor) {
   EXPECT_FALSE(sampled_plan(problem(), {1e-7, 0.5}, kQueries, 5, third)) << "none is that near";
 }
 
+TEST_F(SampledMotionsTest, APlanOfMoreEffortIsPreferredWhereThereIsOne) {
+  const PlanCheck accept = [](Plan&, const Environment&) { return true; };
+  const auto cost_kpa = [&](double better_effort) {
+    return sampled_plan(problem(), {0.01, 0.05, better_effort}, kQueries, 5, accept)
+        .value()
+        .cost_kpa;
+  };
+  const double least_kpa = cost_kpa(0.0);
+  EXPECT_GE(least_kpa, 5.0);
+  EXPECT_GE(cost_kpa(0.02 * least_kpa), 2.0 * least_kpa);
+  EXPECT_EQ(cost_kpa(1e6), least_kpa) << "there is none";
+}
+
 TEST_F(SampledMotionsTest, APlanOfThemKeepsTheMarginOrMostOfTheClearanceNow) {
   const Pose tip = tip_pose(environment_.start->backbone);
   environment_.obstacles = {Circle{tip.x_m + 0.06, tip.y_m, 0.02}};

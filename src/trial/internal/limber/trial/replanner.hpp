@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -68,8 +69,9 @@ class Replanner final : public PlanSource {
   std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
   std::optional<Plan> search_less_and_less(const Plan& before, Environment from_here,
                                            bool is_halted);
+  using IsTaken = std::function<bool(const Plan&)>;
   std::optional<Plan> short_correction(const Plan& before, const Environment& from_here,
-                                       double error_m);
+                                       double error_m, const IsTaken& is_taken);
   PlanningProblem correction_problem(const Plan& before, const Environment& from_here,
                                      double share) const;
   std::optional<Plan> straight(const Plan& before, Environment from_here, double widened,
