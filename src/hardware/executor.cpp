@@ -230,9 +230,9 @@ class Execution {
     return true;
   }
 
-  /// A run that ends where its arm was stopped in mid-motion was not done.
+  /// A run that ends where its arm was stopped in mid-motion was not done, but for one in the goal.
   void note_stop() {
-    if (!stop_reason_.empty()) {
+    if (!stop_reason_.empty() && !(driver_.state().backbone && watch_.is_in_goal())) {
       result_.status = ExecutionStatus::stopped;
       result_.message = stop_reason_;
     }

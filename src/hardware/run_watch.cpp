@@ -61,14 +61,17 @@ void RunWatch::compare(const Plan& plan, std::size_t frame) {
   }
 }
 
+bool RunWatch::is_in_goal() const {
+  return shape_ && is_within(environment_.goal, pose_error(environment_.goal, tip_pose(*shape_)));
+}
+
 void RunWatch::judge(ExecutionResult& result) {
   result.frames = frames_;
   result.start_error_m = start_error_m_;
   if (shape_) {
     result.final_backbone = shape_->cast<float>();
     result.goal_error = pose_error(environment_.goal, tip_pose(*shape_));
-    result.goal_reached =
-        result.status == ExecutionStatus::done && is_within(environment_.goal, result.goal_error);
+    result.goal_reached = result.status == ExecutionStatus::done && is_in_goal();
     result.episode = measured_ ? recorder_.finish() : Episode{};
   }
   result.prediction = prediction_.error();

@@ -43,6 +43,8 @@ class RunWatch {
   double start_error_m() const { return start_error_m_; }
   /// The arm's shape when it was tracked last.
   const std::optional<BackboneD>& shape() const { return shape_; }
+  /// Whether its tip was in the goal then.
+  bool is_in_goal() const;
 
   /// Fills in all that was seen. `result.status` is known by then.
   void judge(ExecutionResult& result);

@@ -154,15 +154,14 @@ void Replanner::learn_from(const Plan& ended, const Pose& measured) {
 
 /// Under a load, or with more friction than it learnt, a model has an arm that is just held drift
 /// away. The arm does not, so that drift is taken off what the model says of plans from there.
-void Replanner::note_creep(const Plan& plan, const Backbone& measured) {
+void Replanner::note_creep(const Pressures& held_kpa, int frames, const Backbone& measured) {
   creep_.clear();
   if (!model_.has_network()) {
     return;  // what that misses is learnt as bias
   }
-  const Pressures& held_kpa = plan.frames.back().setpoint_kpa;
   MotionState state = model_.settled_state(held_kpa, measured);
   MotionModel::Workspace workspace;
-  for (int k = 0; k < plan.hold_frame_count; ++k) {
+  for (int k = 0; k < frames; ++k) {
     model_.step(held_kpa, state, workspace);
     creep_.push_back(difference(tip_pose(state.backbone), tip_pose(measured)));
   }
@@ -224,16 +223,18 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   const Pose measured = tip_pose(*state.backbone);
   const PoseError error = pose_error(environment_.goal, measured);
   const double error_m = as_length_m(environment_.goal, error);
-  const bool halted = frame + 1 < plan.frames.size();
-  const bool has_arrived = !halted && is_within(environment_.goal, error);
+  const bool has_ended = frame + 1 == plan.frames.size();
+  const bool has_arrived = is_within(environment_.goal, error);
+  const bool halted = !has_ended && !has_arrived;
+  if (has_ended) {
+    learn_from(plan, measured);
+  }
   if (halted) {
     creep_.clear();
+  } else if (has_more_to_gain(error_m, has_arrived)) {
+    note_creep(plan.frames[frame].setpoint_kpa, plan.hold_frame_count, *state.backbone);
   } else {
-    learn_from(plan, measured);
-    if (!has_more_to_gain(error_m, has_arrived)) {
-      return std::nullopt;
-    }
-    note_creep(plan, *state.backbone);
+    return std::nullopt;
   }
   Environment from_here = environment_;
   from_here.start = ArmStart{plan.frames[frame].setpoint_kpa, *state.backbone};

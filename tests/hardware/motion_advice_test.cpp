@@ -152,6 +152,25 @@ TEST_F(MotionAdviceTest, AStoppedArmHoldsAndSaysWhy) {
   EXPECT_EQ(adviser.commanded_kpa.back(), plan_.frames[3].setpoint_kpa);
 }
 
+TEST_F(MotionAdviceTest, ARunThatIsStoppedInTheGoalIsDone) {
+  Environment there;
+  const Pose tip = tip_pose(plan_.frames[3].backbone);
+  there.goal = {tip.x_m, tip.y_m, std::nullopt, 0.02, 0.1};
+  Plan plan = plan_;
+  plan.environment_hash = environment_hash(there);
+  Adviser adviser([](const Plan&, std::size_t next) {
+    return next == 3 ? MotionAdvice{MotionAdvice::Kind::stop, std::nullopt, "no way"}
+                     : MotionAdvice{};
+  });
+  ExecutionSettings settings = held_shortly();
+  settings.replanner = &adviser;
+  FakeArm driver(arm_, kInstant_s);
+  const ExecutionResult result = execute(arm_, there, plan, driver, settings);
+  EXPECT_EQ(result.halts, 1);
+  EXPECT_TRUE(result.goal_reached);
+  EXPECT_EQ(result.status, ExecutionStatus::done) << result.message;
+}
+
 TEST_F(MotionAdviceTest, RefusesAPlanThatStartsElsewhereOrIsTooFastAndVents) {
   int vents = 0;
   const auto running = [&](const Plan& other) {

@@ -84,6 +84,17 @@ TEST_F(ReplannerCreepTest, AnArmThatIsNearEnoughIsLeftAloneAndOneBesideTheGoalIs
   EXPECT_TRUE(plan_from(resting_));
 }
 
+TEST_F(ReplannerCreepTest, AnArmThatWasHaltedInTheGoalIsCorrectedAsAtItsEnd) {
+  Replanner source(arm_, model_, environment_, ErrorRoom{}, ReplannerSettings{}, 1);
+  const std::optional<Plan> next = source.next(ended_, 1, state_of(ended_));
+  ASSERT_TRUE(next);
+  EXPECT_TRUE(source.is_correction());
+  environment_.goal.y_m -= 0.03;  // it stands outside
+  Replanner outside(arm_, model_, environment_, ErrorRoom{}, ReplannerSettings{}, 1);
+  ASSERT_TRUE(outside.next(ended_, 1, state_of(ended_)));
+  EXPECT_FALSE(outside.is_correction());
+}
+
 TEST_F(ReplannerCreepTest, AnArmThatDidNotMoveIsMovedByMore) {
   Replanner source(arm_, model_, environment_, ErrorRoom{}, ReplannerSettings{}, 1);
   Plan plan = ended_;

@@ -217,9 +217,7 @@ std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const 
   }
   std::optional<Plan> found = motion_->corrections->next(plan, frame, motion_->at_rest(state));
   motion_->aim = motion_->corrections->aim();
-  motion_->is_correction =
-      motion_->model.has_network() &&
-      static_cast<int>(frame) + plan.hold_frame_count >= plan.frame_count() - 1;
+  motion_->is_correction = motion_->model.has_network() && motion_->corrections->is_correction();
   motion_->times_led_on = 0;
   motion_->followed = nullptr;
   const std::lock_guard lock(motion_->estimate_mutex);

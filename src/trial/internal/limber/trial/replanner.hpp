@@ -57,11 +57,13 @@ class Replanner final : public PlanSource {
   double clearance_m(const Backbone& shape) const { return near_.clearance(shape).value_m; }
   /// The goal that the last plan was made for: shifted by what the model misses.
   const PoseGoal& aim() const { return aim_; }
+  /// Whether the last plan was for an arm whose plan had ended, or that stood in the goal.
+  bool is_correction() const { return is_correction_; }
 
  private:
   bool has_more_to_gain(double error_m, bool has_arrived);
   void learn_from(const Plan& ended, const Pose& measured);
-  void note_creep(const Plan& plan, const Backbone& measured);
+  void note_creep(const Pressures& held_kpa, int frames, const Backbone& measured);
   /// After so many frames; it has ended with a plan's hold.
   Eigen::Vector3d creep(std::size_t frame = std::numeric_limits<std::size_t>::max()) const;
   PoseGoal shifted_goal() const;
