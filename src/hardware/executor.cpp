@@ -208,8 +208,7 @@ class Execution {
 
   /// @return whether there is another plan to follow
   bool go_on() {
-    const int longest = arm_.frames_in(kLongestBlindS);
-    for (int k = 0; k < longest && !driver_.state().backbone; ++k) {
+    for (int k = 0; k < arm_.frames_in(kLongestBlindS) && !driver_.state().backbone; ++k) {
       command(held_kpa());
     }
     std::optional<Plan> next = ask_for_next();
@@ -218,8 +217,9 @@ class Execution {
       next = ask_for_next();
     }
     if (!next) {
-      result_.stopped_ahead = frame_ + 1 < plan_->frames.size();
-      note_stop();
+      const bool rests_in_goal = watch_.rests_in_goal(settings_.hold_s);
+      result_.stopped_ahead = !is_at_end() && !rests_in_goal;
+      note_stop(rests_in_goal);
       return false;
     }
     stop_reason_.clear();
@@ -231,8 +231,8 @@ class Execution {
   }
 
   /// A run that ends where its arm was stopped in mid-motion was not done, but for one in the goal.
-  void note_stop() {
-    if (!stop_reason_.empty() && !(driver_.state().backbone && watch_.is_in_goal())) {
+  void note_stop(bool rests_in_goal) {
+    if (!stop_reason_.empty() && !rests_in_goal) {
       result_.status = ExecutionStatus::stopped;
       result_.message = stop_reason_;
     }

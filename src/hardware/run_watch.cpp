@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "limber/world/hold.hpp"
+
 namespace limber {
 
 RunWatch::RunWatch(const ArmDescription& arm, const Environment& environment,
@@ -59,6 +61,10 @@ void RunWatch::compare(const Plan& plan, std::size_t frame) {
   if (shape_ && shape_frame_ == frames_ && frame >= lag() && frame - lag() < plan.frames.size()) {
     prediction_.compare(plan, frame - lag(), *shape_);
   }
+}
+
+bool RunWatch::rests_in_goal(double held_s) const {
+  return held_s >= kHoldS && driver_.state().backbone && is_in_goal();
 }
 
 bool RunWatch::is_in_goal() const {

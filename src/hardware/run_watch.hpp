@@ -43,14 +43,15 @@ class RunWatch {
   double start_error_m() const { return start_error_m_; }
   /// The arm's shape when it was tracked last.
   const std::optional<BackboneD>& shape() const { return shape_; }
-  /// Whether its tip was in the goal then.
-  bool is_in_goal() const;
+  /// Whether it is seen with its tip in the goal, held for as long as at a plan's end.
+  bool rests_in_goal(double held_s) const;
 
   /// Fills in all that was seen. `result.status` is known by then.
   void judge(ExecutionResult& result);
 
  private:
   void see();
+  bool is_in_goal() const;
 
   const Environment& environment_;
   const ArmDriver& driver_;

@@ -29,8 +29,8 @@ constexpr std::uint64_t kQueriesPerIteration = 5;
 /// would stay there.
 constexpr std::uint64_t kQueriesOfLastResort = 25;
 /// Of the goal's tolerance: near enough, for a model with a memory. Corrections of an arm with
-/// friction end some 4 mm beside their predictions: from nearer than that, more of them lead away
-/// than on (docs/experiments.md, Disturbances).
+/// friction end some 4 mm beside their predictions: where the tolerance is 2 cm, from nearer than
+/// this the next one is no likely gain (docs/experiments.md, Disturbances).
 constexpr double kNearEnough = 0.1;
 /// More of the tolerance with each plan after so many: an arm that needed them is hard to place.
 constexpr double kNearEnoughLater = 0.01;
@@ -58,7 +58,8 @@ constexpr double kNearerShare = 0.8;
 constexpr double kOfStraight = 0.5;
 /// Of the goal's tolerance: an arm this near to the centre is not led out of the goal again.
 constexpr double kWellInside = 0.5;
-constexpr double kLeastCostKpa = 1.0;     // of a correction: less moves no arm
+/// Cost of a correction, of a pressure scale: less moves no arm.
+constexpr double kLeastCost = 0.01;
 constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is less than kNearM
 /// Small gains in a row that end the corrections of a model without memory. Friction holds the tip
 /// until several of them add up.
@@ -242,8 +243,10 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   from_here.goal = aim_;
   const bool is_well_inside =
       !halted && error_m <= kWellInside * environment_.goal.position_tolerance_m;
+  const double least_cost_kpa = kLeastCost * double(pressure_scales_kpa(arm_).mean());
   const IsTaken is_taken = [&](const Plan& found) {
-    return (halted || found.cost_kpa >= kLeastCostKpa) && (!is_well_inside || stays_in_goal(found));
+    return (halted || found.cost_kpa >= least_cost_kpa) &&
+           (!is_well_inside || stays_in_goal(found));
   };
   const auto if_taken = [&](std::optional<Plan> found) {
     return found && is_taken(*found) ? std::move(found) : std::nullopt;
@@ -295,9 +298,12 @@ std::optional<Plan> Replanner::short_correction(const Plan& before, const Enviro
   const PlanCheck check = [&](Plan& plan, const Environment& environment) {
     return is_taken(plan) && certified(plan, environment);
   };
+  const std::vector<SampledMotion> motions =
+      sampled_motions(correction_problem(before, from_here, 0.0), settings_.queries,
+                      seed_ + static_cast<std::uint64_t>(replans_));
   for (const double share : {1.0, kLeastMargin}) {
     if (std::optional<Plan> found =
-            sampled_plan(correction_problem(before, from_here, share), asked, settings_.queries,
+            sampled_plan(correction_problem(before, from_here, share), motions, asked,
                          seed_ + static_cast<std::uint64_t>(replans_), check)) {
       return found;
     }

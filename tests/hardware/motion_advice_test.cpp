@@ -152,7 +152,7 @@ TEST_F(MotionAdviceTest, AStoppedArmHoldsAndSaysWhy) {
   EXPECT_EQ(adviser.commanded_kpa.back(), plan_.frames[3].setpoint_kpa);
 }
 
-TEST_F(MotionAdviceTest, ARunThatIsStoppedInTheGoalIsDone) {
+TEST_F(MotionAdviceTest, ARunThatIsStoppedAndRestsInTheGoalIsDone) {
   Environment there;
   const Pose tip = tip_pose(plan_.frames[3].backbone);
   there.goal = {tip.x_m, tip.y_m, std::nullopt, 0.02, 0.1};
@@ -162,13 +162,18 @@ TEST_F(MotionAdviceTest, ARunThatIsStoppedInTheGoalIsDone) {
     return next == 3 ? MotionAdvice{MotionAdvice::Kind::stop, std::nullopt, "no way"}
                      : MotionAdvice{};
   });
-  ExecutionSettings settings = held_shortly();
+  ExecutionSettings settings;
   settings.replanner = &adviser;
-  FakeArm driver(arm_, kInstant_s);
-  const ExecutionResult result = execute(arm_, there, plan, driver, settings);
-  EXPECT_EQ(result.halts, 1);
-  EXPECT_TRUE(result.goal_reached);
-  EXPECT_EQ(result.status, ExecutionStatus::done) << result.message;
+  for (const double hold_s : {1.0, 0.5}) {
+    settings.hold_s = hold_s;
+    FakeArm driver(arm_, kInstant_s);
+    const ExecutionResult result = execute(arm_, there, plan, driver, settings);
+    const bool rests = hold_s >= 1.0;  // a shorter hold does not show that it stays there
+    EXPECT_EQ(result.halts, 1);
+    EXPECT_EQ(result.goal_reached, rests);
+    EXPECT_EQ(result.stopped_ahead, !rests);
+    EXPECT_EQ(result.status, rests ? ExecutionStatus::done : ExecutionStatus::stopped);
+  }
 }
 
 TEST_F(MotionAdviceTest, RefusesAPlanThatStartsElsewhereOrIsTooFastAndVents) {

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "limber/trial/replanner.hpp"
@@ -72,7 +74,7 @@ TEST_F(ReplannerCreepTest, AnArmAtRestIsMovedByWhatIsMissingAndHalfOfTheCreep) {
   EXPECT_NEAR(end.y_m, goal.y_m + 0.5 * (creeping.y_m - before.y_m), 0.003);
 }
 
-TEST_F(ReplannerCreepTest, AnArmThatIsNearEnoughIsLeftAloneAndOneBesideTheGoalIsNot) {
+TEST_F(ReplannerCreepTest, AnArmThatIsNearEnoughIsLeftAloneAndOneThatIsNotIsMoved) {
   const Backbone off = resting_;
   for (const double distance_m : {0.0005, 0.0015}) {
     resting_ = off;
@@ -105,9 +107,9 @@ TEST_F(ReplannerCreepTest, AnArmThatDidNotMoveIsMovedByMore) {
     costs_kpa.push_back(next->cost_kpa);
     plan = *next;
   }
-  EXPECT_GE(costs_kpa[0], 5.0);
-  EXPECT_GE(costs_kpa[2], 10.0) << "one correction before it moved nothing";
-  EXPECT_GE(costs_kpa[3], 20.0);
+  for (std::size_t k = 0; k < costs_kpa.size(); ++k) {
+    EXPECT_GE(costs_kpa[k], std::ldexp(5.0, static_cast<int>(k))) << k << " moved nothing";
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "checked_plans.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "limber/certificate/certificate.hpp"
 #include "limber/planning/plan_builder.hpp"
@@ -33,9 +34,9 @@ PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model)
   };
 }
 
-CheckedPlans::CheckedPlans(PlanningProblem problem, const PlanCheck& check)
+CheckedPlans::CheckedPlans(PlanningProblem problem, PlanCheck check)
     : problem_(with_kept_margin(problem, start_of(problem).backbone)),
-      check_(check),
+      check_(std::move(check)),
       from_(start_of(problem_)),
       checker_(problem_.arm, problem_.environment.obstacles,
                std::max(problem_.margin_m, Certificate::kMinClearanceM) + kReserveM),

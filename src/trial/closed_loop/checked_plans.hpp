@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -18,10 +19,10 @@ PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model)
 /// Makes plans of waypoints from a problem's start. They keep the problem's margin, or most of the
 /// clearance that the arm has now where that is less.
 ///
-/// Borrows the environment and the check.
+/// Borrows what the problem borrows. Threads: one of these, one thread.
 class CheckedPlans {
  public:
-  CheckedPlans(PlanningProblem problem, const PlanCheck& check);
+  CheckedPlans(PlanningProblem problem, PlanCheck check);
   CheckedPlans(const CheckedPlans&) = delete;  // the simulator borrows the checker
   CheckedPlans& operator=(const CheckedPlans&) = delete;
 
@@ -38,7 +39,7 @@ class CheckedPlans {
 
  private:
   PlanningProblem problem_;
-  const PlanCheck& check_;
+  PlanCheck check_;
   MotionState from_;
   CollisionChecker checker_;
   MotionSimulator simulator_;

@@ -16,7 +16,7 @@ std::vector<Pressures> waypoints_after(const Plan& plan, std::size_t next, doubl
 /// what a shift does (finite differences, one rollout per segment), then a few damped Newton steps
 /// are taken, each simulated. The nearest of them that is free is the repair.
 ///
-/// Borrows what makes plans.
+/// Borrows what makes plans. Threads: as that.
 class PlanRepair {
  public:
   explicit PlanRepair(CheckedPlans& plans) : plans_(plans), box_(setpoints_of(plans.problem())) {}

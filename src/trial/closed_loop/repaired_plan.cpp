@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "limber/common/interrupt.hpp"
 #include "plan_repair.hpp"
-#include "sampled_motions.hpp"
 
 namespace limber {
 
@@ -22,19 +22,20 @@ std::optional<Plan> repaired_plan(const PlanningProblem& problem,
   return shifted_kpa ? plans.checked(*shifted_kpa, seed) : std::nullopt;
 }
 
-std::optional<Plan> sampled_plan(const PlanningProblem& problem, const SampledPlanAsked& asked,
-                                 std::uint64_t queries, std::uint64_t seed,
+std::optional<Plan> sampled_plan(const PlanningProblem& problem,
+                                 const std::vector<SampledMotion>& motions,
+                                 const SampledPlanAsked& asked, std::uint64_t seed,
                                  const PlanCheck& check) {
   CheckedPlans plans(problem, check);
-  const std::vector<SampledMotion> motions = sampled_motions(problem, queries, seed);
-  for (const double least_effort :
-       {std::max(asked.better_effort, asked.least_effort), asked.least_effort}) {
+  const double better_effort = std::max(asked.better_effort, asked.least_effort);
+  for (const bool is_preferred : {true, false}) {
     int tried = 0;
     for (const SampledMotion& motion : motions) {
-      if (motion.error_m > asked.max_error_m || motion.effort < least_effort) {
+      if (!(motion.error_m <= asked.max_error_m && motion.effort >= asked.least_effort) ||
+          (motion.effort >= better_effort) != is_preferred) {
         continue;
       }
-      if (++tried > kTries) {
+      if (++tried > kTries || interrupt_requested()) {
         break;
       }
       if (!plans.end_of(motion.waypoints_kpa)) {

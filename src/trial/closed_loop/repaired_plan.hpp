@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "checked_plans.hpp"
+#include "sampled_motions.hpp"
 
 namespace limber {
 
@@ -21,9 +23,11 @@ struct SampledPlanAsked {
   double better_effort = 0.0;  ///< one of so much is preferred; 0: none is
 };
 
-/// The best of `sampled_motions` that is like that, as a checked plan.
-/// @param queries  as of sampled_motions
-std::optional<Plan> sampled_plan(const PlanningProblem& problem, const SampledPlanAsked& asked,
-                                 std::uint64_t queries, std::uint64_t seed, const PlanCheck& check);
+/// The first of these motions that is like that, as a checked plan.
+/// @param motions  `sampled_motions` of the problem; its margin does not matter to them
+std::optional<Plan> sampled_plan(const PlanningProblem& problem,
+                                 const std::vector<SampledMotion>& motions,
+                                 const SampledPlanAsked& asked, std::uint64_t seed,
+                                 const PlanCheck& check);
 
 }  // namespace limber

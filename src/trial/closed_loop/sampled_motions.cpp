@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "goal_lengths.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/forward/rollout_batch.hpp"
+#include "limber/world/hold.hpp"
+#include "limber/world/pressure_box.hpp"
+#include "limber/world/straight_motion.hpp"
 
 namespace limber {
 
@@ -118,12 +122,16 @@ class MotionSampler {
     if (reached + 1 < waypoints_kpa.size()) {
       rollouts_.go_on(column, waypoints_kpa[reached + 1], frames_to(waypoints_kpa, reached + 1));
     } else if (reached + 1 == waypoints_kpa.size()) {
-      rollouts_.go_on(column, waypoints_kpa.back(), problem_.arm.frames_in(kHoldS));
+      rollouts_.go_on(
+          column, waypoints_kpa.back(),
+          hold_frame_count(problem_.arm, problem_.model.valves(), rollouts_.valves(column)));
     } else {
       const PoseGoal& goal = problem_.environment.goal;
       const double error_m = as_length_m(goal, pose_error(goal, tip_pose(rollouts_.now(column))));
       const double effort = path_cost_kpa(waypoints_kpa) / double(scales_kpa_.mean());
-      motions_.push_back({std::move(waypoints_kpa), effort, error_m});
+      if (std::isfinite(error_m)) {
+        motions_.push_back({std::move(waypoints_kpa), effort, error_m});
+      }
       rollouts_.remove(column);
     }
   }

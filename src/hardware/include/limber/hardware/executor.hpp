@@ -21,7 +21,7 @@ class VirtualArm;
 struct AppearingObstacle;
 
 enum class ExecutionStatus {
-  done,    ///< every frame was commanded, and the hold after them
+  done,    ///< every frame was commanded, and the hold after them; or halted, it rests in the goal
   fault,   ///< the arm failed; `message` says how
   stopped  ///< by Ctrl-C, or by a controller; `message` says why
 };
