@@ -53,8 +53,8 @@ std::optional<MotionState> CheckedPlans::end_of(const std::vector<Pressures>& wa
 }
 
 std::optional<Plan> CheckedPlans::checked(const std::vector<Pressures>& waypoints_kpa,
-                                          std::uint64_t seed) {
-  Plan plan = build_plan(problem_, simulator_, waypoints_kpa, "repair", seed);
+                                          const std::string& planner, std::uint64_t seed) {
+  Plan plan = build_plan(problem_, simulator_, waypoints_kpa, planner, seed);
   return check_(plan, problem_.environment) ? std::optional(std::move(plan)) : std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "limber/forward/motion_simulator.hpp"
@@ -34,8 +35,10 @@ class CheckedPlans {
   /// Where the arm comes to rest; none if something is too near on the way.
   /// @param waypoints_kpa  start first
   std::optional<MotionState> end_of(const std::vector<Pressures>& waypoints_kpa);
+  /// @param planner  Plan::planner
   /// @return none if the check refuses it
-  std::optional<Plan> checked(const std::vector<Pressures>& waypoints_kpa, std::uint64_t seed);
+  std::optional<Plan> checked(const std::vector<Pressures>& waypoints_kpa,
+                              const std::string& planner, std::uint64_t seed);
 
  private:
   PlanningProblem problem_;

@@ -19,7 +19,7 @@ std::optional<Plan> repaired_plan(const PlanningProblem& problem,
   CheckedPlans plans(problem, check);
   const std::optional<std::vector<Pressures>> shifted_kpa =
       PlanRepair(plans).toward_goal(waypoints_kpa, max_error_m);
-  return shifted_kpa ? plans.checked(*shifted_kpa, seed) : std::nullopt;
+  return shifted_kpa ? plans.checked(*shifted_kpa, "repair", seed) : std::nullopt;
 }
 
 std::optional<Plan> sampled_plan(const PlanningProblem& problem,
@@ -41,7 +41,7 @@ std::optional<Plan> sampled_plan(const PlanningProblem& problem,
       if (!plans.end_of(motion.waypoints_kpa)) {
         continue;
       }
-      if (std::optional<Plan> plan = plans.checked(motion.waypoints_kpa, seed)) {
+      if (std::optional<Plan> plan = plans.checked(motion.waypoints_kpa, "sampled", seed)) {
         return plan;
       }
     }
