@@ -8,6 +8,7 @@
 
 #include "closed_loop/goal_lengths.hpp"
 #include "closed_loop/repaired_plan.hpp"
+#include "closed_loop/sampled_plan.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
 

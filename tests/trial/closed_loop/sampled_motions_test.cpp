@@ -6,7 +6,7 @@
 
 #include "planning/play_model.hpp"
 #include "src/trial/closed_loop/goal_lengths.hpp"
-#include "src/trial/closed_loop/repaired_plan.hpp"
+#include "src/trial/closed_loop/sampled_plan.hpp"
 #include "support/fake_arm.hpp"
 
 namespace limber {
