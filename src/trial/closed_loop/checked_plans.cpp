@@ -34,7 +34,7 @@ PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model)
   };
 }
 
-CheckedPlans::CheckedPlans(PlanningProblem problem, PlanCheck check)
+CheckedPlans::CheckedPlans(const PlanningProblem& problem, PlanCheck check)
     : problem_(with_kept_margin(problem, start_of(problem).backbone)),
       check_(std::move(check)),
       from_(start_of(problem_)),

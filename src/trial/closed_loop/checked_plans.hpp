@@ -23,7 +23,7 @@ PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model)
 /// Borrows what the problem borrows. Threads: one of these, one thread.
 class CheckedPlans {
  public:
-  CheckedPlans(PlanningProblem problem, PlanCheck check);
+  CheckedPlans(const PlanningProblem& problem, PlanCheck check);
   CheckedPlans(const CheckedPlans&) = delete;  // the simulator borrows the checker
   CheckedPlans& operator=(const CheckedPlans&) = delete;
 
