@@ -15,7 +15,7 @@ void ReplanFlags::add_motion_queries_to(CLI::App& app) {
 void ReplanFlags::add_to(CLI::App& app) {
   app.add_flag("--replan", replan_,
                "Closed loop: plan again, with --model, from where the arm is measured, while it "
-               "moves and after, until it comes no nearer to the goal's centre");
+               "moves and after, until it is near the goal's centre or comes no nearer");
   add_motion_queries_to(app);
   app.add_option("--max-replans", settings_.corrections.max_replans,
                  "With --replan: plans from rest, after the first")

@@ -212,9 +212,9 @@ std::optional<Plan> Replanner::search(const Plan& before, const Environment& fro
   PlannerLimits limits;
   limits.queries = (has_halted_in_vain_ ? kQueriesOfLastResort : 1) * settings_.queries;
   limits.iterations = std::max<std::uint64_t>(1, *limits.queries / kQueriesPerIteration);
-  const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(replans_);
   return planner_
-      ->plan(problem, limits, seed, [](const PlannerProgress&) { return !interrupt_requested(); })
+      ->plan(problem, limits, seed_of_next(),
+             [](const PlannerProgress&) { return !interrupt_requested(); })
       .plan;
 }
 
@@ -299,13 +299,11 @@ std::optional<Plan> Replanner::short_correction(const Plan& before, const Enviro
   const PlanCheck check = [&](Plan& plan, const Environment& environment) {
     return is_taken(plan) && certified(plan, environment);
   };
-  const std::vector<SampledMotion> motions =
-      sampled_motions(correction_problem(before, from_here, 0.0), settings_.queries,
-                      seed_ + static_cast<std::uint64_t>(replans_));
+  const std::vector<SampledMotion> motions = sampled_motions(
+      correction_problem(before, from_here, 0.0), settings_.queries, seed_of_next());
   for (const double share : {1.0, kLeastMargin}) {
-    if (std::optional<Plan> found =
-            sampled_plan(correction_problem(before, from_here, share), motions, asked,
-                         seed_ + static_cast<std::uint64_t>(replans_), check)) {
+    if (std::optional<Plan> found = sampled_plan(correction_problem(before, from_here, share),
+                                                 motions, asked, seed_of_next(), check)) {
       return found;
     }
   }
@@ -328,8 +326,7 @@ std::optional<Plan> Replanner::straight(const Plan& before, Environment from_her
   from_here.goal.orientation_tolerance_rad *= widened;
   const Pressures& held_kpa = from_here.start->pressures_kpa;
   return repaired_plan(correction_problem(before, from_here, kLeastMargin), {held_kpa, held_kpa},
-                       max_error_m, seed_ + static_cast<std::uint64_t>(replans_),
-                       certificate_check(arm_, model_));
+                       max_error_m, seed_of_next(), certificate_check(arm_, model_));
 }
 
 /// As near to the aim as a straight motion comes, where that is clearly nearer than the arm is. For

@@ -35,9 +35,9 @@ PlanCheck certificate_check(const ArmDescription& arm, const MotionModel& model)
 }
 
 CheckedPlans::CheckedPlans(const PlanningProblem& problem, PlanCheck check)
-    : problem_(with_kept_margin(problem, start_of(problem).backbone)),
+    : from_(start_of(problem)),
+      problem_(with_kept_margin(problem, from_.backbone)),
       check_(std::move(check)),
-      from_(start_of(problem_)),
       checker_(problem_.arm, problem_.environment.obstacles,
                std::max(problem_.margin_m, Certificate::kMinClearanceM) + kReserveM),
       simulator_(problem_.arm, problem_.model, checker_) {}

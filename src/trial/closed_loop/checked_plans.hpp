@@ -41,9 +41,9 @@ class CheckedPlans {
                               const std::string& planner, std::uint64_t seed);
 
  private:
+  MotionState from_;
   PlanningProblem problem_;
   PlanCheck check_;
-  MotionState from_;
   CollisionChecker checker_;
   MotionSimulator simulator_;
 };

@@ -61,6 +61,7 @@ class Replanner final : public PlanSource {
   bool is_correction() const { return is_correction_; }
 
  private:
+  std::uint64_t seed_of_next() const { return seed_ + static_cast<std::uint64_t>(replans_); }
   bool has_more_to_gain(double error_m, bool has_arrived);
   void learn_from(const Plan& ended, const Pose& measured);
   void note_creep(const Pressures& held_kpa, int frames, const Backbone& measured);
