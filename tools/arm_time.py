@@ -4,16 +4,18 @@
     tools/arm_time.py --limber build/release/bin/limber --environments-model model.safetensors --out OUT
 
 A way is START:SHARE. It begins with --start-h of motions: `random` ones, as `collect --schedule random`
-makes them, or `straight` ones, each from rest. Then it adds arm time up to each of --hours; SHARE of
-that are plans, the rest random motions, so random:0 is plain collection. At each of --hours a new
-network is trained from the start on all of it (`improve --from-start`), for as many epoch-hours either
-way, and plans 100 random environments, which are the same for all and were sampled with
---environments-model. The error is how far the tip ends from where the plan has it, executed open loop.
+makes them, or `straight` ones, each from rest. Then it adds arm time up to about each of --hours; SHARE
+of that are plans, the rest random motions, so random:0 is plain collection. Arm time is what is
+recorded, and every venting. At each point a new network is trained from the start on all of it
+(`improve --from-start`), for as many epoch-hours either way, and plans 100 random environments, which
+are the same for all and were sampled with --environments-model. The error is how far the tip ends from
+where the plan has it, executed open loop.
 
 Every part lies in OUT; parts that are finished are not run again.
 """
 
 import argparse
+import json
 import math
 import pathlib
 import statistics
@@ -26,8 +28,11 @@ HOURS = [0.2, 0.4, 0.6, 2.0]
 EPOCH_HOURS = 150  # of each training
 MIN_EPOCHS = 150
 MAX_EPOCHS = 1000
+VENTING_S = 1.55  # from a plan's end until the vented arm lies still: median of 60 plans
 MOTION_S = 3.0
-STRAIGHT_MOTION_S = 1.8  # from rest, with its hold, in the mean
+STRAIGHT_MOTION_S = 2.0  # from rest, with its hold, in the mean
+MOTIONS_BETWEEN_VENTINGS = 10  # of random motions, as `improve` makes them, and of straight ones
+CHAIN_S = 30.0  # that many motions, or plans
 GOAL_CM = 1.0
 ROOM = ("--margin-m", 0.01, "--goal-margin-m", 0, "--goal-margin-rad", 0)
 QUERIES = ("--max-queries", 20_000)
@@ -37,12 +42,22 @@ def epochs(hours):
     return min(MAX_EPOCHS, max(MIN_EPOCHS, round(EPOCH_HOURS / hours)))
 
 
+def hours_of(recorded_s, ventings):
+    return (recorded_s + VENTING_S * ventings) / 3600
+
+
+def recorded_min(hours):
+    """Of so much arm time, where the arm is vented after each chain."""
+    return 60 * hours * CHAIN_S / (CHAIN_S + VENTING_S)
+
+
 def first_motions(kind, hours):
     """What `collect` is asked for."""
-    if kind == "random":
-        return ("--count", round(hours * 3600 / MOTION_S) // 5, "--episodes", 5)
-    return ("--approach", "straight", "--hold-s", 1, "--count", 1,
-            "--episodes", round(hours * 3600 / STRAIGHT_MOTION_S))
+    straight = kind == "straight"
+    recorded_s = 60 * recorded_min(hours)
+    motions = recorded_s / (STRAIGHT_MOTION_S if straight else MOTION_S)
+    return (*(("--approach", "straight", "--hold-s", 1) if straight else ()),
+            "--count", MOTIONS_BETWEEN_VENTINGS, "--episodes", round(motions / MOTIONS_BETWEEN_VENTINGS))
 
 
 def way(text):
@@ -60,15 +75,16 @@ class ArmTime(KeptParts):
             ENVIRONMENT_SEED, options.count, options.environments_model)
 
     def start(self, kind, seed):
-        """The first recording, and the network that learns from it."""
+        """The first recording, the network that learns from it, and its arm time."""
         name = f"start_{kind}_{seed}"
         data, model = self.out / f"{name}.h5", self.out / f"{name}.safetensors"
+        collected = self.kept(name, lambda: self.limber(
+            "collect", "--json", "--force", "--schedule", "random", "--seed", seed,
+            *first_motions(kind, self.options.start_h), "--out", data))
         if not model.exists():
-            self.limber("collect", "--json", "--force", "--schedule", "random", "--seed", seed,
-                        *first_motions(kind, self.options.start_h), "--out", data)
             self.limber("train", "--json", "--force", "--data", data, "--windows", 32,
                         "--epochs", epochs(self.options.start_h), "--seed", seed, "--out", model)
-        return data, model
+        return data, model, hours_of(collected["arm_time_s"], collected["episodes"])
 
     def judged(self, name, model):
         """Executed plans: the tip's errors at their ends, and how many arrive."""
@@ -83,34 +99,50 @@ class ArmTime(KeptParts):
                 "p95_cm": errors[math.ceil(0.95 * len(errors)) - 1]}
 
     def curve(self, seed, kind, share):
-        """Arm time [h] and what plans are then off by."""
-        data, model = self.start(kind, seed)
-        recordings, hours, first = [data], self.options.start_h, f"start_{kind}_{seed}"
-        points = {hours: self.kept(f"{first}_judged", lambda: self.judged(first, model))}
+        """Points in time, each with its arm time, and what plans are then off by."""
+        first = f"start_{kind}_{seed}"
+        data, model, hours = self.start(kind, seed)
+        recordings = [data]
+        points = [{"hours": hours, **self.kept(f"{first}_judged", lambda: self.judged(first, model))}]
         for until in self.options.hours:
             name = f"{kind}_{share:g}_seed_{seed}_{until:g}h"
             folder = self.out / name
             if not (folder / "summary.json").exists():
                 self.limber("improve", "--json", "--from-start", "--model", model, "--data", *recordings,
-                            "--rounds", 1, "--round-min", 60 * (until - hours), "--plan-share", share,
+                            "--rounds", 1, "--round-min", recorded_min(max(until - hours, 0.001)),
+                            "--plan-share", share, "--chain", self.options.chain,
                             "--selection", 2, "--reported", 2, "--epochs", epochs(until), *QUERIES, *ROOM,
                             "--seed", seed + round(1000 * until), "--out", folder, "--resume")
             round_1 = folder / "round_1"
-            model, hours = round_1 / "model.safetensors", until
+            model = round_1 / "model.safetensors"
+            figures = json.loads((round_1 / "round.json").read_text(encoding="utf-8"))
+            hours += hours_of(60 * figures["learning_arm_time_min"], figures["learning_ventings"])
             recordings += [path for path in (round_1 / "plans.h5", round_1 / "exploration.h5")
                            if path.exists()]
-            points[until] = self.kept(f"{name}_judged", lambda: self.judged(name, model))
+            judged = self.kept(f"{name}_judged", lambda: self.judged(name, model))
+            points.append({"hours": hours, **judged})
         return points
 
 
 def hours_to_goal(points):
     """Where the median error falls to GOAL_CM, between two points on logarithmic axes; None: never."""
-    known = [(hours, point["median_cm"]) for hours, point in sorted(points.items())]
-    for (left, before), (right, after) in zip(known, known[1:]):
-        if before > GOAL_CM >= after:
-            part = math.log(before / GOAL_CM) / math.log(before / after)
-            return left * (right / left) ** part
+    for left, right in zip(points, points[1:]):
+        if left["median_cm"] > GOAL_CM >= right["median_cm"]:
+            part = math.log(left["median_cm"] / GOAL_CM) / math.log(left["median_cm"] / right["median_cm"])
+            return left["hours"] * (right["hours"] / left["hours"]) ** part
     return None
+
+
+def means(curves):
+    """The mean of several curves, point by point."""
+    return [{key: statistics.fmean(point[key] for point in same) for key in ("hours", "median_cm", "p95_cm")}
+            for same in zip(*curves)]
+
+
+def text(points, reached):
+    return ", ".join(f"{point['hours']:.3g} h {point['median_cm']:.2f} cm ({point['p95_cm']:.2f})"
+                     for point in points) + (
+        f"; {GOAL_CM:g} cm after " + (f"{reached:.2f} h" if reached else "no arm time"))
 
 
 def main():
@@ -126,24 +158,18 @@ def main():
     parser.add_argument("--start-h", type=float, default=0.1)
     parser.add_argument("--hours", type=float, nargs="+", default=HOURS)
     parser.add_argument("--count", type=int, default=100, help="of environments")
+    parser.add_argument("--chain", type=int, default=10, help="plans between two ventings")
     run = ArmTime(parser.parse_args())
-    curves = {}
+    curves = {way: [] for way in run.options.ways}
     for seed in range(run.options.first_seed, run.options.first_seed + run.options.seeds):
         for kind, share in run.options.ways:
-            curves[(kind, share), seed] = points = run.curve(seed, kind, share)
-            reached = hours_to_goal(points)
-            print(f"{kind}:{share:g}, seed {seed}: " + ", ".join(
-                f"{hours:g} h {point['median_cm']:.2f} cm ({point['p95_cm']:.2f})"
-                for hours, point in sorted(points.items())) +
-                f"; {GOAL_CM:g} cm after " + (f"{reached:.2f} h" if reached else "no arm time"), flush=True)
-    for kind, share in run.options.ways:
-        of_way = [points for (its, _), points in curves.items() if its == (kind, share)]
-        means = {hours: statistics.fmean(points[hours]["median_cm"] for points in of_way)
-                 for hours in of_way[0]}
+            points = run.curve(seed, kind, share)
+            curves[kind, share].append(points)
+            print(f"{kind}:{share:g}, seed {seed}: {text(points, hours_to_goal(points))}", flush=True)
+    for (kind, share), of_way in curves.items():
         reached = [hours_to_goal(points) for points in of_way]
-        print(f"{kind}:{share:g}, mean of the medians: " + ", ".join(
-            f"{hours:g} h {mean:.2f} cm" for hours, mean in sorted(means.items())) +
-            (f"; {GOAL_CM:g} cm after {statistics.fmean(reached):.2f} h" if all(reached) else ""))
+        mean = statistics.fmean(reached) if all(reached) else None
+        print(f"{kind}:{share:g}, mean: {text(means(of_way), mean)}")
 
 
 if __name__ == "__main__":

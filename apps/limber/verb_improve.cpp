@@ -49,6 +49,11 @@ class ImproveVerb final : public Verb {
     app.add_option("--plan-share", settings_.plan_share,
                    "Share of them for executed plans, 0 to 1; the rest are random motions")
         ->capture_default_str();
+    app.add_option(
+           "--chain", settings_.chain,
+           "Environments between two ventings: each plan to learn from begins where the one "
+           "before ended; 1: all from the vented arm")
+        ->capture_default_str();
     app.add_option("--selection", settings_.selection,
                    "Environments whose executed plans choose the round, the same in every round")
         ->capture_default_str();
@@ -141,8 +146,11 @@ class ImproveVerb final : public Verb {
     on.source = "model:" + driver_.model_file();
     on.about = "network " + content_hash(read_file(driver_.model_file()));
     on.drivers = [make](int /*index*/) { return make(); };
-    on.execute = [arm = settings_.arm, make](const Environment& environment, const Plan& plan) {
-      return execute(arm, environment, plan, *make());
+    on.execute = [arm = settings_.arm, make](const Environment& environment, const Plan& plan,
+                                             PlanSource* then) {
+      ExecutionSettings execution;
+      execution.replanner = then;
+      return execute(arm, environment, plan, *make(), execution);
     };
     on.side_by_side = true;
     return on;
@@ -164,9 +172,11 @@ class ImproveVerb final : public Verb {
     on.limit_scale = driver_.limit_scale();
     on.drivers = on_one_driver(*driver);
     on.start = [&driver = *driver, this] { return vented_start(driver); };
-    on.execute = [&driver = *driver, this](const Environment& environment, const Plan& plan) {
+    on.execute = [&driver = *driver, this](const Environment& environment, const Plan& plan,
+                                           PlanSource* then) {
       constexpr double kMeasured_m = 0.01;  // what trackers and a base's frame are off by
       ExecutionSettings execution;
+      execution.replanner = then;
       execution.max_start_error_m = std::max(plan.margin_m, kMeasured_m);
       driver.look();
       return execute(settings_.arm, environment, plan, driver, execution);

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "episode_slice.hpp"
 #include "learnt_kind.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "training_run.hpp"
 
 namespace limber {

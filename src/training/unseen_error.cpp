@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "episode_slice.hpp"
 #include "error_runs.hpp"
 #include "learnt_kind.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
 #include "limber/training/learnt_region_fit.hpp"

@@ -4,7 +4,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "episode_slice.hpp"
+#include "limber/data/episode_slice.hpp"
 
 namespace limber {
 

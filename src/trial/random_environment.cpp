@@ -31,7 +31,9 @@ class EnvironmentSampler {
         settings_(settings),
         random_(random),
         nothing_(arm, {}),
-        simulator_(arm, model, nothing_) {}
+        simulator_(arm, model, nothing_) {
+    result_.environment.start = settings.start;
+  }
 
   std::optional<RandomEnvironment> sample() {
     draw_motion();

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "limber/arm/no_load_model.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
@@ -7,8 +10,9 @@
 
 namespace limber {
 
-/// Bends both segments to the right by 80 kPa, predicted by the no-load model.
-inline Plan bending_plan(const ArmDescription& arm, const Environment& environment) {
+/// Straight from each waypoint to the next, predicted by the no-load model.
+inline Plan plan_through(const ArmDescription& arm, const Environment& environment,
+                         std::vector<Pressures> waypoints_kpa) {
   const NoLoadModel model(arm);
   const auto frame = [&](const Pressures& setpoint_kpa) {
     PlanFrame result{setpoint_kpa, setpoint_kpa, Backbone(arm.point_count(), 3)};
@@ -22,10 +26,8 @@ inline Plan bending_plan(const ArmDescription& arm, const Environment& environme
   plan.environment_name = environment.name;
   plan.environment_hash = environment_hash(environment);
   plan.frame_rate_hz = arm.frame_rate_hz;
-  Pressures first = Pressures::Zero(2);
-  first[0] = 80.0F;
-  plan.waypoints_kpa = {Pressures::Zero(2), first, Pressures::Constant(2, 80.0F)};
-  plan.frames.push_back(frame(Pressures::Zero(2)));
+  plan.waypoints_kpa = std::move(waypoints_kpa);
+  plan.frames.push_back(frame(plan.waypoints_kpa.front()));
   for (std::size_t w = 1; w < plan.waypoints_kpa.size(); ++w) {
     const Pressures& from = plan.waypoints_kpa[w - 1];
     const Pressures& to = plan.waypoints_kpa[w];
@@ -38,6 +40,13 @@ inline Plan bending_plan(const ArmDescription& arm, const Environment& environme
   }
   plan.cost_kpa = path_cost_kpa(plan.frames, &PlanFrame::setpoint_kpa);
   return plan;
+}
+
+/// Bends both segments to the right by 80 kPa, one after the other.
+inline Plan bending_plan(const ArmDescription& arm, const Environment& environment) {
+  Pressures first = Pressures::Zero(2);
+  first[0] = 80.0F;
+  return plan_through(arm, environment, {Pressures::Zero(2), first, Pressures::Constant(2, 80.0F)});
 }
 
 }  // namespace limber

@@ -29,6 +29,7 @@ inline ArmDescription small_arm(int segments = 2) {
 struct FakeFaults {
   int drop_every = 0;              ///< frames without a backbone: every k-th, 0 for none
   std::optional<float> stuck_kpa;  ///< segment 0 never exceeds this
+  double lost_from_s = 1e9;        ///< no backbone from then on
   double fails_at_s = 1e9;         ///< throws SystemFault
   double returns_nan_at_s = 1e9;
 };
@@ -70,7 +71,8 @@ class FakeArm final : public ArmDriver {
 
  private:
   void look() {
-    if (faults_.drop_every > 0 && frame_ % faults_.drop_every == faults_.drop_every - 1) {
+    if (state_.time_s >= faults_.lost_from_s ||
+        (faults_.drop_every > 0 && frame_ % faults_.drop_every == faults_.drop_every - 1)) {
       state_.backbone.reset();
       return;
     }

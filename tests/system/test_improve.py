@@ -109,6 +109,17 @@ class Improve(InFolder):
         self.assertEqual(len(summary["rounds"]), 2)
         self.assertTrue(summary["driver"]["vent"]["confirmed"])
 
+    def test_plans_follow_one_another_between_ventings(self):
+        self.run_limber(*self.command("out", "--rounds", 1, "--chain", 3))
+        runs = json.loads((self.folder / "out/round_1/plans.json").read_text())["runs"]
+        self.assertEqual([run["environment"] for run in runs], list(range(len(runs))))
+        for first in range(0, len(runs), 3):
+            executed = [run["was_vented"] for run in runs[first:first + 3] if run["executed"]]
+            self.assertEqual(executed, ([True] + 2 * [False])[:len(executed)])
+        figures = json.loads((self.folder / "out/round_1/round.json").read_text())
+        self.assertGreaterEqual(figures["learning_ventings"], sum(run["was_vented"] for run in runs))
+        self.assertIn("--chain 0", self.run_limber(*self.command("bad", "--chain", 0), code=2).stderr)
+
     def test_ctrl_c_says_how_to_go_on(self):
         with subprocess.Popen([PROGRAM, *map(str, self.command("out", "--round-min", 60))], cwd=self.folder,
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, encoding="utf-8") as process:

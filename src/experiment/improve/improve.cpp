@@ -183,9 +183,11 @@ class Improvement {
       PlanRunsSettings asked;
       asked.seed = seed_of(kPlans, round);
       asked.arm_time_s = settings_.plan_share * round_s;
+      asked.chain = settings_.chain;
       const PlanRuns plans = run_plans_of(round, "plans", asked, model);
       data_.add_plans(plans.episodes, settings_.arm.frame_period_s());
       plans_s = plans.arm_time_s;
+      learning_ventings_ += plans.ventings();
       add_source(in_round(round, "plans.h5"));
     }
     // Plans that took longer than their share leave less for the rest.
@@ -197,6 +199,7 @@ class Improvement {
                          seed_of(kExploration, round));
       data_.add_exploration(exploration.episodes);
       exploration_s = exploration.duration_s();
+      learning_ventings_ += static_cast<int>(exploration.episodes.size());
       add_source(in_round(round, "exploration.h5"));
     }
     learning_s_ += plans_s + exploration_s;
@@ -245,6 +248,7 @@ class Improvement {
     figures.model_hash = model.hash;
     figures.prediction_error = model.compensation.prediction_error;
     figures.learning_min = learning_s_ / kSecondsPerMinute;
+    figures.learning_ventings = learning_ventings_;
     figures.judging_min = judging_s_ / kSecondsPerMinute;
     figures.selection = figures_of(selection.runs);
     figures.selection_m = end_distances(selection.runs);
@@ -278,6 +282,7 @@ class Improvement {
   RoundData data_;
   std::string sources_;  // learnt from since the last model
   double learning_s_ = 0.0;
+  int learning_ventings_ = 0;
   double judging_s_ = 0.0;
   std::vector<RoundFigures> rounds_;
 };

@@ -9,9 +9,11 @@ ImproveArm virtual_improve_arm(const ArmDescription& arm) {
   on.source = "virtual arm";
   on.about = describe(arm, VirtualArmOptions{});
   on.drivers = virtual_arm_factory(arm, {});
-  on.execute = [arm](const Environment& environment, const Plan& plan) {
+  on.execute = [arm](const Environment& environment, const Plan& plan, PlanSource* then) {
     VirtualArm driver(arm);
-    return execute(arm, environment, plan, driver);
+    ExecutionSettings execution;
+    execution.replanner = then;
+    return execute(arm, environment, plan, driver, execution);
   };
   on.side_by_side = true;
   return on;

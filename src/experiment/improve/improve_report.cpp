@@ -116,7 +116,8 @@ std::string improve_report(const ImproveSettings& settings, const std::vector<Ro
        {"error on plans over random motions", plain(best.mean_error_ratio()),
         "before: " + plain(first.mean_error_ratio())},
        {"arm time learnt from", fmt::format("{:.1f} min", best.learning_min),
-        fmt::format("and {:.1f} min to judge all rounds", rounds.back().judging_min)}});
+        fmt::format("vented {} times for it; and {:.1f} min to judge all rounds",
+                    best.learning_ventings, rounds.back().judging_min)}});
   page.heading("Rounds")
       .table(outcome_table(rounds, choice.best))
       .figure({improve_curve(rounds, choice), "Each round in environments of its own"})

@@ -45,6 +45,8 @@ void require_usable(const ImproveSettings& settings) {
           "--round-min", settings.round_min, fmt::format("minutes, over 0 to {}", kMaxRoundMin));
   require(settings.plan_share >= 0.0 && settings.plan_share <= 1.0, "--plan-share",
           settings.plan_share, "0 to 1");
+  require(settings.chain >= 1 && settings.chain <= kMaxCount, "--chain", settings.chain,
+          fmt::format("1 to {} environments", kMaxCount));
   require(settings.selection >= 2 && settings.selection <= kMaxCount, "--selection",
           settings.selection, fmt::format("2 to {} environments", kMaxCount));
   require(settings.reported >= 2 && settings.reported <= kMaxCount, "--reported", settings.reported,
@@ -71,6 +73,7 @@ Json to_json(const ImproveSettings& settings, const ImproveArm& on) {
   }
   json["round_min"] = settings.round_min;
   json["plan_share"] = settings.plan_share;
+  json["chain"] = settings.chain;
   json["selection"] = settings.selection;
   json["reported"] = settings.reported;
   json["max_queries"] = settings.queries;

@@ -1,5 +1,7 @@
 #include "plan_run_file.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -25,7 +27,9 @@ Json to_json(const PlanRun& run) {
           {"collided", run.collided},
           {"arrived", run.arrived},
           {"distance_m", run.distance_m ? Json(*run.distance_m) : Json(nullptr)},
-          {"duration_s", run.duration_s}};
+          {"duration_s", run.duration_s},
+          {"recorded", run.recorded},
+          {"was_vented", run.was_vented}};
 }
 
 PlanRun read_plan_run(const JsonReader& json) {
@@ -39,16 +43,9 @@ PlanRun read_plan_run(const JsonReader& json) {
     run.distance_m = json.at("distance_m").number(0.0, kMaxDistanceM);
   }
   run.duration_s = json.at("duration_s").number(0.0, kMaxDurationS);
+  run.recorded = json.at("recorded").boolean();
+  run.was_vented = json.at("was_vented").boolean();
   return run;
-}
-
-void write_json(OutputFolder& output, const std::string& name, const std::vector<PlanRun>& runs,
-                bool recorded) {
-  Json json = {{"schema", kPlanRunsSchema}, {"recorded", recorded}, {"runs", Json::array()}};
-  for (const PlanRun& run : runs) {
-    json["runs"].push_back(to_json(run));
-  }
-  output.write(name + ".json", json.dump(1) + "\n");
 }
 
 }  // namespace
@@ -62,41 +59,35 @@ void write_episodes(const ImproveSettings& settings, const ImproveArm& on, Outpu
   output.write_with({name}, [&] { write_recording(output.path() / name, recording); });
 }
 
-void write_part(const ImproveSettings& settings, const ImproveArm& on, OutputFolder& output,
-                const std::string& name, const PlanRunPart& part, std::uint64_t seed) {
-  if (part.episode) {
-    write_episodes(settings, on, output, name + ".h5", {*part.episode}, seed);
+void write_plan_runs(const ImproveSettings& settings, const ImproveArm& on, OutputFolder& output,
+                     const std::string& name, const PlanRuns& runs, std::uint64_t seed) {
+  if (!runs.episodes.empty()) {
+    write_episodes(settings, on, output, name + ".h5", runs.episodes, seed);
   }
-  write_json(output, name, {part.run}, part.episode.has_value());
+  Json json = {{"schema", kPlanRunsSchema}, {"runs", Json::array()}};
+  for (const PlanRun& run : runs.runs) {
+    json["runs"].push_back(to_json(run));
+  }
+  output.write(name + ".json", json.dump(1) + "\n");
 }
 
-std::optional<PlanRunPart> read_part(const fs::path& folder, const std::string& name,
-                                     int environment) {
-  const fs::path file = folder / (name + ".json");
+std::optional<PlanRuns> read_part(const OutputFolder& output, const std::string& batch, int first) {
+  const std::string name = part_name(batch, first);
+  const fs::path file = output.path() / (name + ".json");
   if (!fs::exists(file)) {
     return std::nullopt;
   }
-  const nlohmann::json root = read_json_object(file);
-  const JsonReader json(root, file.string());
-  json.require_schema(kPlanRunsSchema);
-  const std::vector<JsonReader> runs = json.at("runs").elements("a list of one run");
-  if (runs.size() != 1) {
-    json.at("runs").refuse_found("expected one run");
-  }
-  PlanRunPart part;
-  part.run = read_plan_run(runs.front());
-  if (part.run.environment != environment) {
-    runs.front().refuse(
-        fmt::format("is of environment {}; expected {}", part.run.environment, environment));
-  }
-  if (json.at("recorded").boolean()) {
-    part.episode = read_recording(folder / (name + ".h5")).episodes.front();
+  PlanRuns part = read_plan_runs(output, name);
+  if (part.runs.empty() || part.runs.front().environment != first) {
+    throw InputError(fmt::format(
+        "{}: runs: begin with environment {}; expected {}", file.string(),
+        part.runs.empty() ? "none" : fmt::to_string(part.runs.front().environment), first));
   }
   return part;
 }
 
-std::string part_name(const std::string& batch, int environment) {
-  return fmt::format("{}.parts/{:04}", batch, environment);
+std::string part_name(const std::string& batch, int first) {
+  return fmt::format("{}.parts/{:04}", batch, first);
 }
 
 void remove_parts(OutputFolder& output, const std::string& batch, const PlanRuns& runs) {
@@ -111,14 +102,6 @@ void remove_parts(OutputFolder& output, const std::string& batch, const PlanRuns
   }
   std::error_code ignored;  // a folder that holds something else stays
   fs::remove(folder, ignored);
-}
-
-void write_joined(const ImproveSettings& settings, const ImproveArm& on, OutputFolder& output,
-                  const std::string& name, const PlanRuns& runs, std::uint64_t seed) {
-  if (!runs.episodes.empty()) {
-    write_episodes(settings, on, output, name + ".h5", runs.episodes, seed);
-  }
-  write_json(output, name, runs.runs, !runs.episodes.empty());
 }
 
 void list_joined(OutputFolder& output, const std::string& name) {
@@ -139,8 +122,15 @@ PlanRuns read_plan_runs(const OutputFolder& output, const std::string& name) {
     result.runs.push_back(read_plan_run(run));
     result.arm_time_s += result.runs.back().duration_s;
   }
-  if (json.at("recorded").boolean()) {
-    result.episodes = read_recording(output.path() / (name + ".h5")).episodes;
+  const auto recorded = std::ranges::count_if(result.runs, &PlanRun::recorded);
+  if (recorded == 0) {
+    return result;
+  }
+  const fs::path recording = output.path() / (name + ".h5");
+  result.episodes = read_recording(recording).episodes;
+  if (static_cast<std::ptrdiff_t>(result.episodes.size()) != recorded) {
+    throw InputError(fmt::format("{}: {} episodes; {} has {} recorded runs", recording.string(),
+                                 result.episodes.size(), file.string(), recorded));
   }
   return result;
 }

@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "kernels/job_arena.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/trial/plan_trial.hpp"
 #include "limber/trial/random_environment.hpp"
+#include "plan_chain.hpp"
 #include "plan_run_file.hpp"
 
 namespace limber {
@@ -40,23 +41,22 @@ class Batch {
 
   PlanRuns run() {
     JobArena arena(settings_.jobs);
-    while (!is_enough()) {
+    for (int first = 0; !is_enough();) {
       throw_if_interrupted();
-      const int first = static_cast<int>(result_.runs.size());
-      const int together = at_once(first);
-      std::vector<PlanRunPart> parts(static_cast<std::size_t>(together));
+      std::vector<Part> parts(static_cast<std::size_t>(at_once(first)));
       arena.execute([&] {
-        tbb::parallel_for(0, together, [&](int k) {
+        tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t k) {
           if (!interrupt_requested()) {
-            parts[static_cast<std::size_t>(k)] = part(first + k);
+            parts[k] = part(first + static_cast<int>(k) * asked_.chain);
           }
         });
       });
       throw_if_interrupted();
-      for (PlanRunPart& one : parts) {
+      for (Part& one : parts) {
         if (!is_enough()) {
-          take(std::move(one));
+          take(std::move(one), first);
         }
+        first += asked_.chain;
       }
       require_some_solved();
     }
@@ -66,11 +66,19 @@ class Batch {
   }
 
  private:
-  std::string part_name(int number) const { return limber::part_name(asked_.name, number); }
+  struct Part {
+    PlanRuns runs;
+    bool is_on_disk = false;
+  };
 
   bool is_enough() const {
     return asked_.environments ? static_cast<int>(result_.runs.size()) >= *asked_.environments
                                : result_.arm_time_s >= asked_.arm_time_s;
+  }
+
+  double seconds_left() const {
+    return asked_.environments ? std::numeric_limits<double>::infinity()
+                               : asked_.arm_time_s - result_.arm_time_s;
   }
 
   int at_once(int done) const {
@@ -80,90 +88,98 @@ class Batch {
     return asked_.environments ? std::min(kSideBySide, *asked_.environments - done) : kSideBySide;
   }
 
-  /// The run in environment `number`: from disk, or now.
-  PlanRunPart part(int number) const {
-    if (std::optional<PlanRunPart> found = read_part(output_.path(), part_name(number), number)) {
-      found->is_on_disk = true;
-      return std::move(*found);
+  /// The chain whose environments begin with `first`: from disk, or now.
+  Part part(int first) const {
+    if (std::optional<PlanRuns> found = read_part(output_, asked_.name, first)) {
+      return {std::move(*found), true};
     }
-    return plan_and_execute(number);
+    return {plan_and_execute(first), false};
   }
 
-  PlanRunPart plan_and_execute(int number) const {
-    PlanRunPart part;
-    part.run.environment = number;
+  PlanRuns plan_and_execute(int first) const {
+    PlanChain chain(settings_.arm, first, asked_.chain, seconds_left(),
+                    [this](int number, const std::optional<ArmStart>& start) {
+                      return planned(number, start);
+                    });
+    const PlannedRun* begun = chain.begin();
+    if (begun == nullptr || interrupt_requested()) {
+      return chain.ended({});
+    }
+    const ExecutionResult run =
+        on_.execute(begun->environment, *begun->plan, asked_.chain > 1 ? &chain : nullptr);
+    require_done(run, first);
+    return chain.ended(run);
+  }
+
+  PlannedRun planned(int number, const std::optional<ArmStart>& start) const {
+    PlannedRun result;
+    result.run.environment = number;
+    RandomEnvironmentSettings sampling;
+    sampling.start = start;
     std::optional<RandomEnvironment> sampled = random_environment(
-        settings_.arm, models_.sampling, asked_.seed, static_cast<std::uint64_t>(number));
+        settings_.arm, models_.sampling, asked_.seed, static_cast<std::uint64_t>(number), sampling);
     if (!sampled) {
-      part.run.status = "no_environment";
-      return part;
+      result.run.status = "no_environment";
+      return result;
     }
     EnvironmentCase item{fmt::format("{}_{}", asked_.seed, number),
                          std::move(sampled->environment)};
-    if (on_.start) {
-      item.environment.start = on_.start();
+    if (!start && on_.start) {
+      item.environment.start = on_.start();  // not sampled with it: the same whatever it is
     }
     PlanTrialSettings planning;
     planning.limits.queries = settings_.queries;
     planning.within = on_.limits;
     planning.room = settings_.room;
     planning.model_hash = models_.planning_hash;
-    const PlanTrial trial = plan_trial(settings_.arm, models_.planning, item, planning,
-                                       asked_.seed + static_cast<std::uint64_t>(number));
-    part.run.status = to_string(trial.planning.status);
-    if (!trial.planning.plan || interrupt_requested()) {
-      return part;
-    }
-    const ExecutionResult run = on_.execute(item.environment, *trial.planning.plan);
-    note(run, part);
-    return part;
+    PlanTrial trial = plan_trial(settings_.arm, models_.planning, item, planning,
+                                 asked_.seed + static_cast<std::uint64_t>(number));
+    result.run.status = to_string(trial.planning.status);
+    result.environment = item.environment;
+    result.plan = std::move(trial.planning.plan);
+    return result;
   }
 
-  void note(const ExecutionResult& run, PlanRunPart& part) const {
-    part.run.executed = run.status == ExecutionStatus::done;
-    part.run.collided = run.collided;
-    part.run.arrived = run.goal_reached && !run.collided;
-    part.run.duration_s = run.frames * settings_.arm.frame_period_s();
-    if (part.run.executed && run.final_backbone) {
-      part.run.distance_m = run.goal_error.position_m;
-    }
-    if (run.episode.frame_count() > 0) {
-      part.episode = run.episode;
-    }
+  void require_done(const ExecutionResult& run, int first) const {
     if (run.status == ExecutionStatus::done) {
       return;
     }
-    keep_unfinished(part);
+    keep_unfinished(run.episode, first);
+    const std::string about = fmt::format(
+        "{}, from environment {} on: {}; finished runs are kept, and the same command with "
+        "--resume goes on from there",
+        asked_.what, first, run.message);
     if (run.status == ExecutionStatus::fault) {
-      throw SystemFault(
-          fmt::format("{}, environment {}: {}. Finished runs are kept; the same "
-                      "command with --resume goes on from there",
-                      asked_.what, part.run.environment, run.message));
+      throw SystemFault(about);
     }
-    throw Interrupted(
-        fmt::format("{}, environment {}: {}; finished runs are kept, and the same "
-                    "command with --resume goes on from there",
-                    asked_.what, part.run.environment, run.message));
+    throw Interrupted(about);
   }
 
   /// A run that the arm or Ctrl-C ended is no result, but what was recorded stays.
-  void keep_unfinished(const PlanRunPart& part) const {
-    if (part.episode) {
-      const std::string name =
-          fmt::format("{}.unfinished_{:04}.h5", asked_.name, part.run.environment);
-      write_episodes(settings_, on_, output_, name, {*part.episode}, asked_.seed);
+  void keep_unfinished(const Episode& episode, int first) const {
+    if (episode.frame_count() > 0) {
+      const std::string name = fmt::format("{}.unfinished_{:04}.h5", asked_.name, first);
+      write_episodes(settings_, on_, output_, name, {episode}, asked_.seed);
     }
   }
 
-  void take(PlanRunPart part) {
+  /// Runs of the part at `first`, as far as they are still needed.
+  void take(Part part, int first) {
     if (!part.is_on_disk) {
-      write_part(settings_, on_, output_, part_name(part.run.environment), part, asked_.seed);
+      write_plan_runs(settings_, on_, output_, part_name(asked_.name, first), part.runs,
+                      asked_.seed);
     }
-    result_.arm_time_s += part.run.duration_s;
-    in_vain_ = part.run.executed ? 0 : in_vain_ + 1;
-    result_.runs.push_back(part.run);
-    if (part.run.executed && part.episode) {
-      result_.episodes.push_back(std::move(*part.episode));
+    auto episode = part.runs.episodes.begin();
+    for (PlanRun& run : part.runs.runs) {
+      if (is_enough()) {
+        break;
+      }
+      result_.arm_time_s += run.duration_s;
+      in_vain_ = run.executed ? 0 : in_vain_ + 1;
+      if (run.recorded) {
+        result_.episodes.push_back(std::move(*episode++));
+      }
+      result_.runs.push_back(std::move(run));
     }
     progress_.update(asked_.environments ? result_.runs.size() : std::uint64_t(result_.arm_time_s));
   }
@@ -179,7 +195,7 @@ class Batch {
   }
 
   void join() const {
-    write_joined(settings_, on_, output_, asked_.name, result_, asked_.seed);
+    write_plan_runs(settings_, on_, output_, asked_.name, result_, asked_.seed);
     remove_parts(output_, asked_.name, result_);
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,15 +20,21 @@ struct PlanRun {
   bool executed = false;  ///< to its end
   bool collided = false;
   bool arrived = false;  ///< within the goal's tolerances, without collision
-  std::optional<double>
-      distance_m;           ///< of the end from the goal; none if not executed or untracked
+  /// Of the end from the goal; none if not executed or untracked.
+  std::optional<double> distance_m = std::nullopt;
   double duration_s = 0.0;  ///< of arm time
+  bool recorded = false;    ///< an episode of `PlanRuns::episodes`, in their order
+  bool was_vented = false;  ///< the arm, right before it
 };
 
 struct PlanRuns {
   std::vector<PlanRun> runs;      ///< by environment
   std::vector<Episode> episodes;  ///< of the executed ones that were tracked, in their order
   double arm_time_s = 0.0;
+
+  int ventings() const {
+    return static_cast<int>(std::ranges::count_if(runs, &PlanRun::was_vented));
+  }
 };
 
 /// Which environments, and how many.
@@ -37,6 +44,7 @@ struct PlanRunsSettings {
   std::uint64_t seed = 1;
   std::optional<int> environments;  ///< so many …
   double arm_time_s = 0.0;          ///< … or as many as take this long when executed
+  int chain = 1;  ///< of them between two ventings: each begins where the plan before ended
 };
 
 /// What environments are sampled with, and what plans are made with.
@@ -46,9 +54,9 @@ struct PlanRunsModels {
   std::string planning_hash;
 };
 
-/// Plans in random environments and executes the plans. Each run is on disk (NAME.parts) before the
-/// arm moves again, or on a virtual arm before the next few. Then they are joined: NAME.h5, without
-/// which nothing was executed, and NAME.json. What is on disk already is read.
+/// Plans in random environments and executes the plans. Each chain of them is on disk (NAME.parts)
+/// before the next one begins, or on a virtual arm before the next few. Then they are joined:
+/// NAME.h5, without which nothing was executed, and NAME.json. What is on disk already is read.
 /// @throws InputError if the model solves no environment of many.
 PlanRuns run_plans(const ImproveSettings& settings, const ImproveArm& on, OutputFolder& output,
                    const PlanRunsModels& models, const PlanRunsSettings& asked);

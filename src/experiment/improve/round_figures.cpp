@@ -102,6 +102,7 @@ Json to_json(const RoundFigures& figures) {
   Json json = {{"round", figures.round},
                {"model_hash", figures.model_hash},
                {"learning_arm_time_min", figures.learning_min},
+               {"learning_ventings", figures.learning_ventings},
                {"judging_arm_time_min", figures.judging_min},
                {"selection", to_json(figures.selection)},
                {"reported", to_json(figures.reported)},

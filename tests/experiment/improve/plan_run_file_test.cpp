@@ -31,20 +31,39 @@ class PlanRunFile : public ::testing::Test {
     return episode;
   }
 
-  PlanRunPart solved(int environment) const {
-    PlanRunPart part;
-    part.run = {environment, "solved", true, false, true, 0.0125, 2.5};
-    part.episode = still(4);
-    return part;
+  static PlanRun solved(int environment) {
+    PlanRun run{environment, "solved"};
+    run.executed = run.arrived = run.recorded = true;
+    run.distance_m = 0.0125;
+    run.duration_s = 2.5;
+    return run;
   }
 
-  void write(const PlanRunPart& part) {
-    write_part(settings_, on_, output_, part_name("round_1/plans", part.run.environment), part, 7);
-  }
-  std::optional<PlanRunPart> read(int environment) {
-    return read_part(output_.path(), part_name("round_1/plans", environment), environment);
+  static PlanRun unsolved(int environment) { return {environment, "limit"}; }
+
+  /// With an episode for each recorded run, one frame longer than the one before.
+  PlanRuns runs(std::vector<PlanRun> runs) const {
+    PlanRuns result;
+    for (PlanRun& run : runs) {
+      result.arm_time_s += run.duration_s;
+      if (run.recorded) {
+        result.episodes.push_back(still(4 + static_cast<int>(result.episodes.size())));
+      }
+      result.runs.push_back(std::move(run));
+    }
+    return result;
   }
 
+  void write(const PlanRuns& part) {
+    write_plan_runs(settings_, on_, output_, part_name(kBatch, part.runs.front().environment), part,
+                    7);
+  }
+  std::optional<PlanRuns> read(int first) { return read_part(output_, kBatch, first); }
+  std::filesystem::path file_of(int first) const {
+    return output_.path() / (part_name(kBatch, first) + ".json");
+  }
+
+  static constexpr const char* kBatch = "round_1/plans";
   TemporaryFolder folder_;
   ImproveSettings settings_;
   ImproveArm on_;
@@ -52,57 +71,63 @@ class PlanRunFile : public ::testing::Test {
 };
 
 TEST_F(PlanRunFile, PartSurvivesTheRoundTrip) {
-  write(solved(3));
-  const PlanRunPart found = read(3).value();
-  EXPECT_EQ(found.run.status, "solved");
-  EXPECT_TRUE(found.run.executed);
-  EXPECT_TRUE(found.run.arrived);
-  EXPECT_EQ(found.run.distance_m, 0.0125);
-  EXPECT_EQ(found.run.duration_s, 2.5);
-  EXPECT_EQ(found.episode->frame_count(), 4);
+  PlanRun first = solved(3);
+  first.was_vented = true;
+  write(runs({first, unsolved(4), solved(5)}));
+  const PlanRuns found = read(3).value();
+  ASSERT_EQ(found.runs.size(), 3U);
+  EXPECT_EQ(found.runs[0].status, "solved");
+  EXPECT_TRUE(found.runs[0].executed);
+  EXPECT_TRUE(found.runs[0].arrived);
+  EXPECT_EQ(found.runs[0].distance_m, 0.0125);
+  EXPECT_EQ(found.runs[0].duration_s, 2.5);
+  EXPECT_FALSE(found.runs[1].recorded);
+  EXPECT_FALSE(found.runs[1].distance_m);
+  EXPECT_EQ(found.arm_time_s, 5.0);
+  EXPECT_EQ(found.ventings(), 1);
+  ASSERT_EQ(found.episodes.size(), 2U);
+  EXPECT_EQ(found.episodes[1].frame_count(), 5);
   EXPECT_FALSE(read(4));
 }
 
 TEST_F(PlanRunFile, EnvironmentWithoutAPlanHasNoRecording) {
-  PlanRunPart part;
-  part.run = {5, "limit", false, false, false, std::nullopt, 0.0};
-  write(part);
-  const PlanRunPart found = read(5).value();
-  EXPECT_FALSE(found.episode);
-  EXPECT_FALSE(found.run.distance_m);
+  write(runs({unsolved(5)}));
+  EXPECT_TRUE(read(5).value().episodes.empty());
 }
 
 // Killed after the recording was written and before what says that it is whole.
 TEST_F(PlanRunFile, RecordingAloneIsNoFinishedPart) {
-  write(solved(3));
-  std::filesystem::remove(output_.path() / (part_name("round_1/plans", 3) + ".json"));
+  write(runs({solved(3)}));
+  std::filesystem::remove(file_of(3));
   EXPECT_FALSE(read(3));
 }
 
 TEST_F(PlanRunFile, JoinedRunsReplaceTheirParts) {
-  PlanRuns runs;
-  for (const int k : {0, 1}) {
-    const PlanRunPart part = solved(k);
-    write(part);
-    runs.runs.push_back(part.run);
-    runs.episodes.push_back(*part.episode);
-  }
-  write_joined(settings_, on_, output_, "round_1/plans", runs, 7);
-  remove_parts(output_, "round_1/plans", runs);
+  write(runs({solved(0), unsolved(1)}));
+  write(runs({solved(2)}));
+  const PlanRuns joined = runs({solved(0), unsolved(1), solved(2)});
+  write_plan_runs(settings_, on_, output_, kBatch, joined, 7);
+  remove_parts(output_, kBatch, joined);
   EXPECT_FALSE(std::filesystem::exists(output_.path() / "round_1/plans.parts"));
-  const PlanRuns found = read_plan_runs(output_, "round_1/plans");
-  ASSERT_EQ(found.runs.size(), 2U);
+  const PlanRuns found = read_plan_runs(output_, kBatch);
+  EXPECT_EQ(found.runs.size(), 3U);
   EXPECT_EQ(found.episodes.size(), 2U);
   EXPECT_EQ(found.arm_time_s, 5.0);
 }
 
 TEST_F(PlanRunFile, DamagedPartIsNamed) {
-  write(solved(3));
-  const std::filesystem::path file = output_.path() / (part_name("round_1/plans", 3) + ".json");
-  write_file_atomically(file, R"({"schema": "limber/plan-runs/1", "recorded": true, "runs": []})");
+  write(runs({solved(3)}));
+  write_file_atomically(file_of(3), R"({"schema": "limber/plan-runs/1", "runs": []})");
   EXPECT_THAT([&] { (void)read(3); },
               ::testing::ThrowsMessage<InputError>(
-                  AllOf(HasSubstr(file.string()), HasSubstr("expected one run"))));
+                  AllOf(HasSubstr(file_of(3).string()), HasSubstr("expected 3"))));
+}
+
+TEST_F(PlanRunFile, EpisodesThatAreMissingAreNamed) {
+  write(runs({solved(3), solved(4)}));
+  write_episodes(settings_, on_, output_, part_name(kBatch, 3) + ".h5", {still(4)}, 7);
+  EXPECT_THAT([&] { (void)read(3); },
+              ::testing::ThrowsMessage<InputError>(HasSubstr("1 episodes")));
 }
 
 }  // namespace

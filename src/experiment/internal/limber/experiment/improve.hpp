@@ -24,8 +24,9 @@ struct ImproveArm {
   std::string source;     ///< as recordings have it: "virtual arm"
   std::string about;      ///< everything else that decides the data, in words
   DriverFactory drivers;  ///< for motions as `collect` makes them
-  /// Executes a plan from the vented arm, open loop, and vents.
-  std::function<ExecutionResult(const Environment&, const Plan&)> execute;
+  /// Executes a plan from the vented arm, then those that the source gives (null: none), each open
+  /// loop from where the last one ended, and vents.
+  std::function<ExecutionResult(const Environment&, const Plan&, PlanSource*)> execute;
   /// Where the vented arm lies now; empty: straight.
   std::function<ArmStart()> start;
   std::vector<PressureLimits> limits;  ///< of plans; empty: the arm's
@@ -44,6 +45,7 @@ struct ImproveSettings {
   int rounds = 4;                                 ///< at most, ≥ 1
   double round_min = 10.0;                        ///< arm time to learn from in each round, > 0
   double plan_share = 0.5;  ///< of it, for executed plans; the rest explores; [0, 1]
+  int chain = 10;           ///< environments between two ventings, to learn from, ≥ 1
   int selection = 30;       ///< environments that choose the round, ≥ 2
   int reported = 30;        ///< environments and random motions of each round's figures, ≥ 2
   std::uint64_t queries = 20000;  ///< of each plan

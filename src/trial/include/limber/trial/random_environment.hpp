@@ -16,6 +16,9 @@ struct RandomEnvironmentSettings {
   double orientation_tolerance_rad = 0.3;
   double orientation_share = 0.3;  ///< of environments whose goal asks for a heading
   int attempts = 1000;             ///< motions sampled before giving up, ≥ 1
+  /// Where the arm rests; none: straight, all pressures zero. It is not checked: what no plan can
+  /// start from gives no plan.
+  std::optional<ArmStart> start = std::nullopt;
 };
 
 /// An environment, and one motion that solves it as the model predicts.
@@ -24,7 +27,7 @@ struct RandomEnvironment {
   std::vector<Pressures> witness_kpa;  ///< waypoints, start first
 };
 
-/// Draws an environment by the rules of limber's own eight. The arm starts straight and free. A
+/// Draws an environment by the rules of limber's own eight. The arm starts free and at rest. A
 /// motion through random waypoints, simulated with `model`, stays clear of every obstacle, and the
 /// goal is where its tip ends after the hold. The straight motion in pressure to the same end
 /// collides, and no straight motion to an inverse-kinematics solution solves the environment.
