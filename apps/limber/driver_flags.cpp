@@ -10,6 +10,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/dry_run_driver.hpp"
+#include "limber/hardware/vented_rest.hpp"
 #include "limber/report/driver_report.hpp"
 
 namespace limber {
@@ -165,13 +166,8 @@ ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
   settings.command = driver.substr(kExec.size());
   settings.safety = load_safety(arm_file);
   settings.calibration = calibration.read(arm);
-  const ProcessDriver started(arm, settings);
-  if (!started.state().backbone) {
-    throw SystemFault(
-        "--start-from-driver: the driver's state has no backbone: nothing tracks the "
-        "arm, so where it lies is not known");
-  }
-  return {Pressures::Zero(arm.segment_count()), *started.state().backbone};
+  ProcessDriver started(arm, settings);
+  return vented_rest(arm, started);
 }
 
 Json to_json(const ProcessDriver& driver) {

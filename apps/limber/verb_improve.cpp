@@ -7,6 +7,7 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/experiment/improve.hpp"
+#include "limber/hardware/vented_rest.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "limber/trial/model_arm.hpp"
 #include "room_flags.hpp"
@@ -171,7 +172,7 @@ class ImproveVerb final : public Verb {
     on.limits = driver->limits_kpa();
     on.limit_scale = driver_.limit_scale();
     on.drivers = on_one_driver(*driver);
-    on.start = [&driver = *driver, this] { return vented_start(driver); };
+    on.start = [&driver = *driver, this] { return vented_rest(settings_.arm, driver); };
     on.execute = [&driver = *driver, this](const Environment& environment, const Plan& plan,
                                            PlanSource* then) {
       constexpr double kMeasured_m = 0.01;  // what trackers and a base's frame are off by
@@ -185,14 +186,6 @@ class ImproveVerb final : public Verb {
     summary["driver"] = to_json(*driver);
     report(summary, flags);
     return driver->last_vent().confirmed ? kExitDone : kExitFault;
-  }
-
-  ArmStart vented_start(ProcessDriver& driver) const {
-    const ArmState& state = driver.look();
-    if (!state.backbone) {
-      throw SystemFault("the vented arm is not tracked, so where a plan starts is not known");
-    }
-    return {Pressures::Zero(settings_.arm.segment_count()), *state.backbone};
   }
 
   static std::string distance(const nlohmann::ordered_json& round) {
