@@ -1,0 +1,66 @@
+#include "limber/hardware/vented_rest.hpp"
+
+#include <chrono>
+#include <deque>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kWindowS = 0.25;
+constexpr float kStillM = 0.003F;
+constexpr double kLongestS = 10.0;
+
+}  // namespace
+
+ArmStart vented_rest(const ArmDescription& arm, const std::function<const ArmState&()>& look) {
+  const auto window = static_cast<std::size_t>(arm.frames_in(kWindowS));
+  std::deque<Backbone> seen;  // the newest last
+  float moved_m = 0.0F;
+  for (int frame = 0; frame <= arm.frames_in(kLongestS); ++frame) {
+    throw_if_interrupted();
+    const std::optional<Backbone>& backbone = look().backbone;
+    if (!backbone && seen.empty()) {
+      throw SystemFault(
+          "the driver's state has no backbone: nothing tracks the arm, so where it lies is not "
+          "known");
+    }
+    if (!backbone) {
+      continue;
+    }
+    seen.push_back(*backbone);
+    if (seen.size() <= window) {
+      continue;
+    }
+    moved_m = (seen.back() - seen.front()).leftCols<2>().rowwise().norm().maxCoeff();
+    if (moved_m <= kStillM) {
+      return {Pressures::Zero(arm.segment_count()), seen.back()};
+    }
+    seen.pop_front();
+  }
+  throw SystemFault(
+      fmt::format("the vented arm does not lie still: after {:g} s it still moved by {:.1f} cm in "
+                  "{:g} s, and 0.3 cm are allowed. Is it being touched, or its tracking noisy?",
+                  kLongestS, kCmPerM * double(moved_m), kWindowS));
+}
+
+ArmStart vented_rest(const ArmDescription& arm, ProcessDriver& driver) {
+  const std::chrono::duration<double> frame(driver.is_real_time() ? arm.frame_period_s() : 0.0);
+  bool is_first = true;
+  return vented_rest(arm, [&]() -> const ArmState& {
+    if (!is_first) {
+      std::this_thread::sleep_for(frame);
+    }
+    is_first = false;
+    return driver.look();
+  });
+}
+
+}  // namespace limber
