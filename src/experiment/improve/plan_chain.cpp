@@ -1,9 +1,9 @@
 #include "plan_chain.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "limber/common/interrupt.hpp"
-#include "limber/data/episode_slice.hpp"
 #include "limber/hardware/collision_watch.hpp"
 
 namespace limber {
@@ -58,42 +58,44 @@ std::optional<Plan> PlanChain::next(const Plan& plan, std::size_t frame, const A
 
 PlanRuns PlanChain::ended(const ExecutionResult& run) const {
   PlanRuns result;
-  std::size_t done = 0;
-  for (std::size_t k = 0; k < tried_.size(); ++k) {
-    PlanRun one = tried_[k].run;
-    if (done < executed_.size() && executed_[done].planned == k) {
-      const bool is_alone = executed_.size() == 1;
-      const int first = is_alone ? 0 : executed_[done].first_frame;
-      const int last = is_alone ? run.frames : executed_[done].last_frame;
-      one.executed = true;
-      one.was_vented = done == 0;
-      one.duration_s = (last - first) * arm_.frame_period_s();
-      if (is_alone) {
-        one.collided = run.collided;
-        one.arrived = run.goal_reached && !run.collided;
-        one.distance_m =
-            run.final_backbone ? std::optional(run.goal_error.position_m) : std::nullopt;
-      }
-      if (run.episode.frame_count() > last) {
-        Episode episode = slice(run.episode, first, last - first + 1);
-        if (!is_alone) {
-          judge(episode, tried_[k].environment, one);
-        }
-        one.recorded = true;
-        result.episodes.push_back(std::move(episode));
-      }
-      ++done;
-    }
+  for (const PlannedRun& one : tried_) {
+    result.runs.push_back(one.run);
+  }
+  const bool is_recorded = run.episode.frame_count() > run.frames;
+  if (is_recorded && !executed_.empty()) {
+    result.episodes.push_back(run.episode);
+  }
+  for (std::size_t k = 0; k < executed_.size(); ++k) {
+    const bool is_last = k + 1 == executed_.size();
+    const int first = executed_[k].first_frame;
+    const int end = is_last ? run.frames : executed_[k + 1].first_frame;
+    PlanRun& one = result.runs[executed_[k].planned];
+    one.executed = true;
+    one.was_vented = k == 0;
+    one.recorded = is_recorded;
+    one.duration_s = (end - first) * arm_.frame_period_s();
     result.arm_time_s += one.duration_s;
-    result.runs.push_back(std::move(one));
+    if (executed_.size() == 1) {
+      one.collided = run.collided;
+      one.arrived = run.goal_reached && !run.collided;
+      one.distance_m = run.final_backbone ? std::optional(run.goal_error.position_m) : std::nullopt;
+    } else if (is_recorded) {
+      judge(run.episode, executed_[k], tried_[executed_[k].planned].environment, one);
+    }
+    if (is_recorded) {
+      std::vector<int>& motions = result.episodes.front().motion_index;
+      std::fill(motions.begin() + (k == 0 ? 0 : first + 1), motions.begin() + end + 1,
+                static_cast<int>(k));
+    }
   }
   return result;
 }
 
-void PlanChain::judge(const Episode& episode, const Environment& environment, PlanRun& run) const {
+void PlanChain::judge(const Episode& episode, const Executed& frames,
+                      const Environment& environment, PlanRun& run) const {
   CollisionWatch watch(arm_, environment);
   BackboneD shape;
-  for (int t = 0; t < episode.frame_count(); ++t) {
+  for (int t = frames.first_frame; t <= frames.last_frame; ++t) {
     if (episode.was_tracked(t)) {
       shape =
           episode.backbone.row(t).reshaped<Eigen::RowMajor>(arm_.point_count(), 3).cast<double>();
@@ -101,7 +103,7 @@ void PlanChain::judge(const Episode& episode, const Environment& environment, Pl
     }
   }
   run.collided = watch.first_collision().has_value();
-  if (episode.was_tracked(episode.frame_count() - 1)) {
+  if (episode.was_tracked(frames.last_frame)) {
     const PoseError error = pose_error(environment.goal, tip_pose(shape));
     run.distance_m = error.position_m;
     run.arrived = is_within(environment.goal, error) && !run.collided;

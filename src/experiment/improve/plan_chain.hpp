@@ -40,11 +40,12 @@ class PlanChain final : public PlanSource {
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
 
   /// What became of the environments, after `run`. A chain of one plan is judged as the executor
-  /// judged it; the plans of a longer one each in their own environment, on the frames recorded.
+  /// judged it; the plans of a longer one each in their own environment, on the frames recorded. They
+  /// are one episode, whose motions are the plans.
   PlanRuns ended(const ExecutionResult& run) const;
 
  private:
-  /// Where a plan lies in the run, in frames since the start; the end is that of the hold.
+  /// Where a plan lies in the run, in frames since the start; the last is that of its hold.
   struct Executed {
     std::size_t planned = 0;  ///< which of `tried_`
     int first_frame = 0;
@@ -52,7 +53,8 @@ class PlanChain final : public PlanSource {
   };
 
   const PlannedRun* plan_from(const std::optional<ArmStart>& start);
-  void judge(const Episode& episode, const Environment& environment, PlanRun& run) const;
+  void judge(const Episode& episode, const Executed& frames, const Environment& environment,
+             PlanRun& run) const;
 
   const ArmDescription& arm_;
   int next_;  // environment

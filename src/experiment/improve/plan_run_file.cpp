@@ -122,15 +122,15 @@ PlanRuns read_plan_runs(const OutputFolder& output, const std::string& name) {
     result.runs.push_back(read_plan_run(run));
     result.arm_time_s += result.runs.back().duration_s;
   }
-  const auto recorded = std::ranges::count_if(result.runs, &PlanRun::recorded);
-  if (recorded == 0) {
-    return result;
-  }
-  const fs::path recording = output.path() / (name + ".h5");
-  result.episodes = read_recording(recording).episodes;
-  if (static_cast<std::ptrdiff_t>(result.episodes.size()) != recorded) {
-    throw InputError(fmt::format("{}: {} episodes; {} has {} recorded runs", recording.string(),
-                                 result.episodes.size(), file.string(), recorded));
+  const auto recorded = static_cast<std::size_t>(std::ranges::count_if(
+      result.runs, [](const PlanRun& run) { return run.was_vented && run.recorded; }));
+  if (recorded > 0) {
+    const fs::path recording = output.path() / (name + ".h5");
+    result.episodes = read_recording(recording).episodes;
+    if (result.episodes.size() != recorded) {
+      throw InputError(fmt::format("{}: {} episodes; {} has {}", recording.string(),
+                                   result.episodes.size(), file.string(), recorded));
+    }
   }
   return result;
 }

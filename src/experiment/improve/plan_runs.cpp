@@ -11,6 +11,7 @@
 #include "kernels/job_arena.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/data/episode_slice.hpp"
 #include "limber/trial/plan_trial.hpp"
 #include "limber/trial/random_environment.hpp"
 #include "plan_chain.hpp"
@@ -169,17 +170,18 @@ class Batch {
       write_plan_runs(settings_, on_, output_, part_name(asked_.name, first), part.runs,
                       asked_.seed);
     }
-    auto episode = part.runs.episodes.begin();
+    int frames = 0;
     for (PlanRun& run : part.runs.runs) {
       if (is_enough()) {
         break;
       }
       result_.arm_time_s += run.duration_s;
       in_vain_ = run.executed ? 0 : in_vain_ + 1;
-      if (run.recorded) {
-        result_.episodes.push_back(std::move(*episode++));
-      }
+      frames += static_cast<int>(std::lround(run.duration_s / settings_.arm.frame_period_s()));
       result_.runs.push_back(std::move(run));
+    }
+    for (const Episode& episode : part.runs.episodes) {
+      result_.episodes.push_back(slice(episode, 0, frames + 1));
     }
     progress_.update(asked_.environments ? result_.runs.size() : std::uint64_t(result_.arm_time_s));
   }

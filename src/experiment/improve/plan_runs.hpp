@@ -23,13 +23,13 @@ struct PlanRun {
   /// Of the end from the goal; none if not executed or untracked.
   std::optional<double> distance_m = std::nullopt;
   double duration_s = 0.0;  ///< of arm time
-  bool recorded = false;    ///< an episode of `PlanRuns::episodes`, in their order
+  bool recorded = false;    ///< in one of `PlanRuns::episodes`
   bool was_vented = false;  ///< the arm, right before it
 };
 
 struct PlanRuns {
   std::vector<PlanRun> runs;      ///< by environment
-  std::vector<Episode> episodes;  ///< of the executed ones that were tracked, in their order
+  std::vector<Episode> episodes;  ///< one of each venting that was tracked; its motions are plans
   double arm_time_s = 0.0;
 
   int ventings() const {

@@ -36,7 +36,7 @@ struct RoundFigures {
   std::optional<PredictionError> prediction_error;  ///< as the model stores it
   double learning_min = 0.0;                        ///< arm time of everything learnt from so far
   int learning_ventings = 0;  ///< before the runs learnt from; they take time that is not recorded
-  double judging_min = 0.0;  ///< arm time of selections and reported runs so far
+  double judging_min = 0.0;   ///< arm time of selections and reported runs so far
   PlanFigures selection;
   EndDistances selection_m;
   PlanFigures reported;

@@ -56,7 +56,7 @@ void RoundData::add_plans(const std::vector<Episode>& episodes, double frame_per
   for (std::size_t i = 0; i < episodes.size(); ++i) {
     const RunRole role = role_of(static_cast<int>(i));
     add(data, role,
-        role == RunRole::held_back ? as_motion_from_rest(episodes[i], frame_period_s)
+        role == RunRole::held_back ? as_motions_from_rest(episodes[i], frame_period_s)
                                    : episodes[i]);
   }
 }
@@ -64,27 +64,28 @@ void RoundData::add_plans(const std::vector<Episode>& episodes, double frame_per
 void RoundData::hold_back(const std::vector<Episode>& plans, const std::vector<Episode>& motions,
                           double frame_period_s) {
   for (const Episode& plan : plans) {
-    data.unseen.push_back(as_motion_from_rest(plan, frame_period_s));
+    data.unseen.push_back(as_motions_from_rest(plan, frame_period_s));
   }
   data.unseen.insert(data.unseen.end(), motions.begin(), motions.end());
 }
 
-Episode as_motion_from_rest(const Episode& plan, double frame_period_s) {
+Episode as_motions_from_rest(const Episode& plans, double frame_period_s) {
   Episode result;
-  const int frames = plan.frame_count();
+  const int frames = plans.frame_count();
   result.time_s.resize(frames + kStillFrames);
   for (int t = 0; t < kStillFrames; ++t) {
-    result.time_s[t] = plan.time_s[0] + t * frame_period_s;
+    result.time_s[t] = plans.time_s[0] + t * frame_period_s;
   }
-  result.time_s.tail(frames) = plan.time_s.array() + kStillFrames * frame_period_s;
-  result.pressure_kpa = with_first_row_repeated(plan.pressure_kpa, kStillFrames);
-  result.setpoint_kpa = with_first_row_repeated(plan.setpoint_kpa, kStillFrames);
-  result.backbone = with_first_row_repeated(plan.backbone, kStillFrames);
-  result.motion_index.assign(static_cast<std::size_t>(frames + kStillFrames), 1);
-  std::fill_n(result.motion_index.begin(), kStillFrames + 1, 0);
-  if (!plan.tracked.empty()) {
-    result.tracked.assign(kStillFrames, plan.tracked.front());
-    result.tracked.insert(result.tracked.end(), plan.tracked.begin(), plan.tracked.end());
+  result.time_s.tail(frames) = plans.time_s.array() + kStillFrames * frame_period_s;
+  result.pressure_kpa = with_first_row_repeated(plans.pressure_kpa, kStillFrames);
+  result.setpoint_kpa = with_first_row_repeated(plans.setpoint_kpa, kStillFrames);
+  result.backbone = with_first_row_repeated(plans.backbone, kStillFrames);
+  result.motion_index.assign(kStillFrames + 1, 0);
+  std::transform(plans.motion_index.begin() + 1, plans.motion_index.end(),
+                 std::back_inserter(result.motion_index), [](int motion) { return motion + 1; });
+  if (!plans.tracked.empty()) {
+    result.tracked.assign(kStillFrames, plans.tracked.front());
+    result.tracked.insert(result.tracked.end(), plans.tracked.begin(), plans.tracked.end());
   }
   return result;
 }

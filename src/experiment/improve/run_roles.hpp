@@ -25,16 +25,15 @@ struct RoundData {
 
   /// Exploration: every episode as it is.
   void add_exploration(const std::vector<Episode>& episodes);
-  /// Executed plans, each an episode from rest.
+  /// Executed plans: episodes that begin at rest, and whose motions are the plans.
   void add_plans(const std::vector<Episode>& episodes, double frame_period_s);
   /// Runs that made a round's figures: the errors of later rounds' models are measured on them too.
   void hold_back(const std::vector<Episode>& plans, const std::vector<Episode>& motions,
                  double frame_period_s);
 };
 
-/// An executed plan as one motion from rest: the frames before it, in which the arm stood still
-/// (docs/improving.md), are added, so that the model's error is measured over the whole of it. The
-/// plan's own motions end at its waypoints, where the arm never comes to rest.
-Episode as_motion_from_rest(const Episode& plan, double frame_period_s);
+/// Executed plans as motions from rest: the frames before the first, in which the arm stood still
+/// (docs/improving.md), are added, so that the model's error is measured over the whole of it.
+Episode as_motions_from_rest(const Episode& plans, double frame_period_s);
 
 }  // namespace limber

@@ -1,5 +1,6 @@
 #include "limber/hardware/vented_rest.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <thread>
@@ -39,7 +40,10 @@ ArmStart vented_rest(const ArmDescription& arm, const std::function<const ArmSta
     if (seen.size() <= window) {
       continue;
     }
-    moved_m = (seen.back() - seen.front()).leftCols<2>().rowwise().norm().maxCoeff();
+    moved_m = 0.0F;
+    for (const Backbone& before : seen) {  // all of them: a swing ends where it began
+      moved_m = std::max(moved_m, (seen.back() - before).leftCols<2>().rowwise().norm().maxCoeff());
+    }
     if (moved_m <= kStillM) {
       return {Pressures::Zero(arm.segment_count()), seen.back()};
     }

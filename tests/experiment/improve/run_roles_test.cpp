@@ -96,7 +96,7 @@ TEST(RunRoles, PlanFromRestKeepsItsFramesBehindStillOnes) {
   Episode plan = moving(arm, 20, 1e-3F);
   plan.tracked.assign(20, 1);
   plan.tracked[3] = 0;
-  const Episode whole = as_motion_from_rest(plan, arm.frame_period_s());
+  const Episode whole = as_motions_from_rest(plan, arm.frame_period_s());
   const int added = whole.frame_count() - plan.frame_count();
   ASSERT_GT(added, 0);
   for (int t = 0; t < added; ++t) {
@@ -112,18 +112,23 @@ TEST(RunRoles, PlanFromRestKeepsItsFramesBehindStillOnes) {
   }
 }
 
-// A plan of three motions is one run of the stored error, not three.
-TEST(RunRoles, PlanFromRestIsOneRunOfTheModelsError) {
+// Two plans, after each of which the arm stands still: each is a run of the stored error, whatever
+// its waypoints.
+TEST(RunRoles, EachPlanOfAChainIsOneRunOfTheModelsError) {
   const ArmDescription arm = sample_arm(3);
-  std::vector<Episode> plans;
-  for (int k = 0; k < 25; ++k) {
-    plans.push_back(as_motion_from_rest(moving(arm, 21, 1e-3F), arm.frame_period_s()));
+  Episode chain = moving(arm, 21, 1e-3F);
+  for (int t = 0; t < 21; ++t) {
+    chain.motion_index[static_cast<std::size_t>(t)] = t / 11;
+    if (t > 4 && t <= 10) {
+      chain.backbone.row(t) = chain.backbone.row(4);
+    }
   }
+  std::vector<Episode> chains(13, as_motions_from_rest(chain, arm.frame_period_s()));
   const CompensationModel model = untrained_model(arm, BackboneLayout::gap_poses, {8}, 1);
-  const std::optional<PredictionError> error = measure_prediction_error(arm, model, plans, 1);
+  const std::optional<PredictionError> error = measure_prediction_error(arm, model, chains, 1);
   ASSERT_TRUE(error);
-  EXPECT_EQ(error->runs, 25);
-  EXPECT_NEAR(error->run_s, 20 * arm.frame_period_s(), 1e-9);
+  EXPECT_EQ(error->runs, 26);
+  EXPECT_NEAR(error->run_s, 10 * arm.frame_period_s(), 1e-9);
 }
 
 }  // namespace

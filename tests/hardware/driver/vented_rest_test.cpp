@@ -25,7 +25,7 @@ class Swinging {
   const ArmState& look() {
     const double time_s = period_s_ * frames_++;
     (*state_.backbone)(state_.backbone->rows() - 1, 1) =
-        static_cast<float>(0.05 * std::exp2(-time_s / half_life_s_) * std::cos(2.0 * time_s));
+        static_cast<float>(0.05 * std::exp2(-time_s / half_life_s_) * std::cos(6.0 * time_s));
     return state_;
   }
 
