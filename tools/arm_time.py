@@ -11,6 +11,9 @@ recorded, and every venting. At each point a new network is trained from the sta
 are the same for all and were sampled with --environments-model. The error is how far the tip ends from
 where the plan has it, executed open loop.
 
+With START:SHARE:prior networks are not trained from the start, but go on from --prior, for as many
+epochs at the same rate. docs/improving.md says how such a network is made.
+
 Every part lies in OUT; parts that are finished are not run again.
 """
 
@@ -19,6 +22,7 @@ import json
 import math
 import pathlib
 import statistics
+import typing
 
 from kept_parts import KeptParts
 
@@ -34,6 +38,7 @@ STRAIGHT_MOTION_S = 2.0  # from rest, with its hold, in the mean
 MOTIONS_BETWEEN_VENTINGS = 10  # of random motions, as `improve` makes them, and of straight ones
 CHAIN_S = 30.0  # that many motions, or plans
 GOAL_CM = 1.0
+LEARNING_RATE = 1e-3  # of networks that are trained from the start
 ROOM = ("--margin-m", 0.01, "--goal-margin-m", 0, "--goal-margin-rad", 0)
 QUERIES = ("--max-queries", 20_000)
 
@@ -60,11 +65,24 @@ def first_motions(kind, hours):
             "--count", MOTIONS_BETWEEN_VENTINGS, "--episodes", round(motions / MOTIONS_BETWEEN_VENTINGS))
 
 
-def way(text):
-    kind, colon, share = text.partition(":")
-    if kind not in ("random", "straight") or not colon or not 0.0 <= float(share) <= 1.0:
-        raise argparse.ArgumentTypeError(f"{text}: expected random:SHARE or straight:SHARE, as straight:1")
-    return kind, float(share)
+class Way(typing.NamedTuple):
+    start: str
+    share: float
+    has_prior: bool = False
+
+    def __str__(self):
+        return f"{self.start}:{self.share:g}" + (":prior" if self.has_prior else "")
+
+    def in_file_names(self):
+        return str(self).replace(":", "_")
+
+
+def way_of(text):
+    start, share, *prior = text.split(":") if ":" in text else (text, "-1")
+    if start not in ("random", "straight") or not 0.0 <= float(share) <= 1.0 or prior not in ([], ["prior"]):
+        raise argparse.ArgumentTypeError(
+            f"{text}: expected random:SHARE or straight:SHARE, as straight:1, and perhaps :prior")
+    return Way(start, float(share), bool(prior))
 
 
 class ArmTime(KeptParts):
@@ -74,15 +92,16 @@ class ArmTime(KeptParts):
         self.environments = self.random_environments(
             ENVIRONMENT_SEED, options.count, options.environments_model)
 
-    def start(self, kind, seed):
+    def first_network(self, way, seed):
         """The first recording, the network that learns from it, and its arm time."""
-        name = f"start_{kind}_{seed}"
-        data, model = self.out / f"{name}.h5", self.out / f"{name}.safetensors"
-        collected = self.kept(name, lambda: self.limber(
+        data = self.out / f"start_{way.start}_{seed}.h5"
+        model = self.out / f"start_{way.start}_{seed}{'_prior' if way.has_prior else ''}.safetensors"
+        collected = self.kept(data.stem, lambda: self.limber(
             "collect", "--json", "--force", "--schedule", "random", "--seed", seed,
-            *first_motions(kind, self.options.start_h), "--out", data))
+            *first_motions(way.start, self.options.start_h), "--out", data))
         if not model.exists():
-            self.limber("train", "--json", "--force", "--data", data, "--windows", 32,
+            before = ("--from", self.options.prior, "--learning-rate", LEARNING_RATE) if way.has_prior else ()
+            self.limber("train", "--json", "--force", "--data", data, *before, "--windows", 32,
                         "--epochs", epochs(self.options.start_h), "--seed", seed, "--out", model)
         return data, model, hours_of(collected["arm_time_s"], collected["episodes"])
 
@@ -98,19 +117,19 @@ class ArmTime(KeptParts):
                 "median_cm": statistics.median(errors), "mean_cm": statistics.fmean(errors),
                 "p95_cm": errors[math.ceil(0.95 * len(errors)) - 1]}
 
-    def curve(self, seed, kind, share):
+    def curve(self, seed, way):
         """Points in time, each with its arm time, and what plans are then off by."""
-        first = f"start_{kind}_{seed}"
-        data, model, hours = self.start(kind, seed)
-        recordings = [data]
-        points = [{"hours": hours, **self.kept(f"{first}_judged", lambda: self.judged(first, model))}]
+        data, model, hours = self.first_network(way, seed)
+        recordings, first = [data], model
+        points = [{"hours": hours, **self.kept(f"{first.stem}_judged", lambda: self.judged(first.stem, first))}]
+        training = ("--prior", self.options.prior) if way.has_prior else ("--from-start",)
         for until in self.options.hours:
-            name = f"{kind}_{share:g}_seed_{seed}_{until:g}h"
+            name = f"{way.in_file_names()}_seed_{seed}_{until:g}h"
             folder = self.out / name
             if not (folder / "summary.json").exists():
-                self.limber("improve", "--json", "--from-start", "--model", model, "--data", *recordings,
+                self.limber("improve", "--json", *training, "--model", model, "--data", *recordings,
                             "--rounds", 1, "--round-min", recorded_min(max(until - hours, 0.001)),
-                            "--plan-share", share, "--chain", self.options.chain,
+                            "--plan-share", way.share, "--chain", self.options.chain,
                             "--selection", 2, "--reported", 2, "--epochs", epochs(until), *QUERIES, *ROOM,
                             "--seed", seed + round(1000 * until), "--out", folder, "--resume")
             round_1 = folder / "round_1"
@@ -151,25 +170,28 @@ def main():
     parser.add_argument("--limber", type=pathlib.Path, default="build/release/bin/limber")
     parser.add_argument("--environments-model", type=pathlib.Path, required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
-    parser.add_argument("--ways", type=way, nargs="+", metavar="START:SHARE",
-                        default=[("random", 0.0), ("random", 1.0), ("straight", 1.0)])
+    parser.add_argument("--ways", type=way_of, nargs="+", metavar="START:SHARE[:prior]",
+                        default=[Way("random", 0.0), Way("random", 1.0), Way("straight", 1.0)])
+    parser.add_argument("--prior", type=pathlib.Path, help="network that ways with :prior go on from")
     parser.add_argument("--first-seed", type=int, default=FIRST_SEED)
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--start-h", type=float, default=0.1)
     parser.add_argument("--hours", type=float, nargs="+", default=HOURS)
     parser.add_argument("--count", type=int, default=100, help="of environments")
     parser.add_argument("--chain", type=int, default=10, help="plans between two ventings")
-    run = ArmTime(parser.parse_args())
-    curves = {way: [] for way in run.options.ways}
-    for seed in range(run.options.first_seed, run.options.first_seed + run.options.seeds):
-        for kind, share in run.options.ways:
-            points = run.curve(seed, kind, share)
-            curves[kind, share].append(points)
-            print(f"{kind}:{share:g}, seed {seed}: {text(points, hours_to_goal(points))}", flush=True)
-    for (kind, share), of_way in curves.items():
+    options = parser.parse_args()
+    if options.prior is None and any(way.has_prior for way in options.ways):
+        parser.error("--prior: missing, for a way with :prior")
+    run = ArmTime(options)
+    curves = {way: [] for way in options.ways}
+    for seed in range(options.first_seed, options.first_seed + options.seeds):
+        for way in options.ways:
+            points = run.curve(seed, way)
+            curves[way].append(points)
+            print(f"{way}, seed {seed}: {text(points, hours_to_goal(points))}", flush=True)
+    for way, of_way in curves.items():
         reached = [hours_to_goal(points) for points in of_way]
-        mean = statistics.fmean(reached) if all(reached) else None
-        print(f"{kind}:{share:g}, mean: {text(means(of_way), mean)}")
+        print(f"{way}, mean: {text(means(of_way), statistics.fmean(reached) if all(reached) else None)}")
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ namespace {
 /// Of improve's training: what learns from ten minutes of an arm that was recorded for two hours
 /// without forgetting those (docs/improving.md has the figures).
 constexpr double kReplayShare = 0.75;
-/// Of --from-start: windows of 32 predict long motions best (docs/training.md, What it reaches).
+/// Of --from-start and --prior: windows of 32 predict long motions best (docs/training.md, What it reaches).
 constexpr int kWindowFrames = 32;
 
 class ImproveVerb final : public Verb {
@@ -69,17 +69,24 @@ class ImproveVerb final : public Verb {
         "--from-start", settings_.from_start,
         "Each round trains a new network on --data and all rounds, instead of going on from the "
         "last round's: takes longer, and is better where there are hours of plans");
+    auto* prior = app.add_option(
+        "--prior", settings_.prior_file,
+        "Each round goes on from this network, on --data and all rounds: one that learnt from "
+        "virtual arms (collect --vary-physics), or from an arm much like this one");
+    prior->excludes(from_start);
     app.add_option("--epochs", epochs_,
-                   "Epochs of each round's training; by default train's with --from-start, else "
-                   "half of them")
+                   "Epochs of each round's training; by default train's with --from-start or "
+                   "--prior, else half of them")
         ->check(CLI::Range(1, 10'000'000));
     app.add_option("--learning-rate", learning_rate_,
-                   "Of each round's training; by default train's with --from-start, else a tenth")
+                   "Of each round's training; by default train's with --from-start or --prior, "
+                   "else a tenth")
         ->check(CLI::PositiveNumber);
     app.add_option("--replay", replay_share_,
                    "Share of each epoch's windows that come from --data, 0 to 0.95")
         ->check(CLI::Range(0.0, 0.95))
         ->excludes(from_start)
+        ->excludes(prior)
         ->capture_default_str();
     app.add_option("--out", out_, "Folder for models, recordings, figures and the report")
         ->capture_default_str();
@@ -115,7 +122,7 @@ class ImproveVerb final : public Verb {
     settings_.folder = out_;
     settings_.room = room_.asked();
     settings_.training = training_preset("best");
-    if (settings_.from_start) {
+    if (settings_.from_start || !settings_.prior_file.empty()) {
       set_window_frames(settings_.training, {kWindowFrames});
     } else {
       settings_.training = fine_tuning_of(settings_.training);

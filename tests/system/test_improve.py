@@ -100,6 +100,25 @@ class Improve(InFolder):
         self.assertIn("training", refused.stderr)
         self.run_limber(*self.command("new", "--from-start", "--replay", 0.5), code=2)
 
+    def test_rounds_go_on_from_a_network_that_learnt_from_related_arms(self):
+        self.run_limber("collect", *ARM, "--schedule", "random", "--count", 10, "--episodes", 6,
+                        "--vary-physics", 2, "--out", "related.h5")
+        self.assertIn("varied by up to 2", self.run_json("inspect", "related.h5")["settings"])
+        self.run_limber("train", *ARM, "--data", "related.h5", "--epochs", 20, "--out", "prior.safetensors")
+        self.run_limber(*self.command("out", "--prior", "prior.safetensors", "--rounds", 1))
+        found = self.run_json("inspect", "out/round_1/model.safetensors")
+        self.assertIn("round_1/plans.h5", found["training"]["data"])
+        self.run_limber(*self.command("without", "--rounds", 1))
+        self.assertNotEqual((self.folder / "out/round_1/model.safetensors").read_bytes(),
+                            (self.folder / "without/round_1/model.safetensors").read_bytes())
+        other = self.run_limber(*self.command("out", "--prior", "m.safetensors", "--rounds", 2, "--resume"), code=2)
+        self.assertIn("prior", other.stderr)
+        self.run_limber(*self.command("bad", "--prior", "prior.safetensors", "--from-start"), code=2)
+        self.run_limber(*self.command("bad", "--prior", "none.safetensors"), code=2)
+        driver = f"exec:{PROGRAM} virtual-arm --serve --fast --arm two_segment"
+        refused = self.run_limber("collect", *ARM, "--vary-physics", 2, "--driver", driver, "--out", "no.h5", code=2)
+        self.assertIn("--vary-physics", refused.stderr)
+
     def test_learns_on_a_driver(self):
         driver = f"exec:{PROGRAM} virtual-arm --serve --arm two_segment"
         summary = self.run_json("improve", *ARM, "--model", "m.safetensors", "--data", "t.h5", "--rounds", 1,

@@ -63,6 +63,9 @@ class Improvement {
         sampling_forward_(settings.arm, start_.compensation),
         sampling_(start_.motion_model(settings, sampling_forward_)) {
     require_model_of(start_.compensation, settings.arm, settings.model_file.string());
+    if (!settings.prior_file.empty()) {
+      require_model_of(read_model(settings.prior_file), settings.arm, settings.prior_file.string());
+    }
   }
 
   Json run() {
@@ -120,6 +123,9 @@ class Improvement {
     }
     std::vector<fs::path> inputs = settings_.data_files;
     inputs.push_back(settings_.model_file);
+    if (!settings_.prior_file.empty()) {
+      inputs.push_back(settings_.prior_file);
+    }
     output_.emplace(settings_.folder, "improve",
                     resumes           ? OutputFolder::Start::resumed
                     : settings_.force ? OutputFolder::Start::forced

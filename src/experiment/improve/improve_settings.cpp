@@ -67,6 +67,8 @@ Json to_json(const ImproveSettings& settings, const ImproveArm& on) {
   json["arm"] = {{"name", settings.arm.name}, {"hash", settings.arm.hash()}};
   json["on"] = on.source + "; " + on.about;
   json["model"] = content_hash(read_file(settings.model_file));
+  json["prior"] = settings.prior_file.empty() ? Json(nullptr)
+                                              : Json(content_hash(read_file(settings.prior_file)));
   json["data"] = Json::array();
   for (const fs::path& file : settings.data_files) {
     json["data"].push_back(content_hash(read_file(file)));

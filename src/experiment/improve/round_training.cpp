@@ -14,6 +14,22 @@
 
 namespace limber {
 
+namespace {
+
+TrainingResult trained(const ImproveSettings& settings, TrainingSettings training,
+                       const CompensationModel& start, const TrainingData& data) {
+  if (settings.from_start) {
+    return train(settings.arm, with_replay_as_data(data), in_form_of(start, std::move(training)));
+  }
+  if (!settings.prior_file.empty()) {
+    return fine_tune(settings.arm, with_replay_as_data(data), training,
+                     read_model(settings.prior_file));
+  }
+  return fine_tune(settings.arm, data, training, start);
+}
+
+}  // namespace
+
 CompensationModel learn_round(const ImproveSettings& settings, const CompensationModel& start,
                               const std::string& start_hash, const TrainingData& data,
                               const std::string& sources) {
@@ -21,9 +37,7 @@ CompensationModel learn_round(const ImproveSettings& settings, const Compensatio
   training.seed = settings.seed;
   training.jobs = settings.jobs;
   training.progress = settings.progress;
-  TrainingResult result = settings.from_start ? train(settings.arm, with_replay_as_data(data),
-                                                      in_form_of(start, std::move(training)))
-                                              : fine_tune(settings.arm, data, training, start);
+  TrainingResult result = trained(settings, std::move(training), start, data);
   throw_if_interrupted();
   if (result.status == TrainingStatus::diverged) {
     throw SystemFault("training diverged: " + result.message);

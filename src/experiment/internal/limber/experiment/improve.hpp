@@ -53,6 +53,8 @@ struct ImproveSettings {
   /// Each round trains new networks on everything, in the form of the model to start from; else it
   /// goes on from the last round's.
   bool from_start = false;
+  /// Each round trains further from this network, on everything; empty: from the last round's.
+  std::filesystem::path prior_file;
   /// Of each round: a preset, or `fine_tuning_of` one. Seed, jobs and progress are those below.
   TrainingSettings training;
   std::uint64_t seed = 1;
