@@ -38,7 +38,7 @@ STRAIGHT_MOTION_S = 2.0  # from rest, with its hold, in the mean
 MOTIONS_BETWEEN_VENTINGS = 10  # of random motions, as `improve` makes them, and of straight ones
 CHAIN_S = 30.0  # that many motions, or plans
 GOAL_CM = 1.0
-LEARNING_RATE = 1e-3  # of networks that are trained from the start
+LEARNING_RATE = 3e-3  # of networks that are trained from the start
 ROOM = ("--margin-m", 0.01, "--goal-margin-m", 0, "--goal-margin-rad", 0)
 QUERIES = ("--max-queries", 20_000)
 

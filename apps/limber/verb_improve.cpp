@@ -20,7 +20,8 @@ namespace {
 /// Of improve's training: what learns from ten minutes of an arm that was recorded for two hours
 /// without forgetting those (docs/improving.md has the figures).
 constexpr double kReplayShare = 0.75;
-/// Of --from-start and --prior: windows of 32 predict long motions best (docs/training.md, What it reaches).
+/// Of --from-start and --prior: windows of 32 predict long motions best (docs/training.md, What it
+/// reaches).
 constexpr int kWindowFrames = 32;
 
 class ImproveVerb final : public Verb {

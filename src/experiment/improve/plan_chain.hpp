@@ -40,8 +40,8 @@ class PlanChain final : public PlanSource {
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
 
   /// What became of the environments, after `run`. A chain of one plan is judged as the executor
-  /// judged it; the plans of a longer one each in their own environment, on the frames recorded. They
-  /// are one episode, whose motions are the plans.
+  /// judged it; the plans of a longer one each in its own environment, on the frames recorded. The
+  /// plans are the motions of one episode.
   PlanRuns ended(const ExecutionResult& run) const;
 
  private:
