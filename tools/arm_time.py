@@ -18,6 +18,7 @@ Every part lies in OUT; parts that are finished are not run again.
 """
 
 import argparse
+import hashlib
 import json
 import math
 import pathlib
@@ -73,9 +74,6 @@ class Way(typing.NamedTuple):
     def __str__(self):
         return f"{self.start}:{self.share:g}" + (":prior" if self.has_prior else "")
 
-    def in_file_names(self):
-        return str(self).replace(":", "_")
-
 
 def way_of(text):
     start, share, *prior = text.split(":") if ":" in text else (text, "-1")
@@ -89,13 +87,18 @@ class ArmTime(KeptParts):
     def __init__(self, options):
         super().__init__(options.limber, options.out)
         self.options = options
+        self.prior = hashlib.sha256(options.prior.read_bytes()).hexdigest()[:8] if options.prior else ""
         self.environments = self.random_environments(
             ENVIRONMENT_SEED, options.count, options.environments_model)
+
+    def suffix(self, way):
+        """What tells networks that went on from this prior from others, in names of parts."""
+        return f"_prior_{self.prior}" if way.has_prior else ""
 
     def first_network(self, way, seed):
         """The first recording, the network that learns from it, and its arm time."""
         data = self.out / f"start_{way.start}_{seed}.h5"
-        model = self.out / f"start_{way.start}_{seed}{'_prior' if way.has_prior else ''}.safetensors"
+        model = self.out / f"start_{way.start}_{seed}{self.suffix(way)}.safetensors"
         collected = self.kept(data.stem, lambda: self.limber(
             "collect", "--json", "--force", "--schedule", "random", "--seed", seed,
             *first_motions(way.start, self.options.start_h), "--out", data))
@@ -124,7 +127,7 @@ class ArmTime(KeptParts):
         points = [{"hours": hours, **self.kept(f"{first.stem}_judged", lambda: self.judged(first.stem, first))}]
         training = ("--prior", self.options.prior) if way.has_prior else ("--from-start",)
         for until in self.options.hours:
-            name = f"{way.in_file_names()}_seed_{seed}_{until:g}h"
+            name = f"{way.start}_{way.share:g}{self.suffix(way)}_chain_{self.options.chain}_seed_{seed}_{until:g}h"
             folder = self.out / name
             if not (folder / "summary.json").exists():
                 self.limber("improve", "--json", *training, "--model", model, "--data", *recordings,
@@ -145,6 +148,8 @@ class ArmTime(KeptParts):
 
 def hours_to_goal(points):
     """Where the median error falls to GOAL_CM, between two points on logarithmic axes; None: never."""
+    if points[0]["median_cm"] <= GOAL_CM:
+        return points[0]["hours"]
     for left, right in zip(points, points[1:]):
         if left["median_cm"] > GOAL_CM >= right["median_cm"]:
             part = math.log(left["median_cm"] / GOAL_CM) / math.log(left["median_cm"] / right["median_cm"])
@@ -161,7 +166,7 @@ def means(curves):
 def text(points, reached):
     return ", ".join(f"{point['hours']:.3g} h {point['median_cm']:.2f} cm ({point['p95_cm']:.2f})"
                      for point in points) + (
-        f"; {GOAL_CM:g} cm after " + (f"{reached:.2f} h" if reached else "no arm time"))
+        f"; {GOAL_CM:g} cm after " + (f"{reached:.2f} h" if reached else "more"))
 
 
 def main():

@@ -16,8 +16,9 @@ def replaced(text, setting):
     key, equals, value = setting.partition("=")
     if not equals:
         sys.exit(f"{setting}: expected KEY=VALUE")
-    found, count = re.subn(rf"^(\s*{re.escape(key)}:\s*)[-+.0-9e]+", lambda line: line[1] + str(float(value)), text,
-                           flags=re.MULTILINE)
+    number = r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?(?=[ \t]*(?:#|$))"
+    found, count = re.subn(rf"^([ \t]*{re.escape(key)}:[ \t]*){number}",
+                           lambda line: line[1] + str(float(value)), text, flags=re.MULTILINE)
     if count == 0:
         sys.exit(f"{setting}: the arm file has no number of that name")
     return found

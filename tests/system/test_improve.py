@@ -11,7 +11,7 @@ from program import PROGRAM, InFolder
 
 ARM = ("--arm", "two_segment")
 TINY = {"--rounds": 2, "--round-min": 0.6, "--selection": 3, "--reported": 3, "--epochs": 2,
-        "--max-queries": 3000, "--margin-m": 0.001, "--goal-margin-m": 0.001}
+        "--max-queries": 3000, "--margin-m": 0.001, "--goal-margin-m": 0.001, "--chain": 2}
 
 
 class Improve(InFolder):
@@ -108,6 +108,8 @@ class Improve(InFolder):
         self.run_limber(*self.command("out", "--prior", "prior.safetensors", "--rounds", 1))
         found = self.run_json("inspect", "out/round_1/model.safetensors")
         self.assertIn("round_1/plans.h5", found["training"]["data"])
+        settings = json.loads((self.folder / "out/improve.json").read_text())
+        self.assertEqual(found["training"]["from"], settings["prior"])
         self.run_limber(*self.command("without", "--rounds", 1))
         self.assertNotEqual((self.folder / "out/round_1/model.safetensors").read_bytes(),
                             (self.folder / "without/round_1/model.safetensors").read_bytes())
@@ -135,8 +137,12 @@ class Improve(InFolder):
         for first in range(0, len(runs), 3):
             executed = [run["was_vented"] for run in runs[first:first + 3] if run["executed"]]
             self.assertEqual(executed, ([True] + 2 * [False])[:len(executed)])
+        recorded = self.run_json("inspect", "out/round_1/plans.h5")
+        ventings = sum(run["was_vented"] for run in runs)
+        self.assertEqual(recorded["episodes"], ventings)
+        self.assertAlmostEqual(recorded["duration_s"], sum(run["duration_s"] for run in runs), places=6)
         figures = json.loads((self.folder / "out/round_1/round.json").read_text())
-        self.assertGreaterEqual(figures["learning_ventings"], sum(run["was_vented"] for run in runs))
+        self.assertGreaterEqual(figures["learning_ventings"], ventings)
         self.assertIn("--chain 0", self.run_limber(*self.command("bad", "--chain", 0), code=2).stderr)
 
     def test_ctrl_c_says_how_to_go_on(self):

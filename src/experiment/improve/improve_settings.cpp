@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kMaxRoundMin = 1e5;
 constexpr int kMaxCount = 100'000;
+constexpr int kMaxChain = 100;
 
 void require(bool usable, const char* name, double found, const std::string& allowed) {
   if (!usable) {
@@ -45,8 +46,8 @@ void require_usable(const ImproveSettings& settings) {
           "--round-min", settings.round_min, fmt::format("minutes, over 0 to {}", kMaxRoundMin));
   require(settings.plan_share >= 0.0 && settings.plan_share <= 1.0, "--plan-share",
           settings.plan_share, "0 to 1");
-  require(settings.chain >= 1 && settings.chain <= kMaxCount, "--chain", settings.chain,
-          fmt::format("1 to {} environments", kMaxCount));
+  require(settings.chain >= 1 && settings.chain <= kMaxChain, "--chain", settings.chain,
+          fmt::format("1 to {} environments", kMaxChain));
   require(settings.selection >= 2 && settings.selection <= kMaxCount, "--selection",
           settings.selection, fmt::format("2 to {} environments", kMaxCount));
   require(settings.reported >= 2 && settings.reported <= kMaxCount, "--reported", settings.reported,
@@ -56,6 +57,9 @@ void require_usable(const ImproveSettings& settings) {
   require_goal_margin(
       {settings.room.goal_margin_m.value_or(0.0), settings.room.goal_margin_rad.value_or(0.0)});
   require_usable(settings.training);
+  if (settings.from_start && !settings.prior_file.empty()) {
+    throw InputError("--prior: excludes --from-start; expected one of them");
+  }
   if (settings.data_files.empty()) {
     throw InputError("--data: missing; expected the recordings that the model was trained on");
   }

@@ -8,6 +8,13 @@
 
 namespace limber {
 
+namespace {
+
+/// So long an arm is held under pressure while the next plan is searched for.
+constexpr double kLongestSearchS = 3.0;
+
+}  // namespace
+
 PlanChain::PlanChain(const ArmDescription& arm, int first, int count, double max_s, PlanIn plan_in)
     : arm_(arm), next_(first), end_(first + count), max_s_(max_s), plan_in_(std::move(plan_in)) {
   tried_.reserve(static_cast<std::size_t>(count));  // so that none moves
@@ -22,13 +29,18 @@ const PlannedRun* PlanChain::begin() {
 }
 
 const PlannedRun* PlanChain::plan_from(const std::optional<ArmStart>& start) {
-  while (next_ < end_ && !interrupt_requested()) {
+  while (next_ < end_ && !interrupt_requested() && !has_held_for_long()) {
     tried_.push_back(plan_in_(next_++, start));
     if (tried_.back().plan) {
       return &tried_.back();
     }
   }
   return nullptr;
+}
+
+bool PlanChain::has_held_for_long() const {
+  return !executed_.empty() &&
+         (seen_ - 1 - executed_.back().last_frame) * arm_.frame_period_s() > kLongestSearchS;
 }
 
 void PlanChain::observe(const Pressures& /*setpoint_kpa*/, const ArmState& /*state*/) {

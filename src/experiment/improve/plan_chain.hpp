@@ -52,6 +52,7 @@ class PlanChain final : public PlanSource {
     int last_frame = 0;
   };
 
+  bool has_held_for_long() const;
   const PlannedRun* plan_from(const std::optional<ArmStart>& start);
   void judge(const Episode& episode, const Executed& frames, const Environment& environment,
              PlanRun& run) const;

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* kPlanRunsSchema = "limber/plan-runs/1";
+constexpr const char* kPlanRunsSchema = "limber/plan-runs/2";
 constexpr double kMaxDistanceM = 1e3;
 constexpr double kMaxDurationS = 1e6;
 constexpr int kMaxEnvironment = 1'000'000;

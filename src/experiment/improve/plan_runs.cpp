@@ -147,7 +147,7 @@ class Batch {
     }
     keep_unfinished(run.episode, first);
     const std::string about = fmt::format(
-        "{}, from environment {} on: {}; finished runs are kept, and the same command with "
+        "{}, from environment {} on: {}; finished chains are kept, and the same command with "
         "--resume goes on from there",
         asked_.what, first, run.message);
     if (run.status == ExecutionStatus::fault) {
@@ -159,7 +159,10 @@ class Batch {
   /// A run that the arm or Ctrl-C ended is no result, but what was recorded stays.
   void keep_unfinished(const Episode& episode, int first) const {
     if (episode.frame_count() > 0) {
-      const std::string name = fmt::format("{}.unfinished_{:04}.h5", asked_.name, first);
+      std::string name = fmt::format("{}.unfinished_{:04}.h5", asked_.name, first);
+      for (int again = 2; fs::exists(output_.path() / name); ++again) {
+        name = fmt::format("{}.unfinished_{:04}_{}.h5", asked_.name, first, again);
+      }
       write_episodes(settings_, on_, output_, name, {episode}, asked_.seed);
     }
   }

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/data/valve_identification.hpp"
@@ -50,7 +52,8 @@ CompensationModel learn_round(const ImproveSettings& settings, const Compensatio
   model.prediction_error = kept_error(start.prediction_error, model.prediction_error);
   const auto known = start.training.find("data");
   model.training["data"] = known == start.training.end() ? sources : known->second + ", " + sources;
-  model.training["from"] = start_hash;
+  model.training["from"] =
+      settings.prior_file.empty() ? start_hash : content_hash(read_file(settings.prior_file));
   model.training["validation"] = "limber improve: of ten runs of a recording, run 1";
   return std::move(model);
 }

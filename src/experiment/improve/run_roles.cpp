@@ -53,11 +53,10 @@ void RoundData::add_exploration(const std::vector<Episode>& episodes) {
 }
 
 void RoundData::add_plans(const std::vector<Episode>& episodes, double frame_period_s) {
-  for (std::size_t i = 0; i < episodes.size(); ++i) {
-    const RunRole role = role_of(static_cast<int>(i));
+  for (const Episode& chain : episodes) {
+    const RunRole role = role_of(chains++);
     add(data, role,
-        role == RunRole::held_back ? as_motions_from_rest(episodes[i], frame_period_s)
-                                   : episodes[i]);
+        role == RunRole::held_back ? as_motions_from_rest(chain, frame_period_s) : chain);
   }
 }
 

@@ -22,6 +22,7 @@ RunRole role_of(int index);
 /// `data.unseen` is never trained on, and chooses nothing.
 struct RoundData {
   TrainingData data;
+  int chains = 0;  ///< of plans so far: roles go on where those of the last round ended
 
   /// Exploration: every episode as it is.
   void add_exploration(const std::vector<Episode>& episodes);

@@ -18,6 +18,17 @@ namespace {
 constexpr double kWindowS = 0.25;
 constexpr float kStillM = 0.003F;
 constexpr double kLongestS = 10.0;
+constexpr double kLongestBlindS = 1.0;
+
+/// Of any plate from the last shape: from all before it, since a swing ends where it began.
+float largest_distance_m(const std::deque<Backbone>& shapes) {
+  float largest_m = 0.0F;
+  for (const Backbone& before : shapes) {
+    largest_m =
+        std::max(largest_m, (shapes.back() - before).leftCols<2>().rowwise().norm().maxCoeff());
+  }
+  return largest_m;
+}
 
 }  // namespace
 
@@ -28,31 +39,32 @@ ArmStart vented_rest(const ArmDescription& arm, const std::function<const ArmSta
   for (int frame = 0; frame <= arm.frames_in(kLongestS); ++frame) {
     throw_if_interrupted();
     const std::optional<Backbone>& backbone = look().backbone;
-    if (!backbone && seen.empty()) {
-      throw SystemFault(
-          "the driver's state has no backbone: nothing tracks the arm, so where it lies is not "
-          "known");
-    }
-    if (!backbone) {
+    if (!backbone || !backbone->allFinite()) {
+      if (seen.empty() && frame >= arm.frames_in(kLongestBlindS)) {
+        throw SystemFault(
+            "the driver's state has no backbone: nothing tracks the arm, so where it lies is not "
+            "known");
+      }
       continue;
     }
     seen.push_back(*backbone);
     if (seen.size() <= window) {
       continue;
     }
-    moved_m = 0.0F;
-    for (const Backbone& before : seen) {  // all of them: a swing ends where it began
-      moved_m = std::max(moved_m, (seen.back() - before).leftCols<2>().rowwise().norm().maxCoeff());
-    }
+    moved_m = largest_distance_m(seen);
     if (moved_m <= kStillM) {
       return {Pressures::Zero(arm.segment_count()), seen.back()};
     }
     seen.pop_front();
   }
+  if (seen.size() < window) {
+    throw SystemFault(fmt::format("the vented arm was lost: it was tracked in {} frames of {:g} s",
+                                  seen.size(), kLongestS));
+  }
   throw SystemFault(
       fmt::format("the vented arm does not lie still: after {:g} s it still moved by {:.1f} cm in "
-                  "{:g} s, and 0.3 cm are allowed. Is it being touched, or its tracking noisy?",
-                  kLongestS, kCmPerM * double(moved_m), kWindowS));
+                  "{:g} s, and {:.1f} cm are allowed. Is it being touched, or its tracking noisy?",
+                  kLongestS, kCmPerM * double(moved_m), kWindowS, kCmPerM * double(kStillM)));
 }
 
 ArmStart vented_rest(const ArmDescription& arm, ProcessDriver& driver) {
@@ -63,7 +75,11 @@ ArmStart vented_rest(const ArmDescription& arm, ProcessDriver& driver) {
       std::this_thread::sleep_for(frame);
     }
     is_first = false;
-    return driver.look();
+    const ArmState& state = driver.look();
+    if (!driver.last_vent().confirmed) {
+      throw SystemFault(driver.last_vent().message);
+    }
+    return state;
   });
 }
 

@@ -116,7 +116,7 @@ TEST_F(PlanRunFile, JoinedRunsReplaceTheirParts) {
 
 TEST_F(PlanRunFile, DamagedPartIsNamed) {
   write(runs({solved(3)}));
-  write_file_atomically(file_of(3), R"({"schema": "limber/plan-runs/1", "runs": []})");
+  write_file_atomically(file_of(3), R"({"schema": "limber/plan-runs/2", "runs": []})");
   EXPECT_THAT([&] { (void)read(3); },
               ::testing::ThrowsMessage<InputError>(
                   AllOf(HasSubstr(file_of(3).string()), HasSubstr("expected 3"))));

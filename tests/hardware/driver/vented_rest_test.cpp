@@ -71,5 +71,28 @@ TEST(VentedRest, RefusesAnArmThatNothingTracks) {
               ThrowsMessage<SystemFault>(HasSubstr("nothing tracks the arm")));
 }
 
+TEST(VentedRest, PassesOverFramesThatAreNotTracked) {
+  Swinging arm(small_arm(), 0.3);
+  const ArmState blind;
+  int frame = 0;
+  const ArmStart rest = vented_rest(small_arm(), [&]() -> const ArmState& {
+    const ArmState& seen = arm.look();
+    return frame++ % 3 == 0 ? blind : seen;
+  });
+  EXPECT_LT(std::abs(rest.backbone(rest.backbone.rows() - 1, 1)), 0.01F);
+}
+
+TEST(VentedRest, SaysThatAnArmWasLost) {
+  Swinging arm(small_arm(), 0.3);
+  const ArmState blind;
+  int frame = 0;
+  EXPECT_THAT(
+      [&] {
+        (void)vented_rest(small_arm(),
+                          [&]() -> const ArmState& { return frame++ < 3 ? arm.look() : blind; });
+      },
+      ThrowsMessage<SystemFault>(HasSubstr("was lost")));
+}
+
 }  // namespace
 }  // namespace limber

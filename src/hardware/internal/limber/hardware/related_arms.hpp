@@ -11,10 +11,10 @@ namespace limber {
 
 inline constexpr double kMaxPhysicsFactor = 10.0;
 
-/// Physics of a related arm: what is seldom known of an arm is drawn again, evenly in its logarithm.
-/// Friction on the table and in the braid, and payload, are up to `factor` times more or less;
-/// elasticity, stiffness and damping up to its power 0.6; valves 0.4; strength 0.2. Each actuator
-/// has another strength than in `of`.
+/// Physics of a related arm: what is seldom known of an arm is drawn again, evenly in its
+/// logarithm. Friction on the table and in the braid, and payload, are up to `factor` times more or
+/// less; elasticity, stiffness and damping up to its power 0.6; valves 0.4; strength 0.2. Each
+/// actuator has another strength than in `of`.
 /// @param factor  1 to kMaxPhysicsFactor
 /// @param number  of the relative among those of `seed`
 VirtualArmParameters related_physics(const VirtualArmParameters& of, double factor,
