@@ -1,7 +1,9 @@
 #include "src/experiment/improve/plan_chain.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -18,11 +20,28 @@ Pressures pressures(float first, float second) {
   return Eigen::Vector2f(first, second);
 }
 
+/// A fake arm whose frames take a millisecond, and which waits for nobody.
+class RealTimeArm final : public ArmDriver {
+ public:
+  explicit RealTimeArm(const ArmDescription& arm) : arm_(arm, kInstant_s) {}
+  const ArmState& state() const override { return arm_.state(); }
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return arm_.command(setpoint_kpa);
+  }
+  bool is_real_time() const override { return true; }
+  void vent() noexcept override { arm_.vent(); }
+
+ private:
+  FakeArm arm_;
+};
+
 class PlanChains : public ::testing::Test {
  protected:
   /// Environment k has its goal where the arm is under `targets_kpa_[k]`, and a plan there; one
   /// without a target has none.
   PlannedRun plan_in(int number, const std::optional<ArmStart>& start) {
+    std::this_thread::sleep_for(search_);
     starts_.push_back(start);
     PlannedRun result;
     result.run.environment = number;
@@ -46,6 +65,11 @@ class PlanChains : public ::testing::Test {
 
   /// Environments from 0 on, in one chain.
   PlanRuns run(double max_s = kNoEnd_s) {
+    FakeArm driver(arm_, kInstant_s, faults_);
+    return run_on(driver, max_s);
+  }
+
+  PlanRuns run_on(ArmDriver& driver, double max_s = kNoEnd_s) {
     obstacles_.resize(targets_kpa_.size());
     PlanChain chain(arm_, 0, static_cast<int>(targets_kpa_.size()), max_s,
                     [this](int number, const auto& start) { return plan_in(number, start); });
@@ -53,7 +77,6 @@ class PlanChains : public ::testing::Test {
     if (begun == nullptr) {
       return chain.ended({});
     }
-    FakeArm driver(arm_, kInstant_s, faults_);
     ExecutionSettings settings;
     settings.replanner = &chain;
     whole_ = execute(arm_, begun->environment, *begun->plan, driver, settings);
@@ -65,6 +88,7 @@ class PlanChains : public ::testing::Test {
   std::vector<std::optional<Pressures>> targets_kpa_;
   std::vector<std::vector<Obstacle>> obstacles_;
   FakeFaults faults_;
+  std::chrono::milliseconds search_{0};
   std::vector<std::optional<ArmStart>> starts_;
   ExecutionResult whole_;
 };
@@ -157,6 +181,37 @@ TEST_F(PlanChains, AChainOfOnePlanIsJudgedAsTheExecutorJudgedIt) {
   ASSERT_EQ(found.runs.size(), 1U);
   EXPECT_EQ(found.runs[0].distance_m, whole_.goal_error.position_m);
   EXPECT_EQ(found.episodes[0].backbone, whole_.episode.backbone);
+}
+
+TEST_F(PlanChains, WhileThePlanAfterIsSearchedForTheArmIsHeldAndThatTimeCounts) {
+  targets_kpa_ = {pressures(50, 0), pressures(50, -40), pressures(0, 0)};
+  const double alone_s = run().arm_time_s;
+  starts_.clear();
+  search_ = std::chrono::milliseconds(40);
+  RealTimeArm driver(arm_);
+  const PlanRuns found = run_on(driver);
+  ASSERT_EQ(found.episodes.size(), 1U);
+  const Episode& episode = found.episodes.front();
+  EXPECT_GT(found.arm_time_s, alone_s);
+  EXPECT_NEAR(found.arm_time_s, whole_.frames * arm_.frame_period_s(), 1e-9);
+  int row = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_TRUE(found.runs[k].arrived) << k;
+    row += static_cast<int>(std::lround(found.runs[k].duration_s / arm_.frame_period_s()));
+    EXPECT_EQ(episode.setpoint_kpa.row(row), targets_kpa_[k]->transpose()) << k;
+    EXPECT_EQ(episode.motion_index[static_cast<std::size_t>(row)], static_cast<int>(k));
+    if (k < 2) {  // the next frame is the next plan's
+      EXPECT_NE(episode.setpoint_kpa.row(row + 1), episode.setpoint_kpa.row(row)) << k;
+    }
+  }
+}
+
+TEST_F(PlanChains, AChainEndsWhereItsSearchesTakeTooLong) {
+  targets_kpa_.assign(300, std::nullopt);
+  targets_kpa_.front() = targets_kpa_.back() = pressures(50, 0);
+  search_ = std::chrono::milliseconds(10);  // 10 frames of 0.05 s
+  RealTimeArm driver(arm_);
+  EXPECT_LT(run_on(driver).runs.size(), 300U);
 }
 
 TEST_F(PlanChains, AnArmThatIsLostEndsTheChain) {
