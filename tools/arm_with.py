@@ -13,12 +13,14 @@ import sys
 
 
 def replaced(text, setting):
-    key, equals, value = setting.partition("=")
-    if not equals:
-        sys.exit(f"{setting}: expected KEY=VALUE")
+    key, _, value = setting.partition("=")
+    try:
+        value = float(value)
+    except ValueError:
+        sys.exit(f"{setting}: expected KEY=VALUE, VALUE a number")
     number = r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?(?=[ \t]*(?:#|$))"
     found, count = re.subn(rf"^([ \t]*{re.escape(key)}:[ \t]*){number}",
-                           lambda line: line[1] + str(float(value)), text, flags=re.MULTILINE)
+                           lambda line: line[1] + str(value), text, flags=re.MULTILINE)
     if count == 0:
         sys.exit(f"{setting}: the arm file has no number of that name")
     return found

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "limber/arm/plate_distance.hpp"
 #include "limber/world/hold.hpp"
 
 namespace limber {
@@ -23,7 +24,7 @@ void RunWatch::start(const Plan& plan) {
   see();
   if (shape_) {
     const BackboneD planned = plan.frames.front().backbone.cast<double>();
-    start_error_m_ = (*shape_ - planned).leftCols<2>().rowwise().norm().maxCoeff();
+    start_error_m_ = largest_plate_distance_m(*shape_, planned);
   }
   (void)lag_.note(plan.frames.front().setpoint_kpa, driver_.state());
   recorder_.add(driver_.state(), plan.frames.front().setpoint_kpa, 0);

@@ -9,6 +9,7 @@
 #include "closed_loop/goal_lengths.hpp"
 #include "closed_loop/repaired_plan.hpp"
 #include "closed_loop/sampled_plan.hpp"
+#include "limber/arm/plate_distance.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
 
@@ -75,10 +76,6 @@ Eigen::Vector3d difference(const Pose& pose, const Pose& other) {
           std::remainder(pose.theta_rad - other.theta_rad, 2.0 * std::numbers::pi)};
 }
 
-double largest_distance_m(const Backbone& a, const Backbone& b) {
-  return double((a - b).leftCols<2>().rowwise().norm().maxCoeff());
-}
-
 }  // namespace
 
 Replanner::Replanner(const ArmDescription& arm, const MotionModel& model,
@@ -102,7 +99,7 @@ bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& s
   }
   // No obstacle is nearer to the plan than its clearance, so that much is always allowed.
   const bool strays =
-      !(largest_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m);
+      !(largest_plate_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m);
   return !strays ||
          clearance_m(*state.backbone) >= std::min(kNearM, kNearOfClearance * plan.clearance_m);
 }

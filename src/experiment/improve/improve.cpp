@@ -64,7 +64,8 @@ class Improvement {
         sampling_(start_.motion_model(settings, sampling_forward_)) {
     require_model_of(start_.compensation, settings.arm, settings.model_file.string());
     if (!settings.prior_file.empty()) {
-      require_model_of(read_model(settings.prior_file), settings.arm, settings.prior_file.string());
+      prior_ = read_round_model(settings.prior_file);
+      require_model_of(prior_->compensation, settings.arm, settings.prior_file.string());
     }
   }
 
@@ -225,8 +226,9 @@ class Improvement {
       if (!fs::exists(file(name))) {
         settings_.say(
             fmt::format("round {}: training on {} runs", round, data_.data.training.size()));
-        write_model(file(name),
-                    learn_round(settings_, before.compensation, before.hash, data_.data, sources_));
+        const RoundModel& from = prior_ ? *prior_ : before;
+        write_model(file(name), learn_round(settings_, before.compensation, from.compensation,
+                                            from.hash, data_.data, sources_));
       }
     });
     sources_.clear();  // the model names them now
@@ -284,6 +286,7 @@ class Improvement {
   ForwardModel
       sampling_forward_;  // environments are those of the model to start from, in all rounds
   MotionModel sampling_;
+  std::optional<RoundModel> prior_;
   std::optional<OutputFolder> output_;
   RoundData data_;
   std::string sources_;  // learnt from since the last model

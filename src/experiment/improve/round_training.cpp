@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "limber/common/atomic_file.hpp"
-#include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/data/valve_identification.hpp"
@@ -19,27 +17,24 @@ namespace limber {
 namespace {
 
 TrainingResult trained(const ImproveSettings& settings, TrainingSettings training,
-                       const CompensationModel& start, const TrainingData& data) {
+                       const CompensationModel& from, const TrainingData& data) {
   if (settings.from_start) {
-    return train(settings.arm, with_replay_as_data(data), in_form_of(start, std::move(training)));
+    return train(settings.arm, with_replay_as_data(data), in_form_of(from, std::move(training)));
   }
-  if (!settings.prior_file.empty()) {
-    return fine_tune(settings.arm, with_replay_as_data(data), training,
-                     read_model(settings.prior_file));
-  }
-  return fine_tune(settings.arm, data, training, start);
+  return fine_tune(settings.arm, settings.prior_file.empty() ? data : with_replay_as_data(data),
+                   training, from);
 }
 
 }  // namespace
 
 CompensationModel learn_round(const ImproveSettings& settings, const CompensationModel& start,
-                              const std::string& start_hash, const TrainingData& data,
-                              const std::string& sources) {
+                              const CompensationModel& from, const std::string& from_hash,
+                              const TrainingData& data, const std::string& sources) {
   TrainingSettings training = settings.training;
   training.seed = settings.seed;
   training.jobs = settings.jobs;
   training.progress = settings.progress;
-  TrainingResult result = trained(settings, std::move(training), start, data);
+  TrainingResult result = trained(settings, std::move(training), from, data);
   throw_if_interrupted();
   if (result.status == TrainingStatus::diverged) {
     throw SystemFault("training diverged: " + result.message);
@@ -52,8 +47,7 @@ CompensationModel learn_round(const ImproveSettings& settings, const Compensatio
   model.prediction_error = kept_error(start.prediction_error, model.prediction_error);
   const auto known = start.training.find("data");
   model.training["data"] = known == start.training.end() ? sources : known->second + ", " + sources;
-  model.training["from"] =
-      settings.prior_file.empty() ? start_hash : content_hash(read_file(settings.prior_file));
+  model.training["from"] = from_hash;
   model.training["validation"] = "limber improve: of ten runs of a recording, run 1";
   return std::move(model);
 }

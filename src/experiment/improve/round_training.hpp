@@ -9,15 +9,17 @@
 
 namespace limber {
 
-/// The model of a round: `start`, fine-tuned on `data`, or one trained from the start on `data` and
-/// what they replay; whole and ready for `plan`. Valves are those of `start`; if it has none, those
-/// that the data show. The region that counts as learnt is widened, and the error is measured on
-/// `data.unseen`.
+/// The model of a round: `from`, trained further on `data`, or a new one; a prior and a new one
+/// learn from all that `data` replay. Whole and ready for `plan`. Valves are those of `start`; if it
+/// has none, those that the data show. The region that counts as learnt is widened, and the error
+/// is measured on `data.unseen`.
+/// @param start  the last round's model
+/// @param from  what training goes on from: `start`, or the prior
 /// @param sources  what was learnt from in this run, for the training record
 /// @throws SystemFault if training diverges; Interrupted after Ctrl-C.
 CompensationModel learn_round(const ImproveSettings& settings, const CompensationModel& start,
-                              const std::string& start_hash, const TrainingData& data,
-                              const std::string& sources);
+                              const CompensationModel& from, const std::string& from_hash,
+                              const TrainingData& data, const std::string& sources);
 
 /// `data` with its replayed episodes among the others: of ten one validates.
 TrainingData with_replay_as_data(TrainingData data);

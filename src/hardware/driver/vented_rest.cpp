@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/plate_distance.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
@@ -16,16 +17,15 @@ namespace limber {
 namespace {
 
 constexpr double kWindowS = 0.25;
-constexpr float kStillM = 0.003F;
+constexpr double kStillM = 0.003;
 constexpr double kLongestS = 10.0;
 constexpr double kLongestBlindS = 1.0;
 
-/// Of any plate from the last shape: from all before it, since a swing ends where it began.
-float largest_distance_m(const std::deque<Backbone>& shapes) {
-  float largest_m = 0.0F;
+/// How far any plate has moved since any of the shapes: a swing ends where it began.
+double largest_motion_m(const std::deque<Backbone>& shapes) {
+  double largest_m = 0.0;
   for (const Backbone& before : shapes) {
-    largest_m =
-        std::max(largest_m, (shapes.back() - before).leftCols<2>().rowwise().norm().maxCoeff());
+    largest_m = std::max(largest_m, largest_plate_distance_m(shapes.back(), before));
   }
   return largest_m;
 }
@@ -35,7 +35,7 @@ float largest_distance_m(const std::deque<Backbone>& shapes) {
 ArmStart vented_rest(const ArmDescription& arm, const std::function<const ArmState&()>& look) {
   const auto window = static_cast<std::size_t>(arm.frames_in(kWindowS));
   std::deque<Backbone> seen;  // the newest last
-  float moved_m = 0.0F;
+  double moved_m = 0.0;
   for (int frame = 0; frame <= arm.frames_in(kLongestS); ++frame) {
     throw_if_interrupted();
     const std::optional<Backbone>& backbone = look().backbone;
@@ -51,7 +51,7 @@ ArmStart vented_rest(const ArmDescription& arm, const std::function<const ArmSta
     if (seen.size() <= window) {
       continue;
     }
-    moved_m = largest_distance_m(seen);
+    moved_m = largest_motion_m(seen);
     if (moved_m <= kStillM) {
       return {Pressures::Zero(arm.segment_count()), seen.back()};
     }
@@ -64,7 +64,7 @@ ArmStart vented_rest(const ArmDescription& arm, const std::function<const ArmSta
   throw SystemFault(
       fmt::format("the vented arm does not lie still: after {:g} s it still moved by {:.1f} cm in "
                   "{:g} s, and {:.1f} cm are allowed. Is it being touched, or its tracking noisy?",
-                  kLongestS, kCmPerM * double(moved_m), kWindowS, kCmPerM * double(kStillM)));
+                  kLongestS, kCmPerM * moved_m, kWindowS, kCmPerM * kStillM));
 }
 
 ArmStart vented_rest(const ArmDescription& arm, ProcessDriver& driver) {
