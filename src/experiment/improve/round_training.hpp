@@ -10,9 +10,9 @@
 namespace limber {
 
 /// The model of a round: `from`, trained further on `data`, or a new one; a prior and a new one
-/// learn from all that `data` replay. Whole and ready for `plan`. Valves are those of `start`; if it
-/// has none, those that the data show. The region that counts as learnt is widened, and the error
-/// is measured on `data.unseen`.
+/// learn from all that `data` replay. Whole and ready for `plan`. Valves are those of `start`; if
+/// it has none, those that the data show. The region that counts as learnt is widened, and the
+/// error is measured on `data.unseen`.
 /// @param start  the last round's model
 /// @param from  what training goes on from: `start`, or the prior
 /// @param sources  what was learnt from in this run, for the training record
