@@ -13,11 +13,13 @@ import numpy as np
 def main(path):
     with h5py.File(path, "r") as file:
         about = file.attrs
+        name = about["arm_name"]
+        name = name.decode() if isinstance(name, bytes) else name  # of fixed length: bytes
         episodes = [file["episodes"][name] for name in sorted(file["episodes"])]
         frames = sum(len(episode["time_s"]) for episode in episodes)
         untracked = sum(int(np.sum(episode["tracked"][:] == 0)) for episode in episodes)
         print(
-            f"arm '{about['arm_name']}', {about['segments']} segments,"
+            f"arm '{name}', {about['segments']} segments,"
             f" {about['points']} points, {about['rate_hz']:g} Hz"
         )
         print(f"{len(episodes)} episodes, {frames} frames, {untracked} of them not tracked")

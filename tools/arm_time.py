@@ -1,15 +1,14 @@
 #!/usr/bin/env python3
 """How much arm time plans take to end where they are predicted: random motions against `limber improve`.
 
-    tools/arm_time.py --limber build/release/bin/limber --environments-model model.safetensors --out OUT
+    tools/arm_time.py --limber build/release/bin/limber --out OUT
 
 A way is START:SHARE. It begins with --start-h of motions: `random` ones, as `collect --schedule random`
 makes them, or `straight` ones, each from rest. Then it adds arm time up to about each of --hours; SHARE
 of that are plans, the rest random motions, so random:0 is plain collection. Arm time is what is
 recorded, and every venting. At each point a new network is trained from the start on all of it
-(`improve --from-start`), for as many epoch-hours either way, and plans 100 random environments, which
-are the same for all and were sampled with --environments-model. The error is how far the tip ends from
-where the plan has it, executed open loop.
+(`improve --from-start`), for as many epoch-hours either way, and plans 100 random environments, the same
+for all. The error is how far the tip ends from where the plan has it, executed open loop.
 
 With START:SHARE:prior networks are not trained from the start, but go on from --prior, for as many
 epochs at the same rate. docs/improving.md says how such a network is made.
@@ -88,8 +87,7 @@ class ArmTime(KeptParts):
         super().__init__(options.limber, options.out)
         self.options = options
         self.prior = hashlib.sha256(options.prior.read_bytes()).hexdigest()[:8] if options.prior else ""
-        self.environments = self.random_environments(
-            ENVIRONMENT_SEED, options.count, options.environments_model)
+        self.environments = self.random_environments(ENVIRONMENT_SEED, options.count)
 
     def suffix(self, way):
         """What tells networks that went on from this prior from others, in names of parts."""
@@ -173,7 +171,6 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--limber", type=pathlib.Path, default="build/release/bin/limber")
-    parser.add_argument("--environments-model", type=pathlib.Path, required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--ways", type=way_of, nargs="+", metavar="START:SHARE[:prior]",
                         default=[Way("random", 0.0), Way("random", 1.0), Way("straight", 1.0)])

@@ -36,10 +36,10 @@ class KeptParts:
         return [json.loads(path.read_text(encoding="utf-8"))
                 for path in sorted((folder / "trials").glob("*.json"))]
 
-    def random_environments(self, seed, count, model):
+    def random_environments(self, seed, count, name="random", arm="three_segment"):
         """The folder of so many, which are sampled if it is not there."""
-        folder = self.out / "random"
+        folder = self.out / name
         if not folder.exists():
-            self.limber("environment", "--json", "--random", "--seed", seed, "--count", count,
-                        "--model", model, "--out", folder)
+            self.limber("environment", "--json", "--random", "--arm", arm, "--seed", seed,
+                        "--count", count, "--out", folder)
         return folder

@@ -104,8 +104,8 @@ class Runner:
 
     def draw_environments(self):
         if not (self.out / RANDOM).exists():
-            self.run("environment", "--random", "--count", 100, "--seed", self.seed, "--model",
-                     self.model, *self.valves, "--out", self.out / RANDOM)
+            self.run("environment", "--random", "--count", 100, "--seed", self.seed, "--out",
+                     self.out / RANDOM)
 
     def empty_environments(self):
         folder = self.out / EMPTY

@@ -26,7 +26,8 @@ RESULTS = {
     "Recording.episodes": "list[Episode]", "TrainingData.training": "list[Episode]",
     "TrainingData.validation": "list[Episode]", "TrainingData.replay": "list[Episode]",
     "TrainingData.unseen": "list[Episode]", "CompensationModel.layers": "list[Layer]",
-    "ArmState.backbone": "npt.NDArray[np.float32] | None", "to_json": "dict[str, Any]",
+    "ArmState.backbone": "npt.NDArray[np.float32] | None",
+    "ArmState.setpoint_kpa": "npt.NDArray[np.float32] | None", "to_json": "dict[str, Any]",
     "ExecutionResult.final_backbone": "npt.NDArray[np.float32] | None",
     "ExecutionResult._repr_svg_": "str | None", "ProcessDriver.__enter__": "ProcessDriver",
 }

@@ -114,7 +114,7 @@ class Reproduction(KeptParts):
         if part.startswith("table"):
             return self.table(part, planner, "--trials", self.options.trials)
         return self.table(part, planner, "--trials", 2, "--environments",
-                          self.random_environments(RANDOM_SEED, RANDOM_ENVIRONMENTS, self.options.model))
+                          self.random_environments(RANDOM_SEED, RANDOM_ENVIRONMENTS))
 
 
 def errors_of(found):

@@ -116,8 +116,7 @@ def main():
             "eight", "--trials", trials, "--seed", EXPERIMENT_SEED)),
         "random environments": campaign.kept("experiment_random", lambda: campaign.experiment(
             "hundred", "--trials", 1, "--seed", EXPERIMENT_SEED, "--environments",
-            campaign.random_environments(
-                RANDOM_SEED, campaign.scaled(100, 3), campaign.options.model))),
+            campaign.random_environments(RANDOM_SEED, campaign.scaled(100, 3)))),
     }
     write_page(calibration, checks, experiments, campaign.out)
 

@@ -79,7 +79,8 @@ class Row:
                              plan, "--force", code=(0, 1))
             if found["status"] != "solved":
                 continue
-            executed = self.run("execute", "--plan", plan, *there, "--out", run, "--force")
+            executed = self.run("execute", "--plan", plan, *there, "--out", run, "--force",
+                                code=(0, 1))
             replayed = self.run("evaluate", *model, "--data", run)["network"]
             runs.append((executed, replayed))
         return runs

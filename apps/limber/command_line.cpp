@@ -14,6 +14,7 @@
 #include "limber/common/printable.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
+#include "limber/hardware/process_driver.hpp"
 #include "numeric_flags.hpp"
 #include "verb.hpp"
 #include "verbs.hpp"
@@ -61,7 +62,7 @@ bool all_utf8(int argc, char** argv) {
   return true;
 }
 
-int run_guarded(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
+int run_caught(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
   try {
     require_distinct_files(command);
     const int code = verb.run(flags);
@@ -81,6 +82,12 @@ int run_guarded(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
   } catch (const std::exception& error) {
     return report(kExitFault, error.what());
   }
+}
+
+/// An arm that may be under pressure is a fault, whatever else came of the run.
+int run_guarded(Verb& verb, const CLI::App& command, const CommonFlags& flags) {
+  const int code = run_caught(verb, command, flags);
+  return ProcessDriver::was_any_left_unsafe() ? kExitFault : code;
 }
 
 }  // namespace

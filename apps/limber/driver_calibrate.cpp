@@ -117,21 +117,19 @@ OperatorAnswer DriverCalibrate::answer(int channel) const {
   }
 }
 
-int DriverCalibrate::run(const std::string& arm_file, const std::string& command,
+int DriverCalibrate::run(const ArmDescription& arm, const ProcessDriverSettings& driver,
                          const std::string& out, const CommonFlags& flags) const {
   if (yes_ && handedness_.empty()) {
     throw InputError(
         "--yes: needs --handedness right or left. A mirrored tracker with left and right swapped "
         "reads like one that is right, so only who sees the arm can tell");
   }
-  const ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
   const std::string log = out + ".driver.jsonl";
   for (const std::string& file : {out, log}) {
     refuse_to_overwrite(file, flags.force);
   }
   CalibrateDriverSettings settings;
-  settings.driver.command = command;
-  settings.driver.safety = load_safety(arm_file);
+  settings.driver = driver;
   settings.driver.log = log;
   settings.driver.say = [&](const std::string& message) {
     if (message.starts_with("VENT")) {

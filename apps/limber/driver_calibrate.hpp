@@ -13,9 +13,9 @@ namespace limber {
 class DriverCalibrate {
  public:
   void add_to(CLI::App& app);
-  /// @param command  what follows `exec:`
-  /// @param out      the calibration's file
-  int run(const std::string& arm_file, const std::string& command, const std::string& out,
+  /// @param driver  without a calibration
+  /// @param out     the calibration's file
+  int run(const ArmDescription& arm, const ProcessDriverSettings& driver, const std::string& out,
           const CommonFlags& flags) const;
 
  private:

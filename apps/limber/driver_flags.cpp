@@ -19,7 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kExec = "exec:";
 constexpr std::string_view kModel = "model:";
 
 /// stem + suffix; numbered, with the separator before the number, where an earlier run's file has
@@ -44,7 +43,7 @@ void DriverFlags::add_to(CLI::App& app, bool may_be_model) {
     help += "; or model:OTHER.safetensors, an arm that is what another network says";
   }
   app.add_option("--driver", driver_, help)->capture_default_str();
-  calibration_.add_to(app);
+  wire_.add_to(app);
   app.add_option("--limit-scale", limit_scale_,
                  "Factor on the arm's pressure limits, over 0 and at most 1")
       ->capture_default_str();
@@ -65,7 +64,7 @@ void DriverFlags::check() const {
     throw InputError(
         fmt::format("--limit-scale {}: expected a number over 0, at most 1", limit_scale_));
   }
-  if (!is_program() && calibration_.is_given()) {
+  if (!is_program() && wire_.is_calibrated()) {
     throw InputError("--calibration: goes with --driver exec:COMMAND, which it is of");
   }
   if (!is_program() && !log_.empty()) {
@@ -96,12 +95,9 @@ std::unique_ptr<ProcessDriver> DriverFlags::start(const ArmDescription& arm,
                                                   const std::string& arm_file,
                                                   const std::string& out, bool check_rate,
                                                   const CommonFlags& flags) const {
-  ProcessDriverSettings settings;
-  settings.command = driver_.substr(kExec.size());
+  ProcessDriverSettings settings = wire_.settings(driver_, arm, arm_file);
   settings.limit_scale = limit_scale_;
   settings.check_rate = check_rate;
-  settings.safety = load_safety(arm_file);
-  settings.calibration = calibration_.read(arm);
   if (log_.empty()) {
     settings.log = free_name(out + ".driver", ".", ".jsonl");
   } else {
@@ -110,7 +106,7 @@ std::unique_ptr<ProcessDriver> DriverFlags::start(const ArmDescription& arm,
   }
   const bool quiet = flags.quiet;
   settings.say = [quiet](const std::string& message) {
-    if (!quiet || message.starts_with("VENT")) {
+    if (!quiet || !message.starts_with("vented:")) {
       print_to_stderr(printable(message) + "\n");
     }
   };
@@ -148,25 +144,13 @@ void require_within(const Plan& plan, const std::vector<PressureLimits>& limits_
 
 void require_reach(const ArmDescription& arm, double limit_scale, const ProcessDriver& driver) {
   if (const auto found = first_short_reach(arm, limit_scale, driver.limits_kpa())) {
-    throw InputError(
-        fmt::format("the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; "
-                    "--limit-scale {:.2g} stays within",
-                    found->allowed_kpa, segment_name(found->segment), found->wanted_kpa,
-                    limit_scale * found->allowed_kpa / found->wanted_kpa));
+    throw InputError(advice(*found, arm, driver.limits_kpa(), "--limit-scale {:g}"));
   }
 }
 
 ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
-                        const std::string& driver, const CalibrationFlag& calibration) {
-  if (!driver.starts_with(kExec)) {
-    throw InputError(
-        fmt::format("--start-from-driver {}: expected exec:COMMAND (docs/driver.md)", driver));
-  }
-  ProcessDriverSettings settings;
-  settings.command = driver.substr(kExec.size());
-  settings.safety = load_safety(arm_file);
-  settings.calibration = calibration.read(arm);
-  ProcessDriver started(arm, settings);
+                        const std::string& driver, const WireFlags& wire) {
+  ProcessDriver started(arm, wire.settings(driver, arm, arm_file));
   return vented_rest(arm, started);
 }
 

@@ -4,12 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "calibration_flag.hpp"
 #include "limber/hardware/driver_run.hpp"
 #include "limber/hardware/process_driver.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
 #include "verb.hpp"
+#include "wire_flags.hpp"
 
 namespace limber {
 
@@ -45,7 +45,7 @@ class DriverFlags {
 
  private:
   std::string driver_ = "virtual";
-  CalibrationFlag calibration_;
+  WireFlags wire_;
   std::string log_;
   double limit_scale_ = 1.0;
   bool dry_run_ = false;
@@ -62,7 +62,7 @@ void require_reach(const ArmDescription& arm, double limit_scale, const ProcessD
 /// Where the vented arm lies: one look through the driver of `exec:COMMAND`.
 /// @throws SystemFault where nothing tracks the arm.
 ArmStart measured_start(const ArmDescription& arm, const std::string& arm_file,
-                        const std::string& driver, const CalibrationFlag& calibration);
+                        const std::string& driver, const WireFlags& wire);
 
 /// How the driver kept to the frames, and its last vent.
 nlohmann::ordered_json to_json(const ProcessDriver& driver);

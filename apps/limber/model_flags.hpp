@@ -20,6 +20,7 @@ class ModelFlags {
   bool names_model() const { return !model_.empty(); }
   bool asks_no_load() const { return no_load_; }
   bool asks_no_valves() const { return no_valves_; }
+  bool names_valves() const { return !valves_.empty(); }
   const std::string& model_file() const { return model_; }
 
   /// @throws InputError if neither --model nor --no-load is given, or if a file does not fit.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "limber/hardware/disturbance.hpp"
+#include "limber/trial/disturbance.hpp"
 #include "limber/trial/trial_run.hpp"
 
 namespace limber {

@@ -50,6 +50,13 @@ TrackStart TrackFlags::start_on(const ArmDescription& arm, const CommonFlags& fl
   return start;
 }
 
+std::string TrackFlags::why_not_followed(const ExecutionResult& result) {
+  if (result.collided) {
+    return "the arm collided on the way";
+  }
+  return result.final_backbone ? "" : "the arm was not seen at the end: collisions are unknown";
+}
+
 Plan TrackFlags::stay_at_rest(const ArmDescription& arm, const Environment& environment) {
   const ArmStart rest = start_state(Environment{}, arm);
   Plan plan;

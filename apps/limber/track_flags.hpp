@@ -40,10 +40,15 @@ class TrackFlags {
     run.start_frame = tracker.path_start_frame();
     run.queries = tracker.queries();
     run.errors = track_errors(tip_path_, run.result.episode, run.start_frame);
+    if (run.result.status == ExecutionStatus::done) {
+      run.result.message = why_not_followed(run.result);  // there is no goal to miss
+    }
     return run;
   }
 
  private:
+  /// Empty if it was seen to its end, and struck nothing.
+  static std::string why_not_followed(const ExecutionResult& result);
   /// A plan of one frame: the controller decides all others.
   static Plan stay_at_rest(const ArmDescription& arm, const Environment& environment);
   TrackStart start_on(const ArmDescription& arm, const CommonFlags& flags) const;

@@ -1,4 +1,3 @@
-#include "calibration_flag.hpp"
 #include "driver_calibrate.hpp"
 #include "driver_flags.hpp"
 #include "limber/arm/names.hpp"
@@ -25,7 +24,7 @@ class DriverVerb final : public Verb {
   const char* example() const override {
     return "limber driver check --driver \"exec:limber virtual-arm --serve\" --out checked\n"
            "  limber driver calibrate --driver \"exec:limber virtual-arm --serve "
-           "--fast --misassembled 1\" --yes --handedness left --out calibration.yaml";
+           "--fast --misassembled 1\" --simulated --yes --handedness left --out calibration.yaml";
   }
 
   void add_flags(CLI::App& app) override {
@@ -44,40 +43,33 @@ class DriverVerb final : public Verb {
                    "check: folder for check.json, report.html, valves.yaml and the driver's log; "
                    "calibrate: the calibration's file")
         ->required();
-    calibration_.add_to(app);
+    wire_.add_to(app);
     calibrate_.add_to(app);
   }
 
   int run(const CommonFlags& flags) override {
-    constexpr std::string_view kExec = "exec:";
     if (action_ != "check" && action_ != "calibrate") {
       throw InputError(fmt::format(
           "limber driver {}: expected 'limber driver check' or 'limber driver calibrate'",
           action_));
     }
-    if (!driver_.starts_with(kExec)) {
-      throw InputError(fmt::format("--driver {}: expected exec:COMMAND", driver_));
-    }
     const std::string arm_file = find_arm_file(arm_);
+    const ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
     if (action_ == "calibrate") {
-      if (calibration_.is_given()) {
+      if (wire_.is_calibrated()) {
         throw InputError("--calibration: calibrate finds one; it goes with check");
       }
-      return calibrate_.run(arm_file, driver_.substr(kExec.size()), out_, flags);
+      return calibrate_.run(arm, wire_.settings(driver_, arm, arm_file), out_, flags);
     }
-    const ArmDescription arm = load_arm(arm_file, PolynomialsOf::characterisation);
     const fs::path folder = out_;
     require_writable_folder(folder);
     for (const char* file : {"check.json", "report.html", "valves.yaml", "check.driver.jsonl"}) {
       refuse_to_overwrite(folder / file, flags.force);
     }
+    ProcessDriverSettings settings = wire_.settings(driver_, arm, arm_file);
     fs::create_directories(folder);
-    ProcessDriverSettings settings;
-    settings.command = driver_.substr(kExec.size());
     settings.limit_scale = limit_scale_;
-    settings.safety = load_safety(arm_file);
     settings.log = folder / "check.driver.jsonl";
-    settings.calibration = calibration_.read(arm);
     settings.say = [&](const std::string& message) { print_to_stderr(printable(message) + "\n"); };
     say(flags, "checking the driver: the arm moves for about a minute");
     const DriverCheck check = check_driver(arm, settings);
@@ -111,7 +103,7 @@ class DriverVerb final : public Verb {
   std::string arm_ = "three_segment";
   std::string driver_;
   std::string out_;
-  CalibrationFlag calibration_;
+  WireFlags wire_;
   DriverCalibrate calibrate_;
   double limit_scale_ = 1.0;
 };

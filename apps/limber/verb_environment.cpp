@@ -7,7 +7,7 @@
 #include "limber/planning/problem_check.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/trial/environment_measures.hpp"
-#include "limber/trial/proven_environment.hpp"
+#include "limber/trial/witnessed_environment.hpp"
 #include "limber/world/collision.hpp"
 #include "model_flags.hpp"
 #include "verbs.hpp"
@@ -34,7 +34,12 @@ class EnvironmentVerb final : public Verb {
                    "check FILE: is the start free, and the goal in reach and free?")
         ->expected(0, 2)
         ->option_text("[check FILE]");
-    app.add_flag("--random", random_, "Sample environments by the rules of limber's own eight");
+    app.add_flag("--random", random_, "Sample environments about motions of the arm");
+    app.add_option("--witness", witness_,
+                   "What moves to find the goals: the virtual arm or, where there is none like the "
+                   "arm, its model")
+        ->check(CLI::IsMember({"arm", "model"}))
+        ->capture_default_str();
     app.add_option("--count", count_, "How many to sample")
         ->capture_default_str()
         ->check(CLI::Range(1, 100000));
@@ -42,7 +47,8 @@ class EnvironmentVerb final : public Verb {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
         ->capture_default_str();
     app.add_option("--model", model_,
-                   "Network model that says what is in reach; by default the no-load model");
+                   "Network that says what is in reach, and is the witness of --witness model; by "
+                   "default the no-load model");
     valves_.add_valves_to(app);
     app.add_option("--margin-m", margin_m_, "Clearance that the check asks for")
         ->check(CLI::Range(0.0, kMaxMarginM))
@@ -58,10 +64,14 @@ class EnvironmentVerb final : public Verb {
           "'limber environment --random --count N --out DIR'");
     }
     const ArmDescription arm = load_asked_arm(arm_);
+    if (!check && witness_ == "arm") {
+      require_virtual_witness(arm);
+      return run_random(arm, virtual_witness(arm), flags);
+    }
     const ForwardModel forward =
         model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
     const MotionModel model = valves_.motion_model(arm, forward);
-    return check ? run_check(arm, model, flags) : run_random(arm, model, flags);
+    return check ? run_check(arm, model, flags) : run_random(arm, model_witness(arm, model), flags);
   }
 
  private:
@@ -108,7 +118,21 @@ class EnvironmentVerb final : public Verb {
     return check.refusal ? kExitBadInput : kExitDone;  // as `limber plan` would
   }
 
-  int run_random(const ArmDescription& arm, const MotionModel& model, const CommonFlags& flags) {
+  void require_virtual_witness(const ArmDescription& arm) const {
+    if (!arm.command.is_pressure_kpa()) {
+      throw InputError(
+          fmt::format("arm '{}' has no virtual twin, as it is not driven by pressures in kPa: with "
+                      "--witness model --model MODEL its network moves in its place",
+                      arm.name));
+    }
+    if (!model_.empty() || valves_.names_valves()) {
+      throw InputError(
+          "--model and --valves: the witness is the virtual arm, and asks no model; with --witness "
+          "model it is that model");
+    }
+  }
+
+  int run_random(const ArmDescription& arm, const Witness& witness, const CommonFlags& flags) {
     if (out_.empty()) {
       throw InputError("--random needs --out DIR, the folder for the environments");
     }
@@ -123,17 +147,15 @@ class EnvironmentVerb final : public Verb {
     Json files = Json::array();
     for (int k = 1; k <= count_; ++k) {
       throw_if_interrupted();
-      const std::optional<Environment> sampled =
-          sample_proven_environment(arm, model, flags.seed, static_cast<std::uint64_t>(k));
+      const std::optional<WitnessedEnvironment> sampled =
+          witnessed_environment(arm, witness, flags.seed, static_cast<std::uint64_t>(k));
       if (!sampled) {
         throw InputError(fmt::format(
-            "no environment {} of seed {} for arm '{}' whose motion, executed on the virtual arm, "
-            "reaches its goal; try another --seed{}",
-            k, flags.seed, arm.name,
-            model_.empty() ? ", or --model MODEL, which is nearer to the arm than the no-load model"
-                           : ""));
+            "no environment {} of seed {} for arm '{}': in a hundred random motions its tip comes "
+            "nowhere; the pressure limits in the arm file may be too narrow",
+            k, flags.seed, arm.name));
       }
-      write_file_atomically(path(k), environment_to_yaml(*sampled));
+      write_file_atomically(path(k), environment_to_yaml(sampled->environment));
       files.push_back(path(k).string());
       progress.advance();
     }
@@ -145,6 +167,7 @@ class EnvironmentVerb final : public Verb {
 
   std::vector<std::string> words_;
   bool random_ = false;
+  std::string witness_ = "arm";
   int count_ = 1;
   std::string out_;
   std::string arm_ = "three_segment";

@@ -2,13 +2,13 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/hardware/disturbance.hpp"
 #include "limber/hardware/virtual_arm.hpp"
 #include "limber/report/execution_picture.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/execution_times.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/trial/closed_loop.hpp"
+#include "limber/trial/disturbance.hpp"
 #include "limber/trial/model_arm.hpp"
 #include "model_flags.hpp"
 #include "replan_flags.hpp"
@@ -81,6 +81,7 @@ class ExecuteVerb final : public Verb {
     const Environment environment = load_environment(find_environment_file(environment_), arm);
     const Plan plan = read_plan(plan_);
     require_plan_of(plan, arm, plan_);
+    require_plan_in(plan, environment, plan_);
     replan_.settings().corrections.limits =
         limits_of(with_scaled_limits(arm, driver_.limit_scale()));
     require_within(plan, replan_.settings().corrections.limits, plan_,
@@ -203,23 +204,20 @@ class ExecuteVerb final : public Verb {
     if (driver != nullptr) {
       json["driver"] = to_json(*driver);
     }
-    if (run.result.status != ExecutionStatus::done) {
-      print_error(run.result.message);
-    }
     print_result(flags, json, to_text(run));
-    const bool vented = driver == nullptr || driver->last_vent().confirmed;
-    return exit_code(vented ? run.result.status : ExecutionStatus::fault);
+    return end(run.result, driver);
   }
 
-  static int exit_code(ExecutionStatus status) {
-    switch (status) {
-      case ExecutionStatus::done:
-        return kExitDone;
-      case ExecutionStatus::fault:
-        return kExitFault;
-      default:
-        return kExitNoSolution;
+  /// The exit code, after the reason of one that is not 0.
+  static int end(const ExecutionResult& result, const ProcessDriver* driver) {
+    if (!result.message.empty()) {
+      print_error(result.message);
     }
+    if (result.status == ExecutionStatus::fault ||
+        (driver != nullptr && !driver->last_vent().confirmed)) {
+      return kExitFault;
+    }
+    return result.message.empty() ? kExitDone : kExitNoSolution;
   }
 
   template <class Driver>
@@ -266,15 +264,9 @@ class ExecuteVerb final : public Verb {
     }
     if (driver != nullptr) {
       json["driver"] = to_json(*driver);
-      if (result.status == ExecutionStatus::fault) {
-        print_error(result.message);
-      }
     }
     print_result(flags, json, to_text(result, environment));
-    if (driver != nullptr && !driver->last_vent().confirmed) {
-      return kExitFault;
-    }
-    return exit_code(result.status);
+    return end(result, driver);
   }
 
   std::string source_of(const ProcessDriver* driver) const {

@@ -120,7 +120,7 @@ class PlanVerb final : public Verb {
     app.add_option("--start-from-driver", start_driver_,
                    "exec:COMMAND: start where its driver sees the vented arm. The environment with "
                    "that start is written beside --out, for verify and execute");
-    calibration_.add_to(app);
+    wire_.add_to(app);
     app.add_option("--out", out_, "Write the plan here (JSON); not written without a solution");
     app.add_option("--csv", csv_, "Write the plan's set points here, for a valve controller");
     app.add_option("--svg", svg_, "Draw arm, plan, tree and obstacles here");
@@ -197,7 +197,7 @@ class PlanVerb final : public Verb {
                                const CommonFlags& flags) const {
     Environment environment = load_environment(find_environment_file(environment_), arm);
     if (start_driver_.empty()) {
-      if (calibration_.is_given()) {
+      if (wire_.is_calibrated()) {
         throw InputError(
             "--calibration: is of the driver of --start-from-driver, which is missing");
       }
@@ -208,7 +208,7 @@ class PlanVerb final : public Verb {
     }
     const auto file = std::filesystem::path(out_).replace_extension(".environment.yaml");
     refuse_to_overwrite(file, flags.force);
-    environment.start = measured_start(arm, arm_file, start_driver_, calibration_);
+    environment.start = measured_start(arm, arm_file, start_driver_, wire_);
     const std::string yaml = environment_to_yaml(environment);
     (void)read_environment(YamlReader::from_text(yaml, "the measured start"), arm);
     write_file_atomically(file, yaml);
@@ -313,7 +313,7 @@ class PlanVerb final : public Verb {
   LimitFlags narrower_;
   bool stay_recorded_ = false;
   std::string start_driver_;
-  CalibrationFlag calibration_;
+  WireFlags wire_;
   std::string out_;
   std::string csv_;
   std::string svg_;

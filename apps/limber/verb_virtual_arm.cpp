@@ -1,7 +1,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/hardware/disturbance.hpp"
 #include "limber/hardware/driver_server.hpp"
+#include "limber/trial/disturbance.hpp"
 #include "verbs.hpp"
 
 namespace limber {
@@ -30,6 +30,10 @@ class VirtualArmVerb final : public Verb {
     app.add_flag("--at-once", settings_.at_once,
                  "Answer with the sample of the moment, as hardware does, and not with the end of "
                  "the frame that begins");
+    app.add_option("--sampled", settings_.sampled_s,
+                   "At once, with the newest sample of a tracker that takes one every so many "
+                   "seconds: a request that overtakes it gets the last one again")
+        ->check(CLI::PositiveNumber);
     app.add_option("--fault", fault_,
                    "Go wrong from a frame on, as in die@12; an unknown kind lists all of them");
     app.add_option("--misassembled", misassembled_,
@@ -59,6 +63,9 @@ class VirtualArmVerb final : public Verb {
       throw InputError(
           "expected --serve: 'limber virtual-arm --serve' speaks "
           "the driver protocol on standard input and output");
+    }
+    if (settings_.fast && settings_.sampled_s > 0.0) {
+      throw InputError("--sampled: is in real time, which --fast is not");
     }
     if (!fault_.empty()) {
       settings_.fault = parse_server_fault(fault_);

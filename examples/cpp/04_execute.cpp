@@ -10,6 +10,10 @@
 #include "limber/trial/plan_trial.hpp"
 
 void print(const std::string& how, const limber::ExecutionResult& result) {
+  if (!result.final_backbone) {  // the arm was not tracked at the end
+    std::cout << how << ": " << result.message << "\n";
+    return;
+  }
   std::cout << how << ": " << limber::to_string(result.status) << ", " << result.frames
             << " frames, " << result.goal_error.position_m * 100.0 << " cm from the goal's centre"
             << (result.goal_reached ? ", reached" : ", not reached")
@@ -44,7 +48,7 @@ int main(int argc, char** argv) try {
   settings.replanner = replanner.get();
   const auto closed_loop = limber::execute(arm, environment, plan, again, settings);
   print("closed loop", closed_loop);
-  return closed_loop.goal_reached && !closed_loop.collided ? 0 : 1;
+  return limber::has_arrived(closed_loop) ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << error.what() << "\n";
   return 2;

@@ -61,7 +61,7 @@ def answer(request, device, session):
     if kind == "hello":
         session.update(period_s=1.0 / request["rate_hz"], zero=[0.0] * request["segments"])
         send({"type": "hello", "protocol": PROTOCOL, "driver": session["name"], "device": session["device"],
-              "rate_hz": request["rate_hz"], "segments": request["segments"], "tracked": session["tracked"],
+              "rate_hz": request["rate_hz"], "segments": request["segments"], "tracked": session["tracked"], "real_time": session["real_time"],
               "limit_kpa": device.limits_kpa(request)})
     elif kind == "set":
         session["vented"] = False
@@ -85,9 +85,11 @@ def vent_for_sure(device, name):
         print(f"{name}: the device could not be told to vent ({error}); its own watchdog has to", file=sys.stderr)
 
 
-def serve(device, name, description, tracked=False):
-    """Runs until limber says goodbye, closes the driver's input or does something wrong. Vents however it ends."""
-    session = {"name": name, "device": description, "tracked": tracked, "vented": True, "period_s": 1.0}
+def serve(device, name, description, tracked=False, real_time=True):
+    """Runs until limber says goodbye, closes the driver's input or does something wrong. Vents however it ends.
+    real_time is False for a simulation alone, which limber then asks as fast as it answers (--simulated)."""
+    session = {"name": name, "device": description, "tracked": tracked, "real_time": real_time, "vented": True,
+               "period_s": 1.0}
     lines = Lines(sys.stdin.fileno())
     heard = time.monotonic()
     try:

@@ -10,6 +10,9 @@ import limber
 
 
 def show(how: str, result: limber.ExecutionResult) -> None:
+    if result.goal_error is None:  # the arm was not tracked at the end
+        print(f"{how}: {result.message}")
+        return
     print(f"{how}: {result.status.name}, {result.frames} frames, "
           f"{result.goal_error.position_m * 100:.2f} cm from the goal's centre"
           f"{', reached' if result.goal_reached else ', not reached'}"

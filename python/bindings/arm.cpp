@@ -9,6 +9,7 @@
 #include "limber/arm/arm_commands.hpp"
 #include "limber/arm/arm_identity.hpp"
 #include "limber/world/environment.hpp"
+#include "others_may_run.hpp"
 #include "pictures.hpp"
 #include "record.hpp"
 
@@ -125,10 +126,10 @@ py::array_t<float> pressure_ranges_of(const ArmDescription& arm) {
 void bind_arm_functions(py::module_& module) {
   module.def(
       "load_arm", [](const std::filesystem::path& path) { return load_arm(path); }, py::arg("path"),
-      py::call_guard<py::gil_scoped_release>(),
+      py::call_guard<OthersMayRun>(),
       "Reads and checks an arm file (YAML). Raises InputError naming file, line and "
       "field, what was found and what is allowed.");
-  module.def("arm_to_yaml", &arm_to_yaml, py::arg("arm"), py::call_guard<py::gil_scoped_release>(),
+  module.def("arm_to_yaml", &arm_to_yaml, py::arg("arm"), py::call_guard<OthersMayRun>(),
              "The arm as the text of a file that load_arm reads.");
   module.def("rest_positions_m", &rest_positions_m, py::arg("arm"),
              "Distance along the arm at rest from the base to each plate, a list of m "
@@ -188,7 +189,7 @@ void bind_arm(py::module_& module) {
            "belongs to. gap: 0 to m - 2.")
       .def("hash", &ArmDescription::hash,
            "Hash of everything that the no-load model and planning depend on, a text.")
-      .def("_repr_svg_", &arm_picture, py::call_guard<py::gil_scoped_release>());
+      .def("_repr_svg_", &arm_picture, py::call_guard<OthersMayRun>());
   bind_arm_functions(module);
   bind_command_sums(module);
 }

@@ -58,6 +58,18 @@ bool is_float_array(py::handle object) {
          py::detail::check_flags(object.ptr(), kAsItIs);
 }
 
+void require_jobs(int jobs) {
+  if (jobs < 0) {
+    throw InputError(
+        fmt::format("jobs = {}; expected threads, 1 or more, or 0: one per core", jobs));
+  }
+}
+
+bool is_complex(py::handle object) {
+  return py::hasattr(object, "dtype") &&
+         std::string(py::str(object.attr("dtype").attr("kind"))) == "c";
+}
+
 std::string to_text(const Shape& shape) {
   return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
 }

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "limber/arm/backbone.hpp"
+#include "others_may_run.hpp"
 
 namespace limber::python {
 
@@ -27,9 +28,21 @@ class FloatArray : public py::array_t<float, py::array::c_style | py::array::for
 /// Whether that is such an array already.
 bool is_float_array(py::handle object);
 
-using DoubleArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// The same of float64.
+class DoubleArray : public py::array_t<double, py::array::c_style | py::array::forcecast> {
+ public:
+  using Base = py::array_t<double, py::array::c_style | py::array::forcecast>;
+  DoubleArray() : Base(py::handle(), borrowed_t{}) {}
+  DoubleArray(Base other) : Base(std::move(other)) {}  // NOLINT(google-explicit-constructor)
+};
+
+/// Whether that is an array of complex numbers, of which NumPy would drop a part.
+bool is_complex(py::handle object);
 
 using Shape = std::vector<py::ssize_t>;
+
+/// @throws InputError for a negative number of threads; 0 is one per core.
+void require_jobs(int jobs);
 
 /// "(16, 3)", as NumPy prints it.
 std::string to_text(const Shape& shape);
@@ -57,7 +70,7 @@ py::array_t<Scalar> copy_of(const Matrix& matrix, const Shape& shape) {
   py::array_t<Scalar> array(shape);
   Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> copy(
       array.mutable_data(), matrix.rows(), matrix.cols());
-  std::optional<py::gil_scoped_release> others_may_run;
+  std::optional<OthersMayRun> others_may_run;
   if (matrix.size() > kManyNumbers) {
     others_may_run.emplace();
   }
@@ -107,27 +120,53 @@ inline Eigen::Map<Eigen::MatrixXf> batch_map(py::array_t<float>& array) {
 
 }  // namespace limber::python
 
-template <>
-class pybind11::detail::type_caster<limber::python::FloatArray> {
+namespace limber::python {
+
+/// Has NumPy make the array of anything that it understands.
+template <class Array>
+class ArrayCaster {
  public:
-  using Value = limber::python::FloatArray;
-  static constexpr auto name = const_name("numpy.ndarray[numpy.float32]");
+  using Value = Array;
   template <class>
   using cast_op_type = const Value&;
 
-  bool load(handle source, bool convert) {
+  operator const Value&() const { return value_; }  // NOLINT(google-explicit-constructor)
+
+ protected:
+  bool convert(pybind11::handle source, bool convert) {
+    using Base = typename Value::Base;
+    if ((!convert && !Base::check_(source)) || limber::python::is_complex(source)) {
+      return false;
+    }
+    value_ = Value(Base::ensure(source));
+    return static_cast<bool>(value_);
+  }
+
+  Value value_;
+};
+
+}  // namespace limber::python
+
+template <>
+class pybind11::detail::type_caster<limber::python::FloatArray>
+    : public limber::python::ArrayCaster<limber::python::FloatArray> {
+ public:
+  static constexpr auto name = const_name("numpy.ndarray[numpy.float32]");
+
+  bool load(handle source, bool convert_too) {
     if (limber::python::is_float_array(source)) {
       value_ = Value(reinterpret_borrow<Value::Base>(source));
       return true;
     }
-    if (!convert && !Value::Base::check_(source)) {
-      return false;
-    }
-    value_ = Value(Value::Base::ensure(source));
-    return static_cast<bool>(value_);
+    return convert(source, convert_too);
   }
-  operator const Value&() const { return value_; }  // NOLINT(google-explicit-constructor)
+};
 
- private:
-  Value value_;
+template <>
+class pybind11::detail::type_caster<limber::python::DoubleArray>
+    : public limber::python::ArrayCaster<limber::python::DoubleArray> {
+ public:
+  static constexpr auto name = const_name("numpy.ndarray[numpy.float64]");
+
+  bool load(handle source, bool convert_too) { return convert(source, convert_too); }
 };

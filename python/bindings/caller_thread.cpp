@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "limber/common/error.hpp"
+
 namespace limber::python {
 
 namespace {
@@ -63,7 +65,10 @@ void CallerThread::wait_for_work() {
 void CallerThread::run_to_end(const std::function<void()>& work) {
   std::exception_ptr failure;
   {
-    const py::gil_scoped_release others_may_run;
+    if (python_is_ending()) {
+      throw Interrupted("Python is ending: no work begins any more");
+    }
+    const OthersMayRun others_may_run;
     std::thread worker([&] {
       try {
         work();

@@ -12,6 +12,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include "limber/common/interrupt.hpp"
+#include "others_may_run.hpp"
+
 namespace limber::python {
 
 namespace py = pybind11;
@@ -21,7 +24,7 @@ namespace py = pybind11;
 /// see the thread that they expect.
 ///
 /// A KeyboardInterrupt, or an exception in such a function, makes `should_stop` true; the work ends
-/// where it asks next, and the exception then leaves `run`.
+/// where it asks next, and the exception then leaves `run`. So it does when Python ends.
 class CallerThread {
  public:
   /// @param work  called once; its result is that of `run`. Asks `should_stop` often.
@@ -33,8 +36,17 @@ class CallerThread {
     return std::move(*result);
   }
 
+  /// The same for work that asks `interrupt_requested()` instead.
+  template <class Work>
+  auto run_interruptible(const Work& work) {
+    return run([&] {
+      const StopScope scope(&stop_);
+      return work();
+    });
+  }
+
   /// Any thread.
-  bool should_stop() const { return stop_.load(std::memory_order_relaxed); }
+  bool should_stop() const { return stop_.load(std::memory_order_relaxed) || python_is_ending(); }
   void ask_to_stop() { stop_.store(true, std::memory_order_relaxed); }
 
   /// From the work's threads: runs `call` on the waiting thread, with Python's lock, and returns

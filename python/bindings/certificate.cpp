@@ -5,6 +5,7 @@
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "limber/common/error.hpp"
+#include "others_may_run.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -76,7 +77,7 @@ void bind_certificate(py::module_& module) {
                     const Environment&>(),
            py::arg("arm"), py::arg("network"), py::arg("valves"), py::arg("environment"),
            py::keep_alive<1, 2>(), py::keep_alive<1, 3>(), py::keep_alive<1, 4>(),
-           py::keep_alive<1, 5>(), py::call_guard<py::gil_scoped_release>(),
+           py::keep_alive<1, 5>(), py::call_guard<OthersMayRun>(),
            "network: a CompensationModel, None: the no-load model; valves: "
            "ValveParameters, ideal ones for a plan without valves. None of them is taken "
            "from a plan.")

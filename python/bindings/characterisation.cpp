@@ -6,10 +6,12 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "caller_thread.hpp"
 #include "episodes.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/hardware/bench_test.hpp"
+#include "others_may_run.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -33,8 +35,8 @@ void bind_simple_model(py::module_& module) {
       "fit_simple_model",
       [](const ArmDescription& arm, const EpisodeList& episodes) {
         const std::vector<Episode> runs = episodes_from(episodes);
-        const py::gil_scoped_release others_may_run;
-        return fit_simple_model(arm, runs);
+        CallerThread caller;
+        return caller.run_interruptible([&] { return fit_simple_model(arm, runs); });
       },
       py::arg("arm"), py::arg("episodes"),
       "SimpleFit: how much a pressure bends each segment, and how long it is, from "
@@ -44,8 +46,8 @@ void bind_simple_model(py::module_& module) {
       "fitted_arm",
       [](const ArmDescription& arm, const SimpleFit& fit, const EpisodeList& episodes) {
         const std::vector<Episode> runs = episodes_from(episodes);
-        const py::gil_scoped_release others_may_run;
-        return fitted_arm(arm, fit, runs);
+        CallerThread caller;
+        return caller.run_interruptible([&] { return fitted_arm(arm, fit, runs); });
       },
       py::arg("arm"), py::arg("fit"), py::arg("episodes"),
       "The arm with the fit's polynomials and lengths, an ArmDescription. episodes: "
@@ -87,19 +89,19 @@ void bind_characterisation(py::module_& module) {
       [](const std::filesystem::path& path) {
         return load_arm(path, PolynomialsOf::characterisation);
       },
-      py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+      py::arg("path"), py::call_guard<OthersMayRun>(),
       "An arm file whose strain polynomials may be missing or outdated.");
   module.def("read_bench_csv", &read_bench_csv, py::arg("path"), py::arg("arm"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Bench points of every segment from a CSV file with the columns pressure_kpa, strain "
              "and, optionally, segment.");
   module.def("characterise", &characterise, py::arg("arm"), py::arg("bench"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Fits a monotone quartic to every segment's bench points: a CharacterisedArm. "
              "bench: a list of BenchPoint for each segment, base first, at least 5 different "
              "pressures up to the limit. Raises InputError naming the segment.");
   module.def("bench_test_all", &bench_test_all, py::arg("arm"), py::arg("steps") = 20,
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "The bench test of every segment of the virtual arm: a list of BenchPoint for "
              "each. steps: pressures from 0 to the limit, >= 4.");
   module.def(
@@ -107,7 +109,7 @@ void bind_characterisation(py::module_& module) {
       [](const std::filesystem::path& path, const ArmDescription& arm) {
         write_file_atomically(path, arm_to_yaml(arm));
       },
-      py::arg("path"), py::arg("arm"), py::call_guard<py::gil_scoped_release>(),
+      py::arg("path"), py::arg("arm"), py::call_guard<OthersMayRun>(),
       "Writes an arm file (YAML) that load_arm reads, atomically.");
 }
 

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "arrays.hpp"
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "limber/common/error.hpp"
@@ -36,6 +37,7 @@ CollectionResult collect_on(const ArmDescription& arm, CollectionSettings settin
 
 CollectionResult collect_with(const ArmDescription& arm, const CollectionSettings& asked,
                               const py::object& make_driver, const std::filesystem::path& path) {
+  require_jobs(asked.jobs);
   CollectionSettings settings = asked;
   CallerThread caller;
   settings.should_stop = [&] { return caller.should_stop(); };

@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/yaml_reader.hpp"
+#include "others_may_run.hpp"
 #include "pictures.hpp"
 #include "record.hpp"
 
@@ -98,7 +99,7 @@ void bind_environments(py::module_& module) {
                           "What a plan is made for: obstacles, start and goal, in frame B. Plans "
                           "borrow it, so it does not change.")
       .def(py::init(&make_environment), py::arg("name"), py::arg("obstacles"), py::arg("goal"),
-           py::arg("start") = py::none(), py::call_guard<py::gil_scoped_release>(),
+           py::arg("start") = py::none(), py::call_guard<OthersMayRun>(),
            "Checked as a file is: raises InputError naming the field. obstacles: a list of "
            "Circle, Rectangle and Polygon, which messages and results count from 0; goal: "
            "a PoseGoal; start: an ArmStart, None: straight and without pressure.")
@@ -110,7 +111,7 @@ void bind_environments(py::module_& module) {
           "Where the tip shall end, a PoseGoal; a copy.")
       .def_readonly("start", &Environment::start,
                     "ArmStart, or None: at rest, straight and without pressure.")
-      .def("_repr_svg_", &obstacles_picture, py::call_guard<py::gil_scoped_release>())
+      .def("_repr_svg_", &obstacles_picture, py::call_guard<OthersMayRun>())
       .def("__repr__", [](const Environment& environment) {
         return fmt::format("Environment(name='{}', obstacles={}, goal=({}, {}))", environment.name,
                            environment.obstacles.size(), environment.goal.x_m,
@@ -121,26 +122,26 @@ void bind_environments(py::module_& module) {
       [](const std::filesystem::path& path, const ArmDescription* arm) {
         return arm == nullptr ? load_environment(path) : load_environment(path, *arm);
       },
-      py::arg("path"), py::arg("arm") = py::none(), py::call_guard<py::gil_scoped_release>(),
+      py::arg("path"), py::arg("arm") = py::none(), py::call_guard<OthersMayRun>(),
       "Reads and checks an environment file (YAML); with an arm, also that its start "
       "fits. Raises InputError naming file, line and field. Whether the goal is "
       "within reach is judged when planning.");
   module.def("environment_to_yaml", &environment_to_yaml, py::arg("environment"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "The environment as the text of a file that load_environment reads.");
   module.def(
       "write_environment",
       [](const std::filesystem::path& path, const Environment& environment) {
         write_file_atomically(path, environment_to_yaml(environment));
       },
-      py::arg("path"), py::arg("environment"), py::call_guard<py::gil_scoped_release>(),
+      py::arg("path"), py::arg("environment"), py::call_guard<OthersMayRun>(),
       "Writes an environment file (YAML) that load_environment reads, atomically.");
   module.def("environment_hash", &environment_hash, py::arg("environment"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Hash of everything that planning depends on, a text; the name is no part of "
              "it.");
   module.def("start_state", &start_state, py::arg("environment"), py::arg("arm"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Where the arm starts, an ArmStart: as the environment has it, or at rest.");
 }
 

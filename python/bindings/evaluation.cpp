@@ -5,8 +5,10 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "caller_thread.hpp"
 #include "episodes.hpp"
 #include "limber/report/training_report.hpp"
+#include "others_may_run.hpp"
 #include "pictures.hpp"
 #include "record.hpp"
 
@@ -98,15 +100,14 @@ void bind_evaluation(py::module_& module) {
                     "NovelFrames of the network, or None where it does not know what it learnt "
                     "from.")
       .def("__str__", [](const Evaluation& evaluation) { return to_text(evaluation); })
-      .def("_repr_svg_", &evaluation_picture, py::call_guard<py::gil_scoped_release>());
+      .def("_repr_svg_", &evaluation_picture, py::call_guard<OthersMayRun>());
   module.def(
       "predict",
       [](const ForwardModel& model, const Episode& episode, Restart restart, int jobs) {
-        FrameMatrix predicted;
-        {
-          const py::gil_scoped_release others_may_run;
-          predicted = predict(model, episode, restart, jobs);
-        }
+        require_jobs(jobs);
+        CallerThread caller;
+        const FrameMatrix predicted =
+            caller.run_interruptible([&] { return predict(model, episode, restart, jobs); });
         return copy_of<float>(predicted, {predicted.rows(), predicted.cols() / 3, 3});
       },
       py::arg("model"), py::arg("episode"), py::arg("restart"), py::arg("jobs") = 0,
@@ -117,9 +118,10 @@ void bind_evaluation(py::module_& module) {
       "evaluate",
       [](const ForwardModel& no_load, const ForwardModel* network, const EpisodeList& episodes,
          int jobs) {
+        require_jobs(jobs);
         const std::vector<Episode> copies = episodes_from(episodes);
-        const py::gil_scoped_release others_may_run;
-        return evaluate(no_load, network, copies, jobs);
+        CallerThread caller;
+        return caller.run_interruptible([&] { return evaluate(no_load, network, copies, jobs); });
       },
       py::arg("no_load"), py::arg("network"), py::arg("episodes"), py::arg("jobs") = 0,
       "Evaluation: errors of the no-load model and of a network on episodes. no_load: "

@@ -6,6 +6,7 @@
 #include "limber/hardware/executor.hpp"
 #include "limber/report/execution_picture.hpp"
 #include "limber/trial/plan_trial.hpp"
+#include "others_may_run.hpp"
 #include "process_driver.hpp"
 #include "python_driver.hpp"
 #include "record.hpp"
@@ -79,7 +80,7 @@ std::optional<std::string> picture_of(const py::object& self) {
   const auto& environment = parts[1].cast<const Environment&>();
   const auto& plan = parts[2].cast<const Plan&>();
   const auto& result = self.cast<const ExecutionResult&>();
-  const py::gil_scoped_release others_may_run;
+  const OthersMayRun others_may_run;
   return execution_picture(arm, environment, plan, result);
 }
 
@@ -130,6 +131,12 @@ void bind_replanner(py::module_& module) {
       });
 }
 
+/// What is known only of an arm that was seen at its end.
+template <class Known>
+std::optional<Known> if_seen(const ExecutionResult& run, const Known& value) {
+  return run.final_backbone ? std::optional<Known>(value) : std::nullopt;
+}
+
 }  // namespace
 
 void bind_execution(py::module_& module) {
@@ -139,14 +146,24 @@ void bind_execution(py::module_& module) {
                           py::dynamic_attr())
       .read_only("status", &ExecutionResult::status, "ExecutionStatus: how the run ended.")
       .read_only("message", &ExecutionResult::message,
-                 "What went wrong at a fault or stop; else empty.")
+                 "Why it did not arrive: what ended it, or what it missed or struck; else empty.")
       .read_only("frames", &ExecutionResult::frames,
                  "Number of set points commanded, those of the hold included.")
-      .read_only("goal_reached", &ExecutionResult::goal_reached,
-                 "Whether the tip was in the goal after the hold.")
-      .read_only("goal_error", &ExecutionResult::goal_error,
-                 "PoseError of the tip after the hold; meaningless where final_backbone is None.")
-      .read_only("collided", &ExecutionResult::collided, "Whether the arm touched an obstacle.")
+      .read_only("frames_not_seen", &ExecutionResult::frames_not_seen,
+                 "Number of them after which the arm was not tracked.")
+      .property(
+          "goal_reached", [](const ExecutionResult& run) { return if_seen(run, run.goal_reached); },
+          "Whether the tip was in the goal after the hold, or None: not tracked in the last 0.25 "
+          "s.")
+      .property(
+          "goal_error", [](const ExecutionResult& run) { return if_seen(run, run.goal_error); },
+          "PoseError of the tip after the hold, or None: not tracked in the last 0.25 s.")
+      .property(
+          "collided",
+          [](const ExecutionResult& run) {
+            return run.collided ? std::optional(true) : if_seen(run, false);
+          },
+          "Whether the arm touched an obstacle, or None: not tracked in the last 0.25 s.")
       .read_only("prediction", &ExecutionResult::prediction,
                  "ExecutedError between plan and arm, or None where nothing was tracked.")
       .done()
@@ -162,14 +179,14 @@ void bind_execution(py::module_& module) {
                     "Contact when it first touched an obstacle, or None.")
       .def_readonly("closest", &ExecutionResult::closest,
                     "Contact where the arm came nearest to an obstacle, or None: no obstacles, or "
-                    "never tracked.")
+                    "not tracked in the last 0.25 s.")
       .def_property_readonly(
           "final_backbone",
           [](const ExecutionResult& result) -> py::object {
             return result.final_backbone ? py::object(backbone_array<float>(*result.final_backbone))
                                          : py::none();
           },
-          "Shape after the hold, float32 (m, 3), or None where it was not tracked.")
+          "Shape after the hold, float32 (m, 3), or None: not tracked in the last 0.25 s.")
       .def_readonly("episode", &ExecutionResult::episode,
                     "Episode of what was commanded and measured, time 0 being the start.")
       .def("_repr_svg_", &picture_of);

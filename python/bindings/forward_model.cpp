@@ -11,6 +11,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "limber/forward/parallel_forward.hpp"
+#include "others_may_run.hpp"
 
 namespace limber::python {
 
@@ -83,6 +84,16 @@ py::array_t<float> checked_step(const ForwardModel& model, const FloatArray& pre
                          backbone_map(before.value_or(previous)), backbone_map(previous)));
 }
 
+constexpr py::ssize_t kRowsAtOnce = 1 << 15;  // some 0.2 s of one core; signals wait no longer
+
+/// Ctrl-C, for who has let Python's lock go. @throws what Python's handler raises.
+void answer_signals() {
+  const py::gil_scoped_acquire python;
+  if (PyErr_CheckSignals() != 0) {
+    throw py::error_already_set();
+  }
+}
+
 /// The batch's results; `query` gets inputs and outputs as limber has them.
 template <class Query>
 py::array_t<float> batch(const ForwardModel& model, const FloatArray& previous_kpa,
@@ -102,10 +113,16 @@ py::array_t<float> batch(const ForwardModel& model, const FloatArray& previous_k
   const auto now = batch_map(previous);
   const auto earlier = batch_map(before ? *before : previous);
   auto after = batch_map(next);
-  const py::gil_scoped_release others_may_run;
+  const OthersMayRun others_may_run;
   require_finite_query(previous_kpa, current_kpa, previous, before);
-  if (rows > 0) {
-    query(from, to, earlier, now, after);
+  for (py::ssize_t row = 0; row < rows; row += kRowsAtOnce) {
+    if (row > 0) {
+      answer_signals();
+    }
+    const py::ssize_t count = std::min(kRowsAtOnce, rows - row);
+    auto some = after.middleCols(row, count);
+    query(from.middleCols(row, count), to.middleCols(row, count), earlier.middleCols(row, count),
+          now.middleCols(row, count), some);
   }
   return next;
 }
@@ -164,7 +181,7 @@ py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressure
   const auto pressures = batch_map(pressures_kpa);
   auto result = batch_map(backbones);
   std::copy_n(first.data(), first.size(), backbones.mutable_data());
-  const py::gil_scoped_release others_may_run;
+  const OthersMayRun others_may_run;
   require_finite(pressures_kpa, "pressures_kpa");
   model.rollout(pressures, result, workspace());
   return backbones;
@@ -174,8 +191,11 @@ void bind_parallel_forward(py::module_& module) {
   py::class_<ParallelForward>(module, "ParallelForward",
                               "Large batches over several threads; the answers are the same for "
                               "any number. One caller at a time.")
-      .def(py::init<int>(), py::arg("jobs") = 0,
-           "jobs: threads, 0: one per core; never changes a result.")
+      .def(py::init([](int jobs) {
+             require_jobs(jobs);
+             return ParallelForward(jobs);
+           }),
+           py::arg("jobs") = 0, "jobs: threads, 0: one per core; never changes a result.")
       .def_property_readonly("jobs", &ParallelForward::jobs, "Number of threads.")
       .def(
           "step_batch",
@@ -207,8 +227,7 @@ void bind_forward_model(py::module_& module) {
       .def(py::init([](const ArmDescription& arm, const CompensationModel* compensation) {
              return compensation == nullptr ? ForwardModel(arm) : ForwardModel(arm, *compensation);
            }),
-           py::arg("arm"), py::arg("compensation") = py::none(),
-           py::call_guard<py::gil_scoped_release>(),
+           py::arg("arm"), py::arg("compensation") = py::none(), py::call_guard<OthersMayRun>(),
            "compensation: a CompensationModel, None: the no-load model alone. Raises "
            "InputError where it was trained for another arm.")
       .def_property_readonly("segment_count", &ForwardModel::segment_count,

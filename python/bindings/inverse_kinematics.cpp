@@ -5,6 +5,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "limber/common/random_stream.hpp"
+#include "others_may_run.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -51,7 +52,7 @@ void bind_inverse_kinematics(py::module_& module) {
       .done();
   module.def("solve_inverse_kinematics", &solve_inverse_kinematics, py::arg("model"),
              py::arg("goal"), py::arg("settings"), py::arg("random"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Pressures whose no-load tip is at the goal: Newton-Raphson from random starts. "
              "model: a NoLoadModel; goal: a PoseGoal; random: a RandomStream. Not complete: "
              "if none is found, there may still be one. Raises InputError where the goal or "

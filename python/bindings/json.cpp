@@ -10,6 +10,7 @@
 #include "limber/report/execution_report.hpp"
 #include "limber/report/plan_report.hpp"
 #include "limber/report/training_report.hpp"
+#include "others_may_run.hpp"
 
 namespace limber::python {
 
@@ -22,7 +23,7 @@ template <class MakeJson>
 py::object to_python(const MakeJson& make_json) {
   std::string text;
   {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     text = make_json().dump();
   }
   return py::module_::import("json").attr("loads")(text);
@@ -68,7 +69,7 @@ void bind_json(py::module_& module) {
   module.def(
       "content_hash",
       [](const std::filesystem::path& path) { return content_hash(read_file(path)); },
-      py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+      py::arg("path"), py::call_guard<OthersMayRun>(),
       "Hash of a file, a text: what plans and models say of the files they were made "
       "with.");
 }

@@ -3,6 +3,7 @@
 
 #include "bindings.hpp"
 #include "limber/logs/log_import.hpp"
+#include "others_may_run.hpp"
 
 namespace limber::python {
 
@@ -59,7 +60,7 @@ ImportResult import_all(const PathList& logs, const ArmDescription& arm,
   ImportOptions options;
   const Paths log_paths = paths_from(logs, "logs");
   options.command_logs = paths_from(command_logs, "command_logs");
-  const py::gil_scoped_release others_may_run;
+  const OthersMayRun others_may_run;
   options.mapping = mapping ? read_import_mapping(*mapping, arm) : default_import_mapping(arm);
   options.time_offset_s = time_offset_s;
   return import_logs(log_paths, options, arm);

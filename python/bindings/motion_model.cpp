@@ -8,6 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/recorded_region.hpp"
+#include "others_may_run.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -72,7 +73,7 @@ void bind_error_room(py::module_& module) {
       },
       py::arg("model"), py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
       py::arg("goal_margin_rad") = py::none(), py::arg("tube_level") = py::none(),
-      py::call_guard<py::gil_scoped_release>(),
+      py::call_guard<OthersMayRun>(),
       "The ErrorRoom that plans keep for a model's error: the tube that the model "
       "carries, else the error that it states (PredictionError). margin_m, "
       "goal_margin_m [m] and goal_margin_rad [rad], >= 0, are taken instead where "

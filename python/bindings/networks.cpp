@@ -8,6 +8,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "limber/common/error.hpp"
+#include "others_may_run.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -170,10 +171,10 @@ void bind_networks(py::module_& module) {
   bind_gap_bounds(module);
   bind_learnt_region(module);
   bind_network(module);
-  module.def("read_model", &read_model, py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+  module.def("read_model", &read_model, py::arg("path"), py::call_guard<OthersMayRun>(),
              "Reads and checks a model (safetensors). Raises InputError naming file and key.");
   module.def("write_model", &write_model, py::arg("path"), py::arg("model"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Writes a model (safetensors) that read_model reads, atomically.");
   module.def("require_model_of", &require_model_of, py::arg("model"), py::arg("arm"),
              py::arg("where") = "model",

@@ -7,6 +7,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "others_may_run.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -32,7 +33,7 @@ py::array_t<float> backbone(const NoLoadModel& model, const FloatArray& pressure
     }
   };
   if (batch) {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     run();
   } else {
     run();

@@ -15,6 +15,7 @@
 #include "limber/report/plan_picture.hpp"
 #include "limber/report/training_report.hpp"
 #include "limber/world/obstacle_shape.hpp"
+#include "others_may_run.hpp"
 
 namespace limber::python {
 
@@ -143,28 +144,27 @@ std::string evaluation_picture(const Evaluation& evaluation) {
 
 void bind_pictures(py::module_& module) {
   module.def("environment_picture", &environment_picture, py::arg("arm"), py::arg("environment"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "The environment with the arm at its start, as an SVG file's text.");
   module.def("plan_picture", &plan_picture, py::arg("arm"), py::arg("environment"),
-             py::arg("result"), py::call_guard<py::gil_scoped_release>(),
+             py::arg("result"), py::call_guard<OthersMayRun>(),
              "Environment, search tree and plan (or the nearest motion, dashed), as SVG text.");
   module.def("plan_animation", &plan_animation, py::arg("arm"), py::arg("environment"),
-             py::arg("plan"), py::call_guard<py::gil_scoped_release>(),
+             py::arg("plan"), py::call_guard<OthersMayRun>(),
              "One self-contained HTML page in which the arm moves.");
   module.def(
       "pressure_picture",
       [](const ArmDescription& arm, const Plan& plan) { return pressure_picture(arm, plan); },
-      py::arg("arm"), py::arg("plan"), py::call_guard<py::gil_scoped_release>(),
+      py::arg("arm"), py::arg("plan"), py::call_guard<OthersMayRun>(),
       "Set points and the pressures predicted from them over time, as SVG text.");
   module.def("execution_picture", &execution_picture, py::arg("arm"), py::arg("environment"),
-             py::arg("plan"), py::arg("result"), py::call_guard<py::gil_scoped_release>(),
+             py::arg("plan"), py::arg("result"), py::call_guard<OthersMayRun>(),
              "One run beside its prediction, as an SVG file's text.");
   module.def("execution_animation", &execution_animation, py::arg("arm"), py::arg("environment"),
-             py::arg("plan"), py::arg("result"), py::call_guard<py::gil_scoped_release>(),
+             py::arg("plan"), py::arg("result"), py::call_guard<OthersMayRun>(),
              "A page in which the arm moves, as predicted and as measured.");
   module.def("learning_curve_svg", &learning_curve_svg, py::arg("curve"),
-             py::call_guard<py::gil_scoped_release>(),
-             "Loss and validation error over epochs, as SVG text.");
+             py::call_guard<OthersMayRun>(), "Loss and validation error over epochs, as SVG text.");
   module.def(
       "arm_svg",
       [](const ArmDescription& arm, const FloatArray& backbone) {

@@ -10,6 +10,7 @@
 #include "limber/common/error.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/planning/planner_factory.hpp"
+#include "others_may_run.hpp"
 #include "pictures.hpp"
 #include "record.hpp"
 
@@ -163,8 +164,8 @@ PlanResult along(const PlanningProblem& problem, const FloatArray& waypoints_kpa
   for (py::ssize_t w = 0; w < waypoints_kpa.shape(0); ++w) {
     waypoints.emplace_back(Eigen::Map<const Pressures>(waypoints_kpa.data(w, 0), n));
   }
-  const py::gil_scoped_release others_may_run;
-  return plan_along(problem, waypoints, planner, seed);
+  CallerThread caller;
+  return caller.run_interruptible([&] { return plan_along(problem, waypoints, planner, seed); });
 }
 
 py::array_t<float> tree_of(const PlanResult& result) {
@@ -243,7 +244,7 @@ void bind_plan_result(py::module_& module) {
             }
             return motion_picture(result.plan ? *result.plan : *result.best_partial);
           },
-          py::call_guard<py::gil_scoped_release>());
+          py::call_guard<OthersMayRun>());
 }
 
 }  // namespace
@@ -266,9 +267,10 @@ void bind_planning(py::module_& module) {
   module.def(
       "make_planner",
       [](const std::string& name, int jobs) {
+        require_jobs(jobs);
         return std::make_unique<OnePlanner>(make_planner(name, jobs));
       },
-      py::arg("name") = "default", py::arg("jobs") = 0, py::call_guard<py::gil_scoped_release>(),
+      py::arg("name") = "default", py::arg("jobs") = 0, py::call_guard<OthersMayRun>(),
       "By name; settings may follow it: \"default,improved_plans=0\". jobs: threads, 0: one per "
       "core; they never change a result.");
   module.def("plan_along", &along, py::arg("problem"), py::arg("waypoints_kpa"), py::arg("planner"),

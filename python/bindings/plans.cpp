@@ -8,6 +8,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "others_may_run.hpp"
 #include "pictures.hpp"
 #include "record.hpp"
 
@@ -104,7 +105,7 @@ void bind_plan_motion(py::class_<Plan>& binding) {
             std::string picture = motion_picture(plan);
             return picture.empty() ? std::nullopt : std::optional(std::move(picture));
           },
-          py::call_guard<py::gil_scoped_release>());
+          py::call_guard<OthersMayRun>());
 }
 
 void bind_plan(py::module_& module) {
@@ -138,21 +139,21 @@ void bind_plan(py::module_& module) {
 void bind_plans(py::module_& module) {
   bind_certified_figures(module);
   bind_plan(module);
-  module.def("read_plan", &read_plan, py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+  module.def("read_plan", &read_plan, py::arg("path"), py::call_guard<OthersMayRun>(),
              "Reads and checks a plan (JSON). Raises InputError naming file and field.");
   module.def("read_plan_unchecked", &read_plan_unchecked, py::arg("path"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Reads a plan (JSON) for `certify` to judge: only types and finite numbers are "
              "checked.");
   module.def("write_plan", &write_plan, py::arg("path"), py::arg("plan"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Writes a plan (JSON), atomically, every number exactly.");
   module.def("write_setpoints_csv", &write_setpoints_csv, py::arg("path"), py::arg("plan"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Set points for a valve controller as CSV, one row for each frame: time_s, "
              "setpoint_0_kpa, ..., pressure_0_kpa, ...");
   module.def("write_backbones_csv", &write_backbones_csv, py::arg("path"), py::arg("plan"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Predicted shapes as CSV, one row for each frame: time_s, x_0_m, y_0_m, "
              "theta_0_rad, ...");
   module.def("require_plan_of", &require_plan_of, py::arg("plan"), py::arg("arm"),

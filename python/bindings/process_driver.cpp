@@ -8,6 +8,7 @@
 #include "bindings.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "others_may_run.hpp"
 
 namespace limber::python {
 
@@ -33,9 +34,21 @@ void tell(const py::object& on_message, const std::string& message) noexcept {
   }
 }
 
-ProcessDriverSettings settings_from(const std::string& command, const std::optional<Path>& arm_file,
-                                    double limit_scale, bool check_rate,
-                                    const std::optional<Path>& log, const py::object& on_message) {
+/// What `ProcessDriver(...)` is called with, beside the arm.
+struct Asked {
+  std::string command;
+  std::optional<Path> arm_file;
+  double limit_scale = 1.0;
+  bool check_rate = true;
+  bool simulated = false;
+  std::optional<Path> calibration;
+  std::optional<Path> log;
+  py::object on_message;
+};
+
+ProcessDriverSettings settings_from(const ArmDescription& arm, const Asked& asked) {
+  const auto& [command, arm_file, limit_scale, check_rate, simulated, calibration, log,
+               on_message] = asked;
   if (!command.starts_with(kExec) || command.size() == kExec.size()) {
     throw InputError(fmt::format(
         "driver '{}': expected exec:COMMAND, as in \"exec:python3 my_driver.py\"", command));
@@ -48,9 +61,14 @@ ProcessDriverSettings settings_from(const std::string& command, const std::optio
   settings.command = command.substr(kExec.size());
   settings.limit_scale = limit_scale;
   settings.check_rate = check_rate;
+  settings.simulated = simulated;
   settings.install_signals = false;  // Python has its own
   if (arm_file) {
     settings.safety = load_safety(*arm_file);
+  }
+  if (calibration) {
+    settings.calibration = read_wire_calibration(*calibration);
+    require_calibration_of(*settings.calibration, arm, calibration->string());
   }
   settings.log = log.value_or(Path());
   // Let go with Python's lock, as it is called with it.
@@ -65,10 +83,11 @@ ProcessDriverSettings settings_from(const std::string& command, const std::optio
 std::unique_ptr<SharedProcessDriver> start(const ArmDescription& arm, const std::string& command,
                                            const std::optional<Path>& arm_file, double limit_scale,
                                            bool check_rate, const std::optional<Path>& log,
-                                           const py::object& on_message) {
-  const ProcessDriverSettings settings =
-      settings_from(command, arm_file, limit_scale, check_rate, log, on_message);
-  const py::gil_scoped_release others_may_run;
+                                           const py::object& on_message, bool simulated,
+                                           const std::optional<Path>& calibration) {
+  const ProcessDriverSettings settings = settings_from(
+      arm, {command, arm_file, limit_scale, check_rate, simulated, calibration, log, on_message});
+  const OthersMayRun others_may_run;
   return std::make_unique<SharedProcessDriver>(arm, settings);
 }
 
@@ -76,7 +95,7 @@ ArmState command(SharedProcessDriver& shared, const FloatArray& setpoint_kpa) {
   require_shape(setpoint_kpa, {setpoint_kpa.size()}, "setpoint_kpa");
   require_finite(setpoint_kpa, "setpoint_kpa");
   const DriverUse driver(shared);
-  const py::gil_scoped_release others_may_run;
+  const OthersMayRun others_may_run;
   return driver->command(pressures_map(setpoint_kpa));
 }
 
@@ -113,7 +132,7 @@ SharedProcessDriver::~SharedProcessDriver() {
 
 void SharedProcessDriver::close() {
   if (driver_) {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     driver_.reset();
   }
 }
@@ -141,10 +160,7 @@ void require_within(const Plan& plan, const ProcessDriver& driver) {
 void require_reach(const ArmDescription& arm, double limit_scale, const ProcessDriver& driver) {
   if (const auto found = first_short_reach(arm, limit_scale, driver.limits_kpa())) {
     throw InputError(
-        fmt::format("the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; "
-                    "ScheduleSettings(limit_scale={:.2g}) stays within",
-                    found->allowed_kpa, segment_name(found->segment), found->wanted_kpa,
-                    limit_scale * found->allowed_kpa / found->wanted_kpa));
+        advice(*found, arm, driver.limits_kpa(), "ScheduleSettings(limit_scale={:g})"));
   }
 }
 
@@ -156,11 +172,14 @@ void bind_process_driver(py::module_& module) {
       "time; `with` closes it.")
       .def(py::init(&start), py::arg("arm"), py::arg("command"), py::arg("arm_file") = py::none(),
            py::arg("limit_scale") = 1.0, py::arg("check_rate") = true, py::arg("log") = py::none(),
-           py::arg("on_message") = py::none(),
+           py::arg("on_message") = py::none(), py::arg("simulated") = false,
+           py::arg("calibration") = py::none(),
            "Starts \"exec:COMMAND\" without a shell, and vents. arm_file: its mapping `safety` "
            "counts; limit_scale: limits in force are so many times the arm's; check_rate: False "
            "where motions jump and the valves ramp by themselves; log: file of what both sides "
-           "said; on_message(text): told what came of each vent, else standard error is.")
+           "said; on_message(text): told what came of each vent, else standard error is; "
+           "simulated: True where the driver may be a simulation, asked as fast as it answers; "
+           "calibration: file of `limber driver calibrate`.")
       .def(
           "state", [](SharedProcessDriver& shared) { return DriverUse(shared)->state(); },
           "The latest ArmState, as the driver measured it.")
@@ -172,7 +191,7 @@ void bind_process_driver(py::module_& module) {
           "vent",
           [](SharedProcessDriver& shared) {
             const DriverUse driver(shared);
-            const py::gil_scoped_release others_may_run;
+            const OthersMayRun others_may_run;
             driver->vent();
           },
           "Opens every vent valve, and watches the pressures come down, 5 s at most.")
@@ -180,7 +199,7 @@ void bind_process_driver(py::module_& module) {
           "look",
           [](SharedProcessDriver& shared) -> ArmState {
             const DriverUse driver(shared);
-            const py::gil_scoped_release others_may_run;
+            const OthersMayRun others_may_run;
             return driver->look();
           },
           "A fresh ArmState of the arm while it is vented.")

@@ -1,9 +1,27 @@
 #include "python_driver.hpp"
 
+#include <fmt/format.h>
+
 #include "arrays.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber::python {
+
+namespace {
+
+/// @throws TypeError naming the driver's method that returned something else.
+ArmState state_from(const py::object& driver, const char* method, const py::object& returned) {
+  if (!py::isinstance<ArmState>(returned)) {
+    const auto name = [](const py::object& of) {
+      return std::string(py::str(py::type::of(of).attr("__name__")));
+    };
+    throw py::type_error(fmt::format("{}.{} returned {}; expected an ArmState", name(driver),
+                                     method, name(returned)));
+  }
+  return returned.cast<ArmState>();
+}
+
+}  // namespace
 
 PythonDriver::PythonDriver(py::object driver, CallerThread& caller)
     : driver_(new py::object(std::move(driver)),
@@ -13,13 +31,14 @@ PythonDriver::PythonDriver(py::object driver, CallerThread& caller)
               }),
       caller_(caller) {
   const py::gil_scoped_acquire python;
-  state_ = driver_->attr("state")().cast<ArmState>();
+  state_ = state_from(*driver_, "state", driver_->attr("state")());
 }
 
 const ArmState& PythonDriver::command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
   const Pressures setpoints = setpoint_kpa;
-  const bool returned = caller_.call(
-      [&] { state_ = driver_->attr("command")(vector_array(setpoints)).cast<ArmState>(); });
+  const bool returned = caller_.call([&] {
+    state_ = state_from(*driver_, "command", driver_->attr("command")(vector_array(setpoints)));
+  });
   if (!returned) {
     throw Interrupted("the driver raised an exception");
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 namespace limber::python {
 
@@ -55,6 +56,7 @@ class Record {
                  return object.cast<T>();
                }),
                doc.c_str());
+    class_.attr("_fields") = py::tuple(py::cast(names_));  // for pickles
     return *this;
   }
 

@@ -6,10 +6,12 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "caller_thread.hpp"
 #include "episodes.hpp"
 #include "limber/data/recording_export.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/valve_identification.hpp"
+#include "others_may_run.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -49,12 +51,19 @@ Episode make_episode(
   if (!tracked.is_none()) {
     seen = tracked.cast<Flags>();
   }
-  const py::gil_scoped_release others_may_run;
+  const OthersMayRun others_may_run;
   Episode episode;
   episode.setpoints_only = setpoints_only;
   const py::ssize_t frames = time_s.size();
   require_shape(time_s, {frames}, "time_s");
+  require_finite(time_s, "time_s");
   episode.time_s = Eigen::Map<const Eigen::VectorXd>(time_s.data(), frames);
+  for (py::ssize_t t = 1; t < frames; ++t) {
+    if (episode.time_s[t] <= episode.time_s[t - 1]) {
+      throw InputError(fmt::format("time_s[{}] = {} follows {}; expected times to increase", t,
+                                   episode.time_s[t], episode.time_s[t - 1]));
+    }
+  }
   episode.pressure_kpa = frames_from(pressure_kpa, frames, "pressure_kpa");
   episode.setpoint_kpa = frames_from(setpoint_kpa, frames, "setpoint_kpa");
   if (backbone.ndim() != 3 || backbone.shape(2) != 3) {
@@ -184,7 +193,7 @@ void bind_recording(py::module_& module) {
 
 void bind_export(py::module_& module) {
   module.def("export_csv", &export_csv, py::arg("recording"), py::arg("folder"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Writes each episode as one CSV table, and mapping.yaml to read them back with "
              "import_csv. folder: made where it is missing.");
   Record<EpisodeErrors>(module, "EpisodeErrors", "The simple model's error in every episode.")
@@ -213,8 +222,8 @@ void bind_export(py::module_& module) {
       "episode_errors",
       [](const ArmDescription& arm, const EpisodeList& episodes) {
         const std::vector<Episode> copies = episodes_from(episodes);
-        const py::gil_scoped_release others_may_run;
-        return episode_errors(arm, copies);
+        CallerThread caller;
+        return caller.run_interruptible([&] { return episode_errors(arm, copies); });
       },
       py::arg("arm"), py::arg("episodes"),
       "EpisodeErrors of the simple model, fitted to all episodes; an episode far "
@@ -228,7 +237,7 @@ void bind_recording_inspection(py::module_& module) {
       [](const Recording& recording, const ArmDescription* arm, const std::string& file) {
         std::string text;
         {
-          const py::gil_scoped_release others_may_run;
+          const OthersMayRun others_may_run;
           text = to_text(recording, inspect(recording, arm, file));
         }
         return text;
@@ -241,7 +250,8 @@ void bind_recording_inspection(py::module_& module) {
       "identify_valves",
       [](const EpisodeList& episodes, const ArmDescription& arm, const std::string& source) {
         const std::vector<Episode> copies = episodes_from(episodes);
-        const py::gil_scoped_release others_may_run;
+        const OthersMayRun others_may_run;
+        require_episodes_of(copies, arm, source);
         return identify_valves(copies, arm, source);
       },
       py::arg("episodes"), py::arg("arm"), py::arg("source") = "recordings",
@@ -281,7 +291,7 @@ std::vector<Episode> episodes_from(const EpisodeList& episodes) {
     kept.push_back(py::reinterpret_borrow<py::object>(episode));
     found.push_back(&episode.cast<const Episode&>());
   }
-  const py::gil_scoped_release others_may_run;
+  const OthersMayRun others_may_run;
   std::vector<Episode> copies;
   copies.reserve(found.size());
   for (const Episode* episode : found) {
@@ -307,8 +317,9 @@ void bind_recordings(py::module_& module) {
          std::uint64_t seed) {
         Recording recording = make_recording(arm, source, seed);
         recording.episodes = episodes_from(episodes);
-        const py::gil_scoped_release others_may_run;
+        const OthersMayRun others_may_run;
         validate(recording, "recording");
+        require_episodes_of(recording.episodes, arm, "recording");
         return recording;
       },
       py::arg("arm"), py::arg("episodes"), py::arg("source") = "python", py::arg("seed") = 0,
@@ -319,7 +330,7 @@ void bind_recordings(py::module_& module) {
       [](const EpisodeList& episodes) {
         std::vector<Episode> copies = episodes_from(episodes);
         {
-          const py::gil_scoped_release others_may_run;
+          const OthersMayRun others_may_run;
           copies = with_setpoints_only(std::move(copies));
         }
         return episodes_to(std::move(copies));
@@ -327,14 +338,13 @@ void bind_recordings(py::module_& module) {
       py::arg("episodes"),
       "Copies of the episodes without measured pressures: set points take their "
       "place.");
-  module.def("read_recording", &read_recording, py::arg("path"),
-             py::call_guard<py::gil_scoped_release>(),
+  module.def("read_recording", &read_recording, py::arg("path"), py::call_guard<OthersMayRun>(),
              "Reads and checks a recording (HDF5). Raises InputError naming file and field.");
   module.def("write_recording", &write_recording, py::arg("path"), py::arg("recording"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Writes a recording (HDF5) that read_recording reads, atomically.");
   module.def("require_recording_of", &require_recording_of, py::arg("recording"), py::arg("arm"),
-             py::arg("file") = "recording", py::call_guard<py::gil_scoped_release>(),
+             py::arg("file") = "recording", py::call_guard<OthersMayRun>(),
              "Raises InputError where the recording is not one of this arm. file: the "
              "recording's name in the message.");
   bind_export(module);

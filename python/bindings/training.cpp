@@ -2,6 +2,7 @@
 #include <pybind11/stl/filesystem.h>
 #include <pybind11/stl_bind.h>
 
+#include "arrays.hpp"
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "episodes.hpp"
@@ -12,6 +13,7 @@
 #include "limber/training/stage_choice.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"
+#include "others_may_run.hpp"
 #include "record.hpp"
 
 // So that settings.stages[0].epochs = 3 changes the settings, as in C++.
@@ -167,7 +169,7 @@ void bind_training_presets(py::module_& module) {
 py::list copies_of(const std::vector<Episode>& episodes) {
   std::vector<Episode> copies;
   {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     copies = episodes;
   }
   return episodes_to(std::move(copies));
@@ -215,7 +217,7 @@ void bind_data(py::module_& module) {
       "hold_back_validation",
       [](const EpisodeList& episodes, double fraction, std::uint64_t seed) {
         std::vector<Episode> copies = episodes_from(episodes);
-        const py::gil_scoped_release others_may_run;
+        const OthersMayRun others_may_run;
         return hold_back_validation(std::move(copies), fraction, seed);
       },
       py::arg("episodes"), py::arg("fraction"), py::arg("seed"),
@@ -224,7 +226,7 @@ void bind_data(py::module_& module) {
       "at least one. Of a single episode its end is held back. Raises InputError "
       "where nothing would be left to learn from.");
   module.def("hold_back_unseen", &hold_back_unseen, py::arg("data"), py::arg("fraction"),
-             py::arg("seed"), py::call_guard<py::gil_scoped_release>(),
+             py::arg("seed"), py::call_guard<OthersMayRun>(),
              "Moves about `fraction` of the frames, in [0, 1), from data.training to "
              "data.unseen, for note_unseen to measure the error on: whole episodes chosen by "
              "`seed`, or the end of the longest. `data` is changed; where it is too short, "
@@ -283,7 +285,7 @@ void bind_training_result(py::module_& module) {
       .def(
           "_repr_svg_",
           [](const TrainingResult& result) { return learning_curve_svg(result.curve); },
-          py::call_guard<py::gil_scoped_release>());
+          py::call_guard<OthersMayRun>());
 }
 
 void bind_stage_choice(py::module_& module) {
@@ -348,21 +350,25 @@ void bind_runs(py::module_& module) {
       "gap_bounds_of",
       [](const EpisodeList& episodes) {
         const std::vector<Episode> copies = episodes_from(episodes);
-        const py::gil_scoped_release others_may_run;
+        const OthersMayRun others_may_run;
         return gap_bounds_of(copies);
       },
       py::arg("episodes"),
       "The bounds of a model that learnt from these episodes, for the model.bounds of an old one.");
   module.def(
       "learnt_region_of", [](const TrainingData& data) { return learnt_region_of(data); },
-      py::arg("data"), py::call_guard<py::gil_scoped_release>(),
+      py::arg("data"), py::call_guard<OthersMayRun>(),
       "What a model has learnt that was trained on these data, for model.learnt.");
   module.def(
       "note_unseen",
       [](const ArmDescription& arm, CompensationModel& model, const EpisodeList& unseen, int jobs) {
+        require_jobs(jobs);
         const std::vector<Episode> episodes = episodes_from(unseen);
-        const py::gil_scoped_release others_may_run;
-        note_unseen(arm, model, episodes, jobs);
+        CallerThread caller;
+        caller.run_interruptible([&] {
+          note_unseen(arm, model, episodes, jobs);
+          return true;
+        });
       },
       py::arg("arm"), py::arg("model"), py::arg("unseen"), py::arg("jobs") = 0,
       "Measures the finished model's error on episodes that it has never seen, and "

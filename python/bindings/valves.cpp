@@ -7,6 +7,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "limber/arm/valve_file.hpp"
+#include "others_may_run.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -98,7 +99,7 @@ py::array_t<double> run(const ValveModel& model, const DoubleArray& setpoint_kpa
   const Eigen::Map<const Eigen::VectorXd> first(first_pressure_kpa.data(), n);
   Eigen::MatrixXd pressures;
   {
-    const py::gil_scoped_release others_may_run;
+    const OthersMayRun others_may_run;
     pressures = model.run(setpoints, first);
   }
   py::array_t<double> result({frames, n});
@@ -132,11 +133,11 @@ void bind_valves(py::module_& module) {
       });
   module.def(
       "read_valves", [](const std::filesystem::path& path) { return read_valves(path); },
-      py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+      py::arg("path"), py::call_guard<OthersMayRun>(),
       "Reads and checks a valve file (YAML or JSON): IdentifiedValves. Raises "
       "InputError naming file and key.");
   module.def("write_valves", &write_valves, py::arg("path"), py::arg("valves"),
-             py::call_guard<py::gil_scoped_release>(),
+             py::call_guard<OthersMayRun>(),
              "Writes a valve file that read_valves reads, atomically. valves: "
              "IdentifiedValves.");
 }

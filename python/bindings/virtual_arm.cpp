@@ -4,6 +4,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "others_may_run.hpp"
 #include "record.hpp"
 
 namespace limber::python {
@@ -15,18 +16,27 @@ using ArmUse = SharedVirtualArm::Use;
 void bind_state(py::module_& module) {
   py::class_<ArmState>(module, "ArmState",
                        "What is known of the arm at one frame: pressures and shape.")
-      .def(py::init([](double time_s, const FloatArray& pressure_kpa, const py::object& backbone) {
-             ArmState state;
-             state.time_s = time_s;
-             state.pressure_kpa = pressures_from(pressure_kpa, pressure_kpa.size(), "pressure_kpa");
-             if (!backbone.is_none()) {
-               const auto rows = backbone.cast<FloatArray>();
-               state.backbone = backbone_from(rows, rows.size() / 3, "backbone");
-             }
-             return state;
-           }),
-           py::arg("time_s"), py::arg("pressure_kpa"), py::arg("backbone") = py::none(),
-           "[s], (n,) [kPa], and (m, 3) or None where nothing tracks it.")
+      .def(
+          py::init([](double time_s, const FloatArray& pressure_kpa, const py::object& backbone,
+                      const py::object& setpoint_kpa, std::optional<double> tracker_t) {
+            ArmState state;
+            state.time_s = time_s;
+            state.pressure_kpa = pressures_from(pressure_kpa, pressure_kpa.size(), "pressure_kpa");
+            if (!backbone.is_none()) {
+              const auto rows = backbone.cast<FloatArray>();
+              state.backbone = backbone_from(rows, rows.size() / 3, "backbone");
+            }
+            if (!setpoint_kpa.is_none()) {
+              state.setpoint_kpa = pressures_from(setpoint_kpa.cast<FloatArray>(),
+                                                  pressure_kpa.size(), "setpoint_kpa");
+            }
+            state.tracker_s = tracker_t;
+            return state;
+          }),
+          py::arg("time_s"), py::arg("pressure_kpa"), py::arg("backbone") = py::none(),
+          py::arg("setpoint_kpa") = py::none(), py::arg("tracker_t") = py::none(),
+          "[s]; (n,) [kPa]; (m, 3) or None where nothing tracks it; (n,) [kPa], in force when this "
+          "was measured, None: the one commanded last; [s] or None.")
       .def_readonly("time_s", &ArmState::time_s, "When it was measured [s].")
       .def_property_readonly(
           "pressure_kpa", [](const ArmState& state) { return vector_array(state.pressure_kpa); },
@@ -38,6 +48,15 @@ void bind_state(py::module_& module) {
           },
           "Measured shape, float32 (m, 3): x_m, y_m, theta_rad of each plate; None where "
           "nothing tracked it.")
+      .def_property_readonly(
+          "setpoint_kpa",
+          [](const ArmState& state) -> py::object {
+            return state.setpoint_kpa ? py::object(vector_array(*state.setpoint_kpa)) : py::none();
+          },
+          "Set points in force when this was measured, float32 (n,) [kPa], where the arm says so; "
+          "else None.")
+      .def_readonly("tracker_t", &ArmState::tracker_s,
+                    "When the shape was seen, on the tracker's own clock [s]; or None.")
       .def("__repr__", [](const ArmState& state) {
         return "ArmState(time_s=" + std::string(py::repr(py::float_(state.time_s))) +
                ", pressure_kpa=" +
@@ -49,7 +68,7 @@ void bind_state(py::module_& module) {
 template <class Function>
 auto moved(SharedVirtualArm& arm, const Function& function) {
   const ArmUse use(arm);
-  const py::gil_scoped_release others_may_run;
+  const OthersMayRun others_may_run;
   return function(*use);
 }
 
@@ -81,7 +100,7 @@ void bind_virtual_arm(py::module_& module) {
   py::class_<SharedVirtualArm>(module, "VirtualArm",
                                "A soft arm lying on a table, simulated; an ArmDriver.")
       .def(py::init<const ArmDescription&, const VirtualArmOptions&>(), py::arg("arm"),
-           py::arg("options") = VirtualArmOptions{}, py::call_guard<py::gil_scoped_release>(),
+           py::arg("options") = VirtualArmOptions{}, py::call_guard<OthersMayRun>(),
            "At rest: straight, vented, at time 0. Raises InputError where an option is out "
            "of range.")
       .def(

@@ -41,6 +41,7 @@ except ImportError as _error:
     raise ImportError(f"limber can't be imported by {sys.executable}: {_error.__cause__ or _error}. "
                       "It wants the Python that it was built with, Debian's /usr/bin/python3, and "
                       "its NumPy (docs/python.md, To get it)") from _error
+from . import _pickles  # noqa: F401
 from .arm_driver import ArmDriver
 
 __all__ = [

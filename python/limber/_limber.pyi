@@ -107,8 +107,14 @@ class ArmState:
     @property
     def backbone(self) -> npt.NDArray[np.float32] | None:
         """Measured shape, float32 (m, 3): x_m, y_m, theta_rad of each plate; None where nothing tracked it."""
-    def __init__(self, time_s: float, pressure_kpa: npt.ArrayLike, backbone: Any | None = None) -> None:
-        """[s], (n,) [kPa], and (m, 3) or None where nothing tracks it."""
+    @property
+    def setpoint_kpa(self) -> npt.NDArray[np.float32] | None:
+        """Set points in force when this was measured, float32 (n,) [kPa], where the arm says so; else None."""
+    @property
+    def tracker_t(self) -> float | None:
+        """When the shape was seen, on the tracker's own clock [s]; or None."""
+    def __init__(self, time_s: float, pressure_kpa: npt.ArrayLike, backbone: Any | None = None, setpoint_kpa: Any | None = None, tracker_t: float | None = None) -> None:
+        """[s]; (n,) [kPa]; (m, 3) or None where nothing tracks it; (n,) [kPa], in force when this was measured, None: the one commanded last; [s] or None."""
 
 class BackboneLayout:
     """How backbones enter the network."""
@@ -562,19 +568,22 @@ class ExecutionResult:
         """ExecutionStatus: how the run ended."""
     @property
     def message(self) -> str:
-        """What went wrong at a fault or stop; else empty."""
+        """Why it did not arrive: what ended it, or what it missed or struck; else empty."""
     @property
     def frames(self) -> int:
         """Number of set points commanded, those of the hold included."""
     @property
-    def goal_reached(self) -> bool:
-        """Whether the tip was in the goal after the hold."""
+    def frames_not_seen(self) -> int:
+        """Number of them after which the arm was not tracked."""
     @property
-    def goal_error(self) -> PoseError:
-        """PoseError of the tip after the hold; meaningless where final_backbone is None."""
+    def goal_reached(self) -> bool | None:
+        """Whether the tip was in the goal after the hold, or None: not tracked in the last 0.25 s."""
     @property
-    def collided(self) -> bool:
-        """Whether the arm touched an obstacle."""
+    def goal_error(self) -> PoseError | None:
+        """PoseError of the tip after the hold, or None: not tracked in the last 0.25 s."""
+    @property
+    def collided(self) -> bool | None:
+        """Whether the arm touched an obstacle, or None: not tracked in the last 0.25 s."""
     @property
     def prediction(self) -> ExecutedError | None:
         """ExecutedError between plan and arm, or None where nothing was tracked."""
@@ -595,10 +604,10 @@ class ExecutionResult:
         """Contact when it first touched an obstacle, or None."""
     @property
     def closest(self) -> Contact | None:
-        """Contact where the arm came nearest to an obstacle, or None: no obstacles, or never tracked."""
+        """Contact where the arm came nearest to an obstacle, or None: no obstacles, or not tracked in the last 0.25 s."""
     @property
     def final_backbone(self) -> npt.NDArray[np.float32] | None:
-        """Shape after the hold, float32 (m, 3), or None where it was not tracked."""
+        """Shape after the hold, float32 (m, 3), or None: not tracked in the last 0.25 s."""
     @property
     def episode(self) -> Episode:
         """Episode of what was commanded and measured, time 0 being the start."""
@@ -1329,8 +1338,8 @@ class ProcessDriver:
     @property
     def vent_confirmed(self) -> bool:
         """Whether every measured pressure came down at the last vent."""
-    def __init__(self, arm: ArmDescription, command: str, arm_file: str | os.PathLike[str] | None = None, limit_scale: float = 1.0, check_rate: bool = True, log: str | os.PathLike[str] | None = None, on_message: Callable[[str], None] | None = None) -> None:
-        """Starts "exec:COMMAND" without a shell, and vents. arm_file: its mapping `safety` counts; limit_scale: limits in force are so many times the arm's; check_rate: False where motions jump and the valves ramp by themselves; log: file of what both sides said; on_message(text): told what came of each vent, else standard error is."""
+    def __init__(self, arm: ArmDescription, command: str, arm_file: str | os.PathLike[str] | None = None, limit_scale: float = 1.0, check_rate: bool = True, log: str | os.PathLike[str] | None = None, on_message: Callable[[str], None] | None = None, simulated: bool = False, calibration: str | os.PathLike[str] | None = None) -> None:
+        """Starts "exec:COMMAND" without a shell, and vents. arm_file: its mapping `safety` counts; limit_scale: limits in force are so many times the arm's; check_rate: False where motions jump and the valves ramp by themselves; log: file of what both sides said; on_message(text): told what came of each vent, else standard error is; simulated: True where the driver may be a simulation, asked as fast as it answers; calibration: file of `limber driver calibrate`."""
     def state(self) -> ArmState:
         """The latest ArmState, as the driver measured it."""
     def command(self, setpoint_kpa: npt.ArrayLike) -> ArmState:

@@ -56,7 +56,8 @@ class Driver(abc.ABC):
 
     @abc.abstractmethod
     def command(self, setpoint_kpa: npt.NDArray[np.float32]) -> ArmState:
-        """Hands set points (n,) [kPa] to the device, and returns its newest sample at once."""
+        """Hands set points (n,) [kPa] to the device, and returns its newest sample at once: with
+        the set points that were in force when it was taken, ArmState(..., setpoint_kpa=...)."""
 
     @abc.abstractmethod
     def vent(self) -> ArmState:
@@ -172,6 +173,10 @@ class _Server:
         bodies, backbone = self._driver.bodies(), state.backbone
         said = {"type": "state", "seq": message.get("seq"), "t": state.time_s,
                 "pressure_kpa": _numbers(state.pressure_kpa)}
+        if state.setpoint_kpa is not None:
+            said["setpoint_kpa"] = _numbers(state.setpoint_kpa)
+        if state.tracker_t is not None:
+            said["tracker_t"] = state.tracker_t
         if bodies is not None:
             said["bodies"] = _numbers(bodies)
         else:

@@ -81,7 +81,7 @@ DriverCalibration calibrate_driver(const ArmDescription& arm,
   raw.check_rate = true;
   raw.safety = before_calibration(settings.driver.safety, calibration_pulse_kpa(arm));
   ProcessDriver driver(arm, raw);
-  JumpWatch jumps(arm.length_m(), settings.driver.safety.jump_m);
+  JumpWatch jumps(arm.length_m(), largest_jump_m(settings.driver.safety, arm));
 
   CalibrationRig rig;
   rig.command = [&](const Pressures& setpoint_kpa) {
@@ -92,7 +92,7 @@ DriverCalibration calibrate_driver(const ArmDescription& arm,
     const DriverExchange& exchange = driver.timing().last;
     frame.sent_s = exchange.sent_s;
     frame.received_s = exchange.received_s;
-    frame.tracker_s = exchange.tracker_s;
+    frame.tracker_s = frame.state.tracker_s;
     frame.bodies = exchange.bodies;
     jumps.watch(frame);
     return frame;

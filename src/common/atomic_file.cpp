@@ -5,6 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <mutex>
+#include <set>
 #include <utility>
 
 #include "limber/common/file_error.hpp"
@@ -68,12 +71,87 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+/// Files that refuse_to_overwrite found missing: whoever writes one while we work must not lose it.
+class MissingFiles {
+ public:
+  void set(const fs::path& path, bool is_missing) {
+    const std::lock_guard lock(mutex_);
+    if (is_missing) {
+      paths_.insert(name(path));
+    } else {
+      paths_.erase(name(path));
+    }
+  }
+  bool has(const fs::path& path) {
+    const std::lock_guard lock(mutex_);
+    return paths_.contains(name(path));
+  }
+
+ private:
+  static std::string name(const fs::path& path) {
+    std::error_code error;
+    return fs::absolute(path, error).lexically_normal().string();
+  }
+
+  std::mutex mutex_;
+  std::set<std::string> paths_;
+};
+
+MissingFiles& missing_files() {
+  static MissingFiles files;
+  return files;
+}
+
+/// Renames where nothing has that name; false where something has. Not all file systems can do that
+/// at once; some have no links either, and there it is checked just before.
+bool rename_to_new(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) {
+    return true;
+  }
+  if (errno == EINVAL || errno == ENOSYS || errno == ENOTSUP) {
+    if (::link(from.c_str(), to.c_str()) == 0) {
+      ::unlink(from.c_str());
+      return true;
+    }
+    if (errno != EEXIST) {
+      std::error_code error;
+      if (!fs::exists(fs::symlink_status(to, error)) && ::rename(from.c_str(), to.c_str()) == 0) {
+        return true;
+      }
+    }
+  }
+  if (errno != EEXIST) {
+    throw_fault(to, "can't be renamed into place", errno);
+  }
+  return false;
+}
+
+/// What was made is not lost where somebody else took its name meanwhile.
+[[noreturn]] void keep_beside(const fs::path& temporary, const fs::path& path) {
+  constexpr int kMaxNames = 1000;
+  for (int k = 2; k < kMaxNames; ++k) {
+    const fs::path beside = fmt::format("{}.{}", path.string(), k);
+    if (rename_to_new(temporary, beside)) {
+      throw InputError(
+          fmt::format("{}: exists already: it was written while this run worked, whose own file is "
+                      "{}; --force replaces it",
+                      path.string(), beside.string()));
+    }
+  }
+  throw InputError(fmt::format("{}: exists already; --force replaces it", path.string()));
+}
+
 void write_and_rename(const fs::path& temporary, const fs::path& path, std::string_view content) {
   Descriptor file(temporary, O_WRONLY | O_CREAT | O_EXCL);
   if (!file.is_open() || !write_all(file.get(), content) || !sync(file.get()) || !file.close()) {
     throw_fault(path, "can't be written", errno);
   }
-  if (::rename(temporary.c_str(), path.c_str()) != 0) {
+  if (missing_files().has(path)) {
+    if (!rename_to_new(temporary, path)) {
+      keep_beside(temporary, path);
+    }
+    missing_files().set(path, false);  // it is ours now
+  } else if (::rename(temporary.c_str(), path.c_str()) != 0) {
     throw_fault(path, "can't be renamed into place", errno);
   }
 }
@@ -216,6 +294,7 @@ void refuse_to_overwrite(const fs::path& path, bool force) {
     throw InputError(fmt::format("{}: exists already; --force replaces it", path.string()));
   }
   require_writable(path);
+  missing_files().set(path, !force);
 }
 
 void require_writable_folder(const fs::path& folder) {

@@ -8,6 +8,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/printable.hpp"
 
 namespace limber {
 
@@ -112,8 +113,9 @@ double CsvReader::number(const CsvCell& cell, const std::string& expected) const
   double value = 0.0;
   if (!parse_number(cell.text, value)) {
     const bool comma = separator_ != ',' && cell.text.find(',') != std::string_view::npos;
-    refuse(cell.column, fmt::format("'{}' found; expected {}, a plain finite number{}", cell.text,
-                                    expected, comma ? " with a decimal point" : ""));
+    refuse(cell.column,
+           fmt::format("'{}' found; expected {}, a plain finite number{}", in_one_line(cell.text),
+                       expected, comma ? " with a decimal point" : ""));
   }
   return value;
 }

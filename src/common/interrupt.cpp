@@ -2,7 +2,6 @@
 
 #include <csignal>
 
-#include "limber/common/arm_signals.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -10,9 +9,10 @@ namespace limber {
 namespace {
 
 volatile std::sig_atomic_t requested = 0;
+thread_local const std::atomic<bool>* stop = nullptr;
 
 void handle_signal(int /*number*/) {
-  requested = 1;
+  request_interrupt();
 }
 
 /// Without SA_RESTART, a call that blocks comes back; and the second signal has its usual effect.
@@ -31,24 +31,30 @@ void install_interrupt_handler() {
   request_stop_at(SIGTERM);
 }
 
-void install_arm_signals() {
-  install_interrupt_handler();
-  request_stop_at(SIGTSTP);
-  struct sigaction hangup {};
-  sigaction(SIGHUP, nullptr, &hangup);
-  if (hangup.sa_handler != SIG_IGN) {  // as nohup has it
-    request_stop_at(SIGHUP);
-  }
+void request_interrupt() noexcept {
+  requested = 1;
 }
 
 bool interrupt_requested() {
-  return requested != 0;
+  return requested != 0 || (stop != nullptr && stop->load(std::memory_order_relaxed));
 }
 
 void throw_if_interrupted() {
   if (interrupt_requested()) {
     throw Interrupted("stopped on request");
   }
+}
+
+StopScope::StopScope(const std::atomic<bool>* own) : before_(stop) {
+  stop = own;
+}
+
+StopScope::~StopScope() {
+  stop = before_;
+}
+
+const std::atomic<bool>* stop_of_thread() {
+  return stop;
 }
 
 }  // namespace limber

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -34,10 +35,20 @@ std::string reason_of(const Json::exception& error) {
 }  // namespace
 
 Json parse_json_object(std::string_view text, const std::string& where) {
-  const auto shallow = [&](int depth, Json::parse_event_t event, const Json&) {
-    const bool opens =
-        event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
-    if (opens && depth >= kMaxJsonLevels) {
+  std::vector<std::set<std::string>> keys;  // of the objects that are open
+  const auto sound = [&](int depth, Json::parse_event_t event, const Json& value) {
+    using Event = Json::parse_event_t;
+    if (event == Event::object_start) {
+      keys.emplace_back();
+    } else if (event == Event::object_end) {
+      keys.pop_back();
+    } else if (event == Event::key && !keys.back().insert(value.get<std::string>()).second) {
+      throw InputError(
+          fmt::format("{}: the key {} stands twice in one object; which of the two "
+                      "counts can't be known",
+                      where, in_few_words(value)));
+    }
+    if ((event == Event::object_start || event == Event::array_start) && depth >= kMaxJsonLevels) {
       throw InputError(
           fmt::format("{}: lists and objects nested more than {} deep; no limber file has so many",
                       where, kMaxJsonLevels));
@@ -45,7 +56,7 @@ Json parse_json_object(std::string_view text, const std::string& where) {
     return true;
   };
   try {
-    Json root = Json::parse(text, shallow);
+    Json root = Json::parse(text, sound);
     if (!root.is_object()) {
       throw InputError(
           fmt::format("{}: {} found; expected a JSON object, {{…}}", where, in_few_words(root)));

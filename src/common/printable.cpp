@@ -1,5 +1,6 @@
 #include "limber/common/printable.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include <fmt/format.h>
@@ -60,6 +61,13 @@ std::string printable(std::string_view text) {
     text.remove_prefix(length);
   }
   return shown;
+}
+
+std::string in_one_line(std::string_view text, std::size_t max_bytes) {
+  std::string line = shortened(text, max_bytes);
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  return line;
 }
 
 std::string printable_json(std::string_view json) {

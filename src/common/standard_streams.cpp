@@ -1,26 +1,99 @@
 #include "limber/common/standard_streams.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
+#include <climits>
 #include <cstddef>
 
 #include "limber/common/broken_pipe.hpp"
 
 namespace limber {
 
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// For a reader that is slower than somebody writes.
+constexpr auto kPatience = std::chrono::milliseconds(20);
+
+/// Whether nobody read the last message in that time. Then the next ones are not waited for.
+std::atomic<bool> is_stuck{false};
+
+bool is_writable(int timeout_ms) {
+  pollfd stream{STDERR_FILENO, POLLOUT, 0};
+  return ::poll(&stream, 1, timeout_ms) > 0;
+}
+
+/// Standard error without O_NONBLOCK on what others share: its pipe or terminal is opened once
+/// more. Where that is not allowed, only what poll() promises is written.
+class StandardError {
+ public:
+  StandardError() {
+    struct stat status {};
+    if (::fstat(STDERR_FILENO, &status) == 0) {
+      is_socket_ = S_ISSOCK(status.st_mode);
+      can_block_ = S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode);
+    }
+    if (can_block_) {
+      own_ = ::open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+    }
+  }
+  ~StandardError() {
+    if (own_ >= 0) {
+      ::close(own_);
+    }
+  }
+  StandardError(const StandardError&) = delete;
+  StandardError& operator=(const StandardError&) = delete;
+
+  /// As write(), but never waits: EAGAIN.
+  ssize_t write(std::string_view text) const {
+    if (is_socket_) {
+      return ::send(STDERR_FILENO, text.data(), text.size(), MSG_DONTWAIT);
+    }
+    if (own_ >= 0 || !can_block_) {
+      return ::write(own_ >= 0 ? own_ : STDERR_FILENO, text.data(), text.size());
+    }
+    if (!is_writable(0)) {
+      errno = EAGAIN;
+      return -1;
+    }
+    return ::write(STDERR_FILENO, text.data(), std::min<std::size_t>(text.size(), PIPE_BUF));
+  }
+
+ private:
+  int own_ = -1;
+  bool is_socket_ = false;
+  bool can_block_ = false;
+};
+
+}  // namespace
+
 void print_to_stderr(std::string_view text) noexcept {
   WithoutBrokenPipe guard;
+  const StandardError stream;
+  const Clock::time_point deadline = Clock::now() + (is_stuck ? kPatience * 0 : kPatience);
   while (!text.empty()) {
-    const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+    const ssize_t written = stream.write(text);
     if (written >= 0) {
       text.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno == EAGAIN && Clock::now() < deadline) {
+      (void)is_writable(1);
     } else if (errno != EINTR) {
       guard.note(errno);
+      is_stuck = errno == EAGAIN;
       return;
     }
   }
+  is_stuck = false;
 }
 
 void open_missing_standard_streams() noexcept {

@@ -107,7 +107,12 @@ std::vector<int> EpisodeErrors::outliers() const {
 }
 
 EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episode>& episodes) {
-  const SimpleModel model = fit_simple_model(arm, episodes).model;
+  require_episodes_of(episodes, arm);
+  return errors_of_any(arm, episodes);
+}
+
+EpisodeErrors errors_of_any(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  const SimpleModel model = fit_to_any(arm, episodes).model;
   EpisodeErrors errors;
   std::vector<double> known;
   std::vector<TurnCorrelation> correlations;

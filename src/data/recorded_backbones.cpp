@@ -23,27 +23,63 @@ constexpr double kBaseHeading_rad = 0.01;  // 7 mm at the end of a 0.7 m arm
 // 3.8 rad is not an arm that we know; another unit or another arm is off by more.
 constexpr double kMaxTrackedGap = 1.5;
 constexpr double kMinTrackedGap = 0.5;
+// From the base, in lengths of the arm, and turned against it: no tracker sees an arm there, even
+// once. What it takes for a plate by mistake lies nearer.
+constexpr double kNeverThere = 100.0;
+constexpr double kNeverTurned_rad = 100.0;
 // Standard deviation of the end's position over the arm's length, 1.4 mm at 0.7 m: more than a
 // tracker's noise and less than any motion in which a command changes by half of its limit.
 constexpr double kStill = 0.002;
 constexpr double kMovingCommand = 0.5;
 
-void require_gaps(const Episode& episode, const ArmDescription& arm, const std::string& where) {
+/// @param slack  ≥ 1, by which the allowed range is wider
+void require_gaps(const Episode& episode, const ArmDescription& arm, double slack,
+                  const std::string& where) {
   const std::vector<double> rest_m = rest_positions_m(arm);
   for (int plate = 0; plate + 1 < arm.point_count(); ++plate) {
     const auto p = static_cast<std::size_t>(plate);
     const double expected_m = rest_m[p + 1] - rest_m[p];
     const double found_m = median_gap_m(episode, plate);
-    if (found_m > kMaxTrackedGap * expected_m || found_m < kMinTrackedGap * expected_m) {
+    const double high_m = slack * kMaxTrackedGap * expected_m;
+    const double low_m = kMinTrackedGap / slack * expected_m;
+    if (found_m > high_m || found_m < low_m) {
       const std::string unit = unit_suspicion(found_m / expected_m, "m");
       throw InputError(fmt::format(
-          "{}: {} are {:.4g} m apart (median over the frames); arm '{}' has {:.4g} m "
+          "{}: {} are {:.4g} m apart (median over the frames); {} has {:.4g} m "
           "there, and {:.4g} to {:.4g} m are allowed. {} Import its logs again, or give the arm "
           "file that it was recorded with (--arm)",
-          where, plates_of_gap(plate), found_m, arm.name, expected_m, kMinTrackedGap * expected_m,
-          kMaxTrackedGap * expected_m,
+          where, plates_of_gap(plate), found_m, arm_in_words(arm), expected_m, low_m, high_m,
           unit.empty() ? "Are the plates in order, and is it this arm?"
                        : "It should be in m: " + unit));
+    }
+  }
+}
+
+/// Even one frame far away ruins ranges and means.
+void require_plates_near(const Episode& episode, const ArmDescription& arm,
+                         const std::string& where) {
+  const double farthest_m = kNeverThere * arm.length_m();
+  const int end = episode.frame_count();
+  const int first = episode.next_tracked(0, end);
+  for (int t = first; t < end; t = episode.next_tracked(t + 1, end)) {
+    const Eigen::Vector2d begin = episode.backbone.row(first).head<2>().cast<double>();
+    const Eigen::RowVectorXd poses = episode.backbone.row(t).cast<double>();
+    const Eigen::Vector2d base = poses.head<2>();
+    for (int plate = 0; plate < arm.point_count(); ++plate) {
+      const Eigen::Vector3d pose = poses.segment<3>(3 * plate);
+      const double away_m = (pose.head<2>() - (plate == 0 ? begin : base)).norm();
+      const double turned_rad = std::abs(pose[2] - poses[2]);
+      if (away_m > farthest_m || turned_rad > kNeverTurned_rad) {
+        throw InputError(fmt::format(
+            "{}: {}: {} is {}; {} is {:.4g} m long, and up to {:.4g} m and {} rad are allowed. Was "
+            "something else tracked there? Leave that log out, or import it again without that "
+            "frame",
+            where, frame_name(t), plate_name(plate),
+            away_m > farthest_m ? fmt::format("{:.4g} m from {}", away_m,
+                                              plate == 0 ? "where the base began" : "the base")
+                                : fmt::format("turned by {:.4g} rad against the base", turned_rad),
+            arm_in_words(arm), arm.length_m(), farthest_m, kNeverTurned_rad));
+      }
     }
   }
 }
@@ -64,27 +100,6 @@ double spread_of_end_m(const Episode& episode) {
     }
   }
   return count > 0.0 ? std::sqrt(squares / count) : std::numeric_limits<double>::quiet_NaN();
-}
-
-void require_motion(const Episode& episode, const ArmDescription& arm, const std::string& where) {
-  const double spread_m = spread_of_end_m(episode);
-  if (!(spread_m < kStill * arm.length_m())) {
-    return;
-  }
-  for (Eigen::Index i = 0; i < episode.pressure_kpa.cols(); ++i) {
-    const double range = double(episode.pressure_kpa.col(i).maxCoeff()) -
-                         double(episode.pressure_kpa.col(i).minCoeff());
-    const double limit =
-        arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.half_width_kpa();
-    if (range > kMovingCommand * limit) {
-      throw InputError(fmt::format(
-          "{}: the arm's end stands still (its position spreads by {:.2g} mm; expected at least "
-          "{:.2g} mm) while the {} of {} changes by {:.4g} {}. Was the tracker running, and do "
-          "both logs belong together? Record it again, or leave the episode out",
-          where, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, segment_name(i),
-          range, arm.command.unit));
-    }
-  }
 }
 
 }  // namespace
@@ -136,13 +151,35 @@ double median_gap_m(const Episode& episode, int plate) {
   return *middle;
 }
 
-void require_backbones_of(const Recording& recording, const ArmDescription& arm,
-                          const std::string& file) {
-  for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
-    const std::string where = fmt::format("{}: {}", file, episode_path(e));
-    require_gaps(recording.episodes[e], arm, where);
-    require_motion(recording.episodes[e], arm, where);
+void require_motion(const Episode& episode, const ArmDescription& arm, const std::string& where) {
+  const double spread_m = spread_of_end_m(episode);
+  if (!(spread_m < kStill * arm.length_m())) {
+    return;
   }
+  for (Eigen::Index i = 0; i < episode.pressure_kpa.cols(); ++i) {
+    const double range = double(episode.pressure_kpa.col(i).maxCoeff()) -
+                         double(episode.pressure_kpa.col(i).minCoeff());
+    const double limit =
+        arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.half_width_kpa();
+    if (range > kMovingCommand * limit) {
+      throw InputError(fmt::format(
+          "{}: the arm's end stands still (its position spreads by {:.2g} mm; expected at least "
+          "{:.2g} mm) while the {} of {} changes by {:.4g} {}. Was the tracker running, and do "
+          "both logs belong together? Record it again, or leave the episode out",
+          where, 1e3 * spread_m, 1e3 * kStill * arm.length_m(), arm.command.name, segment_name(i),
+          range, arm.command.unit));
+    }
+  }
+}
+
+std::string arm_in_words(const ArmDescription& arm) {
+  return arm.name.empty() ? "the arm" : fmt::format("arm '{}'", arm.name);
+}
+
+void require_backbones_of(const Episode& episode, const ArmDescription& arm, double slack,
+                          const std::string& where) {
+  require_gaps(episode, arm, slack, where);
+  require_plates_near(episode, arm, where);
 }
 
 std::string base_warning(const Recording& recording) {

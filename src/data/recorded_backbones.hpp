@@ -20,9 +20,18 @@ std::string base_offset(const Episode& episode);
 /// NaN if it never was.
 double median_gap_m(const Episode& episode, int plate);
 
-/// @throws InputError naming `file` and the episode: if the plates' distances are not those of
-/// the arm, or where the arm's end stands still while commands change.
-void require_backbones_of(const Recording& recording, const ArmDescription& arm,
-                          const std::string& file);
+/// "arm 'two_segment'", or "the arm" of one without a name.
+std::string arm_in_words(const ArmDescription& arm);
+
+/// @throws InputError beginning with `where` if the arm's end stands still while commands change.
+/// @pre the episode has the arm's sizes
+void require_motion(const Episode& episode, const ArmDescription& arm, const std::string& where);
+
+/// @throws InputError beginning with `where`: if the plates' distances are not those of the arm, or
+/// a plate is where no arm gets in some frame in which it was tracked.
+/// @param slack  ≥ 1, by which the distances may be farther off
+/// @pre the episode has the arm's sizes
+void require_backbones_of(const Episode& episode, const ArmDescription& arm, double slack,
+                          const std::string& where);
 
 }  // namespace limber

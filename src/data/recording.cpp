@@ -7,6 +7,7 @@
 
 #include "episode_path.hpp"
 #include "limber/arm/names.hpp"
+#include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/utf8.hpp"
@@ -87,28 +88,27 @@ class EpisodeCheck {
   std::size_t index_;
 };
 
-void validate_episode(const Recording& recording, std::size_t index, const std::string& file) {
-  const Episode& episode = recording.episodes[index];
-  const EpisodeCheck check(file, index);
+/// What is known of each frame.
+void validate_frames(const Episode& episode, const EpisodeCheck& check, int segment_count,
+                     int point_count) {
   check.times(episode.time_s);
   const Eigen::Index frames = episode.time_s.size();
-  check.shape("pressure_kpa", episode.pressure_kpa, frames, recording.segment_count);
-  check.shape("setpoint_kpa", episode.setpoint_kpa, frames, recording.segment_count);
-  check.shape("backbone", episode.backbone, frames, 3 * recording.point_count);
-  check.length("motion_index", episode.motion_index, frames);
+  check.shape("pressure_kpa", episode.pressure_kpa, frames, segment_count);
+  check.shape("setpoint_kpa", episode.setpoint_kpa, frames, segment_count);
+  check.shape("backbone", episode.backbone, frames, 3 * point_count);
   check.finite("pressure_kpa", episode.pressure_kpa);
   check.finite("setpoint_kpa", episode.setpoint_kpa);
   check.finite("backbone", episode.backbone);
-  check.motions(episode.motion_index);
   if (!episode.tracked.empty()) {
     check.length("tracked", episode.tracked, frames);
   }
-  if (episode.setpoints_only != recording.setpoints_only()) {
-    check.refuse("pressure_kpa",
-                 fmt::format("{}, other than in episode 0; expected one kind in a "
-                             "recording: make two of it",
-                             episode.setpoints_only ? "nothing was measured" : "measured"));
-  }
+}
+
+void validate_episode(const Episode& episode, const EpisodeCheck& check, int segment_count,
+                      int point_count) {
+  validate_frames(episode, check, segment_count, point_count);
+  check.length("motion_index", episode.motion_index, episode.time_s.size());
+  check.motions(episode.motion_index);
   if (episode.setpoints_only && episode.pressure_kpa != episode.setpoint_kpa) {
     check.refuse("pressure_kpa",
                  "differs from setpoint_kpa, though the episode says that nothing was measured; "
@@ -170,10 +170,15 @@ std::vector<Episode> with_setpoints_only(std::vector<Episode> episodes) {
 }
 
 void validate_header(const Recording& recording, const std::string& file) {
-  for (const std::string* text : {&recording.arm_name, &recording.source, &recording.settings,
-                                  &recording.command.name, &recording.command.unit}) {
+  for (const std::string* text :
+       {&recording.arm_name, &recording.arm_hash, &recording.arm_description, &recording.source,
+        &recording.settings, &recording.command.name, &recording.command.unit}) {
     if (!is_utf8(*text)) {
       throw InputError(fmt::format("{}: a name or text of the recording is not UTF-8", file));
+    }
+    if (text->size() > kLongestText) {
+      throw InputError(fmt::format("{}: a text of the recording has {} bytes; expected up to {}",
+                                   file, text->size(), kLongestText));
     }
   }
   if (recording.segment_count < 1) {
@@ -196,7 +201,15 @@ void validate(const Recording& recording, const std::string& file) {
     throw InputError(fmt::format("{}: episodes: none found; expected at least one", file));
   }
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
-    validate_episode(recording, i, file);
+    const Episode& episode = recording.episodes[i];
+    const EpisodeCheck check(file, i);
+    validate_episode(episode, check, recording.segment_count, recording.point_count);
+    if (episode.setpoints_only != recording.setpoints_only()) {
+      check.refuse("pressure_kpa",
+                   fmt::format("{}, other than in episode 0; expected one kind in a "
+                               "recording: make two of it",
+                               episode.setpoints_only ? "nothing was measured" : "measured"));
+    }
   }
 }
 
@@ -250,6 +263,19 @@ void require_same_sums(const Recording& recording, const ArmDescription& arm,
 constexpr double kFarBeyond = 1.2;       // of the limit, …
 constexpr double kMaxFarBeyond = 0.001;  // … in this share of the frames: more than single spikes
 constexpr double kNeverBelieved = 3.0;   // of the limit, even once: a spike that ruins the ranges
+constexpr double kAnotherUnit = 10.0;    // off by more: no broken log, but numbers in another unit
+
+[[noreturn]] void refuse_command(double kpa, Eigen::Index segment, Eigen::Index frame,
+                                 const ArmDescription& arm, const std::string& file,
+                                 const std::string& where) {
+  const PressureLimits& limits = arm.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa;
+  throw InputError(fmt::format(
+      "{}: {}: {} is at {:.4g} {} in {}; the limit of {} is {} {}. If the "
+      "arm can take that, raise the limit in its arm file; if not, the unit or the column was "
+      "wrong when the recording was made: import it again",
+      file, where, segment_name(segment), kpa, arm.command.unit, frame_name(frame),
+      arm_in_words(arm), limits_to_yaml(limits), arm.command.unit));
+}
 
 void require_commands_within(const FrameMatrix& commands, const ArmDescription& arm,
                              const std::string& file, const std::string& where) {
@@ -263,12 +289,20 @@ void require_commands_within(const FrameMatrix& commands, const ArmDescription& 
     const double largest = sizes.maxCoeff(&worst);
     if (double(beyond) > kMaxFarBeyond * double(commands.rows()) ||
         largest > kNeverBelieved * limit) {
-      throw InputError(fmt::format(
-          "{}: {}: {} is at {:.4g} {} in {}; the limit of arm '{}' is {} {}. If the "
-          "arm can take that, raise the limit in its arm file; if not, the unit or the column was "
-          "wrong when the recording was made: import it again",
-          file, where, segment_name(i), double(commands(worst, i)), arm.command.unit,
-          frame_name(worst), arm.name, limits_to_yaml(limits), arm.command.unit));
+      refuse_command(double(commands(worst, i)), i, worst, arm, file, where);
+    }
+  }
+}
+
+/// Pa are a thousand times kPa, and whatever an arm overshoots its limit by is less than ten times.
+void require_unit(const FrameMatrix& commands, const ArmDescription& arm, const std::string& file,
+                  const std::string& where) {
+  for (Eigen::Index i = 0; i < commands.cols(); ++i) {
+    Eigen::Index worst = 0;
+    const double largest = double(commands.col(i).cwiseAbs().maxCoeff(&worst));
+    if (largest >
+        kAnotherUnit * arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa()) {
+      refuse_command(double(commands(worst, i)), i, worst, arm, file, where);
     }
   }
 }
@@ -301,7 +335,58 @@ void require_recording_of(const Recording& recording, const ArmDescription& arm,
         "compare with. Record it again with the arm in the tracker's view",
         file, recording.frame_count()));
   }
-  require_backbones_of(recording, arm, file);
+  for (std::size_t e = 0; e < recording.episodes.size(); ++e) {
+    const std::string where = fmt::format("{}: {}", file, episode_path(e));
+    require_backbones_of(recording.episodes[e], arm, 1.0, where);
+    require_motion(recording.episodes[e], arm, where);
+  }
+}
+
+void require_episodes_of(const std::vector<Episode>& episodes, const ArmDescription& arm,
+                         const std::string& where) {
+  const auto refuse = [&](std::size_t index, Eigen::Index found, const char* what, int expected) {
+    throw InputError(
+        fmt::format("{}: {} has {} {}; {} has {}. Give the arm that it was recorded "
+                    "with",
+                    where, episode_path(index), found, what, arm_in_words(arm), expected));
+  };
+  for (std::size_t e = 0; e < episodes.size(); ++e) {
+    const Episode& episode = episodes[e];
+    for (const FrameMatrix* commands : {&episode.pressure_kpa, &episode.setpoint_kpa}) {
+      if (commands->cols() != arm.segment_count()) {
+        refuse(e, commands->cols(), "segments", arm.segment_count());
+      }
+    }
+    if (episode.backbone.cols() != 3 * arm.point_count()) {
+      refuse(e, episode.backbone.cols() / 3, "backbone points", arm.point_count());
+    }
+    validate_episode(episode, EpisodeCheck(where, e), arm.segment_count(), arm.point_count());
+    const std::string path = episode_path(e);
+    require_unit(episode.pressure_kpa, arm, where, path + ", measured");
+    require_unit(episode.setpoint_kpa, arm, where, path + ", set points");
+    require_backbones_of(episode, arm, kAnotherUnit, fmt::format("{}: {}", where, path));
+  }
+}
+
+void require_alike(const std::vector<Episode>& episodes, int segment_count, int point_count,
+                   const std::string& where) {
+  if (segment_count == 0 && !episodes.empty()) {
+    segment_count = static_cast<int>(episodes.front().pressure_kpa.cols());
+    point_count = static_cast<int>(episodes.front().backbone.cols() / 3);
+  }
+  for (std::size_t e = 0; e < episodes.size(); ++e) {
+    validate_frames(episodes[e], EpisodeCheck(where, e), segment_count, point_count);
+  }
+}
+
+void require_episodes_of(const std::vector<Episode>& episodes, const NoLoadModel& model,
+                         const std::string& where) {
+  ArmDescription arm;  // what of it a model knows
+  arm.command = model.command();
+  for (int i = 0; i < model.segment_count(); ++i) {
+    arm.segments.push_back(model.segment(i));
+  }
+  require_episodes_of(episodes, arm, where);
 }
 
 }  // namespace limber

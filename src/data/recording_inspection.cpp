@@ -12,6 +12,8 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/arm/valve_file.hpp"
+#include "limber/common/error.hpp"
+#include "limber/data/simple_model.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "suspicions.hpp"
 
@@ -220,14 +222,27 @@ std::optional<EpisodeErrors> errors_of(const Recording& recording, const ArmDesc
   if (!tracked || (arm == nullptr && recording.arm_description.empty())) {
     return std::nullopt;
   }
-  return episode_errors(arm != nullptr ? *arm : read_arm_keys(recording.arm_description, file),
-                        recording.episodes);
+  if (arm != nullptr) {
+    return errors_of_any(*arm, recording.episodes);
+  }
+  const ArmDescription own =
+      read_arm_keys(recording.arm_description, file + ": attribute 'arm_description'");
+  if (own.segment_count() != recording.segment_count ||
+      own.point_count() != recording.point_count) {
+    throw InputError(fmt::format(
+        "{}: attribute 'arm_description' is of {} segments and {} points; the recording has {} and "
+        "{}",
+        file, own.segment_count(), own.point_count(), recording.segment_count,
+        recording.point_count));
+  }
+  return errors_of_any(own, recording.episodes);
 }
 
 }  // namespace
 
 RecordingInspection inspect(const Recording& recording, const ArmDescription* arm,
                             const std::string& file) {
+  validate(recording, file);
   if (arm != nullptr) {
     require_sizes_of(recording, *arm, file);
   }

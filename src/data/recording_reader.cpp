@@ -16,8 +16,6 @@ namespace {
 
 constexpr hsize_t kMaxCount = 1U << 28;  // frames of an episode; above it, the file is damaged
 
-constexpr std::size_t kLongestText = std::size_t{1} << 20U;  // bytes of an attribute
-
 // Deflate makes data at most 1032 times smaller; less than this on disk were never written.
 constexpr hsize_t kMaxCompression = 1100;
 constexpr hsize_t kSmallData = hsize_t{1} << 26U;  // bytes; up to here other filters may do better
@@ -36,14 +34,12 @@ class Reader {
     require_schema();
     recording.arm_name = text("arm_name");
     recording.arm_hash = text("arm_hash");
-    if (file_.attrExists("arm_description")) {
-      recording.arm_description = text("arm_description");
-    }
+    recording.arm_description = text_if_there("arm_description");
     if (file_.attrExists("command_unit")) {
       recording.command = {text("command_name"), text("command_unit")};
     }
     recording.source = text("source");
-    recording.settings = file_.attrExists("settings") ? text("settings") : std::string();
+    recording.settings = text_if_there("settings");
     recording.program_version = text("program_version");
     recording.rate_hz = number<double>("rate_hz", H5::PredType::NATIVE_DOUBLE);
     recording.segment_count = number<int>("segments", H5::PredType::NATIVE_INT);
@@ -91,12 +87,26 @@ class Reader {
     return file_.openAttribute(name);
   }
 
+  /// A text of the file: an attribute or, a long one, a data set.
   std::string text(const char* name) const {
+    if (!file_.attrExists(name) && exists(name)) {
+      if (file_.childObjType(name) != H5O_TYPE_DATASET) {
+        refuse(name, "not a text; expected a text");
+      }
+      const H5::DataSet found = file_.openDataSet(name);
+      require_stored(name, found);
+      return text_in(found, name);
+    }
     return text_in(attribute(name), fmt::format("attribute '{}'", name));
   }
 
-  /// The text of any attribute.
-  std::string text_in(const H5::Attribute& found, const std::string& where) const {
+  std::string text_if_there(const char* name) const {
+    return file_.attrExists(name) || exists(name) ? text(name) : std::string();
+  }
+
+  /// The text of any attribute or data set.
+  template <class Object>
+  std::string text_in(const Object& found, const std::string& where) const {
     if (found.getTypeClass() != H5T_STRING) {
       refuse(where, "not a text; expected a text");
     }
@@ -107,7 +117,11 @@ class Reader {
              fmt::format("a text of {} bytes; expected up to {}", type.getSize(), kLongestText));
     }
     std::string value;
-    found.read(type, value);
+    if constexpr (std::is_same_v<Object, H5::Attribute>) {
+      found.read(type, value);
+    } else {
+      found.read(value, type);
+    }
     if (!is_utf8(value)) {
       refuse(where, "not a text in UTF-8; expected a text in UTF-8");
     }
@@ -115,7 +129,8 @@ class Reader {
   }
 
   /// HDF5 reads as many values as an attribute holds, however many there is room for.
-  void require_single(const H5::Attribute& found, const std::string& where) const {
+  template <class Object>
+  void require_single(const Object& found, const std::string& where) const {
     const hssize_t count = found.getSpace().getSimpleExtentNpoints();
     if (count != 1) {
       refuse(where, fmt::format("{} values found; expected a single value", count));

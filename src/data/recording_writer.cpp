@@ -18,14 +18,43 @@ constexpr std::size_t kMemoryStep = std::size_t{1} << 20U;  // by which a file i
 constexpr const char* kNoFile = "/dev/null/recording";
 constexpr int kDeflateLevel = 1;  // level 1 after shuffle: half the size at 4× level 6's speed
 
-H5::StrType text_type() {
-  H5::StrType type(H5::PredType::C_S1, H5T_VARIABLE);
+constexpr std::size_t kLongestAttribute = 64'000;  // bytes; HDF5 keeps 64 kB with name and type
+
+/// Of fixed length: texts of variable length lie in a heap that HDF5 reads without any check, so
+/// that a flipped bit in it makes it crash or hang.
+H5::StrType text_type(const std::string& text) {
+  H5::StrType type(H5::PredType::C_S1, std::max<std::size_t>(text.size(), 1));
+  type.setStrpad(H5T_STR_NULLPAD);
   type.setCset(H5T_CSET_UTF8);
   return type;
 }
 
-void write_text(const H5::H5Object& object, const char* name, const std::string& text) {
-  object.createAttribute(name, text_type(), H5::DataSpace()).write(text_type(), text);
+void write_attribute(const H5::H5Object& object, const char* name, const std::string& text) {
+  const H5::StrType type = text_type(text);
+  object.createAttribute(name, type, H5::DataSpace()).write(type, text);
+}
+
+/// Data set properties: in chunks that are deflated, with checksums.
+H5::DSetCreatPropList compressed(const Shape& chunk) {
+  H5::DSetCreatPropList properties;
+  properties.setChunk(static_cast<int>(chunk.size()), chunk.data());
+  properties.setShuffle();
+  properties.setDeflate(kDeflateLevel);
+  properties.setFletcher32();
+  // Without times of day, equal recordings are equal bytes.
+  H5Pset_obj_track_times(properties.getId(), false);
+  return properties;
+}
+
+/// An attribute of the file, or a data set of that name where the text is too long for one.
+void write_text(const H5::H5File& file, const char* name, const std::string& text) {
+  if (text.size() <= kLongestAttribute) {
+    write_attribute(file, name, text);
+    return;
+  }
+  const hsize_t one = 1;
+  const H5::StrType type = text_type(text);
+  file.createDataSet(name, type, H5::DataSpace(1, &one), compressed({one})).write(text, type);
 }
 
 template <class Value>
@@ -38,17 +67,10 @@ void write_data_set(const H5::Group& group, const std::string& name, const char*
                     const H5::PredType& type, const void* data, const Shape& shape) {
   Shape chunk = shape;
   chunk[0] = std::min(chunk[0], kChunkFrames);
-  H5::DSetCreatPropList properties;
-  properties.setChunk(static_cast<int>(chunk.size()), chunk.data());
-  properties.setShuffle();
-  properties.setDeflate(kDeflateLevel);
-  properties.setFletcher32();
-  // Without times of day, equal recordings are equal bytes.
-  H5Pset_obj_track_times(properties.getId(), false);
   const H5::DataSpace space(static_cast<int>(shape.size()), shape.data());
-  H5::DataSet data_set = group.createDataSet(name, type, space, properties);
+  H5::DataSet data_set = group.createDataSet(name, type, space, compressed(chunk));
   data_set.write(data, type);
-  write_text(data_set, "unit", unit);
+  write_attribute(data_set, "unit", unit);
 }
 
 void write_episode(const H5::Group& group, const Episode& episode, const Recording& recording) {

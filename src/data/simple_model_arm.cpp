@@ -65,6 +65,12 @@ double written_length_ratio(const SimpleFit& fit, std::size_t segment) {
 }  // namespace
 
 ArmDescription with_simple_model(const ArmDescription& arm, const SimpleFit& fit) {
+  if (fit.model.segments.size() != arm.segments.size()) {
+    throw InputError(
+        fmt::format("a fit of {} segments; arm '{}' has {}. Fit it to recordings of "
+                    "this arm",
+                    fit.model.segments.size(), arm.name, arm.segment_count()));
+  }
   ArmDescription fitted = arm;
   for (std::size_t i = 0; i < arm.segments.size(); ++i) {
     const SimpleSegment& model = fit.model.segments[i];

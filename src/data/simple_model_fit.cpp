@@ -7,6 +7,7 @@
 
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
 #include "limber/data/simple_model.hpp"
 #include "median.hpp"
 
@@ -142,6 +143,7 @@ RobustLine fit_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
   RobustLine fit;
   double scale = 0.0;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
+    throw_if_interrupted();
     fit.blocks.assign(static_cast<std::size_t>(blocks), {});
     Sums all;
     for (Eigen::Index r = 0; r < x.size(); ++r) {
@@ -244,6 +246,7 @@ class SimpleFitter {
   Eigen::MatrixXd rows_of(double lag_s) const {
     std::vector<Eigen::MatrixXd> turns;
     for (const Episode& episode : episodes_) {
+      throw_if_interrupted();
       turns.push_back(lagged_turns(arm_, episode, lag_s));
     }
     Eigen::MatrixXd rows(static_cast<Eigen::Index>(frames_.size()), arm_.segment_count());
@@ -306,6 +309,7 @@ class SimpleFitter {
     std::vector<double> offsets;
     std::vector<double> ratios;
     for (std::size_t b = 0; b < robust.blocks.size(); ++b) {
+      throw_if_interrupted();
       if (robust.blocks[b].weight > 0.0 && robust.blocks[b].weight < all.weight) {
         const Line line = all.without(robust.blocks[b]).line(held_slope(), moved(i));
         gains.push_back(line.slope);
@@ -333,6 +337,11 @@ class SimpleFitter {
 }  // namespace
 
 SimpleFit fit_simple_model(const ArmDescription& arm, const std::vector<Episode>& episodes) {
+  require_episodes_of(episodes, arm);
+  return fit_to_any(arm, episodes);
+}
+
+SimpleFit fit_to_any(const ArmDescription& arm, const std::vector<Episode>& episodes) {
   return SimpleFitter(arm, episodes).run();
 }
 

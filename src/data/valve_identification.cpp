@@ -327,6 +327,7 @@ IdentifiedValves identify_valves(const std::vector<Episode>& episodes, const Arm
                                  const std::string& source) {
   Recording recording = make_recording(arm, source, 0);
   recording.episodes = episodes;
+  validate(recording, source);
   std::vector<double> limits;
   for (const Segment& segment : arm.segments) {
     limits.push_back(segment.pressure_limit_kpa.largest_kpa());

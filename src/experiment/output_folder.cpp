@@ -96,6 +96,7 @@ OutputFolder::OutputFolder(fs::path folder, std::string verb, Start start,
   if (error) {
     throw SystemFault(fmt::format("{}: can't be made: {}", folder_.string(), error.message()));
   }
+  lock_.emplace(folder_, "limber " + verb_);
   if (start != Start::resumed) {
     clear();
     list_left();
@@ -228,6 +229,18 @@ void OutputFolder::require_free(const std::vector<std::string>& names) const {
           "{}: limber {} did not write this file, or it has changed since, and a result needs its "
           "name: move it away, or choose another --out",
           (folder_ / name).string(), verb_));
+    }
+  }
+}
+
+void OutputFolder::require_unchanged(const std::vector<std::string>& names) const {
+  for (const std::string& name : names) {
+    const auto listed = files_.find(name);
+    if (listed != files_.end() && !listed->second.empty() && holds_foreign(name)) {
+      throw InputError(fmt::format(
+          "{}: has changed since limber {} wrote it (its hash is not the one in {}): remove it to "
+          "have it made again, or choose another --out",
+          (folder_ / name).string(), verb_, manifest_path().string()));
     }
   }
 }

@@ -19,7 +19,6 @@
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/experiment/output_folder.hpp"
-#include "limber/hardware/disturbance.hpp"
 #include "limber/hardware/virtual_arm_parameters.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner_factory.hpp"
@@ -29,6 +28,7 @@
 #include "limber/report/planning_table.hpp"
 #include "limber/report/report_page.hpp"
 #include "limber/report/run_table.hpp"
+#include "limber/trial/disturbance.hpp"
 #include "limber/trial/trial_run.hpp"
 #include "optional_json.hpp"
 #include "trial_file.hpp"
@@ -217,7 +217,10 @@ class Experiment {
   }
 
   PlanTrial read(const Task& task) const {
-    return read_trial(settings_.folder, task.key, settings_.arm, task.environment->environment);
+    PlanTrial trial =
+        read_trial(settings_.folder, task.key, settings_.arm, task.environment->environment);
+    output_->require_unchanged(trial_files(task.key.id));
+    return trial;
   }
 
   void run_task(const Task& task, PlanTrialSettings settings) {

@@ -23,6 +23,8 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
+constexpr double kFarthest = 1e6;   // [m, rad]; nothing real comes near
+constexpr double kLongest_s = 1e8;  // three years: no trial took that long
 constexpr PlanStatus kPlanStatuses[] = {PlanStatus::solved,
                                         PlanStatus::limit,
                                         PlanStatus::invalid_start,
@@ -83,8 +85,22 @@ void require_key(const JsonReader& field, const TrialKey& key) {
   }
 }
 
+/// What it says of itself at its top, for whoever reads it: the same as its key.
+void require_names(const JsonReader& json, const TrialKey& key) {
+  const auto require = [](const JsonReader& field, bool same, const std::string& wanted) {
+    if (!same) {
+      field.refuse_found(fmt::format("this trial is of '{}'", wanted));
+    }
+  };
+  for (const auto& [name, wanted] :
+       {std::pair{"environment", key.environment}, std::pair{"model", key.model},
+        std::pair{"planner", key.planner}}) {
+    require(json.at(name), json.at(name).text() == wanted, wanted);
+  }
+  require(json.at("seed"), json.at("seed").count(kAny) == key.seed, std::to_string(key.seed));
+}
+
 Backbone read_backbone(const JsonReader& field, const ArmDescription& arm) {
-  constexpr double kFarthest = 1e6;  // [m, rad]; nothing real comes near
   const std::vector<JsonReader> rows = field.elements("a list of poses [x_m, y_m, theta_rad]");
   if (rows.size() != static_cast<std::size_t>(arm.point_count())) {
     field.refuse(fmt::format("{} poses found; expected {}, one per plate of arm '{}'", rows.size(),
@@ -103,22 +119,28 @@ Backbone read_backbone(const JsonReader& field, const ArmDescription& arm) {
 }
 
 AppearedObstacle read_appeared(const JsonReader& json) {
-  return {json.at("time_s").number(0.0),
+  return {json.at("time_s").number(0.0, kLongest_s),
           {json.at("x_m").number(), json.at("y_m").number(), json.at("radius_m").number(0.0)}};
 }
 
 /// None where there is none, and in trials that were written before it was.
 std::optional<double> read_time(const JsonReader& json, const char* key) {
-  return json.has(key) && !json.at(key).is_null() ? std::optional(json.at(key).number(0.0))
-                                                  : std::nullopt;
+  return json.has(key) && !json.at(key).is_null()
+             ? std::optional(json.at(key).number(0.0, kLongest_s))
+             : std::nullopt;
+}
+
+/// Of an arm that was not seen nobody knows.
+bool read_known(const JsonReader& json) {
+  return !json.is_null() && json.boolean();
 }
 
 ExecutionResult read_execution(const JsonReader& json, const ArmDescription& arm) {
   ExecutionResult run;
   run.status = read_status(json.at("status"), kExecutionStatuses);
   run.message = json.at("message").text();
-  run.collided = json.at("collided").boolean();
-  run.goal_reached = json.at("goal_reached").boolean();
+  run.collided = read_known(json.at("collided"));
+  run.goal_reached = read_known(json.at("goal_reached"));
   run.frames = json.at("frames").integer(0, std::numeric_limits<int>::max());
   run.replans = json.at("replans").integer(0, std::numeric_limits<int>::max());
   run.goal_time_s = read_time(json, "goal_time_s");
@@ -130,8 +152,9 @@ ExecutionResult read_execution(const JsonReader& json, const ArmDescription& arm
     run.appeared = read_appeared(json.at("obstacle_appeared"));
   }
   if (!json.at("final_backbone").is_null()) {
-    run.goal_error.position_m = json.at("distance_to_goal_cm").number(0.0) / kCmPerM;
-    run.goal_error.orientation_rad = json.at("orientation_to_goal_rad").number(0.0);
+    run.goal_error.position_m =
+        json.at("distance_to_goal_cm").number(0.0, kFarthest * kCmPerM) / kCmPerM;
+    run.goal_error.orientation_rad = json.at("orientation_to_goal_rad").number(0.0, kFarthest);
     run.final_backbone = read_backbone(json.at("final_backbone"), arm);
   }
   return run;
@@ -139,7 +162,7 @@ ExecutionResult read_execution(const JsonReader& json, const ArmDescription& arm
 
 PlannerProgress read_event(const JsonReader& event) {
   PlannerProgress progress;
-  progress.time_s = event.at("time_s").number(0.0);
+  progress.time_s = event.at("time_s").number(0.0, kLongest_s);
   progress.nodes = event.at("nodes").count(kAny);
   progress.queries = event.at("queries").count(kAny);
   progress.best_cost_kpa = event.at("best_cost_kpa").number(0.0);
@@ -147,6 +170,7 @@ PlannerProgress read_event(const JsonReader& event) {
 }
 
 PlanTrial read_fields(const JsonReader& json, const TrialKey& key, const ArmDescription& arm) {
+  require_names(json, key);
   PlanTrial trial;
   trial.environment = key.environment;
   trial.model = key.model;
@@ -159,15 +183,15 @@ PlanTrial read_fields(const JsonReader& json, const TrialKey& key, const ArmDesc
   planning.reason = json.at("reason").text();
   const JsonReader first = json.at("first_solution");
   if (!first.is_null()) {
-    planning.first_solution =
-        FirstSolution{first.at("time_s").number(0.0), first.at("cost_kpa").number(0.0),
-                      first.at("queries").count(kAny), json.at("first_candidate_s").number(0.0),
-                      json.at("first_certificate_s").number(0.0)};
+    planning.first_solution = FirstSolution{
+        first.at("time_s").number(0.0, kLongest_s), first.at("cost_kpa").number(0.0),
+        first.at("queries").count(kAny), json.at("first_candidate_s").number(0.0, kLongest_s),
+        json.at("first_certificate_s").number(0.0, kLongest_s)};
   }
   for (const JsonReader& event : json.at("events").elements("a list of events")) {
     planning.events.push_back(read_event(event));
   }
-  planning.statistics.time_s = json.at("time_s").number(0.0);
+  planning.statistics.time_s = json.at("time_s").number(0.0, kLongest_s);
   planning.statistics.iterations = json.at("iterations").count(kAny);
   planning.statistics.queries = json.at("queries").count(kAny);
   planning.statistics.nodes = json.at("nodes").count(kAny);

@@ -10,6 +10,7 @@
 
 #include "collection_parts.hpp"
 #include "episode_recorder.hpp"
+#include "gated_driver.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
@@ -36,7 +37,10 @@ void throw_if_stopped(const CollectionSettings& settings) {
 class EpisodeRun {
  public:
   EpisodeRun(const ArmDescription& arm, ArmDriver& driver, const CollectionSettings& settings)
-      : arm_(arm), driver_(driver), settings_(settings), recorder_(arm) {}
+      : arm_(arm),
+        driver_(arm, driver, settings.schedule.approach == Approach::straight),
+        settings_(settings),
+        recorder_(arm) {}
 
   /// What was recorded so far; none where nothing saw the arm.
   std::optional<Episode> unfinished() {
@@ -138,7 +142,7 @@ class EpisodeRun {
   }
 
   const ArmDescription& arm_;
-  ArmDriver& driver_;
+  GatedDriver driver_;
   const CollectionSettings& settings_;
   EpisodeRecorder recorder_;
   int motion_index_ = 0;
@@ -340,6 +344,7 @@ CollectionResult collect(const ArmDescription& arm, const CollectionSettings& se
     result.kept_episodes = static_cast<int>(schedule.size());
   } else {
     refuse_to_overwrite(path, settings.force);
+    const CollectionParts::Use alone(parts);
     std::vector<std::optional<Episode>> done = prepare(settings, parts, schedule.size());
     result.kept_episodes = static_cast<int>(count_done(done));
     record_or_say_how_to_go_on(arm, settings, make_driver, schedule, parts, done);

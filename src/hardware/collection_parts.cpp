@@ -29,6 +29,17 @@ bool same_matrix(const FrameMatrix& a, const FrameMatrix& b) {
   return a.rows() == b.rows() && a.cols() == b.cols() && a == b;
 }
 
+/// Of a folder and those that it lies in.
+std::vector<fs::path> missing_folders(fs::path folder) {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  while (!folder.empty() && !fs::exists(folder, error)) {
+    missing.push_back(folder);
+    folder = folder.parent_path();
+  }
+  return missing;
+}
+
 /// No marks at all say that every frame was tracked.
 bool same_marks(const Episode& a, const Episode& b) {
   return a.tracked == b.tracked || (a.tracked.empty() && b.untracked_count() == 0) ||
@@ -69,6 +80,16 @@ CollectionParts::CollectionParts(const fs::path& path, Recording identity)
     throw InputError(fmt::format(
         "{}: is a file; finished episodes are kept in a folder of that name. Move it away",
         folder_.string()));
+  }
+}
+
+CollectionParts::Use::Use(const CollectionParts& parts)
+    : made_(missing_folders(parts.folder())), lock_(parts.folder(), "limber collect") {}
+
+CollectionParts::Use::~Use() {
+  std::error_code error;
+  for (const fs::path& folder : made_) {
+    fs::remove(folder, error);  // none but an empty one
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "limber/common/folder_lock.hpp"
 #include "limber/data/recording.hpp"
 
 namespace limber {
@@ -20,6 +21,21 @@ class CollectionParts {
   /// @param identity  the recording they will make, without episodes.
   /// @throws InputError if something else has the folder's name.
   CollectionParts(const std::filesystem::path& path, Recording identity);
+
+  /// Keeps other collections out of the folder. Folders that it makes are removed at the end, those
+  /// that are empty.
+  class Use {
+   public:
+    /// @throws InputError where another one uses it.
+    explicit Use(const CollectionParts& parts);
+    ~Use();
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+   private:
+    std::vector<std::filesystem::path> made_;  // the innermost first
+    FolderLock lock_;
+  };
 
   const std::filesystem::path& folder() const { return folder_; }
   const Recording& identity() const { return identity_; }

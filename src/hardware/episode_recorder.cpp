@@ -10,7 +10,7 @@
 namespace limber {
 
 EpisodeRecorder::EpisodeRecorder(const ArmDescription& arm)
-    : segments_(arm.segment_count()), points_(arm.point_count()) {}
+    : segments_(arm.segment_count()), points_(arm.point_count()), period_s_(arm.frame_period_s()) {}
 
 void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index) {
   assert(setpoint_kpa.size() == segments_);
@@ -25,6 +25,7 @@ void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, 
     throw SystemFault(
         fmt::format("the arm returned a number that is not finite at {:.3f} s", state.time_s));
   }
+  const bool is_new = time_s_.empty() || state.time_s != time_s_.back();
   time_s_.push_back(state.time_s);
   pressure_kpa_.insert(pressure_kpa_.end(), state.pressure_kpa.begin(), state.pressure_kpa.end());
   const Pressures& in_force_kpa = state.setpoint_kpa ? *state.setpoint_kpa : setpoint_kpa;
@@ -36,7 +37,26 @@ void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, 
     backbone_.resize(backbone_.size() + static_cast<std::size_t>(3 * points_), 0.0F);
   }
   motion_index_.push_back(motion_index);
-  tracked_.push_back(state.backbone ? 1 : 0);
+  tracked_.push_back(state.backbone && is_new ? 1 : 0);
+}
+
+/// Frames that repeat a sample lie evenly between it and the next.
+std::vector<double> EpisodeRecorder::sample_times() const {
+  std::vector<double> times = time_s_;
+  for (std::size_t first = 0; first < times.size();) {
+    std::size_t next = first + 1;
+    while (next < times.size() && time_s_[next] == time_s_[first]) {
+      ++next;
+    }
+    const auto frames = static_cast<double>(next - first);
+    const double until_s =
+        next < times.size() ? time_s_[next] : time_s_[first] + frames * period_s_;
+    for (std::size_t k = first; k < next; ++k) {
+      times[k] += static_cast<double>(k - first) / frames * (until_s - time_s_[first]);
+    }
+    first = next;
+  }
+  return times;
 }
 
 Episode EpisodeRecorder::finish() {
@@ -46,12 +66,13 @@ Episode EpisodeRecorder::finish() {
         frame_count()));
   }
   const Eigen::Index frames = frame_count();
+  const std::vector<double> times_s = sample_times();
   Episode episode;
-  episode.time_s = Eigen::Map<const Eigen::VectorXd>(time_s_.data(), frames).array() - time_s_[0];
+  episode.time_s = Eigen::Map<const Eigen::VectorXd>(times_s.data(), frames).array() - times_s[0];
   episode.pressure_kpa = Eigen::Map<const FrameMatrix>(pressure_kpa_.data(), frames, segments_);
   episode.setpoint_kpa = Eigen::Map<const FrameMatrix>(setpoint_kpa_.data(), frames, segments_);
   episode.backbone = Eigen::Map<const FrameMatrix>(backbone_.data(), frames, 3 * points_);
-  fill_missing_rows(time_s_, tracked_, episode.backbone);
+  fill_missing_rows(times_s, tracked_, episode.backbone);
   episode.motion_index = std::move(motion_index_);
   episode.tracked = std::move(tracked_);
   time_s_.clear();

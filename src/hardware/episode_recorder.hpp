@@ -12,7 +12,8 @@ namespace limber {
 /// Collects the frames of one run into an Episode whose time starts at 0. If a frame came without a
 /// backbone (lost, occluded), its backbone is filled in on the straight line between the tracked
 /// frames before and after it (at the ends: the nearest), and marked in `Episode::tracked`. So
-/// windows stay unbroken, and the backbone is not taken for a measurement.
+/// windows stay unbroken, and the backbone is not taken for a measurement. A sample that a driver
+/// sends again, as it has no newer one, is such a frame too, and its time is filled in likewise.
 class EpisodeRecorder {
  public:
   explicit EpisodeRecorder(const ArmDescription& arm);
@@ -32,9 +33,12 @@ class EpisodeRecorder {
   Episode finish();
 
  private:
+  std::vector<double> sample_times() const;
+
   Eigen::Index segments_;
   Eigen::Index points_;
-  std::vector<double> time_s_;
+  double period_s_;
+  std::vector<double> time_s_;  // of samples; a repeated one has the same
   std::vector<float> pressure_kpa_;
   std::vector<float> setpoint_kpa_;
   std::vector<float> backbone_;

@@ -11,10 +11,13 @@
 #include <fmt/format.h>
 
 #include "advice_job.hpp"
+#include "gated_driver.hpp"
+#include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/hardware/virtual_arm.hpp"
+#include "run_message.hpp"
 #include "run_watch.hpp"
 #include "start_approach.hpp"
 #include "vent_guard.hpp"
@@ -34,7 +37,7 @@ class Execution {
         environment_(environment),
         plans_{plan},
         plan_(&plans_.back()),
-        driver_(driver),
+        driver_(arm, driver, true),
         settings_(settings),
         watch_(arm, environment, driver, std::move(look), settings) {
     result_.planned_goal_time_s = planned_goal_time_s(environment.goal, plan);
@@ -70,6 +73,12 @@ class Execution {
           fmt::format("stopped on request after {} frames; the arm was vented", watch_.frames());
     }
     watch_.judge(result_);
+    if (result_.message.empty()) {
+      result_.message = why_not_arrived(result_, with_appeared(environment_, result_), *plan_,
+                                        settings_.controller != nullptr  ? Correction::feedback
+                                        : settings_.replanner != nullptr ? Correction::replans
+                                                                         : Correction::none);
+    }
     return std::move(result_);
   }
 
@@ -103,9 +112,10 @@ class Execution {
     try {
       bool goes_on = true;
       for (bool waits = false; goes_on && frame_ + 1 < plan_->frames.size();) {
-        const std::size_t next = waits ? frame_ : frame_ + 1;
-        const Pressures planned_kpa = plan_->frames[next].setpoint_kpa;
-        correct_setpoint(next);
+        const std::size_t wanted = waits ? frame_ : frame_ + 1;
+        const Pressures planned_kpa = plan_->frames[wanted].setpoint_kpa;
+        const std::size_t next = correct_setpoint(wanted);
+        waits = next == frame_;
         ask_for_advice(job, next);
         command(plan_->frames[next].setpoint_kpa);
         if (!job.is_busy()) {
@@ -147,13 +157,21 @@ class Execution {
   }
 
   /// As the source of plans wants it. The plan shows what is sent.
-  void correct_setpoint(std::size_t next) {
+  /// @return the frame of the plan that is sent
+  std::size_t correct_setpoint(std::size_t next) {
     if (settings_.replanner == nullptr) {
-      return;
+      return next;
     }
-    Pressures sent_kpa = settings_.replanner->setpoint(*plan_, frame_, next);
-    require_frame_rule(arm_, watch_.frames(), held_kpa(), sent_kpa);
-    plan_->frames[next].setpoint_kpa = std::move(sent_kpa);
+    FrameSetpoint sent = settings_.replanner->setpoint(*plan_, frame_, next);
+    if (sent.frame < frame_ || sent.frame >= plan_->frames.size()) {
+      throw InputError(fmt::format("a source of plans stands in {} of its plan; expected {} to {}",
+                                   frame_name(static_cast<Eigen::Index>(sent.frame)), frame_,
+                                   plan_->frames.size() - 1));
+    }
+    result_.frames_not_certified += sent.is_certified ? 0 : 1;
+    require_frame_rule(arm_, watch_.frames(), held_kpa(), sent.kpa);
+    plan_->frames[sent.frame].setpoint_kpa = std::move(sent.kpa);
+    return sent.frame;
   }
 
   void ask_for_advice(AdviceJob& job, std::size_t next) {
@@ -310,7 +328,7 @@ class Execution {
   std::list<Plan> plans_;  // one after another, with the set points that were sent
   Plan* plan_;             // the one that is followed
   std::size_t frame_ = 0;  // the last one of it that was commanded
-  ArmDriver& driver_;
+  GatedDriver driver_;
   const ExecutionSettings& settings_;
   RunWatch watch_;
   ExecutionResult result_;
@@ -353,27 +371,6 @@ void check(const ArmDescription& arm, const Environment& environment, const Plan
 }
 
 }  // namespace
-
-void PlanSource::observe(const Pressures& /*setpoint_kpa*/, const ArmState& /*state*/) {}
-
-Pressures PlanSource::setpoint(const Plan& plan, std::size_t /*frame*/, std::size_t next) {
-  return plan.frames[next].setpoint_kpa;
-}
-
-std::function<MotionAdvice()> PlanSource::advise(const Plan& /*plan*/, std::size_t /*next*/) {
-  return {};
-}
-
-const char* to_string(ExecutionStatus status) {
-  switch (status) {
-    case ExecutionStatus::done:
-      return "done";
-    case ExecutionStatus::fault:
-      return "fault";
-    default:
-      return "stopped";
-  }
-}
 
 ExecutionResult execute(const ArmDescription& arm, const Environment& environment, const Plan& plan,
                         ArmDriver& driver, const ExecutionSettings& settings) {

@@ -1,12 +1,20 @@
 #include "run_watch.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "limber/arm/plate_distance.hpp"
 #include "limber/world/hold.hpp"
 
 namespace limber {
+
+namespace {
+
+constexpr double kLongestUnseenS = 0.25;  // after which an arm may be anywhere
+constexpr double kRoundingS = 1e-6;
+
+}  // namespace
 
 RunWatch::RunWatch(const ArmDescription& arm, const Environment& environment,
                    const ArmDriver& driver, Look look, const ExecutionSettings& settings)
@@ -41,6 +49,7 @@ void RunWatch::observe(double time_s, const BackboneD& backbone) {
 const Environment* RunWatch::take_in(const Pressures& setpoint_kpa, int motion) {
   const ArmState& state = driver_.state();
   ++frames_;
+  frames_not_seen_ += state.backbone ? 0 : 1;
   (void)lag_.note(setpoint_kpa, state);
   recorder_.add(state, setpoint_kpa, motion);
   measured_ = measured_ || state.backbone.has_value();
@@ -54,6 +63,7 @@ void RunWatch::see() {
     observe(time_s, *seen);
     shape_ = std::move(seen);
     shape_frame_ = frames_;
+    shape_time_s_ = time_s;
     goal_time_.see(time_s, tip_pose(*shape_));
   }
 }
@@ -72,28 +82,41 @@ bool RunWatch::is_in_goal() const {
   return shape_ && is_within(environment_.goal, pose_error(environment_.goal, tip_pose(*shape_)));
 }
 
+bool RunWatch::is_seen() const {
+  return shape_ && driver_.state().time_s - shape_time_s_ <= kLongestUnseenS + kRoundingS;
+}
+
 void RunWatch::judge(ExecutionResult& result) {
   result.frames = frames_;
+  result.frames_not_seen = frames_not_seen_;
   result.start_error_m = start_error_m_;
-  if (shape_) {
+  if (is_seen()) {
     result.final_backbone = shape_->cast<float>();
     result.goal_error = pose_error(environment_.goal, tip_pose(*shape_));
     result.goal_reached = result.status == ExecutionStatus::done && is_in_goal();
-    result.episode = measured_ ? recorder_.finish() : Episode{};
+  }
+  if (measured_) {
+    result.episode = recorder_.finish();
   }
   result.prediction = prediction_.error();
+  if (result.prediction && !is_seen()) {
+    result.prediction->final_m = std::numeric_limits<double>::quiet_NaN();
+  }
   const auto since_start = [&](std::optional<Contact> contact) {
     if (contact) {
       contact->time_s -= start_time_s_;
     }
     return contact;
   };
-  if (const std::optional<double> since_s = goal_time_.inside_since_s()) {
+  if (const std::optional<double> since_s = goal_time_.inside_since_s(); since_s && is_seen()) {
     result.goal_time_s = std::max(0.0, *since_s - start_time_s_);
   }
   result.closest = since_start(appearance_.nearer(contacts_.closest()));
   result.first_collision = since_start(appearance_.earlier(contacts_.first_collision()));
   result.collided = result.first_collision.has_value();
+  if (!is_seen() && !result.collided) {
+    result.closest.reset();  // it may have come closer since
+  }
   result.appeared = appearance_.appeared();
   if (result.appeared) {
     result.appeared->time_s -= start_time_s_;

@@ -52,6 +52,8 @@ class RunWatch {
  private:
   void see();
   bool is_in_goal() const;
+  /// Whether it was seen in the last 0.25 s.
+  bool is_seen() const;
 
   const Environment& environment_;
   const ArmDriver& driver_;
@@ -64,7 +66,9 @@ class RunWatch {
   StateLag lag_;
   std::optional<BackboneD> shape_;
   int frames_ = 0;
+  int frames_not_seen_ = 0;
   int shape_frame_ = -1;
+  double shape_time_s_ = 0.0;
   bool started_ = false;
   // Whether some frame was measured; a virtual arm knows its shape even if none was delivered.
   bool measured_ = false;

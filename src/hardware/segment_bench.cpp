@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "episode_recorder.hpp"
+#include "gated_driver.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/world/straight_motion.hpp"
@@ -33,7 +34,7 @@ double arc_length_m(const Backbone& backbone) {
 class SegmentBenchRun {
  public:
   SegmentBenchRun(const ArmDescription& arm, ArmDriver& driver)
-      : arm_(arm), driver_(driver), recorder_(arm) {}
+      : arm_(arm), driver_(arm, driver, true), recorder_(arm) {}
 
   std::vector<BenchPoint> run(const PressureLimits& limits, int steps) {
     held(0.0);
@@ -97,7 +98,7 @@ class SegmentBenchRun {
   }
 
   const ArmDescription& arm_;
-  ArmDriver& driver_;
+  GatedDriver driver_;
   EpisodeRecorder recorder_;
   Pressures setpoint_kpa_ = Pressures::Zero(1);
   Backbone rest_;

@@ -17,6 +17,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/data/median_rate.hpp"
+#include "limber/data/simple_model.hpp"
 #include "log_clock.hpp"
 #include "log_resampling.hpp"
 #include "log_runs.hpp"
@@ -189,7 +190,7 @@ ImportResult import_logs(const std::vector<fs::path>& logs, const ImportOptions&
   check_columns(run_names, levels, with_sums_named(options.mapping, arm), arm,
                 result.report.columns);
   if (result.recording.untracked_count() < result.recording.frame_count()) {
-    result.report.episode_errors = episode_errors(arm, result.recording.episodes);
+    result.report.episode_errors = errors_of_any(arm, result.recording.episodes);
   }
   result.recording.source = fmt::format("{} {}", kind, fmt::join(names, ", "));
   std::string clocks;

@@ -321,6 +321,7 @@ CompensationModel read_model(const std::filesystem::path& path) {
   const auto description = content.metadata.find("arm_description");
   if (description != content.metadata.end()) {
     model.arm_description = description->second;
+    (void)read_arm_keys(model.arm_description, where + ": metadata arm_description");
   }
   model.layout = layout_at(content, where);
   model.form = output_form_at(content, where);

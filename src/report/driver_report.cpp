@@ -23,13 +23,18 @@ Json to_json(const DeadmanResult& deadman) {
   if (!deadman.tested) {
     return nullptr;
   }
-  return {{"vented", deadman.vented},
+  return {{"vented", deadman.starts_vented ? Json() : Json(deadman.vented)},
+          {"starts_vented", deadman.starts_vented},
           {"before_kpa", deadman.before_kpa},
           {"after_kpa", deadman.after_kpa}};
 }
 
 std::string in_words(const DeadmanResult& deadman) {
   return !deadman.tested ? std::string("not tested")
+         : deadman.starts_vented
+             ? std::string(
+                   "can't tell: it reads no pressure when it starts, also where it was "
+                   "killed under pressure. Close its input by hand: kill -9 limber")
          : deadman.vented
              ? fmt::format("vents ({:.1f} to {:.1f} kPa)", deadman.before_kpa, deadman.after_kpa)
              : fmt::format("DOES NOT VENT ({:.1f} to {:.1f} kPa)", deadman.before_kpa,

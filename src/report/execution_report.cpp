@@ -41,17 +41,21 @@ Json optional_number(const std::optional<double>& value) {
 
 Json to_json(const ExecutionResult& result, const Environment& before) {
   const Environment environment = with_appeared(before, result);
-  Json json = {{"status", to_string(result.status)}, {"collided", result.collided}};
+  const bool is_seen = result.final_backbone.has_value();
+  Json json;
+  json["status"] = to_string(result.status);
+  json["collided"] = is_seen || result.collided ? Json(result.collided) : Json(nullptr);
   json["min_clearance_cm"] =
       result.closest ? Json(kCmPerM * result.closest->clearance.value_m) : Json(nullptr);
   json["distance_to_goal_cm"] =
-      result.final_backbone ? Json(kCmPerM * result.goal_error.position_m) : Json(nullptr);
+      is_seen ? Json(kCmPerM * result.goal_error.position_m) : Json(nullptr);
   json["orientation_to_goal_rad"] =
-      result.final_backbone ? Json(result.goal_error.orientation_rad) : Json(nullptr);
+      is_seen ? Json(result.goal_error.orientation_rad) : Json(nullptr);
   json["replans"] = result.replans;
   json["switches"] = result.switches;
   json["waits"] = result.waits;
   json["halts"] = result.halts;
+  json["frames_not_certified"] = result.frames_not_certified;
   json["advice_ms"] = times_in_ms(result.advice.all_s);
   json["searches_ms"] = Json::array();
   for (const double took_s : result.advice.searches_s) {
@@ -64,7 +68,8 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
       result.open_loop_goal_error ? Json(kCmPerM * result.open_loop_goal_error->position_m)
                                   : Json(nullptr);
   json["frames"] = result.frames;
-  json["goal_reached"] = result.goal_reached;
+  json["frames_not_seen"] = result.frames_not_seen;
+  json["goal_reached"] = is_seen ? Json(result.goal_reached) : Json(nullptr);
   json["message"] = result.message;
   json["closest"] = to_json(result.closest, environment);
   json["first_collision"] = to_json(result.first_collision, environment);
@@ -98,9 +103,6 @@ Json to_json(const ExecutionResult& result, const Environment& before) {
 std::string to_text(const ExecutionResult& result, const Environment& before) {
   const Environment environment = with_appeared(before, result);
   std::string text = fmt::format("{}, {} frames", to_string(result.status), result.frames);
-  if (!result.message.empty()) {
-    text += ": " + result.message;
-  }
   if (result.final_backbone) {
     text += fmt::format("\n  {:.1f} cm", kCmPerM * result.goal_error.position_m);
     if (environment.goal.theta_rad) {
@@ -116,7 +118,18 @@ std::string to_text(const ExecutionResult& result, const Environment& before) {
                           result.waits);
     }
   } else {
-    text += "\n  the arm was not tracked: distance to the goal and collisions are unknown";
+    text += fmt::format("\n  the arm was not seen {}: distance to the goal and {} unknown",
+                        result.frames_not_seen < result.frames ? "at the end" : "at all",
+                        result.collided ? "later collisions are" : "collisions are");
+  }
+  if (result.frames_not_certified > 0) {
+    text += fmt::format(
+        "\n  in {} frames nothing was certified from where the arm was: it kept to what was "
+        "certified last",
+        result.frames_not_certified);
+  }
+  if (result.frames_not_seen > 0 && result.final_backbone) {
+    text += fmt::format("\n  not tracked in {} frames", result.frames_not_seen);
   }
   if (result.appeared) {
     const Circle& circle = result.appeared->circle;

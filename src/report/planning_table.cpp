@@ -30,8 +30,11 @@ void add_execution(const PlanTrial& trial, PlanningRow& row, Samples& samples) {
   const ExecutionResult& run = *trial.execution;
   ++row.executed;
   row.collided += run.collided ? 1 : 0;
-  row.reached += run.goal_reached && !run.collided ? 1 : 0;
+  row.reached += has_arrived(run) ? 1 : 0;
   row.stopped_ahead += is_clean_stop(run) ? 1 : 0;
+  if (!run.final_backbone) {
+    return;
+  }
   samples.distance_cm.push_back(run.goal_error.position_m * kCmPerM);
   if (!run.collided) {
     samples.distance_free_cm.push_back(run.goal_error.position_m * kCmPerM);
@@ -148,8 +151,9 @@ ReportTable one_plan_table(const std::vector<PlanningRow>& rows) {
                                       with_error(row.cost_psi, 1)};
     const PlanTrial* trial = row.one_plan;
     const bool ran = trial != nullptr && trial->execution && has_run(*trial->execution);
-    const bool free = ran && !trial->execution->collided;
-    cells.push_back(!ran ? "N/A" : free ? "No" : "Yes");
+    const bool struck = ran && trial->execution->collided;
+    const bool free = ran && !struck && trial->execution->final_backbone;
+    cells.push_back(struck ? "Yes" : free ? "No" : "N/A");
     cells.push_back(free ? fmt::format("{:.2f}", trial->execution->goal_error.position_m * kCmPerM)
                          : "N/A");
     cells.push_back(free && trial->asks_heading

@@ -34,16 +34,15 @@ void add_run(const PlanTrial& trial, RunRow& row, RunSamples& samples) {
   }
   ++row.executed;
   row.stopped += run.status == ExecutionStatus::stopped ? 1 : 0;
-  row.reached += run.goal_reached && !run.collided ? 1 : 0;
+  row.reached += has_arrived(run) ? 1 : 0;
   row.collided += run.collided ? 1 : 0;
   row.stopped_ahead += is_clean_stop(run) ? 1 : 0;
   row.appeared += run.appeared ? 1 : 0;
-  if (!is_clean_stop(run)) {
+  if (run.final_backbone && !is_clean_stop(run)) {
     samples.distance_cm.push_back(kCmPerM * run.goal_error.position_m);
   }
   samples.replans.push_back(run.replans);
-  if (run.goal_reached && !run.collided && run.goal_time_s &&
-      run.planned_goal_time_s.value_or(0.0) > 0.0) {
+  if (has_arrived(run) && run.goal_time_s && run.planned_goal_time_s.value_or(0.0) > 0.0) {
     samples.goal_time_ratio.push_back(*run.goal_time_s / *run.planned_goal_time_s);
   }
   if (trial.planning.plan && trial.planning.plan->frame_count() > 1) {

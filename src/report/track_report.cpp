@@ -54,20 +54,18 @@ Json to_json(const TrackRun& run) {
             {"laps", run.path.laps}}},
           {"first_lap", to_json(run, run.errors.first_lap)},
           {"later_laps", to_json(run, run.errors.later_laps)},
-          {"collided", run.result.collided},
+          {"collided", run.result.collided || run.result.final_backbone ? Json(run.result.collided)
+                                                                        : Json(nullptr)},
           {"frames", run.result.frames},
+          {"frames_not_seen", run.result.frames_not_seen},
           {"path_starts_at_frame", run.start_frame},
           {"queries", run.queries}};
 }
 
 std::string to_text(const TrackRun& run) {
   std::string text = fmt::format("{}, {} frames", to_string(run.result.status), run.result.frames);
-  if (!run.result.message.empty()) {
-    text += ": " + run.result.message;
-  }
   text += laps_to_text("first lap", run, run.errors.first_lap);
-  text += laps_to_text("later laps", run, run.errors.later_laps);
-  return run.result.collided ? text + "\n  the arm collided on the way" : text;
+  return text + laps_to_text("later laps", run, run.errors.later_laps);
 }
 
 std::string track_picture(const TrackRun& run) {

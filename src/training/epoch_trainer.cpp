@@ -60,7 +60,7 @@ void shuffle(RandomStream& random, std::vector<int>& values) {
 
 EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
                            const TrainingSettings& settings, const CompensationModel* start)
-    : arm_(arm),
+    : arm_((require_data_of(data, arm), arm)),
       settings_(settings),
       members_(start != nullptr ? start->member_count() : settings.ensemble),
       tables_(tables_for(arm, data, settings, start)),

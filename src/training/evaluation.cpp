@@ -72,9 +72,22 @@ void require_finite(const std::vector<FrameMatrix>& predicted,
   }
 }
 
+std::vector<FrameMatrix> predict_checked(const ForwardModel& model,
+                                         const std::vector<Episode>& episodes, Restart restart,
+                                         int jobs) {
+  const std::vector<RolloutPiece> pieces =
+      model.has_network() ? pieces_for(episodes, restart) : pieces_of_every_frame(episodes);
+  if (model.has_network()) {
+    require_kind_learnt(model.compensation(), episodes);
+  }
+  std::vector<FrameMatrix> predicted = roll_out(model, episodes, pieces, jobs, OnInterrupt::stop);
+  require_finite(predicted, pieces);
+  return predicted;
+}
+
 TipErrorSeries rollout_errors(const ForwardModel& model, const std::vector<Episode>& episodes,
                               Restart restart, int jobs) {
-  return errors_over(predict(model, episodes, restart, jobs), episodes, 1);
+  return errors_over(predict_checked(model, episodes, restart, jobs), episodes, 1);
 }
 
 /// Makes predictions NaN that depend on an untracked frame among the `count` frames before them.
@@ -121,14 +134,8 @@ double reduction_percent(double before, double after) {
 
 std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
                                  Restart restart, int jobs) {
-  const std::vector<RolloutPiece> pieces =
-      model.has_network() ? pieces_for(episodes, restart) : pieces_of_every_frame(episodes);
-  if (model.has_network()) {
-    require_kind_learnt(model.compensation(), episodes);
-  }
-  std::vector<FrameMatrix> predicted = roll_out(model, episodes, pieces, jobs, OnInterrupt::stop);
-  require_finite(predicted, pieces);
-  return predicted;
+  require_episodes_of(episodes, model.no_load());
+  return predict_checked(model, episodes, restart, jobs);
 }
 
 FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart restart, int jobs) {
@@ -167,10 +174,32 @@ std::optional<TipErrors> errors_from_setpoints(const ForwardModel& network,
   return summarise(rollout_errors(network, episodes, Restart::at_the_start_only, jobs));
 }
 
+/// Two arms of equal sizes that differ in numbers alone would pass for one.
+void require_models(const ForwardModel& no_load, const ForwardModel* network) {
+  if (no_load.has_network() || (network != nullptr && !network->has_network())) {
+    throw InputError(
+        fmt::format("evaluate compares a no-load model and a network, in this order; found {} {}",
+                    no_load.has_network() ? "a network" : "a no-load model",
+                    network == nullptr        ? "alone"
+                    : !network->has_network() ? "and a no-load model"
+                                              : "and a network"));
+  }
+  if (network != nullptr && (network->segment_count() != no_load.segment_count() ||
+                             network->point_count() != no_load.point_count())) {
+    throw InputError(fmt::format(
+        "the no-load model has {} segments and {} points, the network's arm {} and {}; expected "
+        "models of one arm",
+        no_load.segment_count(), no_load.point_count(), network->segment_count(),
+        network->point_count()));
+  }
+}
+
 }  // namespace
 
 Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     const std::vector<Episode>& all_episodes, int jobs) {
+  require_models(no_load, network);
+  require_episodes_of(all_episodes, no_load.no_load());
   std::vector<Episode> episodes;
   std::int64_t frames = 0;
   for (const Episode& episode : all_episodes) {

@@ -29,7 +29,11 @@ Range widened_range(std::vector<float>& values, double min_margin, double min_sh
 }  // namespace
 
 GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
-  const Eigen::Index gaps = episodes.empty() ? 0 : episodes.front().backbone.cols() / 3 - 1;
+  if (episodes.empty()) {
+    throw InputError("no episodes to take the bounds of gaps from; expected at least one");
+  }
+  require_alike(episodes);
+  const Eigen::Index gaps = episodes.front().backbone.cols() / 3 - 1;
   GapBounds bounds;
   for (Eigen::VectorXf* numbers :
        {&bounds.min_length_m, &bounds.max_length_m, &bounds.min_turn_rad, &bounds.max_turn_rad}) {

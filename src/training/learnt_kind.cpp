@@ -31,6 +31,13 @@ bool learns_from_setpoints(const TrainingData& data) {
   return first;
 }
 
+void require_data_of(const TrainingData& data, const ArmDescription& arm) {
+  require_episodes_of(data.training, arm, "training data");
+  require_episodes_of(data.validation, arm, "validation data");
+  require_episodes_of(data.replay, arm, "replayed data");
+  require_episodes_of(data.unseen, arm, "unseen data");
+}
+
 void require_kind_learnt(const CompensationModel& network, const std::vector<Episode>& episodes) {
   for (std::size_t i = 0; i < episodes.size(); ++i) {
     if (episodes[i].setpoints_only != network.learnt_from_setpoints) {

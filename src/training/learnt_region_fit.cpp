@@ -210,9 +210,15 @@ LearntRegion with_shapes_of(LearntRegion region, const std::vector<Episode>& epi
 }
 
 LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* start) {
+  require_alike(data.training, start != nullptr ? start->segment_count() : 0,
+                start != nullptr ? start->point_count() : 0, "training data");
   LearntRegion region =
       start != nullptr ? widened_by(*start, data.training) : learnt_region_of(data.training);
-  return data.replay.empty() ? region : widened_by(std::move(region), data.replay);
+  if (data.replay.empty()) {
+    return region;
+  }
+  require_alike(data.replay, region.segment_count(), region.point_count(), "replayed data");
+  return widened_by(std::move(region), data.replay);
 }
 
 }  // namespace limber

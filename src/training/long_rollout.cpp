@@ -97,6 +97,7 @@ void walk(const ForwardModel& model, const Episode& episode, int frames, LongRol
 
 LongRollout roll_out_long(const ForwardModel& model, const std::vector<Episode>& episodes,
                           int frames) {
+  require_episodes_of(episodes, model.no_load());
   LongRollout result;
   result.bounded = true;
   const std::vector<const Episode*> walks = episodes_to_walk(episodes);

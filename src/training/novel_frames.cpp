@@ -12,6 +12,7 @@ bool is_beyond(const LearntRegion& learnt, const Eigen::Ref<const Pressures>& kp
 }  // namespace
 
 NovelFrames find_novel_frames(const LearntRegion& learnt, const std::vector<Episode>& episodes) {
+  require_alike(episodes, learnt.segment_count(), learnt.point_count());
   NovelFrames found;
   for (const Episode& episode : episodes) {
     for (int t = 0; t < episode.frame_count(); ++t) {

@@ -119,9 +119,11 @@ std::vector<FrameMatrix> roll_out(const ForwardModel& model, const std::vector<E
     return a.frames > b.frames;
   });
   const std::size_t batches = (pieces.size() + kPiecesPerBatch - 1) / kPiecesPerBatch;
+  const std::atomic<bool>* const stop = stop_of_thread();
   tbb::task_arena arena(jobs > 0 ? jobs : tbb::task_arena::automatic);
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, batches, [&](std::size_t batch) {
+      const StopScope scope(stop);
       const std::size_t first = batch * kPiecesPerBatch;
       const std::size_t count = std::min(kPiecesPerBatch, pieces.size() - first);
       roll_out_batch(model, episodes, std::span(pieces).subspan(first, count), on_interrupt,

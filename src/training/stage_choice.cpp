@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "learnt_kind.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -102,6 +103,7 @@ StageChoice choose_stages(const ArmDescription& arm, const TrainingData& data,
     throw InputError(
         "no validation episodes to choose windows by; hold_back_validation holds some back");
   }
+  require_data_of(data, arm);
   StageChoice choice;
   choice.race_epochs = race_epochs(data, settings.epoch_count());
   const std::vector<std::vector<int>> schemes = {{32}, {8, 32}, windows_of(settings)};

@@ -68,6 +68,12 @@ std::vector<int> hold_back(std::vector<Episode>& from, std::vector<Episode>& to,
 
 TrainingData hold_back_validation(std::vector<Episode> episodes, double fraction,
                                   std::uint64_t seed) {
+  if (!(fraction > 0.0 && fraction < 1.0) || episodes.empty()) {
+    throw InputError(
+        fmt::format("{} of {} episodes can't be held back for validation; expected a "
+                    "share of the frames above 0 and below 1, and an episode",
+                    fraction, episodes.size()));
+  }
   TrainingData data;
   if (episodes.size() == 1) {
     const Episode& whole = episodes.front();
@@ -104,7 +110,13 @@ void leave_out_broken(TrainingData& data, const std::vector<bool>& broken) {
 }
 
 void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
-  if (!(fraction > 0.0)) {
+  if (!(fraction >= 0.0 && fraction < 1.0)) {
+    throw InputError(
+        fmt::format("a share of {} can't be held back as unseen; expected a share of "
+                    "the frames from 0 to below 1",
+                    fraction));
+  }
+  if (fraction == 0.0) {
     return;
   }
   const double frames =
@@ -135,6 +147,8 @@ TrainingResult fine_tune(const ArmDescription& arm, const TrainingData& data,
                          const TrainingSettings& settings, const CompensationModel& start,
                          const TrainingHooks& hooks) {
   require_model_of(start, arm, "the model to start from");
+  validate(start, "the model to start from");
+  require_data_of(data, arm);
   require_kind_learnt(start, data.training);
   return TrainingRun(arm, data, settings, &start, hooks).run();
 }

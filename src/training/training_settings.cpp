@@ -131,6 +131,7 @@ void require_usable(const TrainingSettings& settings) {
         "base_poses",
         to_string(settings.form), to_string(settings.layout)));
   }
+  require(settings.jobs >= 0, "jobs", settings.jobs, ">= 0 (0: one per core)");
   const double rate = settings.learning_rate;
   require(std::isfinite(rate) && rate > 0.0, "learning_rate", rate, "a finite number > 0");
   require(std::isfinite(settings.time_limit_s) && settings.time_limit_s >= 0.0, "time_limit_s",

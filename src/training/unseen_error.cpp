@@ -89,6 +89,9 @@ struct PredictedRuns {
 
 PredictedRuns predict_runs(const ArmDescription& arm, const CompensationModel& model,
                            const std::vector<Episode>& unseen, int jobs) {
+  validate(model, "the model");
+  require_model_of(model, arm, "the model");
+  require_episodes_of(unseen, arm, "unseen data");
   const std::vector<Episode> asked =
       model.learnt_from_setpoints ? with_setpoints_only(unseen) : unseen;
   require_kind_learnt(model, asked);

@@ -250,6 +250,8 @@ YardstickReport measure_yardsticks(const ArmDescription& arm, const ForwardModel
                                    const ForwardModel* network,
                                    const std::vector<Episode>& episodes,
                                    const std::vector<Episode>& fit_to, int jobs) {
+  require_episodes_of(episodes, arm);
+  require_episodes_of(fit_to, arm, "training data");
   YardstickReport report;
   Measurement measurement(episodes, report);
   measurement.add_model("no_load", "no load", no_load, jobs);

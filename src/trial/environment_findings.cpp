@@ -17,7 +17,7 @@ constexpr double kAboutGoals = 0.5;  // share of monotone motions that end near 
 constexpr double kSpread = 0.15;     // of those ends, as a share of the pressure limit
 
 bool proven(const PlanTrial& trial) {
-  return trial.execution && !trial.execution->collided && trial.execution->goal_reached;
+  return trial.execution && has_arrived(*trial.execution);
 }
 
 bool failed(const PlanTrial& trial) {

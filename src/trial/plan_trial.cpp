@@ -91,7 +91,10 @@ TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& 
     const ExecutionResult& run = *trial.execution;
     ++sum.executed;
     sum.collided += run.collided ? 1 : 0;
-    sum.reached += run.goal_reached && !run.collided ? 1 : 0;
+    sum.reached += has_arrived(run) ? 1 : 0;
+    if (!run.final_backbone) {
+      continue;
+    }
     distance_m.add(run.goal_error.position_m);
     if (!run.collided) {
       distance_free_m.add(run.goal_error.position_m);

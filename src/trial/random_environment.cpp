@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "environment_parts.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/trial/environment_measures.hpp"
@@ -42,7 +42,9 @@ class EnvironmentSampler {
     if (std::hypot(tip.x_m - start.x_m, tip.y_m - start.y_m) < kMinTravelM) {
       return std::nullopt;
     }
-    set_goal(tip);
+    result_.environment.goal =
+        random_goal(tip, settings_.position_tolerance_m, settings_.orientation_tolerance_rad,
+                    settings_.orientation_share, random_);
     const int wanted =
         settings_.min_obstacles + static_cast<int>(random_.index(static_cast<std::uint32_t>(
                                       settings_.max_obstacles - settings_.min_obstacles + 1)));
@@ -85,17 +87,6 @@ class EnvironmentSampler {
     simulator_.append_motion(result_.witness_kpa.back(), straight_);
   }
 
-  void set_goal(const Pose& tip) {
-    PoseGoal& goal = result_.environment.goal;
-    goal.x_m = tip.x_m;
-    goal.y_m = tip.y_m;
-    goal.position_tolerance_m = settings_.position_tolerance_m;
-    goal.orientation_tolerance_rad = settings_.orientation_tolerance_rad;
-    if (random_.uniform() < settings_.orientation_share) {
-      goal.theta_rad = std::remainder(tip.theta_rad, 2.0 * std::numbers::pi);
-    }
-  }
-
   /// A point near the arm on the straight motion, which is to be blocked, or near the witness.
   Eigen::Vector2d random_point(bool on_straight_line) {
     const std::vector<PlanFrame>& frames = on_straight_line ? straight_ : motion_;
@@ -106,32 +97,10 @@ class EnvironmentSampler {
     return {b(plate, 0) + spread * random_.normal(), b(plate, 1) + spread * random_.normal()};
   }
 
-  Obstacle random_obstacle(const Eigen::Vector2d& at) {
-    const double unit = arm_.length_m() / 0.705;  // sizes are those that suit the paper's arm
-    switch (random_.index(3)) {
-      case 0:
-        return Circle{at.x(), at.y(), unit * random_.uniform(0.015, 0.07)};
-      case 1:
-        return Rectangle{at.x(), at.y(), unit * random_.uniform(0.02, 0.08),
-                         unit * random_.uniform(0.05, 0.25),
-                         random_.uniform(0.0, std::numbers::pi)};
-      default:
-        break;
-    }
-    Polygon polygon;  // star-shaped about its middle, so simple
-    const int corners = 3 + static_cast<int>(random_.index(4));
-    for (int k = 0; k < corners; ++k) {
-      const double angle = 2.0 * std::numbers::pi * (k + random_.uniform(0.0, 0.6)) / corners;
-      const double radius = unit * random_.uniform(0.02, 0.09);
-      polygon.points_m.emplace_back(at.x() + radius * std::cos(angle),
-                                    at.y() + radius * std::sin(angle));
-    }
-    return polygon;
-  }
-
   /// Adds one obstacle where the witness stays clear of it.
   void add_obstacle(bool on_straight_line) {
-    const Obstacle obstacle = random_obstacle(random_point(on_straight_line));
+    const Obstacle obstacle =
+        random_obstacle(size_unit(arm_), random_point(on_straight_line), random_);
     const CollisionChecker checker(arm_, {obstacle}, settings_.clearance_m);
     for (std::size_t k = 1; k < motion_.size(); ++k) {
       if (!checker.is_motion_free(motion_[k - 1].backbone, motion_[k].backbone)) {

@@ -53,7 +53,7 @@ constexpr int kMaxDoublings = 3;
 /// By that share of a memory's creep, and of what it missed, is the goal shifted. Arms that are
 /// hardly moved show all of the creep, others next to none.
 constexpr double kShiftShare = 0.5;
-constexpr double kNearM = 0.01;
+constexpr double kNearObstacleM = 0.01;
 /// Of the distance that is left, where no plan ends in the goal.
 constexpr double kNearerShare = 0.8;
 /// What a straight plan has to end within: of the distance that is left, and of the tolerance.
@@ -62,7 +62,8 @@ constexpr double kOfStraight = 0.5;
 constexpr double kWellInside = 0.5;
 /// Cost of a correction, of a pressure scale: less moves no arm.
 constexpr double kLeastCost = 0.01;
-constexpr double kNearOfClearance = 0.5;  // of the plan's own, where that is less than kNearM
+constexpr double kNearOfClearance =
+    0.5;  // of the plan's own, where that is less than kNearObstacleM
 /// Small gains in a row that end the corrections of a model without memory. Friction holds the tip
 /// until several of them add up.
 constexpr int kPatience = 10;
@@ -100,8 +101,8 @@ bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& s
   // No obstacle is nearer to the plan than its clearance, so that much is always allowed.
   const bool strays =
       !(largest_plate_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m);
-  return !strays ||
-         clearance_m(*state.backbone) >= std::min(kNearM, kNearOfClearance * plan.clearance_m);
+  return !strays || clearance_m(*state.backbone) >=
+                        std::min(kNearObstacleM, kNearOfClearance * plan.clearance_m);
 }
 
 bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
@@ -228,9 +229,13 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
   if (has_ended) {
     learn_from(plan, measured);
   }
+  // Millimetres are not worth a collision: an arm in the goal keeps all of the room.
+  const double kept_m = has_arrived && model_.has_network()
+                            ? room_.margin_m
+                            : -std::numeric_limits<double>::infinity();
   if (halted) {
     creep_.clear();
-  } else if (has_more_to_gain(error_m, has_arrived)) {
+  } else if (has_more_to_gain(error_m, has_arrived) && clearance_m(*state.backbone) >= kept_m) {
     note_creep(plan.frames[frame].setpoint_kpa, plan.hold_frame_count, *state.backbone);
   } else {
     return std::nullopt;
@@ -243,7 +248,7 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
       !halted && error_m <= kWellInside * environment_.goal.position_tolerance_m;
   const double least_cost_kpa = kLeastCost * double(pressure_scales_kpa(arm_).mean());
   const IsTaken is_taken = [&](const Plan& found) {
-    return (halted || found.cost_kpa >= least_cost_kpa) &&
+    return (halted || found.cost_kpa >= least_cost_kpa) && found.clearance_m >= kept_m &&
            (!is_well_inside || stays_in_goal(found));
   };
   const auto if_taken = [&](std::optional<Plan> found) {

@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "limber/common/error.hpp"
-#include "limber/hardware/disturbance.hpp"
 #include "limber/trial/closed_loop.hpp"
+#include "limber/trial/disturbance.hpp"
 #include "limber/trial/jacobian_controller.hpp"
 
 namespace limber {

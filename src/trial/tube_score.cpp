@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "limber/hardware/state_lag.hpp"
+
 namespace limber {
 
 namespace {
@@ -48,11 +50,11 @@ double turned(double a, double b) {
 /// Calls visit(predicted, true shape) where the arm was tracked.
 template <class Visit>
 void visit_frames(const Plan& plan, const Episode& run, Visit&& visit) {
-  const int last = plan.frame_count() - 1;
+  const std::vector<int> shown = shown_frames(plan, run);
   for (int t = 0; t < run.frame_count(); ++t) {
     if (run.was_tracked(t)) {
-      const int k = std::min(t, last);
-      visit(plan.frames[static_cast<std::size_t>(k)].backbone, shape_in(run, t));
+      const auto k = static_cast<std::size_t>(shown[static_cast<std::size_t>(t)]);
+      visit(plan.frames[k].backbone, shape_in(run, t));
     }
   }
 }
@@ -70,6 +72,20 @@ class Moved {
 };
 
 }  // namespace
+
+std::vector<int> shown_frames(const Plan& plan, const Episode& run) {
+  const int last = plan.frame_count() - 1;
+  StateLag lag;
+  ArmState state;
+  std::vector<int> shown;
+  for (int t = 0; t < run.frame_count(); ++t) {
+    const Pressures& sent_kpa =
+        plan.frames[static_cast<std::size_t>(std::min(t, last))].setpoint_kpa;
+    state.setpoint_kpa = run.setpoint_kpa.row(t).transpose();
+    shown.push_back(std::clamp(t - lag.note(sent_kpa, state), 0, last));
+  }
+  return shown;
+}
 
 MotionErrors motion_errors(const Plan& plan, const Episode& run, const RoomGrowth& growth) {
   MotionErrors errors;

@@ -10,6 +10,7 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/world/environment.hpp"
 
 namespace limber {
 
@@ -38,6 +39,15 @@ void require_limits_of(const Plan& plan, const ArmDescription& arm, const std::s
 
 double Plan::duration_s() const {
   return frames.empty() ? 0.0 : static_cast<double>(frames.size() - 1) / frame_rate_hz;
+}
+
+void require_plan_in(const Plan& plan, const Environment& environment, const std::string& file) {
+  const std::string hash = environment_hash(environment);
+  if (plan.environment_hash != hash) {
+    throw InputError(
+        fmt::format("{}: made for environment '{}' (hash {}); this one is '{}' (hash {})", file,
+                    plan.environment_name, plan.environment_hash, environment.name, hash));
+  }
 }
 
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file) {

@@ -235,5 +235,32 @@ TEST(ReadFile, NamesAMissingFile) {
               ThrowsMessage<InputError>(HasSubstr("/nowhere/x.yaml")));
 }
 
+// A run looks for its output at its start; what somebody writes while it works is not lost.
+TEST(AtomicFile, KeepsBothFilesWhereSomebodyWroteItsOwnMeanwhile) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "c.txt";
+  refuse_to_overwrite(path, false);
+  std::ofstream(path) << "theirs";
+  EXPECT_THAT([&] { write_file_atomically(path, "ours"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr(path.string() + ": exists already"),
+                                              HasSubstr("c.txt.2; --force"))));
+  EXPECT_EQ(read_file(path), "theirs");
+  EXPECT_EQ(read_file(path.string() + ".2"), "ours");
+  EXPECT_EQ(count_entries(folder.path()), 2);
+  refuse_to_overwrite(path, true);
+  write_file_atomically(path, "forced");
+  EXPECT_EQ(read_file(path), "forced");
+}
+
+TEST(AtomicFile, ReplacesWhatThisRunWroteItself) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "c.txt";
+  refuse_to_overwrite(path, false);
+  write_file_atomically(path, "one");
+  write_file_atomically(path, "two");
+  EXPECT_EQ(read_file(path), "two");
+  EXPECT_EQ(count_entries(folder.path()), 1);
+}
+
 }  // namespace
 }  // namespace limber

@@ -69,5 +69,31 @@ TEST_F(Interrupt, CallsThatBlockComeBack) {
       ::testing::ExitedWithCode(0), "");
 }
 
+TEST_F(Interrupt, AScopeStopsTheThreadsThatItIsHandedTo) {
+  std::atomic<bool> stop{false};
+  bool other_stops = true;
+  bool handed_stops = false;
+  {
+    const StopScope scope(&stop);
+    EXPECT_FALSE(interrupt_requested());
+    stop = true;
+    EXPECT_TRUE(interrupt_requested());
+    EXPECT_THROW(throw_if_interrupted(), Interrupted);
+    {
+      const std::atomic<bool> never{false};
+      const StopScope inner(&never);
+      EXPECT_FALSE(interrupt_requested());
+    }
+    std::thread([&] { other_stops = interrupt_requested(); }).join();
+    std::thread([&, handed = stop_of_thread()] {
+      const StopScope there(handed);
+      handed_stops = interrupt_requested();
+    }).join();
+  }
+  EXPECT_FALSE(interrupt_requested());
+  EXPECT_FALSE(other_stops);
+  EXPECT_TRUE(handed_stops);
+}
+
 }  // namespace
 }  // namespace limber

@@ -48,6 +48,14 @@ TEST(JsonReader, RefusesWhatLiesTooDeepWithoutRecursion) {
   EXPECT_THAT(refusal_of(objects), HasSubstr("32 deep")) << "before their ends are looked for";
 }
 
+// The last one counts to one reader and the first one to another.
+TEST(JsonReader, RefusesAKeyThatStandsTwice) {
+  EXPECT_NO_THROW(
+      (void)parse_json_object(R"({"a": {"b": 1}, "b": [{"b": 2}, {"b": 3}]})", "f.json"));
+  EXPECT_THAT(refusal_of(R"({"a": 1, "b": {"c": [], "c": 2}})"),
+              AllOf(StartsWith("f.json: the key 'c' stands twice in one object")));
+}
+
 TEST(JsonReader, RefusesNumbersThatNoDoubleHolds) {
   EXPECT_THAT(refusal_of(R"({"a": 1e309})"), AllOf(StartsWith("f.json: not valid JSON: "),
                                                    HasSubstr("number overflow parsing '1e309'")));

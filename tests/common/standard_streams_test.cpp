@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <string>
 
 #include <gmock/gmock.h>
 
@@ -61,6 +62,23 @@ TEST_F(StandardStreams, MessagesAreLostWhereNobodyReadsStandardError) {
         if (::pipe(ends) == 0 && ::dup2(ends[1], STDERR_FILENO) == STDERR_FILENO) {
           ::close(ends[0]);
           say_much();
+        }
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
+// As `2>&1 | less` is, or a terminal at Ctrl-S.
+TEST_F(StandardStreams, MessagesAreLostWhereTheReaderOfStandardErrorSleeps) {
+  EXPECT_EXIT(
+      {
+        ::alarm(60);  // ends a test that failed
+        int ends[2];
+        if (::pipe(ends) == 0 && ::dup2(ends[1], STDERR_FILENO) == STDERR_FILENO) {
+          for (int i = 0; i < 10; ++i) {
+            print_to_stderr(std::string(20000, 'x') + "\n");
+          }
+          // Others who hold the pipe wait for it as before.
+          std::_Exit(::fcntl(ends[1], F_GETFL) & O_NONBLOCK);
         }
       },
       ::testing::ExitedWithCode(0), "");

@@ -56,6 +56,51 @@ TEST_F(RecordingFile, ReturnsEveryNumberAndAttributeAsWritten) {
   EXPECT_DOUBLE_EQ(read.duration_s(), 0.5);
 }
 
+// Texts of variable length lie in a heap that HDF5 reads unchecked.
+TEST_F(RecordingFile, HoldsTextsOfFixedLengthAlone) {
+  Recording recording = test_recording();
+  recording.arm_description = "name: \"été\"\n";
+  recording.settings = "";
+  recording.command = {"motor angle", "°"};
+  write_recording(path_, recording);
+  const H5::H5File file(path_.string(), H5F_ACC_RDONLY);
+  int texts = 0;
+  const auto look_at = [&](const H5::H5Object& object) {
+    for (int i = 0; i < object.getNumAttrs(); ++i) {
+      const H5::Attribute attribute = object.openAttribute(static_cast<unsigned>(i));
+      if (attribute.getTypeClass() == H5T_STRING) {
+        EXPECT_FALSE(attribute.getDataType().isVariableStr()) << attribute.getName();
+        ++texts;
+      }
+    }
+  };
+  look_at(file);
+  const H5::Group episode = file.openGroup("episodes/000000");
+  for (hsize_t i = 0; i < episode.getNumObjs(); ++i) {
+    look_at(episode.openDataSet(episode.getObjnameByIdx(i)));
+  }
+  EXPECT_EQ(texts, 9 + 6);
+  EXPECT_EQ(read_recording(path_).arm_description, recording.arm_description);
+  EXPECT_EQ(read_recording(path_).command.unit, "°");
+  EXPECT_EQ(read_recording(path_).settings, "");
+}
+
+// An attribute holds 64 kB.
+TEST_F(RecordingFile, KeepsLongTexts) {
+  for (const std::size_t bytes : {63'999, 64'000, 64'001, 65'536, 3'000'000}) {
+    Recording recording = test_recording();
+    recording.arm_description = std::string(bytes, 'a');
+    recording.settings = std::string(bytes - 1, 'b') + "c";
+    write_recording(path_, recording);
+    const Recording read = read_recording(path_);
+    EXPECT_TRUE(read.arm_description == recording.arm_description) << bytes;
+    EXPECT_TRUE(read.settings == recording.settings) << bytes;
+    const std::string before = read_file(path_);
+    write_recording(path_, recording);
+    EXPECT_TRUE(read_file(path_) == before) << bytes;
+  }
+}
+
 TEST_F(RecordingFile, IsTheSameToTheByteWhenWrittenLater) {
   const std::string before = read_file(path_);
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 stamps whole seconds

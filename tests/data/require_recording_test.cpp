@@ -1,7 +1,9 @@
 #include <cmath>
+#include <functional>
 
 #include <gmock/gmock.h>
 
+#include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/recording.hpp"
 #include "limber/data/recording_inspection.hpp"
@@ -10,6 +12,7 @@
 namespace limber {
 namespace {
 
+using ::testing::_;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
@@ -187,6 +190,76 @@ TEST(RequireRecordingOf, RefusesAnArmThatStandsStillUnderChangingPressures) {
                         HasSubstr("the pressure of segment 0 changes by 180 kPa"))));
   still.pressure_kpa.setConstant(30.0F);
   EXPECT_NO_THROW(require_recording_of(recording, arm, "a.h5")) << "an arm at rest";
+}
+
+// One frame at 1e30 m ruins every mean and range that is taken of it.
+TEST(RequireRecordingOf, RefusesAPlateThatNoArmReachesInASingleFrame) {
+  const ArmDescription arm = small_arm("test arm");
+  const auto refusal_of = [&](int column, float value) {
+    Recording recording = turning_recording(200);
+    recording.episodes[0].backbone(7, column) = value;
+    return [&arm, recording] { require_recording_of(recording, arm, "a.h5"); };
+  };
+  EXPECT_NO_THROW(refusal_of(12, 9.0F)()) << "something else that was tracked";
+  EXPECT_THAT(refusal_of(12, 1e30F),
+              ThrowsMessage<InputError>(AllOf(
+                  HasSubstr("a.h5: episodes/000000: frame 7: plate 4 is 1e+30 m from the base"),
+                  HasSubstr("arm 'test arm' is 0.4 m long, and up to 40 m"))));
+  EXPECT_THAT(
+      refusal_of(0, -400.0F),
+      ThrowsMessage<InputError>(HasSubstr("frame 7: plate 0 is 400 m from where the base")));
+  EXPECT_THAT(refusal_of(14, 180.0F), ThrowsMessage<InputError>(HasSubstr("plate 4 is turned by")));
+  Recording untracked = turning_recording(200);
+  untracked.episodes[0].tracked.assign(200, 1);
+  untracked.episodes[0].tracked[7] = 0;
+  untracked.episodes[0].backbone(7, 12) = 1e30F;
+  EXPECT_NO_THROW(require_recording_of(untracked, arm, "a.h5")) << "nobody saw it there";
+}
+
+TEST(RequireEpisodesOf, RefusesEpisodesOfAnotherArmAndHalfMadeOnes) {
+  const ArmDescription arm = small_arm("mine");
+  const std::vector<Episode> good = turning_recording(40).episodes;
+  EXPECT_NO_THROW(require_episodes_of(good, arm));
+  EXPECT_NO_THROW(require_episodes_of(good, NoLoadModel(arm)));
+  const auto refusal_of = [&](const std::function<void(Episode&)>& change) {
+    std::vector<Episode> episodes = {good[0], good[0]};
+    change(episodes[1]);
+    return [&arm, episodes] { require_episodes_of(episodes, arm, "the data"); };
+  };
+  EXPECT_THAT(refusal_of([](Episode& e) { e.pressure_kpa.setZero(40, 3); }),
+              ThrowsMessage<InputError>(
+                  HasSubstr("the data: episodes/000001 has 3 segments; arm 'mine' has 2")));
+  EXPECT_THAT(refusal_of([](Episode& e) { e.setpoint_kpa.setZero(40, 1); }),
+              ThrowsMessage<InputError>(HasSubstr("has 1 segments; arm 'mine' has 2")));
+  EXPECT_THAT(refusal_of([](Episode& e) { e.backbone.setZero(40, 12); }),
+              ThrowsMessage<InputError>(HasSubstr("4 backbone points; arm 'mine' has 5")));
+  EXPECT_THAT(refusal_of([](Episode& e) { e.backbone.setZero(39, 15); }),
+              ThrowsMessage<InputError>(HasSubstr("backbone: 39 × 15 numbers found")));
+  EXPECT_THAT(refusal_of([](Episode& e) { e.motion_index.pop_back(); }),
+              ThrowsMessage<InputError>(HasSubstr("motion_index: 39 numbers found")));
+  EXPECT_THAT(refusal_of([](Episode& e) { e.tracked.pop_back(); }),
+              ThrowsMessage<InputError>(HasSubstr("tracked: 39 numbers found")));
+  EXPECT_THAT(refusal_of([](Episode& e) { e.time_s.reverseInPlace(); }),
+              ThrowsMessage<InputError>(HasSubstr("expected times to increase")));
+  EXPECT_THAT(refusal_of([](Episode& e) { e.pressure_kpa(3, 1) = NAN; }),
+              ThrowsMessage<InputError>(HasSubstr("frame 3, number 1 is nan")));
+  EXPECT_THAT(refusal_of([](Episode& e) { e.backbone *= 1000.0F; }),
+              ThrowsMessage<InputError>(HasSubstr("should be in m")));
+  EXPECT_THAT(refusal_of([](Episode& e) { e.pressure_kpa *= 1000.0F; }),
+              ThrowsMessage<InputError>(HasSubstr("the limit of arm 'mine' is")));
+  EXPECT_THAT(refusal_of([](Episode& e) { e = Episode{}; }), ThrowsMessage<InputError>(_));
+}
+
+TEST(RequireAlike, RefusesEpisodesOfSeveralSizes) {
+  const Episode small = test_recording(1, 5, 2, 4).episodes[0];
+  EXPECT_NO_THROW(require_alike({small, small}));
+  EXPECT_THAT(
+      [&] {
+        require_alike({small, test_recording(1, 5, 3, 4).episodes[0]});
+      },
+      ThrowsMessage<InputError>(HasSubstr("episodes/000001/pressure_kpa: 5 × 3 numbers")));
+  EXPECT_THAT([&] { require_alike({small}, 2, 5); },
+              ThrowsMessage<InputError>(HasSubstr("episodes/000000/backbone: 5 × 12 numbers")));
 }
 
 // Networks of plate-relative poses never see where the base lies.

@@ -119,10 +119,12 @@ TEST_F(OutputFolders, WithoutAManifestForceIsNeededAndRemovesNothing) {
                                            HasSubstr("out: holds files"), HasSubstr("--force"))))
         << manifest;
     EXPECT_THROW((void)open(Start::resumed), InputError);
-    OutputFolder forced = open(Start::forced);
-    EXPECT_THAT(forced.left(), ElementsAre("thesis.tex"));
-    EXPECT_THROW(forced.write("thesis.tex", "x"), InputError);
-    forced.write("report.html", "a");
+    {
+      OutputFolder forced = open(Start::forced);
+      EXPECT_THAT(forced.left(), ElementsAre("thesis.tex"));
+      EXPECT_THROW(forced.write("thesis.tex", "x"), InputError);
+      forced.write("report.html", "a");
+    }
     const OutputFolder again = open();
     EXPECT_EQ(read_file(out() / "thesis.tex"), "mine");
     EXPECT_FALSE(holds("report.html"));
@@ -158,6 +160,15 @@ TEST_F(OutputFolders, ResumingKeepsEverythingAndGoesOnWithTheList) {
   (void)open();
   EXPECT_FALSE(holds("report.html"));
   EXPECT_FALSE(holds("table.md"));
+}
+
+TEST_F(OutputFolders, AFileThatWasEditedSinceIsRefusedByName) {
+  OutputFolder folder = open();
+  folder.write("trials/a.json", "1");
+  EXPECT_NO_THROW(folder.require_unchanged({"trials/a.json", "trials/of_another.json"}));
+  put("trials/a.json", "2");
+  EXPECT_THAT([&] { folder.require_unchanged({"trials/a.json"}); },
+              ThrowsMessage<InputError>(HasSubstr("trials/a.json: has changed since limber")));
 }
 
 TEST_F(OutputFolders, InputsInTheFolderAreRefusedHoweverTheyAreNamed) {

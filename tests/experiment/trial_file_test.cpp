@@ -101,6 +101,18 @@ TEST_F(TrialFile, ComesBackAfterARoundTrip) {
   EXPECT_EQ(trial.execution->planned_goal_time_s, written.at("planned_goal_time_s").get<double>());
 }
 
+TEST_F(TrialFile, WhatIsNotKnownOfARunComesBackAsNoArrival) {
+  Json json = Json::parse(trial_);
+  for (const char* key : {"goal_reached", "collided", "distance_to_goal_cm",
+                          "orientation_to_goal_rad", "final_backbone"}) {
+    json["execution"][key] = nullptr;
+  }
+  write_file_atomically(trial_path(), json.dump());
+  const PlanTrial trial = read_trial(output_.path(), key_, arm_, environment_);
+  EXPECT_FALSE(trial.execution->final_backbone || trial.execution->collided);
+  EXPECT_FALSE(has_arrived(*trial.execution));
+}
+
 TEST_F(TrialFile, DamageIsRefusedWithFileFieldAndWhatToDo) {
   struct Case {
     const char* field;
@@ -127,6 +139,12 @@ TEST_F(TrialFile, DamageIsRefusedWithFileFieldAndWhatToDo) {
       {"events", [](Json& j) { j["events"] = 3; }},
       {"nodes", [](Json& j) { j["nodes"] = -1; }},
       {"time_s", [](Json& j) { j.erase("time_s"); }},
+      {"time_s", [](Json& j) { j["time_s"] = 1e308; }},
+      {"environment", [](Json& j) { j["environment"] = "b"; }},
+      {"model", [](Json& j) { j["model"] = "network"; }},
+      {"planner", [](Json& j) { j["planner"] = "paper"; }},
+      {"seed", [](Json& j) { j["seed"] = 8; }},
+      {"seed", [](Json& j) { j.erase("seed"); }},
   };
   for (const Case& broken : cases) {
     EXPECT_THAT(refusal_of(broken.damage),

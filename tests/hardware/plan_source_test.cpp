@@ -77,12 +77,12 @@ TEST(PlanSource, RefusesANextPlanThatStartsElsewhereAndVents) {
 class Trims final : public PlanSource {
  public:
   Trims(std::size_t frame, float more_kpa) : frame_(frame), more_kpa_(more_kpa) {}
-  Pressures setpoint(const Plan& plan, std::size_t /*frame*/, std::size_t next) override {
+  FrameSetpoint setpoint(const Plan& plan, std::size_t /*frame*/, std::size_t next) override {
     Pressures kpa = plan.frames[next].setpoint_kpa;
     if (next == frame_) {
       kpa[1] += more_kpa_;
     }
-    return kpa;
+    return {kpa, next};
   }
   bool may_go_on(const Plan& plan, std::size_t frame, const ArmState&) override {
     if (frame == frame_) {

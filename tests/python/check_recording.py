@@ -6,13 +6,15 @@ import h5py
 import numpy as np
 
 with h5py.File(sys.argv[1], "r") as file:
-    print(file.attrs["schema"], file.attrs["arm_name"], file.attrs["rate_hz"], file.attrs["seed"])
+    schema, name = (file.attrs[key].decode() for key in ("schema", "arm_name"))
+    print(schema, name, file.attrs["rate_hz"], file.attrs["seed"])
     episodes = file["episodes"]
     first = episodes["000000"]
     print(
         f"{len(episodes)} episodes, backbone {first['backbone'].shape},"
         f" pressure {first['pressure_kpa'].shape},"
-        f" units {first['backbone'].attrs['unit']} and {first['pressure_kpa'].attrs['unit']}"
+        f" units {first['backbone'].attrs['unit'].decode()} and"
+        f" {first['pressure_kpa'].attrs['unit'].decode()}"
     )
     total = {
         name: sum(np.sum(episode[name][:], dtype=np.float64) for episode in episodes.values())

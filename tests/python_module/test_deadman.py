@@ -27,6 +27,16 @@ def exec_of(log, *words):
     return " ".join(["exec:" + sys.executable, str(DRIVER), str(log), *words])
 
 
+SWAPPED = """schema: limber/driver_calibration/1
+arm: two_segment
+length_m: {length_m}
+valves: [{{channel: 1, sign: 1}}, {{channel: 0, sign: -1}}]
+sensors: [{{channel: 1, sign: 1}}, {{channel: 0, sign: -1}}]
+zero_kpa: [0, 0]
+noise_kpa: [0, 0]
+"""
+
+
 def told(log):
     """What the device was told: "vent", or the largest set point [kPa]."""
     lines = log.read_text(encoding="utf-8").splitlines() if log.exists() else []
@@ -54,7 +64,33 @@ class OnAProcess(InFolder):
 
     def driver(self, *words, **settings):
         return limber.ProcessDriver(self.arm, exec_of(self.log, *words), **settings,
-                                    on_message=self.said.append)
+                                    simulated=True, on_message=self.said.append)
+
+    def test_a_state_has_the_set_point_in_force(self):
+        with self.driver() as driver:
+            state = driver.command([4.0, -4.0])
+            np.testing.assert_array_equal(state.setpoint_kpa, [4.0, -4.0])
+            self.assertAlmostEqual(state.tracker_t, state.time_s + 100.0)
+            driver.vent()
+            self.assertIsNone(driver.state().setpoint_kpa)
+
+    def test_a_calibration_lies_between_the_driver_and_the_arm(self):
+        swapped = self.folder / "calibration.yaml"
+        swapped.write_text(SWAPPED.format(length_m=self.arm.length_m))
+        with self.driver(calibration=swapped) as driver:
+            np.testing.assert_array_equal(driver.limits_kpa, [[-80, 80], [-100, 100]])
+            state = driver.command([4.0, 2.0])
+        self.assertEqual([kpa for kpa in told(self.log) if kpa != "vent"], [4.0])
+        self.assertIn("[-2.0, 4.0]", self.log.read_text())
+        np.testing.assert_allclose(state.setpoint_kpa, [4.0, 2.0])
+        with self.assertRaisesRegex(limber.InputError, "with 2 segments"):
+            limber.ProcessDriver(limber.load_arm(ROOT / "arms" / "three_segment.yaml"),
+                                 exec_of(self.log), calibration=swapped)
+
+    def test_a_driver_is_not_believed_to_be_a_simulation(self):
+        with self.assertRaisesRegex(limber.SystemFault, "simulated=True in Python"):
+            limber.ProcessDriver(self.arm, exec_of(self.log))
+        self.assertEqual(set(told(self.log)), {"vent"})
 
     def test_a_plan_is_executed_as_on_the_virtual_arm(self):
         with self.driver(log=self.folder / "driver.jsonl") as driver:
@@ -77,7 +113,7 @@ class OnAProcess(InFolder):
             own = limber.collect(self.arm, settings, driver, self.folder / "own.h5").recording
         run_json("collect", "--arm", TWO_SEGMENT, "--schedule", "random", "--count", 3,
                  "--episodes", 2, "--hold-s", 0.5, "--limit-scale", 0.8, "--seed", 7, "--driver",
-                 exec_of(self.folder / "other.txt"), "--out", "program.h5", folder=self.folder)
+                 exec_of(self.folder / "other.txt"), "--simulated", "--out", "program.h5", folder=self.folder)
         program = limber.read_recording(self.folder / "program.h5")
         self.assertEqual(len(own.episodes), 2)
         for one, other in zip(own.episodes, program.episodes):
@@ -116,7 +152,7 @@ class OnAProcess(InFolder):
             self.driver(limit_scale=2.0)
         three = limber.load_arm(ROOT / "arms" / "three_segment.yaml")
         with self.assertRaisesRegex(limber.SystemFault, "segments"):
-            limber.ProcessDriver(three, exec_of(self.log))
+            limber.ProcessDriver(three, exec_of(self.log), simulated=True)
 
     def test_nothing_moves_beyond_the_drivers_limits(self):
         with self.driver(limit_scale=0.02) as driver:
@@ -131,7 +167,7 @@ class OnAProcess(InFolder):
     def test_messages_go_to_standard_error(self):
         text = io.StringIO()
         with contextlib.redirect_stderr(text):
-            driver = limber.ProcessDriver(self.arm, exec_of(self.log))
+            driver = limber.ProcessDriver(self.arm, exec_of(self.log), simulated=True)
             driver.command([4.0, 4.0])
             driver.close()
         self.assertIn("vented", text.getvalue())

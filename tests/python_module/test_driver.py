@@ -66,6 +66,31 @@ class Served(InFolder):
             self.assertAlmostEqual(state["t"], expected.time_s)
             self.assertEqual(state["pressure_kpa"], expected.pressure_kpa.tolist())
             self.assertEqual(state["backbone"], expected.backbone.tolist())
+            self.assertEqual(state["setpoint_kpa"], [10.0, -20.0])
+            self.assertAlmostEqual(state["tracker_t"], expected.time_s + 100.0)
+
+    def test_set_points_in_force_and_the_trackers_clock_are_told(self):
+        class Late(limber.driver.Driver):
+            segment_count = 2
+            in_force = [0.0, 0.0]
+
+            def command(self, setpoint_kpa):
+                state = limber.ArmState(0.5, [0.0, 0.0], setpoint_kpa=self.in_force, tracker_t=7.25)
+                self.in_force = setpoint_kpa
+                return state
+
+            def vent(self):
+                return limber.ArmState(0.5, [0.0, 0.0])
+        said = io.BytesIO()
+        request = {"type": "set", "seq": 1, "t": 0.0, "pressure_kpa": [2.0, 3.0]}
+        read_end, write_end = os.pipe()
+        with open(write_end, "wb") as requests:
+            requests.write(2 * (json.dumps(request).encode() + b"\n"))
+        with open(read_end, "rb") as requests:
+            limber.driver.serve(Late(), requests, said)
+        first, second = [json.loads(line) for line in said.getvalue().splitlines()]
+        self.assertEqual((first["setpoint_kpa"], second["setpoint_kpa"]), ([0, 0], [2, 3]))
+        self.assertEqual(second["tracker_t"], 7.25)
 
     def test_bodies_stand_in_place_of_the_backbone(self):
         class Tracked(limber.driver.Driver):

@@ -55,6 +55,12 @@ class SlowArm(CountingArm):
         return super().command(setpoint_kpa)
 
 
+def over_and_over(call):
+    """A machine of any speed is in the middle of it when the signal comes."""
+    while True:
+        call()
+
+
 class Interrupts(InFolder):
     def setUp(self):
         super().setUp()
@@ -123,6 +129,33 @@ class Interrupts(InFolder):
         model = limber.train(self.chain.arm, data, settings).model
         for one, other in zip(model.layers, unbroken.layers):
             np.testing.assert_array_equal(one.weight, other.weight)
+
+    def test_evaluate(self):
+        episodes = limber.read_recording(self.chain.recording).episodes
+        no_load = limber.ForwardModel(self.chain.arm)
+        many = [episode for episode in episodes for _ in range(400)]
+        self.interrupted(lambda _: over_and_over(
+            lambda: limber.evaluate(no_load, self.forward, many, jobs=1)))
+
+    def test_step_batch(self):
+        queries = 1_500_000
+        kpa = np.zeros((queries, 2), np.float32)
+        backbones = np.repeat(limber.start_state(self.chain.environment, self.chain.arm)
+                              .backbone[None], queries, axis=0)
+        self.interrupted(lambda _: over_and_over(
+            lambda: self.forward.step_batch(kpa, kpa, backbones, out=backbones)))
+
+    def test_plan_along(self):
+        there = np.array([[60.0, 60.0], [-60.0, -60.0]], np.float32)
+        waypoints = np.tile(there, (20000, 1))
+        self.interrupted(lambda _: over_and_over(
+            lambda: limber.plan_along(self.problem, waypoints, "mine")))
+
+    def test_fit_simple_model(self):
+        episodes = limber.read_recording(self.chain.recording).episodes
+        many = [episode for episode in episodes for _ in range(400)]
+        self.interrupted(lambda _: over_and_over(
+            lambda: limber.fit_simple_model(self.chain.arm, many)))
 
     def test_collect(self):
         schedule = limber.ScheduleSettings(kind=limber.ScheduleKind.random, count=5000)

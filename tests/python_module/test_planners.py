@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 import limber
-from chain import TWO_SEGMENT, InFolder, chain, run_json, run_program
+from chain import TWO_SEGMENT, InFolder, chain, run_execution, run_json
 
 LEVELS = [{"level": 0.9, "factor": 0.8, "runs": 0, "outside": 0, "confidence": 0.9,
            "audit_runs": 0, "audit_outside": 0},
@@ -125,13 +125,47 @@ class PlansAlong(InFolder):
         self.assertEqual(open_loop.replans, 0)
         self.assertIsNone(open_loop.open_loop_goal_error)
         self.assertLess(run[0].goal_error.position_m, open_loop.goal_error.position_m)
-        theirs = json.loads(run_program(
-            "execute", "--arm", TWO_SEGMENT, "--environment", self.chain.environment_file,
+        theirs = run_execution(
+            "--arm", TWO_SEGMENT, "--environment", self.chain.environment_file,
             "--plan", "plan.json", "--model", self.chain.model, "--no-valves", "--replan",
-            "--motion-queries", 2000, "--json", folder=self.folder).stdout)
+            "--motion-queries", 2000, folder=self.folder)
         self.assertEqual(theirs["replans"], run[0].replans)
         self.assertAlmostEqual(theirs["distance_to_goal_cm"], 100.0 * run[0].goal_error.position_m,
                                places=4)
+
+    def test_of_an_arm_that_is_lost_nothing_is_known(self):
+        class LostArm(limber.ArmDriver):
+            """Nothing tracks it after half a second."""
+
+            def __init__(self, arm):
+                super().__init__()
+                self.arm = limber.VirtualArm(arm)
+
+            def state(self):
+                state = self.arm.state()
+                lost = state.time_s > 0.5
+                return limber.ArmState(time_s=state.time_s, pressure_kpa=state.pressure_kpa,
+                                       backbone=None if lost else state.backbone)
+
+            def command(self, setpoint_kpa):
+                self.arm.command(setpoint_kpa)
+                return self.state()
+
+            def vent(self):
+                self.arm.vent()
+
+        plan = limber.make_planner().plan(
+            self.problem, limber.PlannerLimits(iterations=300), 1).plan
+        seen = limber.execute(self.chain.arm, self.chain.environment, plan,
+                              limber.VirtualArm(self.chain.arm))
+        self.assertEqual((type(seen.goal_reached), type(seen.collided)), (bool, bool))
+        self.assertEqual(seen.frames_not_seen, 0)
+        lost = limber.execute(self.chain.arm, self.chain.environment, plan, LostArm(self.chain.arm))
+        self.assertEqual(lost.status, limber.ExecutionStatus.done)
+        for known in ("goal_reached", "collided", "goal_error", "final_backbone", "closest"):
+            self.assertIsNone(getattr(lost, known), known)
+        self.assertEqual(lost.frames_not_seen, lost.frames - 10)
+        self.assertIn("not seen at the end", lost.message)
 
 
 if __name__ == "__main__":

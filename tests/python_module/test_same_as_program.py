@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 
 import limber
-from chain import ROOT, TWO_SEGMENT, InFolder, chain, run_json, run_program
+from chain import ROOT, TWO_SEGMENT, InFolder, chain, run_execution, run_json, run_program
 
 HELD_BACK = 0.1  # as `limber train` holds back
 SEED = 5
@@ -136,9 +136,8 @@ class SameAsProgram(InFolder):
         own = limber.to_json(certificate, self.chain.environment)
         self.assertEqual({key: theirs[key] for key in own}, own)
 
-        theirs = run_json("execute", "--arm", TWO_SEGMENT, "--environment",
-                          self.chain.environment_file, "--plan", "program.json", "--out", "run.h5",
-                          folder=self.folder)
+        theirs = run_execution("--arm", TWO_SEGMENT, "--environment", self.chain.environment_file,
+                               "--plan", "program.json", "--out", "run.h5", folder=self.folder)
         result = limber.execute(self.chain.arm, self.chain.environment, plan,
                                 limber.VirtualArm(self.chain.arm))
         own = limber.to_json(result, self.chain.environment)

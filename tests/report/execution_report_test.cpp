@@ -50,13 +50,28 @@ TEST(ExecutionReport, LeavesUnknownNumbersNull) {
   result.status = ExecutionStatus::fault;
   result.message = "hose came off";
   const nlohmann::ordered_json json = to_json(result, Environment{});
-  for (const char* key : {"min_clearance_cm", "distance_to_goal_cm", "orientation_to_goal_rad",
-                          "first_collision", "prediction_error_cm", "final_backbone"}) {
+  for (const char* key :
+       {"min_clearance_cm", "distance_to_goal_cm", "orientation_to_goal_rad", "goal_reached",
+        "collided", "first_collision", "prediction_error_cm", "final_backbone"}) {
     EXPECT_TRUE(json[key].is_null()) << key;
   }
   EXPECT_EQ(json["status"], "fault");
   EXPECT_THAT(to_text(result, Environment{}),
-              AllOf(HasSubstr("fault, 0 frames: hose came off"), HasSubstr("unknown")));
+              AllOf(HasSubstr("fault, 0 frames"), HasSubstr("unknown")));
+  EXPECT_EQ(json["message"], "hose came off");
+}
+
+TEST(ExecutionReport, KnowsOfACollisionAlsoWhereTheArmIsLostAfterIt) {
+  ExecutionResult result = collided_run();
+  result.final_backbone.reset();
+  result.frames_not_seen = 20;
+  const nlohmann::ordered_json json = to_json(result, environment_with_obstacles());
+  EXPECT_EQ(json["collided"], true);
+  EXPECT_TRUE(json["goal_reached"].is_null());
+  EXPECT_TRUE(json["distance_to_goal_cm"].is_null());
+  EXPECT_EQ(json["frames_not_seen"], 20);
+  EXPECT_THAT(to_text(result, environment_with_obstacles()),
+              AllOf(HasSubstr("not seen at the end"), Not(HasSubstr("from the goal"))));
 }
 
 TEST(ExecutionReport, TellsPeopleWhereItCollided) {

@@ -23,6 +23,7 @@ PlanTrial trial(const char* environment, const char* model, double cost_kpa, dou
   result.planning.plan.emplace();
   result.planning.plan->cost_kpa = cost_kpa;
   result.execution.emplace();
+  result.execution->final_backbone.emplace();
   result.execution->goal_error.position_m = distance_m;
   result.execution->collided = collided;
   result.execution->goal_reached = distance_m < 0.02;

@@ -20,6 +20,7 @@ PlanTrial run_of(const char* environment, const char* controller, const char* di
   trial.planning.plan->frames.resize(41);
   trial.execution.emplace();
   trial.execution->frames = 50;
+  trial.execution->final_backbone.emplace();
   trial.execution->goal_error.position_m = distance_m;
   trial.execution->goal_reached = distance_m < 0.02;
   return trial;
@@ -41,6 +42,18 @@ TEST(RunTable, HasARowForEveryControllerAndDisturbanceOverAllEnvironments) {
   EXPECT_EQ(rows[2].disturbance, "friction");
   EXPECT_EQ(to_json(rows)[2]["disturbance"], "friction");
   EXPECT_EQ(run_table(rows).rows.size(), 3U);
+}
+
+TEST(RunTable, ARunThatWasNotSeenIsNoArrivalAndHasNoDistance) {
+  std::vector<PlanTrial> trials{run_of("a", "open", "", 0.01), run_of("b", "open", "", 0.01)};
+  trials[0].execution->final_backbone.reset();
+  trials[0].execution->goal_reached = false;
+  trials[0].execution->goal_error = {};
+  const RunRow row = run_rows(trials).front();
+  EXPECT_EQ(row.executed, 2);
+  EXPECT_EQ(row.reached, 1);
+  EXPECT_DOUBLE_EQ(*row.distance_cm.mean, 1.0);
+  EXPECT_DOUBLE_EQ(*summarise(trials, "", "").distance_m, 0.01);
 }
 
 TEST(RunTable, ARunThatWasStoppedCountsWithWhatItStruckAndAFaultDoesNot) {

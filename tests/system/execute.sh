@@ -15,17 +15,17 @@ expect 0 "" plan --no-load --environment side.yaml --max-iterations 300 --out pl
 expect 0 "plan for arm 'three_segment' in 'side'" inspect plan.json --arm three_segment
 
 run=(execute --plan plan.json --environment side.yaml)
-expect 0 "from the goal: " "${run[@]}" --out run.h5 --svg run.svg
+expect 1 "from the goal: " "${run[@]}" --out run.h5 --svg run.svg
 grep -q "^</svg>" run.svg || fail "run.svg is not whole"
 expect 0 "executed plan, environment 'side', model no_load" inspect run.h5 --arm three_segment
-expect 0 '"status": "done"' "${run[@]}" --json --out again.h5
+expect 1 '"status": "done"' "${run[@]}" --json --out again.h5
 for key in collided min_clearance_cm distance_to_goal_cm orientation_to_goal_rad replans frames; do
   grep -q "\"$key\": [^n]" output.txt || fail "no $key in $(cat output.txt)"
 done
 cmp run.h5 again.h5 || fail "the same plan gives two runs"
 
 expect 2 "run.h5: exists already; --force replaces it" "${run[@]}" --out run.h5
-expect 2 "made for environment 'side'" execute --plan plan.json --environment moved.yaml
+expect 2 "plan.json: made for environment 'side'" execute --plan plan.json --environment moved.yaml
 expect 2 "made for arm 'three_segment'" "${run[@]}" --arm two_segment
 expect 2 "--driver hose: expected virtual" "${run[@]}" --driver hose
 expect 2 "hold_s = -1; expected seconds from 0" "${run[@]}" --hold-s=-1

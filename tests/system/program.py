@@ -72,6 +72,17 @@ class InFolder(unittest.TestCase):
         result = self.run_limber(*arguments, "--json", code=code)
         return json.loads(result.stdout)
 
+    def run_execution(self, *arguments):
+        """What `limber execute --json` prints: it ends with 0 where the arm arrived, and with 1 and
+        a reason where it did not."""
+        result = self.run_limber("execute", *arguments, "--json", code=None)
+        found = json.loads(result.stdout)
+        arrived = found["goal_reached"] is True and found["collided"] is False
+        self.assertEqual(result.returncode, 0 if arrived else 1, result.stderr)
+        self.assertEqual(arrived, found["message"] == "")
+        self.assertIn("" if arrived else f"error: {found['message']}", result.stderr)
+        return found
+
     def write(self, name, text):
         path = self.folder / name
         path.write_text(text, encoding="utf-8")

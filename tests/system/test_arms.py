@@ -1,6 +1,7 @@
 """The whole chain on the shortest and the longest arm that files may describe: 1 and 12 segments."""
 
 import json
+import re
 import unittest
 
 from program import ROOT, InFolder
@@ -46,7 +47,7 @@ class Arms(InFolder):
         )
         self.assertEqual(plan["status"], "solved")
         self.run_json("verify", *arm, "--no-load", "--plan", "p.json", "--environment", path)
-        run = self.run_json("execute", *arm, "--plan", "p.json", "--environment", path)
+        run = self.run_execution(*arm, "--plan", "p.json", "--environment", path)
         self.assertEqual(run["status"], "done")
 
     def test_one_segment(self):
@@ -54,6 +55,26 @@ class Arms(InFolder):
 
     def test_twelve_segments(self):
         self.chain(12)
+
+    def test_an_arm_whose_no_load_model_is_far_off_gets_environments_that_it_reaches(self):
+        text = (ROOT / "arms" / "two_segment.yaml").read_text(encoding="utf-8")
+        stiff = re.sub(r"strain_polynomial: \[.*\]", "strain_polynomial: [0.0004, 0, 0, 0]", text)
+        arm = ("--arm", self.write("stiff.yaml", stiff.replace("two_segment", "stiff")))
+        many = self.run_json("environment", *arm, "--random", "--seed", 4, "--count", 3, "--out", "a")
+        self.assertEqual(len(many["files"]), 3)
+        self.run_limber("environment", *arm, "--random", "--seed", 4, "--jobs", 1, "--out", "b")
+        self.assertEqual(*((self.folder / of / "random_4_001.yaml").read_text() for of in "ab"))
+        error = self.run_limber("environment", *arm, "--random", "--model", "x", "--out", "c", code=2).stderr
+        self.assertIn("asks no model", error)
+
+    def test_an_arm_without_a_virtual_twin_has_its_model_as_a_witness(self):
+        arm = ("--arm", "motor_driven")
+        error = self.run_limber("environment", *arm, "--random", "--out", "a", code=2).stderr
+        self.assertIn("has no virtual twin", error)
+        self.assertIn("--witness model", error)
+        self.run_limber("environment", *arm, "--random", "--witness", "model", "--out", "a")
+        path = self.folder / "a" / "random_1_001.yaml"
+        self.assertEqual(self.run_json("environment", "check", path, *arm)["status"], "ok")
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ class Characterizing(InFolder):
     def on_driver(self, *flags, arm="one.yaml", serve=(), code=0):
         words = [PROGRAM, "virtual-arm", "--serve", "--fast", "--arm", arm, *serve]
         return self.run_limber("characterize", "--arm", arm, "--driver", "exec:" + " ".join(f"'{w}'" for w in words),
-                               "--steps", 5, *flags, code=code)
+                               "--simulated", "--steps", 5, *flags, code=code)
 
     def test_finds_what_the_bench_test_in_process_finds(self):
         found = json.loads(self.on_driver("--out", "fitted.yaml", "--json").stdout)

@@ -21,9 +21,8 @@ class Disturbance(InFolder):
         self.run_limber("plan", *ARM, "--no-load", "--max-iterations", 300, "--environment",
                         "e.yaml", "--out", "p.json")
 
-    def execute(self, *arguments, code=0):
-        return self.run_json("execute", *ARM, "--plan", "p.json", "--environment", "e.yaml",
-                             *arguments, code=code)
+    def execute(self, *arguments):
+        return self.run_execution(*ARM, "--plan", "p.json", "--environment", "e.yaml", *arguments)
 
     def test_a_disturbed_arm_ends_elsewhere_and_its_seed_repeats_it(self):
         self.plan()
@@ -48,7 +47,7 @@ class Disturbance(InFolder):
         for kind, more in (("friction", ARM), ("weak_actuator", ARM),
                            ("noise,lost_tracking", (*ARM, "--plan", "p.json"))):
             flags = ("--disturbance", kind, "--seed", "4")
-            served = self.execute("--driver", self.served(*flags, *more), "--out", f"{kind}.h5")
+            served = self.execute("--driver", self.served(*flags, *more), "--simulated", "--out", f"{kind}.h5")
             direct = self.execute(*flags)
             if kind == "noise,lost_tracking":
                 # Seen late and noisy, where the virtual arm's true shape is known in `direct`.
@@ -63,10 +62,10 @@ class Disturbance(InFolder):
     def test_an_obstacle_appears_for_limber_alone(self):
         self.run_limber("plan", "--no-load", "--max-queries", 20000, "--environment", "01_pillar",
                         "--out", "long.json")
-        command = ("execute", "--plan", "long.json", "--environment", "01_pillar",
+        command = ("--plan", "long.json", "--environment", "01_pillar",
                    "--disturbance", "obstacle", "--seed", "4")
-        direct = self.run_json(*command)
-        served = self.run_json(*command, "--driver", self.served(), "--out", "o.h5")
+        direct = self.run_execution(*command)
+        served = self.run_execution(*command, "--driver", self.served(), "--simulated", "--out", "o.h5")
         self.assertIsNotNone(direct["obstacle_appeared"])
         for key, value in direct["obstacle_appeared"].items():
             self.assertAlmostEqual(served["obstacle_appeared"][key], value, places=5, msg=key)
@@ -119,7 +118,7 @@ class Disturbance(InFolder):
         self.assertIn("controller 'magic': no such one; expected open, replan", error)
 
     def test_the_long_table_is_written_by_its_script(self):
-        """Two trials of it; the second time nothing is run again."""
+        """Two trials of it, and two random environments; the second time nothing is run again."""
         self.run_limber("collect", *ARM, "--schedule", "random", "--count", 20, "--out", "t.h5")
         self.run_limber("train", *ARM, "--data", "t.h5", "--epochs", 3, "--out", "m.safetensors")
         (self.folder / "environments").mkdir()
@@ -127,16 +126,18 @@ class Disturbance(InFolder):
         command = [sys.executable, str(ROOT / "tools" / "closed_loop_table.py"), "--limber", PROGRAM,
                    "--model", "m.safetensors", "--out", "table",
                    "--trials", "2", "--max-queries", "5000", "--controller", "replan", "jacobian",
-                   "--disturbance", "none", "noise", *ARM, "--environments", "environments"]
+                   "--disturbance", "none", "noise", *ARM, "--environments", "environments",
+                   "--random", "2"]
         first, second = (subprocess.run([*command, *commit], cwd=self.folder, check=True,
                                         stdout=subprocess.PIPE, encoding="utf-8").stdout
                          for commit in (("--commit", "0000fe" + 34 * "0"), ()))
         self.assertEqual(first, second, "the folder knows its seed")
         self.assertIn("seed 254,", first)
         rows = [line.split(" | ") for line in first.splitlines()[4:]]
-        self.assertEqual([row[0].strip("| ") + " " + row[1] for row in rows],
-                         ["replan none", "replan noise", "jacobian none", "jacobian noise"])
-        self.assertTrue(all(row[2].endswith(" of 2") for row in rows))
+        self.assertEqual([" ".join(row[:3]).strip("| ") for row in rows],
+                         [f"{kind} {run}" for kind in ("own", "random") for run in (
+                             "replan none", "replan noise", "jacobian none", "jacobian noise")])
+        self.assertTrue(all(row[3].endswith(" of 2") for row in rows))
         rows = subprocess.run(
             [sys.executable, str(ROOT / "tools" / "real_time_rows.py"), "--limber", PROGRAM, *ARM,
              "--model", "m.safetensors", "--table", "table", "--out", "real", "--runs", "1",

@@ -26,6 +26,7 @@ ELSEWHERE = {
     ("docs/tutorial_python.md", ""): "tests/python_module/test_tutorial.py",
     ("docs/driver.md", "limber collect --arm mine.yaml"):
         "needs a board; test_example_drivers.py has one",
+    ("docs/first_day.md", ""): "test_first_day.py walks through the page",
     ("docs/hardware.md", "limber driver check"): "in real time; test_driver.py checks drivers",
     ("docs/hardware.md", "limber execute"): "as below it, with --start-from-driver",
     ("docs/hardware.md", "limber collect --arm mine.yaml --schedule random --count 3"):
@@ -57,7 +58,7 @@ SHORTER = (
      r"\1 --time-limit-s 5 --margin-m 0.001 --goal-margin-m 0 --goal-margin-rad 0"),
 )
 # Exit codes besides 0 that are what the page says, or what small models make of it.
-CODES = (("--fault die@30", (3,)), ("environments/03_gap_in_a_wall.yaml", (0, 1)),
+CODES = (("--fault die@30", (3,)), ("limber execute", (0, 1)), ("environments/03_gap_in_a_wall.yaml", (0, 1)),
          ("| head", (0, 141)))  # 141: head has seen enough
 
 

@@ -33,6 +33,11 @@ def base_of(tracker):
     return origin * tracker["metres_per_unit"] + base["x_m"] * x + base["y_m"] * y, c * x + s * y, c * y - s * x
 
 
+def simulated(flags):
+    """limber has to be told that a driver keeps no frames."""
+    return ("--simulated",) if "--fast" in flags else ()
+
+
 class Calibrating(InFolder):
     def served(self, seed, *flags):
         return quoted(PROGRAM, "virtual-arm", "--serve", *ARM, "--misassembled", seed, *flags)
@@ -46,7 +51,8 @@ class Calibrating(InFolder):
         marker = truth["tracker"]["marker_offsets"][0]
         return self.run_limber(
             "driver", "calibrate", *ARM, "--driver", self.served(seed, *flags), "--yes", "--handedness", side,
-            f"--base-marker={marker['x_m']},{marker['y_m']}", "--out", "calibration.yaml", "--force", "--json", code=code)
+            f"--base-marker={marker['x_m']},{marker['y_m']}", "--out", "calibration.yaml", "--force", "--json",
+            *simulated(flags), code=code)
 
     def expect_truth(self, truth, found):
         self.assertEqual(found["valves"], truth["valves"])
@@ -66,7 +72,7 @@ class Calibrating(InFolder):
     def collect(self, out, driver, *flags, code=0):
         return self.run_limber(
             "collect", *ARM, "--schedule", "random", "--count", 3, "--hold-s", 0.5, "--hold-min-s", 0.3,
-            "--approach", "straight", "--limit-scale", 0.5, "--driver", driver, *flags, "--out", out, code=code)
+            "--approach", "straight", "--limit-scale", 0.5, "--driver", driver, "--simulated", *flags, "--out", out, code=code)
 
     def test_finds_what_was_put_together_wrongly(self):
         for seed in (1, 2, 3, 4):
@@ -145,7 +151,7 @@ class Calibrating(InFolder):
         for side in "rl":
             process = subprocess.run(
                 [PROGRAM, "driver", "calibrate", *ARM, "--driver", self.served(6, "--fast"), "--out", "c.yaml",
-                 "--force"], cwd=self.folder, input="\n" * 6 + side + "\n", capture_output=True, encoding="utf-8")
+                 "--simulated", "--force"], cwd=self.folder, input="\n" * 6 + side + "\n", capture_output=True, encoding="utf-8")
             self.assertEqual(process.returncode, 0, process.stderr)
             self.assertIn("Lay the arm straight", process.stderr)
             self.assertIn("which way did it bend", process.stderr)
@@ -157,7 +163,7 @@ class Calibrating(InFolder):
         for said, message in (("\nq\n", "stopped on request"), ("\n", "nobody confirmed")):
             process = subprocess.run(
                 [PROGRAM, "driver", "calibrate", *ARM, "--driver", self.served(6, "--fast"), "--out", "c.yaml",
-                 "--force"], cwd=self.folder, input=said, capture_output=True, encoding="utf-8")
+                 "--simulated", "--force"], cwd=self.folder, input=said, capture_output=True, encoding="utf-8")
             self.assertEqual(process.returncode, 1, process.stderr)
             self.assertIn(message, process.stderr)
             self.assertFalse((self.folder / "c.yaml").exists())

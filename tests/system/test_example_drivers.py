@@ -31,14 +31,17 @@ class SimulatedBoard(threading.Thread):
     SILENCE_S = 0.3
     TIME_CONSTANT_S = 0.08
 
-    def __init__(self):
+    def __init__(self, channels=4):
         super().__init__(daemon=True)
+        self.channels = channels
+        self.deaf_s = 0.0  # vents only so long after the last set points, and by itself never
         self.master, slave = os.openpty()
         tty.setraw(self.master)
         self.port = os.ttyname(slave)
         self.keep_open = slave
-        self.setpoints = [0.0] * 4
-        self.pressures = [0.0] * 4
+        self.setpoints = [0.0] * channels
+        self.pressures = [0.0] * channels
+        self.set_s = 0.0
         self.heard = []  # (time, line)
         self.vents = []  # (time, why)
         self.silent = False
@@ -60,7 +63,7 @@ class SimulatedBoard(threading.Thread):
             while b"\n" in buffer:
                 line, _, buffer = buffer.partition(b"\n")
                 self.take(line.decode("ascii"))
-            if not self.vented and time.monotonic() - self.last_line_s > self.SILENCE_S:
+            if not self.vented and not self.deaf_s and time.monotonic() - self.last_line_s > self.SILENCE_S:
                 self.vent("silence")
 
     def move(self):
@@ -73,10 +76,10 @@ class SimulatedBoard(threading.Thread):
         self.last_line_s = time.monotonic()
         self.heard.append((self.last_line_s, line))
         words = line.split()
-        if words[0] == "S" and len(words) == 5:
+        if words[0] == "S" and len(words) == 1 + self.channels:
             self.setpoints = [float(w) for w in words[1:]]
-            self.vented = False
-        else:
+            self.vented, self.set_s = False, self.last_line_s
+        elif self.last_line_s - self.set_s >= self.deaf_s:
             self.vent("command")
         if not self.silent:
             clock_ms = int(1000 * (time.monotonic() - self.start_s))
@@ -84,7 +87,7 @@ class SimulatedBoard(threading.Thread):
             os.write(self.master, reply.encode("ascii"))
 
     def vent(self, why):
-        self.setpoints = [0.0] * 4
+        self.setpoints = [0.0] * self.channels
         if not self.vented:
             self.vents.append((time.monotonic(), why))
         self.vented = True
@@ -135,7 +138,7 @@ class SerialText(InFolder):
 
     def test_a_plan_reaches_the_board_in_its_own_units(self):
         self.plan()
-        self.collect("--plan", "p.json", "--environment", "e.yaml", "--out", "run.h5")
+        self.collect("--plan", "p.json", "--environment", "e.yaml", "--out", "run.h5", code=1)  # nothing tracks it
         plan = json.loads((self.folder / "p.json").read_text())
         sent = [[float(w) for w in line.split()[1:]] for _, line in self.board.heard if line.startswith("S")]
         for frame, mbar in zip(plan["frames"][1:], sent):
@@ -149,6 +152,29 @@ class SerialText(InFolder):
         self.assertEqual((first["seq"], first["setpoint_kpa"]), (5, [0.0, 0.0]))
         self.assertEqual((second["seq"], second["setpoint_kpa"]), (6, [12.5, -30.0]))
         self.assertGreater(second["t"], first["t"] - 0.001)
+
+    def test_a_check_tells_a_deadman_by_a_board_that_outlives_its_driver(self):
+        self.write("one.yaml", json.dumps({
+            "schema": "limber/arm/1", "name": "one", "frame_rate_hz": 20, "pressure_rate_limit_kpa_per_s": 200,
+            "actuator_radius_m": 0.006, "segments": [{"length_m": 0.2, "width_m": 0.05, "gaps": 2,
+                                                      "pressure_limit_kpa": 100, "strain_polynomial": []}],
+        }))
+        for deaf_s, verdict in ((0.0, True), (1.5, False)):
+            self.board = SimulatedBoard(channels=2)
+            self.board.SILENCE_S = 5.0  # what vents is the driver
+            self.board.deaf_s = deaf_s
+            self.board.start()
+            self.addCleanup(setattr, self.board, "stopped", True)
+            command = "exec:" + " ".join(f"'{word}'" for word in self.driver())
+            for _ in range(5):  # a busy machine is late, which is a fault and no verdict
+                result = self.run_limber("driver", "check", "--arm", "one.yaml", "--driver", command, "--out", "checked",
+                                         "--force", "--json", code=None)
+                if result.returncode != 3:
+                    break
+            self.assertIn(result.returncode, (0, 1), result.stderr)
+            found = json.loads(result.stdout)
+            self.assertEqual(found["deadmen"]["end_of_input"]["vented"], verdict, result.stdout + result.stderr)
+            self.assertFalse(found["deadmen"]["end_of_input"]["starts_vented"])
 
     def test_the_driver_vents_without_requests_and_at_the_end_of_its_input(self):
         self.talk(self.HELLO, self.SET, wait_s=0.28)

@@ -11,6 +11,7 @@ GOAL = {"x_m": 0.38, "y_m": 0.2, "position_tolerance_m": 0.03}
 KEYS = {
     "status", "collided", "min_clearance_cm", "distance_to_goal_cm", "orientation_to_goal_rad",
     "replans", "switches", "waits", "halts", "goal_time_s", "planned_goal_time_s", "frames",
+    "frames_not_seen", "message",
 }
 
 
@@ -30,10 +31,8 @@ class Execute(InFolder):
         }
         self.write(name, json.dumps(content))
 
-    def execute(self, *arguments, code=0):
-        return self.run_json(
-            "execute", *ARM, "--plan", "p.json", "--environment", "e.yaml", *arguments, code=code
-        )
+    def execute(self, *arguments):
+        return self.run_execution(*ARM, "--plan", "p.json", "--environment", "e.yaml", *arguments)
 
     def test_runs_to_the_end_and_judges_the_goal(self):
         found = self.execute("--out", "run.h5")
@@ -42,6 +41,8 @@ class Execute(InFolder):
         self.assertGreater(found["min_clearance_cm"], 0.0)
         # The no-load model errs on this arm, but not by the arm's length.
         self.assertTrue(0.0 < found["distance_to_goal_cm"] < 40.0)
+        self.assertIn(f"ended {found['distance_to_goal_cm']:.1f} cm from the goal (3.0 cm allowed)",
+                      found["message"])
         recording = self.run_json("inspect", "run.h5")
         self.assertIn("two_segment", json.dumps(recording))
         # What ran is evaluated on like any other recording.
@@ -54,7 +55,7 @@ class Execute(InFolder):
         found = self.execute(*arguments)
         self.assertGreater(found["replans"] + found["switches"], 0)
         self.assertLess(found["distance_to_goal_cm"], 0.5 * open_loop["distance_to_goal_cm"])
-        self.assertFalse(found["collided"])
+        self.assertEqual((found["goal_reached"], found["collided"], found["message"]), (True, False, ""))
         # What a time of this machine was worth in queries repeats the run.
         queries = ("--motion-queries", found["motion_queries"])
         self.assertGreater(found["motion_queries"], 0)
@@ -71,6 +72,18 @@ class Execute(InFolder):
         self.assertEqual(
             found["open_loop_distance_to_goal_cm"], open_loop["distance_to_goal_cm"])
         self.assertLess(found["distance_to_goal_cm"], 0.5 * open_loop["distance_to_goal_cm"])
+
+    def test_a_run_that_strikes_something_names_it(self):
+        plan = json.loads((self.folder / "p.json").read_text(encoding="utf-8"))
+        x, y, _ = self.execute()["final_backbone"][-1]
+        self.environment("e.yaml", [{"circle": {"x_m": x, "y_m": y, "radius_m": 0.01}}])
+        inspected = self.run_json("inspect", "e.yaml")
+        plan["environment"]["hash"] = inspected["hash"]
+        del plan["certificate"]
+        self.write("p.json", json.dumps(plan))
+        found = self.execute()
+        self.assertTrue(found["collided"])
+        self.assertRegex(found["message"], r"^collided with obstacle 0 \(circle\), plates \d+ and \d+, after")
 
     def test_repeats_exactly(self):
         self.assertEqual(self.execute(), self.execute())

@@ -112,6 +112,10 @@ class Experiment(InFolder):
         for text in (json.dumps(damaged), "[]", "{" + '"a":' + "[" * 200000, '{"a": 1e309}'):
             trial.write_text(text, encoding="utf-8")
             self.assertIn(f"one/trials/{names[0]}: ", refused())
+        for field, edited in (("environment", "b"), ("model", "other"), ("planner", "paper"),
+                              ("seed", 5), ("time_s", 1e308), ("nodes", 3)):
+            trial.write_text(json.dumps({**json.loads(good), field: edited}), encoding="utf-8")
+            self.assertRegex(refused(), f"one/trials/{names[0]}: ({field}: |has changed since)")
         trial.write_bytes(good)
         (self.folder / "one" / "experiment.json").write_text("[1]", encoding="utf-8")
         self.assertIn("one/experiment.json: [1] found; expected a JSON object", refused())

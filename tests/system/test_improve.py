@@ -79,7 +79,7 @@ class Improve(InFolder):
         self.assertIn("learnt", found)
         self.assertIn("round_1/plans.h5", found["training"]["data"])
         self.assertIn("t.h5", found["training"]["data"])
-        self.run_limber("environment", *ARM, "--random", "--model", "m.safetensors", "--out", "envs", "--seed", 4)
+        self.run_limber("environment", *ARM, "--random", "--out", "envs", "--seed", 4)
         environment = next((self.folder / "envs").glob("*.yaml"))
         result = self.run_limber("plan", *ARM, "--model", "out/model.safetensors", "--environment", environment,
                                  "--max-queries", 5000, code=None)

@@ -72,8 +72,8 @@ class Limits(InFolder):
         self.expect_within(rows, LIMITS)
         verified = self.run_json("verify", *model, "--plan", "p.json")
         self.assertEqual(verified["status"], "certified")
-        self.run_limber("execute", "--arm", ARM, "--plan", "p.json", "--environment",
-                        self.environment, "--out", "run.h5")
+        self.run_execution("--arm", ARM, "--plan", "p.json", "--environment", self.environment,
+                           "--out", "run.h5")
         self.expect_within(self.setpoints("run.h5"), LIMITS)
 
     def test_planning_within_narrower_limits(self):

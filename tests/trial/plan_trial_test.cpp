@@ -24,6 +24,7 @@ PlanTrial solved_trial(const char* environment, const char* model, double cost_k
 PlanTrial executed_trial(const char* model, double distance_m, bool collided) {
   PlanTrial trial = solved_trial("a", model, 100.0);
   trial.execution.emplace();
+  trial.execution->final_backbone.emplace();
   trial.execution->goal_error.position_m = distance_m;
   trial.execution->collided = collided;
   return trial;

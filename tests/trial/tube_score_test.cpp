@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -89,6 +90,25 @@ TEST(TubeScore, LeavesOutWhatWasNotTracked) {
   const Plan plan = straight_plan(3);
   Episode run = run_of({shape(0.0), shape(0.5), shape(0.0)});
   run.tracked = {1, 0, 1};
+  EXPECT_NEAR(tube_score(plan, run, unit_tube()), 0.0, kFloat);
+}
+
+// A driver that answers at once is one frame behind, and its set points in force say so.
+TEST(TubeScore, ComparesWithTheFrameThatTheRunShows) {
+  Plan plan = straight_plan(5);
+  std::vector<Backbone> seen;
+  for (int k = 0; k < 5; ++k) {
+    plan.frames[std::size_t(k)].setpoint_kpa = Pressures::Constant(1, 5.0F * float(k));
+    plan.frames[std::size_t(k)].backbone = shape(0.01 * k);
+  }
+  for (int t = 0; t < 7; ++t) {
+    seen.push_back(shape(0.01 * std::clamp(t - 1, 0, 4)));
+  }
+  Episode run = run_of(seen);
+  for (int t = 0; t < 7; ++t) {
+    run.setpoint_kpa(t, 0) = 5.0F * float(std::clamp(t - 1, 0, 4));
+  }
+  EXPECT_EQ(shown_frames(plan, run), (std::vector<int>{0, 0, 1, 2, 3, 4, 4}));
   EXPECT_NEAR(tube_score(plan, run, unit_tube()), 0.0, kFloat);
 }
 

@@ -153,7 +153,7 @@ FindingsSettings search_settings() {
 bool hidden_plan_works(const Models& models, const StyledEnvironment& drawn) {
   VirtualArm driver(models.arm);
   const ExecutionResult run = execute(models.arm, drawn.environment, drawn.hidden_plan, driver);
-  return !run.collided && run.goal_reached;
+  return has_arrived(run);
 }
 
 /// How far the no-load model's tip is from the goal at the pressures that lead there: about what

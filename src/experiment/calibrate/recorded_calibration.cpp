@@ -7,12 +7,13 @@
 #include "limber/common/error.hpp"
 #include "limber/experiment/tube_calibration.hpp"
 #include "limber/trial/binomial_bound.hpp"
+#include "limber/trial/tube_score.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr double kSameSetpointKpa = 1e-3;  // float32 of a hundred, through a file
+constexpr double kSameSetpointKpa = 0.06;  // a device that counts in mbar rounds to the nearest
 constexpr double kMinPlateScale = 0.01;    // of the tip's
 
 /// A shape without any run: errors grow in proportion along the arm, and its end is as wide as its
@@ -35,8 +36,10 @@ Tube plain_shape(const ArmDescription& arm, const CompensationModel& model) {
 
 void require_run_of(const Plan& plan, const Episode& run, const std::string& plan_file,
                     const std::string& file) {
+  const std::vector<int> shown = shown_frames(plan, run);
   for (int k = 1; k < std::min(plan.frame_count(), int(run.frame_count())); ++k) {
-    const Pressures& planned = plan.frames[static_cast<std::size_t>(k)].setpoint_kpa;
+    const auto frame = static_cast<std::size_t>(shown[static_cast<std::size_t>(k)]);
+    const Pressures& planned = plan.frames[frame].setpoint_kpa;
     const double apart = (run.setpoint_kpa.row(k).transpose() - planned).cwiseAbs().maxCoeff();
     if (!(apart <= kSameSetpointKpa)) {
       throw InputError(fmt::format(

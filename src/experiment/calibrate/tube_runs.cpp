@@ -212,7 +212,7 @@ class PhaseRunner {
     }
     run.executed = true;
     run.collided = execution.collided;
-    run.reached = execution.goal_reached && !execution.collided;
+    run.reached = has_arrived(execution);
     run.tip_m = motion_errors(plan, execution.episode).plate_m.back();
     if (phase_.shape != nullptr) {
       run.score = tube_score(plan, execution.episode, *phase_.shape);

@@ -65,9 +65,11 @@ Outcome plan_and_execute(const DemoResults& results, const EnvironmentCase& item
   Outcome outcome;
   outcome.solved = trial.solved();
   if (trial.execution) {
-    outcome.arrived = trial.execution->goal_reached && !trial.execution->collided;
+    outcome.arrived = has_arrived(*trial.execution);
     outcome.collided = trial.execution->collided;
-    outcome.distance_cm = trial.execution->goal_error.position_m * kCmPerM;
+    if (trial.execution->final_backbone) {
+      outcome.distance_cm = trial.execution->goal_error.position_m * kCmPerM;
+    }
   }
   return outcome;
 }

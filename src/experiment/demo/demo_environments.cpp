@@ -5,7 +5,7 @@
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/trial/proven_environment.hpp"
+#include "limber/trial/witnessed_environment.hpp"
 
 namespace limber {
 
@@ -25,15 +25,14 @@ std::vector<EnvironmentCase> random_environments(const DemoResults& results, int
   std::vector<EnvironmentCase> cases;
   for (int k = 1; k <= count; ++k) {
     throw_if_interrupted();
-    std::optional<Environment> sampled = sample_proven_environment(
-        results.arm(), results.motion_model(*results.network),
+    std::optional<WitnessedEnvironment> sampled = witnessed_environment(
+        results.arm(), virtual_witness(results.arm()),
         derived_seed(results.settings->seed, kEnvironmentSeed), std::uint64_t(k));
     if (!sampled) {
-      throw InputError(fmt::format(
-          "arm '{}': no random environment was found in which it has to go around an obstacle",
-          results.arm().name));
+      throw InputError(fmt::format("arm '{}': its tip comes nowhere in a hundred random motions",
+                                   results.arm().name));
     }
-    cases.push_back({fmt::format("random_{}", k), std::move(*sampled)});
+    cases.push_back({fmt::format("random_{}", k), std::move(sampled->environment)});
   }
   return cases;
 }

@@ -11,7 +11,7 @@ namespace limber {
 std::vector<EnvironmentCase> own_environments(const ArmDescription& arm);
 
 /// Environments 1 to `count` of the run's seed, "random_1" and so on.
-/// @throws InputError where none is found in which the arm has to go around an obstacle.
+/// @throws InputError for an arm that hardly moves.
 std::vector<EnvironmentCase> random_environments(const DemoResults& results, int count);
 
 }  // namespace limber

@@ -47,11 +47,11 @@ void PlanChain::observe(const Pressures& /*setpoint_kpa*/, const ArmState& /*sta
   ++seen_;
 }
 
-Pressures PlanChain::setpoint(const Plan& plan, std::size_t frame, std::size_t next) {
+FrameSetpoint PlanChain::setpoint(const Plan& plan, std::size_t frame, std::size_t next) {
   if (frame == 0) {
     executed_.back().first_frame = seen_ - 1;  // an arm whose plan was searched for held meanwhile
   }
-  return plan.frames[next].setpoint_kpa;
+  return {plan.frames[next].setpoint_kpa, next};
 }
 
 std::optional<Plan> PlanChain::next(const Plan& plan, std::size_t frame, const ArmState& state) {
@@ -89,7 +89,7 @@ PlanRuns PlanChain::ended(const ExecutionResult& run) const {
     result.arm_time_s += one.duration_s;
     if (executed_.size() == 1) {
       one.collided = run.collided;
-      one.arrived = run.goal_reached && !run.collided;
+      one.arrived = has_arrived(run);
       one.distance_m = run.final_backbone ? std::optional(run.goal_error.position_m) : std::nullopt;
     } else if (is_recorded) {
       judge(run.episode, executed_[k], tried_[executed_[k].planned].environment, one);

@@ -34,7 +34,7 @@ class PlanChain final : public PlanSource {
   const PlannedRun* begin();
 
   void observe(const Pressures& setpoint_kpa, const ArmState& state) override;
-  Pressures setpoint(const Plan& plan, std::size_t frame, std::size_t next) override;
+  FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next) override;
   bool may_go_on(const Plan&, std::size_t /*frame*/, const ArmState&) override { return true; }
   /// @throws Interrupted
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;

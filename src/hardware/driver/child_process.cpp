@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <system_error>
 #include <thread>
@@ -20,6 +21,10 @@
 namespace limber {
 
 namespace {
+
+constexpr auto kUntilLeft = std::chrono::milliseconds(1000);  // what was killed ends at once
+
+std::atomic<bool> any_survivor{false};
 
 /// Both ends of a pipe; closed unless taken.
 struct Pipe {
@@ -170,13 +175,21 @@ void ChildProcess::kill_group() {
     return;
   }
   ::kill(-process_, SIGKILL);
-  int status = 0;
-  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (ended_.empty()) {
+  const bool is_protected = ::kill(process_, SIGKILL) != 0;  // it may have left its group
+  if (ended_.empty() && wait_for_end(Clock::now() + kUntilLeft)) {
     ended_ = "was killed by limber";
   }
+  if (ended_.empty()) {
+    survivor_ = {process_, is_protected};
+    any_survivor = true;
+  } else {
+    ::waitpid(process_, nullptr, WNOHANG);
+  }
   process_ = -1;
+}
+
+bool ChildProcess::was_any_left() {
+  return any_survivor;
 }
 
 }  // namespace limber

@@ -37,8 +37,21 @@ class ChildProcess {
   /// @return whether it has ended by `deadline`; `how_it_ended` then says how.
   bool wait_for_end(Clock::time_point deadline);
 
-  /// Kills every process of its group, those that outlive their leader too.
+  /// Kills it, and every process of its group, those that outlive their leader too. What can't be
+  /// killed, as it is another user's, is left after a second.
   void kill_group();
+
+  struct Survivor {
+    pid_t process = -1;
+    bool is_protected = false;  ///< it may not be killed; else it was, and is slow to end
+  };
+  /// Itself, where it was left.
+  const std::optional<Survivor>& survivor() const { return survivor_; }
+  /// Whether any of this process's was.
+  static bool was_any_left();
+
+  /// Its standard input, our end; -1 once closed.
+  int input() const { return input_; }
 
   /// "ended with exit code 3", "was killed by signal 9", "runs".
   std::string how_it_ended() const { return ended_.empty() ? "runs" : ended_; }
@@ -50,6 +63,7 @@ class ChildProcess {
   int input_ = -1;                    // its standard input, our end
   std::optional<LineReader> output_;  // its standard output, our end
   std::string ended_;                 // how; empty while it runs
+  std::optional<Survivor> survivor_;
 };
 
 }  // namespace limber

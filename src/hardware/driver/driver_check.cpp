@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -21,8 +23,8 @@ constexpr double kPulseS = 1.0;
 constexpr double kStepS = 1.5;
 constexpr double kPulseShare = 0.05;  // of the limit in force
 constexpr double kStepShare = 0.3;
-constexpr double kMeanS = 0.3;         // at the end of a hold
-constexpr double kSilenceS = 0.65;     // three frames, and time for the valves
+constexpr double kMeanS = 0.3;      // at the end of a hold
+constexpr double kSilenceS = 0.65;  // three frames or the device's 0.3 s, and time for the valves
 constexpr double kMaxCrosstalk = 0.5;  // of a pulse, in a segment that was not told to move
 constexpr double kSlotS = 0.005;       // a `set` later than that is late
 constexpr double kMaxLateShare = 0.001;
@@ -75,7 +77,7 @@ class Check {
       result_.timing = driver_->timing();
     }
     judge_timing();
-    result_.episode = episode();
+    keep_episode();
     return std::move(result_);
   }
 
@@ -215,16 +217,36 @@ class Check {
   }
 
   void test_end_of_input() {
-    result_.end_of_input.tested = true;
-    result_.end_of_input.before_kpa = pressurise();
+    DeadmanResult& deadman = result_.end_of_input;
+    deadman.tested = true;
+    deadman.before_kpa = pressurise();
     driver_->abandon();
+    std::this_thread::sleep_for(std::chrono::duration<double>(kSilenceS));
+    judge(deadman, start_again(), "its input was closed");
+    deadman.starts_vented = deadman.vented && starts_vented();
+  }
+
+  /// What was read at the end of input counts only where a start shows what is there: killed under
+  /// pressure, a driver had no time to vent, nor had the device for its 0.3 s.
+  bool starts_vented() {
+    const double before_kpa = pressurise();
+    driver_->abandon(true);
+    return largest_kpa(start_again()) < kVentedShare * before_kpa;
+  }
+
+  const ArmState& start_again() {
+    keep_episode();
     driver_.reset();
     driver_.emplace(arm_, settings_);
-    judge(result_.end_of_input, driver_->first_state(), "its input was closed");
+    return driver_->first_state();
+  }
+
+  static double largest_kpa(const ArmState& state) {
+    return state.pressure_kpa.cwiseAbs().maxCoeff();
   }
 
   void judge(DeadmanResult& deadman, const ArmState& after, const char* when) {
-    deadman.after_kpa = after.pressure_kpa.cwiseAbs().maxCoeff();
+    deadman.after_kpa = largest_kpa(after);
     deadman.vented = deadman.after_kpa < kVentedShare * deadman.before_kpa;
     if (!deadman.vented) {
       complain(fmt::format(
@@ -249,6 +271,13 @@ class Check {
   }
 
   void complain(std::string text) { result_.complaints.push_back(std::move(text)); }
+
+  /// Of the first driver alone: the clock of the next one begins again.
+  void keep_episode() {
+    if (result_.episode.frame_count() == 0) {
+      result_.episode = episode();
+    }
+  }
 
   Episode episode() const {
     Episode result;

@@ -7,6 +7,7 @@
 
 #include "command_words.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/printable.hpp"
 
 namespace limber {
 
@@ -18,17 +19,24 @@ constexpr auto kHelloTime = milliseconds(10000);  // a board that resets when it
 constexpr auto kUntilKilled = milliseconds(500);  // after its input was closed
 constexpr auto kLastWords = milliseconds(20);     // for `vent` and `bye` to a driver in trouble
 constexpr double kMaxStepFrames = 20.0;           // between two samples by the driver's clock
-constexpr std::size_t kQuoted = 80;               // bytes of a wrong line in a message
+constexpr double kMaxRepeatFrames = 3.0;          // that a sample may be the newest for
+constexpr double kMinStepS = 1e-6;   // of others: no device samples pressures faster …
+constexpr int kPaceFrames = 20;      // … and over so many frames
+constexpr double kMinPace = 0.1;     // they go on by this share of them at least
+constexpr std::size_t kQuoted = 80;  // bytes of a wrong line in a message
 
 }  // namespace
 
 DriverLink::DriverLink(const ArmDescription& arm, const ProcessDriverSettings& settings)
     : calibration_(settings.calibration),
       pass_bodies_(settings.pass_bodies),
+      simulated_(settings.simulated),
       host_(host_hello(arm)),
       period_s_(arm.frame_period_s()),
       child_(command_words(settings.command), kMaxDriverLine),
-      log_(settings.log, settings.command) {
+      log_(settings.log, settings.command),
+      say_(settings.say) {
+  last_words_.emplace(child_.input());
   if (calibration_) {
     host_.limit_kpa = calibration_->to_wire(host_.limit_kpa);
     log_.note("calibration: " + to_yaml(*calibration_));
@@ -53,6 +61,12 @@ const DriverHello& DriverLink::exchange_hellos() {
   } catch (const InputError& error) {
     throw BrokenDriver(fmt::format("does not fit: {}", error.what()));
   }
+  if (!hello_.real_time && !simulated_) {
+    throw BrokenDriver(
+        "says that it is a simulation (real_time: false in its hello), which is asked as fast as "
+        "it answers. If it is one, say --simulated (simulated=True in Python); the driver of an "
+        "arm leaves real_time out");
+  }
   if (calibration_ && !hello_.limit_kpa.empty()) {
     hello_.limit_kpa = calibration_->from_wire(hello_.limit_kpa);
   }
@@ -63,8 +77,25 @@ ArmState DriverLink::set(const Pressures& setpoint_kpa, Clock::duration reply_ti
   ++seq_;
   const Pressures on_wire = calibration_ ? calibration_->to_wire(setpoint_kpa) : setpoint_kpa;
   ArmState state = exchange(set_line(seq_, since_start_s(), on_wire), reply_time);
-  paced_ = true;
+  require_pace();
   return state;
+}
+
+/// Samples of frames in a row: a clock that hardly goes on is no clock, or one of another unit.
+void DriverLink::require_pace() {
+  if (!std::exchange(paced_, true)) {
+    pace_frames_ = 0;
+    pace_from_s_ = *sample_s_;
+  } else if (++pace_frames_ == kPaceFrames) {
+    const double passed_s = *sample_s_ - std::exchange(pace_from_s_, *sample_s_);
+    if (passed_s < kMinPace * kPaceFrames * period_s_) {
+      throw BrokenDriver(fmt::format(
+          "sent samples whose time went on by {:.3g} s in {} frames, which last {:.3g} s. `t` is "
+          "in seconds",
+          passed_s, kPaceFrames, kPaceFrames * period_s_));
+    }
+    pace_frames_ = 0;
+  }
 }
 
 ArmState DriverLink::vent(Clock::duration reply_time) {
@@ -76,6 +107,9 @@ ArmState DriverLink::exchange(const std::string& line, Clock::duration reply_tim
   const Time deadline = Clock::now() + reply_time;
   since_last_s_ = since_start_s() - std::exchange(asked_s_, since_start_s());
   log_.sent(line);
+  if (last_words_) {
+    last_words_->prepare(vent_line(seq_ + 1, since_start_s()));
+  }
   if (!child_.write_line(line, deadline)) {
     say_why_it_is_silent("does not read its input");
   }
@@ -95,8 +129,10 @@ ArmState DriverLink::receive(Time deadline) {
     throw BrokenDriver(fault.what());
   }
   require_order(reply);
-  sample_s_ = reply.state.time_s;
-  tracker_s_ = reply.tracker_s;
+  if (sample_s_ != reply.state.time_s) {
+    sample_s_ = reply.state.time_s;
+    sample_since_ = Clock::now();
+  }
   if (pass_bodies_) {
     bodies_ = std::move(reply.bodies);
   }
@@ -147,10 +183,19 @@ void DriverLink::require_order(const DriverReply& reply) const {
     return;
   }
   const double step_s = reply.state.time_s - *sample_s_;
-  if (!(step_s > 0.0)) {
+  if (!(step_s >= 0.0)) {
     throw BrokenDriver(
         fmt::format("sent a sample of {} s after one of {} s; by its own clock, time has to go on",
                     reply.state.time_s, *sample_s_));
+  }
+  if (step_s == 0.0) {
+    return require_recent();
+  }
+  if (step_s < kMinStepS) {
+    throw BrokenDriver(
+        fmt::format("sent a sample {:.3g} s after the one before; no device samples so fast. `t` "
+                    "is in seconds, when the sample was taken",
+                    step_s));
   }
   if (paced_ && step_s > kMaxStepFrames * period_s_) {
     if (since_last_s_ > kMaxStepFrames * period_s_) {
@@ -161,6 +206,18 @@ void DriverLink::require_order(const DriverReply& reply) const {
     throw BrokenDriver(fmt::format(
         "sent a sample {} s after the one before; a frame lasts {} s. `t` is in seconds", step_s,
         period_s_));
+  }
+}
+
+/// Requests may overtake the sampling, so that the newest sample is one that limber has; but not
+/// for long, and never in a simulation, which makes each sample when it is asked.
+void DriverLink::require_recent() const {
+  const double since_s = std::chrono::duration<double>(Clock::now() - sample_since_).count();
+  if (!hello_.real_time || since_s > kMaxRepeatFrames * period_s_) {
+    throw BrokenDriver(
+        fmt::format("sends its sample of {} s again {:.2f} s after it first did; by its own clock, "
+                    "time has to go on",
+                    *sample_s_, since_s));
   }
 }
 
@@ -188,13 +245,15 @@ void DriverLink::wait_quietly(Time until) {
   }
   const std::string line = next_line(Clock::now(), fmt::format("request {}", seq_));
   throw BrokenDriver(
-      fmt::format("sent more than one answer to request {}: {}", seq_, line.substr(0, kQuoted)));
+      fmt::format("sent more than one answer to request {}: {}", seq_, in_one_line(line, kQuoted)));
 }
 
-std::optional<ArmState> DriverLink::vent_and_close(Time until) {
+void DriverLink::send_vent() {
   ++seq_;
   try_to_send(vent_line(seq_, since_start_s()));
-  close_input();
+}
+
+std::optional<ArmState> DriverLink::vent_answer(Time until) {
   std::string line;
   while (Clock::now() < until && child_.output().read_line(line, until) == LineReader::Read::line) {
     try {
@@ -227,9 +286,21 @@ void DriverLink::end() {
   close_input();
   (void)child_.wait_for_end(*closed_at_ + kUntilKilled);
   child_.kill_group();
+  if (const auto& left = child_.survivor()) {
+    const std::string message = fmt::format(
+        "the driver {} (pid {}). Its input is closed; see to it that it ends, and that the arm is "
+        "vented, before anything else moves it",
+        left->is_protected ? "can't be killed" : "was killed, and has not ended after a second",
+        left->process);
+    log_.note(message);
+    if (say_) {
+      say_(message);
+    }
+  }
 }
 
 void DriverLink::close_input() {
+  last_words_.reset();
   child_.close_input();
   if (!closed_at_) {
     closed_at_ = Clock::now();

@@ -3,11 +3,13 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "child_process.hpp"
 #include "driver_log.hpp"
+#include "limber/common/arm_signals.hpp"
 #include "limber/common/error.hpp"
 #include "limber/hardware/driver_protocol.hpp"
 #include "limber/hardware/process_driver.hpp"
@@ -22,7 +24,8 @@ class BrokenDriver : public SystemFault {
 };
 
 /// The protocol's rules over a running program: one state for each request, with its number, in
-/// time, and samples whose time goes on. Every rule that the driver breaks is a BrokenDriver.
+/// time, and samples whose time goes on, or that were new three frames ago.
+/// Every rule that the driver breaks is a BrokenDriver.
 /// Threads: one at a time.
 class DriverLink {
  public:
@@ -47,21 +50,27 @@ class DriverLink {
   /// Another run of frames begins: its first sample may be any time after the last one.
   void forget_pace() { paced_ = false; }
 
-  /// Vents without trusting any answer, closes the driver's input and reads on until `until`.
-  /// @return the state that answers the vent, if it comes.
-  std::optional<ArmState> vent_and_close(Time until);
+  /// Of a driver that broke the protocol: the state that answers send_vent, if it comes before
+  /// `until`. Whatever else it says is passed over.
+  void send_vent();
+  std::optional<ArmState> vent_answer(Time until);
 
   void say_bye();
 
-  /// Closes its input, waits until it ends, for 0.5 s at most, and kills its process group.
+  /// The driver reads the end of its input, and vents.
+  void close_input();
+
+  /// Closes its input, waits until it ends, for 0.5 s at most, and kills it and its process group.
+  /// One that can't be killed is left after a second, and that is said.
   void end();
+  /// At once; `end` is left to do.
+  void kill() { child_.kill_group(); }
   bool is_open() const { return open_; }
+  bool is_left_running() const { return child_.survivor().has_value(); }
 
   DriverLog& log() { return log_; }
   /// limber's clock, as requests have it.
   double since_start_s() const;
-  /// Of the last state, where the driver gives it.
-  std::optional<double> tracker_s() const { return tracker_s_; }
   /// Of the last state, where bodies pass.
   const std::optional<BodyPoses>& bodies() const { return bodies_; }
 
@@ -69,29 +78,35 @@ class DriverLink {
   ArmState exchange(const std::string& line, Clock::duration reply_time);
   ArmState receive(Time deadline);
   void require_order(const DriverReply& reply) const;
+  void require_recent() const;
+  void require_pace();
   std::string next_line(Time deadline, const std::string& what);
   void try_to_send(const std::string& line);
-  void close_input();
   [[noreturn]] void say_why_it_is_silent(const std::string& otherwise);
   ArmState calibrated(DriverReply reply);
   void require_known_plane(const DriverReply& reply) const;
 
   std::optional<WireCalibration> calibration_;
   bool pass_bodies_;
+  bool simulated_;  // may be
   HostHello host_;
   double period_s_;
   ChildProcess child_;
+  std::optional<LastWords> last_words_;  // until its input is closed
   DriverLog log_;
+  std::function<void(const std::string&)> say_;
   DriverHello hello_;
   Time start_ = Clock::now();
   std::int64_t seq_ = 0;
-  std::optional<double> sample_s_;  // of the last state, by the driver's clock
-  std::optional<double> tracker_s_;
-  double asked_s_ = 0.0;       // when the last request left …
-  double since_last_s_ = 0.0;  // … and how long after the one before
+  std::optional<double> sample_s_;  // of the last state, by the driver's clock …
+  Time sample_since_;               // … and when that came first
+  double asked_s_ = 0.0;            // when the last request left …
+  double since_last_s_ = 0.0;       // … and how long after the one before
   std::optional<BodyPoses> bodies_;
   bool seen_tilted_ = false;       // some body, which the log says once
   bool paced_ = false;             // the next sample is about a frame after it
+  int pace_frames_ = 0;            // since this was checked …
+  double pace_from_s_ = 0.0;       // … at this sample
   std::optional<Time> closed_at_;  // its input
   bool open_ = true;
 };

@@ -58,7 +58,9 @@ void DriverLog::write(const char* key, std::string_view line) {
   }
   const double at_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const std::string body = nlohmann::json::accept(line) ? std::string(line) : as_text(line);
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // which only a whole text may have
+  const bool is_json = !line.starts_with(kByteOrderMark) && nlohmann::json::accept(line);
+  const std::string body = is_json ? std::string(line) : as_text(line);
   const std::string text = fmt::format("{{\"at_s\": {:.6f}, \"{}\": {}}}\n", at_s, key, body);
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() ||
       std::fflush(file_.get()) != 0) {

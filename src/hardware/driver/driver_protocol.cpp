@@ -8,6 +8,7 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/printable.hpp"
 
 namespace limber {
 
@@ -207,7 +208,7 @@ std::string bye_line() {
   return Json{{"type", "bye"}}.dump();
 }
 
-std::string state_line(std::int64_t seq, const ArmState& state, std::optional<double> tracker_s,
+std::string state_line(std::int64_t seq, const ArmState& state,
                        const std::optional<BodyPoses>& bodies) {
   Json json = {{"type", "state"},
                {"seq", seq},
@@ -221,8 +222,8 @@ std::string state_line(std::int64_t seq, const ArmState& state, std::optional<do
   } else {
     json["backbone"] = state.backbone ? rows(*state.backbone) : Json(nullptr);
   }
-  if (tracker_s) {
-    json["tracker_t"] = *tracker_s;
+  if (state.tracker_s) {
+    json["tracker_t"] = *state.tracker_s;
   }
   return json.dump();
 }
@@ -238,8 +239,8 @@ DriverHello parse_driver_hello(std::string_view line, const HostHello& expected)
   require_type(root, "hello");
   require_protocol(root);
   DriverHello hello;
-  hello.driver = optional_text(root, "driver");
-  hello.device = optional_text(root, "device");
+  hello.driver = in_one_line(optional_text(root, "driver"));
+  hello.device = in_one_line(optional_text(root, "device"));
   hello.rate_hz = rate(root);
   if (!(std::abs(hello.rate_hz - expected.rate_hz) <= kRateTolerance * expected.rate_hz)) {
     root.at("rate_hz").refuse_found(
@@ -260,7 +261,8 @@ DriverReply parse_state(std::string_view line, const HostHello& arm) {
   const nlohmann::json json = parse_json_object(line, "state");
   const JsonReader root(json, "state");
   if (root.at("type").text() == "fault") {
-    throw SystemFault(fmt::format("it reports a fault: {}", optional_text(root, "message")));
+    throw SystemFault(
+        fmt::format("it reports a fault: {}", in_one_line(optional_text(root, "message"))));
   }
   require_type(root, "state");
   DriverReply reply;
@@ -273,7 +275,7 @@ DriverReply parse_state(std::string_view line, const HostHello& arm) {
   reply.state.backbone = backbone(root, arm.points);
   reply.bodies = bodies(root, arm.points);
   if (root.has("tracker_t") && !root.at("tracker_t").is_null()) {
-    reply.tracker_s = root.at("tracker_t").number(-kMaxTimeS, kMaxTimeS);
+    reply.state.tracker_s = root.at("tracker_t").number(-kMaxTimeS, kMaxTimeS);
   }
   return reply;
 }

@@ -1,9 +1,12 @@
 #include "limber/hardware/driver_run.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "limber/arm/names.hpp"
 #include "limber/hardware/run_origin.hpp"
 
 namespace limber {
@@ -62,13 +65,40 @@ std::optional<ForbiddenSetpoint> first_beyond(const Plan& plan,
   return std::nullopt;
 }
 
+std::optional<double> scale_within(const ArmDescription& arm,
+                                   const std::vector<PressureLimits>& allowed_kpa) {
+  constexpr double kSteps = 100.0;
+  double scale = 1.0;
+  for (std::size_t s = 0; s < allowed_kpa.size(); ++s) {
+    for (const double sign : {1.0, -1.0}) {
+      const double own = arm.segments[s].pressure_limit_kpa.side_kpa(sign);
+      if (own != 0.0) {
+        scale = std::min(scale, allowed_kpa[s].side_kpa(sign) / own);
+      }
+    }
+  }
+  constexpr double kRounding = 1e-9;  // of 0.3 times a hundred
+  const double down = std::floor(kSteps * scale + kRounding) / kSteps;
+  return down > 0.0 ? std::optional<double>(down) : std::nullopt;
+}
+
+std::string advice(const ShortReach& found, const ArmDescription& arm,
+                   const std::vector<PressureLimits>& allowed_kpa, const char* flag) {
+  const std::optional<double> scale = scale_within(arm, allowed_kpa);
+  return fmt::format("the driver allows {:.1f} kPa in {}, and motions ask for {:.1f} kPa; {}",
+                     found.allowed_kpa, segment_name(found.segment), found.wanted_kpa,
+                     scale ? fmt::format("{} stays within", fmt::format(fmt::runtime(flag), *scale))
+                           : "no scale stays within: say in the arm file which side has no "
+                             "pressure, as in pressure_limit_kpa: [0, 50]");
+}
+
 std::optional<ShortReach> first_short_reach(const ArmDescription& arm, double limit_scale,
                                             const std::vector<PressureLimits>& allowed_kpa) {
   for (std::size_t s = 0; s < allowed_kpa.size(); ++s) {
     for (const double sign : {1.0, -1.0}) {
       const double wanted = limit_scale * arm.segments[s].pressure_limit_kpa.side_kpa(sign);
       const double allowed = allowed_kpa[s].side_kpa(sign);
-      if (sign * allowed < sign * wanted) {
+      if (sign * allowed < sign * wanted - kSetpointRounding) {
         return ShortReach{static_cast<Eigen::Index>(s), wanted, allowed};
       }
     }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <deque>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -48,7 +50,7 @@ class DriverServer {
 
   void run() {
     std::string line;
-    if (settings_.at_once) {
+    if (answers_at_once()) {
       measured_ = advance(in_force_);
     }
     while (!done_) {
@@ -125,7 +127,21 @@ class DriverServer {
   /// A frame at the set points in force. @return the state that answers its request
   ArmState next_frame() {
     ArmState end = advance(in_force_);
-    return settings_.at_once ? std::exchange(measured_, std::move(end)) : end;
+    ArmState state = answers_at_once() ? std::exchange(measured_, std::move(end)) : std::move(end);
+    return settings_.sampled_s > 0.0 ? newest_sample(std::move(state)) : state;
+  }
+
+  bool answers_at_once() const { return settings_.at_once || settings_.sampled_s > 0.0; }
+
+  /// `now` where the tracker has seen the arm since the last request, else what it saw then.
+  ArmState newest_sample(ArmState now) {
+    const double since_s = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double sample_s = std::floor(since_s / settings_.sampled_s) * settings_.sampled_s;
+    if (!sample_ || sample_s > sample_->time_s) {
+      sample_ = std::move(now);
+      sample_->time_s = sample_s;
+    }
+    return *sample_;
   }
 
   void answer(const std::string& line) {
@@ -179,7 +195,7 @@ class DriverServer {
   }
 
   std::string to_line(std::int64_t seq, const ArmState& state) {
-    return state_line(seq, state, wire_.tracker_s(state), wire_.bodies(state)) + "\n";
+    return state_line(seq, state, wire_.bodies(state)) + "\n";
   }
 
   /// Whether the fault plays from this frame on.
@@ -306,7 +322,9 @@ class DriverServer {
   VirtualArm arm_;
   MisassembledWire wire_;
   LineReader input_;
-  ArmState measured_;  // at the end of the last frame, as on the wire
+  ArmState measured_;               // at the end of the last frame, as on the wire
+  std::optional<ArmState> sample_;  // that the tracker has seen last
+  Clock::time_point start_ = Clock::now();
   Pressures in_force_;
   std::deque<Pressures> were_in_force_;  // in the last frames, the one that is measured first
   Clock::time_point last_request_ = Clock::now();

@@ -1,8 +1,9 @@
 #include "limber/hardware/process_driver.hpp"
 
 #include <algorithm>
-#include <deque>
+#include <atomic>
 #include <optional>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 #include "limber/common/error.hpp"
 #include "limber/hardware/safety_gate.hpp"
 #include "punctual_thread.hpp"
-#include "vent_words.hpp"
+#include "vent_watch.hpp"
 
 namespace limber {
 
@@ -25,23 +26,14 @@ using std::chrono::milliseconds;
 
 constexpr auto kFirstReplyTime = milliseconds(2000);
 constexpr auto kSimulatedReplyTime = milliseconds(10000);  // of a driver that keeps no frames
-constexpr auto kLastWordsTime = milliseconds(500);         // of a broken driver, until it is killed
+constexpr auto kBrokenReplyTime = milliseconds(500);       // of a broken driver, at most
 constexpr double kReplyFrames = 2.0;                       // a state that takes longer is late
-constexpr double kSilenceFrames = 3.0;        // without a `set`: the driver has vented by itself
-constexpr std::size_t kSetpointsKept = 5;     // any of them may be in force
-constexpr double kSetpointRoundingKpa = 1.0;  // of a device that counts in steps
+constexpr double kSilenceFrames = 3.0;  // without a `set`: the driver has vented by itself
+
+std::atomic<bool> any_unconfirmed{false};
 
 double seconds(Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
-}
-
-std::vector<PressureLimits> limits_in_force(const ArmDescription& arm, double scale,
-                                            const DriverHello& hello) {
-  std::vector<PressureLimits> limits = limits_of(with_scaled_limits(arm, scale));
-  for (std::size_t s = 0; s < hello.limit_kpa.size(); ++s) {
-    limits[s] = limits[s].within(hello.limit_kpa[s]);
-  }
-  return limits;
 }
 
 void throw_if_wrong(const std::string& wrong) {
@@ -58,7 +50,7 @@ class ProcessDriver::Session {
   Session(const ArmDescription& arm, const ProcessDriverSettings& settings)
       : arm_(arm), settings_(settings), link_((prepare(arm, settings), arm), settings) {
     try {
-      limits_kpa_ = limits_in_force(arm_, settings.limit_scale, link_.exchange_hellos());
+      limits_kpa_ = limits_in_force(arm_, settings.limit_scale, link_.exchange_hellos().limit_kpa);
       gate_.emplace(arm_, limits_kpa_, settings.check_rate, settings.safety);
       watch_vent(kFirstReplyTime);
       require_vented();
@@ -73,6 +65,7 @@ class ProcessDriver::Session {
       link_.say_bye();
       link_.end();
     }
+    any_unconfirmed = any_unconfirmed || !vent_.confirmed;
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -84,11 +77,14 @@ class ProcessDriver::Session {
     require_size(setpoint_kpa);
     try {
       throw_if_wrong(gate_->check_command(setpoint_kpa));
+      throw_if_wrong(gate_->check_in_force(state_));  // of a vent: where a run begins
       wait_for_slot();
       resting_ = false;
       exchange(setpoint_kpa);
-      require_setpoint_in_force();
-      throw_if_wrong(gate_->check_state(state_));
+      throw_if_wrong(own_vent_.has_vented(state_)
+                         ? "the driver has vented by itself: its set point in force is zero"
+                         : "");
+      throw_if_wrong(advised(gate_->check_state(state_)));
     } catch (const BrokenDriver& broken) {
       stop_broken(broken.what());
     } catch (const SystemFault& fault) {
@@ -141,9 +137,15 @@ class ProcessDriver::Session {
     }
   }
 
-  void abandon() {
+  void abandon(bool killed) {
+    if (killed) {
+      link_.kill();
+    }
     fault_ = "the driver was abandoned";
     link_.end();
+    if (link_.is_left_running()) {
+      throw SystemFault("the driver can't be started again while it runs");
+    }
   }
 
   const ArmState& first_state() const { return first_state_; }
@@ -162,6 +164,16 @@ class ProcessDriver::Session {
   }
 
   bool real_time() const { return link_.hello().real_time; }
+
+  /// What is measured wrongly may be measured right, in another order, unit or frame.
+  std::string advised(std::string wrong) const {
+    if (!wrong.empty() && !settings_.calibration) {
+      wrong +=
+          ". If this driver was never calibrated: limber driver calibrate finds the order and the "
+          "signs of its channels and the frame of its tracker (docs/first_day.md)";
+    }
+    return wrong;
+  }
 
   Clock::duration frames(double count) const {
     return std::chrono::duration_cast<Clock::duration>(
@@ -206,53 +218,34 @@ class ProcessDriver::Session {
   }
 
   void exchange(const Eigen::Ref<const Pressures>& setpoint_kpa) {
-    setpoints_kpa_.push_front(setpoint_kpa);
-    if (setpoints_kpa_.size() > kSetpointsKept) {
-      setpoints_kpa_.pop_back();
-    }
+    own_vent_.note_sent(setpoint_kpa);
     asked_ = Clock::now();
     const double sent_s = link_.since_start_s();
     state_ = link_.set(setpoint_kpa, reply_time());
-    timing_.last = {sent_s, link_.since_start_s(), link_.tracker_s(), link_.bodies()};
+    timing_.last = {sent_s, link_.since_start_s(), link_.bodies()};
     timing_.round_trip_s.push_back(seconds(Clock::now() - asked_));
     timing_.frames_unseen += hello().tracked && !state_.backbone && !link_.bodies() ? 1 : 0;
-  }
-
-  /// A driver that is at zero though nothing was zero recently has vented by its own deadman.
-  void require_setpoint_in_force() const {
-    if (!state_.setpoint_kpa || !state_.setpoint_kpa->isZero() ||
-        setpoints_kpa_.size() < kSetpointsKept) {
-      return;
-    }
-    for (const Pressures& sent : setpoints_kpa_) {
-      if (sent.cwiseAbs().maxCoeff() <= kSetpointRoundingKpa) {
-        return;
-      }
-    }
-    throw SystemFault("the driver has vented by itself: its set point in force is zero");
   }
 
   /// Vents, and watches the pressures come down.
   void watch_vent(Clock::duration first_reply_time) {
     const Time start = Clock::now();
     running_ = false;
-    setpoints_kpa_.clear();
+    own_vent_.clear();
     link_.forget_pace();
     link_.wait_quietly(start);
     asked_ = start;
     state_ = link_.vent(first_reply_time);
-    const Pressures first = state_.pressure_kpa;
     if (!started_) {
       first_state_ = state_;
     }
-    std::string rising;
+    VentWatch watch(settings_.safety, resting_);
     Time slot = Clock::now();
     for (int frame = 0;; ++frame) {
       // Simulated time counts where the driver runs as fast as it is asked.
-      note_pressures(real_time() ? seconds(Clock::now() - start) : frame * arm_.frame_period_s());
-      rising = rising.empty() ? what_rose(first, state_.pressure_kpa, settings_.safety.rise_kpa)
-                              : rising;
-      if (vent_.confirmed || vent_.after_s >= settings_.safety.vent_time_s) {
+      watch.note(state_,
+                 real_time() ? seconds(Clock::now() - start) : frame * arm_.frame_period_s());
+      if (watch.is_over()) {
         break;
       }
       slot = real_time() ? slot + frames(1.0) : Clock::now();
@@ -260,22 +253,15 @@ class ProcessDriver::Session {
       asked_ = Clock::now();
       state_ = link_.vent(reply_time());
     }
-    const bool was_resting = std::exchange(resting_, true);
+    end_vent(watch);
     punctual_.reset();
     gate_->note_vented(state_);
-    report_vent(rising, was_resting);
   }
 
-  void note_pressures(double after_s) {
-    vent_.pressure_kpa = state_.pressure_kpa.cwiseAbs().maxCoeff();
-    vent_.after_s = after_s;
-    vent_.confirmed = vent_.pressure_kpa <= settings_.safety.vented_kpa;
-  }
-
-  void report_vent(const std::string& rising, bool was_resting) {
-    vent_.message = vent_message(vent_, state_.pressure_kpa, rising);
+  void end_vent(const VentWatch& watch) {
+    vent_ = watch.result(state_.pressure_kpa);
     // Before the first run, and where the arm was at rest, nothing was to be vented.
-    if (!was_resting || !vent_.confirmed) {
+    if (!std::exchange(resting_, true) || !vent_.confirmed) {
       say(vent_.message);
     }
   }
@@ -298,32 +284,43 @@ class ProcessDriver::Session {
     }
   }
 
-  /// Vents a driver whose answers can't be trusted, ends it and throws.
+  /// Vents a driver that broke the protocol, ends it and throws.
   [[noreturn]] void stop_broken(const std::string& why) {
     fault_ = fmt::format("driver '{}' {}", settings_.command, why);
     link_.log().note(fault_);
     if (link_.is_open()) {
-      const Time start = Clock::now();
-      const std::optional<ArmState> last = link_.vent_and_close(start + kLastWordsTime);
-      if (last) {
-        state_ = *last;
-        note_pressures(seconds(Clock::now() - start));
-      }
+      watch_broken_vent();
       link_.end();
-      if (started_ && !resting_) {
-        report_last(last.has_value());
-      }
     }
     throw SystemFault(fault_);
   }
 
-  void report_last(bool answered) {
-    if (answered) {
-      return report_vent("", false);
+  /// As long as it answers in time, it is watched until it has vented. One that does not reads the
+  /// end of its input at once, and may still say what it measures.
+  void watch_broken_vent() {
+    VentWatch watch(settings_.safety, resting_);
+    const Time start = Clock::now();
+    const auto note = [&](std::optional<ArmState> answer) {
+      if (answer) {
+        state_ = std::move(*answer);
+        watch.note(state_, seconds(Clock::now() - start));
+      }
+      return answer.has_value();
+    };
+    const auto in_time = std::min(reply_time(), Clock::duration(kBrokenReplyTime));
+    Time sent;
+    do {
+      std::this_thread::sleep_until(sent + frames(1.0));
+      sent = Clock::now();
+      link_.send_vent();
+    } while (note(link_.vent_answer(sent + in_time)) && !watch.is_over());
+    link_.close_input();
+    if (!watch.is_over()) {
+      (void)note(link_.vent_answer(sent + kBrokenReplyTime));
     }
-    vent_.confirmed = false;
-    vent_.message = "VENT NOT CONFIRMED: the driver does not answer, shut off the supply";
-    say(vent_.message);
+    if (started_ && !resting_) {
+      end_vent(watch);
+    }
   }
 
   ArmDescription arm_;
@@ -335,7 +332,7 @@ class ProcessDriver::Session {
   ArmState first_state_;
   DriverTiming timing_;
   VentResult vent_;
-  std::deque<Pressures> setpoints_kpa_;  // the last ones sent, newest first
+  OwnVentWatch own_vent_;
   std::string fault_;
   Time slot_;
   Time asked_;                              // of the last request
@@ -373,8 +370,8 @@ ArmState ProcessDriver::read_after_silence(double seconds) {
   return session_->read_after_silence(seconds);
 }
 
-void ProcessDriver::abandon() {
-  session_->abandon();
+void ProcessDriver::abandon(bool killed) {
+  session_->abandon(killed);
 }
 
 const ArmState& ProcessDriver::first_state() const {
@@ -391,6 +388,10 @@ const DriverTiming& ProcessDriver::timing() const {
 
 const VentResult& ProcessDriver::last_vent() const {
   return session_->last_vent();
+}
+
+bool ProcessDriver::was_any_left_unsafe() {
+  return any_unconfirmed || ChildProcess::was_any_left();
 }
 
 const std::vector<PressureLimits>& ProcessDriver::limits_kpa() const {

@@ -22,6 +22,19 @@ double limit_of(const PressureLimits& limits, double kpa) {
   return limits.is_symmetric() ? limits.upper_kpa : limits.side_kpa(kpa);
 }
 
+/// Where a shape can't be the arm's: it is in another unit, or of markers in another order.
+std::string another_scale(const Backbone& shape, double arm_length_m) {
+  constexpr double kMaxFactor = 1.5;  // what strains and chords make of a length
+  const Eigen::Index gaps = shape.rows() - 1;
+  const double length_m =
+      (shape.bottomRows(gaps) - shape.topRows(gaps)).leftCols<2>().rowwise().norm().sum();
+  if (length_m < kMaxFactor * arm_length_m && kMaxFactor * length_m > arm_length_m) {
+    return "";
+  }
+  return fmt::format(". The shape is {:.3g} m long from plate to plate, and the arm {:.3g} m",
+                     length_m, arm_length_m);
+}
+
 }  // namespace
 
 SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> limits_kpa,
@@ -30,26 +43,34 @@ SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> li
       limits_kpa_(std::move(limits_kpa)),
       check_rate_(check_rate),
       settings_(settings),
+      largest_jump_m_(largest_jump_m(settings, arm)),
       setpoint_kpa_(Pressures::Zero(arm.segment_count())),
       reference_kpa_(Pressures::Zero(arm.segment_count())),
       frames_off_(arm.segments.size(), 0),
       history_{{setpoint_kpa_, reference_kpa_, reference_kpa_}} {}
 
 std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
+  if (setpoint_kpa.size() != arm_.segment_count()) {
+    return fmt::format("{} set points; arm '{}' has {} segments. They were not sent",
+                       setpoint_kpa.size(), arm_.name, arm_.segment_count());
+  }
   const double step_kpa = arm_.pressure_step_limit_kpa();
+  const std::string& unit = arm_.command.unit;
   for (int s = 0; s < arm_.segment_count(); ++s) {
     const double value = setpoint_kpa[s];
     const PressureLimits& limits = limits_kpa(s);
     if (!(value >= limits.lower_kpa - kRoundingKpa && value <= limits.upper_kpa + kRoundingKpa)) {
-      return fmt::format("set point of {} is {:.2f} kPa; its limit is {:.2f} kPa. It was not sent",
-                         segment_name(s), value, limit_of(limits, value));
+      return fmt::format(
+          "set point of {} is {:.2f} {unit}; its limit is {:.2f} {unit}. It was not "
+          "sent",
+          segment_name(s), value, limit_of(limits, value), fmt::arg("unit", unit));
     }
     const double change_kpa = value - static_cast<double>(setpoint_kpa_[s]);
     if (check_rate_ && !(std::abs(change_kpa) <= step_kpa + kRoundingKpa)) {
       return fmt::format(
-          "set point of {} goes from {:.2f} to {:.2f} kPa in a frame; the arm's rate limit allows "
-          "{:.2f} kPa. It was not sent",
-          segment_name(s), setpoint_kpa_[s], value, step_kpa);
+          "set point of {} goes from {:.2f} to {:.2f} {unit} in a frame; the arm's rate limit "
+          "allows {:.2f} {unit}. It was not sent",
+          segment_name(s), setpoint_kpa_[s], value, step_kpa, fmt::arg("unit", unit));
     }
   }
   setpoint_kpa_ = setpoint_kpa;
@@ -71,24 +92,32 @@ void SafetyGate::note_vented(const ArmState& state) {
   frames_unseen_ = 0;
 }
 
-std::string SafetyGate::over_limit(const ArmState& state) const {
+std::string SafetyGate::check_in_force(const ArmState& state) const {
+  return state.setpoint_kpa ? over_limit(*state.setpoint_kpa, "reports a set point in force of")
+                            : "";
+}
+
+std::string SafetyGate::over_limit(const Pressures& kpa, const char* what) const {
   for (int s = 0; s < arm_.segment_count(); ++s) {
     const double own_kpa =
         arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa.largest_kpa();
     const double excess_kpa = settings_.over_limit_percent / 100.0 * own_kpa;
     const PressureLimits& limits = limits_kpa(s);
-    const double value = state.pressure_kpa[s];
+    const double value = kpa[s];
     if (value > limits.upper_kpa + excess_kpa || value < limits.lower_kpa - excess_kpa) {
       return fmt::format(
-          "{} is at {:.1f} kPa; its limit is {:.1f} kPa, with {:.1f} kPa allowed beyond",
-          segment_name(s), value, limit_of(limits, value), excess_kpa);
+          "{} {} {:.1f} kPa; its limit is {:.1f} kPa, with {:.1f} kPa allowed beyond",
+          segment_name(s), what, value, limit_of(limits, value), excess_kpa);
     }
   }
   return "";
 }
 
 std::string SafetyGate::check_shape(const ArmState& state) {
-  std::string wrong = over_limit(state);
+  std::string wrong = over_limit(state.pressure_kpa, "is at");
+  if (wrong.empty()) {
+    wrong = check_in_force(state);
+  }
   ++frames_unseen_;
   if (!wrong.empty() || !state.backbone) {
     return wrong;
@@ -107,12 +136,12 @@ std::string SafetyGate::check_shape(const ArmState& state) {
     }
     if (backbone_) {
       const double moved_m = (now.row(i) - backbone_->row(i)).head<2>().norm();
-      if (moved_m > settings_.jump_m * frames) {
+      if (moved_m > largest_jump_m_ * frames) {
         return fmt::format(
             "{} jumped by {:.2f} cm within {} frame{}; more than {:.2f} cm per frame counts as no "
-            "motion of this arm (jump_m of the mapping safety in the arm file, docs/hardware.md)",
+            "motion of this arm (jump_m of the mapping safety in the arm file, docs/hardware.md){}",
             plate_name(i), kCmPerM * moved_m, frames, frames == 1 ? "" : "s",
-            kCmPerM * settings_.jump_m);
+            kCmPerM * largest_jump_m_, another_scale(now, arm_.length_m()));
       }
     }
   }

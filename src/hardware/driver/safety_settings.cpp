@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 
@@ -44,7 +45,9 @@ SafetySettings load_safety(const std::filesystem::path& arm_file) {
   take("following_error_kpa", "a pressure in kPa", 1e4, safety.following_error_kpa);
   take("following_time_s", "seconds", 60.0, safety.following_time_s);
   take("stuck_change_kpa", "a pressure in kPa", 1e4, safety.stuck_change_kpa);
-  take("jump_m", "a length in metres", 10.0, safety.jump_m);
+  if (node.has("jump_m")) {
+    take("jump_m", "a length in metres", 10.0, safety.jump_m.emplace());
+  }
   take("rise_kpa", "a pressure in kPa", 1e4, safety.rise_kpa);
   take("vented_kpa", "a pressure in kPa", 50.0, safety.vented_kpa);
   take("vent_time_s", "seconds", 60.0, safety.vent_time_s);
@@ -52,6 +55,11 @@ SafetySettings load_safety(const std::filesystem::path& arm_file) {
     safety.fence = read_fence(node.at("fence"));
   }
   return safety;
+}
+
+double largest_jump_m(const SafetySettings& safety, const ArmDescription& arm) {
+  constexpr double kLengthsPerS = 4.0;
+  return safety.jump_m.value_or(kLengthsPerS * arm.length_m() * arm.frame_period_s());
 }
 
 ArmDescription with_scaled_limits(const ArmDescription& arm, double scale) {
@@ -63,6 +71,15 @@ ArmDescription with_scaled_limits(const ArmDescription& arm, double scale) {
     segment.pressure_limit_kpa *= scale;
   }
   return scaled;
+}
+
+std::vector<PressureLimits> limits_in_force(const ArmDescription& arm, double scale,
+                                            const std::vector<PressureLimits>& drivers_own) {
+  std::vector<PressureLimits> limits = limits_of(with_scaled_limits(arm, scale));
+  for (std::size_t s = 0; s < drivers_own.size(); ++s) {
+    limits[s] = limits[s].within(drivers_own[s]);
+  }
+  return limits;
 }
 
 }  // namespace limber

@@ -8,6 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
+#include "margin_yield.hpp"
 #include "smaller_clearances.hpp"
 
 namespace limber {
@@ -40,14 +41,16 @@ void require_waypoints(const PlanningProblem& problem, const std::vector<Pressur
 
 }  // namespace
 
-PlanResult plan_along(const PlanningProblem& problem, const std::vector<Pressures>& waypoints_kpa,
+PlanResult plan_along(const PlanningProblem& given, const std::vector<Pressures>& waypoints_kpa,
                       const std::string& planner, std::uint64_t seed) {
   const auto start = std::chrono::steady_clock::now();
-  require_margin(problem.margin_m);
-  require_goal_margin(problem.goal_margin);
-  require_limits(problem.limits, problem.arm);
-  require_waypoints(problem, waypoints_kpa);
+  require_margin(given.margin_m);
+  require_goal_margin(given.goal_margin);
+  require_limits(given.limits, given.arm);
+  require_waypoints(given, waypoints_kpa);
+  PlanningProblem problem = given;
   PlanResult result;
+  yield_to_start(problem, result.warnings);
   ProblemCheck check = find_refusal(problem, checker_of(problem));
   if (check.refusal) {
     result.status = *check.refusal;
@@ -55,7 +58,9 @@ PlanResult plan_along(const PlanningProblem& problem, const std::vector<Pressure
     return result;
   }
   AskedProblem asked(problem);
+  const std::vector<std::string> notes = std::move(result.warnings);
   result = certified_along(problem, asked, waypoints_kpa, planner, seed);
+  result.warnings.insert(result.warnings.begin(), notes.begin(), notes.end());
   if (result.status == PlanStatus::limit) {  // refused before its certificate was asked
     result.status = PlanStatus::not_certified;
   }

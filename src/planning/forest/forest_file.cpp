@@ -137,6 +137,9 @@ Forest read_forest(const std::filesystem::path& path) {
   forest.key = {reader.text("arm_hash"), reader.text("model_hash"), reader.text("valves_hash"),
                 reader.text("start_hash")};
   forest.arm_description = reader.text_or_none("arm_description");
+  if (!forest.arm_description.empty()) {
+    (void)read_arm_keys(forest.arm_description, path.string() + ": metadata arm_description");
+  }
   forest.parents = parents_of(reader);
   const Tensor& setpoints = reader.tensor("setpoints_kpa", 2);
   const auto segments = static_cast<Eigen::Index>(setpoints.shape[1]);

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "certified_frame.hpp"
 #include "goal_lengths.hpp"
+#include "limber/arm/plate_distance.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/trial/plan_trial.hpp"
 #include "motion_guide.hpp"
@@ -15,10 +17,15 @@ namespace limber {
 namespace {
 
 constexpr double kRestS = 0.5;
-constexpr double kSettleS = 0.25;       // of a hold: the arm comes to where its plan ends
-constexpr double kWellInside = 0.05;    // of the tolerance: left alone
+constexpr double kSettleS = 0.25;     // of a hold: the arm comes to where its plan ends
+constexpr double kWellInside = 0.05;  // of the tolerance: left alone
+/// Of the arm's length, per frame: 2 mm of the arm of the paper. An arm that slid on at 1.4 cm per
+/// frame was led to the goal by where it was, and struck what its plan passed.
+constexpr double kStillM = 0.00284;
 constexpr double kStillS = 0.5;         // at a hold's end, for the arm to come to rest
 constexpr double kRoomOfLeading = 1.0;  // of the room for the model's error: kept from obstacles
+constexpr double kRoomOfFrames = 0.25;  // of the room for the model's error: kept in every frame
+constexpr double kLongestWaitS = 0.5;   // in mid-motion; then the plan is left
 constexpr int kLedOn = 3;               // times that an arm short of its goal is led on
 constexpr double kCheckS = 0.5;  // most of what an arm that is held still moves is over by then
 /// Of the arm's length: what a plate is measured beside where the filter believes the arm can have
@@ -65,6 +72,11 @@ struct ClosedLoop::Motion {
                   MotionGuideSettings{settings.motion_queries, settings.corrections.min_gain_m,
                                       settings.corrections.limits},
                   *planner, certificate_check(arm, model), seed);
+    if (model.has_network()) {
+      for (std::optional<CertifiedFrame>* one : {&gate, &advice_gate}) {
+        one->emplace(arm, model, now, kRoomOfFrames * room.margin_m, settings.corrections.limits);
+      }
+    }
     aim = goal = now.goal;
   }
 
@@ -106,11 +118,29 @@ struct ClosedLoop::Motion {
            corrections->clearance_m(shape) >= kRoomOfLeading * room.margin_m;
   }
 
+  /// Whether friction and valves still carry it on: where it is now says little of where it ends.
+  bool is_moving() const {
+    const MotionState& now = estimate.state();
+    return now.before.size() > 0 &&
+           largest_plate_distance_m(now.before, now.backbone) > kStillM * arm.length_m();
+  }
+
   /// An arm that rests short of the goal where its plan has it inside.
   bool is_led_on(const Plan& plan, std::size_t frame, const ArmState& state) const {
     return state.backbone && is_led(plan) && settings.corrections.max_replans > 0 &&
            times_led_on < kLedOn && frame + 1 == plan.frames.size() &&
            !is_in_goal(*state.backbone) && may_be_led_to_goal(plan, *state.backbone);
+  }
+
+  /// Whether the arm, if it is halted now, comes to rest free.
+  bool may_stop() { return !gate || !estimate.has_state() || gate->may_stop(estimate.state()); }
+
+  /// Whether the rest of a plan is certified for an arm that had its frame `next` after `now`. It
+  /// is led along that, while nothing corrects an arm that is halted.
+  bool leads_on(const Plan& plan, std::size_t next, MotionState now) {
+    MotionModel::Workspace workspace;
+    model.step(plan.frames[next].setpoint_kpa, now, workspace);
+    return advice_gate && advice_gate->leads_on(now, plan, next);
   }
 
   bool is_blind() const { return estimate.frames_unseen() > arm.frames_in(settings.blind_s); }
@@ -129,8 +159,11 @@ struct ClosedLoop::Motion {
   std::mutex estimate_mutex;  // of both: in real time the arm is observed while `next` searches
   std::optional<Replanner> corrections;
   std::optional<MotionGuide> guide;
-  PoseGoal aim;   // of the plan that is followed
-  PoseGoal goal;  // of the environment
+  std::optional<CertifiedFrame> gate;  // none without memory: that predicts from pressures alone
+  std::optional<CertifiedFrame> advice_gate;  // the same, for the thread of advice
+  int waited = 0;  // frames in a row in which the arm was held in mid-motion
+  PoseGoal aim;    // of the plan that is followed
+  PoseGoal goal;   // of the environment
   /// It starts at rest, and its goal is shifted by what the model has a held arm do: that is not
   /// missed once more.
   bool is_correction = false;
@@ -152,9 +185,28 @@ void ClosedLoop::observe(const Pressures& setpoint_kpa, const ArmState& state) {
   motion_->rest.observe(state.backbone);
 }
 
+/// What leads the arm, the plan's own, or what the arm has: the first of these that is certified.
+FrameSetpoint ClosedLoop::setpoint(const Plan& plan, std::size_t frame, std::size_t next) {
+  Motion& motion = *motion_;
+  const Pressures led_kpa = led_setpoint(plan, frame, next);
+  if (!motion.gate || !motion.estimate.has_state()) {
+    return {led_kpa, next};
+  }
+  const bool is_over = next + static_cast<std::size_t>(plan.hold_frame_count) >= plan.frames.size();
+  const std::size_t following = std::min(frame + 1, plan.frames.size() - 1);
+  const CertifiedFrame::Sent sent =
+      motion.gate->next(motion.estimate.state(), plan,
+                        {{led_kpa, next},
+                         {plan.frames[following].setpoint_kpa, following},
+                         {plan.frames[frame].setpoint_kpa, is_over ? next : frame}});
+  const std::size_t reached = sent.frame.value_or(is_over ? next : frame);
+  motion.waited = reached == frame ? motion.waited + 1 : 0;
+  return {sent.kpa, reached, sent.is_certified};
+}
+
 /// Along the plan's shapes; when it has ended, into the goal. An arm that waits is left alone, and
 /// so is one that is well inside, or has to come to rest before corrections begin.
-Pressures ClosedLoop::setpoint(const Plan& plan, std::size_t frame, std::size_t next) {
+Pressures ClosedLoop::led_setpoint(const Plan& plan, std::size_t frame, std::size_t next) {
   Motion& motion = *motion_;
   const Pressures& held_kpa = plan.frames[frame].setpoint_kpa;
   if (!motion.is_led(plan)) {
@@ -171,7 +223,7 @@ Pressures ClosedLoop::setpoint(const Plan& plan, std::size_t frame, std::size_t 
   const int held = static_cast<int>(next) + plan.hold_frame_count - plan.frame_count();
   const int settles = motion.times_led_on > 0 ? 0 : motion.arm.frames_in(kSettleS);
   const bool is_seen = motion.estimate.frames_unseen() == 0;
-  if (held < settles) {
+  if (held < settles || motion.is_moving()) {
     if (is_seen) {
       motion.follower.learn(plan.frames[frame].backbone, shape);
     }
@@ -202,12 +254,18 @@ std::function<MotionAdvice()> ClosedLoop::advise(const Plan& plan, std::size_t n
   return [&motion, plan, next, now = motion.estimate.state(),
           miss = motion.is_correction ? ModelMiss{} : motion.estimate.miss(),
           follower = motion.is_led(plan) ? std::optional(motion.follower) : std::nullopt] {
-    return motion.guide->advise(plan, next, motion.aim, now, miss, follower);
+    MotionAdvice advice = motion.guide->advise(plan, next, motion.aim, now, miss, follower);
+    if (advice.kind == MotionAdvice::Kind::stop && motion.leads_on(plan, next, now)) {
+      return MotionAdvice{.has_searched = true};
+    }
+    return advice;
   };
 }
 
 bool ClosedLoop::may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) {
-  return motion_->corrections->may_go_on(plan, frame, state);
+  return (motion_->waited <= motion_->arm.frames_in(kLongestWaitS) &&
+          motion_->corrections->may_go_on(plan, frame, state)) ||
+         !motion_->may_stop();
 }
 
 std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const ArmState& state) {
@@ -219,7 +277,11 @@ std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const 
   motion_->aim = motion_->corrections->aim();
   motion_->is_correction = motion_->model.has_network() && motion_->corrections->is_correction();
   motion_->times_led_on = 0;
+  motion_->waited = 0;
   motion_->followed = nullptr;
+  if (motion_->gate) {
+    motion_->gate->forget();
+  }
   const std::lock_guard lock(motion_->estimate_mutex);
   motion_->estimate.forget_miss();
   return found;

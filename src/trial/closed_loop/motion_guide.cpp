@@ -28,6 +28,9 @@ constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at
 /// Of the arm's length: a plate that is farther from where its plan has it holds the plan up. 3 cm
 /// of the arm of the paper.
 constexpr double kOffPlan = 0.043;
+/// Or of what the plan keeps from obstacles, where that is less: arms with more friction than the
+/// model knows slide off their plan by centimetres within a few frames.
+constexpr double kOfClearance = 0.25;
 constexpr double kHaltS = 1.0;  // that an arm takes to come to rest
 
 std::vector<Pressures> setpoints_after(const Plan& plan, std::size_t next) {
@@ -187,8 +190,9 @@ bool MotionGuide::is_free(const Plan& plan, std::size_t next, std::size_t frames
                           const Backbone& off) const {
   const CollisionChecker checker(arm_, environment_.obstacles, needed_m(plan),
                                  room_in_motion(plan, kRoomInMotion));
-  Backbone before = plan.frames[next - 1].backbone + off;
-  for (std::size_t k = next; k < next + frames; ++k) {
+  const std::size_t first = std::max<std::size_t>(next, 1);  // 0: the arm waits in the start
+  Backbone before = plan.frames[first - 1].backbone + off;
+  for (std::size_t k = first; k < next + frames; ++k) {
     Backbone now = plan.frames[k].backbone + off;
     if (!(checker.motion_clearance(before, now).value_m > 0.0)) {
       return false;
@@ -206,7 +210,9 @@ std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next
   if (!is_free(plan, next, rest, on_plan) || !is_free(plan, next, soon, follower.off_plan())) {
     return std::nullopt;
   }
-  has_waited_ = !has_waited_ && follower.farthest_m() > kOffPlan * arm_.length_m();
+  const double off_m = std::min(kOffPlan * arm_.length_m(),
+                                kOfClearance * std::max(plan.clearance_m, room_.margin_m));
+  has_waited_ = !has_waited_ && follower.farthest_m() > off_m;
   return MotionAdvice{has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
 }
 

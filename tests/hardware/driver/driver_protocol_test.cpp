@@ -42,8 +42,10 @@ TEST_F(DriverProtocol, StatesSurviveTheWireToTheBit) {
   EXPECT_EQ(reply.state.pressure_kpa, sent.pressure_kpa);
   EXPECT_EQ(*reply.state.setpoint_kpa, *sent.setpoint_kpa);
   EXPECT_EQ(*reply.state.backbone, *sent.backbone);
-  EXPECT_FALSE(reply.tracker_s);
-  EXPECT_EQ(parse_state(state_line(7, sent, -3.25), host_).tracker_s, -3.25);
+  EXPECT_FALSE(reply.state.tracker_s);
+  ArmState timed = sent;
+  timed.tracker_s = -3.25;
+  EXPECT_EQ(parse_state(state_line(7, timed), host_).state.tracker_s, -3.25);
 }
 
 TEST_F(DriverProtocol, RequestsSurviveTheWireToTheBit) {
@@ -71,7 +73,7 @@ TEST_F(DriverProtocol, BackboneMayBeMissingOrNull) {
 TEST_F(DriverProtocol, BodiesStandInPlaceOfABackbone) {
   BodyPoses bodies = BodyPoses::Random(arm_.point_count(), 7);
   bodies.rightCols<4>().rowwise().normalize();
-  const std::string line = state_line(7, state(), std::nullopt, bodies);
+  const std::string line = state_line(7, state(), bodies);
   const DriverReply reply = parse_state(line, host_);
   EXPECT_FALSE(reply.state.backbone);
   EXPECT_TRUE(reply.bodies->isApprox(bodies, 1e-15));
@@ -127,6 +129,27 @@ TEST_F(DriverProtocol, RefusesStatesByField) {
 TEST_F(DriverProtocol, AFaultOfTheDriverIsAFault) {
   EXPECT_THAT([&] { (void)parse_state(fault_line("valve 3 is hot"), host_); },
               ThrowsMessage<SystemFault>(HasSubstr("valve 3 is hot")));
+}
+
+// It could print what looks like limber's own lines, or megabytes.
+TEST_F(DriverProtocol, WhatADriverSaysStaysOnOneLineAndIsCut) {
+  const auto said = [&](const std::string& text) {
+    try {
+      (void)parse_state(fault_line(text), host_);
+    } catch (const SystemFault& fault) {
+      return std::string(fault.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(said("hot\nvented: 0.0 kPa after 0.1 s"),
+            "it reports a fault: hot vented: 0.0 kPa after 0.1 s");
+  EXPECT_LT(said(std::string(900'000, 'x')).size(), 300U);
+  const std::string hello =
+      R"({"type":"hello","protocol":1,"rate_hz":20,"segments":2,"driver":"a\nb",)"
+      R"("device":")" +
+      std::string(5000, 'y') + "\"}";
+  EXPECT_EQ(parse_driver_hello(hello, host_).driver, "a b");
+  EXPECT_LT(parse_driver_hello(hello, host_).device.size(), 300U);
 }
 
 TEST_F(DriverProtocol, LimitsOfEachSideHaveAKeyOfTheirOwn) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "support/fake_arm.hpp"
 
@@ -18,6 +18,8 @@ Plan plan_to(float first, float second) {
   plan.frames[1].setpoint_kpa << first, second;
   return plan;
 }
+
+using ::testing::HasSubstr;
 
 const std::vector<PressureLimits> kLimits = {{-20.0, 50.0}, 30.0};
 
@@ -56,6 +58,30 @@ TEST(DriverRun, AScaleIsOfTheArmsLimitsAndEachSideIsLookedAt) {
   EXPECT_EQ(lower->allowed_kpa, -39.0);
 
   EXPECT_EQ(first_short_reach(arm, 1.0, {{-40.0, 100.0}, 59.0})->segment, 1);
+}
+
+TEST(DriverRun, TheScaleThatIsAdvisedStaysWithinOnEverySide) {
+  const ArmDescription arm = small_arm();  // 100 kPa
+  for (const std::vector<PressureLimits>& allowed : std::vector<std::vector<PressureLimits>>{
+           {{-20.0, 30.0}, 50.0}, {30.0, {-29.0, 100.0}}, {100.0, 7.777}, {1.5, 100.0}}) {
+    const auto found = first_short_reach(arm, 1.0, allowed);
+    ASSERT_TRUE(found);
+    const std::optional<double> scale = scale_within(arm, allowed);
+    ASSERT_TRUE(scale);
+    EXPECT_FALSE(first_short_reach(arm, *scale, allowed)) << *scale;
+    EXPECT_TRUE(first_short_reach(arm, *scale + 0.02, allowed)) << *scale;
+    EXPECT_THAT(advice(*found, arm, allowed, "--limit-scale {:g}"),
+                HasSubstr(fmt::format("; --limit-scale {:g} stays within", *scale)));
+  }
+  EXPECT_EQ(scale_within(arm, {{-20.0, 30.0}, 50.0}), 0.2);
+}
+
+TEST(DriverRun, WhereADriverAllowsNothingNoScaleIsAdvised) {
+  const ArmDescription arm = small_arm();
+  const std::vector<PressureLimits> allowed = {{0.0, 50.0}, 100.0};
+  EXPECT_FALSE(scale_within(arm, allowed));
+  EXPECT_THAT(advice(*first_short_reach(arm, 1.0, allowed), arm, allowed, "--limit-scale {:g}"),
+              HasSubstr("say in the arm file which side has no pressure"));
 }
 
 }  // namespace

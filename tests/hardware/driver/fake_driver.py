@@ -13,6 +13,7 @@ pressures = [0.0, 0.0]
 setpoints = [0.0, 0.0]
 clock = 100.0
 sets = 0
+vents = 0
 
 
 def note(event):
@@ -66,8 +67,21 @@ def answer_wrongly(request):
             send(whole)
     elif fault == "clock":
         send(state(request, t=clock - 1.0))
+    elif fault == "bom":
+        send("\ufeff" + whole)
+    elif fault == "frozen":
+        send(state(request, t=101.0))
+    elif fault == "group":
+        os.setpgid(0, os.getpgid(os.getppid()))  # limber's
+        os.kill(os.getpid(), signal.SIGSTOP)
     elif fault == "milliseconds":
         send(state(request, t=clock + 50.0))
+    elif fault == "nanosecond":
+        send(state(request, t=clock - 0.05 + 1e-9))
+    elif fault == "twice":
+        send('{"type": "fault", "message": "valve 3 is hot", ' + whole[1:])
+    elif fault == "told":
+        send(state(request, setpoint_kpa=[0.0, 99999.0]))
     elif fault == "fault":
         send(json.dumps({"type": "fault", "message": "valve 3 is hot"}))
     elif fault == "released":
@@ -83,6 +97,8 @@ def vented():
         return [101.3, 101.2]
     if fault == "sealed" and sets > 0:
         return pressures
+    if fault == "overtaken" and sets > 0:  # the first sample is of before
+        return [24.0, 0.0] if 1 < vents < 5 else [0.0, 0.0]
     return [0.0, 0.0] if sets == 0 else [p * 0.5 for p in pressures]
 
 
@@ -92,7 +108,11 @@ if fault == "mute":
 for line in sys.stdin:
     request = json.loads(line)
     note(request["type"])
-    clock += 0.05
+    if request["type"] == "vent":
+        vents = vents + 1 if sets > 0 else 0
+    # A vent right behind a set overtakes the sampling.
+    if fault != "overtaken" or request["type"] != "vent" or vents != 1:
+        clock += 5e-5 if fault == "crawling" else 0.05
     if request["type"] == "hello":
         wrong = 3 if fault == "hello" else 2
         send(json.dumps({
@@ -101,7 +121,7 @@ for line in sys.stdin:
         }))
     elif request["type"] == "vent":
         pressures = vented()
-        setpoints = [0.0, 0.0]
+        setpoints = [0.0, -106.0 if fault == "told_vented" else 0.0]
         send(state(request))
     elif request["type"] == "set":
         setpoints = request["pressure_kpa"]

@@ -70,6 +70,11 @@ class ProcessDriverTest : public ::testing::Test {
     ASSERT_FALSE(said_.empty()) << fault;
   }
 
+  void ramp_of(const std::string& fault) {
+    ProcessDriver driver(arm_, settings(fault));
+    (void)ramp(driver, 12);
+  }
+
   TemporaryFolder folder_;
   std::filesystem::path log_ = folder_.path() / "it's a log";
   ArmDescription arm_ = small_arm();
@@ -136,7 +141,11 @@ TEST_F(ProcessDriverTest, EveryBrokenAnswerVentsAndEndsTheDriver) {
            {"hang", "did not answer request"},
            {"flood", "more than one answer"},
            {"clock", "time has to go on"},
+           {"frozen", "time has to go on"},
+           {"group", "did not answer request"},
            {"milliseconds", "`t` is in seconds"},
+           {"nanosecond", "no device samples so fast"},
+           {"twice", "the key 'type' stands twice"},
            {"fault", "valve 3 is hot"}}) {
     said_.clear();
     expect_fault(fault, message);
@@ -149,6 +158,49 @@ TEST_F(ProcessDriverTest, WhatIsMeasuredWronglyIsAFaultThatIsVentedInFull) {
   said_.clear();
   expect_fault("over", "segment 0 is at 106.0 kPa");
   EXPECT_THAT(said_, ElementsAre(StartsWith("vented:")));
+}
+
+// Of a tracker that samples more slowly than requests come.
+TEST_F(ProcessDriverTest, AVentMayOvertakeTheSamplingAndIsConfirmedByLaterSamples) {
+  {
+    ProcessDriver driver(arm_, settings("overtaken"));
+    EXPECT_EQ(ramp(driver, 3), "");
+    driver.vent();
+    EXPECT_TRUE(driver.last_vent().confirmed);
+    EXPECT_GT(driver.last_vent().after_s, 3 * kPeriodS);  // the first sample, at zero, is of before
+    driver.vent();
+  }
+  EXPECT_THAT(said_, ElementsAre(StartsWith("vented: 0.0 kPa after 0.")));
+}
+
+TEST_F(ProcessDriverTest, ABrokenDriverThatStillAnswersIsWatchedUntilItHasVented) {
+  for (const char* fault : {"clock", "repeat", "old"}) {
+    said_.clear();
+    ramp_of(fault);
+    EXPECT_THAT(said_, ElementsAre(StartsWith("vented: "))) << fault;
+  }
+}
+
+TEST_F(ProcessDriverTest, WhereNothingWasMeasuredItSaysWhatWasMeasuredLast) {
+  ramp_of("die");
+  EXPECT_THAT(said_, ElementsAre("VENT NOT CONFIRMED: the driver does not answer any more; it last "
+                                 "read segment 0 at 24 kPa, before the vent. Shut off the supply"));
+}
+
+TEST_F(ProcessDriverTest, ASetpointInForceThatNothingAllowsIsAFault) {
+  expect_fault("told", "segment 1 reports a set point in force of 99999.0 kPa; its limit is 100.0");
+  EXPECT_THAT(said_, ElementsAre(StartsWith("vented:")));
+  said_.clear();
+  std::filesystem::remove(log_);
+  ProcessDriver driver(arm_, settings("told_vented"));  // the first frame of a recording
+  EXPECT_THAT(ramp(driver, 1), HasSubstr("reports a set point in force of -106.0 kPa"));
+  EXPECT_THAT(heard(), Not(HasSubstr("set")));
+}
+
+// 50 µs in a frame of 50 ms, as of a clock in another unit.
+TEST_F(ProcessDriverTest, AClockThatHardlyGoesOnIsAFault) {
+  ProcessDriver driver(arm_, settings("crawling"));
+  EXPECT_THAT(ramp(driver, 40), HasSubstr("went on by 0.001 s in 20 frames, which last 1 s"));
 }
 
 TEST_F(ProcessDriverTest, SetpointsBeyondALimitAreNeverSent) {
@@ -176,8 +228,16 @@ TEST_F(ProcessDriverTest, RefusesDriversThatDoNotFit) {
       ThrowsMessage<InputError>(AllOf(HasSubstr("/no/such/driver"), HasSubstr("No such file"))));
 }
 
+TEST_F(ProcessDriverTest, ASimulationThatNobodyExpectsMovesNothing) {
+  EXPECT_THAT([&] { ProcessDriver(arm_, settings("fast")); },
+              ThrowsMessage<SystemFault>(HasSubstr("say --simulated")));
+  EXPECT_THAT(heard(), Not(HasSubstr("set")));
+}
+
 TEST_F(ProcessDriverTest, SimulationsRunAsFastAsTheyAreAsked) {
-  ProcessDriver driver(arm_, settings("fast"));
+  ProcessDriverSettings expected = settings("fast");
+  expected.simulated = true;
+  ProcessDriver driver(arm_, expected);
   const auto start = Clock::now();
   EXPECT_THAT(ramp(driver, 40), IsEmpty());
   EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 40 * kPeriodS);
@@ -195,6 +255,16 @@ TEST_F(ProcessDriverTest, LogsBothSidesAndWhoStartedIt) {
                            "\"from_driver\": {\"type\": \"state\"", "\"note\": \"vented:"}) {
     EXPECT_THAT(text, HasSubstr(part));
   }
+}
+
+TEST_F(ProcessDriverTest, LinesOfTheLogAreJsonWhateverTheDriverSent) {
+  ProcessDriverSettings logged = settings("bom");
+  logged.log = folder_.path() / "run.jsonl";
+  {
+    ProcessDriver driver(arm_, logged);
+    EXPECT_THAT(ramp(driver, 5), IsEmpty());
+  }
+  EXPECT_THAT(read_file(logged.log), HasSubstr(R"("from_driver": "\ufeff{)"));
 }
 
 // What the bodies of a tracker in 3D mean, only a calibration says.

@@ -142,11 +142,44 @@ TEST_F(SafetyGateTest, AHeldSetpointMayReadTheSameForever) {
 }
 
 TEST_F(SafetyGateTest, AnArmDoesNotJump) {
+  settings_.jump_m = 0.05;
   SafetyGate gate = this->gate();
   EXPECT_THAT(gate.check_shape(seen(0.0F)), IsEmpty());
   EXPECT_THAT(gate.check_shape(seen(0.049F)), IsEmpty());
   EXPECT_THAT(gate.check_shape(seen(0.100F)),
               HasSubstr("plate 4 jumped by 5.10 cm within 1 frame"));
+}
+
+// Four lengths per second: 1.6 m/s of an arm of 0.4 m, 8 cm in a frame.
+TEST_F(SafetyGateTest, WhatIsAJumpFollowsFromTheArmsLengthAndRate) {
+  SafetyGate gate = this->gate();
+  EXPECT_THAT(gate.check_shape(seen(0.0F)), IsEmpty());
+  EXPECT_THAT(gate.check_shape(seen(0.079F)), IsEmpty());
+  EXPECT_THAT(gate.check_shape(seen(0.161F)), HasSubstr("more than 8.00 cm per frame"));
+  arm_.frame_rate_hz = 40.0;
+  EXPECT_DOUBLE_EQ(largest_jump_m(settings_, arm_), 0.04);
+  arm_ = load_arm(LIMBER_SOURCE_DIR "/arms/two_segment.yaml");
+  EXPECT_NEAR(largest_jump_m(settings_, arm_), 0.094, 1e-9);
+  settings_.jump_m = 0.3;
+  EXPECT_EQ(largest_jump_m(settings_, arm_), 0.3);
+}
+
+// A tracker in mm, say.
+TEST_F(SafetyGateTest, AJumpOfAShapeInAnotherUnitSaysSo) {
+  SafetyGate gate = this->gate();
+  ArmState state = measured(pressures(0, 0));
+  for (const float y_mm : {0.0F, 700.0F}) {
+    state.backbone = Backbone::Zero(arm_.point_count(), 3);
+    for (Eigen::Index i = 0; i < arm_.point_count(); ++i) {
+      (*state.backbone)(i, 0) = 100.0F * static_cast<float>(i);
+      (*state.backbone)(i, 1) = y_mm;
+    }
+    const std::string wrong = gate.check_shape(state);
+    EXPECT_EQ(wrong.empty(), y_mm == 0.0F);
+    if (!wrong.empty()) {
+      EXPECT_THAT(wrong, HasSubstr("The shape is 400 m long from plate to plate, and the arm 0.4"));
+    }
+  }
 }
 
 TEST_F(SafetyGateTest, AfterAVentAJumpIsOneToo) {

@@ -49,6 +49,10 @@ ArmState MisassembledWire::to_wire(ArmState state) const {
         std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
   }
   state.time_s += misassembly_->driver_ahead_s;
+  if (state.backbone) {
+    state.tracker_s =
+        state.time_s - misassembly_->tracker_latency_s + misassembly_->tracker_ahead_s;
+  }
   return state;
 }
 
@@ -76,13 +80,6 @@ std::optional<BodyPoses> MisassembledWire::bodies(const ArmState& on_wire) {
     bodies.row(i).tail<4>() = rotation.coeffs().transpose();
   }
   return bodies;
-}
-
-std::optional<double> MisassembledWire::tracker_s(const ArmState& on_wire) const {
-  if (!misassembly_ || !on_wire.backbone) {
-    return std::nullopt;
-  }
-  return on_wire.time_s - misassembly_->tracker_latency_s + misassembly_->tracker_ahead_s;
 }
 
 }  // namespace limber

@@ -28,7 +28,6 @@ class MisassembledWire {
   /// What a tracker that sees in 3D says in place of a state's backbone, with noise of its own.
   std::optional<BodyPoses> bodies(const ArmState& on_wire);
   /// When the shape of a state was seen, on the tracker's clock.
-  std::optional<double> tracker_s(const ArmState& on_wire) const;
 
  private:
   std::optional<Misassembly> misassembly_;

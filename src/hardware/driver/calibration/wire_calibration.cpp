@@ -161,7 +161,7 @@ WireCalibration identity_calibration(const ArmDescription& arm) {
 
 void require_calibration_of(const WireCalibration& calibration, const ArmDescription& arm,
                             const std::string& file) {
-  constexpr double kSameLengthM = 1e-6;
+  constexpr double kSameLength = 0.01;  // of it: `characterize` fits lengths, too
   const auto refuse = [&](const std::string& what) {
     throw InputError(
         fmt::format("{}: calibration of arm '{}', {}; calibrate again: limber driver calibrate",
@@ -171,8 +171,8 @@ void require_calibration_of(const WireCalibration& calibration, const ArmDescrip
     refuse(fmt::format("with {} segments; arm '{}' has {}", calibration.valves.size(), arm.name,
                        arm.segment_count()));
   }
-  if (std::abs(calibration.length_m - arm.length_m()) > kSameLengthM) {
-    refuse(fmt::format("{} m long; arm '{}' is {} m long", calibration.length_m, arm.name,
+  if (std::abs(calibration.length_m - arm.length_m()) > kSameLength * arm.length_m()) {
+    refuse(fmt::format("{:.4g} m long; arm '{}' is {:.4g} m long", calibration.length_m, arm.name,
                        arm.length_m()));
   }
   const auto points = static_cast<std::size_t>(arm.point_count());

@@ -32,6 +32,9 @@ void require_plain_file(const std::filesystem::path& path);
 /// folder, a device, a link). Refuses a path that names no file ("", "results/") or where no file
 /// can be made. Leaves nothing behind. @throws InputError that names --force, or the system's
 /// reason; SystemFault if the disk is full.
+///
+/// Where the file was missing and somebody writes it before this process does,
+/// `write_file_atomically` keeps both, its own as `PATH.2`, and throws InputError.
 void refuse_to_overwrite(const std::filesystem::path& path, bool force);
 
 /// The same for a folder that will be made or filled.

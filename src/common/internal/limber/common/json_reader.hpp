@@ -16,7 +16,7 @@ namespace limber {
 inline constexpr int kMaxJsonLevels = 32;
 
 /// limber reads all JSON through this: an object, in UTF-8, with or without a byte order mark,
-/// at most kMaxJsonLevels deep, with numbers that a double can hold.
+/// at most kMaxJsonLevels deep, with numbers that a double can hold, and no key twice in an object.
 /// @param where  begins every message: the file, or the part of it.
 /// @throws InputError
 nlohmann::json parse_json_object(std::string_view text, const std::string& where);

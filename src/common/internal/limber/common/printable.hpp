@@ -14,4 +14,8 @@ std::string printable(std::string_view text);
 /// U+0080 to U+009F) and those that turn the direction of writing become \u009b.
 std::string printable_json(std::string_view json);
 
+/// What somebody else says, within a sentence: line feeds, tabs and their like are blanks, and what
+/// is longer than `max_bytes` is cut.
+std::string in_one_line(std::string_view text, std::size_t max_bytes = 200);
+
 }  // namespace limber

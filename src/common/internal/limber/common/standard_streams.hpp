@@ -5,8 +5,8 @@
 namespace limber {
 
 /// Writes `text` to standard error as it is. Messages never affect the work: if standard error is
-/// closed, full or a pipe that nobody reads, only the messages are lost.
-/// Threads: any.
+/// closed or full, or nobody reads it, they are lost, and nothing waits for longer than 20 ms.
+/// Threads: any; safe in signal handlers.
 void print_to_stderr(std::string_view text) noexcept;
 
 /// Opens /dev/null in place of standard streams that are closed. Otherwise a file that is opened

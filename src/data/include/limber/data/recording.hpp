@@ -13,6 +13,8 @@
 
 namespace limber {
 
+class NoLoadModel;
+
 /// Frames × columns, a frame's numbers contiguous: the layout of the file and of the network's
 /// inputs.
 using FrameMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -107,5 +109,21 @@ void require_sizes_of(const Recording& recording, const ArmDescription& arm,
 /// while commands change.
 void require_recording_of(const Recording& recording, const ArmDescription& arm,
                           const std::string& file);
+
+/// What every function asks first that is given an arm, or a model of one, and episodes: the arm's
+/// sizes, what `validate` asks of an episode, and numbers in its units. Commands and the plates'
+/// distances are less than ten times off the arm's, so that broken logs pass but millimetres and Pa
+/// do not, and no tracked plate is where no arm gets. require_recording_of is stricter.
+/// @param where  stands for the recordings' file in messages
+/// @throws InputError naming the episode, what was found and is allowed.
+void require_episodes_of(const std::vector<Episode>& episodes, const ArmDescription& arm,
+                         const std::string& where = "the recording");
+void require_episodes_of(const std::vector<Episode>& episodes, const NoLoadModel& model,
+                         const std::string& where = "the recording");
+
+/// The same where no arm is given: frames of equal sizes, of finite numbers, at increasing times.
+/// @param segment_count,point_count  expected of each; 0: those of the first
+void require_alike(const std::vector<Episode>& episodes, int segment_count = 0, int point_count = 0,
+                   const std::string& where = "the recording");
 
 }  // namespace limber

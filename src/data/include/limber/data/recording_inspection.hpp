@@ -58,7 +58,7 @@ struct EpisodeErrors {
   std::vector<int> outliers() const;
 };
 
-/// @throws InputError where nothing was tracked.
+/// @throws InputError as require_episodes_of, or where nothing was tracked.
 EpisodeErrors episode_errors(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
 /// "episode 7: 12.3 cm (correlation 0.30)" of every outlier, and what is usual; empty without one.

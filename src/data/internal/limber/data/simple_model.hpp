@@ -11,6 +11,8 @@
 
 namespace limber {
 
+struct EpisodeErrors;
+
 /// One segment of the simple model: its turn is gain × the no-load model's + offset, its length
 /// ratio × the no-load model's. Where the no-load model is straight, gain is in rad per unit of the
 /// command.
@@ -54,8 +56,13 @@ struct SimpleFit {
 /// Fits the simple model to the frames in which the arm was tracked. Robustly: Huber's weights, so
 /// that a broken episode among good ones moves it little. Intervals are the jackknife's, leaving
 /// out one episode at a time, or a tenth of a single one.
-/// @throws InputError where no frame was tracked.
+/// @throws InputError as require_episodes_of, or where no frame was tracked.
 SimpleFit fit_simple_model(const ArmDescription& arm, const std::vector<Episode>& episodes);
+
+/// The same, and `episode_errors`, of recordings whose numbers may be odd: those that are inspected
+/// or imported. @pre finite numbers, sizes of the arm
+SimpleFit fit_to_any(const ArmDescription& arm, const std::vector<Episode>& episodes);
+EpisodeErrors errors_of_any(const ArmDescription& arm, const std::vector<Episode>& episodes);
 
 /// The arm with the fit's gains and lengths in place of its own: strain polynomials times gain over
 /// length ratio, or curvatures per unit; where its no-load model was straight, it is `curvature`

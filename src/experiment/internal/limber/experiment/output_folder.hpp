@@ -4,9 +4,12 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "limber/common/folder_lock.hpp"
 
 namespace limber {
 
@@ -47,6 +50,9 @@ class OutputFolder {
   /// names.
   void require_free(const std::vector<std::string>& names) const;
 
+  /// @throws InputError if one of these names is listed and its file has changed since.
+  void require_unchanged(const std::vector<std::string>& names) const;
+
   /// Writes a file, atomically. @param name  relative to the folder: "plots/a.svg"
   /// @throws InputError if somebody else's file has that name; SystemFault.
   void write(const std::string& name, std::string_view content);
@@ -72,6 +78,7 @@ class OutputFolder {
   std::map<std::string, std::string> files_;
   std::vector<std::string> left_;
   std::mutex mutex_;
+  std::optional<FolderLock> lock_;  ///< of two runs in a folder each would take the other's files
 };
 
 }  // namespace limber

@@ -16,6 +16,8 @@ struct ArmState {
   /// In force when this was measured, where the arm says so; else the one last commanded.
   std::optional<Pressures> setpoint_kpa;
   std::optional<Backbone> backbone;  ///< m×3; none where nothing tracks it or the frame was lost
+  /// When the shape was seen, on the tracker's own clock, where that is told.
+  std::optional<double> tracker_s = std::nullopt;
 };
 
 /// An arm that takes set points frame by frame: the virtual one, or the user's behind an external
@@ -23,6 +25,9 @@ struct ArmState {
 ///
 /// Laws: `state().time_s` grows with each `command`, by about a frame period; no driver passes on a
 /// set point beyond the arm's limits; after `vent` every set point is zero.
+/// Whatever limber does with an arm, the set points of `execute`, `collect` and `record_episode`
+/// pass a gate right before they get here: one that is beyond a limit, or changes faster than the
+/// arm's rate allows, is not sent, and is a SystemFault.
 /// Threads: one driver, one thread at a time.
 class ArmDriver {
  public:

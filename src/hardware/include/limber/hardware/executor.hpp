@@ -42,6 +42,17 @@ struct MotionAdvice {
   bool has_searched = false;  ///< for another plan, in vain or not
 };
 
+/// What is sent in a frame of a plan.
+struct FrameSetpoint {
+  Pressures kpa;
+  /// Of the plan: the one that was asked for, a later one, or the one commanded last while the plan
+  /// waits.
+  std::size_t frame;
+  /// Whether it begins a motion that is certified from where the arm is, as far as the source looks
+  /// at that.
+  bool is_certified = true;
+};
+
 /// How to go on while a plan is executed, from what is measured (docs/planning.md, Closed loop).
 class PlanSource {
  public:
@@ -54,7 +65,7 @@ class PlanSource {
   /// last ones than the frame rule allows. Asked for each frame of a plan, also where the arm waits
   /// in one.
   /// @param frame  the one commanded last, `next` where it waits
-  virtual Pressures setpoint(const Plan& plan, std::size_t frame, std::size_t next);
+  virtual FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next);
   /// Asked before each frame of a motion, whose set points `plan.frames[next]` are then sent
   /// without waiting for the answer: it takes effect in the frame after that one, or never if it
   /// comes later. In real time the answer is worked out on another thread while the arm goes on:
@@ -119,7 +130,7 @@ struct ExecutedError {
   double mean_m = 0.0;
   double before_hold_m = 0.0;  ///< mean over the frames before the plan's hold: while it moves
   double max_m = 0.0;
-  double final_m = 0.0;  ///< at the plan's last frame
+  double final_m = 0.0;  ///< at the plan's last frame; NaN if it was not seen at the end
 };
 
 /// An obstacle that was not there when the run began.
@@ -137,25 +148,31 @@ struct AdviceTimes {
 
 struct ExecutionResult {
   ExecutionStatus status = ExecutionStatus::done;
-  std::string message;  ///< of a fault or stop; empty otherwise
-  int frames = 0;       ///< set points commanded, those of the hold included
+  std::string message;      ///< why it did not arrive: what ended it, or what it missed or struck
+  int frames = 0;           ///< set points commanded, those of the hold included
+  int frames_not_seen = 0;  ///< of them, those after which the arm was not tracked
   /// Before the first set point: largest distance of a plate from where the plan starts.
   double start_error_m = 0.0;
 
-  bool collided = false;
+  bool collided = false;  ///< was seen to; without `final_backbone`, false says nothing
   std::optional<Contact> first_collision;
-  /// Where the arm came closest; none without obstacles, or if the arm was never tracked.
+  /// Where the arm came closest; none without obstacles, or without `final_backbone` unless it
+  /// collided.
   std::optional<Contact> closest;
 
-  std::optional<Backbone> final_backbone;  ///< after the hold, or at the fault; none if untracked
-  PoseError goal_error;                    ///< of it; meaningless without `final_backbone`
-  bool goal_reached = false;
+  /// After the hold, or at the fault; none if the arm was not tracked in the last 0.25 s: then
+  /// nobody knows where it ended.
+  std::optional<Backbone> final_backbone;
+  PoseError goal_error;                     ///< of it; meaningless without `final_backbone`
+  bool goal_reached = false;                ///< was seen to
   std::optional<ExecutedError> prediction;  ///< none if nothing was tracked
 
   int replans = 0;   ///< plans after the first that started at rest
   int switches = 0;  ///< plans that another one replaced in mid-motion
   int waits = 0;     ///< frames in which the arm waited in mid-motion
   int halts = 0;     ///< plans that were left before their end, since the arm strayed
+  /// Frames in which nothing was certified from where the arm was: it held its set points.
+  int frames_not_certified = 0;
   AdviceTimes advice;
   std::optional<AppearedObstacle> appeared;
   /// A plan was left before its end, and none was found that leads on: the arm held and stayed.
@@ -176,6 +193,11 @@ struct ExecutionResult {
 /// Whether it says what becomes of a plan: a run that was stopped does, a fault does not.
 inline bool has_run(const ExecutionResult& result) {
   return result.status != ExecutionStatus::fault;
+}
+
+/// Whether it was seen to end in its goal, clear of everything on its way.
+inline bool has_arrived(const ExecutionResult& result) {
+  return result.goal_reached && !result.collided;
 }
 
 /// The environment in which the run ended: an obstacle that appeared is the last one.

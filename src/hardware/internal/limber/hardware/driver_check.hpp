@@ -24,6 +24,8 @@ struct StepResponse {
 struct DeadmanResult {
   bool tested = false;
   bool vented = false;
+  /// Of one that reads no pressure when it starts, whatever it left behind: nothing is known.
+  bool starts_vented = false;
   double before_kpa = 0.0;
   double after_kpa = 0.0;
 };
@@ -36,7 +38,8 @@ struct DriverCheck {
   std::vector<double> zero_kpa;   ///< mean reading at rest
   std::vector<StepResponse> steps;
   DeadmanResult silence;                ///< no `set` for more than three frames
-  DeadmanResult end_of_input;           ///< its input closed, as limber's end closes it
+  DeadmanResult end_of_input;           ///< its input closed, as limber's end closes it; read by
+                                        ///< a second start, once the page's 0.3 s are over
   std::vector<std::string> complaints;  ///< what is wrong; empty: nothing was found
   Episode episode;  ///< everything that was commanded and measured; backbones are not kept
 };

@@ -58,7 +58,6 @@ struct DriverReply {
   std::int64_t seq = 0;
   ArmState state;
   std::optional<BodyPoses> bodies;  ///< in place of a backbone, of a tracker that sees in 3D
-  std::optional<double> tracker_s;  ///< when the shape was seen, on the tracker's own clock
 };
 
 HostHello host_hello(const ArmDescription& arm);
@@ -71,7 +70,6 @@ std::string vent_line(std::int64_t seq, double time_s);
 std::string bye_line();
 /// @param bodies  stand in place of the state's backbone
 std::string state_line(std::int64_t seq, const ArmState& state,
-                       std::optional<double> tracker_s = std::nullopt,
                        const std::optional<BodyPoses>& bodies = std::nullopt);
 
 /// A driver that has failed says so in place of a state; it has vented.

@@ -36,6 +36,15 @@ struct ShortReach {
   double allowed_kpa = 0.0;
 };
 
+/// The limits of `arm`, so many times smaller, stay within those of the driver on every side; two
+/// decimals, so that it can be typed. None where the driver allows nothing on a side of the arm's.
+std::optional<double> scale_within(const ArmDescription& arm,
+                                   const std::vector<PressureLimits>& allowed_kpa);
+
+/// What to do about a short reach. @param flag  as "--limit-scale {}", with the scale in its place
+std::string advice(const ShortReach& found, const ArmDescription& arm,
+                   const std::vector<PressureLimits>& allowed_kpa, const char* flag);
+
 /// Where `limit_scale` times the limits of the arm go beyond those of the driver.
 std::optional<ShortReach> first_short_reach(const ArmDescription& arm, double limit_scale,
                                             const std::vector<PressureLimits>& allowed_kpa);

@@ -50,6 +50,9 @@ struct ServerSettings {
   /// Answer with the sample of the moment, which is the end of the frame before, as hardware does;
   /// else with the end of the frame that the request begins.
   bool at_once = false;
+  /// At once, with the sample of a tracker that sees the arm every so many seconds of wall time: a
+  /// request that comes before the next one gets the same again. 0: each request has its own.
+  double sampled_s = 0.0;
   std::optional<ServerFault> fault;
   std::filesystem::path device_log;  ///< what the simulated device was told, and when; empty: none
   VirtualArmOptions arm;

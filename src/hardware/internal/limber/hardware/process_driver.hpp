@@ -20,6 +20,9 @@ struct ProcessDriverSettings {
   std::string command;       ///< what follows `exec:`; no shell sees it
   double limit_scale = 1.0;  ///< limits in force are so many times the arm's, in (0, 1]
   bool check_rate = true;    ///< false where a schedule jumps and the valves ramp by themselves
+  /// Whether a driver may say that it keeps no frames (`real_time` false), so that it is asked as
+  /// fast as it answers. Its word alone is not enough: an arm would be moved at that rate.
+  bool simulated = false;
   bool install_signals =
       true;  ///< install_arm_signals; false where the caller stops in its own way
   SafetySettings safety;
@@ -32,12 +35,11 @@ struct ProcessDriverSettings {
   bool pass_bodies = false;
 };
 
-/// When the last `set` was sent and its state was there, on limber's clock; when the tracker saw
-/// the shape, on its own; and what it saw, where bodies pass.
+/// When the last `set` was sent and its state was there, on limber's clock; and what the tracker
+/// saw, where bodies pass.
 struct DriverExchange {
   double sent_s = 0.0;
   double received_s = 0.0;
-  std::optional<double> tracker_s;
   std::optional<BodyPoses> bodies;
 };
 
@@ -62,9 +64,8 @@ struct VentResult {
 /// (docs/driver.md), in a process of its own. One `set` goes out in each frame slot, unless the
 /// driver says that it simulates. Every set point and every state passes the SafetyGate.
 ///
-/// Whatever goes wrong: `vent` is sent, the driver's input is closed, and after 0.5 s its process
-/// group is killed. A driver that still answers correctly is instead watched until the arm is
-/// vented, and closed then.
+/// Whatever goes wrong: `vent` is sent, and as long as the driver answers it is watched until the
+/// arm is vented. Then its input is closed, and after 0.5 s it and its process group are killed.
 ///
 /// Laws: as ArmDriver, and a set point beyond a limit is a SystemFault. After `vent` the next
 /// `command` starts a new run of frames. Threads: one at a time.
@@ -72,7 +73,8 @@ class ProcessDriver final : public ArmDriver {
  public:
   /// Starts the program, exchanges hellos, and vents.
   /// @throws InputError where the command can't be started; SystemFault where the driver does not
-  /// answer, is another arm's, or reads a pressure after venting; Interrupted.
+  /// answer, is another arm's, is a simulation that nobody expects, or reads a pressure after
+  /// venting; Interrupted.
   ProcessDriver(const ArmDescription& arm, const ProcessDriverSettings& settings);
   /// Vents and says goodbye.
   ~ProcessDriver() override;
@@ -90,14 +92,18 @@ class ProcessDriver final : public ArmDriver {
   /// For `limber driver check`: sends nothing for `seconds`, then vents. @return what the driver
   /// then answers first. @throws SystemFault
   ArmState read_after_silence(double seconds);
-  /// The same: closes the driver's input without a vent or a word. The driver is ended.
-  void abandon();
+  /// The same: closes the driver's input without a vent or a word, or kills it before it can vent.
+  /// The driver is ended.
+  void abandon(bool killed = false);
   /// What the driver answered to its first vent, before that could act.
   const ArmState& first_state() const;
 
   const DriverHello& hello() const;
   const DriverTiming& timing() const;
   const VentResult& last_vent() const;
+  /// Whether any driver of this process was left with an arm whose last vent is not confirmed, or
+  /// could not be ended; `say` was told.
+  static bool was_any_left_unsafe();
   /// In force: the arm's, scaled, or the driver's own where those are lower.
   const std::vector<PressureLimits>& limits_kpa() const;
 

@@ -33,6 +33,9 @@ class SafetyGate {
   /// The arm is vented: set points are zero, and what is measured falls.
   void note_vented(const ArmState& state);
 
+  /// The set point in force as the driver reports it: one that nothing allows would be recorded.
+  std::string check_in_force(const ArmState& state) const;
+
   /// Pressures beyond a limit, shapes that jump or leave the fence: what is wrong in any state.
   std::string check_shape(const ArmState& state);
 
@@ -48,7 +51,7 @@ class SafetyGate {
     Pressures measured_kpa;
   };
 
-  std::string over_limit(const ArmState& state) const;
+  std::string over_limit(const Pressures& kpa, const char* what) const;
   std::string following(const ArmState& state);
   std::string stuck(int segment) const;
 
@@ -56,6 +59,7 @@ class SafetyGate {
   std::vector<PressureLimits> limits_kpa_;
   bool check_rate_;
   SafetySettings settings_;
+  double largest_jump_m_;
   Pressures setpoint_kpa_;
   Pressures reference_kpa_;      // what the valves' rate allows to be reached by now
   std::vector<int> frames_off_;  // each segment: how many in a row it was too far from it

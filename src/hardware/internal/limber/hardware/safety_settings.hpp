@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "limber/arm/arm_description.hpp"
 
@@ -23,7 +24,7 @@ struct SafetySettings {
   double following_error_kpa = 10.0;  ///< off what the valves' rate allows …
   double following_time_s = 0.5;      ///< … for so long
   double stuck_change_kpa = 5.0;      ///< of the set point, while the reading stands still
-  double jump_m = 0.05;               ///< of a plate in one frame
+  std::optional<double> jump_m;       ///< of a plate in one frame; none: largest_jump_m of the arm
   double rise_kpa = 5.0;              ///< while venting
   double vented_kpa = 2.0;            ///< at most, to be called vented
   double vent_time_s = 5.0;           ///< until then
@@ -34,8 +35,17 @@ struct SafetySettings {
 /// @throws InputError naming line and key.
 SafetySettings load_safety(const std::filesystem::path& arm_file);
 
+/// How far a plate may move in one frame: as `safety` says, or four lengths of the arm per second,
+/// half as much again as the fastest seen of the virtual arms where set points jump
+/// (docs/hardware.md).
+double largest_jump_m(const SafetySettings& safety, const ArmDescription& arm);
+
 /// `arm` with limits of `scale` times its own; for schedules and checks, never for hashes.
 /// @throws InputError where `scale` is not in (0, 1].
 ArmDescription with_scaled_limits(const ArmDescription& arm, double scale);
+
+/// What both allow: the arm's limits, so scaled, and the driver's own, if it has any.
+std::vector<PressureLimits> limits_in_force(const ArmDescription& arm, double scale,
+                                            const std::vector<PressureLimits>& drivers_own);
 
 }  // namespace limber

@@ -135,7 +135,8 @@ void require_model_of(const CompensationModel& model, const ArmDescription& arm,
 void require_no_valves_before(const CompensationModel& model, const ValveParameters& valves,
                               const std::string& where);
 
-/// Writes safetensors (docs/formats.md), atomically. @pre the model is valid.
+/// Writes safetensors (docs/formats.md), atomically, after `validate`.
+/// @throws InputError as `validate`; SystemFault if the disk refuses.
 void write_model(const std::filesystem::path& path, const CompensationModel& model);
 
 /// Reads and validates. @throws InputError naming file and tensor or metadata key.

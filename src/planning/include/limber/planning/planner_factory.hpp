@@ -27,7 +27,8 @@ std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0,
 /// plans are. Solved if it is. If not, the status is `not_certified`, the reason says what is
 /// wrong, and the motion is `best_partial`, its clearance measured; motions that collide or end
 /// outside of the goal take no certificate. An arm that starts nearer to an obstacle than the
-/// margin is refused (invalid_start).
+/// margin is refused (invalid_start), unless PlanningProblem::margin_yields_to_start says that the
+/// margin then yields.
 /// @param waypoints_kpa  at least one, each of n set points within the problem's limits
 /// @param planner        name that the plan file keeps
 /// @param seed           that the plan file keeps

@@ -72,13 +72,15 @@ FrameMatrix predict(const ForwardModel& model, const Episode& episode, Restart r
                     int jobs = 0);
 
 /// The same for several episodes, side by side.
-/// @throws InputError if a prediction is not finite, or if the network learnt from set points and
+/// @throws InputError as require_episodes_of, if a prediction is not finite, or if the network
+/// learnt from set points and
 /// the episodes hold what was measured, or the other way round (with_setpoints_only).
 std::vector<FrameMatrix> predict(const ForwardModel& model, const std::vector<Episode>& episodes,
                                  Restart restart, int jobs = 0);
 
 /// @param network  null: no-load model only.
-/// @throws InputError if the recording has no episode of at least three frames.
+/// @throws InputError if the recording has no episode of at least three frames, if `no_load` has a
+/// network or `network` none, and as require_episodes_of.
 Evaluation evaluate(const ForwardModel& no_load, const ForwardModel* network,
                     const std::vector<Episode>& episodes, int jobs = 0);
 

@@ -46,7 +46,7 @@ struct YardstickReport {
 /// empty, to the recording itself, a fifth of it left out in turn: what predicts an episode has not
 /// been fitted to it.
 /// @param network  may be null
-/// @throws InputError where a prediction of the network is not finite.
+/// @throws InputError as require_episodes_of, and where a prediction of the network is not finite.
 YardstickReport measure_yardsticks(const ArmDescription& arm, const ForwardModel& no_load,
                                    const ForwardModel* network,
                                    const std::vector<Episode>& episodes,

@@ -27,7 +27,8 @@ struct RandomEnvironment {
   std::vector<Pressures> witness_kpa;  ///< waypoints, start first
 };
 
-/// Draws an environment by the rules of limber's own eight. The arm starts free and at rest. A
+/// Draws an environment about a motion of the model that will plan in it, for those who learn from
+/// executed plans: the arm may be any, and start under pressure. The arm starts free and at rest. A
 /// motion through random waypoints, simulated with `model`, stays clear of every obstacle, and the
 /// goal is where its tip ends after the hold. The straight motion in pressure to the same end
 /// collides, and no straight motion to an inverse-kinematics solution solves the environment.

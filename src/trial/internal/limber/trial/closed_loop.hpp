@@ -33,7 +33,7 @@ class ClosedLoop final : public PlanSource {
   ~ClosedLoop() override;
 
   void observe(const Pressures& setpoint_kpa, const ArmState& state) override;
-  Pressures setpoint(const Plan& plan, std::size_t frame, std::size_t next) override;
+  FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next) override;
   std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next) override;
   bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
@@ -42,6 +42,8 @@ class ClosedLoop final : public PlanSource {
 
  private:
   struct Motion;
+
+  Pressures led_setpoint(const Plan& plan, std::size_t frame, std::size_t next);
 
   std::unique_ptr<Motion> motion_;
 };

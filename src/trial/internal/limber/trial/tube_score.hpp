@@ -17,8 +17,12 @@ struct MotionErrors {
   double end_heading_rad = 0.0;
 };
 
-/// Frame k of the run beside frame k of the plan; what is held longer than planned beside its last.
-/// @pre the run is that plan's, open loop: run_of_plan
+/// Which frame of the plan each frame of its run shows, as its set point in force says: a driver
+/// that answers at once is one behind. What is held longer than planned shows the last one.
+std::vector<int> shown_frames(const Plan& plan, const Episode& run);
+
+/// Each frame of the run beside the plan's that it shows.
+/// @pre the run is that plan's, open loop
 MotionErrors motion_errors(const Plan& plan, const Episode& run, const RoomGrowth& growth = {});
 
 /// (3): the largest of error over scale, over plates, the middles of gaps and frames, and over tip

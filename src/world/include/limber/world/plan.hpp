@@ -13,6 +13,8 @@
 
 namespace limber {
 
+struct Environment;
+
 /// One frame of a plan. The set points of frame k are commanded at time (k − 1)/rate and held for
 /// one frame period; pressures and backbone are those predicted for its end, time k/rate.
 struct PlanFrame {
@@ -106,6 +108,9 @@ Plan read_plan_unchecked(const std::filesystem::path& path);
 /// @throws InputError if the plan was made for another arm (hashes and keys in the message), or
 /// violates the arm's pressure limits, its own narrower ones, or the arm's rate.
 void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::string& file);
+
+/// @throws InputError if the plan was made for another environment (names and hashes).
+void require_plan_in(const Plan& plan, const Environment& environment, const std::string& file);
 
 /// Set points for a valve controller, and the pressures predicted for the end of their frame:
 /// `time_s,setpoint_0_kpa,…,pressure_0_kpa,…` (`setpoint_0,…,command_0,…` where the arm is driven

@@ -1,4 +1,4 @@
-#include "limber/hardware/disturbance.hpp"
+#include "limber/trial/disturbance.hpp"
 
 #include <algorithm>
 #include <cmath>

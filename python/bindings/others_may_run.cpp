@@ -1,0 +1,59 @@
+#include "others_may_run.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "limber/common/interrupt.hpp"
+
+namespace limber::python {
+
+namespace py = pybind11;
+
+namespace {
+
+std::atomic<int> without_lock{0};
+std::atomic<bool> ending{false};
+
+void stop_and_wait() {
+  constexpr std::chrono::milliseconds kPeriod(5);
+  ending = true;
+  request_interrupt();
+  const py::gil_scoped_release others_may_end;
+  while (without_lock > 0) {
+    std::this_thread::sleep_for(kPeriod);
+  }
+}
+
+}  // namespace
+
+OthersMayRun::Counted::Counted() {
+  ++without_lock;
+}
+
+OthersMayRun::Counted::~Counted() {
+  --without_lock;
+}
+
+OthersMayRun::OthersMayRun() {
+  if (!ending) {
+    released_.emplace();
+  }
+}
+
+bool python_is_ending() {
+  return ending;
+}
+
+void stop_at_exit() {
+  const pid_t process = getpid();
+  py::module_::import("atexit").attr("register")(py::cpp_function([process] {
+    if (getpid() == process) {  // a forked child has none of those threads
+      stop_and_wait();
+    }
+  }));
+}
+
+}  // namespace limber::python

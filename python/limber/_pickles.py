@@ -1,0 +1,88 @@
+"""Copies and pickles: of settings and other records by their fields; of arms, environments, models
+and plans by what their files hold; of episodes by their arrays. pickle and copy raise TypeError for
+everything else."""
+
+from __future__ import annotations
+
+import pathlib
+from typing import Any
+
+from . import _limber
+
+_READERS: dict[str, Any] = {"arm": _limber.load_arm_to_characterise, "environment": _limber.load_environment,
+            "model": _limber.read_model, "plan": _limber.read_plan_unchecked}
+_WRITERS: dict[str, Any] = {"arm": _limber.write_arm, "environment": _limber.write_environment,
+            "model": _limber.write_model, "plan": _limber.write_plan}
+_FILED = {_limber.ArmDescription: "arm", _limber.Environment: "environment",
+          _limber.CompensationModel: "model", _limber.Plan: "plan"}
+_ARRAYS = ("time_s", "pressure_kpa", "setpoint_kpa", "backbone", "motion_index", "tracked",
+           "setpoints_only")
+
+
+def _from_fields(kind: type, fields: dict[str, Any]) -> Any:
+    return kind(**fields)
+
+
+def _from_file(kind: str, data: bytes, attributes: dict[str, Any]) -> Any:
+    import tempfile  # what few need
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / f"pickled {kind}"
+        path.write_bytes(data)
+        value = _READERS[kind](path)
+    for name, attribute in attributes.items():
+        setattr(value, name, attribute)
+    return value
+
+
+def _reduce_filed(self: Any, _protocol: int) -> tuple[Any, ...]:
+    import tempfile
+    kind = _FILED[type(self)]
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / f"pickled {kind}"
+        _WRITERS[kind](path, self)
+        data = path.read_bytes()
+    # No part of a model's file.
+    return _from_file, (kind, data, {"answer": self.answer} if kind == "model" else {})
+
+
+def _reduce_record(self: Any, _protocol: int) -> tuple[Any, ...]:
+    kind = type(self)
+    usual = kind()
+    fields = {name: getattr(self, name) for name in kind._fields}
+    return _from_fields, (kind, {name: value for name, value in fields.items()
+                                 if value != getattr(usual, name)})
+
+
+def _reduce_episode(self: Any, _protocol: int) -> tuple[Any, ...]:
+    return type(self), tuple(getattr(self, name) for name in _ARRAYS)
+
+
+def _reduce_stages(self: Any, _protocol: int) -> tuple[Any, ...]:
+    return type(self), (list(self),)
+
+
+def _reduce_enum(self: Any, _protocol: int) -> tuple[Any, ...]:
+    return type(self), (int(self),)
+
+
+def _reduce(self: Any) -> Any:
+    return self.__reduce_ex__(2)
+
+
+for _kind in list(vars(_limber).values()):
+    if not isinstance(_kind, type):
+        continue
+    if _kind in _FILED:
+        _own = _reduce_filed
+    elif hasattr(_kind, "_fields"):
+        _own = _reduce_record
+    elif hasattr(_kind, "__members__"):
+        _own = _reduce_enum
+    elif _kind is _limber.Episode:
+        _own = _reduce_episode
+    elif _kind is _limber.TrainingStages:
+        _own = _reduce_stages
+    else:
+        continue
+    setattr(_kind, "__reduce_ex__", _own)
+    setattr(_kind, "__reduce__", _reduce)

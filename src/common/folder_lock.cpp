@@ -1,0 +1,67 @@
+#include "limber/common/folder_lock.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Whether the descriptor is still what has that name.
+bool has_name(int descriptor, const fs::path& folder) {
+  struct stat open {};
+  struct stat named {};
+  return ::fstat(descriptor, &open) == 0 && ::stat(folder.c_str(), &named) == 0 &&
+         open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const fs::path& folder, const std::string& who) {
+  constexpr int kTries = 100;  // of a folder that others remove and make
+  for (int k = 0; k < kTries; ++k) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    descriptor_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor_ < 0) {
+      return;  // whoever writes there says why that can't be done
+    }
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      release();
+      throw InputError(
+          fmt::format("{}: another {} is writing there; wait for its end, or choose "
+                      "another --out",
+                      folder.string(), who));
+    }
+    if (has_name(descriptor_, folder)) {
+      return;  // also where a file system has no locks
+    }
+    release();
+  }
+}
+
+FolderLock::~FolderLock() {
+  release();
+}
+
+FolderLock::FolderLock(FolderLock&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+void FolderLock::release() {
+  if (descriptor_ >= 0) {
+    ::close(std::exchange(descriptor_, -1));
+  }
+}
+
+}  // namespace limber

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace limber {
+
+/// Makes a folder and keeps other processes, and others in this one, from locking it, as long as it
+/// lives or the process does. It leaves nothing behind. File systems without locks have none.
+class FolderLock {
+ public:
+  /// @param who  "limber experiment", for the message
+  /// @throws InputError if another has it.
+  FolderLock(const std::filesystem::path& folder, const std::string& who);
+  ~FolderLock();
+  FolderLock(FolderLock&& other) noexcept;
+  FolderLock& operator=(FolderLock&&) = delete;
+
+ private:
+  void release();
+
+  int descriptor_ = -1;
+};
+
+}  // namespace limber

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "checked_plans.hpp"
+#include "limber/arm/pressure_limits.hpp"
+#include "limber/forward/motion_model.hpp"
+
+namespace limber {
+
+/// Decides what an arm in closed loop is sent next: only set points that begin a motion
+/// which comes to rest and is certified from where the arm is now. That motion is the rest of the
+/// plan, moved by what the set points are off it, or a stop: the set points held until the arm
+/// rests. Where nothing is certified, the arm keeps to the motion that was certified last.
+///
+/// Threads: one of these, one thread. All arguments are borrowed.
+class CertifiedFrame {
+ public:
+  /// @param clearance_m  kept from obstacles, ≥ 0; most of what the arm has where that is less
+  /// @param limits  of set points, one of each segment; empty: the arm's
+  CertifiedFrame(const ArmDescription& arm, const MotionModel& model,
+                 const Environment& environment, double clearance_m,
+                 const std::vector<PressureLimits>& limits);
+
+  /// Set points that are wanted, and the frame of the plan that they stand for.
+  struct Wanted {
+    Pressures kpa;
+    std::size_t frame;
+  };
+  struct Sent {
+    Pressures kpa;
+    /// Of the plan; none: of the motion certified last, which is a stop or has ended.
+    std::optional<std::size_t> frame;
+    bool is_certified = true;
+  };
+
+  /// The first of these that is certified; or the next frame of what was certified last, which the
+  /// arm holds once that has ended.
+  /// @param now   where the arm is, after all set points that were sent
+  /// @param plan  that it follows
+  Sent next(const MotionState& now, const Plan& plan, const std::vector<Wanted>& wanted);
+  /// Whether the arm may hold its set points from now on.
+  bool may_stop(const MotionState& now) {
+    return motion_from(now, {now.setpoint_kpa()}).has_value();
+  }
+  /// Whether it may follow the rest of a plan, whose frame `frame` it had last.
+  bool leads_on(const MotionState& now, const Plan& plan, std::size_t frame);
+  /// The arm has held its set points: nothing that was certified before counts any more.
+  void forget() { last_.reset(); }
+
+ private:
+  /// A certified motion and how far the arm is along it.
+  struct Motion {
+    Plan plan;
+    std::size_t frame = 1;  ///< sent last
+    /// Of the plan whose rest it is, in this one's frame 1; none: it is a stop.
+    std::optional<std::size_t> first;
+    const Plan* of;  ///< that one; compared, never read
+  };
+
+  std::optional<Plan> motion_from(const MotionState& now, const std::vector<Pressures>& to_kpa);
+  PressureBox box_for(const Plan& plan) const;
+
+  const ArmDescription& arm_;
+  MotionModel model_;
+  Environment environment_;  // start and goal are those of the last motion
+  double clearance_m_;
+  std::vector<PressureLimits> limits_;
+  PlanCheck check_;
+  std::optional<Motion> last_;
+};
+
+}  // namespace limber

@@ -1,0 +1,148 @@
+"""Wrong arguments of every kind to everything public: an exception, never a crash, a hang, or numbers
+from garbage."""
+
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+
+import limber
+from chain import ROOT, InFolder, chain
+from hostile_calls import Arguments, with_values
+
+SEED = 38
+CALLS = 500
+
+
+class HostileCalls(InFolder):
+    def test_drawn_calls_are_refused_or_answered(self):
+        result = subprocess.run(
+            [sys.executable, "-X", "faulthandler",
+             str(ROOT / "tests" / "python_module" / "hostile_calls.py"), "--seed", str(SEED),
+             "--calls", str(CALLS)],
+            cwd=self.folder, capture_output=True, encoding="utf-8", errors="replace", check=False)
+        self.assertEqual(result.returncode, 0, result.stdout[-3000:] + result.stderr[-3000:])
+
+
+class WrongEpisodes(InFolder):
+    """Each kind, to each function that takes an arm or a model and episodes."""
+
+    def setUp(self):
+        super().setUp()
+        self.given = Arguments(self.folder, None)
+
+    def test_every_function_refuses_every_kind(self):
+        good = self.given.good
+        arm, forward, no_load = good["arm"], good["network"], good["no_load"]
+        settings = limber.best_preset()
+        settings.hidden_units = [4]
+        limber.set_epoch_count(settings, 40)
+        fit = good["fit"]
+
+        def data(episodes):
+            return limber.TrainingData(episodes, episodes)
+        functions = {
+            "episode_errors": lambda e: limber.episode_errors(arm, e),
+            "fit_simple_model": lambda e: limber.fit_simple_model(arm, e),
+            "fitted_arm": lambda e: limber.fitted_arm(arm, fit, e),
+            "train": lambda e: limber.train(arm, data(e), settings),
+            "fine_tune": lambda e: limber.fine_tune(arm, data(e), settings, good["start"]),
+            "choose_stages": lambda e: limber.choose_stages(arm, data(e), settings),
+            "evaluate": lambda e: limber.evaluate(no_load, forward, e),
+            "evaluate without network": lambda e: limber.evaluate(no_load, None, e),
+            "predict": lambda e: [limber.predict(forward, one, limber.Restart.every_frame)
+                                  for one in e],
+            "note_unseen": lambda e: limber.note_unseen(arm, good["start"], e)}
+        for kind, episodes in self.given.wrong_episodes.items():
+            for name, function in functions.items():
+                with self.subTest(kind=kind, function=name):
+                    with self.assertRaises(limber.InputError):
+                        function(episodes)
+
+    def test_models_in_each_others_place_are_refused(self):
+        good = self.given.good
+        with self.assertRaisesRegex(limber.InputError, "a no-load model and a network, in this"):
+            limber.evaluate(good["network"], good["no_load"], good["episodes"])
+        with self.assertRaisesRegex(limber.InputError, "in this order"):
+            limber.evaluate(good["no_load"], good["no_load"], good["episodes"])
+        with self.assertRaisesRegex(limber.InputError, "segments"):
+            limber.evaluate(limber.ForwardModel(self.given.other_arm), good["network"],
+                            good["episodes"])
+
+    def test_a_model_without_layers_is_refused(self):
+        good = self.given.good
+        settings = limber.best_preset()
+        settings.hidden_units = [4]
+        settings.validation_interval = 1000
+        stopped = limber.train(good["arm"], good["data"], settings, lambda _: False).model
+        self.assertEqual(len(stopped.layers), 0)
+        for function in (lambda: limber.ForwardModel(good["arm"], stopped),
+                         lambda: limber.note_unseen(good["arm"], stopped, good["episodes"]),
+                         lambda: limber.fine_tune(good["arm"], good["data"], settings, stopped),
+                         lambda: limber.write_model(self.folder / "m.safetensors", stopped)):
+            with self.assertRaises(limber.InputError):
+                function()
+
+    def test_episodes_of_several_sizes_are_refused_without_an_arm_too(self):
+        mixed = self.given.wrong_episodes["one of another arm"]
+        with self.assertRaisesRegex(limber.InputError, "episodes/000003"):
+            limber.gap_bounds_of(mixed)
+        with self.assertRaisesRegex(limber.InputError, "episodes/000003"):
+            limber.learnt_region_of(limber.TrainingData(mixed))
+
+
+class WrongNumbers(unittest.TestCase):
+    def setUp(self):
+        self.episodes = limber.read_recording(chain().recording).episodes
+
+    def test_shares_threads_and_times(self):
+        for share in (0.0, 1.0, 2.0, -1.0, float("nan")):
+            with self.assertRaisesRegex(limber.InputError, "held back"):
+                limber.hold_back_validation(self.episodes, share, 1)
+        with self.assertRaisesRegex(limber.InputError, "held back"):
+            limber.hold_back_validation([], 0.1, 1)
+        data = limber.hold_back_validation(self.episodes, 0.1, 1)
+        with self.assertRaisesRegex(limber.InputError, "held back"):
+            limber.hold_back_unseen(data, 2.0, 1)
+        forward = limber.ForwardModel(chain().arm)
+        for function in (lambda: limber.evaluate(forward, None, self.episodes, jobs=-1),
+                         lambda: limber.make_planner("default", jobs=-1),
+                         lambda: limber.ParallelForward(-1),
+                         lambda: limber.train(chain().arm, data,
+                                              limber.TrainingSettings(jobs=-1, stages=limber.best_preset().stages))):
+            with self.assertRaisesRegex(limber.InputError, "jobs"):
+                function()
+        with self.assertRaisesRegex(limber.InputError, "expected times to increase"):
+            with_values(self.episodes[0], time_s=self.episodes[0].time_s[::-1])
+
+    def test_complex_numbers(self):
+        model = limber.NoLoadModel(chain().arm)
+        with self.assertRaises(TypeError):
+            model.backbone(np.zeros(2, complex))
+        with self.assertRaises(TypeError):
+            limber.Polygon(np.zeros((4, 2), complex))
+
+    def test_a_drivers_method_that_returns_something_else_is_named(self):
+        class Mine(limber.ArmDriver):
+            def __init__(self):
+                self.arm = limber.VirtualArm(chain().arm)
+
+            def state(self):
+                return self.arm.state()
+
+            def command(self, setpoint_kpa):
+                self.arm.command(setpoint_kpa)
+
+            def vent(self):
+                self.arm.vent()
+        problem = limber.PlanningProblem(
+            chain().arm, limber.MotionModel(limber.ForwardModel(chain().arm)),
+            chain().environment)
+        plan = limber.make_planner().plan(problem, limber.PlannerLimits(iterations=300), 5).plan
+        with self.assertRaisesRegex(TypeError, r"Mine.command returned NoneType; expected an ArmS"):
+            limber.execute(chain().arm, chain().environment, plan, Mine())
+
+
+if __name__ == "__main__":
+    unittest.main()
