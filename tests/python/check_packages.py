@@ -11,6 +11,7 @@ import sys
 # Modules, and programs that tests run where they find them, by the package that brings them.
 PACKAGES = {
     "cv2": "python3-opencv",
+    "git": "git",
     "groff": "groff-base",
     "h5py": "python3-h5py",
     "mypy": "mypy",
@@ -20,14 +21,16 @@ PACKAGES = {
     "yaml": "python3-yaml",
     "zsh": "zsh",
 }
-EVERY_MACHINE_HAS = {"setpriv", "unshare"}  # of Debian's essential packages
+# Of Debian's essential packages, and of those that come with a compiler.
+EVERY_MACHINE_HAS = {"bash", "mount", "setpriv", "sh", "umount", "unshare"} | {"nm"}
 INSTALLED = ("build", "test")
 OPTIONAL = (*INSTALLED, "benchmark")
 # Examples and benchmarks may ask their readers for more; what made stored values is run by nobody.
 FOLDERS = {"tests": INSTALLED, "tools": INSTALLED, "python": INSTALLED,
            "examples": OPTIONAL, "benchmarks": OPTIONAL}
 BY_HAND = {"make_pytorch_gradients.py"}
-OTHERS = {"examples": {"rclpy", "std_msgs"}}  # of ROS 2, which is not Debian's
+OTHERS = {"examples": {"rclpy", "std_msgs"},  # of ROS 2, which is not Debian's
+          "tools": {"git"}}  # whoever measures a state of the project has one
 OWN = {"limber"}  # and every file's own name
 
 
@@ -43,11 +46,26 @@ def listed_packages(project):
     return sections
 
 
+def started_programs(tree):
+    """Programs that subprocess starts by name where nobody waits for FileNotFoundError: name and line."""
+    guarded = {id(node) for attempt in ast.walk(tree) if isinstance(attempt, ast.Try)
+               and any("FileNotFoundError" in ast.dump(handler) for handler in attempt.handlers)
+               for statement in attempt.body for node in ast.walk(statement)}
+    for call in ast.walk(tree):
+        if (isinstance(call, ast.Call) and ast.unparse(call.func).startswith("subprocess.") and id(call) not in guarded
+                and call.args and isinstance(call.args[0], ast.List) and call.args[0].elts
+                and isinstance(call.args[0].elts[0], ast.Constant) and "/" not in call.args[0].elts[0].value):
+            yield call.args[0].elts[0].value, call.lineno
+
+
 def needs(path, sections):
     """Top-level modules that a file imports, and modules and programs that it looks for: name, line and
     the sections that may list it."""
     text = path.read_text(encoding="utf-8")
-    for node in ast.walk(ast.parse(text)):
+    tree = ast.parse(text)
+    for name, line in started_programs(tree):
+        yield name, line, sections
+    for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             for name in node.names:
                 yield name.name.split(".")[0], node.lineno, sections
