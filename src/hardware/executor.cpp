@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <functional>
 #include <future>
 #include <list>
@@ -59,10 +58,9 @@ class Execution {
       if (settings_.controller != nullptr) {
         follow_controller();
       } else {
-        follow();
-      }
-      while (settings_.controller == nullptr && settings_.replanner != nullptr && go_on()) {
-        follow();
+        do {
+          follow();
+        } while (settings_.replanner != nullptr && go_on());
       }
     } catch (const SystemFault& fault) {
       result_.status = ExecutionStatus::fault;
@@ -96,12 +94,28 @@ class Execution {
   /// @param until_s  since the hold began
   void hold(int held, double until_s) {
     int late = 0;  // frames after the plan's end, in which its last ones are seen
-    for (int k = held; k < arm_.frames_in(until_s); ++k) {
-      command(held_kpa());
+    for (int k = held; k < arm_.frames_in(until_s);) {
+      k = hold_frame() ? k + 1 : 0;
       if (!halted_) {
         watch_.compare(*plan_, frame_ + static_cast<std::size_t>(++late));
       }
     }
+  }
+
+  /// Holds; or goes on along the plan, where its source has it that an arm held now strikes.
+  /// @return whether the arm held
+  bool hold_frame() {
+    const std::size_t before = std::exchange(frame_, correct_setpoint(frame_));
+    command(held_kpa());
+    return frame_ == before;
+  }
+
+  /// Holds whatever becomes of it: a plan that starts there is being made.
+  void hold_still() {
+    if (settings_.replanner != nullptr && !settings_.replanner->may_hold()) {
+      ++result_.frames_not_certified;
+    }
+    command(held_kpa());
   }
 
   /// Commands the plan's frames, and those of plans that replace it meanwhile.
@@ -137,7 +151,7 @@ class Execution {
         }
       }
       while (job.is_busy()) {
-        command(held_kpa());  // nothing else may be asked before that
+        hold_frame();  // nothing else may be asked before that
       }
       return is_at_end();
     } catch (...) {
@@ -227,7 +241,7 @@ class Execution {
   /// @return whether there is another plan to follow
   bool go_on() {
     for (int k = 0; k < arm_.frames_in(kLongestBlindS) && !driver_.state().backbone; ++k) {
-      command(held_kpa());
+      hold_still();
     }
     std::optional<Plan> next = ask_for_next();
     if (!next && halted_) {  // it may still have moved a little
@@ -237,7 +251,10 @@ class Execution {
     if (!next) {
       const bool rests_in_goal = watch_.rests_in_goal(settings_.hold_s);
       result_.stopped_ahead = !is_at_end() && !rests_in_goal;
-      note_stop(rests_in_goal);
+      if (!stop_reason_.empty() && !rests_in_goal) {
+        result_.status = ExecutionStatus::stopped;  // not done: it was stopped in mid-motion
+        result_.message = stop_reason_;
+      }
       return false;
     }
     stop_reason_.clear();
@@ -246,14 +263,6 @@ class Execution {
       result_.open_loop_goal_error = pose_error(environment_.goal, tip_pose(*watch_.shape()));
     }
     return true;
-  }
-
-  /// A run that ends where its arm was stopped in mid-motion was not done, but for one in the goal.
-  void note_stop(bool rests_in_goal) {
-    if (!stop_reason_.empty() && !rests_in_goal) {
-      result_.status = ExecutionStatus::stopped;
-      result_.message = stop_reason_;
-    }
   }
 
   /// A driver in real time gets its set points while the next plan is searched for; simulated time
@@ -269,7 +278,7 @@ class Execution {
         });
     try {
       while (next.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-        command(held_kpa());
+        hold_still();
       }
     } catch (...) {
       driver_.vent();  // now, not when the search has ended
@@ -289,11 +298,10 @@ class Execution {
     throw_if_stopped();
     const ArmState& state = driver_.command(setpoint_kpa);
     const Environment* now = watch_.take_in(setpoint_kpa, motion_);
-    if (settings_.replanner == nullptr) {
-      return;
+    if (settings_.replanner != nullptr) {
+      settings_.replanner->observe(setpoint_kpa, state);
+      appeared_ = now != nullptr ? now : appeared_;
     }
-    settings_.replanner->observe(setpoint_kpa, state);
-    appeared_ = now != nullptr ? now : appeared_;
   }
 
   /// While nothing is being worked out: that would be for the environment of before.
@@ -359,12 +367,7 @@ void check(const ArmDescription& arm, const Environment& environment, const Plan
     throw InputError("plan: no frames; expected at least its start");
   }
   require_plan_of(plan, arm, "plan");
-  const std::string hash = environment_hash(environment);
-  if (plan.environment_hash != hash) {
-    throw InputError(
-        fmt::format("plan: made for environment '{}' (hash {}); this one is '{}' (hash {})",
-                    plan.environment_name, plan.environment_hash, environment.name, hash));
-  }
+  require_plan_in(plan, environment, "plan");
   if (!(settings.hold_s >= 0.0) || settings.hold_s > 3600.0) {
     throw InputError(fmt::format("hold_s = {}; expected seconds from 0 to 3600", settings.hold_s));
   }

@@ -113,7 +113,7 @@ class Case:
         self.chance = random.Random(f"{seed}/{kind}/{number}")
         # A shape that was never seen elsewhere has not jumped; zero in force was sent recently.
         self.frame = max(self.chance.randrange(LAST_FRAME), {"jump": 2, "release": 8}.get(kind, 0))
-        # On a clock of its own, 10 cm are no jump where the machine stalls for two frames.
+        # On a clock of its own, 50 cm are no jump where the machine stalls for four frames.
         self.sampling = self.chance.choice(SAMPLINGS[:2] if kind == "jump" else SAMPLINGS)
         self.seed = self.chance.randrange(1000)
         self.folder = folder / self.name.replace(" ", "_")

@@ -33,7 +33,7 @@ constexpr int kSilentFrames = 3;       // without a request: the deadman vents
 constexpr double kFastSilenceS = 2.0;  // the same of a server that keeps no frames
 constexpr int kLateFrames = 4;
 constexpr float kOverLimit = 1.2F;
-constexpr float kJumpM = 0.1F;
+constexpr float kJumpM = 0.5F;
 constexpr float kRiseKpa = 3.0F;  // a frame
 
 class DriverServer {

@@ -1,5 +1,9 @@
 #include "arm_estimate.hpp"
 
+#include <utility>
+
+#include "limber/arm/plate_distance.hpp"
+
 namespace limber {
 
 ArmStart start_at(const MotionState& state) {
@@ -58,11 +62,12 @@ void ArmEstimate::take_next(const Pressures& pressure_kpa) {
 }
 
 void ArmEstimate::look_ahead() {
-  ahead_ = state_;
+  const std::optional<MotionState> before = std::exchange(ahead_, state_);
   if (ahead_) {
     for (const Pressures& setpoint_kpa : coming_kpa_) {
       model_.step(setpoint_kpa, *ahead_, workspace_);
     }
+    moved_m_ = before ? largest_plate_distance_m(before->backbone, ahead_->backbone) : 0.0;
   }
 }
 

@@ -55,6 +55,8 @@ class ArmEstimate {
   bool has_state() const { return state_.has_value(); }
   /// After the set points that were observed last. @pre has_state()
   const MotionState& state() const { return *ahead_; }
+  /// The farthest that a plate came in the frame observed last. [m]
+  double moved_m() const { return moved_m_; }
   /// Frames since it was tracked last.
   int frames_unseen() const { return frames_unseen_; }
 
@@ -81,6 +83,7 @@ class ArmEstimate {
   std::optional<MotionState> ahead_;  // after those that are coming
   std::optional<ShapeFilter> filter_;
   std::optional<Backbone> start_;
+  double moved_m_ = 0.0;
   int frames_unseen_ = 0;
   ModelMiss miss_;
   ForecastCheck check_;

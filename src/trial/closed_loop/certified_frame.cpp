@@ -64,7 +64,16 @@ CertifiedFrame::Sent CertifiedFrame::next(const MotionState& now, const Plan& pl
   return sent;
 }
 
-bool CertifiedFrame::leads_on(const MotionState& now, const Plan& plan, std::size_t frame) {
+bool CertifiedFrame::may_hold(const MotionState& now) {
+  last_.reset();
+  if (std::optional<Plan> found = stop_from(now)) {
+    last_ = Motion{std::move(*found), 1, std::nullopt, nullptr};
+  }
+  return last_.has_value();
+}
+
+bool CertifiedFrame::leads_on(const MotionState& now, const Plan& plan,
+                              std::size_t frame) const {
   const Wanted held{now.setpoint_kpa(), frame};
   return motion_from(now, with_rest_of(plan, held, box_for(plan), arm_.pressure_step_limit_kpa()))
       .has_value();
@@ -76,14 +85,15 @@ PressureBox CertifiedFrame::box_for(const Plan& plan) const {
 }
 
 std::optional<Plan> CertifiedFrame::motion_from(const MotionState& now,
-                                                const std::vector<Pressures>& to_kpa) {
-  environment_.start = start_at(now);
+                                                const std::vector<Pressures>& to_kpa) const {
+  Environment from_here = environment_;
+  from_here.start = start_at(now);
   const Pose tip = tip_pose(now.backbone);
-  environment_.goal.x_m = tip.x_m;
-  environment_.goal.y_m = tip.y_m;
+  from_here.goal.x_m = tip.x_m;
+  from_here.goal.y_m = tip.y_m;
   std::vector<Pressures> waypoints_kpa{now.setpoint_kpa()};
   waypoints_kpa.insert(waypoints_kpa.end(), to_kpa.begin(), to_kpa.end());
-  CheckedPlans plans(PlanningProblem{arm_, model_, environment_, clearance_m_}, check_);
+  CheckedPlans plans(PlanningProblem{arm_, model_, from_here, clearance_m_}, check_);
   return plans.end_of(waypoints_kpa) ? plans.checked(waypoints_kpa, "certified frame", 0)
                                      : std::nullopt;
 }

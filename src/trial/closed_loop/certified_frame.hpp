@@ -15,7 +15,7 @@ namespace limber {
 /// plan, moved by what the set points are off it, or a stop: the set points held until the arm
 /// rests. Where nothing is certified, the arm keeps to the motion that was certified last.
 ///
-/// Threads: one of these, one thread. All arguments are borrowed.
+/// Threads: what is constant may be called by any; the rest by one. All arguments are borrowed.
 class CertifiedFrame {
  public:
   /// @param clearance_m  kept from obstacles, ≥ 0; most of what the arm has where that is less
@@ -41,14 +41,12 @@ class CertifiedFrame {
   /// @param now   where the arm is, after all set points that were sent
   /// @param plan  that it follows
   Sent next(const MotionState& now, const Plan& plan, const std::vector<Wanted>& wanted);
-  /// Whether the arm may hold its set points from now on.
-  bool may_stop(const MotionState& now) {
-    return motion_from(now, {now.setpoint_kpa()}).has_value();
-  }
+  /// Whether the arm comes to rest free if it holds its set points from now on.
+  bool may_stop(const MotionState& now) const { return stop_from(now).has_value(); }
+  /// The same for an arm that does so, whatever is said.
+  bool may_hold(const MotionState& now);
   /// Whether it may follow the rest of a plan, whose frame `frame` it had last.
-  bool leads_on(const MotionState& now, const Plan& plan, std::size_t frame);
-  /// The arm has held its set points: nothing that was certified before counts any more.
-  void forget() { last_.reset(); }
+  bool leads_on(const MotionState& now, const Plan& plan, std::size_t frame) const;
 
  private:
   /// A certified motion and how far the arm is along it.
@@ -57,15 +55,19 @@ class CertifiedFrame {
     std::size_t frame = 1;  ///< sent last
     /// Of the plan whose rest it is, in this one's frame 1; none: it is a stop.
     std::optional<std::size_t> first;
-    const Plan* of;  ///< that one; compared, never read
+    const Plan* of;  ///< that one, none: no plan's; compared, never read
   };
 
-  std::optional<Plan> motion_from(const MotionState& now, const std::vector<Pressures>& to_kpa);
+  std::optional<Plan> motion_from(const MotionState& now,
+                                  const std::vector<Pressures>& to_kpa) const;
+  std::optional<Plan> stop_from(const MotionState& now) const {
+    return motion_from(now, {now.setpoint_kpa()});
+  }
   PressureBox box_for(const Plan& plan) const;
 
   const ArmDescription& arm_;
   MotionModel model_;
-  Environment environment_;  // start and goal are those of the last motion
+  Environment environment_;  // all motions start elsewhere, and end in the goal that each brings
   double clearance_m_;
   std::vector<PressureLimits> limits_;
   PlanCheck check_;

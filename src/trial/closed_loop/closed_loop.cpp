@@ -1,12 +1,12 @@
 #include "limber/trial/closed_loop.hpp"
 
 #include <mutex>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "certified_frame.hpp"
 #include "goal_lengths.hpp"
-#include "limber/arm/plate_distance.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/trial/plan_trial.hpp"
 #include "motion_guide.hpp"
@@ -73,9 +73,7 @@ struct ClosedLoop::Motion {
                                       settings.corrections.limits},
                   *planner, certificate_check(arm, model), seed);
     if (model.has_network()) {
-      for (std::optional<CertifiedFrame>* one : {&gate, &advice_gate}) {
-        one->emplace(arm, model, now, kRoomOfFrames * room.margin_m, settings.corrections.limits);
-      }
+      gate.emplace(arm, model, now, kRoomOfFrames * room.margin_m, settings.corrections.limits);
     }
     aim = goal = now.goal;
   }
@@ -119,11 +117,7 @@ struct ClosedLoop::Motion {
   }
 
   /// Whether friction and valves still carry it on: where it is now says little of where it ends.
-  bool is_moving() const {
-    const MotionState& now = estimate.state();
-    return now.before.size() > 0 &&
-           largest_plate_distance_m(now.before, now.backbone) > kStillM * arm.length_m();
-  }
+  bool is_moving() const { return estimate.moved_m() > kStillM * arm.length_m(); }
 
   /// An arm that rests short of the goal where its plan has it inside.
   bool is_led_on(const Plan& plan, std::size_t frame, const ArmState& state) const {
@@ -140,7 +134,7 @@ struct ClosedLoop::Motion {
   bool leads_on(const Plan& plan, std::size_t next, MotionState now) {
     MotionModel::Workspace workspace;
     model.step(plan.frames[next].setpoint_kpa, now, workspace);
-    return advice_gate && advice_gate->leads_on(now, plan, next);
+    return gate && gate->leads_on(now, plan, next);
   }
 
   bool is_blind() const { return estimate.frames_unseen() > arm.frames_in(settings.blind_s); }
@@ -160,8 +154,8 @@ struct ClosedLoop::Motion {
   std::optional<Replanner> corrections;
   std::optional<MotionGuide> guide;
   std::optional<CertifiedFrame> gate;  // none without memory: that predicts from pressures alone
-  std::optional<CertifiedFrame> advice_gate;  // the same, for the thread of advice
-  int waited = 0;  // frames in a row in which the arm was held in mid-motion
+  const Plan* sent_of = nullptr;  // what was sent last; compared, never read
+  int waited = 0;  // frames of that in a row in which the arm was held in mid-motion
   PoseGoal aim;    // of the plan that is followed
   PoseGoal goal;   // of the environment
   /// It starts at rest, and its goal is shifted by what the model has a held arm do: that is not
@@ -188,17 +182,22 @@ void ClosedLoop::observe(const Pressures& setpoint_kpa, const ArmState& state) {
 /// What leads the arm, the plan's own, or what the arm has: the first of these that is certified.
 FrameSetpoint ClosedLoop::setpoint(const Plan& plan, std::size_t frame, std::size_t next) {
   Motion& motion = *motion_;
-  const Pressures led_kpa = led_setpoint(plan, frame, next);
+  const Pressures& held_kpa = plan.frames[frame].setpoint_kpa;
+  const Pressures led_kpa = next == frame ? held_kpa : led_setpoint(plan, frame, next);
   if (!motion.gate || !motion.estimate.has_state()) {
     return {led_kpa, next};
   }
+  if (std::exchange(motion.sent_of, &plan) != &plan) {
+    motion.waited = 0;
+  }
   const bool is_over = next + static_cast<std::size_t>(plan.hold_frame_count) >= plan.frames.size();
   const std::size_t following = std::min(frame + 1, plan.frames.size() - 1);
-  const CertifiedFrame::Sent sent =
-      motion.gate->next(motion.estimate.state(), plan,
-                        {{led_kpa, next},
-                         {plan.frames[following].setpoint_kpa, following},
-                         {plan.frames[frame].setpoint_kpa, is_over ? next : frame}});
+  std::vector<CertifiedFrame::Wanted> wanted{{led_kpa, next},
+                                             {plan.frames[following].setpoint_kpa, following}};
+  if (next != frame) {
+    wanted.push_back({held_kpa, is_over ? next : frame});
+  }
+  const CertifiedFrame::Sent sent = motion.gate->next(motion.estimate.state(), plan, wanted);
   const std::size_t reached = sent.frame.value_or(is_over ? next : frame);
   motion.waited = reached == frame ? motion.waited + 1 : 0;
   return {sent.kpa, reached, sent.is_certified};
@@ -216,9 +215,6 @@ Pressures ClosedLoop::led_setpoint(const Plan& plan, std::size_t frame, std::siz
     motion.followed = &plan;
     motion.follower.forget();
   }
-  if (next == frame) {
-    return held_kpa;
-  }
   const Backbone& shape = motion.estimate.state().backbone;
   const int held = static_cast<int>(next) + plan.hold_frame_count - plan.frame_count();
   const int settles = motion.times_led_on > 0 ? 0 : motion.arm.frames_in(kSettleS);
@@ -235,6 +231,12 @@ Pressures ClosedLoop::led_setpoint(const Plan& plan, std::size_t frame, std::siz
   }
   return motion.follower.setpoint(plan.frames[next].setpoint_kpa, held_kpa,
                                   limits_after(plan, motion.settings.corrections.limits));
+}
+
+bool ClosedLoop::may_hold() {
+  Motion& motion = *motion_;
+  return !motion.gate || !motion.estimate.has_state() ||
+         motion.gate->may_hold(motion.estimate.state());
 }
 
 std::function<MotionAdvice()> ClosedLoop::advise(const Plan& plan, std::size_t next) {
@@ -269,19 +271,18 @@ bool ClosedLoop::may_go_on(const Plan& plan, std::size_t frame, const ArmState& 
 }
 
 std::optional<Plan> ClosedLoop::next(const Plan& plan, std::size_t frame, const ArmState& state) {
-  if (motion_->is_led_on(plan, frame, state)) {
-    ++motion_->times_led_on;
-    return held_on(plan);
+  {
+    const std::lock_guard lock(motion_->estimate_mutex);
+    if (motion_->is_led_on(plan, frame, state)) {
+      ++motion_->times_led_on;
+      return held_on(plan);
+    }
   }
   std::optional<Plan> found = motion_->corrections->next(plan, frame, motion_->at_rest(state));
   motion_->aim = motion_->corrections->aim();
   motion_->is_correction = motion_->model.has_network() && motion_->corrections->is_correction();
   motion_->times_led_on = 0;
-  motion_->waited = 0;
   motion_->followed = nullptr;
-  if (motion_->gate) {
-    motion_->gate->forget();
-  }
   const std::lock_guard lock(motion_->estimate_mutex);
   motion_->estimate.forget_miss();
   return found;

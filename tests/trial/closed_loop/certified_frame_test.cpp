@@ -42,6 +42,7 @@ class Replayed final : public PlanSource {
     }
     return sent;
   }
+  bool may_hold() override { return loop_.may_hold(); }
   std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next) override {
     return loop_.advise(plan, next);
   }

@@ -62,10 +62,13 @@ class PlanSource {
   virtual void observe(const Pressures& setpoint_kpa, const ArmState& state);
   /// Set points to send in frame `next` of a plan, in place of the plan's own; from then on the
   /// plan that this source is shown has them. They are within the limits, and no farther from the
-  /// last ones than the frame rule allows. Asked for each frame of a plan, also where the arm waits
-  /// in one.
-  /// @param frame  the one commanded last, `next` where it waits
+  /// last ones than the frame rule allows. Asked for each frame of a plan, and while the arm waits
+  /// in one, is halted or holds.
+  /// @param frame  the one commanded last, `next` where it is to stay there
   virtual FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next);
+  /// Whether an arm that has to hold its set points, as a plan from there is being made, does
+  /// something certified, as far as the source looks at that. Asked for each such frame.
+  virtual bool may_hold() { return true; }
   /// Asked before each frame of a motion, whose set points `plan.frames[next]` are then sent
   /// without waiting for the answer: it takes effect in the frame after that one, or never if it
   /// comes later. In real time the answer is worked out on another thread while the arm goes on:
@@ -77,7 +80,7 @@ class PlanSource {
   /// The plan to follow from here on, for an arm that has held the set points of frame `frame` of
   /// `plan` for the hold, or 0.3 s where it was halted: the last one, or the one after which it was
   /// not allowed to go on. It starts there. None ends the run. In real time it is called on another
-  /// thread; meanwhile nothing but `observe` is called.
+  /// thread; meanwhile nothing but `observe` and `may_hold` is called.
   virtual std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
   /// An obstacle has appeared: from now on the environment is this one, which outlives the run.
   /// Said while no advice and no plan is being worked out.

@@ -28,7 +28,7 @@ enum class ServerFaultKind {
   hello,    ///< says hello for another arm; the frame does not matter
   over,     ///< segment 0 reads 20 % over its limit
   stuck,    ///< segment 0 always reads the same
-  jump,     ///< the last plate is seen 10 cm off
+  jump,     ///< the last plate is seen 50 cm off
   sealed,   ///< pressures stay where they are, vented or not
   rise,     ///< pressures rise while venting
   release,  ///< vents by itself, and says so

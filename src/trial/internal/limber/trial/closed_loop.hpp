@@ -34,6 +34,7 @@ class ClosedLoop final : public PlanSource {
 
   void observe(const Pressures& setpoint_kpa, const ArmState& state) override;
   FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next) override;
+  bool may_hold() override;
   std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next) override;
   bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
