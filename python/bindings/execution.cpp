@@ -170,6 +170,8 @@ void bind_execution(py::module_& module) {
       .def_readonly("replans", &ExecutionResult::replans, "Number of plans after the first.")
       .def_readonly("halts", &ExecutionResult::halts,
                     "Number of plans that were left before their end.")
+      .def_readonly("frames_not_certified", &ExecutionResult::frames_not_certified,
+                    "Frames in which nothing was certified from where the arm was.")
       .def_readonly("open_loop_goal_error", &ExecutionResult::open_loop_goal_error,
                     "PoseError where the first plan's hold ended, if more followed; or None.")
       .def_readonly("start_error_m", &ExecutionResult::start_error_m,

@@ -594,6 +594,9 @@ class ExecutionResult:
     def halts(self) -> int:
         """Number of plans that were left before their end."""
     @property
+    def frames_not_certified(self) -> int:
+        """Frames in which nothing was certified from where the arm was."""
+    @property
     def open_loop_goal_error(self) -> PoseError | None:
         """PoseError where the first plan's hold ended, if more followed; or None."""
     @property

@@ -18,6 +18,7 @@ using std::chrono::milliseconds;
 constexpr auto kHelloTime = milliseconds(10000);  // a board that resets when its port is opened
 constexpr auto kUntilKilled = milliseconds(500);  // after its input was closed
 constexpr auto kLastWords = milliseconds(20);     // for `vent` and `bye` to a driver in trouble
+constexpr auto kUntilEnded = milliseconds(100);   // after it closed its output, on a busy machine
 constexpr double kMaxStepFrames = 20.0;           // between two samples by the driver's clock
 constexpr double kMaxRepeatFrames = 3.0;          // that a sample may be the newest for
 constexpr double kMinStepS = 1e-6;   // of others: no device samples pressures faster …
@@ -111,7 +112,7 @@ ArmState DriverLink::exchange(const std::string& line, Clock::duration reply_tim
     last_words_->prepare(vent_line(seq_ + 1, since_start_s()));
   }
   if (!child_.write_line(line, deadline)) {
-    say_why_it_is_silent("does not read its input");
+    say_why_it_is_silent("does not read its input", kLastWords);
   }
   return receive(deadline);
 }
@@ -235,7 +236,7 @@ std::string DriverLink::next_line(Time deadline, const std::string& what) {
       throw BrokenDriver(
           fmt::format("sent a line of more than {} bytes after {}", kMaxDriverLine, what));
     default:
-      say_why_it_is_silent("closed its output");
+      say_why_it_is_silent("closed its output", kUntilEnded);
   }
 }
 
@@ -307,8 +308,8 @@ void DriverLink::close_input() {
   }
 }
 
-void DriverLink::say_why_it_is_silent(const std::string& otherwise) {
-  const bool ended = child_.wait_for_end(Clock::now() + kLastWords);
+void DriverLink::say_why_it_is_silent(const std::string& otherwise, milliseconds wait) {
+  const bool ended = child_.wait_for_end(Clock::now() + wait);
   throw BrokenDriver(ended ? child_.how_it_ended() : otherwise);
 }
 

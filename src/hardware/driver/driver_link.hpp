@@ -82,7 +82,9 @@ class DriverLink {
   void require_pace();
   std::string next_line(Time deadline, const std::string& what);
   void try_to_send(const std::string& line);
-  [[noreturn]] void say_why_it_is_silent(const std::string& otherwise);
+  /// How it ended, if it ends within that time.
+  [[noreturn]] void say_why_it_is_silent(const std::string& otherwise,
+                                         std::chrono::milliseconds wait);
   ArmState calibrated(DriverReply reply);
   void require_known_plane(const DriverReply& reply) const;
 

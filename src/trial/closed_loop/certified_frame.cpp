@@ -72,8 +72,7 @@ bool CertifiedFrame::may_hold(const MotionState& now) {
   return last_.has_value();
 }
 
-bool CertifiedFrame::leads_on(const MotionState& now, const Plan& plan,
-                              std::size_t frame) const {
+bool CertifiedFrame::leads_on(const MotionState& now, const Plan& plan, std::size_t frame) const {
   const Wanted held{now.setpoint_kpa(), frame};
   return motion_from(now, with_rest_of(plan, held, box_for(plan), arm_.pressure_step_limit_kpa()))
       .has_value();

@@ -154,7 +154,7 @@ struct ClosedLoop::Motion {
   std::optional<Replanner> corrections;
   std::optional<MotionGuide> guide;
   std::optional<CertifiedFrame> gate;  // none without memory: that predicts from pressures alone
-  const Plan* sent_of = nullptr;  // what was sent last; compared, never read
+  const Plan* sent_of = nullptr;       // what was sent last; compared, never read
   int waited = 0;  // frames of that in a row in which the arm was held in mid-motion
   PoseGoal aim;    // of the plan that is followed
   PoseGoal goal;   // of the environment

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,10 @@ constexpr double kOffPlan = 0.043;
 /// Or of what the plan keeps from obstacles, where that is less: arms with more friction than the
 /// model knows slide off their plan by centimetres within a few frames.
 constexpr double kOfClearance = 0.25;
+/// From here on a forecast that strikes counts at once. What lies farther ahead counts from the second
+/// such forecast in a row on: a tracker's noise makes single ones, which networks that read velocities
+/// amplify, and the way that avoids it ends farther from the goal.
+constexpr double kStrikesSoonS = 0.3;
 constexpr double kHaltS = 1.0;  // that an arm takes to come to rest
 
 std::vector<Pressures> setpoints_after(const Plan& plan, std::size_t next) {
@@ -138,6 +143,7 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   ++seed_;
   if (follower) {
     if (std::optional<MotionAdvice> led = lead(plan, next, *follower)) {
+      strikes_ = false;
       return *std::move(led);
     }
   }
@@ -162,10 +168,15 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
     *goal.theta_rad -= ahead.z();
   }
   const double error_m = as_length_m(goal, pose_error(goal, rest.end));
+  strikes_ = strikes_ && !rest.is_safe();
   const double promised_m =
       as_length_m(goal, PoseError{plan.goal_distance_m, plan.goal_orientation_rad});
   if (rest.is_safe() && error_m <= promised_m + kStrays * goal.position_tolerance_m) {
     has_waited_ = false;
+    return {};
+  }
+  if (!rest.is_safe() && !std::exchange(strikes_, true) &&
+      rest.unsafe_frame > arm_.frames_in(kStrikesSoonS)) {
     return {};
   }
   if (std::optional<Plan> found = find(plan, next, way, goal, rest.is_safe(), error_m)) {

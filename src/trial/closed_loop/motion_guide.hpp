@@ -96,6 +96,7 @@ class MotionGuide {
   PlanCheck check_;
   std::uint64_t seed_;
   bool has_waited_ = false;  // in the frame before
+  bool strikes_ = false;     // as the last forecast has it
 };
 
 }  // namespace limber

@@ -174,7 +174,8 @@ struct ExecutionResult {
   int switches = 0;  ///< plans that another one replaced in mid-motion
   int waits = 0;     ///< frames in which the arm waited in mid-motion
   int halts = 0;     ///< plans that were left before their end, since the arm strayed
-  /// Frames in which nothing was certified from where the arm was: it held its set points.
+  /// Frames in which nothing was certified from where the arm was: it went on along what was
+  /// certified last, then held.
   int frames_not_certified = 0;
   AdviceTimes advice;
   std::optional<AppearedObstacle> appeared;
