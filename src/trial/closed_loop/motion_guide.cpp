@@ -32,9 +32,9 @@ constexpr double kOffPlan = 0.043;
 /// Or of what the plan keeps from obstacles, where that is less: arms with more friction than the
 /// model knows slide off their plan by centimetres within a few frames.
 constexpr double kOfClearance = 0.25;
-/// From here on a forecast that strikes counts at once. What lies farther ahead counts from the second
-/// such forecast in a row on: a tracker's noise makes single ones, which networks that read velocities
-/// amplify, and the way that avoids it ends farther from the goal.
+/// From here on a forecast that strikes counts at once. What lies farther ahead counts from the
+/// second such forecast in a row on: a tracker's noise makes single ones, as networks that read
+/// velocities amplify it, and the way that avoids what is not there ends farther from the goal.
 constexpr double kStrikesSoonS = 0.3;
 constexpr double kHaltS = 1.0;  // that an arm takes to come to rest
 
@@ -175,7 +175,7 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
     has_waited_ = false;
     return {};
   }
-  if (!rest.is_safe() && !std::exchange(strikes_, true) &&
+  if (model_.has_network() && !rest.is_safe() && !std::exchange(strikes_, true) &&
       rest.unsafe_frame > arm_.frames_in(kStrikesSoonS)) {
     return {};
   }
