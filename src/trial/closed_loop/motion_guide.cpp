@@ -29,7 +29,7 @@ constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at
 /// Of the arm's length: a plate that is farther from where its plan has it holds the plan up. 3 cm
 /// of the arm of the paper.
 constexpr double kOffPlan = 0.043;
-/// Or of what the plan keeps from obstacles, where that is less: arms with more friction than the
+/// Or of what the plan keeps from obstacles in its next second, where that is less: arms with more friction than the
 /// model knows slide off their plan by centimetres within a few frames.
 constexpr double kOfClearance = 0.25;
 /// From here on a forecast that strikes counts at once. What lies farther ahead counts from the
@@ -213,6 +213,15 @@ bool MotionGuide::is_free(const Plan& plan, std::size_t next, std::size_t frames
   return true;
 }
 
+double MotionGuide::clearance_m(const Plan& plan, std::size_t next, std::size_t frames) const {
+  const CollisionChecker checker(arm_, environment_.obstacles);
+  double least_m = checker.clearance(plan.frames[next].backbone).value_m;
+  for (std::size_t k = next + 1; k < next + frames; ++k) {
+    least_m = std::min(least_m, checker.clearance(plan.frames[k].backbone).value_m);
+  }
+  return least_m;
+}
+
 std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next,
                                               const PlanFollower& follower) {
   const std::size_t rest = plan.frames.size() - next;
@@ -221,8 +230,9 @@ std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next
   if (!is_free(plan, next, rest, on_plan) || !is_free(plan, next, soon, follower.off_plan())) {
     return std::nullopt;
   }
-  const double off_m = std::min(kOffPlan * arm_.length_m(),
-                                kOfClearance * std::max(plan.clearance_m, room_.margin_m));
+  const double off_m =
+      std::min(kOffPlan * arm_.length_m(),
+               kOfClearance * std::max(clearance_m(plan, next, soon), room_.margin_m));
   has_waited_ = !has_waited_ && follower.farthest_m() > off_m;
   return MotionAdvice{has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
 }

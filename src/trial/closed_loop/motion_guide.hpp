@@ -74,6 +74,8 @@ class MotionGuide {
   /// Whether so many frames of a plan are, from `next` on.
   /// @param off  that the arm is beside the plan in all of them
   bool is_free(const Plan& plan, std::size_t next, std::size_t frames, const Backbone& off) const;
+  /// Smallest of so many frames of a plan.
+  double clearance_m(const Plan& plan, std::size_t next, std::size_t frames) const;
   /// Set points of the frame after `next`.
   Pressures led_setpoint(const Plan& plan, std::size_t next, const MotionState& from,
                          PlanFollower& follower) const;
