@@ -29,8 +29,8 @@ constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at
 /// Of the arm's length: a plate that is farther from where its plan has it holds the plan up. 3 cm
 /// of the arm of the paper.
 constexpr double kOffPlan = 0.043;
-/// Or of what the plan keeps from obstacles in its next second, where that is less: arms with more friction than the
-/// model knows slide off their plan by centimetres within a few frames.
+/// Or of what the plan keeps from obstacles in its next second, where that is less: arms with more
+/// friction than the model knows slide off their plan by centimetres within a few frames.
 constexpr double kOfClearance = 0.25;
 /// From here on a forecast that strikes counts at once. What lies farther ahead counts from the
 /// second such forecast in a row on: a tracker's noise makes single ones, as networks that read
