@@ -102,6 +102,7 @@ MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
     : arm_(arm),
       model_(model),
       environment_(environment),
+      checker_(arm, environment.obstacles),
       room_(room),
       settings_(settings),
       planner_(planner),
@@ -168,14 +169,14 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
     *goal.theta_rad -= ahead.z();
   }
   const double error_m = as_length_m(goal, pose_error(goal, rest.end));
-  strikes_ = strikes_ && !rest.is_safe();
+  const bool struck_before = std::exchange(strikes_, !rest.is_safe());
   const double promised_m =
       as_length_m(goal, PoseError{plan.goal_distance_m, plan.goal_orientation_rad});
   if (rest.is_safe() && error_m <= promised_m + kStrays * goal.position_tolerance_m) {
     has_waited_ = false;
     return {};
   }
-  if (model_.has_network() && !rest.is_safe() && !std::exchange(strikes_, true) &&
+  if (model_.has_network() && strikes_ && !struck_before &&
       rest.unsafe_frame > arm_.frames_in(kStrikesSoonS)) {
     return {};
   }
@@ -214,10 +215,9 @@ bool MotionGuide::is_free(const Plan& plan, std::size_t next, std::size_t frames
 }
 
 double MotionGuide::clearance_m(const Plan& plan, std::size_t next, std::size_t frames) const {
-  const CollisionChecker checker(arm_, environment_.obstacles);
-  double least_m = checker.clearance(plan.frames[next].backbone).value_m;
+  double least_m = checker_.clearance(plan.frames[next].backbone).value_m;
   for (std::size_t k = next + 1; k < next + frames; ++k) {
-    least_m = std::min(least_m, checker.clearance(plan.frames[k].backbone).value_m);
+    least_m = std::min(least_m, checker_.clearance(plan.frames[k].backbone).value_m);
   }
   return least_m;
 }

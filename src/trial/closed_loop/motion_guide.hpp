@@ -92,6 +92,7 @@ class MotionGuide {
   const ArmDescription& arm_;
   MotionModel model_;
   const Environment& environment_;
+  CollisionChecker checker_;  // of its obstacles, without room
   ErrorRoom room_;
   MotionGuideSettings settings_;
   Planner& planner_;
