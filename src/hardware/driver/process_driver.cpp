@@ -71,9 +71,7 @@ class ProcessDriver::Session {
   Session& operator=(const Session&) = delete;
 
   const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
-    if (!fault_.empty()) {
-      throw SystemFault(fault_);
-    }
+    throw_if_wrong(fault_);
     require_size(setpoint_kpa);
     try {
       throw_if_wrong(gate_->check_command(setpoint_kpa));
@@ -113,9 +111,7 @@ class ProcessDriver::Session {
   }
 
   const ArmState& look() {
-    if (!fault_.empty()) {
-      throw SystemFault(fault_);
-    }
+    throw_if_wrong(fault_);
     try {
       watch_vent(reply_time());
     } catch (const BrokenDriver& broken) {
