@@ -79,7 +79,10 @@ std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoin
 
 std::string SafetyGate::check_state(const ArmState& state) {
   std::string wrong = check_shape(state);
-  return wrong.empty() ? following(state) : wrong;
+  if (wrong.empty()) {
+    wrong = following(state);
+  }
+  return wrong.empty() ? never_sent(state) : wrong;
 }
 
 void SafetyGate::note_vented(const ArmState& state) {
@@ -99,18 +102,20 @@ std::string SafetyGate::check_in_force(const ArmState& state) const {
 
 std::string SafetyGate::over_limit(const Pressures& kpa, const char* what) const {
   for (int s = 0; s < arm_.segment_count(); ++s) {
-    const double own_kpa =
-        arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa.largest_kpa();
-    const double excess_kpa = settings_.over_limit_percent / 100.0 * own_kpa;
     const PressureLimits& limits = limits_kpa(s);
     const double value = kpa[s];
-    if (value > limits.upper_kpa + excess_kpa || value < limits.lower_kpa - excess_kpa) {
+    if (value > limits.upper_kpa + excess_kpa(s) || value < limits.lower_kpa - excess_kpa(s)) {
       return fmt::format(
           "{} {} {:.1f} kPa; its limit is {:.1f} kPa, with {:.1f} kPa allowed beyond",
-          segment_name(s), what, value, limit_of(limits, value), excess_kpa);
+          segment_name(s), what, value, limit_of(limits, value), excess_kpa(s));
     }
   }
   return "";
+}
+
+double SafetyGate::excess_kpa(int segment) const {
+  return settings_.over_limit_percent / 100.0 *
+         arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
 }
 
 std::string SafetyGate::check_shape(const ArmState& state) {
@@ -186,6 +191,27 @@ std::string SafetyGate::following(const ArmState& state) {
     }
     if (!wrong.empty()) {
       return wrong;
+    }
+  }
+  return "";
+}
+
+std::string SafetyGate::never_sent(const ArmState& state) const {
+  const auto recent = std::min(
+      history_.size(), static_cast<std::size_t>(arm_.frames_in(settings_.following_time_s)));
+  for (int s = 0; state.setpoint_kpa && s < arm_.segment_count(); ++s) {
+    float low = setpoint_kpa_[s];
+    float high = low;
+    for (std::size_t k = history_.size() - recent; k < history_.size(); ++k) {
+      low = std::min(low, history_[k].setpoint_kpa[s]);
+      high = std::max(high, history_[k].setpoint_kpa[s]);
+    }
+    const float reported = (*state.setpoint_kpa)[s];
+    if (std::max(low - reported, reported - high) > excess_kpa(s)) {
+      return fmt::format(
+          "{} reports a set point in force of {:.1f} kPa; {:.1f} to {:.1f} kPa were sent within "
+          "the last {} s, and {:.1f} kPa are allowed beyond",
+          segment_name(s), reported, low, high, settings_.following_time_s, excess_kpa(s));
     }
   }
   return "";

@@ -80,6 +80,8 @@ def answer_wrongly(request):
         send(state(request, t=clock - 0.05 + 1e-9))
     elif fault == "twice":
         send('{"type": "fault", "message": "valve 3 is hot", ' + whole[1:])
+    elif fault == "other":
+        send(state(request, setpoint_kpa=[value + 7.0 for value in setpoints]))
     elif fault == "told":
         send(state(request, setpoint_kpa=[0.0, 99999.0]))
     elif fault == "fault":

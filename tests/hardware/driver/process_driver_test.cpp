@@ -197,6 +197,10 @@ TEST_F(ProcessDriverTest, ASetpointInForceThatNothingAllowsIsAFault) {
   EXPECT_THAT(heard(), Not(HasSubstr("set")));
 }
 
+TEST_F(ProcessDriverTest, ASetpointInForceThatWasNotSentIsAFault) {
+  expect_fault("other", "kPa were sent within the last 0.5 s, and 5.0 kPa are allowed beyond");
+}
+
 // 50 µs in a frame of 50 ms, as of a clock in another unit.
 TEST_F(ProcessDriverTest, AClockThatHardlyGoesOnIsAFault) {
   ProcessDriver driver(arm_, settings("crawling"));

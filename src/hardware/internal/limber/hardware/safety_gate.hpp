@@ -54,6 +54,9 @@ class SafetyGate {
   std::string over_limit(const Pressures& kpa, const char* what) const;
   std::string following(const ArmState& state);
   std::string stuck(int segment) const;
+  /// A set point in force that is none of those sent in the following time, nor between them.
+  std::string never_sent(const ArmState& state) const;
+  double excess_kpa(int segment) const;  // that is allowed beyond a limit
 
   ArmDescription arm_;
   std::vector<PressureLimits> limits_kpa_;
