@@ -31,11 +31,14 @@ using ::testing::ThrowsMessage;
 /// A solved problem with a heading asked for, so that every check has work.
 struct Solved {
   ArmDescription arm = three_segment_arm();
-  ForwardModel model{arm, play_network(arm, 0.01F)};
+  bool has_network;
+  ForwardModel model;
   Environment environment;
   Plan plan;
 
-  Solved() {
+  explicit Solved(bool with_network)
+      : has_network(with_network),
+        model(with_network ? ForwardModel(arm, play_network(arm, 0.01F)) : ForwardModel(arm)) {
     environment.name = "pillars";
     environment.obstacles = {Circle{0.45, 0.22, 0.025}, Rectangle{0.6, -0.1, 0.04, 0.1, 0.3},
                              Polygon{{{0.1, 0.3}, {0.2, 0.3}, {0.15, 0.4}}}};
@@ -49,13 +52,14 @@ struct Solved {
   }
 
   Certificate certificate(const Plan& p) const {
-    return certify(p, arm, &model.compensation(), {}, environment);
+    return certify(p, arm, has_network ? &model.compensation() : nullptr, {}, environment);
   }
 };
 
-const Solved& solved() {
-  static const Solved s;
-  return s;
+const Solved& solved(bool with_network = true) {
+  static const Solved network(true);
+  static const Solved no_load(false);
+  return with_network ? network : no_load;
 }
 
 std::vector<std::string> failed_checks(const Certificate& certificate) {
@@ -105,8 +109,13 @@ TEST(Certificate, ANoLoadPlanIsCertifiedToo) {
 }
 
 // Each way of changing a plan by hand, and the check that must notice it.
-TEST(Certificate, RefusesAPlanChangedByHandInAnyField) {
-  const Solved& s = solved();
+class CertificateOf : public testing::TestWithParam<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(NetworkAndNoLoad, CertificateOf, testing::Bool());
+
+TEST_P(CertificateOf, RefusesAPlanChangedByHandInAnyField) {
+  const Solved& s = solved(GetParam());
+  ASSERT_TRUE(s.certificate(s.plan).certified());
   ASSERT_FALSE(s.plan.frames.empty());
   const struct {
     const char* check;

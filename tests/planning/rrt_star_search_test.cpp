@@ -1,5 +1,6 @@
 #include "src/planning/paper/rrt_star_search.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -48,6 +49,47 @@ TEST(RrtStarSearch, EveryNodeIsWhatItsParentLeadsToAfterAnyRewiring) {
   expect_sound_tree(Setting(true), 1500, &with_memory);
   EXPECT_GT(without_memory, 20U);
   EXPECT_GT(with_memory, 0U) << "the test should hold rewirings that change shapes downstream";
+}
+
+/// Whether the node or one above it has another parent in `tree`.
+bool is_rewired(const PressureTree& before, const PressureTree& tree, int node) {
+  const std::vector<int> above = before.nodes_to(node);
+  return std::any_of(above.begin(), above.end(),
+                     [&](int i) { return before.parent(i) != tree.parent(i); });
+}
+
+// What was simulated below a node stands on its backbone.
+TEST(RrtStarSearch, ARewiredNodeStaysWhereItWasWithinTheSettings) {
+  const Setting s(true);
+  const PlanningProblem problem{s.arm, s.model, s.environment};
+  const CollisionChecker checker(s.arm, s.environment.obstacles);
+  MotionSimulator simulator(s.arm, s.model, checker);
+  PressureRrtStarSettings settings;
+  settings.match_position_m = 0.003;
+  settings.match_orientation_rad = 0.02;
+  RrtStarSearch search(problem, simulator, ParentRule::lazy, settings, 5);
+  PlannerLimits limits;
+  limits.iterations = 1500;
+  const PlannerBudget budget(limits, {});
+  double farthest_m = 0.0;
+  double most_turned_rad = 0.0;
+  for (std::uint64_t k = 0; k < *limits.iterations; ++k) {
+    const PressureTree before = search.tree();
+    search.iterate(budget);
+    const PressureTree& tree = search.tree();
+    for (int i = 1; i < before.size(); ++i) {
+      if (before.parent(i) == tree.parent(i) || is_rewired(before, tree, before.parent(i))) {
+        continue;
+      }
+      EXPECT_EQ(before.setpoint_kpa(i), tree.setpoint_kpa(i));
+      const Backbone apart = before.backbone(i) - tree.backbone(i);
+      farthest_m = std::max<double>(farthest_m, apart.leftCols<2>().rowwise().norm().maxCoeff());
+      most_turned_rad = std::max<double>(most_turned_rad, apart.col(2).cwiseAbs().maxCoeff());
+    }
+  }
+  EXPECT_LE(farthest_m, settings.match_position_m);
+  EXPECT_LE(most_turned_rad, settings.match_orientation_rad);
+  EXPECT_GT(farthest_m, 0.3 * settings.match_position_m) << "the test should hold such rewirings";
 }
 
 /// A search, and a budget that is never spent.

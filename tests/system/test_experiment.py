@@ -1,12 +1,22 @@
 """`limber experiment`: the table, its files, resuming, and the same result for any number of jobs."""
 
 import json
+import math
+import statistics
 import unittest
 
 from program import InFolder
 from test_plan import PILLAR, changed
 
 ARM = ("--arm", "two_segment")
+KPA_PER_PSI = 6.894757293168361
+ROW_KEYS = {
+    "environment", "model", "planner", "controller", "disturbance", "trials", "solved",
+    "not_certified", "first_solution_s", "first_candidate_s", "first_certificate_s",
+    "first_solution_cost_psi", "cost_psi", "executed", "collided", "reached", "stopped_ahead",
+    "distance_to_goal_cm", "distance_to_goal_without_collision_cm", "orientation_to_goal_rad",
+    "orientation_to_goal_without_collision_rad",
+}
 
 
 class Experiment(InFolder):
@@ -50,6 +60,59 @@ class Experiment(InFolder):
             path.unlink()
         self.experiment("two", "--resume")
         self.assertEqual(self.table("one"), self.table("two"))
+
+    def test_the_tables_figures_are_those_of_its_trials(self):
+        """The keys of docs/experiments.md, all of them and no other; and values, from the trials."""
+        self.experiment("out")
+        trials = [json.loads(path.read_text(encoding="utf-8"))
+                  for path in sorted((self.folder / "out" / "trials").iterdir())]
+        for row in json.loads((self.folder / "out" / "table.json").read_text(encoding="utf-8")):
+            self.assertEqual(set(row), ROW_KEYS)
+            mine = [trial for trial in trials
+                    if all(trial[key] == row[key] for key in ("environment", "model", "planner"))]
+            solved = [trial for trial in mine if trial["status"] == "solved"]
+            runs = [trial["execution"] for trial in solved]
+            free = [run for run in runs if not run["collided"]]
+            self.assertEqual(row["trials"], len(mine))
+            self.assertEqual(row["solved"], len(solved))
+            self.assertEqual(row["not_certified"],
+                             sum(trial["status"] == "not_certified" for trial in mine))
+            self.assertEqual(row["executed"], len(runs))
+            self.assertEqual(row["collided"], len(runs) - len(free))
+            self.assertEqual(row["reached"], sum(run["goal_reached"] for run in runs))
+            for key, values in (
+                ("cost_psi", [trial["cost_psi"] for trial in solved]),
+                ("first_solution_s", [trial["first_solution"]["time_s"] for trial in solved]),
+                ("first_solution_cost_psi",
+                 [trial["first_solution"]["cost_kpa"] / KPA_PER_PSI for trial in solved]),
+                ("first_candidate_s", [trial["first_candidate_s"] for trial in solved]),
+                ("first_certificate_s", [trial["first_certificate_s"] for trial in solved]),
+                ("distance_to_goal_cm", [run["distance_to_goal_cm"] for run in runs]),
+                ("distance_to_goal_without_collision_cm",
+                 [run["distance_to_goal_cm"] for run in free]),
+                ("orientation_to_goal_rad", []),  # no goal here asks for a heading
+                ("orientation_to_goal_without_collision_rad", []),
+            ):
+                with self.subTest(row=row["environment"], model=row["model"], key=key):
+                    self.assert_figures(row[key], values)
+
+    def assert_figures(self, found, values):
+        self.assertEqual(set(found), {"mean", "median", "p95", "standard_error", "count"})
+        self.assertEqual(found["count"], len(values))
+        expected = {
+            "mean": statistics.fmean(values) if values else None,
+            "median": statistics.median(values) if values else None,
+            "standard_error": (statistics.stdev(values) / math.sqrt(len(values))
+                               if len(values) > 1 else None),
+        }
+        for name, value in expected.items():
+            if value is None:
+                self.assertIsNone(found[name], name)
+            else:
+                self.assertAlmostEqual(found[name], value, delta=1e-6 * abs(value) + 1e-9, msg=name)
+        if values:
+            self.assertGreaterEqual(found["p95"], found["median"])
+            self.assertLessEqual(found["p95"], max(values))
 
     def test_resuming_another_experiment_or_replacing_one_is_refused(self):
         self.experiment("out")

@@ -141,14 +141,25 @@ TEST(Train, AMemberOfAnEnsembleIsTheNetworkItWouldBeAlone) {
       three.member_validation_position_error_cm[0]);
 }
 
-TEST(Train, PaperPresetLowersItsLoss) {
+// Learnt once by this code: other numbers are another recipe, whose figures the docs don't have.
+TEST(Train, PaperPresetFollowsItsStoredCurve) {
   const ArmDescription arm = three_segment_arm();
   TrainingSettings settings = paper_preset();
   set_epoch_count(settings, 30);
   const TrainingResult result = train(arm, toy_data(arm), settings);
   ASSERT_EQ(result.status, TrainingStatus::finished);
   EXPECT_EQ(result.model.shape(), "102-100-100-100-48");
-  EXPECT_LT(result.curve.back().loss, result.curve.front().loss);
+  // Processors round differently, and SGD carries that on: 0.3 % after 5 epochs, 6 % after 30.
+  const struct {
+    int epoch;
+    double loss;
+    double share;
+  } stored[] = {{1, 22.00043, 1e-3}, {2, 18.15087, 2e-3},  {5, 14.11592, 0.01},
+                {10, 12.71916, 0.1}, {20, 11.07247, 0.15}, {30, 10.67148, 0.15}};
+  for (const auto& [epoch, loss, share] : stored) {
+    const LearningCurvePoint& point = result.curve.at(static_cast<std::size_t>(epoch - 1));
+    EXPECT_NEAR(point.loss, loss, share * loss) << "epoch " << epoch;
+  }
 }
 
 TEST(Train, KeepsTheBestByValidation) {
