@@ -8,6 +8,7 @@
 #include "limber/arm/characterisation.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/csv_reader.hpp"
+#include "limber/common/printable.hpp"
 
 namespace limber {
 
@@ -56,7 +57,7 @@ class BenchCsv {
             cells[i].column,
             fmt::format("column '{}'; expected the header pressure_kpa,strain and optionally "
                         "segment, separated by commas",
-                        cells[i].text));
+                        in_one_line(cells[i].text)));
       }
       if (*column) {
         csv_.refuse(cells[i].column, fmt::format("column '{}' occurs twice", cells[i].text));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -141,7 +142,9 @@ bool parse_number(std::string_view text, double& value) {
   }
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && stop == end && std::isfinite(value);
+  // Beyond single precision, in which all is kept, it would become infinite there.
+  return error == std::errc() && stop == end &&
+         std::abs(value) <= std::numeric_limits<float>::max();
 }
 
 }  // namespace limber

@@ -9,6 +9,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/csv_reader.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/printable.hpp"
 
 namespace limber {
 
@@ -165,7 +166,7 @@ std::string read_row(const LogFile& file, const std::vector<CsvCell>& row,
       const CsvCell& cell = row[column.index];
       if (!is_missing(cell.text) && !file.parse(cell.text, value)) {
         return fmt::format("line {}, column '{}': '{}' is not a number", file.csv().line(),
-                           file.names()[column.index], cell.text);
+                           file.names()[column.index], in_one_line(cell.text));
       }
     }
     values.push_back(column.sign * value);

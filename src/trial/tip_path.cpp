@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::array kColumns = {"time_s", "x_m", "y_m"};
 constexpr double kFarthestM = 100.0;  // a path in other units than metres is refused
+constexpr double kLongestS = 3600.0;  // one in milliseconds too: each frame is planned
 
 /// Position of each of kColumns in the file's rows.
 using ColumnOrder = std::array<std::size_t, kColumns.size()>;
@@ -113,6 +114,13 @@ TipPath read_tip_path(const std::filesystem::path& path) {
       csv.refuse(row[order[0]].column,
                  fmt::format("time_s = {} is not later than {} before it; times have to increase",
                              values[0], result.time_s.back() + start_s));
+    }
+    if (time_s > kLongestS) {
+      csv.refuse(
+          row[order[0]].column,
+          fmt::format("time_s = {} is {:.6g} s after the first; expected seconds, at most {} "
+                      "of them",
+                      values[0], time_s, kLongestS));
     }
     result.line.push_back(csv.line());
     result.time_s.push_back(time_s);

@@ -58,6 +58,9 @@ TEST_F(TipPathTest, WhatIsWrongIsNamedByFileAndLine) {
   refuses("time_s,x_m,y_m\n0,0.1,0.2\n\n0,0.2,0.2\n",
           "path.csv:4:1: time_s = 0 is not later than 0 before it");
   refuses("time_s,x_m,y_m\n0,0.1,0.2\n", "1 points; expected at least 2");
+  refuses(
+      "time_s,x_m,y_m\n-2147483648,0.1,0.2\n1,0.2,0.2\n",
+      "path.csv:3:1: time_s = 1 is 2.14748e+09 s after the first; expected seconds, at most 3600");
   refuses("time_s,x_m,y_m\n0,450,200\n", "x_m = 450; expected metres");
 }
 

@@ -32,7 +32,7 @@ struct TipPath {
 /// Reads a CSV file whose columns are time_s, x_m and y_m, in any order; others are refused. Times
 /// may start anywhere, and are counted from the first.
 /// @throws InputError naming file and line: a column missing, a number not finite, a time not later
-/// than the one before, fewer than two points.
+/// than the one before or over an hour after the first, fewer than two points.
 TipPath read_tip_path(const std::filesystem::path& path);
 
 }  // namespace limber
