@@ -73,6 +73,26 @@ TEST(PlanAlong, RefusesAProblemThatNoPlanSolves) {
   EXPECT_FALSE(result.best_partial);
 }
 
+// A loop whose arm has come nearer to an obstacle than its margin has to lead it away.
+TEST(PlanAlong, TheMarginYieldsToAStartThatIsNearerWhereItMay) {
+  Setting s(false);
+  s.environment.obstacles = {Circle{0.2, -0.07, 0.02}};  // beside the arm as it starts
+  PlanningProblem problem{s.arm, s.model, s.environment};
+  problem.margin_m = 0.1;
+  problem.margin_yields_to_start = true;
+  PlannerLimits limits;
+  limits.iterations = 5000;
+  const PlanResult found = make_planner("default")->plan(problem, limits, 3);
+  ASSERT_EQ(found.status, PlanStatus::solved) << found.reason;
+  const std::vector<Pressures> waypoints = without_start(*found.plan);
+  const PlanResult result = plan_along(problem, waypoints, "mine");
+  EXPECT_EQ(result.status, PlanStatus::solved) << result.reason;
+  ASSERT_FALSE(result.warnings.empty());
+  EXPECT_THAT(result.warnings.front(), HasSubstr("plans keep that distance instead"));
+  problem.margin_yields_to_start = false;
+  EXPECT_EQ(plan_along(problem, waypoints, "mine").status, PlanStatus::invalid_start);
+}
+
 TEST(PlanAlong, RefusesWaypointsThatAreNone) {
   Setting s(false);
   const PlanningProblem problem{s.arm, s.model, s.environment};
