@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -142,9 +141,7 @@ bool parse_number(std::string_view text, double& value) {
   }
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  // Beyond single precision, in which all is kept, it would become infinite there.
-  return error == std::errc() && stop == end &&
-         std::abs(value) <= std::numeric_limits<float>::max();
+  return error == std::errc() && stop == end && std::isfinite(value);
 }
 
 }  // namespace limber

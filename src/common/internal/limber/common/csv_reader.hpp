@@ -64,8 +64,7 @@ std::string_view trimmed(std::string_view text);
 /// Whether a row holds nothing.
 bool is_blank(const std::vector<CsvCell>& row);
 
-/// The whole of `text` as a number ("1e-3", "+2.5", ".5"); false if it is none, or not finite
-/// in single precision.
+/// The whole of `text` as a number ("1e-3", "+2.5", ".5"); false if it is none or not finite.
 bool parse_number(std::string_view text, double& value);
 
 }  // namespace limber
