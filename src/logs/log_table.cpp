@@ -1,6 +1,7 @@
 #include "log_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -130,6 +131,7 @@ struct Column {
   std::size_t index = 0;
   double sign = 1.0;
   bool present = true;
+  double largest = std::numeric_limits<float>::max();  // what recordings hold
 };
 
 Column column_of(const LogFile& file, const std::string& name) {
@@ -139,10 +141,15 @@ Column column_of(const LogFile& file, const std::string& name) {
   return {file.find(name), 1.0, true};
 }
 
-std::vector<Column> columns_of(const LogFile& file, const WantedColumns& wanted) {
+std::vector<Column> columns_of(const LogFile& file, const WantedColumns& wanted,
+                               const ImportMapping& mapping) {
   std::vector<Column> columns;
   for (const std::string& name : wanted.names) {
     columns.push_back(column_of(file, name));
+    if (name == mapping.time.column || name == mapping.commands.time.column ||
+        name == mapping.motion) {
+      columns.back().largest = std::numeric_limits<double>::max();  // clocks are judged as such
+    }
   }
   const bool all = std::all_of(wanted.optional.begin(), wanted.optional.end(),
                                [&](const std::string& name) { return file.has(name); });
@@ -168,6 +175,10 @@ std::string read_row(const LogFile& file, const std::vector<CsvCell>& row,
         return fmt::format("line {}, column '{}': '{}' is not a number", file.csv().line(),
                            file.names()[column.index], in_one_line(cell.text));
       }
+      if (std::abs(value) > column.largest) {
+        return fmt::format("line {}, column '{}': {:.6g} found; expected at most {:.3g} in size",
+                           file.csv().line(), file.names()[column.index], value, column.largest);
+      }
     }
     values.push_back(column.sign * value);
   }
@@ -179,7 +190,7 @@ std::string read_row(const LogFile& file, const std::vector<CsvCell>& row,
 LogTable read_log_table(const std::filesystem::path& path, const ImportMapping& mapping,
                         const WantedColumns& wanted, RunReport& report) {
   LogFile file(path, mapping);
-  const std::vector<Column> columns = columns_of(file, wanted);
+  const std::vector<Column> columns = columns_of(file, wanted, mapping);
   const std::size_t label = wanted.label.empty() ? 0 : file.find(wanted.label);
   LogTable table;
   table.file = path.string();

@@ -87,8 +87,7 @@ TEST(CsvReader, ReadsNumbersAsProgramsWriteThem) {
     EXPECT_EQ(value, expected);
   }
   double ignored = 0.0;
-  for (const char* text :
-       {"", "nan", "inf", "1e999", "1,5", "0x10", "1 m", "+-1", "--1"}) {
+  for (const char* text : {"", "nan", "inf", "1e999", "1,5", "0x10", "1 m", "+-1", "--1"}) {
     EXPECT_FALSE(parse_number(text, ignored)) << text;
   }
 }

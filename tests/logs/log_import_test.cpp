@@ -260,6 +260,20 @@ TEST_F(CsvImport, LeavesOutSingleBrokenRowsAndSaysSo) {
   EXPECT_THAT(found->first, AllOf(HasSubstr("line 252"), HasSubstr("'ERROR' is not a number")));
 }
 
+// It would be infinite in the recording, and refused there, by another file's name.
+TEST_F(CsvImport, LeavesOutARowWithANumberThatNoRecordingHolds) {
+  const std::string text = log();
+  const std::size_t row = text.find("\n2.500000,") + 1;
+  const std::size_t second = text.find(',', row) + 1;
+  const std::string cell = text.substr(second, text.find(',', second) - second);
+  const ImportResult result =
+      import(text.substr(0, second) + "-1e39" + text.substr(second + cell.size()), mapping());
+  const ImportNote* found = note(result, "can't be read");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->count, 1);
+  EXPECT_THAT(found->first, AllOf(HasSubstr("line 252"), HasSubstr("-1e+39 found; expected")));
+}
+
 TEST_F(CsvImport, SortsSingleRowsAndDropsRepeatedTimes) {
   std::string text = log();
   const std::size_t a = text.find("\n3.000000,") + 1;
