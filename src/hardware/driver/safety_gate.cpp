@@ -168,12 +168,10 @@ std::string SafetyGate::following(const ArmState& state) {
   }
   // Valves lag, and some are faster than the arm's rate: a pressure may be anywhere between what
   // it was told and where that rate had led at any time of the last half second.
-  const auto recent = std::min(
-      history_.size(), static_cast<std::size_t>(arm_.frames_in(settings_.following_time_s)));
   for (int s = 0; s < arm_.segment_count(); ++s) {
     float low = reference_kpa_[s];
     float high = low;
-    for (std::size_t k = history_.size() - recent; k < history_.size(); ++k) {
+    for (std::size_t k = first_recent(); k < history_.size(); ++k) {
       const auto& [told_kpa, led_kpa, measured_kpa] = history_[k];
       low = std::min({low, led_kpa[s], told_kpa[s]});
       high = std::max({high, led_kpa[s], told_kpa[s]});
@@ -196,13 +194,16 @@ std::string SafetyGate::following(const ArmState& state) {
   return "";
 }
 
+std::size_t SafetyGate::first_recent() const {
+  const auto frames = static_cast<std::size_t>(arm_.frames_in(settings_.following_time_s));
+  return history_.size() - std::min(history_.size(), frames);
+}
+
 std::string SafetyGate::never_sent(const ArmState& state) const {
-  const auto recent = std::min(
-      history_.size(), static_cast<std::size_t>(arm_.frames_in(settings_.following_time_s)));
   for (int s = 0; state.setpoint_kpa && s < arm_.segment_count(); ++s) {
     float low = setpoint_kpa_[s];
     float high = low;
-    for (std::size_t k = history_.size() - recent; k < history_.size(); ++k) {
+    for (std::size_t k = first_recent(); k < history_.size(); ++k) {
       low = std::min(low, history_[k].setpoint_kpa[s]);
       high = std::max(high, history_[k].setpoint_kpa[s]);
     }
