@@ -26,8 +26,9 @@ def limber(*arguments, folder=None, environment=None):
 
 
 def temporary_files(folder):
-    """Files that were being written when the program ended."""
-    return sorted(pathlib.Path(folder).rglob(".*.tmp"))
+    """Files that were being written when the program ended, or are now: what goes meanwhile is left out."""
+    return sorted(pathlib.Path(where) / name for where, folders, files in os.walk(folder)
+                  for name in folders + files if name.startswith(".") and name.endswith(".tmp"))
 
 
 def cpu_levels():
