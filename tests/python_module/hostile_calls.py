@@ -8,6 +8,7 @@ did not end, and which exceptions were none of limber's or Python's own for wron
 import argparse
 import copy
 import inspect
+import itertools
 import pathlib
 import random
 import re
@@ -182,8 +183,9 @@ class Campaign:
 
     def run(self, calls):
         functions = [name for name in limber.__all__ if callable(getattr(limber, name))]
-        while self.calls < calls:
-            name = functions[self.calls % len(functions)]
+        for name in itertools.cycle(functions):  # each of them, whatever the others add
+            if self.calls >= calls:
+                return
             function = getattr(limber, name)
             if not isinstance(function, type):
                 arguments, wrong = self.draw(parameters_of(function))

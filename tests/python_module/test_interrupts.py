@@ -3,6 +3,7 @@ run on the thread that called, and their exceptions come out."""
 
 import os
 import signal
+import sys
 import threading
 import time
 import unittest
@@ -10,7 +11,10 @@ import unittest
 import numpy as np
 
 import limber
-from chain import InFolder, chain
+from chain import EXAMPLES, InFolder, chain
+
+sys.path.insert(0, str(EXAMPLES))
+from model_file import write_network  # noqa: E402
 
 LIMIT_S = 0.2  # from Ctrl-C to KeyboardInterrupt: the best of TRIES, as the machine may be busy
 TRIES = 3
@@ -55,10 +59,15 @@ class SlowArm(CountingArm):
         return super().command(setpoint_kpa)
 
 
-def over_and_over(call):
-    """A machine of any speed is in the middle of it when the signal comes."""
-    while True:
-        call()
+def write_wide_network(path, arm):
+    """A network that answers nothing, so slowly that a call of few queries takes seconds."""
+    n, poses = arm.segment_count, 3 * arm.point_count
+    sizes = [2 * n + 2 * poses, 512, 512, poses]
+    layers = [(np.zeros((out, size), np.float32), np.zeros(out, np.float32))
+              for size, out in zip(sizes, sizes[1:])]
+    inputs, outputs = [(np.zeros(size, np.float32), np.ones(size, np.float32))
+                       for size in (sizes[0], sizes[-1])]
+    write_network(str(path), arm, layers, inputs, outputs)
 
 
 class Interrupts(InFolder):
@@ -130,32 +139,39 @@ class Interrupts(InFolder):
         for one, other in zip(model.layers, unbroken.layers):
             np.testing.assert_array_equal(one.weight, other.weight)
 
+    def wide_model(self):
+        path = self.folder / "wide.safetensors"
+        write_wide_network(path, self.chain.arm)
+        return limber.ForwardModel(self.chain.arm, limber.read_model(path))
+
+    # Each of these is one call of several seconds: one that is deaf to the signal is late by the
+    # rest of them, and one that was over before the signal raises nothing.
+
     def test_evaluate(self):
         episodes = limber.read_recording(self.chain.recording).episodes
         no_load = limber.ForwardModel(self.chain.arm)
-        many = [episode for episode in episodes for _ in range(400)]
-        self.interrupted(lambda _: over_and_over(
-            lambda: limber.evaluate(no_load, self.forward, many, jobs=1)))
+        wide = self.wide_model()
+        many = episodes * 400
+        self.interrupted(lambda _: limber.evaluate(no_load, wide, many, jobs=1))
 
     def test_step_batch(self):
-        queries = 1_500_000
+        wide = self.wide_model()
+        queries = 500_000
         kpa = np.zeros((queries, 2), np.float32)
         backbones = np.repeat(limber.start_state(self.chain.environment, self.chain.arm)
                               .backbone[None], queries, axis=0)
-        self.interrupted(lambda _: over_and_over(
-            lambda: self.forward.step_batch(kpa, kpa, backbones, out=backbones)))
+        self.interrupted(lambda _: wide.step_batch(kpa, kpa, backbones, out=backbones))
 
     def test_plan_along(self):
+        problem = limber.PlanningProblem(
+            self.chain.arm, limber.MotionModel(self.wide_model()), self.chain.environment)
         there = np.array([[60.0, 60.0], [-60.0, -60.0]], np.float32)
         waypoints = np.tile(there, (20000, 1))
-        self.interrupted(lambda _: over_and_over(
-            lambda: limber.plan_along(self.problem, waypoints, "mine")))
+        self.interrupted(lambda _: limber.plan_along(problem, waypoints, "mine"))
 
     def test_fit_simple_model(self):
-        episodes = limber.read_recording(self.chain.recording).episodes
-        many = [episode for episode in episodes for _ in range(400)]
-        self.interrupted(lambda _: over_and_over(
-            lambda: limber.fit_simple_model(self.chain.arm, many)))
+        many = limber.read_recording(self.chain.recording).episodes * 1000
+        self.interrupted(lambda _: limber.fit_simple_model(self.chain.arm, many))
 
     def test_collect(self):
         schedule = limber.ScheduleSettings(kind=limber.ScheduleKind.random, count=5000)

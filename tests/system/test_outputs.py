@@ -8,6 +8,8 @@ import tempfile
 import time
 import unittest
 
+import h5py
+
 from program import PROGRAM, ROOT, InFolder, limber, temporary_files
 
 ARM = ("--arm", "two_segment")
@@ -144,6 +146,12 @@ class Messages(InFolder):
         self.assertEqual(self.shell(">/dev/full", "doctor").returncode, 3)
 
 
+def catches(process, number):
+    """Whether a process has a handler of its own for a signal."""
+    status = pathlib.Path(f"/proc/{process}/status").read_text(encoding="utf-8")
+    return bool(int(status.split("SigCgt:")[1].split()[0], 16) >> (number - 1) & 1)
+
+
 class Stopped(InFolder):
     def stop(self, *arguments):
         """Interrupted as soon as it has said or written anything."""
@@ -162,6 +170,21 @@ class Stopped(InFolder):
         self.assertIn("error: stopped on request; the next limber demo starts from the beginning", said)
         self.assertNotIn("--resume", said)
         self.assertEqual(temporary_files(self.folder), [])
+
+    def test_a_fit_of_recordings_writes_nothing(self):
+        self.run_limber("collect", *ARM, "--schedule", "random", "--count", 3, "--hold-s", 0.5, "--out", "r.h5")
+        with h5py.File(self.folder / "r.h5", "r+") as file:
+            for k in range(1, 1000):  # seconds of work
+                file.copy("episodes/000000", f"episodes/{k:06d}")
+        process = subprocess.Popen([PROGRAM, "characterize", *ARM, "--recording", "r.h5", "--out", "c.yaml"],
+                                   cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        while not catches(process.pid, signal.SIGINT):
+            self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        _, messages = process.communicate(timeout=HANG_S)
+        self.assertEqual(process.returncode, 1, messages)
+        self.assertIn(b"error: stopped on request", messages)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["r.h5"])
 
 
 if __name__ == "__main__":
