@@ -79,19 +79,19 @@ class Interrupts(InFolder):
         self.problem = limber.PlanningProblem(
             self.chain.arm, limber.MotionModel(self.forward), self.chain.environment)
 
-    def once_interrupted(self, function):
+    def once_interrupted(self, function, before_s=BEFORE_S, clock=time.monotonic):
         """Seconds from a Ctrl-C in the middle of `function` to its KeyboardInterrupt."""
         sent = []
 
         def send():
-            sent.append(time.monotonic())
+            sent.append(clock())
             os.kill(os.getpid(), signal.SIGINT)
-        timer = threading.Timer(BEFORE_S, send)
+        timer = threading.Timer(before_s, send)
         timer.start()
         try:
             with self.assertRaises(KeyboardInterrupt):
                 function()
-            seconds = time.monotonic() - sent[0]
+            seconds = clock() - sent[0]
         finally:
             timer.cancel()
         return seconds
@@ -103,6 +103,18 @@ class Interrupts(InFolder):
             seconds.append(self.once_interrupted(lambda: function(len(seconds))))
         print(f"{self.id().split('.')[-1]}: {min(seconds):.3f} s")
         self.assertLess(min(seconds), LIMIT_S, seconds)
+
+    def interrupted_early(self, call):
+        """A call that would end by itself, of a second or more: one that is deaf goes on for much
+        of it after the signal, and one that is over before raises nothing. Measured in
+        processor time, whatever else the machine does."""
+        begin, begin_s = time.monotonic(), time.process_time()
+        call()
+        wall_s, whole_s = time.monotonic() - begin, time.process_time() - begin_s
+        rest_s = min(self.once_interrupted(call, wall_s / 4, time.process_time)
+                     for _ in range(TRIES))
+        print(f"{self.id().split('.')[-1]}: {rest_s:.3f} s of {whole_s:.3f} s")
+        self.assertLess(rest_s, whole_s / 4)
 
     def test_plan(self):
         unreachable = limber.Environment(
@@ -144,15 +156,12 @@ class Interrupts(InFolder):
         write_wide_network(path, self.chain.arm)
         return limber.ForwardModel(self.chain.arm, limber.read_model(path))
 
-    # Each of these is one call of several seconds: one that is deaf to the signal is late by the
-    # rest of them, and one that was over before the signal raises nothing.
-
     def test_evaluate(self):
         episodes = limber.read_recording(self.chain.recording).episodes
         no_load = limber.ForwardModel(self.chain.arm)
         wide = self.wide_model()
-        many = episodes * 400
-        self.interrupted(lambda _: limber.evaluate(no_load, wide, many, jobs=1))
+        many = episodes * 200
+        self.interrupted_early(lambda: limber.evaluate(no_load, wide, many, jobs=1))
 
     def test_step_batch(self):
         wide = self.wide_model()
@@ -160,18 +169,16 @@ class Interrupts(InFolder):
         kpa = np.zeros((queries, 2), np.float32)
         backbones = np.repeat(limber.start_state(self.chain.environment, self.chain.arm)
                               .backbone[None], queries, axis=0)
-        self.interrupted(lambda _: wide.step_batch(kpa, kpa, backbones, out=backbones))
+        self.interrupted_early(lambda: wide.step_batch(kpa, kpa, backbones, out=backbones))
 
     def test_plan_along(self):
-        problem = limber.PlanningProblem(
-            self.chain.arm, limber.MotionModel(self.wide_model()), self.chain.environment)
         there = np.array([[60.0, 60.0], [-60.0, -60.0]], np.float32)
         waypoints = np.tile(there, (20000, 1))
-        self.interrupted(lambda _: limber.plan_along(problem, waypoints, "mine"))
+        self.interrupted_early(lambda: limber.plan_along(self.problem, waypoints, "mine"))
 
     def test_fit_simple_model(self):
-        many = limber.read_recording(self.chain.recording).episodes * 1000
-        self.interrupted(lambda _: limber.fit_simple_model(self.chain.arm, many))
+        many = limber.read_recording(self.chain.recording).episodes * 2000
+        self.interrupted_early(lambda: limber.fit_simple_model(self.chain.arm, many))
 
     def test_collect(self):
         schedule = limber.ScheduleSettings(kind=limber.ScheduleKind.random, count=5000)

@@ -42,7 +42,7 @@ class Messages(InFolder):
             with_metadata(content, arm_description="name: two\nsegments: [{\n"))
         for command in (("inspect", "bad.safetensors"),
                         ("evaluate", *ARM, "--model", "bad.safetensors", "--data", "r.h5"),
-                        ("export", "bad.safetensors", "bad.onnx")):
+                        ("export", "bad.safetensors", "--onnx", "bad.onnx")):
             with self.subTest(command=command[0]):
                 self.assertIn("error: bad.safetensors: metadata arm_description:", self.refusal(*command))
 
@@ -67,7 +67,7 @@ class Messages(InFolder):
         self.assertIn("error: path.csv:3:8: '9x9x", self.refusal(
             "execute", *ARM, "--model", "m.safetensors", "--track", "path.csv"))
         self.write("bench.csv", "pressure_kpa,strain\n0," + "9x" * 3000 + "\n")
-        self.assertIn("error: bench.csv:2:2: '9x9x", self.refusal("characterize", *ARM, "--csv", "bench.csv", "--json"))
+        self.assertIn("error: bench.csv:2:3: '9x9x", self.refusal("characterize", *ARM, "--csv", "bench.csv", "--json"))
 
     def test_a_plate_that_no_arm_reaches_in_one_frame(self):
         self.model()
