@@ -1,5 +1,8 @@
 #include "limber/world/environment.hpp"
 
+#include <type_traits>
+#include <variant>
+
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -22,6 +25,7 @@ void bind_obstacles(py::module_& module) {
       .field("y_m", &Circle::y_m, "Centre, to the left of the straight arm [m].")
       .field("radius_m", &Circle::radius_m, "Radius [m], > 0.")
       .keywords()
+      .fixed()
       .done();
   Record<Rectangle>(module, "Rectangle", "A rectangular obstacle at any angle, solid; in frame B.")
       .field("x_m", &Rectangle::x_m, "Centre, along the straight arm [m].")
@@ -32,6 +36,7 @@ void bind_obstacles(py::module_& module) {
              "Size along its own y, which angle_rad turns [m], > 0.")
       .field("angle_rad", &Rectangle::angle_rad, "Turned counter-clockwise about its centre [rad].")
       .keywords()
+      .fixed()
       .done();
   py::class_<Polygon>(module, "Polygon", "A simple polygon, convex or not; the inside is solid.")
       .def(py::init([](const DoubleArray& points_m) {
@@ -90,6 +95,23 @@ Environment make_environment(const std::string& name, std::vector<Obstacle> obst
   return read_environment(YamlReader::from_text(environment_to_yaml(environment), "Environment"));
 }
 
+SeenAs<std::vector<Obstacle>> fixed_obstacles(const Environment& environment) {
+  py::list obstacles;
+  for (const Obstacle& obstacle : environment.obstacles) {
+    obstacles.append(std::visit(
+        [](const auto& one) -> py::object {
+          using T = std::decay_t<decltype(one)>;
+          if constexpr (std::is_same_v<T, Polygon>) {
+            return py::cast(one);  // has no fields to set
+          } else {
+            return fixed_copy(one);
+          }
+        },
+        obstacle));
+  }
+  return obstacles;
+}
+
 }  // namespace
 
 void bind_environments(py::module_& module) {
@@ -104,11 +126,12 @@ void bind_environments(py::module_& module) {
            "Circle, Rectangle and Polygon, which messages and results count from 0; goal: "
            "a PoseGoal; start: an ArmStart, None: straight and without pressure.")
       .def_readonly("name", &Environment::name, "Its name, as its file has it.")
-      .def_readonly("obstacles", &Environment::obstacles,
-                    "List of Circle, Rectangle and Polygon, obstacle 0 first; copies.")
+      .def_property_readonly("obstacles", &fixed_obstacles,
+                             "List of Circle, Rectangle and Polygon, obstacle 0 first; copies, "
+                             "whose fields can't be set.")
       .def_property_readonly(
-          "goal", [](const Environment& e) { return e.goal; },
-          "Where the tip shall end, a PoseGoal; a copy.")
+          "goal", [](const Environment& e) { return fixed_copy(e.goal); },
+          "Where the tip shall end, a PoseGoal; a copy, whose fields can't be set.")
       .def_readonly("start", &Environment::start,
                     "ArmStart, or None: at rest, straight and without pressure.")
       .def("_repr_svg_", &obstacles_picture, py::call_guard<OthersMayRun>())

@@ -30,6 +30,7 @@ void bind_goals(py::module_& module) {
       .field("orientation_tolerance_rad", &PoseGoal::orientation_tolerance_rad,
              "Largest difference of the heading [rad], > 0; unused without theta_rad.")
       .keywords()
+      .fixed()
       .done();
   Record<PoseError>(module, "PoseError",
                     "How far a pose is from a goal's centre, or how far inside its tolerances.")

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -17,6 +20,31 @@ std::string record_to_text(const py::object& object, const std::vector<std::stri
 void set_fields(const py::object& object, const py::kwargs& values,
                 const std::vector<std::string>& names);
 
+/// A copy that Python can't change: see Record::fixed.
+template <class T>
+struct Fixed : T {};
+
+/// Whatever it is, signatures call it T.
+template <class T>
+class SeenAs : public py::object {
+ public:
+  SeenAs(py::object seen) : py::object(std::move(seen)) {}  // NOLINT(google-explicit-constructor)
+};
+
+template <class T>
+SeenAs<T> fixed_copy(const T& value) {
+  return py::cast(Fixed<T>{value});
+}
+
+template <class T>
+SeenAs<std::vector<T>> fixed_copies(const std::vector<T>& values) {
+  py::list list;
+  for (const T& value : values) {
+    list.append(fixed_copy(value));
+  }
+  return list;
+}
+
 /// A plain struct of limber's as a Python class: fields, keyword arguments and a repr.
 template <class T>
 class Record {
@@ -29,6 +57,19 @@ class Record {
   template <class Member>
   Record& field(const char* name, Member member, const char* doc) {
     class_.def_readwrite(name, member, doc);
+    names_.emplace_back(name);
+    return *this;
+  }
+  /// A vector of records: given as copies that can't be changed, as a reference to one of them would
+  /// outlive it where another list is assigned.
+  template <class Member>
+  Record& list(const char* name, Member member, const char* doc) {
+    class_.def_property(
+        name, [member](const T& one) { return fixed_copies(one.*member); },
+        [member](T& one, const std::decay_t<decltype(std::declval<T&>().*member)>& values) {
+          one.*member = values;
+        },
+        doc);
     names_.emplace_back(name);
     return *this;
   }
@@ -60,6 +101,25 @@ class Record {
     return *this;
   }
 
+  /// Also as part of something that does not change: what that gives is a copy, whose fields can't be
+  /// set, as the whole would not notice. copy.copy gives one whose fields can.
+  /// @param nested  makes the same of fields that have fields.
+  template <class Nested = void (*)(py::class_<Fixed<T>, T>&)>
+  Record& fixed(const Nested& nested = [](py::class_<Fixed<T>, T>&) {}) {
+    const py::str name = class_.attr("__name__");
+    py::class_<Fixed<T>, T> fixed(class_, "_Fixed");
+    fixed.def("__setattr__", [name](const py::object&, const py::str& field, const py::object&) {
+      throw py::attribute_error(fmt::format(
+          "{0}.{1}: this {0} is part of something that does not change; make that from a copy of it "
+          "(copy.copy)",
+          std::string(name), std::string(field)));
+    });
+    fixed.attr("__name__") = name;
+    fixed.attr("__doc__") = class_.attr("__doc__");
+    nested(fixed);
+    return *this;
+  }
+
   /// The class, with its repr.
   py::class_<T>& done() {
     class_.def("__repr__",
@@ -73,3 +133,8 @@ class Record {
 };
 
 }  // namespace limber::python
+
+template <class T>
+struct pybind11::detail::handle_type_name<limber::python::SeenAs<T>> {
+  static constexpr auto name = make_caster<T>::name;
+};

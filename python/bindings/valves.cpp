@@ -21,6 +21,7 @@ void bind_parameters(py::module_& module) {
       .field("rate_limit_kpa_per_s", &ValveDirection::rate_limit_kpa_per_s,
              "Fastest change of the pressure [kPa/s], > 0; infinite where nothing limits it.")
       .keywords()
+      .fixed()
       .done();
   Record<SegmentValves>(module, "SegmentValves", "One segment's valves and their controller.")
       .field("inflating", &SegmentValves::inflating,
@@ -35,6 +36,14 @@ void bind_parameters(py::module_& module) {
              "The valves stay closed while the pressure is within this distance of the set "
              "point [kPa], >= 0; 0: they always follow.")
       .keywords()
+      .fixed([](auto& fixed) {
+        for (const auto& [name, member] : {std::pair("inflating", &SegmentValves::inflating),
+                                           std::pair("venting", &SegmentValves::venting)}) {
+          fixed.def_property_readonly(name, [member = member](const SegmentValves& valves) {
+            return fixed_copy(valves.*member);
+          });
+        }
+      })
       .done();
   Record<ValveParameters>(
       module, "ValveParameters",
@@ -43,11 +52,12 @@ void bind_parameters(py::module_& module) {
       .field("has_sides", &ValveParameters::has_sides,
              "Whether a command has two sides, one of which vents before the other inflates: "
              "True for pressures, False for a curvature or an angle.")
-      .field("segments", &ValveParameters::segments,
-             "List of SegmentValves, one for each segment, base first; empty: ideal valves. "
-             "A copy: assign whole lists. ValveModel raises InputError where their number or "
-             "a value does not fit the arm.")
+      .list("segments", &ValveParameters::segments,
+            "List of SegmentValves, one for each segment, base first; empty: ideal valves. "
+            "A copy, whose fields can't be set: assign whole lists. ValveModel raises InputError "
+            "where their number or a value does not fit the arm.")
       .keywords()
+      .fixed()
       .done()
       .def_property_readonly("is_ideal", &ValveParameters::is_ideal,
                              "Whether there are no segments, so that pressures are the set points.")
@@ -122,7 +132,9 @@ void bind_valves(py::module_& module) {
            "InputError where the parameters do not fit the arm.")
       .def_property_readonly("is_ideal", &ValveModel::is_ideal,
                              "Whether pressures are the set points at once.")
-      .def_property_readonly("parameters", &ValveModel::parameters, "ValveParameters, as given.")
+      .def_property_readonly(
+          "parameters", [](const ValveModel& model) { return fixed_copy(model.parameters()); },
+          "ValveParameters, as given; a copy, whose fields can't be set.")
       .def_property_readonly("segment_count", &ValveModel::segment_count, "n: segments of the arm.")
       .def("run", &run, py::arg("setpoint_kpa"), py::arg("first_pressure_kpa"),
            "Pressures along set points float64 (T, n) [kPa] from a settled start (n,): float64 "

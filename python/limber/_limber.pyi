@@ -430,10 +430,10 @@ class Environment:
         """Its name, as its file has it."""
     @property
     def obstacles(self) -> list[Circle | Rectangle | Polygon]:
-        """List of Circle, Rectangle and Polygon, obstacle 0 first; copies."""
+        """List of Circle, Rectangle and Polygon, obstacle 0 first; copies, whose fields can't be set."""
     @property
     def goal(self) -> PoseGoal:
-        """Where the tip shall end, a PoseGoal; a copy."""
+        """Where the tip shall end, a PoseGoal; a copy, whose fields can't be set."""
     @property
     def start(self) -> ArmStart | None:
         """ArmStart, or None: at rest, straight and without pressure."""
@@ -2019,7 +2019,7 @@ class ValveModel:
         """Whether pressures are the set points at once."""
     @property
     def parameters(self) -> ValveParameters:
-        """ValveParameters, as given."""
+        """ValveParameters, as given; a copy, whose fields can't be set."""
     @property
     def segment_count(self) -> int:
         """n: segments of the arm."""
@@ -2037,7 +2037,7 @@ class ValveParameters:
     def has_sides(self, value: bool) -> None: ...
     @property
     def segments(self) -> list[SegmentValves]:
-        """List of SegmentValves, one for each segment, base first; empty: ideal valves. A copy: assign whole lists. ValveModel raises InputError where their number or a value does not fit the arm."""
+        """List of SegmentValves, one for each segment, base first; empty: ideal valves. A copy, whose fields can't be set: assign whole lists. ValveModel raises InputError where their number or a value does not fit the arm."""
     @segments.setter
     def segments(self, value: list[SegmentValves]) -> None: ...
     @property

@@ -46,7 +46,7 @@ def _reduce_filed(self: Any, _protocol: int) -> tuple[Any, ...]:
 
 
 def _reduce_record(self: Any, _protocol: int) -> tuple[Any, ...]:
-    kind = type(self)
+    kind: Any = next(one for one in type(self).__mro__ if "_fields" in vars(one))
     usual = kind()
     fields = {name: getattr(self, name) for name in kind._fields}
     return _from_fields, (kind, {name: value for name, value in fields.items()

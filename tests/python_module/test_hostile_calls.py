@@ -1,6 +1,7 @@
 """Wrong arguments of every kind to everything public: an exception, never a crash, a hang, or numbers
 from garbage."""
 
+import copy
 import subprocess
 import sys
 import unittest
@@ -116,6 +117,15 @@ class WrongNumbers(unittest.TestCase):
         with self.assertRaisesRegex(limber.InputError, "expected times to increase"):
             with_values(self.episodes[0], time_s=self.episodes[0].time_s[::-1])
 
+    def test_a_goal_in_millimetres(self):
+        arm = chain().arm
+        environment = limber.Environment("far", [], limber.PoseGoal(x_m=550.0, y_m=0.0))
+        result = limber.make_planner().plan(limber.PlanningProblem(
+            arm, limber.MotionModel(limber.ForwardModel(arm)), environment),
+            limber.PlannerLimits(iterations=10), 1)
+        self.assertEqual(result.status, limber.PlanStatus.goal_unreachable)
+        self.assertRegex(result.reason, r"goal.x_m = 550 .* Is it in millimetres\?")
+
     def test_complex_numbers(self):
         model = limber.NoLoadModel(chain().arm)
         with self.assertRaises(TypeError):
@@ -142,6 +152,45 @@ class WrongNumbers(unittest.TestCase):
         plan = limber.make_planner().plan(problem, limber.PlannerLimits(iterations=300), 5).plan
         with self.assertRaisesRegex(TypeError, r"Mine.command returned NoneType; expected an ArmS"):
             limber.execute(chain().arm, chain().environment, plan, Mine())
+
+
+class LostAssignments(unittest.TestCase):
+    """What is set in a copy would change nothing, and say nothing."""
+
+    def assert_fixed(self, copies):
+        for one, field in copies:
+            with self.subTest(field=field):
+                before = getattr(one, field)
+                with self.assertRaisesRegex(AttributeError, f"{type(one).__name__}.{field}: this"):
+                    setattr(one, field, 5.0)
+                self.assertEqual(getattr(one, field), before)
+                own = copy.copy(one)
+                setattr(own, field, 5.0)
+                self.assertEqual(getattr(own, field), 5.0)
+
+    def test_an_environments_goal_and_obstacles_do_not_change(self):
+        environment = limber.Environment(
+            "e", [limber.Circle(x_m=0.3, y_m=0.3, radius_m=0.02), limber.Rectangle(
+                x_m=0.3, y_m=-0.3, width_m=0.02, height_m=0.02)], limber.PoseGoal(x_m=0.4))
+        before = limber.environment_hash(environment)
+        self.assert_fixed([(environment.goal, "x_m"), (environment.obstacles[0], "radius_m"),
+                           (environment.obstacles[1], "width_m")])
+        self.assertEqual(limber.environment_hash(environment), before)
+        again = limber.Environment("e", environment.obstacles, environment.goal)
+        self.assertEqual(limber.environment_hash(again), before)
+
+    def test_valves_do_not_change_and_outlive_their_list(self):
+        one = limber.SegmentValves(inflating=limber.ValveDirection(rate_limit_kpa_per_s=100.0),
+                                   venting=limber.ValveDirection(rate_limit_kpa_per_s=100.0))
+        parameters = limber.ValveParameters(segments=[one] * 2)
+        model = limber.ValveModel(chain().arm, parameters)
+        valves = parameters.segments[0]
+        self.assert_fixed([(valves, "dead_time_s"), (valves.inflating, "time_constant_s"),
+                           (model.parameters.segments[1], "dead_band_kpa")])
+        with self.assertRaises(AttributeError):
+            model.parameters.has_sides = False
+        parameters.segments = []
+        self.assertEqual(valves.venting.rate_limit_kpa_per_s, 100.0)
 
 
 if __name__ == "__main__":
