@@ -82,17 +82,14 @@ MotionModel ModelFlags::motion_model(const ArmDescription& arm, const ForwardMod
 }
 
 void ModelFlags::warn_without_valves(const MotionModel& model, const CommonFlags& flags) const {
-  if (!model.valves().is_ideal() || no_valves_ ||
-      (model.has_network() && model.compensation().learnt_from_setpoints)) {
+  const std::string missing = why_valves_are_missing(model);
+  if (no_valves_ || missing.empty()) {
     return;
   }
-  const std::string reason =
-      model.has_network() ? model.compensation().valve_findings.reason : std::string();
   say(flags,
-      "warning: no valve model{}: the set points are taken for the pressures, but an arm whose "
-      "valves lag is elsewhere while it moves. --valves FILE names a valve model (limber "
-      "characterize --valves RECORDING); --no-valves says that none is wanted",
-      reason.empty() ? "" : " (" + reason + ")");
+      "warning: {}. --valves FILE names a valve model (limber characterize --valves RECORDING); "
+      "--no-valves says that none is wanted",
+      missing);
 }
 
 }  // namespace limber

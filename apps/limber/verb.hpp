@@ -67,9 +67,6 @@ std::string find_arm_file(const std::string& name_or_path);
 ArmDescription load_asked_arm(const std::string& name_or_path,
                               PolynomialsOf polynomials = PolynomialsOf::model);
 
-/// For a plan, where no limit is given.
-inline constexpr double kDefaultTimeLimitS = 10.0;
-
 /// Path of an environment file, found the same way ("01_pillar" in environments/).
 std::string find_environment_file(const std::string& name_or_path);
 

@@ -78,9 +78,7 @@ class ExperimentVerb final : public Verb {
     settings_.environments = environments_in(
         environments_.empty() ? data_folder() / "environments" : fs::path(environments_),
         settings_.arm);
-    if (!settings_.limits.time_s && !settings_.limits.iterations && !settings_.limits.queries) {
-      settings_.limits.time_s = kDefaultTimeLimitS;
-    }
+    settings_.limits = settings_.limits.or_default();
     settings_.seed = flags.seed;
     settings_.jobs = flags.jobs;
     settings_.force = flags.force;

@@ -7,8 +7,6 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/yaml_reader.hpp"
-#include "limber/forward/recorded_region.hpp"
-#include "limber/planning/planner.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/report/animation.hpp"
 #include "limber/report/plan_picture.hpp"
@@ -144,13 +142,7 @@ class PlanVerb final : public Verb {
         refuse_to_overwrite(path, flags.force);
       }
     }
-    const std::optional<RecordedRegion> region = region_to_stay_in(forward, arm);
-    const ErrorRoom room = room_.room(forward, flags);
-    PlanningProblem problem = problem_with_room(arm, model, environment, room);
-    problem.stay_within = region ? &*region : nullptr;
-    problem.limits = narrower_.limits(arm);
-    PlanResult result = search(problem, flags);
-    warn_beyond_recordings(forward, arm, result);
+    PlanResult result = search(arm, model, environment, flags);
     for (const std::string& warning : result.warnings) {
       say(flags, "warning: {}", warning);
     }
@@ -228,57 +220,41 @@ class PlanVerb final : public Verb {
     return kExitDone;
   }
 
-  PlanResult search(const PlanningProblem& problem, const CommonFlags& flags) {
+  PlanResult search(const ArmDescription& arm, const MotionModel& model,
+                    const Environment& environment, const CommonFlags& flags) {
     for (const std::string& note : planner_name_notes(planner_)) {
       say(flags, "note: {}", note);
     }
+    PlanSettings settings;
+    settings.room = room_.asked();
+    settings.within = narrower_.limits(arm);
+    settings.stay_recorded = stay_recorded_;
+    settings.planner = planner_;
+    settings.jobs = flags.jobs;
     std::optional<Forest> forest;
     if (forest_.is_asked_for()) {
-      const Forest none;
-      (void)make_planner(planner_, flags.jobs,
-                         &none);  // refuses one that uses none, before growing
-      forest = forest_.forest(problem.arm, problem.model, model_.model_file(),
-                              start_state(problem.environment, problem.arm), flags);
+      refuse_before_growing(model, settings);
+      forest =
+          forest_.forest(arm, model, model_.model_file(), start_state(environment, arm), flags);
       throw_if_interrupted();
+      settings.forest = &*forest;
     }
-    if (!limits_.time_s && !limits_.iterations && !limits_.queries) {
-      limits_.time_s = kDefaultTimeLimitS;
-    }
-    PlanProgress progress(limits_, problem.arm.command.unit, flags.progress());
-    PlanResult result = make_planner(planner_, flags.jobs, forest ? &*forest : nullptr)
-                            ->plan(problem, limits_, flags.seed, [&](const PlannerProgress& now) {
-                              progress.update(now);
-                              return !interrupt_requested();
-                            });
+    const PlannerLimits limits = limits_.or_default();
+    PlanProgress progress(limits, arm.command.unit, flags.progress());
+    settings.callback = [&](const PlannerProgress& now) {
+      progress.update(now);
+      return !interrupt_requested();
+    };
+    PlanResult result = limber::plan(arm, model, environment, limits, flags.seed, settings);
     progress.finish();
     return result;
   }
 
-  std::optional<RecordedRegion> region_to_stay_in(const ForwardModel& forward,
-                                                  const ArmDescription& arm) const {
-    if (!stay_recorded_) {
-      return std::nullopt;
-    }
-    if (!forward.has_network() || !forward.compensation().learnt) {
-      throw InputError(
-          "--stay-recorded: the model does not store what "
-          "its recordings held; limber train stores it");
-    }
-    return std::optional<RecordedRegion>(std::in_place, *forward.compensation().learnt,
-                                         arm.frame_rate_hz);
-  }
-
-  /// Warns where a plan asks for something that the model has never seen.
-  static void warn_beyond_recordings(const ForwardModel& forward, const ArmDescription& arm,
-                                     PlanResult& result) {
-    if (!result.plan || !forward.has_network() || !forward.compensation().learnt) {
-      return;
-    }
-    const std::vector<std::string> excursions =
-        excursions_beyond(*forward.compensation().learnt, *result.plan, arm.command.unit);
-    for (const std::string& excursion : excursions) {
-      result.warnings.push_back(excursion + "; --stay-recorded avoids this");
-    }
+  /// What planning would refuse after minutes of growing a forest.
+  static void refuse_before_growing(const MotionModel& model, const PlanSettings& settings) {
+    const Forest none;
+    (void)make_planner(settings.planner, settings.jobs, &none);
+    (void)error_room(model.forward(), settings.room);
   }
 
   void write(const PlanResult& result, const ArmDescription& arm,

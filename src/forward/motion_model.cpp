@@ -94,4 +94,16 @@ Pose MotionModel::settled_tip(const Eigen::Ref<const Eigen::VectorXf>& valves,
   return tip;
 }
 
+std::string why_valves_are_missing(const MotionModel& model) {
+  if (!model.valves().is_ideal() ||
+      (model.has_network() && model.compensation().learnt_from_setpoints)) {
+    return "";
+  }
+  const std::string reason =
+      model.has_network() ? model.compensation().valve_findings.reason : std::string();
+  return "no valve model" + (reason.empty() ? reason : " (" + reason + ")") +
+         ": the set points are taken for the pressures, but an arm whose valves lag is elsewhere "
+         "while it moves";
+}
+
 }  // namespace limber

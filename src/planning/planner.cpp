@@ -26,6 +26,14 @@ PlanningProblem problem_with_room(const ArmDescription& arm, const MotionModel& 
   return problem;
 }
 
+PlannerLimits PlannerLimits::or_default() const {
+  PlannerLimits limits = *this;
+  if (!time_s && !iterations && !queries) {
+    limits.time_s = kDefaultTimeLimitS;
+  }
+  return limits;
+}
+
 CollisionChecker checker_of(const PlanningProblem& problem) {
   PlateRoom room;
   if (problem.tube) {

@@ -1,6 +1,8 @@
 #pragma once
 // For those who ask a model where the arm goes.
 
+#include <string>
+
 #include <Eigen/Core>
 
 #include "limber/arm/backbone.hpp"
@@ -87,5 +89,9 @@ class MotionModel {
   const ForwardModel* forward_;
   ValveModel valves_;
 };
+
+/// For a model that takes set points for the pressures though it learnt from pressures: a sentence
+/// that says so, and why no valves are known. Empty: it has valves, or needs none.
+std::string why_valves_are_missing(const MotionModel& model);
 
 }  // namespace limber

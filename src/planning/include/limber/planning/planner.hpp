@@ -66,14 +66,19 @@ PressureBox setpoints_of(const PlanningProblem& problem);
 /// result's statistics count all queries: also those of an ensemble's other networks, which judge
 /// every plan, and of the plan's last simulation. So they may exceed the limit.
 struct PlannerLimits {
-  std::optional<double> time_s;
-  std::optional<std::uint64_t> iterations;
-  std::optional<std::uint64_t> queries;      ///< of the forward model, by the search
-  std::optional<double> memory_mb;           ///< of the tree
-  std::optional<double> cost_threshold_kpa;  ///< stop at a plan this cheap
+  std::optional<double> time_s = std::nullopt;
+  std::optional<std::uint64_t> iterations = std::nullopt;
+  std::optional<std::uint64_t> queries = std::nullopt;      ///< of the forward model, by the search
+  std::optional<double> memory_mb = std::nullopt;           ///< of the tree
+  std::optional<double> cost_threshold_kpa = std::nullopt;  ///< stop at a plan this cheap
   /// Share of time, iterations and queries after which a search without a plan ends; in (0, 1].
   double patience = 1.0;
+
+  /// The same; with a time of kDefaultTimeLimitS if neither time, iterations nor queries is set.
+  PlannerLimits or_default() const;
 };
+
+inline constexpr double kDefaultTimeLimitS = 10.0;
 
 enum class PlanStatus {
   solved,             ///< a certified plan exists (certificate/certificate.hpp)

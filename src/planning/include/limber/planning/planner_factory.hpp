@@ -1,6 +1,7 @@
 #pragma once
 // For those who plan.
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +22,41 @@ std::vector<std::string> planner_names();
 /// @throws InputError naming the known planners, or the one that can't use a forest.
 std::unique_ptr<Planner> make_planner(const std::string& name, int jobs = 0,
                                       const Forest* forest = nullptr);
+
+/// What `plan` does otherwise than by default.
+struct PlanSettings {
+  AskedRoom room;                      ///< in place of the error that the model states
+  std::vector<PressureLimits> within;  ///< PlanningProblem::limits
+  bool stay_recorded = false;       ///< whether plans keep to set points, rates and shapes recorded
+  std::string planner = "default";  ///< of make_planner, as jobs and forest
+  int jobs = 0;
+  const Forest* forest = nullptr;
+  PlannerCallback callback = {};
+};
+
+/// What `limber plan` does, and the same plan: plans keep the tube that the model carries, or the
+/// error that it states (error_room), stand behind the valves that it was trained with, and are
+/// certified. What is doubtful is among the result's warnings: an error that was not measured,
+/// valves that nobody knows, a plan beyond the model's recordings.
+/// @param model_file  of `limber train`; the plan keeps its hash, which `limber verify` compares
+/// @param limits      none: kDefaultTimeLimitS
+/// @throws InputError as read_model, ForwardModel and Planner; if the network has no bounds; if a
+/// setting asks for what the model does not store.
+[[nodiscard]] PlanResult plan(const ArmDescription& arm, const std::filesystem::path& model_file,
+                              const Environment& environment, const PlannerLimits& limits = {},
+                              std::uint64_t seed = 1, const PlanSettings& settings = {});
+/// The same with a network in memory, and a plan that names no file.
+[[nodiscard]] PlanResult plan(const ArmDescription& arm, const CompensationModel& network,
+                              const Environment& environment, const PlannerLimits& limits = {},
+                              std::uint64_t seed = 1, const PlanSettings& settings = {});
+/// The same with valves of your own, or with the no-load model.
+[[nodiscard]] PlanResult plan(const ArmDescription& arm, const MotionModel& model,
+                              const Environment& environment, const PlannerLimits& limits = {},
+                              std::uint64_t seed = 1, const PlanSettings& settings = {});
+/// It would be planned with ideal valves, whatever the network was trained with.
+PlanResult plan(const ArmDescription& arm, const ForwardModel& model,
+                const Environment& environment, const PlannerLimits& limits = {},
+                std::uint64_t seed = 1, const PlanSettings& settings = {}) = delete;
 
 /// The motion that a planner of your own proposes: from the problem's start straight to each
 /// waypoint in turn, simulated with the problem's model, held, and certified, as every planner's
