@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
+#include <variant>
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
@@ -17,6 +20,30 @@
 namespace limber::python {
 
 namespace {
+
+bool goes_on(CallerThread& caller, const py::object& callback, const PlannerProgress& now) {
+  bool answer = true;
+  const bool returned = caller.call([&] {
+    const py::object said = callback(now);
+    answer = said.is_none() || said.cast<bool>();
+  });
+  return returned && answer;
+}
+
+/// Asks Python's callback, and stops as soon as the caller wants to.
+PlannerCallback watched(CallerThread& caller, const py::object& callback) {
+  return [&](const PlannerProgress& now) {
+    return !caller.should_stop() && (callback.is_none() || goes_on(caller, callback, now));
+  };
+}
+
+std::vector<PressureLimits> limits_of_pairs(const std::vector<std::pair<double, double>>& kpa) {
+  std::vector<PressureLimits> limits;
+  for (const auto& [lower, upper] : kpa) {
+    limits.emplace_back(lower, upper);
+  }
+  return limits;
+}
 
 /// A planner takes one caller at a time; Python's threads do not know that.
 class OnePlanner {
@@ -36,24 +63,11 @@ class OnePlanner {
     const std::unique_ptr<std::atomic<bool>, void (*)(std::atomic<bool>*)> free_again(
         &busy_, [](std::atomic<bool>* busy) { busy->store(false); });
     CallerThread caller;
-    return caller.run([&] {
-      return planner_->plan(problem, limits, seed, [&](const PlannerProgress& now) {
-        return !caller.should_stop() && (callback.is_none() || goes_on(caller, callback, now));
-      });
-    });
+    return caller.run(
+        [&] { return planner_->plan(problem, limits, seed, watched(caller, callback)); });
   }
 
  private:
-  static bool goes_on(CallerThread& caller, const py::object& callback,
-                      const PlannerProgress& now) {
-    bool answer = true;
-    const bool returned = caller.call([&] {
-      const py::object said = callback(now);
-      answer = said.is_none() || said.cast<bool>();
-    });
-    return returned && answer;
-  }
-
   std::unique_ptr<Planner> planner_;
   std::atomic<bool> busy_{false};
 };
@@ -113,9 +127,7 @@ void bind_problem(py::module_& module) {
             PlanningProblem problem{arm, model, environment, margin_m, goal_margin};
             problem.stay_within = stay_within;
             problem.margin_yields_to_start = margin_yields_to_start;
-            for (const auto& [lower, upper] : limits_kpa) {
-              problem.limits.emplace_back(lower, upper);
-            }
+            problem.limits = limits_of_pairs(limits_kpa);
             problem.tube = tube;
             return problem;
           }),
@@ -247,6 +259,57 @@ void bind_plan_result(py::module_& module) {
           py::call_guard<OthersMayRun>());
 }
 
+using AnyModel = std::variant<std::filesystem::path, const CompensationModel*, const MotionModel*>;
+
+PlanResult plan_with(const ArmDescription& arm, const AnyModel& model,
+                     const Environment& environment, const PlannerLimits& limits,
+                     std::uint64_t seed, const py::object& callback, PlanSettings settings) {
+  require_jobs(settings.jobs);
+  CallerThread caller;
+  settings.callback = watched(caller, callback);
+  return caller.run([&] {
+    if (const auto* file = std::get_if<std::filesystem::path>(&model)) {
+      return plan(arm, *file, environment, limits, seed, settings);
+    }
+    if (const auto* network = std::get_if<const CompensationModel*>(&model)) {
+      return plan(arm, **network, environment, limits, seed, settings);
+    }
+    return plan(arm, *std::get<const MotionModel*>(model), environment, limits, seed, settings);
+  });
+}
+
+void bind_plan_function(py::module_& module) {
+  module.def(
+      "plan",
+      [](const ArmDescription& arm, const AnyModel& model, const Environment& environment,
+         const PlannerLimits& limits, std::uint64_t seed, const py::object& callback,
+         const std::string& planner, int jobs, std::optional<double> margin_m,
+         std::optional<double> goal_margin_m, std::optional<double> goal_margin_rad,
+         std::optional<double> tube_level, bool stay_recorded,
+         const std::vector<std::pair<double, double>>& limits_kpa) {
+        return plan_with(arm, model, environment, limits, seed, callback,
+                         {{margin_m, goal_margin_m, goal_margin_rad, tube_level},
+                          limits_of_pairs(limits_kpa),
+                          stay_recorded,
+                          planner,
+                          jobs});
+      },
+      py::arg("arm"), py::arg("model").none(false), py::arg("environment"),
+      py::arg("limits") = PlannerLimits{}, py::arg("seed") = 1, py::kw_only(),
+      py::arg("callback") = py::none(), py::arg("planner") = "default", py::arg("jobs") = 0,
+      py::arg("margin_m") = py::none(), py::arg("goal_margin_m") = py::none(),
+      py::arg("goal_margin_rad") = py::none(), py::arg("tube_level") = py::none(),
+      py::arg("stay_recorded") = false,
+      py::arg("limits_kpa") = std::vector<std::pair<double, double>>{},
+      "What `limber plan` does, and the same plan: it keeps the tube that the model carries, or "
+      "the error that it states, stands behind the valves that it was trained with, and is "
+      "certified. model: the file of one, which the plan then names; a CompensationModel; or a "
+      "MotionModel, with valves of its own or without a network. limits: by default 10 s. The "
+      "others as Planner.plan, make_planner, error_room and PlanningProblem have them; "
+      "stay_recorded: with set points, rates and shapes like those recorded alone. No plan is no "
+      "error: PlanResult.status and reason say why, warnings what is doubtful.");
+}
+
 }  // namespace
 
 void bind_planning(py::module_& module) {
@@ -263,6 +326,7 @@ void bind_planning(py::module_& module) {
            "iterations or queries alone the seed decides everything.")
       .def("__repr__",
            [](const OnePlanner& planner) { return fmt::format("Planner('{}')", planner.name()); });
+  bind_plan_function(module);
   module.def("planner_names", &planner_names, "Names that make_planner knows, the default first.");
   module.def(
       "make_planner",

@@ -1,13 +1,12 @@
 """limber: learn, simulate and plan the motion of soft pneumatic arms.
 
-Where to start: five lines that plan a motion past a pillar.
+Where to start: lines that plan a motion past a pillar.
 
     arm = limber.load_arm(limber.data_folder() / "arms" / "three_segment.yaml")
     environment = limber.load_environment(
         limber.data_folder() / "environments" / "01_pillar.yaml", arm)
-    model = limber.MotionModel(limber.ForwardModel(arm))
-    problem = limber.PlanningProblem(arm, model, environment)
-    print(limber.make_planner().plan(problem, limber.PlannerLimits(time_s=5), seed=1))
+    no_load = limber.MotionModel(limber.ForwardModel(arm))  # or "model.safetensors"
+    print(limber.plan(arm, no_load, environment, limber.PlannerLimits(time_s=5)))
 
 docs/tutorial_python.md goes from a folder of logs to a verified plan; docs/python.md has the rest.
 
@@ -71,7 +70,7 @@ __all__ = [
     "hold_back_unseen", "hold_back_validation", "identify_valves", "import_csv", "import_motive",
     "inspect", "is_within", "learning_curve_svg", "learnt_region_of", "load_arm",
     "load_arm_to_characterise", "load_environment", "make_planner", "make_recording",
-    "note_unseen", "paper_preset", "plan_along", "plan_animation", "plan_picture",
+    "note_unseen", "paper_preset", "plan", "plan_along", "plan_animation", "plan_picture",
     "planner_names", "pose_error", "predict", "pressure_picture", "problem_with_room",
     "read_bench_csv", "read_model", "read_plan", "read_plan_unchecked", "read_recording",
     "read_valves", "require_model_of", "require_plan_of", "require_recording_of",

@@ -93,6 +93,11 @@ class PlansAlong(InFolder):
                  "program.json", folder=self.folder)
         self.assertEqual((self.folder / "own.json").read_bytes(),
                          (self.folder / "program.json").read_bytes())
+        result = limber.plan(self.chain.arm, calibrated, self.chain.environment,
+                             limber.PlannerLimits(iterations=300), 5)
+        limber.write_plan(self.folder / "own.json", result.plan)
+        self.assertEqual((self.folder / "own.json").read_bytes(),
+                         (self.folder / "program.json").read_bytes())
         with self.assertRaisesRegex(limber.InputError, "0.9, 0.95"):
             limber.error_room(forward, tube_level=0.5)
         self.assertIsNone(limber.error_room(forward, margin_m=0.01).tube)

@@ -12,6 +12,7 @@ from chain import ROOT, TWO_SEGMENT, InFolder, chain, run_execution, run_json, r
 
 HELD_BACK = 0.1  # as `limber train` holds back
 SEED = 5
+QUERIES = 50_000  # of each search
 
 
 class SameAsProgram(InFolder):
@@ -95,37 +96,77 @@ class SameAsProgram(InFolder):
             limber.certify(None, self.chain.arm, self.network, limber.ValveParameters(),
                            self.chain.environment)
 
-    def problem(self):
-        room = limber.error_room(self.forward)
-        return limber.PlanningProblem(
-            self.chain.arm,
-            limber.MotionModel(self.forward,
-                               limber.ValveModel(self.chain.arm, self.network.valves)),
-            self.chain.environment, room.margin_m, room.goal_margin,
-            margin_yields_to_start=room.margin_yields_to_start)
+    def program_plans(self, *arguments, code=0):
+        return run_json("plan", "--arm", TWO_SEGMENT, "--model", self.chain.model, "--environment",
+                        self.chain.environment_file, "--max-queries", QUERIES, "--seed", SEED,
+                        "--out", "program.json", *arguments, folder=self.folder, code=code)
 
-    def planned(self):
-        """The module's result, and the program's files of the same problem."""
-        theirs = run_json("plan", "--arm", TWO_SEGMENT, "--model", self.chain.model,
-                          "--environment", self.chain.environment_file, "--max-iterations", 300,
-                          "--seed", SEED, "--out", "program.json", folder=self.folder)
-        result = limber.make_planner("default").plan(
-            self.problem(), limber.PlannerLimits(iterations=300), SEED)
-        return result, theirs
+    def plan(self, model, **settings):
+        return limber.plan(self.chain.arm, model, self.chain.environment,
+                           limber.PlannerLimits(queries=QUERIES), SEED, **settings)
 
-    def test_plans_are_the_programs_to_the_byte(self):
-        result, theirs = self.planned()
-        self.assertEqual(result.status, limber.PlanStatus.solved)
-        result.plan.model_hash = limber.content_hash(self.chain.model)
+    def assert_same_plan(self, result, name="program.json"):
+        self.assertEqual(result.status, limber.PlanStatus.solved, result.reason)
         limber.write_plan(self.folder / "own.json", result.plan)
         self.assertEqual((self.folder / "own.json").read_text(encoding="utf-8"),
-                         (self.folder / "program.json").read_text(encoding="utf-8"))
+                         (self.folder / name).read_text(encoding="utf-8"))
+
+    def test_plans_are_the_programs_to_the_byte(self):
+        theirs = self.program_plans()
+        result = self.plan(self.chain.model)
+        self.assert_same_plan(result)
+        error = self.network.prediction_error
+        self.assertEqual(result.plan.margin_m, error.off_path_m)
+        self.assertGreater(result.plan.margin_m, 0.0)
         own = limber.to_json(result, self.chain.environment.goal, "default", "network", SEED)
         for key in ("status", "cost_kpa", "queries", "nodes", "frames", "distance_to_goal_cm"):
             self.assertEqual(own[key], theirs[key], key)
+        self.assertIn("no valve model", own["warnings"][0])  # the program says so before it plans
+        self.assertEqual(own["warnings"][1:], theirs["warnings"])
+
+    def test_a_model_in_memory_gives_the_plan_of_its_file_without_the_files_hash(self):
+        self.program_plans()
+        result = self.plan(self.network)
+        self.assertEqual(result.plan.model_hash, "")
+        result.plan.model_hash = limber.content_hash(self.chain.model)
+        self.assert_same_plan(result)
+
+    def test_arguments_are_the_programs_flags(self):
+        for flags, settings in (
+                (("--margin-m", 0.002, "--goal-margin-m", 0), {"margin_m": 0.002, "goal_margin_m": 0}),
+                (("--limit", "-60,70"), {"limits_kpa": [(-60, 70)] * 2}),
+                (("--planner", "default,improved_plans=0"), {"planner": "default,improved_plans=0"})):
+            with self.subTest(flags=flags):
+                self.program_plans(*flags, "--force")
+                self.assert_same_plan(self.plan(self.chain.model, **settings))
+        theirs = self.program_plans("--stay-recorded", "--force", code=1)  # a recording of minutes: no plan
+        self.assertEqual(self.plan(self.chain.model, stay_recorded=True).reason, theirs["reason"])
+
+    def test_without_a_network_it_is_the_no_load_models_plan(self):
+        theirs = run_json("plan", "--arm", TWO_SEGMENT, "--no-load", "--environment",
+                          self.chain.environment_file, "--max-queries", QUERIES, "--seed", SEED,
+                          "--out", "no_load.json", folder=self.folder)
+        result = self.plan(limber.MotionModel(limber.ForwardModel(self.chain.arm)))
+        self.assert_same_plan(result, "no_load.json")
+        self.assertIn("the no-load model's error is not known", result.warnings[0])
+        self.assertEqual(result.warnings, theirs["warnings"])
+
+    def test_no_plan_says_so(self):
+        far = limber.Environment("far", [], limber.PoseGoal(x_m=3.0))
+        result = limber.plan(self.chain.arm, self.chain.model, far, limber.PlannerLimits(time_s=1))
+        self.assertEqual(result.status, limber.PlanStatus.goal_unreachable)
+        self.assertIsNone(result.plan)
+        self.assertIn("beyond the arm's reach", result.reason)
+        stopped = self.plan(self.chain.model, callback=lambda _: False)
+        self.assertNotEqual(stopped.reason, "")
+        for model in (None, self.forward, 3):
+            with self.assertRaises(TypeError):
+                self.plan(model)
+        with self.assertRaisesRegex(limber.InputError, "no.safetensors"):
+            self.plan("no.safetensors")
 
     def test_certificates_and_executions_are_the_programs(self):
-        self.planned()
+        self.program_plans()
         plan = limber.read_plan(self.folder / "program.json")
         theirs = run_json("verify", "--arm", TWO_SEGMENT, "--model", self.chain.model,
                           "--environment", self.chain.environment_file, "--plan", "program.json",
