@@ -13,16 +13,8 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const auto arm = limber::load_arm(limber::data_folder() / "arms" / "three_segment.yaml");
-  const limber::Environment environment = limber::load_environment(argv[2], arm);
-  const limber::CompensationModel network = limber::read_model(argv[1]);
-  const limber::ForwardModel forward(arm, network);
-  const limber::ValveParameters valves = network.valves.value_or(limber::ValveParameters{});
-  const limber::MotionModel model(forward, limber::ValveModel(arm, valves));
-  const limber::ErrorRoom room = limber::error_room(forward);  // the error that the model states
-  const auto problem = limber::problem_with_room(arm, model, environment, room);
-  limber::PlannerLimits limits;
-  limits.time_s = 2.0;
-  const limber::PlanResult result = limber::make_planner("default")->plan(problem, limits, 1);
+  const auto environment = limber::load_environment(argv[2], arm);
+  const auto result = limber::plan(arm, argv[1], environment);  // with room for the model's error
   if (!result.plan) {
     std::cout << "no plan: " << result.reason << "\n";
     return 1;
@@ -30,6 +22,8 @@ int main(int argc, char** argv) try {
   limber::write_plan(argv[3], *result.plan);
 
   // The planner has asked for it already; this is how you ask yourself, of a file from anywhere.
+  const limber::CompensationModel network = limber::read_model(argv[1]);
+  const limber::ValveParameters valves = network.valves.value_or(limber::ValveParameters{});
   const limber::Certificate certificate =
       limber::certify(limber::read_plan_unchecked(argv[3]), arm, &network, valves, environment);
   for (const limber::CertificateFailure& failure : certificate.failures) {

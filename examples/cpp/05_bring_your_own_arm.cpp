@@ -37,12 +37,8 @@ int main(int argc, char** argv) try {
   network.learnt = limber::learnt_region_of(data);
   limber::note_unseen(arm, network, data.unseen);
 
-  const limber::ForwardModel forward(arm, network);
   const limber::Environment environment = limber::load_environment(argv[3], arm);
-  const limber::MotionModel model(forward, limber::ValveModel(arm, *network.valves));
-  const limber::ErrorRoom room = limber::error_room(forward);
-  const auto problem = limber::problem_with_room(arm, model, environment, room);
-  const auto result = limber::make_planner("default")->plan(problem, {.time_s = 5.0}, 1);
+  const auto result = limber::plan(arm, network, environment, {.time_s = 5.0});
   if (!result.plan) {
     std::cout << "no plan: " << result.reason << "\n";
     return 1;

@@ -15,14 +15,11 @@ int main(int argc, char** argv) try {
   }
   const auto arm = limber::load_arm(limber::data_folder() / "arms" / "three_segment.yaml");
   const limber::Environment environment = limber::load_environment(argv[2], arm);
-  const limber::ForwardModel forward(arm, limber::read_model(argv[1]));
-  const limber::MotionModel model(forward);  // pressures are the set points
-  const limber::PlanningProblem problem{arm, model, environment, 0.005};
-  limber::PlannerLimits limits;
-  limits.time_s = 5.0;
   for (const std::string& name :
        {std::string("default"), std::string(argc > 3 ? argv[3] : "ompl:RRT")}) {
-    const limber::PlanResult result = limber::make_planner(name)->plan(problem, limits, 1);
+    limber::PlanSettings settings;
+    settings.planner = name;
+    const auto result = limber::plan(arm, argv[1], environment, {.time_s = 5.0}, 1, settings);
     if (result.plan) {
       std::cout << name << ": " << result.plan->cost_kpa << " kPa, certified after "
                 << result.first_solution->time_s << " s and " << result.first_solution->queries

@@ -27,12 +27,8 @@ def main() -> int:
     network.learnt = limber.learnt_region_of(data)
     limber.note_unseen(arm, network, data.unseen)
 
-    forward = limber.ForwardModel(arm, network)
     environment = limber.load_environment(environment_file, arm)
-    model = limber.MotionModel(forward, limber.ValveModel(arm, network.valves))
-    room = limber.error_room(forward)
-    problem = limber.problem_with_room(arm, model, environment, room)
-    result = limber.make_planner().plan(problem, limber.PlannerLimits(time_s=5.0), seed=1)
+    result = limber.plan(arm, network, environment, limber.PlannerLimits(time_s=5.0))
     if not result.plan:
         print(f"no plan: {result.reason}")
         return 1

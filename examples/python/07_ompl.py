@@ -12,12 +12,9 @@ import limber
 def main() -> int:
     arm = limber.load_arm(limber.data_folder() / "arms" / "three_segment.yaml")
     environment = limber.load_environment(sys.argv[2], arm)
-    forward = limber.ForwardModel(arm, limber.read_model(sys.argv[1]))
-    model = limber.MotionModel(forward)  # pressures are the set points
-    problem = limber.PlanningProblem(arm, model, environment, margin_m=0.005)
     limits = limber.PlannerLimits(time_s=5.0)
     for name in ("default", sys.argv[3] if len(sys.argv) > 3 else "ompl:RRT"):
-        result = limber.make_planner(name).plan(problem, limits, seed=1)
+        result = limber.plan(arm, sys.argv[1], environment, limits, seed=1, planner=name)
         if result.plan and result.first_solution:
             print(f"{name}: {result.plan.cost_kpa:.1f} kPa, certified after "
                   f"{result.first_solution.time_s:.3f} s and {result.first_solution.queries} "

@@ -97,12 +97,18 @@ class Documents(InFolder):
         for block in blocks:
             run_in(self.folder, block)
 
-    def test_the_readme_has_five_lines_beside_six_of_cpp(self):
+    def test_the_readme_plans_in_four_lines_and_four_calls_as_example_03(self):
         page = (ROOT / "README.md").read_text(encoding="utf-8")
         (cpp,) = re.findall(r"^```cpp\n(.*?)^```", page, flags=re.M | re.S)
         (own,) = python_blocks(ROOT / "README.md")
         self.assertEqual(own.splitlines()[0], "import limber")
-        self.assertEqual((len(own.splitlines()[1:]), len(cpp.splitlines())), (5, 6))
+        self.assertEqual((len(own.splitlines()[1:]), len(cpp.splitlines())), (4, 4))
+        calls = ["load_arm", "load_environment", "plan", "write_plan"]
+        example = "03_plan_and_verify"
+        for text in (cpp, own, (EXAMPLES / f"{example}.py").read_text(encoding="utf-8"),
+                     (ROOT / "examples" / "cpp" / f"{example}.cpp").read_text(encoding="utf-8")):
+            found = re.findall(r"limber(?:\.|::)(\w+)\(", text)
+            self.assertEqual([name for name in found if name != "data_folder"][:4], calls)
 
 
 class Names(unittest.TestCase):

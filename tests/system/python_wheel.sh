@@ -49,8 +49,7 @@ assert limber.data_folder().parts[-2:] == ("limber", "data"), limber.data_folder
 arm = limber.load_arm(limber.data_folder() / "arms" / "two_segment.yaml")
 environment = limber.Environment("free", [], limber.PoseGoal(x_m=0.38, y_m=0.1))
 model = limber.MotionModel(limber.ForwardModel(arm))
-result = limber.make_planner().plan(limber.PlanningProblem(arm, model, environment),
-                                    limber.PlannerLimits(iterations=300), seed=1)
+result = limber.plan(arm, model, environment, limber.PlannerLimits(iterations=300))
 assert result.plan, result.reason
 print(limber.__version__, result)
 PYTHON
