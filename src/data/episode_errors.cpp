@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/simple_model.hpp"
-#include "median.hpp"
 
 namespace limber {
 

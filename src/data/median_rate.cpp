@@ -1,7 +1,8 @@
 #include "limber/data/median_rate.hpp"
 
-#include <algorithm>
+#include <utility>
 
+#include "limber/common/statistics.hpp"
 namespace limber {
 
 double median_rate_hz(const std::vector<double>& time_s) {
@@ -9,9 +10,7 @@ double median_rate_hz(const std::vector<double>& time_s) {
   for (std::size_t i = 1; i < time_s.size(); ++i) {
     steps.push_back(time_s[i] - time_s[i - 1]);
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return 1.0 / *middle;
+  return 1.0 / median(std::move(steps));
 }
 
 }  // namespace limber

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "episode_path.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
 #include "limber/data/recording_inspection.hpp"
 
@@ -146,9 +148,7 @@ double median_gap_m(const Episode& episode, int plate) {
   if (distances.empty()) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return median(std::move(distances));
 }
 
 void require_motion(const Episode& episode, const ArmDescription& arm, const std::string& where) {

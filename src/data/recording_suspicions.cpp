@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,7 @@
 #include "suspicions.hpp"
 
 #include "limber/arm/names.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/data/median_rate.hpp"
 
 namespace limber {
@@ -98,9 +100,7 @@ double median_distance_m(const Recording& recording, int plate) {
           (row.segment<2>(3 * plate + 3) - row.segment<2>(3 * plate)).cast<double>().norm());
     }
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return median(std::move(distances));
 }
 
 void look_at_distances(const Recording& recording, const ArmDescription* arm,

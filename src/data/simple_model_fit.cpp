@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/data/simple_model.hpp"
-#include "median.hpp"
 
 namespace limber {
 
@@ -167,16 +166,10 @@ RobustLine fit_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
 
 /// 95 % interval about `value` from its leave-one-out values.
 Interval jackknife(double value, const std::vector<double>& left_out) {
-  const double count = double(left_out.size());
   if (left_out.size() < 2) {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
-  const double mean = std::accumulate(left_out.begin(), left_out.end(), 0.0) / count;
-  double squares = 0.0;
-  for (const double one : left_out) {
-    squares += (one - mean) * (one - mean);
-  }
-  const double half = kTwoSided95 * std::sqrt((count - 1.0) / count * squares);
+  const double half = kTwoSided95 * double(left_out.size() - 1) * standard_error(left_out);
   return {value - half, value + half};
 }
 

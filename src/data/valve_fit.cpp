@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <unsupported/Eigen/NumericalDiff>
+
+#include "limber/common/statistics.hpp"
 
 namespace limber {
 
@@ -121,7 +124,6 @@ class Fitter {
   /// The scale becomes three typical errors at `x` of frames in motion, so that spikes don't
   /// decide, and long holds don't say what is typical.
   void rescale(const Eigen::VectorXd& x) {
-    constexpr double kDeviationsPerMedian = 1.4826;  // of a normal distribution
     constexpr double kTypicalErrors = 3.0;
     constexpr double kMin = 5e-4;       // of the limit: finer than any sensor
     constexpr double kUnderWay = 0.02;  // of the limit, from the set point
@@ -142,9 +144,7 @@ class Fitter {
     if (sizes.empty()) {
       return;
     }
-    const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    errors_.scale_kpa = std::max(kTypicalErrors * kDeviationsPerMedian * *middle,
+    errors_.scale_kpa = std::max(kTypicalErrors * kScaleOfMedian * median(std::move(sizes)),
                                  kMin * errors_.coordinates.limit_kpa);
   }
 
@@ -171,12 +171,7 @@ double fastest_kpa_per_s(const std::vector<ValveRun>& runs, double rate_hz, doub
       }
     }
   }
-  if (speeds.empty()) {
-    return limit_kpa;
-  }
-  const auto high = speeds.begin() + std::ptrdiff_t(kHigh * double(speeds.size() - 1));
-  std::nth_element(speeds.begin(), high, speeds.end());
-  return *high;
+  return speeds.empty() ? limit_kpa : quantile(std::move(speeds), kHigh);
 }
 
 /// The first so many frames' worth of runs, evenly picked: for the coarse search.

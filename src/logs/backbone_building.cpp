@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
 
 namespace limber {
@@ -119,9 +121,7 @@ double median_distance_m(const PointTracks& tracks, const std::vector<bool>& tra
                                      tracks.y_m(t, i + 1) - tracks.y_m(t, i)));
     }
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return median(std::move(distances));
 }
 
 /// Distances between neighbouring points, where no arc can be longer than the arm at rest.

@@ -1,25 +1,18 @@
 #include "base_alignment.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
 
 namespace limber {
 
 namespace {
 
 constexpr double kBaseStandsStill_m = 0.005;  // motion capture is better than that
-constexpr double kScatterPercentile = 0.95;
-
-double percentile(std::vector<double> values, double fraction) {
-  const auto rank = static_cast<std::ptrdiff_t>(fraction * double(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  return values[static_cast<std::size_t>(rank)];
-}
 
 /// Mean direction of many angles, whatever their turns.
 class MeanAngle {
@@ -101,7 +94,7 @@ class BaseFinder {
     for (const Eigen::Index t : rows_) {
       values.push_back(matrix(t, 0));
     }
-    return percentile(std::move(values), 0.5);
+    return limber::median(std::move(values));
   }
 
   double chord(Eigen::Index t, int i) const {
@@ -186,7 +179,7 @@ void settle_base(const std::vector<bool>& tracked, PointTracks& tracks, RunRepor
       distances.push_back(std::hypot(tracks.x_m(t, 0), tracks.y_m(t, 0)));
     }
   }
-  report.base_scatter_m = percentile(std::move(distances), kScatterPercentile);
+  report.base_scatter_m = quantile(std::move(distances), 0.95);
   if (report.base_scatter_m > kBaseStandsStill_m) {
     report.note(
         "the base moves by more than 5 mm: left as it was tracked",

@@ -8,6 +8,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/data/log_units.hpp"
 
 namespace limber {
@@ -18,7 +19,7 @@ constexpr double kFarBeyond = 1.2;    // of the limit; a measured pressure overs
 constexpr double kMaxBeyond = 0.001;  // of the rows; spikes happen
 constexpr double kOvershoot = 1.05;
 constexpr double kConstant = 0.02;  // of the limit, range over the whole log
-constexpr double kHighPercentile = 0.99;
+constexpr double kHigh = 0.99;      // quantile of the sizes: spikes decide nothing
 
 /// Numbers of one segment's column.
 struct ColumnFacts {
@@ -110,7 +111,7 @@ void check_commands(const std::string& log, const ImportMapping& mapping, const 
       throw InputError(
           fmt::format("{}: column '{}' ({}) holds no number", log, name, segment_name(i)));
     }
-    const auto high = facts.sizes[std::size_t(kHighPercentile * double(facts.sizes.size() - 1))];
+    const double high = quantile(facts.sizes, kHigh);
     const auto beyond = facts.sizes.end() - std::upper_bound(facts.sizes.begin(), facts.sizes.end(),
                                                              kFarBeyond * limit);
     if (double(beyond) > kMaxBeyond * double(facts.sizes.size())) {

@@ -4,45 +4,24 @@
 #include <cassert>
 #include <cmath>
 
+#include "limber/common/statistics.hpp"
+
 namespace limber {
 
 namespace {
 
-double quantile(const std::vector<double>& sorted, double share) {
-  const double position = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  const double weight = position - static_cast<double>(below);
-  return (1.0 - weight) * sorted[below] + weight * sorted[above];
-}
-
 double silverman_bandwidth(const std::vector<double>& values, const Spread& spread) {
-  const auto count = static_cast<double>(values.size());
-  double squares = 0.0;
-  for (const double value : values) {
-    squares += (value - spread.mean) * (value - spread.mean);
-  }
-  const double deviation = std::sqrt(squares / count);
+  const double deviation = standard_deviation(values);
   const double quartiles = (spread.p75 - spread.p25) / 1.34;
   const double width = quartiles > 0.0 ? std::min(deviation, quartiles) : deviation;
-  return 0.9 * width * std::pow(count, -0.2);
+  return 0.9 * width * std::pow(double(values.size()), -0.2);
 }
 
 }  // namespace
 
-Spread spread_of(std::vector<double> values) {
-  assert(!values.empty());
-  std::sort(values.begin(), values.end());
-  Spread spread;
-  for (const double value : values) {
-    spread.mean += value / static_cast<double>(values.size());
-  }
-  spread.p05 = quantile(values, 0.05);
-  spread.p25 = quantile(values, 0.25);
-  spread.median = quantile(values, 0.5);
-  spread.p75 = quantile(values, 0.75);
-  spread.p95 = quantile(values, 0.95);
-  return spread;
+Spread spread_of(const std::vector<double>& values) {
+  return {mean(values),   quantile(values, 0.05), quantile(values, 0.25),
+          median(values), quantile(values, 0.75), quantile(values, 0.95)};
 }
 
 DensityOutline density_outline(const std::vector<double>& values, int steps) {

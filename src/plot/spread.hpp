@@ -1,18 +1,17 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 namespace limber {
 
-/// Figures that describe how values spread; quantiles are interpolated between neighbours.
+/// Figures that describe how values spread (common/statistics.hpp).
 struct Spread {
   double mean = 0.0;
   double p05 = 0.0, p25 = 0.0, median = 0.0, p75 = 0.0, p95 = 0.0;
 };
 
 /// @param values  finite, at least one.
-Spread spread_of(std::vector<double> values);
+Spread spread_of(const std::vector<double>& values);
 
 /// Density at even steps from the lowest to the highest value, the largest being 1: a Gaussian
 /// kernel, bandwidth by Silverman's rule (1986, 3.31). One step of density 1 if all are equal.

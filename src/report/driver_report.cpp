@@ -41,12 +41,6 @@ std::string in_words(const DeadmanResult& deadman) {
                            deadman.after_kpa);
 }
 
-double quantile_ms(std::vector<double> seconds, double share) {
-  std::sort(seconds.begin(), seconds.end());
-  const auto last = static_cast<double>(seconds.size() - 1);
-  return kMsPerS * seconds[static_cast<std::size_t>(std::lround(share * last))];
-}
-
 std::string pressures_svg(const DriverCheck& check) {
   ChartGrid grid(1, "Set points and what was measured");
   const Eigen::VectorXd& time_s = check.episode.time_s;
@@ -77,15 +71,15 @@ std::string round_trip_svg(const DriverCheck& check) {
 
 }  // namespace
 
-Json times_in_ms(std::vector<double> seconds) {
+Json times_in_ms(const std::vector<double>& seconds) {
   if (seconds.empty()) {
     return nullptr;
   }
   return {{"count", seconds.size()},
-          {"p50", quantile_ms(seconds, 0.5)},
-          {"p99", quantile_ms(seconds, 0.99)},
-          {"p999", quantile_ms(seconds, 0.999)},
-          {"max", quantile_ms(seconds, 1.0)}};
+          {"p50", kMsPerS * median(seconds)},
+          {"p99", kMsPerS * quantile(seconds, 0.99)},
+          {"p999", kMsPerS * quantile(seconds, 0.999)},
+          {"max", kMsPerS * quantile(seconds, 1.0)}};
 }
 
 Json to_json(const DriverCheck& check, const IdentifiedValves& valves) {
@@ -124,8 +118,9 @@ std::string to_text(const DriverCheck& check) {
       "driver {} (device: {})\n  round trip {:.1f} ms (median), {:.1f} ms (99.9 %); set points "
       "leave at most {:.1f} ms after their slot, {} slots were skipped",
       or_unnamed(check.hello.driver), or_unnamed(check.hello.device),
-      quantile_ms(check.timing.round_trip_s, 0.5), quantile_ms(check.timing.round_trip_s, 0.999),
-      quantile_ms(check.timing.late_s, 1.0), check.timing.skipped_slots);
+      kMsPerS * median(check.timing.round_trip_s),
+      kMsPerS * quantile(check.timing.round_trip_s, 0.999),
+      kMsPerS * quantile(check.timing.late_s, 1.0), check.timing.skipped_slots);
   text += fmt::format("\n  at rest: {:.2f} kPa, noise {:.2f} kPa", fmt::join(check.zero_kpa, ", "),
                       fmt::join(check.noise_kpa, ", "));
   for (const StepResponse& step : check.steps) {

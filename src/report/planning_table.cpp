@@ -1,13 +1,12 @@
 #include "limber/report/planning_table.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "json_number.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -199,24 +198,17 @@ ReportTable findings_table(const std::vector<PlanningRow>& rows) {
 
 }  // namespace
 
-SampleFigures figures_of(std::vector<double> values) {
+SampleFigures figures_of(const std::vector<double>& values) {
   SampleFigures figures;
   figures.count = static_cast<int>(values.size());
   if (values.empty()) {
     return figures;
   }
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / double(n);
-  figures.mean = mean;
-  figures.median = 0.5 * (values[(n - 1) / 2] + values[n / 2]);
-  figures.p95 = values[static_cast<std::size_t>(std::ceil(0.95 * double(n))) - 1];
-  if (n >= 2) {
-    double squares = 0.0;
-    for (const double value : values) {
-      squares += (value - mean) * (value - mean);
-    }
-    figures.standard_error = std::sqrt(squares / double(n - 1) / double(n));
+  figures.mean = mean(values);
+  figures.median = median(values);
+  figures.p95 = quantile(values, 0.95);
+  if (values.size() >= 2) {
+    figures.standard_error = standard_error(values);
   }
   return figures;
 }

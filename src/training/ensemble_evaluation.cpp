@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
+#include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "rollout.hpp"
 
@@ -41,16 +43,14 @@ SpreadStatistics spread_statistics(const std::vector<double>& spread_cm,
     return {kNone, kNone, kNone, kNone};
   }
   const auto count = static_cast<double>(spread_cm.size());
+  result.mean_cm = mean(spread_cm);
   std::vector<double> factors;
   for (std::size_t i = 0; i < spread_cm.size(); ++i) {
-    result.mean_cm += spread_cm[i] / count;
     result.covered_by_two += error_cm[i] <= 2.0 * spread_cm[i] ? 1.0 / count : 0.0;
     factors.push_back(error_cm[i] / std::max(spread_cm[i], std::numeric_limits<double>::min()));
   }
   result.rank_correlation = rank_correlation(spread_cm, error_cm);
-  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(kCovered * count)) - 1;
-  std::nth_element(factors.begin(), factors.begin() + rank, factors.end());
-  result.factor_for_95 = factors[static_cast<std::size_t>(rank)];
+  result.factor_for_95 = quantile(std::move(factors), kCovered);
   return result;
 }
 

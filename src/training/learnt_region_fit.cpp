@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
 #include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/network/backbone_layout.hpp"
 
 namespace limber {
@@ -131,10 +133,7 @@ double needed_widening(const Eigen::MatrixXd& along) {
                        1.0);
     }
   }
-  const auto rank =
-      static_cast<std::ptrdiff_t>((1.0 - kAllowedBeyond) * static_cast<double>(beyond.size() - 1));
-  std::nth_element(beyond.begin(), beyond.begin() + rank, beyond.end());
-  return std::clamp(beyond[static_cast<std::size_t>(rank)], kAxisWidening, kMaxWidening);
+  return std::clamp(quantile(std::move(beyond), 1.0 - kAllowedBeyond), kAxisWidening, kMaxWidening);
 }
 
 /// Deviation of each number, no less than what it is taken to spread by at least.

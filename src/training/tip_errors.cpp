@@ -4,7 +4,9 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -37,25 +39,11 @@ ErrorStatistics statistics(std::vector<double> values, const std::vector<int>& m
     result.mean = result.std = result.p95 = std::numeric_limits<double>::quiet_NaN();
     return result;
   }
-  const auto count = static_cast<double>(values.size());
-  for (const double value : values) {
-    result.mean += value / count;
-  }
-  double variance = 0.0;
-  for (const double value : values) {
-    variance += (value - result.mean) * (value - result.mean) / count;
-  }
-  result.std = std::sqrt(variance);
-  // The smallest value that 95 % of the values do not exceed.
-  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * count)) - 1;
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
-  result.p95 = values[static_cast<std::size_t>(rank)];
+  result.mean = mean(values);
+  result.std = standard_deviation(values);
+  result.p95 = quantile(std::move(values), 0.95);
   return result;
 }
-
-}  // namespace
-
-namespace {
 
 /// Mean distance of the plates, the base left out: it stands still.
 double plates_m(const FrameMatrix& predicted, const FrameMatrix& recorded, Eigen::Index t) {

@@ -14,6 +14,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/safetensors.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/network/gemm_kernels.hpp"
 
 namespace limber {
@@ -76,12 +77,6 @@ double useful_multiply_adds(const EpochTrainer& trainer, const TrainingStage& st
                          layout.outputs(0) * (stage.window_frames - 1) / stage.window_frames;
   return (3.0 * all - first + carried) * stage.window_frames * static_cast<double>(windows) *
          trainer.member_count();
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 StageSpeed measure_stage(const ArmDescription& arm, const TrainingData& data,

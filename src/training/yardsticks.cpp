@@ -10,6 +10,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/training/evaluation.hpp"
 #include "rollout.hpp"
 #include "yardstick_fits.hpp"
@@ -49,16 +50,9 @@ TipErrorSeries errors_of(const std::vector<FrameMatrix>& predicted,
   return all;
 }
 
-double mean_of_known(const std::vector<double>& values) {
-  double sum = 0.0;
-  int count = 0;
-  for (const double value : values) {
-    if (!std::isnan(value)) {
-      sum += value;
-      ++count;
-    }
-  }
-  return count > 0 ? sum / count : std::nan("");
+double mean_of_known(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  return values.empty() ? std::nan("") : mean(values);
 }
 
 std::vector<double> episode_means(const std::vector<FrameMatrix>& predicted,

@@ -13,7 +13,7 @@ inline constexpr double kMsPerS = 1e3;
 
 /// {"count": …, "p50": …, "p99": …, "p999": …, "max": …} of times in seconds, in ms; null where
 /// there are none.
-nlohmann::ordered_json times_in_ms(std::vector<double> seconds);
+nlohmann::ordered_json times_in_ms(const std::vector<double>& seconds);
 
 /// The object of `limber driver check --json`.
 nlohmann::ordered_json to_json(const DriverCheck& check, const IdentifiedValves& valves);

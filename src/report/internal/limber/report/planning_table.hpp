@@ -16,11 +16,11 @@ struct SampleFigures {
   int count = 0;
   std::optional<double> mean;
   std::optional<double> median;
-  std::optional<double> p95;             ///< the smallest number that 95 % of them do not exceed
+  std::optional<double> p95;             ///< quantile(…, 0.95) of common/statistics.hpp
   std::optional<double> standard_error;  ///< of the mean, sample deviation / √count
 };
 
-SampleFigures figures_of(std::vector<double> values);
+SampleFigures figures_of(const std::vector<double>& values);
 
 /// One line of the paper's Table I: one environment, one model; and where they are compared, one
 /// controller and one disturbance.
