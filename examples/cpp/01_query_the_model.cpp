@@ -43,7 +43,7 @@ int main(int argc, char** argv) try {
   for (int frame = 1; frame <= frames; ++frame) {
     model.step(setpoint_kpa, state, workspace);
     if (frame % 10 == 0) {
-      const limber::Pose tip = limber::tip_pose<float>(state.backbone);
+      const limber::Pose tip = limber::tip_pose(state.backbone);
       std::cout << frame * arm.frame_period_s() << " s: tip at (" << tip.x_m << ", " << tip.y_m
                 << ") m, " << tip.theta_rad << " rad, segment 0 at " << state.pressure_kpa()[0]
                 << " kPa\n";

@@ -102,7 +102,7 @@ void bind_motion_state(py::module_& module) {
           "Another MotionState that is equal and independent.")
       .def("__eq__", [](const MotionState& a, const MotionState& b) { return a == b; })
       .def("__repr__", [](const MotionState& state) {
-        const Pose tip = tip_pose<float>(state.backbone);
+        const Pose tip = tip_pose(state.backbone);
         return fmt::format("MotionState(tip=({:.4f} m, {:.4f} m, {:.3f} rad))", tip.x_m, tip.y_m,
                            tip.theta_rad);
       });

@@ -23,15 +23,6 @@ ArcRates arc_rates(double angle_rad) {
   return {(angle_rad - std::sin(angle_rad)) / square, (1.0 - std::cos(angle_rad)) / square};
 }
 
-/// The pose reached from `from` along an arc.
-Pose advance(const Pose& from, double length_m, double angle_rad) {
-  const Eigen::Vector2d end = arc_end(length_m, angle_rad);
-  const double c = std::cos(from.theta_rad);
-  const double s = std::sin(from.theta_rad);
-  return {from.x_m + c * end.x() - s * end.y(), from.y_m + s * end.x() + c * end.y(),
-          from.theta_rad + angle_rad};
-}
-
 /// Ad_T of a planar twist (v_x, v_y, ω), T the pose: v' = R v + ω (y, −x), ω' = ω.
 Eigen::Vector3d adjoint(const Pose& pose, const Eigen::Vector3d& twist) {
   const double c = std::cos(pose.theta_rad);
@@ -66,7 +57,7 @@ Pose tip_at_curvatures(const NoLoadModel& model,
   Pose pose;
   for (int i = 0; i < model.segment_count(); ++i) {
     const double length = model.length_for_curvature(i, curvatures[i]);
-    pose = advance(pose, length, curvatures[i] * length);
+    pose = compose(pose, arc(length, curvatures[i] * length));
   }
   return pose;
 }
@@ -74,12 +65,12 @@ Pose tip_at_curvatures(const NoLoadModel& model,
 void spatial_jacobian(const NoLoadModel& model, const Eigen::Ref<const SegmentVector>& curvatures,
                       PlanarJacobian& jacobian, Pose& tip) {
   assert(curvatures.size() == model.segment_count());
-  jacobian.resize(3, model.segment_count());
+  jacobian.resize(kPoseSize, model.segment_count());
   tip = Pose{};
   for (int i = 0; i < model.segment_count(); ++i) {
     jacobian.col(i) = adjoint(tip, segment_twist(model, i, curvatures[i]));
     const double length = model.length_for_curvature(i, curvatures[i]);
-    tip = advance(tip, length, curvatures[i] * length);
+    tip = compose(tip, arc(length, curvatures[i] * length));
   }
 }
 

@@ -99,21 +99,18 @@ void NoLoadModel::chain(
     const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>& pressures_kpa,
     Eigen::Ref<BackboneOf<Scalar>>& backbone) const {
   assert(pressures_kpa.size() == segment_count() && backbone.rows() == point_count_);
-  backbone.row(0).setZero();
+  PoseOf<Scalar> pose;
+  backbone.row(0) = numbers_of(pose);
   int point = 0;
   for (int i = 0; i < segment_count(); ++i) {
     const SegmentShape shape = segment_shape(i, double(pressures_kpa[i]));
     const int gaps = segment(i).gaps;
     const Scalar gap_length = Scalar(shape.length_m / gaps);
     const Scalar gap_angle = Scalar(shape.curvature_per_m * shape.length_m / gaps);
-    const auto step = arc_end(gap_length, gap_angle);
-    for (int g = 0; g < gaps; ++g, ++point) {
-      const Scalar theta = backbone(point, 2);
-      const Scalar c = std::cos(theta);
-      const Scalar s = std::sin(theta);
-      backbone(point + 1, 0) = backbone(point, 0) + c * step.x() - s * step.y();
-      backbone(point + 1, 1) = backbone(point, 1) + s * step.x() + c * step.y();
-      backbone(point + 1, 2) = theta + gap_angle;
+    const PoseOf<Scalar> step = arc(gap_length, gap_angle);
+    for (int g = 0; g < gaps; ++g) {
+      pose = compose(pose, step);
+      backbone.row(++point) = numbers_of(pose);
     }
   }
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/plate_distance.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/arm/valve_file.hpp"
 #include "limber/common/error.hpp"
@@ -92,11 +93,12 @@ class EpisodeInspector {
 
   void look_at_motion(int t) {
     const double step_s = episode_.time_s[t] - episode_.time_s[t - 1];
+    const auto now = backbone_at(episode_.backbone, t);
+    const auto before = backbone_at(episode_.backbone, t - 1);
+    const Eigen::VectorXd moved_m = plate_distances_m(now, before);
     for (int i = 0; i < recording_.point_count; ++i) {
-      const auto now = episode_.backbone.row(t).segment<3>(3 * i);
-      const auto before = episode_.backbone.row(t - 1).segment<3>(3 * i);
-      const double distance_m = (now - before).head<2>().norm();
-      const double turn_rad = std::abs(now[2] - before[2]);
+      const double distance_m = moved_m[i];
+      const double turn_rad = std::abs(now(i, 2) - before(i, 2));
       if (distance_m > kFastestPlate_m_per_s * step_s) {
         suspicions_.add("a plate that jumps", index_, t,
                         fmt::format("{}: {:.3f} m in {:.3f} s", plate_name(i), distance_m, step_s));
@@ -107,7 +109,7 @@ class EpisodeInspector {
       }
       if (i == 0) {
         const auto first = episode_.backbone.row(0).head<2>();
-        const double base_m = (now.head<2>() - first).norm();
+        const double base_m = (now.row(0).head<2>() - first).norm();
         if (base_m > kBaseMotion_m) {
           suspicions_.add("a base that has moved since the episode's start", index_, t,
                           fmt::format("{:.3f} m away", base_m));

@@ -8,8 +8,6 @@ namespace limber {
 
 namespace {
 
-constexpr double kSmallTurn_rad = 1e-6;
-
 /// Commands behind a first-order lag that begins settled.
 Eigen::MatrixXd lagged_commands(const Episode& episode, double lag_s) {
   Eigen::MatrixXd commands = episode.pressure_kpa.cast<double>();
@@ -20,11 +18,6 @@ Eigen::MatrixXd lagged_commands(const Episode& episode, double lag_s) {
         (1.0 - share) * commands.row(t - 1) + share * episode.pressure_kpa.row(t).cast<double>();
   }
   return commands;
-}
-
-/// Chord over arc.
-double chord_share(double turn_rad) {
-  return std::abs(turn_rad) < kSmallTurn_rad ? 1.0 : std::sin(0.5 * turn_rad) / (0.5 * turn_rad);
 }
 
 }  // namespace
@@ -48,10 +41,10 @@ FrameMatrix predict(const SimpleModel& model, const ArmDescription& arm, const E
   const NoLoadModel no_load(arm);
   const Eigen::MatrixXd commands = lagged_commands(episode, model.lag_s);
   const Eigen::MatrixXd turns = lagged_turns(arm, episode, model.lag_s);
-  FrameMatrix poses = FrameMatrix::Zero(episode.frame_count(), 3 * arm.point_count());
+  FrameMatrix poses = FrameMatrix::Zero(episode.frame_count(), kPoseSize * arm.point_count());
   for (Eigen::Index t = 0; t < poses.rows(); ++t) {
-    Eigen::Vector3d pose = Eigen::Vector3d::Zero();
-    Eigen::Index column = 3;
+    Pose pose;
+    Eigen::Index column = kPoseSize;
     for (int i = 0; i < arm.segment_count(); ++i) {
       const auto at = static_cast<std::size_t>(i);
       const SimpleSegment& segment = model.segments[at];
@@ -60,12 +53,10 @@ FrameMatrix predict(const SimpleModel& model, const ArmDescription& arm, const E
       const double length_m = arm.no_load == NoLoadKind::straight
                                   ? arm.segments[at].length_m
                                   : no_load.segment_shape(i, commands(t, i)).length_m;
-      const double chord_m = segment.length_ratio * length_m / gaps * chord_share(turn_rad);
-      for (int gap = 0; gap < gaps; ++gap, column += 3) {
-        const double middle_rad = pose[2] + 0.5 * turn_rad;
-        pose += Eigen::Vector3d(chord_m * std::cos(middle_rad), chord_m * std::sin(middle_rad),
-                                turn_rad);
-        poses.row(t).segment<3>(column) = pose.transpose().cast<float>();
+      const Pose step = arc(segment.length_ratio * length_m / gaps, turn_rad);
+      for (int gap = 0; gap < gaps; ++gap, column += kPoseSize) {
+        pose = compose(pose, step);
+        poses.row(t).segment<kPoseSize>(column) = numbers_of(pose).cast<float>();
       }
     }
   }

@@ -82,11 +82,12 @@ Shapes shapes_of(const ArmDescription& arm, const std::vector<Episode>& episodes
     Eigen::Index column = 0;
     for (int i = 0; i < arm.segment_count(); ++i) {
       const double first_rad = poses[column + 2];
-      for (int gap = 0; gap < arm.segments[static_cast<std::size_t>(i)].gaps; ++gap, column += 3) {
-        const double half_rad = 0.5 * (poses[column + 5] - poses[column + 2]);
-        const double chord_m = (poses.segment<2>(column + 3) - poses.segment<2>(column)).norm();
-        const double share = std::abs(half_rad) < kTiny_rad ? 1.0 : std::sin(half_rad) / half_rad;
-        shapes.length_m(r, i) += chord_m / std::max(share, 0.1);
+      for (int gap = 0; gap < arm.segments[static_cast<std::size_t>(i)].gaps;
+           ++gap, column += kPoseSize) {
+        const double turn_rad = poses[column + kPoseSize + 2] - poses[column + 2];
+        const double chord_m =
+            (poses.segment<2>(column + kPoseSize) - poses.segment<2>(column)).norm();
+        shapes.length_m(r, i) += chord_m / std::max(chord_share(turn_rad), 0.1);
       }
       shapes.turn_rad(r, i) = poses[column + 2] - first_rad;
     }

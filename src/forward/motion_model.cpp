@@ -12,15 +12,12 @@ namespace {
 using SmallPressures = Eigen::Matrix<float, Eigen::Dynamic, 1, 0, kMaxSegments, 1>;
 
 /// What a segment's bending by `turn_rad` and growing by `grown_m` about its middle does to `tip`.
-void turn_about(const Eigen::RowVector3d& middle, double turn_rad, double grown_m, Pose& tip) {
-  const double x = tip.x_m - middle[0];
-  const double y = tip.y_m - middle[1];
-  const double along = middle[2] + 0.5 * turn_rad;
-  const double c = std::cos(turn_rad);
-  const double s = std::sin(turn_rad);
-  tip.x_m = middle[0] + c * x - s * y + grown_m * std::cos(along);
-  tip.y_m = middle[1] + s * x + c * y + grown_m * std::sin(along);
-  tip.theta_rad += turn_rad;
+void turn_about(const Pose& middle, double turn_rad, double grown_m, Pose& tip) {
+  const double along = middle.theta_rad + 0.5 * turn_rad;
+  const Pose from_middle{tip.x_m - middle.x_m, tip.y_m - middle.y_m, tip.theta_rad};
+  tip = compose(Pose{middle.x_m, middle.y_m, turn_rad}, from_middle);
+  tip.x_m += grown_m * std::cos(along);
+  tip.y_m += grown_m * std::sin(along);
 }
 
 }  // namespace
@@ -71,10 +68,9 @@ void MotionModel::step_shape(const Eigen::Ref<const Pressures>& before_kpa,
 
 Pose MotionModel::settled_tip(const Eigen::Ref<const Eigen::VectorXf>& valves,
                               const Eigen::Ref<const Backbone>& backbone) const {
-  const Eigen::Index last = backbone.rows() - 1;
-  Pose tip{double(backbone(last, 0)), double(backbone(last, 1)), double(backbone(last, 2))};
+  Pose tip = tip_pose(backbone);
   const int n = segment_count();
-  Eigen::Index end = last;
+  Eigen::Index end = backbone.rows() - 1;
   // From the tip's side: what lies beyond a segment has turned already.
   for (int i = n - 1; i >= 0; --i) {
     const int gaps = no_load().segment(i).gaps;
@@ -85,8 +81,8 @@ Pose MotionModel::settled_tip(const Eigen::Ref<const Eigen::VectorXf>& valves,
       const SegmentShape now = no_load().segment_shape(i, now_kpa);
       const SegmentShape then = no_load().segment_shape(i, then_kpa);
       const double turn = then.curvature_per_m * then.length_m - now.curvature_per_m * now.length_m;
-      const Eigen::RowVector3d middle =
-          0.5 * (backbone.row(begin + gaps / 2) + backbone.row(end - gaps / 2)).cast<double>();
+      const Pose middle = pose_of(
+          0.5 * (backbone.row(begin + gaps / 2) + backbone.row(end - gaps / 2)).cast<double>());
       turn_about(middle, turn, then.length_m - now.length_m, tip);
     }
     end = begin;

@@ -276,22 +276,18 @@ class SegmentTangents {
 
 /// On the curve from pose a to pose b: the arc that turns as much as they differ, and across it the
 /// cubic that fits both headings' common deviation from that arc.
-Pose between(const Pose& a, const Pose& b, double part) {
+Pose on_curve(const Pose& a, const Pose& b, double part) {
   const double turn = b.theta_rad - a.theta_rad;
   const double chord = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
   const double mean = 0.5 * (a.theta_rad + b.theta_rad);
   const double deviation = std::remainder(mean - std::atan2(b.y_m - a.y_m, b.x_m - a.x_m), kTurn);
   const double direction = mean - deviation;
-  // An arc's length over its chord, (turn/2)/sin(turn/2).
-  const double length = chord * chord / std::max(arc_end(chord, turn).norm(), kShortestArc * chord);
-  const Eigen::Vector2d along = arc_end(part * length, part * turn);
-  const double start = direction - 0.5 * turn;
+  const double length = chord / std::max(chord_share(turn), kShortestArc);
+  const Pose on_arc =
+      compose(Pose{a.x_m, a.y_m, direction - 0.5 * turn}, arc(part * length, part * turn));
   const double across = chord * deviation * part * (part - 1.0) * (2.0 * part - 1.0);
-  return {a.x_m + std::cos(start) * along.x() - std::sin(start) * along.y() -
-              std::sin(direction) * across,
-          a.y_m + std::sin(start) * along.x() + std::cos(start) * along.y() +
-              std::cos(direction) * across,
-          direction + (part - 0.5) * turn + deviation * (6.0 * part * (part - 1.0) + 1.0)};
+  return {on_arc.x_m - std::sin(direction) * across, on_arc.y_m + std::cos(direction) * across,
+          on_arc.theta_rad + deviation * (6.0 * part * (part - 1.0) + 1.0)};
 }
 
 /// Poses of every plate, from those of the points.
@@ -315,9 +311,9 @@ Eigen::MatrixXd poses_of_plates(const PointTracks& tracks, const RowState& state
       const int from = tracks.plates[std::size_t(i)];
       const int to = tracks.plates[std::size_t(i + 1)];
       for (int plate = from + 1; plate < to; ++plate) {
-        put(plate, between(pose_at(i), pose_at(i + 1),
-                           (rest[std::size_t(plate)] - rest[std::size_t(from)]) /
-                               (rest[std::size_t(to)] - rest[std::size_t(from)])));
+        put(plate, on_curve(pose_at(i), pose_at(i + 1),
+                            (rest[std::size_t(plate)] - rest[std::size_t(from)]) /
+                                (rest[std::size_t(to)] - rest[std::size_t(from)])));
       }
       put(to, pose_at(i + 1));
     }

@@ -144,14 +144,16 @@ class BaseFinder {
 };
 
 void transform(const Pose& base, PointTracks& tracks) {
-  const double c = std::cos(base.theta_rad);
-  const double s = std::sin(base.theta_rad);
-  const Eigen::MatrixXd x = tracks.x_m.array() - base.x_m;
-  const Eigen::MatrixXd y = tracks.y_m.array() - base.y_m;
-  tracks.x_m = c * x + s * y;
-  tracks.y_m = c * y - s * x;
-  if (tracks.has_headings()) {
-    tracks.theta_rad.array() -= base.theta_rad;
+  const bool headings = tracks.has_headings();
+  for (Eigen::Index i = 0; i < tracks.x_m.size(); ++i) {
+    double* const theta_rad = headings ? tracks.theta_rad.data() + i : nullptr;
+    const Pose seen{tracks.x_m.data()[i], tracks.y_m.data()[i], headings ? *theta_rad : 0.0};
+    const Pose pose = between(base, seen);
+    tracks.x_m.data()[i] = pose.x_m;
+    tracks.y_m.data()[i] = pose.y_m;
+    if (headings) {
+      *theta_rad = pose.theta_rad;
+    }
   }
 }
 

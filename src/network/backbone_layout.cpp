@@ -1,7 +1,6 @@
 #include "limber/network/backbone_layout.hpp"
 
 #include <cassert>
-#include <cmath>
 
 namespace limber {
 
@@ -19,15 +18,17 @@ NetworkLayout::NetworkLayout(BackboneLayout layout, OutputForm form, const ArmDe
 }
 
 int NetworkLayout::backbone_size() const {
-  return layout_ == BackboneLayout::base_poses ? 3 * point_count_ : 3 * (point_count_ - 1);
+  return layout_ == BackboneLayout::base_poses ? kPoseSize * point_count_
+                                               : kPoseSize * (point_count_ - 1);
 }
 
 int NetworkLayout::no_load_size() const {
-  return layout_ == BackboneLayout::base_poses ? 3 * point_count_ : 3 * segment_count();
+  return layout_ == BackboneLayout::base_poses ? kPoseSize * point_count_
+                                               : kPoseSize * segment_count();
 }
 
 Eigen::MatrixXf NetworkLayout::encode(const Eigen::Ref<const Eigen::MatrixXf>& base_poses) const {
-  assert(base_poses.rows() == 3 * point_count_);
+  assert(base_poses.rows() == kPoseSize * point_count_);
   if (layout_ == BackboneLayout::base_poses) {
     return base_poses;
   }
@@ -50,35 +51,32 @@ Eigen::MatrixXf NetworkLayout::no_load_input(
   }
   Eigen::MatrixXf rows(no_load_size(), encoded.cols());
   for (int i = 0; i < segment_count(); ++i) {
-    rows.middleRows(3 * i, 3) = encoded.middleRows(3 * first_gap(i), 3);
+    rows.middleRows<kPoseSize>(kPoseSize * i) =
+        encoded.middleRows<kPoseSize>(kPoseSize * first_gap(i));
   }
   return rows;
 }
 
 Eigen::MatrixXd gap_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& base_poses) {
-  Eigen::MatrixXd gaps(base_poses.rows() - 3, base_poses.cols());
+  Eigen::MatrixXd gaps(base_poses.rows() - kPoseSize, base_poses.cols());
   for (Eigen::Index j = 0; j < base_poses.cols(); ++j) {
-    for (Eigen::Index i = 0; i < gaps.rows(); i += 3) {
-      const Eigen::Vector3d from = base_poses.col(j).segment<3>(i);
-      const Eigen::Vector3d step = base_poses.col(j).segment<3>(i + 3) - from;
-      const double c = std::cos(from[2]);
-      const double s = std::sin(from[2]);
-      gaps.col(j).segment<3>(i) << c * step[0] + s * step[1], c * step[1] - s * step[0], step[2];
+    for (Eigen::Index i = 0; i < gaps.rows(); i += kPoseSize) {
+      const Pose from = pose_of(base_poses.col(j).segment<kPoseSize>(i));
+      const Pose to = pose_of(base_poses.col(j).segment<kPoseSize>(i + kPoseSize));
+      gaps.col(j).segment<kPoseSize>(i) = numbers_of(between(from, to));
     }
   }
   return gaps;
 }
 
 Eigen::MatrixXd base_poses_of(const Eigen::Ref<const Eigen::MatrixXd>& gap_poses) {
-  Eigen::MatrixXd base = Eigen::MatrixXd::Zero(gap_poses.rows() + 3, gap_poses.cols());
+  Eigen::MatrixXd base(gap_poses.rows() + kPoseSize, gap_poses.cols());
   for (Eigen::Index j = 0; j < gap_poses.cols(); ++j) {
-    for (Eigen::Index i = 0; i < gap_poses.rows(); i += 3) {
-      const Eigen::Vector3d from = base.col(j).segment<3>(i);
-      const Eigen::Vector3d step = gap_poses.col(j).segment<3>(i);
-      const double c = std::cos(from[2]);
-      const double s = std::sin(from[2]);
-      base.col(j).segment<3>(i + 3) =
-          from + Eigen::Vector3d(c * step[0] - s * step[1], s * step[0] + c * step[1], step[2]);
+    Pose pose;
+    base.col(j).head<kPoseSize>() = numbers_of(pose);
+    for (Eigen::Index i = 0; i < gap_poses.rows(); i += kPoseSize) {
+      pose = compose(pose, pose_of(gap_poses.col(j).segment<kPoseSize>(i)));
+      base.col(j).segment<kPoseSize>(i + kPoseSize) = numbers_of(pose);
     }
   }
   return base;

@@ -32,11 +32,11 @@ void round_shape(const Eigen::Ref<const Backbone>& backbone, double arm_length_m
           .cast<float>();
   const float unit = unit_m(arm_length_m);
   for (Eigen::Index i = 0; i < gaps.size(); ++i) {
-    shape[i] = rounded(gaps[i], i % 3 == 2 ? kUnitRad : unit);
+    shape[i] = rounded(gaps[i], i % kPoseSize == 2 ? kUnitRad : unit);
   }
 }
 
-// By loops of its own, not base_poses_of: the filter blends many shapes, and allocates
+// Pose by pose, not by base_poses_of: the filter blends many shapes, and allocates
 // nothing.
 void blend_shapes(const QuantizedShapeRef& from, const QuantizedShapeRef& to, float fraction,
                   double arm_length_m, Eigen::Ref<Backbone> backbone) {
@@ -46,13 +46,10 @@ void blend_shapes(const QuantizedShapeRef& from, const QuantizedShapeRef& to, fl
     return before + fraction * (static_cast<float>(to[i]) - before);
   };
   for (Eigen::Index gap = 0; gap + 1 < backbone.rows(); ++gap) {
-    const float along = unit * blended(3 * gap);
-    const float across = unit * blended(3 * gap + 1);
-    const float cosine = std::cos(backbone(gap, 2));
-    const float sine = std::sin(backbone(gap, 2));
-    backbone(gap + 1, 0) = backbone(gap, 0) + cosine * along - sine * across;
-    backbone(gap + 1, 1) = backbone(gap, 1) + sine * along + cosine * across;
-    backbone(gap + 1, 2) = backbone(gap, 2) + kUnitRad * blended(3 * gap + 2);
+    const Eigen::Index at = kPoseSize * gap;
+    const PoseOf<float> step{unit * blended(at), unit * blended(at + 1),
+                             kUnitRad * blended(at + 2)};
+    backbone.row(gap + 1) = numbers_of(compose(pose_of(backbone.row(gap)), step));
   }
 }
 

@@ -18,12 +18,11 @@ constexpr int kShapes = 6;  // drawn along the motion
 constexpr const char* kCollisionColor = "#b2182b";
 
 Backbone recorded_backbone(const Episode& episode, Eigen::Index frame) {
-  return Eigen::Map<const Backbone>(episode.backbone.row(frame).data(), episode.backbone.cols() / 3,
-                                    3);
+  return backbone_at(episode.backbone, frame);
 }
 
 WorldPoint tip_of(const Backbone& backbone) {
-  const Pose tip = tip_pose<float>(backbone);
+  const Pose tip = tip_pose(backbone);
   return {tip.x_m, tip.y_m};
 }
 

@@ -124,9 +124,8 @@ Chart clearance_chart(const RunTimes& run, const ClearanceOverTime& clearance) {
                         }),
              {.width_px = 1.5, .dashed = true});
   chart.line("the arm", run.run_s, each_frame(run.episode.frame_count(), [&](int t) {
-               const auto row = run.episode.backbone.row(t);
-               const Backbone shape = Eigen::Map<const Backbone>(row.data(), row.size() / 3, 3);
-               return clearance.clearance_cm(run.run_s[std::size_t(t)], shape);
+               return clearance.clearance_cm(run.run_s[std::size_t(t)],
+                                             backbone_at(run.episode.backbone, t));
              }));
   chart.horizontal_line("contact", 0.0, {.color = "#b2182b", .width_px = 1.0});
   return chart;

@@ -53,7 +53,7 @@ void draw(SvgDrawing& drawing, const Polygon& polygon) {
 void draw_tip_path(SvgDrawing& drawing, const Plan& plan, const ShapeStyle& style) {
   std::vector<WorldPoint> tips;
   for (const PlanFrame& frame : plan.frames) {
-    const Pose tip = tip_pose<float>(frame.backbone);
+    const Pose tip = tip_pose(frame.backbone);
     tips.push_back({tip.x_m, tip.y_m});
   }
   drawing.polyline(tips, style);

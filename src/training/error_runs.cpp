@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limber/arm/plate_distance.hpp"
 #include "limber/training/unseen_error.hpp"
 
 namespace limber {
@@ -43,7 +44,8 @@ bool stands_still(const Episode& episode, int frame) {
     return false;
   }
   for (int k = frame - kStillFrames; k < frame; ++k) {
-    if (max_distance_m(episode.backbone.row(k + 1), episode.backbone.row(k)) > kStillM) {
+    if (largest_plate_distance_m(backbone_at(episode.backbone, k + 1),
+                                 backbone_at(episode.backbone, k)) > kStillM) {
       return false;
     }
   }
@@ -51,11 +53,6 @@ bool stands_still(const Episode& episode, int frame) {
 }
 
 }  // namespace
-
-double max_distance_m(const Eigen::RowVectorXf& a, const Eigen::RowVectorXf& b) {
-  const Eigen::MatrixX3d apart = (a - b).cast<double>().reshaped<Eigen::RowMajor>(a.size() / 3, 3);
-  return apart.leftCols<2>().rowwise().norm().maxCoeff();
-}
 
 std::vector<RolloutPiece> error_runs(const ArmDescription& arm,
                                      const std::vector<Episode>& unseen) {

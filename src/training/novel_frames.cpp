@@ -20,9 +20,7 @@ NovelFrames find_novel_frames(const LearntRegion& learnt, const std::vector<Epis
         continue;
       }
       const Pressures kpa = episode.pressure_kpa.row(t).transpose();
-      const Eigen::Map<const Backbone> backbone(episode.backbone.row(t).data(),
-                                                episode.backbone.cols() / 3, 3);
-      const bool novel = !learnt.contains(kpa, backbone);
+      const bool novel = !learnt.contains(kpa, backbone_at(episode.backbone, t));
       NovelFrames::Count& count =
           is_beyond(learnt, kpa) ? found.pressures_beyond : found.pressures_within;
       ++count.frames;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "limber/arm/plate_distance.hpp"
 #include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 
@@ -47,11 +48,9 @@ ErrorStatistics statistics(std::vector<double> values, const std::vector<int>& m
 
 /// Mean distance of the plates, the base left out: it stands still.
 double plates_m(const FrameMatrix& predicted, const FrameMatrix& recorded, Eigen::Index t) {
-  double sum = 0.0;
-  for (Eigen::Index column = 3; column < recorded.cols(); column += 3) {
-    sum += double((predicted.row(t) - recorded.row(t)).segment<2>(column).norm());
-  }
-  return sum / double(recorded.cols() / 3 - 1);
+  const Eigen::VectorXd apart_m =
+      plate_distances_m(backbone_at(predicted, t), backbone_at(recorded, t));
+  return apart_m.tail(apart_m.size() - 1).mean();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "error_runs.hpp"
 #include "learnt_kind.hpp"
+#include "limber/arm/plate_distance.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
@@ -46,13 +47,14 @@ struct RunError {
 double off_path_m(const FrameMatrix& predicted, const Episode& run, int t) {
   const int first = std::max(0, t - kPathFrames);
   const int last = std::min(run.frame_count() - 1, t + kPathFrames);
-  double nearest = max_distance_m(predicted.row(t), run.backbone.row(t));
+  const Eigen::Map<const Backbone> shape = backbone_at(run.backbone, t);
+  double nearest = largest_plate_distance_m(backbone_at(predicted, t), shape);
   for (int k = first; k < last; ++k) {
     for (int part = 0; part < kPathParts; ++part) {
       const float fraction = float(part) / float(kPathParts);
-      const Eigen::RowVectorXf between =
-          (1.0F - fraction) * predicted.row(k) + fraction * predicted.row(k + 1);
-      nearest = std::min(nearest, max_distance_m(between, run.backbone.row(t)));
+      const Backbone between =
+          (1.0F - fraction) * backbone_at(predicted, k) + fraction * backbone_at(predicted, k + 1);
+      nearest = std::min(nearest, largest_plate_distance_m(between, shape));
     }
   }
   return nearest;
@@ -69,7 +71,8 @@ std::optional<RunError> error_of(const FrameMatrix& predicted, const Episode& ru
         (predicted.row(t).tail<3>() - run.backbone.row(t).tail<3>()).cast<double>();
     error = error.value_or(RunError{});
     error->max_position_m =
-        std::max(error->max_position_m, max_distance_m(predicted.row(t), run.backbone.row(t)));
+        std::max(error->max_position_m,
+                 largest_plate_distance_m(backbone_at(predicted, t), backbone_at(run.backbone, t)));
     error->off_path_m = std::max(error->off_path_m, off_path_m(predicted, run, t));
     error->end_position_m = tip_apart.head<2>().norm();
     error->end_orientation_rad = std::abs(tip_apart[2]);

@@ -89,7 +89,7 @@ TEST(NoLoadModel, TipIsTheChainOfWholeArcs) {
       y -= (std::cos(turned) - std::cos(theta)) / shape.curvature_per_m;
       theta = turned;
     }
-    const Pose tip = tip_pose<double>(backbone_of(model, pressures));
+    const Pose tip = tip_pose(backbone_of(model, pressures));
     EXPECT_NEAR(tip.x_m, x, 1e-11);  // 1/κ loses digits in the oracle, not in the model
     EXPECT_NEAR(tip.y_m, y, 1e-11);
     EXPECT_NEAR(tip.theta_rad, theta, kRounding);
@@ -116,7 +116,7 @@ TEST(NoLoadModel, ThetaIsUnwrapped) {
     pressures[i] = -model.segment(i).pressure_limit_kpa.largest_kpa();
   }
   const BackboneD backbone = backbone_of(model, pressures);
-  EXPECT_GT(tip_pose<double>(backbone).theta_rad, 2.0 * M_PI);
+  EXPECT_GT(tip_pose(backbone).theta_rad, 2.0 * M_PI);
   for (int point = 1; point < model.point_count(); ++point) {
     EXPECT_GT(backbone(point, 2), backbone(point - 1, 2));
   }
@@ -130,7 +130,7 @@ TEST(NoLoadModel, HasAKinkInLengthAndNoneInAngleAtZeroPressure) {
   constexpr double kStep = 1e-6;        // [kPa]
   constexpr double kSlopeError = 1e-8;  // [m/kPa], [rad/kPa]: kStep times the second derivative
   const auto tip = [&](double p) {
-    return tip_pose<double>(backbone_of(model, Eigen::VectorXd::Constant(1, p)));
+    return tip_pose(backbone_of(model, Eigen::VectorXd::Constant(1, p)));
   };
   const double c1 = s.strain_polynomial[0];
   const double x_above = (tip(kStep).x_m - tip(0.0).x_m) / kStep;
@@ -218,14 +218,6 @@ TEST(NoLoadModel, FloatAndDoubleAgree) {
     const BackboneD exact = backbone_of(model, pressures.cast<double>());
     EXPECT_LT((single.cast<double>() - exact).cwiseAbs().maxCoeff(), kFloatRounding);
   }
-}
-
-TEST(ArcEnd, SeriesMeetsClosedForm) {
-  constexpr double kBelow = 0.1 - 1e-12;
-  constexpr double kAbove = 0.1 + 1e-12;
-  const Eigen::Vector2d difference = arc_end(1.0, kAbove) - arc_end(1.0, kBelow);
-  EXPECT_LT(difference.cwiseAbs().maxCoeff(), 3e-12);
-  EXPECT_EQ(arc_end(2.0, 0.0), Eigen::Vector2d(2.0, 0.0));
 }
 
 TEST(NoLoadModel, RefusesAPolynomialThatFallsOrFoldsTheSegment) {

@@ -136,7 +136,7 @@ TEST_F(MotionModelOfArm, ATipAtRestIsWhereItIs) {
   Backbone backbone(arm_.point_count(), 3);
   no_load_.no_load().backbone(kpa, backbone);
   const MotionState state = model.settled_state(kpa, backbone);
-  const Pose tip = tip_pose<float>(backbone);
+  const Pose tip = tip_pose(backbone);
   const Pose settled = model.settled_tip(state.valves, state.backbone);
   EXPECT_EQ(settled.x_m, tip.x_m);
   EXPECT_EQ(settled.y_m, tip.y_m);
@@ -163,12 +163,12 @@ TEST_F(MotionModelOfArm, ASettledTipIsNearWhereHoldingLeads) {
       motion_setpoint(from, to, k, kFrames, setpoint);
       model.step(setpoint, state, workspace);
     }
-    const Pose now = tip_pose<float>(state.backbone);
+    const Pose now = tip_pose(state.backbone);
     const Pose guess = model.settled_tip(state.valves, state.backbone);
     for (int k = 0; k < 60; ++k) {
       model.step(to, state, workspace);
     }
-    const Pose truth = tip_pose<float>(state.backbone);
+    const Pose truth = tip_pose(state.backbone);
     off_now += std::hypot(now.x_m - truth.x_m, now.y_m - truth.y_m) / kMotions;
     off_settled += std::hypot(guess.x_m - truth.x_m, guess.y_m - truth.y_m) / kMotions;
     turned_off = std::max(turned_off, std::abs(guess.theta_rad - truth.theta_rad));

@@ -76,8 +76,8 @@ TEST_F(ArmSpace, DistanceIsThatOfScaledSetPointsAndTips) {
         squares +=
             std::pow((double(from.setpoint_kpa()[i]) - double(to.setpoint_kpa()[i])) / limit, 2);
       }
-      const Pose tip_a = tip_pose<float>(from.backbone);
-      const Pose tip_b = tip_pose<float>(to.backbone);
+      const Pose tip_a = tip_pose(from.backbone);
+      const Pose tip_b = tip_pose(to.backbone);
       const double apart = std::hypot(tip_a.x_m - tip_b.x_m, tip_a.y_m - tip_b.y_m);
       EXPECT_NEAR(space->distance(a.get(), b.get()),
                   std::hypot(std::sqrt(squares), tip_weight * apart / setting_.arm.length_m()),
@@ -248,7 +248,7 @@ TEST_F(ArmSpace, TheGoalIsJudgedAfterTheHold) {
     const bool free = simulator_.hold(world_.motion_state(state.get()), held);
     double distance = -1.0;
     const bool is_satisfied = region->isSatisfied(state.get(), &distance);
-    const bool inside = free && is_within(goal, pose_error(goal, tip_pose<float>(held.backbone)));
+    const bool inside = free && is_within(goal, pose_error(goal, tip_pose(held.backbone)));
     // Far from the goal nothing is held, so only those near it have to agree.
     EXPECT_LE(is_satisfied, inside) << k;
     EXPECT_GE(samples->distanceGoal(state.get()), 0.0);

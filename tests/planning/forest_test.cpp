@@ -151,8 +151,8 @@ struct ByHand {
     for (const Backbone& shape : {s.start.backbone, a.backbone, b.backbone}) {
       round_shape(shape, s.arm.length_m(), forest.shapes.col(column++));
     }
-    held = tip_pose<float>(held_at_a.backbone);
-    at_b = tip_pose<float>(b.backbone);
+    held = tip_pose(held_at_a.backbone);
+    at_b = tip_pose(b.backbone);
     s.environment.goal = {held.x_m, held.y_m, std::nullopt, 0.01, 0.3};
     s.environment.obstacles = {};
     set_held_tips(held);

@@ -43,7 +43,7 @@ TEST(PlanAlong, SaysHowFarFromTheGoalAMotionEnds) {
   EXPECT_FALSE(result.plan);
   EXPECT_FALSE(result.certificate) << "a motion that misses the goal needs none";
   ASSERT_TRUE(result.best_partial);
-  const Pose tip = tip_pose<float>(result.best_partial->frames.back().backbone);
+  const Pose tip = tip_pose(result.best_partial->frames.back().backbone);
   const PoseGoal& goal = s.environment.goal;
   constexpr double kRoundingM = 1e-6;
   EXPECT_NEAR(result.best_partial->goal_distance_m,

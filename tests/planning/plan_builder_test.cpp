@@ -29,7 +29,7 @@ TEST_F(PlanBuilder, FramesAreThoseOfTheMotionsAndTheHoldBehindThem) {
   EXPECT_NO_THROW(require_plan_of(plan, setting_.arm, "plan"));
   const Walk alone = walk(problem_, checker_, bent_kpa_);
   ASSERT_TRUE(alone.is_free);
-  const Pose tip = tip_pose<float>(plan.frames.back().backbone);
+  const Pose tip = tip_pose(plan.frames.back().backbone);
   EXPECT_EQ(tip.x_m, alone.held_tip.x_m);
   EXPECT_EQ(tip.y_m, alone.held_tip.y_m);
   const std::size_t moving = plan.frames.size() - std::size_t(plan.hold_frame_count);
@@ -82,7 +82,7 @@ TEST_F(PlanBuilder, GivenUpItsClearanceIsThatOfTheFramesSoFar) {
 TEST_F(PlanBuilder, ASolutionIsFreeAllTheWayAndEndsInTheGoal) {
   Plan plan = build(bent_kpa_);
   EXPECT_FALSE(is_solution(problem_, checker_, plan));
-  const Pose tip = tip_pose<float>(plan.frames.back().backbone);
+  const Pose tip = tip_pose(plan.frames.back().backbone);
   setting_.environment.goal = {tip.x_m, tip.y_m, std::nullopt, 0.01, 0.3};
   plan = build(bent_kpa_);
   EXPECT_TRUE(is_solution(problem_, checker_, plan));

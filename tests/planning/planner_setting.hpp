@@ -81,7 +81,7 @@ inline void expect_lawful(const Setting& s, const Plan& plan) {
   EXPECT_GT(smallest, 0.0);
   EXPECT_LE(plan.clearance_m, smallest + kRoundingM);
 
-  const Pose tip = tip_pose<float>(plan.frames.back().backbone);
+  const Pose tip = tip_pose(plan.frames.back().backbone);
   const double distance =
       std::hypot(tip.x_m - s.environment.goal.x_m, tip.y_m - s.environment.goal.y_m);
   EXPECT_LE(distance, s.environment.goal.position_tolerance_m);

@@ -44,7 +44,7 @@ void expect_predicted(const LaggingSetting& s, const Plan& plan) {
     ASSERT_EQ(Pressures(state.pressure_kpa()), plan.frames[k].pressure_kpa) << "frame " << k;
     ASSERT_EQ(state.backbone, plan.frames[k].backbone) << "frame " << k;
   }
-  const Pose tip = tip_pose<float>(state.backbone);
+  const Pose tip = tip_pose(state.backbone);
   EXPECT_LE(std::hypot(tip.x_m - s.environment.goal.x_m, tip.y_m - s.environment.goal.y_m),
             s.environment.goal.position_tolerance_m);
 }
@@ -77,7 +77,7 @@ TEST(ValvePlanning, APlanWithoutValvesIsElsewhereOnAnArmThatHasThem) {
   double farthest_m = 0.0;
   for (std::size_t k = 1; k < blind.plan->frames.size(); ++k) {
     s.motion.step(blind.plan->frames[k].setpoint_kpa, arm, workspace);
-    const Pose there = tip_pose<float>(arm.backbone);
+    const Pose there = tip_pose(arm.backbone);
     const Pose thought = tip_pose(blind.plan->frames[k].backbone);
     farthest_m = std::max(farthest_m, std::hypot(there.x_m - thought.x_m, there.y_m - thought.y_m));
   }

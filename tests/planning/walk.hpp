@@ -30,7 +30,7 @@ inline Walk walk(const PlanningProblem& problem, const CollisionChecker& checker
   }
   MotionState held;
   result.is_free = simulator.hold(result.states.back(), held);
-  result.held_tip = tip_pose<float>(held.backbone);
+  result.held_tip = tip_pose(held.backbone);
   return result;
 }
 

@@ -24,7 +24,7 @@ constexpr double kExact = 1e-8;  // [m], [rad]; Newton's 1e-10 m through the pre
 Pose tip_of(const NoLoadModel& model, const Eigen::VectorXd& pressures_kpa) {
   BackboneD backbone(model.point_count(), 3);
   model.backbone(pressures_kpa, backbone);
-  return tip_pose<double>(backbone);
+  return tip_pose(backbone);
 }
 
 Eigen::VectorXd random_pressures(const NoLoadModel& model, RandomStream& random) {

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limber/arm/plate_distance.hpp"
+
 namespace limber {
 
 namespace {
 
-constexpr float kLookM =
-    0.04F;  // of the path of the plate that moves farthest: one check per this length
+constexpr double kLookM = 0.04;     // of the plate that moves farthest: one check per this length
 constexpr int kMaxEdgeChecks = 16;  // along an edge
-
-/// Of the plate that moves farthest.
-float travel_m(const Backbone& from, const Backbone& to) {
-  return std::sqrt((to.leftCols<2>() - from.leftCols<2>()).rowwise().squaredNorm().maxCoeff());
-}
 
 }  // namespace
 
@@ -53,8 +49,9 @@ bool ForestFilter::leaves_edge_free(int node) const {
   if (!checker_.is_free(end)) {
     return false;
   }
-  const int looks = std::min(kMaxEdgeChecks,
-                             static_cast<int>(std::ceil(travel_m(shape_at(parent), end) / kLookM)));
+  const int looks = std::min(
+      kMaxEdgeChecks,
+      static_cast<int>(std::ceil(largest_plate_distance_m(shape_at(parent), end) / kLookM)));
   for (int k = 1; k < looks; ++k) {
     if (!checker_.is_free(
             shape_between(parent, node, static_cast<float>(k) / static_cast<float>(looks)))) {

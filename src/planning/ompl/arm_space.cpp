@@ -238,7 +238,7 @@ class ArmGoal final : public ob::GoalSampleableRegion {
     if (!world_.simulator.hold(now, held)) {
       return false;
     }
-    const Pose tip = tip_pose<float>(held.backbone);
+    const Pose tip = tip_pose(held.backbone);
     *distance = excess(tip);
     return is_within(goal, pose_error(goal, tip));
   }

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <numbers>
 
+#include "limber/arm/plate_distance.hpp"
+
 namespace limber {
 
 namespace {
@@ -145,14 +147,13 @@ std::optional<int> RrtStarSearch::connect(const Pressures& kpa, const Nodes& nea
 bool RrtStarSearch::matches(const MotionState& end, int node) const {
   const Eigen::Index n = scale_kpa_.size();
   const auto valves = tree_.valves(node);
-  const Backbone apart = end.backbone - tree_.backbone(node);
+  const auto backbone = tree_.backbone(node);
   return end.setpoint_kpa() == valves.segment(n, n) &&
          (end.valves - valves).lpNorm<Eigen::Infinity>() <=
              static_cast<float>(settings_.match_pressure_kpa) &&
-         (apart.leftCols<2>().rowwise().norm().array() <=
-          static_cast<float>(settings_.match_position_m))
-             .all() &&
-         (apart.col(2).array().abs() <= static_cast<float>(settings_.match_orientation_rad)).all();
+         largest_plate_distance_m(end.backbone, backbone) <= settings_.match_position_m &&
+         (end.backbone - backbone).col(2).lpNorm<Eigen::Infinity>() <=
+             static_cast<float>(settings_.match_orientation_rad);
 }
 
 std::optional<std::vector<RrtStarSearch::Changed>> RrtStarSearch::simulate_below(
@@ -250,7 +251,7 @@ bool RrtStarSearch::ends_in_goal(int node) {
   }
   MotionState held;
   return simulator_.hold(tree_.state(node), held) &&
-         is_within(goal, pose_error(goal, tip_pose<float>(held.backbone)));
+         is_within(goal, pose_error(goal, tip_pose(held.backbone)));
 }
 
 void RrtStarSearch::judge(int node) {

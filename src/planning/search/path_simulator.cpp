@@ -99,7 +99,7 @@ class PathSimulator::Worker {
     rollouts_.remove(column);
     const bool held = outcome.at.size() == path.to_kpa.size();
     if (held) {
-      outcome.held_tip = tip_pose<float>(now.backbone);
+      outcome.held_tip = tip_pose(now.backbone);
       outcome.in_goal = is_within(problem_.environment.goal,
                                   pose_error(problem_.environment.goal, *outcome.held_tip));
       return;

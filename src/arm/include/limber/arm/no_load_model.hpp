@@ -71,24 +71,4 @@ class NoLoadModel {
   int point_count_ = 0;
 };
 
-/// (12): displacement along an arc that starts along x and turns by `angle_rad` over `length`: (x,
-/// y) of its end. Series near zero; exact to rounding everywhere.
-template <class Scalar>
-Eigen::Matrix<Scalar, 2, 1> arc_end(Scalar length, Scalar angle_rad) {
-  using std::abs;
-  using std::cos;
-  using std::sin;
-  const Scalar square = angle_rad * angle_rad;
-  // Below 0.1 rad the series' next term is 1e-15 relative.
-  if (abs(angle_rad) < Scalar(0.1)) {
-    const Scalar sine =
-        Scalar(1) - square / 6 * (1 - square / 20 * (1 - square / 42 * (1 - square / 72)));
-    const Scalar versine =
-        angle_rad / 2 *
-        (1 - square / 12 * (1 - square / 30 * (1 - square / 56 * (1 - square / 90))));
-    return {length * sine, length * versine};
-  }
-  return {length * sin(angle_rad) / angle_rad, length * (1 - cos(angle_rad)) / angle_rad};
-}
-
 }  // namespace limber

@@ -10,6 +10,7 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/arm_identity.hpp"
+#include "limber/arm/backbone.hpp"
 
 namespace limber {
 
@@ -18,6 +19,11 @@ class NoLoadModel;
 /// Frames × columns, a frame's numbers contiguous: the layout of the file and of the network's
 /// inputs.
 using FrameMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// The shape of one frame (m×3) in `backbones` (T×3m), borrowed.
+inline Eigen::Map<const Backbone> backbone_at(const FrameMatrix& backbones, Eigen::Index frame) {
+  return {backbones.row(frame).data(), backbones.cols() / kPoseSize, kPoseSize};
+}
 
 /// One unbroken run of the arm at its frame rate: T frames, n segments, m backbone points.
 struct Episode {

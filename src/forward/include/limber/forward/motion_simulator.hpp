@@ -18,14 +18,6 @@
 
 namespace limber {
 
-using BackboneRef = Eigen::Ref<const Backbone>;
-
-/// The last pose of a backbone that lies in a larger array.
-inline Pose tip_pose(const BackboneRef& backbone) {
-  const auto last = backbone.row(backbone.rows() - 1);
-  return {double(last[0]), double(last[1]), double(last[2])};
-}
-
 /// The state of an arm that starts there, at rest or in motion.
 MotionState state_of(const ArmStart& start, const MotionModel& model);
 
