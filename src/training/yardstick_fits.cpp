@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <Eigen/Cholesky>
-
+#include "limber/arm/damped_solve.hpp"
 #include "limber/data/episode_slice.hpp"
 
 namespace limber {
@@ -28,10 +27,8 @@ struct NormalEquations {
   }
 
   Eigen::MatrixXd solved() const {
-    const Eigen::Index terms = square.rows();
-    Eigen::MatrixXd damped = square.selfadjointView<Eigen::Lower>();
-    damped.diagonal().array() += kRidge * (square.trace() / double(terms) + 1.0);
-    return damped.ldlt().solve(product).transpose();
+    const double damping = kRidge * (square.trace() / double(square.rows()) + 1.0);
+    return damped_solve(square, product, damping).transpose();
   }
 };
 
@@ -98,7 +95,7 @@ Eigen::VectorXd step_terms(const ArmDescription& arm, const Episode& episode, in
 
 LinearModels fit_linear(const ArmDescription& arm, const std::vector<Episode>& episodes) {
   const Eigen::Index n = arm.segment_count();
-  const Eigen::Index size = 3 * arm.point_count();
+  const Eigen::Index size = kPoseSize * arm.point_count();
   NormalEquations of_commands(n + 1, size);
   NormalEquations of_a_step(2 * n + size + 1, size);
   for (const Episode& episode : episodes) {

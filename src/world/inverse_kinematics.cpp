@@ -5,10 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Cholesky>
-
 #include <fmt/format.h>
 
+#include "limber/arm/damped_solve.hpp"
 #include "limber/arm/jacobian.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
@@ -109,11 +108,10 @@ class Descent {
     while (true) {  // ends after n holds at the latest
       Eigen::Matrix3d normal = free * free.transpose();
       const double scale = std::max(normal.trace(), kMinScale);
-      normal.diagonal().array() += damping * scale;
       if (!goal_.theta_rad) {
         normal(2, 2) = scale;  // an unused row: its residual is zero
       }
-      SegmentVector step = free.transpose() * normal.ldlt().solve(residual_);
+      SegmentVector step = free.transpose() * damped_solve(normal, residual_, damping * scale);
       bool held = false;
       for (int i = 0; i < step.size(); ++i) {
         if ((z_[i] >= high_[i] && step[i] > 0.0) || (z_[i] <= low_[i] && step[i] < 0.0)) {

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Cholesky>
-
+#include "limber/arm/damped_solve.hpp"
 #include "limber/arm/jacobian.hpp"
 
 namespace limber {
@@ -86,9 +85,8 @@ Pressures step_toward_goal(const NoLoadModel& model, const PoseGoal& goal, doubl
         arm_length_m * std::remainder(*goal.theta_rad - tip.theta_rad, 2.0 * std::numbers::pi);
   }
   jacobian.row(2) *= goal.theta_rad ? arm_length_m : 0.0;
-  Eigen::Matrix3d normal = jacobian * jacobian.transpose();
-  normal.diagonal().array() += kStepDamping * normal.trace();
-  curvatures += jacobian.transpose() * normal.ldlt().solve(error);
+  const Eigen::Matrix3d normal = jacobian * jacobian.transpose();
+  curvatures += jacobian.transpose() * damped_solve(normal, error, kStepDamping * normal.trace());
   Pressures to_kpa(from_kpa.size());
   for (int i = 0; i < to_kpa.size(); ++i) {
     to_kpa[i] = static_cast<float>(model.pressure_for_curvature(i, curvatures[i]).pressure_kpa);
