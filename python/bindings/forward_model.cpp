@@ -39,7 +39,7 @@ void require_finite_query(const FloatArray& previous_kpa, const FloatArray& curr
 void require_query_shapes(const ForwardModel& model, py::ssize_t rows,
                           const FloatArray& previous_kpa, const FloatArray& current_kpa,
                           const FloatArray& previous, const Before& before) {
-  const py::ssize_t n = model.segment_count();
+  const py::ssize_t n = model.channel_count();
   const py::ssize_t m = model.point_count();
   const bool fits = rows < 0 ? previous_kpa.ndim() == 1 && previous_kpa.shape(0) == n &&
                                    current_kpa.ndim() == 1 && current_kpa.shape(0) == n &&
@@ -171,8 +171,8 @@ double pass_s(const ForwardModel& model, const FloatArray& previous_kpa,
 py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressures_kpa,
                            const FloatArray& first) {
   const py::ssize_t frames = batch_size(pressures_kpa, "pressures_kpa");
-  require_shape(pressures_kpa, {frames, model.segment_count()}, "pressures_kpa");
-  require_shape(first, {model.point_count(), 3}, "first");
+  require_shape(pressures_kpa, {frames, model.channel_count()}, "pressures_kpa");
+  require_shape(first, {model.point_count(), kPoseSize}, "first");
   require_finite(first, "first");
   py::array_t<float> backbones({frames, py::ssize_t{model.point_count()}, py::ssize_t{3}});
   if (frames == 0) {

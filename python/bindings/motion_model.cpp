@@ -17,7 +17,7 @@ namespace {
 
 void step(const MotionModel& model, const FloatArray& setpoint_kpa, MotionState& state) {
   thread_local MotionModel::Workspace scratch;
-  require_shape(setpoint_kpa, {model.segment_count()}, "setpoint_kpa");
+  require_shape(setpoint_kpa, {model.channel_count()}, "setpoint_kpa");
   require_finite(setpoint_kpa, "setpoint_kpa");
   if (state.valves.size() != model.valves().state_size() ||
       state.backbone.rows() != model.point_count()) {
@@ -136,7 +136,7 @@ void bind_motion_model(py::module_& module) {
       .def(
           "settled_state",
           [](const MotionModel& model, const FloatArray& kpa, const FloatArray& backbone) {
-            return model.settled_state(pressures_from(kpa, model.segment_count(), "kpa"),
+            return model.settled_state(pressures_from(kpa, model.channel_count(), "kpa"),
                                        backbone_from(backbone, model.point_count(), "backbone"));
           },
           py::arg("kpa"), py::arg("backbone"),

@@ -166,7 +166,7 @@ void bind_problem_with_room(py::module_& module) {
 /// A motion of somebody else's planner, in (w, n) set points.
 PlanResult along(const PlanningProblem& problem, const FloatArray& waypoints_kpa,
                  const std::string& planner, std::uint64_t seed) {
-  const auto n = py::ssize_t{problem.arm.segment_count()};
+  const auto n = py::ssize_t{problem.arm.channel_count()};
   require_shape(waypoints_kpa, {batch_size(waypoints_kpa, "waypoints_kpa"), n}, "waypoints_kpa");
   require_finite(waypoints_kpa, "waypoints_kpa");
   if (problem.model.has_network()) {

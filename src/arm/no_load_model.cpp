@@ -98,7 +98,7 @@ template <class Scalar>
 void NoLoadModel::chain(
     const Eigen::Ref<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>& pressures_kpa,
     Eigen::Ref<BackboneOf<Scalar>>& backbone) const {
-  assert(pressures_kpa.size() == segment_count() && backbone.rows() == point_count_);
+  assert(pressures_kpa.size() == channel_count() && backbone.rows() == point_count_);
   PoseOf<Scalar> pose;
   backbone.row(0) = numbers_of(pose);
   int point = 0;

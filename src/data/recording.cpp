@@ -353,8 +353,8 @@ void require_episodes_of(const std::vector<Episode>& episodes, const ArmDescript
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     const Episode& episode = episodes[e];
     for (const FrameMatrix* commands : {&episode.pressure_kpa, &episode.setpoint_kpa}) {
-      if (commands->cols() != arm.segment_count()) {
-        refuse(e, commands->cols(), "segments", arm.segment_count());
+      if (commands->cols() != arm.channel_count()) {
+        refuse(e, commands->cols(), "segments", arm.channel_count());
       }
     }
     if (episode.backbone.cols() != 3 * arm.point_count()) {

@@ -28,11 +28,11 @@ ConstColumns columns_of(const Eigen::MatrixBase<Derived>& m) {
 }
 
 void require_pressures(const char* name, const Pressures& pressures, const NoLoadModel& arm) {
-  if (pressures.size() != arm.segment_count()) {
+  if (pressures.size() != arm.channel_count()) {
     throw InputError(fmt::format("{}: {} pressures; the arm has {} segments", name,
-                                 pressures.size(), arm.segment_count()));
+                                 pressures.size(), arm.channel_count()));
   }
-  for (int i = 0; i < arm.segment_count(); ++i) {
+  for (int i = 0; i < arm.channel_count(); ++i) {
     const PressureLimits& limits = arm.segment(i).pressure_limit_kpa;
     const PressureLimits allowed = limits.widened(kPressureSlack);
     if (!(pressures[i] >= allowed.lower_kpa && pressures[i] <= allowed.upper_kpa)) {
@@ -92,15 +92,15 @@ void ForwardModel::step(const Eigen::Ref<const Pressures>& previous_kpa,
                         const Eigen::Ref<const Backbone>& before,
                         const Eigen::Ref<const Backbone>& previous, Eigen::Ref<Backbone> next,
                         Workspace& workspace) const {
-  assert(previous_kpa.size() == segment_count() && current_kpa.size() == segment_count());
+  assert(previous_kpa.size() == channel_count() && current_kpa.size() == channel_count());
   assert(previous.rows() == point_count() && next.rows() == point_count());
   assert(previous_kpa.allFinite() && current_kpa.allFinite() && previous.allFinite());
   // A contiguous backbone is a column of 3m numbers; a row of a wider matrix is not.
   assert(previous.outerStride() == 3 && next.outerStride() == 3 && before.outerStride() == 3);
   const int size = 3 * point_count();
   pipeline_->run(1,
-                 {{previous_kpa.data(), segment_count()},
-                  {current_kpa.data(), segment_count()},
+                 {{previous_kpa.data(), channel_count()},
+                  {current_kpa.data(), channel_count()},
                   {previous.data(), size},
                   {next.data(), size},
                   {before.data(), size}},
@@ -119,8 +119,8 @@ void ForwardModel::step_batch(const Eigen::Ref<const Eigen::MatrixXf>& previous_
                               const Eigen::Ref<const Eigen::MatrixXf>& before,
                               const Eigen::Ref<const Eigen::MatrixXf>& previous,
                               Eigen::Ref<Eigen::MatrixXf> next, Workspace& workspace) const {
-  assert(previous_kpa.rows() == segment_count() && current_kpa.rows() == segment_count());
-  assert(previous.rows() == 3 * point_count() && next.rows() == 3 * point_count());
+  assert(previous_kpa.rows() == channel_count() && current_kpa.rows() == channel_count());
+  assert(previous.rows() == kPoseSize * point_count() && next.rows() == kPoseSize * point_count());
   assert(previous_kpa.cols() == next.cols() && current_kpa.cols() == next.cols() &&
          previous.cols() == next.cols());
   assert(previous_kpa.allFinite() && current_kpa.allFinite() && previous.allFinite());

@@ -23,11 +23,11 @@ void turn_about(const Pose& middle, double turn_rad, double grown_m, Pose& tip) 
 }  // namespace
 
 MotionModel::MotionModel(const ForwardModel& forward)
-    : forward_(&forward), valves_(ValveModel::ideal(forward.segment_count())) {}
+    : forward_(&forward), valves_(ValveModel::ideal(forward.channel_count())) {}
 
 MotionModel::MotionModel(const ForwardModel& forward, ValveModel valves)
     : forward_(&forward), valves_(std::move(valves)) {
-  assert(valves_.segment_count() == forward.segment_count());
+  assert(valves_.segment_count() == forward.channel_count());
   if (forward.has_network()) {
     require_no_valves_before(forward.compensation(), valves_.parameters(), "motion model");
   }
@@ -41,7 +41,7 @@ MotionState MotionModel::settled_state(const Eigen::Ref<const Pressures>& kpa,
 MotionState MotionModel::moving_state(Eigen::VectorXf valves,
                                       const Eigen::Ref<const Backbone>& backbone,
                                       const Eigen::Ref<const Backbone>& before) const {
-  MotionState state{segment_count(), std::move(valves), backbone};
+  MotionState state{channel_count(), std::move(valves), backbone};
   if (reads_velocity()) {
     state.before = before;
   }

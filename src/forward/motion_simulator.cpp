@@ -54,8 +54,8 @@ MotionSimulator::MotionSimulator(const ArmDescription& arm, const MotionModel& m
     : arm_(arm),
       model_(model),
       checker_(checker),
-      setpoint_kpa_(arm.segment_count()),
-      before_(arm.point_count(), 3) {}
+      setpoint_kpa_(arm.channel_count()),
+      before_(arm.point_count(), kPoseSize) {}
 
 void MotionSimulator::step(const PressuresRef& setpoint_kpa) {
   before_ = state_.backbone;

@@ -12,9 +12,9 @@ constexpr Eigen::Index kFirstCapacity = 64;
 }  // namespace
 
 RolloutBatch::RolloutBatch(const MotionModel& model)
-    : model_(model), setpoint_kpa_(model.segment_count()) {
+    : model_(model), setpoint_kpa_(model.channel_count()) {
   for (Eigen::MatrixXf* m : {&from_kpa_, &to_kpa_, &before_kpa_, &now_kpa_}) {
-    m->resize(model.segment_count(), 0);
+    m->resize(model.channel_count(), 0);
   }
   valves_.resize(model.valves().state_size(), 0);
   earlier_.resize(model.reads_velocity() ? 3 * model.point_count() : 0, 0);

@@ -31,7 +31,7 @@ Eigen::Map<const Eigen::VectorXf> PressureTree::valves(int i) const {
 }
 
 Eigen::Map<const Pressures> PressureTree::setpoint_kpa(int i) const {
-  return {valves(i).data() + model_.segment_count(), model_.segment_count()};
+  return {valves(i).data() + model_.channel_count(), model_.channel_count()};
 }
 
 Eigen::Map<const Backbone> PressureTree::backbone(int i) const {

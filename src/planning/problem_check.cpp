@@ -164,9 +164,9 @@ void require_goal_margin(const PoseError& margin) {
 }
 
 void require_limits(const std::vector<PressureLimits>& limits, const ArmDescription& arm) {
-  if (!limits.empty() && int(limits.size()) != arm.segment_count()) {
+  if (!limits.empty() && int(limits.size()) != arm.channel_count()) {
     throw InputError(fmt::format("limits of {} segments; arm '{}' has {}", limits.size(), arm.name,
-                                 arm.segment_count()));
+                                 arm.channel_count()));
   }
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const PressureLimits& own = arm.segments[i].pressure_limit_kpa;

@@ -27,9 +27,9 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
                     std::span<const RolloutPiece> pieces, OnInterrupt on_interrupt,
                     std::vector<FrameMatrix>& predicted) {
   const auto columns = static_cast<Eigen::Index>(pieces.size());
-  const Eigen::Index size = 3 * model.point_count();
-  Eigen::MatrixXf previous_kpa(model.segment_count(), columns);
-  Eigen::MatrixXf current_kpa(model.segment_count(), columns);
+  const Eigen::Index size = kPoseSize * model.point_count();
+  Eigen::MatrixXf previous_kpa(model.channel_count(), columns);
+  Eigen::MatrixXf current_kpa(model.channel_count(), columns);
   Eigen::MatrixXf state(size, columns);
   Eigen::MatrixXf before(size, columns);
   ForwardModel::Workspace workspace;

@@ -71,7 +71,7 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
   }
   const int poses = 3 * arm.point_count();
   RawFrames raw;
-  raw.pressure_kpa.resize(arm.segment_count(), count);
+  raw.pressure_kpa.resize(arm.channel_count(), count);
   raw.poses.resize(poses, count);
   raw.no_load_poses.resize(poses, count);
   const NoLoadModel no_load(arm);

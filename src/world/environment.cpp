@@ -123,8 +123,8 @@ ArmStart start_state(const Environment& environment, const ArmDescription& arm) 
     return *environment.start;
   }
   ArmStart rest;
-  rest.pressures_kpa = Pressures::Zero(arm.segment_count());
-  rest.backbone = Backbone::Zero(arm.point_count(), 3);
+  rest.pressures_kpa = Pressures::Zero(arm.channel_count());
+  rest.backbone = Backbone::Zero(arm.point_count(), kPoseSize);
   for (int gap = 0; gap + 1 < arm.point_count(); ++gap) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(arm.segment_of_gap(gap))];
     rest.backbone(gap + 1, 0) =

@@ -236,11 +236,11 @@ PoseGoal read_goal(const YamlReader& node) {
 
 void require_pressures_fit(const YamlReader& node, const Pressures& kpa,
                            const ArmDescription& arm) {
-  if (kpa.size() != arm.segment_count()) {
+  if (kpa.size() != arm.channel_count()) {
     node.refuse(fmt::format("{} {}s found; expected {}, one per segment of arm '{}'", kpa.size(),
-                            arm.command.name, arm.segment_count(), arm.name));
+                            arm.command.name, arm.channel_count(), arm.name));
   }
-  for (int i = 0; i < arm.segment_count(); ++i) {
+  for (int i = 0; i < arm.channel_count(); ++i) {
     const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
     if (!limits.contains(kpa[i])) {
       node.elements()[static_cast<std::size_t>(i)].refuse(

@@ -21,9 +21,9 @@ constexpr double kRoundingKpa = 1e-3;  // float32 of a hundred kPa, with room
 /// The plan's own limits have to be narrower than the arm's.
 void require_limits_of(const Plan& plan, const ArmDescription& arm, const std::string& file) {
   const std::string key = quantity_key(arm.command, "limits");
-  if (!plan.limits.empty() && int(plan.limits.size()) != arm.segment_count()) {
+  if (!plan.limits.empty() && int(plan.limits.size()) != arm.channel_count()) {
     throw InputError(fmt::format("{}: {}: {} pairs found; arm '{}' has {} segments", file, key,
-                                 plan.limits.size(), arm.name, arm.segment_count()));
+                                 plan.limits.size(), arm.name, arm.channel_count()));
   }
   for (std::size_t i = 0; i < plan.limits.size(); ++i) {
     const PressureLimits& own = arm.segments[i].pressure_limit_kpa;
@@ -62,7 +62,7 @@ void require_plan_of(const Plan& plan, const ArmDescription& arm, const std::str
     throw InputError(fmt::format("{}: frame_rate_hz: {} found; arm '{}' takes {} frames per second",
                                  file, plan.frame_rate_hz, arm.name, arm.frame_rate_hz));
   }
-  const int n = arm.segment_count();
+  const int n = arm.channel_count();
   require_limits_of(plan, arm, file);
   const std::vector<PressureLimits> allowed = plan.limits.empty() ? limits_of(arm) : plan.limits;
   const double step_limit = arm.pressure_step_limit_kpa();

@@ -32,7 +32,7 @@ PressureBox pressure_box(const std::vector<PressureLimits>& limits) {
 }
 
 Pressures pressure_limits_kpa(const ArmDescription& arm) {
-  Pressures limits(arm.segment_count());
+  Pressures limits(arm.channel_count());
   for (int i = 0; i < limits.size(); ++i) {
     limits[i] = static_cast<float>(
         arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.largest_kpa());
@@ -41,7 +41,7 @@ Pressures pressure_limits_kpa(const ArmDescription& arm) {
 }
 
 Pressures pressure_scales_kpa(const ArmDescription& arm) {
-  Pressures scales(arm.segment_count());
+  Pressures scales(arm.channel_count());
   for (int i = 0; i < scales.size(); ++i) {
     scales[i] = static_cast<float>(
         arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.half_width_kpa());

@@ -20,10 +20,10 @@ void require_waypoints(const PlanningProblem& problem, const std::vector<Pressur
     throw InputError("no waypoints; expected at least one, to which the motion goes");
   }
   for (std::size_t w = 0; w < kpa.size(); ++w) {
-    if (kpa[w].size() != problem.arm.segment_count()) {
+    if (kpa[w].size() != problem.arm.channel_count()) {
       throw InputError(fmt::format("{} has {} set points; arm '{}' has {} segments",
                                    waypoint_name(w), kpa[w].size(), problem.arm.name,
-                                   problem.arm.segment_count()));
+                                   problem.arm.channel_count()));
     }
     for (Eigen::Index i = 0; i < kpa[w].size(); ++i) {
       const auto index = static_cast<std::size_t>(i);

@@ -36,9 +36,9 @@ RrtStarSearch::RrtStarSearch(const PlanningProblem& problem, MotionSimulator& si
                     problem.limits),
       scale_kpa_(pressure_scales_kpa(problem.arm)),
       box_(problem.limits.empty() ? pressure_box(problem.arm) : pressure_box(problem.limits)),
-      near_gain_(settings.near_factor * min_near_gain(problem.arm.segment_count())),
+      near_gain_(settings.near_factor * min_near_gain(problem.arm.channel_count())),
       tree_(problem.model),
-      index_(problem.arm.segment_count()),
+      index_(problem.arm.channel_count()),
       batch_(simulator) {
   const MotionState start = start_of(problem);
   tree_.add(start, -1, 0.0);

@@ -36,7 +36,7 @@ SparseTree::SparseTree(const ArmDescription& arm, const MotionModel& model, cons
       scale_kpa_(pressure_scales_kpa(arm)),
       box_(pressure_box(arm)),
       tree_(model),
-      index_(arm.segment_count()) {
+      index_(arm.channel_count()) {
   add(root, -1, 0.0);
 }
 

@@ -34,6 +34,7 @@ class NoLoadModel {
   explicit NoLoadModel(const ArmDescription& arm);
 
   int segment_count() const { return static_cast<int>(segments_.size()); }
+  int channel_count() const { return segment_count(); }  ///< as in ArmDescription
   int point_count() const { return point_count_; }
   NoLoadKind kind() const { return kind_; }
   const Command& command() const { return command_; }

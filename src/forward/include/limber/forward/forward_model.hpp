@@ -46,6 +46,7 @@ class ForwardModel {
   ~ForwardModel();
 
   int segment_count() const { return no_load_.segment_count(); }
+  int channel_count() const { return no_load_.channel_count(); }
   int point_count() const { return no_load_.point_count(); }
   bool has_network() const { return compensation_.has_value(); }
   const NoLoadModel& no_load() const { return no_load_; }

@@ -51,6 +51,7 @@ class MotionModel {
   MotionModel without_valves() const { return MotionModel(*forward_); }
 
   int segment_count() const { return forward_->segment_count(); }
+  int channel_count() const { return forward_->channel_count(); }
   int point_count() const { return forward_->point_count(); }
   bool has_network() const { return forward_->has_network(); }
   /// Whether states hold the backbone of a frame earlier.
