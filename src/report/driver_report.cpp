@@ -1,7 +1,6 @@
 #include "limber/report/driver_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +9,7 @@
 #include "frame_column.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/arm/valve_file.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/report/report_page.hpp"
 
