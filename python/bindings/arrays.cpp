@@ -137,7 +137,7 @@ Pressures pressures_from(const FloatArray& array, Eigen::Index n, const char* na
 }
 
 Backbone backbone_from(const FloatArray& array, Eigen::Index m, const char* name) {
-  require_shape(array, {m, 3}, name);
+  require_shape(array, {m, kPoseSize}, name);
   require_finite(array, name);
   return backbone_map(array);
 }

@@ -87,7 +87,7 @@ py::array_t<typename Vector::Scalar> vector_array(const Vector& vector) {
 /// Shape (m, 3).
 template <class Scalar>
 py::array_t<Scalar> backbone_array(const BackboneOf<Scalar>& backbone) {
-  return copy_of<Scalar>(backbone, {backbone.rows(), 3});
+  return copy_of<Scalar>(backbone, {backbone.rows(), kPoseSize});
 }
 
 /// A view of numbers that `owner` holds: no copy, and `owner` lives as long as the view.
@@ -106,7 +106,7 @@ inline Eigen::Map<const Pressures> pressures_map(const FloatArray& array) {
   return {array.data(), array.size()};
 }
 inline Eigen::Map<const Backbone> backbone_map(const FloatArray& array) {
-  return {array.data(), array.size() / 3, 3};
+  return {array.data(), array.size() / kPoseSize, kPoseSize};
 }
 /// k rows of NumPy are k columns of limber's batches: the same numbers in the same order.
 inline Eigen::Map<const Eigen::MatrixXf> batch_map(const FloatArray& array) {

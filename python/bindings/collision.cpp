@@ -12,7 +12,7 @@ namespace limber::python {
 namespace {
 
 FloatArray checked(const CollisionChecker& checker, const FloatArray& backbone, const char* name) {
-  require_shape(backbone, {checker.gap_count() + 1, 3}, name);
+  require_shape(backbone, {checker.gap_count() + 1, kPoseSize}, name);
   require_finite(backbone, name);
   return backbone;
 }

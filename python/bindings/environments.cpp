@@ -70,7 +70,7 @@ void bind_start(py::module_& module) {
   py::class_<ArmStart>(module, "ArmStart", "State of the arm that a motion starts from.")
       .def(py::init([](const FloatArray& pressures_kpa, const FloatArray& backbone) {
              return ArmStart{pressures_from(pressures_kpa, pressures_kpa.size(), "pressures_kpa"),
-                             backbone_from(backbone, backbone.size() / 3, "backbone")};
+                             backbone_from(backbone, backbone.size() / kPoseSize, "backbone")};
            }),
            py::arg("pressures_kpa"), py::arg("backbone"),
            "pressures_kpa: (n,) [kPa], signed; backbone: (m, 3), rows x_m, y_m, theta_rad "

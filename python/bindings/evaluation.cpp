@@ -108,7 +108,8 @@ void bind_evaluation(py::module_& module) {
         CallerThread caller;
         const FrameMatrix predicted =
             caller.run_interruptible([&] { return predict(model, episode, restart, jobs); });
-        return copy_of<float>(predicted, {predicted.rows(), predicted.cols() / 3, 3});
+        return copy_of<float>(predicted,
+                              {predicted.rows(), predicted.cols() / kPoseSize, kPoseSize});
       },
       py::arg("model"), py::arg("episode"), py::arg("restart"), py::arg("jobs") = 0,
       "Predicted backbones float32 (T, m, 3) of an episode, fed with its pressures; "

@@ -44,15 +44,15 @@ void require_query_shapes(const ForwardModel& model, py::ssize_t rows,
   const bool fits = rows < 0 ? previous_kpa.ndim() == 1 && previous_kpa.shape(0) == n &&
                                    current_kpa.ndim() == 1 && current_kpa.shape(0) == n &&
                                    previous.ndim() == 2 && previous.shape(0) == m &&
-                                   previous.shape(1) == 3
+                                   previous.shape(1) == kPoseSize
                              : false;
   if (!fits) {
     require_shape(previous_kpa, rows < 0 ? Shape{n} : Shape{rows, n}, "previous_kpa");
     require_shape(current_kpa, rows < 0 ? Shape{n} : Shape{rows, n}, "current_kpa");
-    require_shape(previous, rows < 0 ? Shape{m, 3} : Shape{rows, m, 3}, "previous");
+    require_shape(previous, rows < 0 ? Shape{m, kPoseSize} : Shape{rows, m, kPoseSize}, "previous");
   }
   if (before) {
-    require_shape(*before, rows < 0 ? Shape{m, 3} : Shape{rows, m, 3}, "before");
+    require_shape(*before, rows < 0 ? Shape{m, kPoseSize} : Shape{rows, m, kPoseSize}, "before");
   }
 }
 
@@ -68,10 +68,11 @@ py::array_t<float> step(const ForwardModel& model, const FloatArray& previous_kp
                         const FloatArray& current_kpa, const FloatArray& previous,
                         const py::object& out, const Before& before) {
   require_query(model, previous_kpa, current_kpa, previous, before);
-  py::array_t<float> next = result_array(out, {model.point_count(), 3});
+  py::array_t<float> next = result_array(out, {model.point_count(), kPoseSize});
   model.step(pressures_map(previous_kpa), pressures_map(current_kpa),
              backbone_map(before.value_or(previous)), backbone_map(previous),
-             Eigen::Map<Backbone>(next.mutable_data(), model.point_count(), 3), workspace());
+             Eigen::Map<Backbone>(next.mutable_data(), model.point_count(), kPoseSize),
+             workspace());
   return next;
 }
 
@@ -101,7 +102,7 @@ py::array_t<float> batch(const ForwardModel& model, const FloatArray& previous_k
                          const Before& before, const py::object& out, const Query& query) {
   const py::ssize_t rows = batch_size(previous_kpa, "previous_kpa");
   require_query_shapes(model, rows, previous_kpa, current_kpa, previous, before);
-  py::array_t<float> next = result_array(out, {rows, model.point_count(), 3});
+  py::array_t<float> next = result_array(out, {rows, model.point_count(), kPoseSize});
   require_no_part_of(next, previous, "previous");
   if (before) {
     require_no_part_of(next, *before, "before");
@@ -157,8 +158,9 @@ double pass_s(const ForwardModel& model, const FloatArray& previous_kpa,
   const double begin_s = processor_s();
   for (Eigen::Index k = 0; k < from.cols(); k += std::max<Eigen::Index>(1, size)) {
     if (size == 0) {
-      model.step(from.col(k), to.col(k), Eigen::Map<const Backbone>(before.col(k).data(), m, 3),
-                 Eigen::Map<Backbone>(after.col(k).data(), m, 3), workspace());
+      model.step(from.col(k), to.col(k),
+                 Eigen::Map<const Backbone>(before.col(k).data(), m, kPoseSize),
+                 Eigen::Map<Backbone>(after.col(k).data(), m, kPoseSize), workspace());
     } else {
       const Eigen::Index n = std::min(size, from.cols() - k);
       model.step_batch(from.middleCols(k, n), to.middleCols(k, n), before.middleCols(k, n),
@@ -174,7 +176,7 @@ py::array_t<float> rollout(const ForwardModel& model, const FloatArray& pressure
   require_shape(pressures_kpa, {frames, model.channel_count()}, "pressures_kpa");
   require_shape(first, {model.point_count(), kPoseSize}, "first");
   require_finite(first, "first");
-  py::array_t<float> backbones({frames, py::ssize_t{model.point_count()}, py::ssize_t{3}});
+  py::array_t<float> backbones({frames, py::ssize_t{model.point_count()}, py::ssize_t{kPoseSize}});
   if (frames == 0) {
     return backbones;
   }

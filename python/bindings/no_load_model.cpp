@@ -22,14 +22,15 @@ py::array_t<float> backbone(const NoLoadModel& model, const FloatArray& pressure
   const bool batch = pressures_kpa.ndim() == 2;
   const py::ssize_t count = batch ? pressures_kpa.shape(0) : 1;
   require_shape(pressures_kpa, batch ? Shape{count, n} : Shape{n}, "pressures_kpa");
-  py::array_t<float> result = result_array(out, batch ? Shape{count, m, 3} : Shape{m, 3});
+  py::array_t<float> result =
+      result_array(out, batch ? Shape{count, m, kPoseSize} : Shape{m, kPoseSize});
   float* to = result.mutable_data();
   const float* from = pressures_kpa.data();
   const auto run = [&] {
     require_finite(pressures_kpa, "pressures_kpa");
     for (py::ssize_t i = 0; i < count; ++i) {
       model.backbone(Eigen::Map<const Eigen::VectorXf>(from + i * n, n),
-                     Eigen::Map<Backbone>(to + i * 3 * m, m, 3));
+                     Eigen::Map<Backbone>(to + i * kPoseSize * m, m, kPoseSize));
     }
   };
   if (batch) {
@@ -114,8 +115,10 @@ void bind_no_load_model(py::module_& module) {
   module.def(
       "tip_pose",
       [](const DoubleArray& backbone) {
-        if (backbone.ndim() != 2 || backbone.shape(1) != 3 || backbone.shape(0) == 0) {
-          require_shape(backbone, {std::max<py::ssize_t>(1, backbone.size() / 3), 3}, "backbone");
+        if (backbone.ndim() != 2 || backbone.shape(1) != kPoseSize || backbone.shape(0) == 0) {
+          require_shape(backbone,
+                        {std::max<py::ssize_t>(1, backbone.size() / kPoseSize), kPoseSize},
+                        "backbone");
         }
         const auto rows = backbone.unchecked<2>();
         const py::ssize_t last = backbone.shape(0) - 1;

@@ -32,7 +32,7 @@ py::array_t<float> rows_of(const Frames& frames, const Get& get) {
 py::array_t<float> backbones_of(const Plan& plan) {
   const py::array_t<float> rows = rows_of(
       plan.frames, [](const PlanFrame& frame) -> const Backbone& { return frame.backbone; });
-  return rows.attr("reshape")(rows.shape(0), -1, 3);
+  return rows.attr("reshape")(rows.shape(0), -1, kPoseSize);
 }
 
 void bind_certified_figures(py::module_& module) {

@@ -125,7 +125,7 @@ void bind_episode(py::module_& module) {
           "backbone",
           [](const py::object& self) {
             const FrameMatrix& rows = self.cast<const Episode&>().backbone;
-            return view_of(rows.data(), {rows.rows(), rows.cols() / 3, 3}, self);
+            return view_of(rows.data(), {rows.rows(), rows.cols() / kPoseSize, kPoseSize}, self);
           },
           "Poses x_m, y_m, theta_rad of the plates, float32 (T, m, 3).")
       .def_property_readonly(
@@ -145,7 +145,7 @@ void bind_episode(py::module_& module) {
       .def("__len__", &Episode::frame_count)
       .def("__repr__", [](const Episode& episode) {
         return fmt::format("Episode(frames={}, segments={}, points={})", episode.frame_count(),
-                           episode.pressure_kpa.cols(), episode.backbone.cols() / 3);
+                           episode.pressure_kpa.cols(), episode.backbone.cols() / kPoseSize);
       });
 }
 

@@ -24,7 +24,7 @@ void bind_state(py::module_& module) {
             state.pressure_kpa = pressures_from(pressure_kpa, pressure_kpa.size(), "pressure_kpa");
             if (!backbone.is_none()) {
               const auto rows = backbone.cast<FloatArray>();
-              state.backbone = backbone_from(rows, rows.size() / 3, "backbone");
+              state.backbone = backbone_from(rows, rows.size() / kPoseSize, "backbone");
             }
             if (!setpoint_kpa.is_none()) {
               state.setpoint_kpa = pressures_from(setpoint_kpa.cast<FloatArray>(),

@@ -71,13 +71,13 @@ void append(std::vector<double>& list, const Pose& pose) {
 }
 
 Pose pose_at(const std::vector<double>& list, std::size_t index) {
-  return {list[3 * index], list[3 * index + 1], list[3 * index + 2]};
+  return {list[kPoseSize * index], list[kPoseSize * index + 1], list[kPoseSize * index + 2]};
 }
 
 /// A shape as the network sees it: every plate about the base, or about the plate before it.
 std::vector<double> coordinates(const ExactArm::Shape& shape, BackboneLayout layout) {
   std::vector<double> list;
-  list.reserve(3 * shape.size());
+  list.reserve(kPoseSize * shape.size());
   if (layout == BackboneLayout::base_poses) {
     for (const Pose& pose : shape) {
       append(list, pose);
@@ -92,11 +92,11 @@ std::vector<double> coordinates(const ExactArm::Shape& shape, BackboneLayout lay
 
 ExactArm::Shape shape_of(const std::vector<double>& list, BackboneLayout layout) {
   ExactArm::Shape shape;
-  shape.reserve(list.size() / 3 + 1);
+  shape.reserve(list.size() / kPoseSize + 1);
   if (layout == BackboneLayout::gap_poses) {
     shape.push_back(Pose{});
   }
-  for (std::size_t i = 0; 3 * i < list.size(); ++i) {
+  for (std::size_t i = 0; kPoseSize * i < list.size(); ++i) {
     const Pose pose = pose_at(list, i);
     shape.push_back(layout == BackboneLayout::base_poses ? pose : composed(shape.back(), pose));
   }
@@ -140,7 +140,7 @@ std::vector<double> bounded(const GapBounds& bounds, const std::vector<double>& 
   std::vector<double> result;
   result.reserve(list.size());
   if (layout == BackboneLayout::gap_poses) {
-    for (std::size_t gap = 0; 3 * gap < list.size(); ++gap) {
+    for (std::size_t gap = 0; kPoseSize * gap < list.size(); ++gap) {
       append(result, within(bounds, gap, pose_at(list, gap)));
     }
     return result;
@@ -148,7 +148,7 @@ std::vector<double> bounded(const GapBounds& bounds, const std::vector<double>& 
   Pose given;
   Pose now;
   append(result, now);
-  for (std::size_t plate = 1; 3 * plate < list.size(); ++plate) {
+  for (std::size_t plate = 1; kPoseSize * plate < list.size(); ++plate) {
     const Pose next = pose_at(list, plate);
     const Pose step =
         within(bounds, plate - 1,

@@ -23,7 +23,7 @@ constexpr double kUnrelated = 0.4;       // correlation below which turns are no
 constexpr double kRelated = 0.6;         // … where the others' middle one is above this
 
 double mean_tip_error_cm(const FrameMatrix& expected, const Episode& episode) {
-  const Eigen::Index tip = expected.cols() - 3;
+  const Eigen::Index tip = expected.cols() - kPoseSize;
   double sum = 0.0;
   int count = 0;
   for (int t = 0; t < episode.frame_count(); ++t) {
@@ -50,7 +50,7 @@ TurnCorrelation correlation_of(const ArmDescription& arm, const FrameMatrix& exp
   double told_squares = 0.0;
   Eigen::Index column = 2;
   for (const Segment& segment : arm.segments) {
-    const Eigen::Index end = column + 3 * segment.gaps;
+    const Eigen::Index end = column + kPoseSize * segment.gaps;
     const auto turn = [&](const FrameMatrix& poses) {
       const Eigen::VectorXd own = (poses.col(end) - poses.col(column)).cast<double>();
       return Eigen::VectorXd(own.array() - own.mean());

@@ -68,7 +68,7 @@ void require_plates_near(const Episode& episode, const ArmDescription& arm,
     const Eigen::RowVectorXd poses = episode.backbone.row(t).cast<double>();
     const Eigen::Vector2d base = poses.head<2>();
     for (int plate = 0; plate < arm.point_count(); ++plate) {
-      const Eigen::Vector3d pose = poses.segment<3>(3 * plate);
+      const Eigen::Vector3d pose = poses.segment<kPoseSize>(kPoseSize * plate);
       const double away_m = (pose.head<2>() - (plate == 0 ? begin : base)).norm();
       const double turned_rad = std::abs(pose[2] - poses[2]);
       if (away_m > farthest_m || turned_rad > kNeverTurned_rad) {
@@ -87,7 +87,7 @@ void require_plates_near(const Episode& episode, const ArmDescription& arm,
 }
 
 double spread_of_end_m(const Episode& episode) {
-  const Eigen::Index tip = episode.backbone.cols() - 3;
+  const Eigen::Index tip = episode.backbone.cols() - kPoseSize;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double squares = 0.0;
   double count = 0.0;
@@ -113,7 +113,7 @@ Pose mean_base(const Episode& episode) {
   int count = 0;
   for (int t = 0; t < episode.frame_count(); ++t) {
     if (episode.was_tracked(t)) {
-      const auto base = episode.backbone.row(t).head<3>().cast<double>();
+      const auto base = episode.backbone.row(t).head<kPoseSize>().cast<double>();
       point += base.head<2>().transpose();
       cosine += std::cos(base[2]);
       sine += std::sin(base[2]);
@@ -142,7 +142,9 @@ double median_gap_m(const Episode& episode, int plate) {
     if (episode.was_tracked(t)) {
       const auto row = episode.backbone.row(t);
       distances.push_back(
-          (row.segment<2>(3 * plate + 3) - row.segment<2>(3 * plate)).cast<double>().norm());
+          (row.segment<2>(kPoseSize * plate + kPoseSize) - row.segment<2>(kPoseSize * plate))
+              .cast<double>()
+              .norm());
     }
   }
   if (distances.empty()) {

@@ -95,7 +95,7 @@ void validate_frames(const Episode& episode, const EpisodeCheck& check, int segm
   const Eigen::Index frames = episode.time_s.size();
   check.shape("pressure_kpa", episode.pressure_kpa, frames, segment_count);
   check.shape("setpoint_kpa", episode.setpoint_kpa, frames, segment_count);
-  check.shape("backbone", episode.backbone, frames, 3 * point_count);
+  check.shape("backbone", episode.backbone, frames, kPoseSize * point_count);
   check.finite("pressure_kpa", episode.pressure_kpa);
   check.finite("setpoint_kpa", episode.setpoint_kpa);
   check.finite("backbone", episode.backbone);
@@ -357,8 +357,8 @@ void require_episodes_of(const std::vector<Episode>& episodes, const ArmDescript
         refuse(e, commands->cols(), "segments", arm.channel_count());
       }
     }
-    if (episode.backbone.cols() != 3 * arm.point_count()) {
-      refuse(e, episode.backbone.cols() / 3, "backbone points", arm.point_count());
+    if (episode.backbone.cols() != kPoseSize * arm.point_count()) {
+      refuse(e, episode.backbone.cols() / kPoseSize, "backbone points", arm.point_count());
     }
     validate_episode(episode, EpisodeCheck(where, e), arm.segment_count(), arm.point_count());
     const std::string path = episode_path(e);
@@ -372,7 +372,7 @@ void require_alike(const std::vector<Episode>& episodes, int segment_count, int 
                    const std::string& where) {
   if (segment_count == 0 && !episodes.empty()) {
     segment_count = static_cast<int>(episodes.front().pressure_kpa.cols());
-    point_count = static_cast<int>(episodes.front().backbone.cols() / 3);
+    point_count = static_cast<int>(episodes.front().backbone.cols() / kPoseSize);
   }
   for (std::size_t e = 0; e < episodes.size(); ++e) {
     validate_frames(episodes[e], EpisodeCheck(where, e), segment_count, point_count);

@@ -180,9 +180,9 @@ class MotionLog {
     std::string text;
     for (int p = 0; p < recording_.point_count; ++p) {
       // Drawn whether hidden or not, so that an occlusion changes nothing else.
-      const double x = poses[3 * p] + settings_.noise_m * random_.normal();
-      const double y = poses[3 * p + 1] + settings_.noise_m * random_.normal();
-      const double theta = poses[3 * p + 2] + settings_.noise_rad * random_.normal();
+      const double x = poses[kPoseSize * p] + settings_.noise_m * random_.normal();
+      const double y = poses[kPoseSize * p + 1] + settings_.noise_m * random_.normal();
+      const double theta = poses[kPoseSize * p + 2] + settings_.noise_rad * random_.normal();
       text += plate_cells(x, y, theta, tracked && !is_hidden(p, time_s));
     }
     return text;

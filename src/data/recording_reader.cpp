@@ -321,7 +321,7 @@ class Reader {
     }
     episode.pressure_kpa = setpoints_only ? episode.setpoint_kpa : commands(measured_name(command));
     episode.backbone =
-        matrix(group + "/backbone", {frames, m, 3},
+        matrix(group + "/backbone", {frames, m, kPoseSize},
                fmt::format("{} × {} × 3: frames × points × [x_m, y_m, theta_rad]", frames, m),
                "m, m, rad");
 

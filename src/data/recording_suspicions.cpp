@@ -97,7 +97,9 @@ double median_distance_m(const Recording& recording, int plate) {
     for (Eigen::Index t = 0; t < episode.backbone.rows(); ++t) {
       const auto row = episode.backbone.row(t);
       distances.push_back(
-          (row.segment<2>(3 * plate + 3) - row.segment<2>(3 * plate)).cast<double>().norm());
+          (row.segment<2>(kPoseSize * plate + kPoseSize) - row.segment<2>(kPoseSize * plate))
+              .cast<double>()
+              .norm());
     }
   }
   return median(std::move(distances));

@@ -90,7 +90,7 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
   write_data_set(group, setpoint_name(command), command.unit.c_str(), real,
                  episode.setpoint_kpa.data(), {frames, segments});
   write_data_set(group, "backbone", "m, m, rad", real, episode.backbone.data(),
-                 {frames, points, 3});
+                 {frames, points, kPoseSize});
   write_data_set(group, "motion_index", "1", H5::PredType::NATIVE_INT, episode.motion_index.data(),
                  {frames});
   write_data_set(group, "tracked", "1", H5::PredType::NATIVE_UINT8, tracked.data(), {frames});

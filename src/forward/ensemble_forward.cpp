@@ -18,7 +18,7 @@ EnsembleForward::Prediction EnsembleForward::rollout(
     const Eigen::Ref<const Eigen::MatrixXf>& pressures_kpa,
     const Eigen::Ref<const Eigen::VectorXf>& first) const {
   const int segments = members_.front().segment_count();
-  const int size = 3 * members_.front().point_count();
+  const int size = kPoseSize * members_.front().point_count();
   if (pressures_kpa.rows() != segments || pressures_kpa.cols() < 1 || first.size() != size) {
     throw InputError(fmt::format(
         "an ensemble's rollout got {} pressures per frame, {} frames and a backbone of {} numbers; "

@@ -13,7 +13,7 @@ constexpr int kEnsembleTileQueries =
 
 EnsemblePipeline::EnsemblePipeline(const ArmDescription& arm, const CompensationModel* model,
                                    CpuLevel level)
-    : numbers_(3 * arm.point_count()) {
+    : numbers_(kPoseSize * arm.point_count()) {
   if (model == nullptr || model->asked_count() == 1) {
     members_.emplace_back(arm, model, level);
     return;

@@ -96,8 +96,9 @@ void ForwardModel::step(const Eigen::Ref<const Pressures>& previous_kpa,
   assert(previous.rows() == point_count() && next.rows() == point_count());
   assert(previous_kpa.allFinite() && current_kpa.allFinite() && previous.allFinite());
   // A contiguous backbone is a column of 3m numbers; a row of a wider matrix is not.
-  assert(previous.outerStride() == 3 && next.outerStride() == 3 && before.outerStride() == 3);
-  const int size = 3 * point_count();
+  assert(previous.outerStride() == kPoseSize && next.outerStride() == kPoseSize &&
+         before.outerStride() == kPoseSize);
+  const int size = kPoseSize * point_count();
   pipeline_->run(1,
                  {{previous_kpa.data(), channel_count()},
                   {current_kpa.data(), channel_count()},
@@ -144,7 +145,7 @@ Backbone ForwardModel::checked_step(const Pressures& previous_kpa, const Pressur
   require_pressures("current_kpa", current_kpa, no_load_);
   require_backbone("previous", previous, point_count());
   require_backbone("before", before, point_count());
-  Backbone next(point_count(), 3);
+  Backbone next(point_count(), kPoseSize);
   Workspace workspace;
   step(previous_kpa, current_kpa, before, previous, next, workspace);
   return next;

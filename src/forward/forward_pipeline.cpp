@@ -70,7 +70,8 @@ ForwardPipeline::ForwardPipeline(const ArmDescription& arm, const CompensationMo
 std::size_t ForwardPipeline::scratch_size() const {
   // Base poses and gap poses as rows, then a network's input and two layers as rows or as columns.
   const int network = network_ ? layout_.input_size() + 2 * network_->padded_width() : segments_;
-  return static_cast<std::size_t>((3 * points_ + 3 * points_ + network) * kTileQueries);
+  return static_cast<std::size_t>((kPoseSize * points_ + kPoseSize * points_ + network) *
+                                  kTileQueries);
 }
 
 void ForwardPipeline::run(int count, const QueryColumns& queries, float* scratch) const {
@@ -93,20 +94,20 @@ void ForwardPipeline::run(int count, const QueryColumns& queries, float* scratch
 void ForwardPipeline::run_no_load(int count, const QueryColumns& queries, float* scratch) const {
   const int stride = padded(count, rows_.lanes);
   float* const base = scratch;
-  float* const gap = base + 3 * points_ * stride;
-  float* const pressure = gap + 3 * points_ * stride;
+  float* const gap = base + kPoseSize * points_ * stride;
+  float* const pressure = gap + kPoseSize * points_ * stride;
   rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
   rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
   rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
-  rows_.scatter(3 * points_, count, base, stride, queries.next.data, queries.next.ld);
+  rows_.scatter(kPoseSize * points_, count, base, stride, queries.next.data, queries.next.ld);
 }
 
 void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* scratch) const {
   const int stride = padded(count, rows_.lanes);
   float* const base = scratch;
-  float* const gap = base + 3 * points_ * stride;
-  float* const input = gap + 3 * points_ * stride;
+  float* const gap = base + kPoseSize * points_ * stride;
+  float* const input = gap + kPoseSize * points_ * stride;
   float* const pressure = input + layout_.pressure_row() * stride;
   float* const backbone = input + layout_.backbone_row() * stride;
   float* const no_load = input + layout_.no_load_row() * stride;
@@ -116,24 +117,28 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
   rows_.gather(segments_, count, queries.current_kpa.data, queries.current_kpa.ld, pressure,
                stride);
   if (layout_.backbone_layout() == BackboneLayout::base_poses) {
-    rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, backbone, stride);
+    rows_.gather(kPoseSize * points_, count, queries.previous.data, queries.previous.ld, backbone,
+                 stride);
     if (layout_.reads_velocity()) {
-      rows_.gather(3 * points_, count, queries.before.data, queries.before.ld, change, stride);
-      subtract_from(backbone, 3 * points_ * stride, change);
+      rows_.gather(kPoseSize * points_, count, queries.before.data, queries.before.ld, change,
+                   stride);
+      subtract_from(backbone, kPoseSize * points_ * stride, change);
     }
     rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
     rows_.chain_segments(no_load_.data(), segments_, gap, no_load, stride);
     const float* output = network_->evaluate_rows(stride, input, layers);
-    const int all = 3 * points_ * stride;
+    const int all = kPoseSize * points_ * stride;
     compose(all, backbone, no_load, output, output + all, base);
     if (!bounds_.empty()) {
       rows_.bound_base(points_ - 1, bounds_.data(), base, stride);
     }
   } else {
-    rows_.gather(3 * points_, count, queries.previous.data, queries.previous.ld, base, stride);
+    rows_.gather(kPoseSize * points_, count, queries.previous.data, queries.previous.ld, base,
+                 stride);
     rows_.encode_gaps(points_ - 1, base, backbone, stride);
     if (layout_.reads_velocity()) {
-      rows_.gather(3 * points_, count, queries.before.data, queries.before.ld, base, stride);
+      rows_.gather(kPoseSize * points_, count, queries.before.data, queries.before.ld, base,
+                   stride);
       rows_.encode_gaps(points_ - 1, base, change, stride);
       subtract_from(backbone, layout_.backbone_size() * stride, change);
     }
@@ -144,7 +149,7 @@ void ForwardPipeline::run_many(int count, const QueryColumns& queries, float* sc
     }
     rows_.decode_gaps(points_ - 1, gap, base, stride);
   }
-  rows_.scatter(3 * points_, count, base, stride, queries.next.data, queries.next.ld);
+  rows_.scatter(kPoseSize * points_, count, base, stride, queries.next.data, queries.next.ld);
 }
 
 void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scratch) const {
@@ -152,8 +157,8 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
   const int ld = layout_.input_size();
   const int width = network_->padded_width();
   float* const base = scratch;
-  float* const gap = base + 3 * points_ * stride;
-  float* const input = gap + 3 * points_ * stride;  // columns from here on
+  float* const gap = base + kPoseSize * points_ * stride;
+  float* const input = gap + kPoseSize * points_ * stride;  // columns from here on
   float* const layers = input + ld * count;
   float* const pressure = layers;  // rows again, read before the layers are written
   const bool has_gap_poses = layout_.backbone_layout() == BackboneLayout::gap_poses;
@@ -164,10 +169,10 @@ void ForwardPipeline::run_few(int count, const QueryColumns& queries, float* scr
                stride);
   rows_.no_load_gaps(no_load_.data(), segments_, pressure, gap, stride);
   if (has_gap_poses) {
-    rows_.scatter(3 * segments_, count, gap, stride, input + layout_.no_load_row(), ld);
+    rows_.scatter(kPoseSize * segments_, count, gap, stride, input + layout_.no_load_row(), ld);
   } else {
     rows_.chain_segments(no_load_.data(), segments_, gap, base, stride);
-    rows_.scatter(3 * points_, count, base, stride, input + layout_.no_load_row(), ld);
+    rows_.scatter(kPoseSize * points_, count, base, stride, input + layout_.no_load_row(), ld);
   }
   const float* outputs = network_->evaluate_columns(count, input, ld, layers);
   for (int q = 0; q < count; ++q) {
@@ -198,7 +203,7 @@ void ForwardPipeline::write_column(const QueryColumns& queries, float* column) c
     if (layout_.backbone_layout() == BackboneLayout::gap_poses) {
       rows_.encode_gaps_of_one(points_ - 1, base_poses, to);
     } else {
-      std::copy_n(base_poses, 3 * points_, to);
+      std::copy_n(base_poses, kPoseSize * points_, to);
     }
   };
   std::copy_n(queries.previous_kpa.data, segments_, column);
@@ -221,7 +226,7 @@ void ForwardPipeline::subtract_from(const float* after, int count, float* change
 // Of B̃ there is one gap pose per segment; every gap of it gets its own.
 void ForwardPipeline::spread_over_gaps(const float* no_load, float* gaps) const {
   for (std::size_t g = 0; g < segment_of_gap_.size(); ++g) {
-    std::copy_n(no_load + 3 * segment_of_gap_[g], 3, gaps + 3 * g);
+    std::copy_n(no_load + kPoseSize * segment_of_gap_[g], kPoseSize, gaps + kPoseSize * g);
   }
 }
 
@@ -241,9 +246,9 @@ void ForwardPipeline::compose_gaps(int stride, const float* previous, const floa
   const float* gates = output + layout_.backbone_size() * stride;
   for (int g = 0; g + 1 < points_; ++g) {
     const int segment = segment_of_gap_[static_cast<std::size_t>(g)];
-    const int at = 3 * g * stride;
-    compose(3 * stride, previous + at, no_load + 3 * segment * stride, output + at, gates + at,
-            next + at);
+    const int at = kPoseSize * g * stride;
+    compose(kPoseSize * stride, previous + at, no_load + kPoseSize * segment * stride, output + at,
+            gates + at, next + at);
   }
 }
 

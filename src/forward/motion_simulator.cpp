@@ -164,7 +164,7 @@ void MotionBatch::run(const std::vector<MotionState>& from,
 
 Eigen::Map<const Backbone> MotionBatch::frame(int motion, int k) const {
   const Eigen::MatrixXf& kept = frames_[static_cast<std::size_t>(motion)];
-  return {kept.col(k).data(), kept.rows() / 3, 3};
+  return {kept.col(k).data(), kept.rows() / kPoseSize, kPoseSize};
 }
 
 bool MotionBatch::is_free(int motion, const CollisionChecker& checker) const {

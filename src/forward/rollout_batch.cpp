@@ -17,9 +17,9 @@ RolloutBatch::RolloutBatch(const MotionModel& model)
     m->resize(model.channel_count(), 0);
   }
   valves_.resize(model.valves().state_size(), 0);
-  earlier_.resize(model.reads_velocity() ? 3 * model.point_count() : 0, 0);
-  before_.resize(3 * model.point_count(), 0);
-  now_.resize(3 * model.point_count(), 0);
+  earlier_.resize(model.reads_velocity() ? kPoseSize * model.point_count() : 0, 0);
+  before_.resize(kPoseSize * model.point_count(), 0);
+  now_.resize(kPoseSize * model.point_count(), 0);
 }
 
 void RolloutBatch::grow() {
@@ -42,9 +42,9 @@ void RolloutBatch::add(int label, const MotionState& from,
   to_kpa_.col(column) = to_kpa;
   now_kpa_.col(column) = from.pressure_kpa();
   valves_.col(column) = from.valves;
-  Eigen::Map<Backbone>(now_.col(column).data(), model_.point_count(), 3) = from.backbone;
+  Eigen::Map<Backbone>(now_.col(column).data(), model_.point_count(), kPoseSize) = from.backbone;
   if (model_.reads_velocity()) {
-    Eigen::Map<Backbone>(before_.col(column).data(), model_.point_count(), 3) = from.before;
+    Eigen::Map<Backbone>(before_.col(column).data(), model_.point_count(), kPoseSize) = from.before;
   }
 }
 
@@ -70,11 +70,11 @@ void RolloutBatch::step() {
 
 Eigen::Map<const Backbone> RolloutBatch::before(int column) const {
   assert(frame(column) >= 1);
-  return {before_.col(column).data(), model_.point_count(), 3};
+  return {before_.col(column).data(), model_.point_count(), kPoseSize};
 }
 
 Eigen::Map<const Backbone> RolloutBatch::now(int column) const {
-  return {now_.col(column).data(), model_.point_count(), 3};
+  return {now_.col(column).data(), model_.point_count(), kPoseSize};
 }
 
 Eigen::Map<const Eigen::VectorXf> RolloutBatch::valves(int column) const {
@@ -82,7 +82,8 @@ Eigen::Map<const Eigen::VectorXf> RolloutBatch::valves(int column) const {
 }
 
 MotionState RolloutBatch::state(int column) const {
-  const Eigen::Map<const Backbone> before(before_.col(column).data(), model_.point_count(), 3);
+  const Eigen::Map<const Backbone> before(before_.col(column).data(), model_.point_count(),
+                                          kPoseSize);
   return model_.moving_state(valves(column), now(column), before);
 }
 

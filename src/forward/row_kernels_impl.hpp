@@ -10,6 +10,7 @@
 #include "kernels/vector_float.hpp"
 #include "kernels/vector_logistic.hpp"
 #include "kernels/vector_sincos.hpp"
+#include "limber/arm/pose_size.hpp"
 #include "row_kernels.hpp"
 
 namespace limber {
@@ -93,7 +94,7 @@ void no_load_gaps(const NoLoadSegment* segments, int n, const float* pressure_kp
       const Vector sinc = select(turn < broadcast(1e-3F), series, chord.sine / half);
       const Vector length =
           multiply_add(e, broadcast(-0.5F), broadcast(1.0F)) * broadcast(gap_length) * sinc;
-      float* out = gap + 3 * i * stride + q;
+      float* out = gap + kPoseSize * i * stride + q;
       store(out, length * chord.cosine);
       store(out + stride, length * chord.sine);
       store(out + 2 * stride, half + half);
@@ -113,13 +114,13 @@ void chain_segments(const NoLoadSegment* segments, int n, const float* gap, floa
     store(out + 2 * stride, theta);
     Rotation heading = {broadcast(1.0F), Vector{}};
     for (int i = 0; i < n; ++i) {
-      const float* in = gap + 3 * i * stride + q;
+      const float* in = gap + kPoseSize * i * stride + q;
       const Vector dx = load(in);
       const Vector dy = load(in + stride);
       const Vector turn = load(in + 2 * stride);
       const Rotation rotation = rotation_of(turn);
       for (int g = 0; g < segments[i].gaps; ++g) {
-        out += 3 * stride;
+        out += kPoseSize * stride;
         x = multiply_add(heading.cosine, dx, multiply_add(-heading.sine, dy, x));
         y = multiply_add(heading.sine, dx, multiply_add(heading.cosine, dy, y));
         theta += turn;
@@ -134,9 +135,9 @@ void chain_segments(const NoLoadSegment* segments, int n, const float* gap, floa
 
 void encode_gaps(int gaps, const float* base, float* gap, int stride) {
   for (int g = 0; g < gaps; ++g) {
-    const float* from = base + 3 * g * stride;
-    const float* to = from + 3 * stride;
-    float* out = gap + 3 * g * stride;
+    const float* from = base + kPoseSize * g * stride;
+    const float* to = from + kPoseSize * stride;
+    float* out = gap + kPoseSize * g * stride;
     for (int q = 0; q < stride; q += kLanes) {
       const Vector theta = load(from + 2 * stride + q);
       const Rotation heading = rotation_of(theta);
@@ -159,14 +160,14 @@ void decode_gaps(int gaps, const float* gap, float* base, int stride) {
     store(out + stride, y);
     store(out + 2 * stride, theta);
     for (int g = 0; g < gaps; ++g) {
-      const float* in = gap + 3 * g * stride + q;
+      const float* in = gap + kPoseSize * g * stride + q;
       const Rotation heading = rotation_of(theta);
       const Vector dx = load(in);
       const Vector dy = load(in + stride);
       x = multiply_add(heading.cosine, dx, multiply_add(-heading.sine, dy, x));
       y = multiply_add(heading.sine, dx, multiply_add(heading.cosine, dy, y));
       theta += load(in + 2 * stride);
-      out += 3 * stride;
+      out += kPoseSize * stride;
       store(out, x);
       store(out + stride, y);
       store(out + 2 * stride, theta);
@@ -186,9 +187,9 @@ void encode_gaps_of_one(int gaps, const float* base, float* gap) {
     const int count = gaps - from < kLanes ? gaps - from : kLanes;
     GapLanes step{};
     for (int i = 0; i < count; ++i) {
-      const float* plate = base + 3 * (from + i);
-      step.x[i] = plate[3] - plate[0];
-      step.y[i] = plate[4] - plate[1];
+      const float* plate = base + kPoseSize * (from + i);
+      step.x[i] = plate[kPoseSize] - plate[0];
+      step.y[i] = plate[kPoseSize + 1] - plate[1];
       step.theta[i] = plate[2];
     }
     const Rotation heading = rotation_of(load(step.theta));
@@ -198,11 +199,11 @@ void encode_gaps_of_one(int gaps, const float* base, float* gap) {
     store(seen.x, multiply_add(heading.cosine, x, heading.sine * y));
     store(seen.y, multiply_add(heading.cosine, y, -(heading.sine * x)));
     for (int i = 0; i < count; ++i) {
-      const float* plate = base + 3 * (from + i);
-      float* out = gap + 3 * (from + i);
+      const float* plate = base + kPoseSize * (from + i);
+      float* out = gap + kPoseSize * (from + i);
       out[0] = seen.x[i];
       out[1] = seen.y[i];
-      out[2] = plate[5] - plate[2];
+      out[2] = plate[kPoseSize + 2] - plate[2];
     }
   }
 }
@@ -219,8 +220,8 @@ void decode_gaps_of_one(int gaps, const float* gap, float* base) {
     float headings[kLanes] = {};
     for (int i = 0; i < count; ++i) {
       headings[i] = theta;
-      theta += gap[3 * (from + i) + 2];
-      base[3 * (from + i + 1) + 2] = theta;
+      theta += gap[kPoseSize * (from + i) + 2];
+      base[kPoseSize * (from + i + 1) + 2] = theta;
     }
     const Rotation heading = rotation_of(load(headings));
     float cosine[kLanes];
@@ -228,11 +229,11 @@ void decode_gaps_of_one(int gaps, const float* gap, float* base) {
     store(cosine, heading.cosine);
     store(sine, heading.sine);
     for (int i = 0; i < count; ++i) {
-      const float* in = gap + 3 * (from + i);
+      const float* in = gap + kPoseSize * (from + i);
       x = multiply_add(cosine[i], in[0], multiply_add(-sine[i], in[1], x));
       y = multiply_add(sine[i], in[0], multiply_add(cosine[i], in[1], y));
-      base[3 * (from + i + 1)] = x;
-      base[3 * (from + i + 1) + 1] = y;
+      base[kPoseSize * (from + i + 1)] = x;
+      base[kPoseSize * (from + i + 1) + 1] = y;
     }
   }
 }
@@ -298,7 +299,7 @@ inline void bound_lanes(const GapBound<float>& bound, Vector& x, Vector& y, Vect
 
 void bound_gaps(int gaps, const GapBound<float>* bounds, float* gap, int stride) {
   for (int g = 0; g < gaps; ++g) {
-    float* const row = gap + 3 * g * stride;
+    float* const row = gap + kPoseSize * g * stride;
     for (int q = 0; q < stride; q += kLanes) {
       Vector x = load(row + q);
       Vector y = load(row + stride + q);
@@ -315,22 +316,22 @@ void bound_gaps(int gaps, const GapBound<float>* bounds, float* gap, int stride)
 
 void bound_gaps_of_one(int gaps, const GapBound<float>* bounds, float* gap) {
   for (int g = 0; g < gaps; ++g) {
-    bound_one(bounds[g], gap + 3 * g);
+    bound_one(bounds[g], gap + kPoseSize * g);
   }
 }
 
 void bound_base(int gaps, const GapBound<float>* bounds, float* base, int stride) {
   for (int q = 0; q < stride; q += kLanes) {
-    Vector before[3] = {};  // the plate before as it was given, and as it is now
-    Vector now[3] = {};
+    Vector before[kPoseSize] = {};  // the plate before as it was given, and as it is now
+    Vector now[kPoseSize] = {};
     float* plate = base + q;
-    for (int r = 0; r < 3; ++r) {
+    for (int r = 0; r < kPoseSize; ++r) {
       store(plate + r * stride, now[r]);
     }
     for (int g = 0; g < gaps; ++g) {
-      plate += 3 * stride;
-      Vector step[3];
-      for (int r = 0; r < 3; ++r) {
+      plate += kPoseSize * stride;
+      Vector step[kPoseSize];
+      for (int r = 0; r < kPoseSize; ++r) {
         const Vector given = load(plate + r * stride);
         step[r] = given - before[r];
         before[r] = given;
@@ -338,7 +339,7 @@ void bound_base(int gaps, const GapBound<float>* bounds, float* base, int stride
       if (any_outside(bounds[g], step[0], step[1], step[2])) {
         bound_lanes(bounds[g], step[0], step[1], step[2]);
       }
-      for (int r = 0; r < 3; ++r) {
+      for (int r = 0; r < kPoseSize; ++r) {
         now[r] += step[r];
         store(plate + r * stride, now[r]);
       }
@@ -347,18 +348,18 @@ void bound_base(int gaps, const GapBound<float>* bounds, float* base, int stride
 }
 
 void bound_base_of_one(int gaps, const GapBound<float>* bounds, float* base) {
-  float before[3] = {};
-  float now[3] = {};
+  float before[kPoseSize] = {};
+  float now[kPoseSize] = {};
   base[0] = base[1] = base[2] = 0.0F;
   for (int g = 0; g < gaps; ++g) {
-    base += 3;
-    float step[3];
-    for (int r = 0; r < 3; ++r) {
+    base += kPoseSize;
+    float step[kPoseSize];
+    for (int r = 0; r < kPoseSize; ++r) {
       step[r] = base[r] - before[r];
       before[r] = base[r];
     }
     bound_one(bounds[g], step);
-    for (int r = 0; r < 3; ++r) {
+    for (int r = 0; r < kPoseSize; ++r) {
       now[r] += step[r];
       base[r] = now[r];
     }

@@ -295,7 +295,7 @@ Eigen::MatrixXd poses_of_plates(const PointTracks& tracks, const RowState& state
                                 const ArmDescription& arm) {
   const std::vector<double> rest = rest_positions_m(arm);
   Eigen::MatrixXd poses =
-      Eigen::MatrixXd::Constant(tracks.row_count(), 3 * arm.point_count(), kNan);
+      Eigen::MatrixXd::Constant(tracks.row_count(), kPoseSize * arm.point_count(), kNan);
   for (Eigen::Index t = 0; t < tracks.row_count(); ++t) {
     if (!state.tracked[std::size_t(t)]) {
       continue;
@@ -304,7 +304,7 @@ Eigen::MatrixXd poses_of_plates(const PointTracks& tracks, const RowState& state
       return Pose{tracks.x_m(t, i), tracks.y_m(t, i), tracks.theta_rad(t, i)};
     };
     const auto put = [&](int plate, const Pose& pose) {
-      poses.row(t).segment<3>(3 * plate) << pose.x_m, pose.y_m, pose.theta_rad;
+      poses.row(t).segment<kPoseSize>(kPoseSize * plate) << pose.x_m, pose.y_m, pose.theta_rad;
     };
     put(tracks.plates.front(), pose_at(0));
     for (Eigen::Index i = 0; i + 1 < tracks.point_count(); ++i) {

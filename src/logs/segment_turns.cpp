@@ -38,7 +38,8 @@ Turns turns_of(const BackboneTrack& motion, const ArmDescription& arm) {
   int plate = 0;
   for (int i = 0; i < arm.segment_count(); ++i) {
     const int end = plate + arm.segments[std::size_t(i)].gaps;
-    turns.values.col(i) = motion.poses.col(3 * end + 2) - motion.poses.col(3 * plate + 2);
+    turns.values.col(i) =
+        motion.poses.col(kPoseSize * end + 2) - motion.poses.col(kPoseSize * plate + 2);
     plate = end;
   }
   return turns;

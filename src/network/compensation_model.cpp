@@ -24,8 +24,8 @@ Sizes expected_sizes(const CompensationModel& model) {
   const Eigen::Index n = model.segment_count;
   const Eigen::Index m = model.point_count;
   const bool base = model.layout == BackboneLayout::base_poses;
-  const Eigen::Index backbone = base ? 3 * m : 3 * (m - 1);
-  const Eigen::Index no_load = base ? 3 * m : 3 * n;
+  const Eigen::Index backbone = base ? kPoseSize * m : kPoseSize * (m - 1);
+  const Eigen::Index no_load = base ? kPoseSize * m : kPoseSize * n;
   const bool gated = model.form == OutputForm::gated_change;
   const Eigen::Index change = model.reads_velocity ? backbone : 0;
   return {2 * n + backbone + no_load + change, backbone, gated ? 2 * backbone : backbone};

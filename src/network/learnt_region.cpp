@@ -54,7 +54,7 @@ double LearntRegion::novelty(const Eigen::Ref<const Pressures>& pressures_kpa,
 void validate(const LearntRegion& region, int segment_count, int point_count,
               const std::string& where) {
   const Eigen::Index n = segment_count;
-  const Eigen::Index joint = n + 3 * (point_count - 1);
+  const Eigen::Index joint = n + kPoseSize * (point_count - 1);
   require_vector(where, "pressures.low", region.low_kpa, n);
   require_vector(where, "pressures.high", region.high_kpa, n);
   require_vector(where, "rates.fall", region.steepest_fall_kpa_per_s, n);

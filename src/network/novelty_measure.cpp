@@ -19,7 +19,7 @@ void write_gap_poses(const float* backbone, int gaps, int padded_gaps, float* he
   float* sines = headings + padded_gaps;
   float* cosines = sines + padded_gaps;
   for (int j = 0; j < gaps; ++j) {
-    headings[j] = backbone[3 * j + 2];
+    headings[j] = backbone[kPoseSize * j + 2];
   }
   for (int j = 0; j < padded_gaps; j += kLanes) {
     Vector sine;
@@ -29,12 +29,12 @@ void write_gap_poses(const float* backbone, int gaps, int padded_gaps, float* he
     store(cosines + j, cosine);
   }
   for (int j = 0; j < gaps; ++j) {
-    const float* at = backbone + 3 * j;
-    const float dx = at[3] - at[0];
-    const float dy = at[4] - at[1];
-    poses[3 * j] = cosines[j] * dx + sines[j] * dy;
-    poses[3 * j + 1] = cosines[j] * dy - sines[j] * dx;
-    poses[3 * j + 2] = at[5] - at[2];
+    const float* at = backbone + kPoseSize * j;
+    const float dx = at[kPoseSize] - at[0];
+    const float dy = at[kPoseSize + 1] - at[1];
+    poses[kPoseSize * j] = cosines[j] * dx + sines[j] * dy;
+    poses[kPoseSize * j + 1] = cosines[j] * dy - sines[j] * dx;
+    poses[kPoseSize * j + 2] = at[kPoseSize + 2] - at[2];
   }
 }
 
@@ -71,7 +71,7 @@ NoveltyMeasure::NoveltyMeasure(const LearntRegion& region, CpuLevel level)
 }
 
 NoveltyMeasure::Workspace NoveltyMeasure::make_workspace() const {
-  const int size = padded_rows_ + padded(joint_size_, kLanes) + 3 * padded_gaps_;
+  const int size = padded_rows_ + padded(joint_size_, kLanes) + kPoseSize * padded_gaps_;
   return {AlignedFloats(static_cast<std::size_t>(size), 0.0F)};
 }
 

@@ -183,7 +183,8 @@ class BoundedNext {
     const ArmDescription arm = read_arm_keys(model_.arm_description, "the model's arm");
     Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(inputs, size_);
     for (int g = 0; g < gaps_; ++g) {
-      matrix.block<3, 3>(first + 3 * arm.segment_of_gap(g), 3 * g).setIdentity();
+      matrix.block<kPoseSize, kPoseSize>(first + kPoseSize * arm.segment_of_gap(g), kPoseSize * g)
+          .setIdentity();
     }
     return matrix;
   }
@@ -209,9 +210,9 @@ class BoundedNext {
   Eigen::MatrixXf steps(int part) const {
     Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(size_, gaps_);
     for (int g = 0; g < gaps_; ++g) {
-      matrix(3 * (of_base() ? g + 1 : g) + part, g) = 1.0F;
+      matrix(kPoseSize * (of_base() ? g + 1 : g) + part, g) = 1.0F;
       if (of_base() && g > 0) {
-        matrix(3 * g + part, g) = -1.0F;
+        matrix(kPoseSize * g + part, g) = -1.0F;
       }
     }
     return matrix;
@@ -222,7 +223,7 @@ class BoundedNext {
     Eigen::MatrixXf matrix = Eigen::MatrixXf::Zero(gaps_, size_);
     for (int g = 0; g < gaps_; ++g) {
       for (int to = g; to < (of_base() ? gaps_ : g + 1); ++to) {
-        matrix(g, 3 * (of_base() ? to + 1 : to) + part) = 1.0F;
+        matrix(g, kPoseSize * (of_base() ? to + 1 : to) + part) = 1.0F;
       }
     }
     return graph_.linear(name, source, matrix);

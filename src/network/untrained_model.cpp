@@ -29,7 +29,7 @@ Layer random_layer(int inputs, int outputs, RandomStream& random) {
 // Largest magnitudes of poses, three numbers a pose.
 Eigen::VectorXf pose_ranges(Eigen::Index size, float metres, float radians) {
   return Eigen::VectorXf::NullaryExpr(
-      size, [&](Eigen::Index i) { return i % 3 == 2 ? radians : metres; });
+      size, [&](Eigen::Index i) { return i % kPoseSize == 2 ? radians : metres; });
 }
 
 }  // namespace

@@ -36,12 +36,12 @@ Eigen::Map<const Pressures> PressureTree::setpoint_kpa(int i) const {
 
 Eigen::Map<const Backbone> PressureTree::backbone(int i) const {
   const int points = model_.point_count();
-  return {backbones_.data() + std::ptrdiff_t(i) * 3 * points, points, 3};
+  return {backbones_.data() + std::ptrdiff_t(i) * kPoseSize * points, points, kPoseSize};
 }
 
 Eigen::Map<const Backbone> PressureTree::before(int i) const {
   const int points = model_.point_count();
-  return {befores_.data() + std::ptrdiff_t(i) * 3 * points, points, 3};
+  return {befores_.data() + std::ptrdiff_t(i) * kPoseSize * points, points, kPoseSize};
 }
 
 MotionState PressureTree::state(int i) const {
@@ -92,9 +92,10 @@ std::vector<Pressures> PressureTree::path_to(int i) const {
 }
 
 std::size_t PressureTree::bytes_per_node() const {
-  return sizeof(Node) + sizeof(float) * static_cast<std::size_t>(model_.valves().state_size() +
-                                                                 (model_.reads_velocity() ? 6 : 3) *
-                                                                     model_.point_count());
+  return sizeof(Node) + sizeof(float) * static_cast<std::size_t>(
+                                            model_.valves().state_size() +
+                                            (model_.reads_velocity() ? 2 * kPoseSize : kPoseSize) *
+                                                model_.point_count());
 }
 
 }  // namespace limber

@@ -130,7 +130,7 @@ std::string reached_only_in_collision(const PlanningProblem& problem,
     return "";
   }
   Clearance best{-std::numeric_limits<double>::infinity(), -1, -1};
-  BackboneD shape(problem.arm.point_count(), 3);
+  BackboneD shape(problem.arm.point_count(), kPoseSize);
   for (const Eigen::VectorXd& kpa : found.pressures_kpa) {
     problem.model.no_load().backbone(kpa, shape);
     if ((give_up && give_up()) || checker.is_free(shape)) {

@@ -40,7 +40,7 @@ void draw_backbone(Chart& chart, const char* label, const FrameMatrix& backbones
                    const SeriesStyle& style) {
   std::vector<double> x;
   std::vector<double> y;
-  for (Eigen::Index i = 0; i < backbones.cols(); i += 3) {
+  for (Eigen::Index i = 0; i < backbones.cols(); i += kPoseSize) {
     x.push_back(backbones(t, i));
     y.push_back(backbones(t, i + 1));
   }

@@ -74,7 +74,7 @@ Chart pressures_chart(const RunTimes& run) {
 
 Chart tip_chart(const RunTimes& run) {
   Chart chart = times_chart("Tip", "position [cm]");
-  const Eigen::Index tip = run.episode.backbone.cols() - 3;
+  const Eigen::Index tip = run.episode.backbone.cols() - kPoseSize;
   for (int axis = 0; axis < 2; ++axis) {
     const char* name = axis == 0 ? "x" : "y";
     const std::string color = palette_color(axis);

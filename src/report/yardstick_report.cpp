@@ -79,7 +79,7 @@ std::string pose_cells(const FrameMatrix& poses, Eigen::Index t) {
 std::string predictions_csv(const std::vector<Episode>& episodes,
                             const std::vector<FrameMatrix>& no_load,
                             const std::vector<FrameMatrix>* network) {
-  const Eigen::Index plates = episodes.front().backbone.cols() / 3;
+  const Eigen::Index plates = episodes.front().backbone.cols() / kPoseSize;
   std::string text = "episode,frame,time_s,tracked" + poses_header("recorded", plates) +
                      poses_header("no_load", plates) +
                      (network != nullptr ? poses_header("network", plates) : "") + "\n";

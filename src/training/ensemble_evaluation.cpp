@@ -67,7 +67,7 @@ EnsembleErrors errors_of(const EnsembleForward& ensemble, const std::vector<Epis
   for (std::size_t episode = 0; episode < episodes.size(); ++episode) {
     const TipErrorSeries one = tip_errors(mean[episode], episodes[episode], 1);
     append(series, one);
-    const Eigen::Index tip = mean[episode].cols() - 3;
+    const Eigen::Index tip = mean[episode].cols() - kPoseSize;
     for (std::size_t i = 0; i < one.position_cm.size(); ++i) {
       if (std::isnan(one.position_cm[i])) {
         continue;

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "limber/arm/pose_size.hpp"
 #include "training_kernels.hpp"
 
 namespace limber {
@@ -13,8 +14,8 @@ template <class Scalar>
 FrameError<Scalar>::FrameError(Vector weight, Vector scale, Vector offset)
     : weight_(std::move(weight)), scale_(std::move(scale)), offset_(std::move(offset)) {
   const Eigen::Index size = scale_.size();
-  assert(size > 0 && size % 3 == 0 && weight_.size() == size && offset_.size() == size);
-  scratch_.resize(2 * (size / 3) * window_kernels<Scalar>().lanes);
+  assert(size > 0 && size % kPoseSize == 0 && weight_.size() == size && offset_.size() == size);
+  scratch_.resize(2 * (size / kPoseSize) * window_kernels<Scalar>().lanes);
 }
 
 // Chained, forward along the arm: p_{i+1} = p_i + R(θ_i) d_i, θ_{i+1} = θ_i + a_i. Back from its
@@ -27,8 +28,9 @@ Scalar FrameError<Scalar>::compute(int stride, const Scalar* state, const Scalar
   assert(stride % kernels.lanes == 0);
   const int size = static_cast<int>(weight_.size());
   if (is_chained()) {
-    return kernels.chained_error(size / 3, stride, weight_.data(), scale_.data(), offset_.data(),
-                                 state, target, window_weight, gradient, scratch_.data());
+    return kernels.chained_error(size / kPoseSize, stride, weight_.data(), scale_.data(),
+                                 offset_.data(), state, target, window_weight, gradient,
+                                 scratch_.data());
   }
   return kernels.entry_error(size, stride, weight_.data(), state, target, window_weight, gradient);
 }

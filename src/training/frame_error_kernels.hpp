@@ -5,6 +5,7 @@
 // window.
 
 #include "kernels/vector_sincos.hpp"
+#include "limber/arm/pose_size.hpp"
 
 namespace limber {
 namespace {
@@ -75,12 +76,13 @@ struct ChainedError {
       sincos(theta, sine, cosine);
       store(scratch + 2 * i * kLanes, cosine);
       store(scratch + (2 * i + 1) * kLanes, sine);
-      const Vector dx = gap(3 * i);
-      const Vector dy = gap(3 * i + 1);
+      const Vector dx = gap(kPoseSize * i);
+      const Vector dy = gap(kPoseSize * i + 1);
       x = multiply_add(cosine, dx, multiply_add(-sine, dy, x));
       y = multiply_add(sine, dx, multiply_add(cosine, dy, y));
-      theta += gap(3 * i + 2);
-      error += compare(3 * i, x) + compare(3 * i + 1, y) + compare(3 * i + 2, theta);
+      theta += gap(kPoseSize * i + 2);
+      error += compare(kPoseSize * i, x) + compare(kPoseSize * i + 1, y) +
+               compare(kPoseSize * i + 2, theta);
     }
     return error;
   }
@@ -90,7 +92,7 @@ struct ChainedError {
     Vector by_y{};
     Vector by_theta{};
     for (int i = gaps - 1; i >= 0; --i) {
-      float* g = gradient + 3 * i * stride;
+      float* g = gradient + kPoseSize * i * stride;
       by_x += load(g);
       by_y += load(g + stride);
       by_theta += load(g + 2 * stride);
@@ -98,10 +100,10 @@ struct ChainedError {
       const Vector sine = load(scratch + (2 * i + 1) * kLanes);
       const Vector along = multiply_add(cosine, by_x, sine * by_y);
       const Vector across = multiply_add(cosine, by_y, -(sine * by_x));
-      store(g, along * broadcast(scale[3 * i]));
-      store(g + stride, across * broadcast(scale[3 * i + 1]));
-      store(g + 2 * stride, by_theta * broadcast(scale[3 * i + 2]));
-      by_theta += multiply_add(gap(3 * i), across, -(gap(3 * i + 1) * along));
+      store(g, along * broadcast(scale[kPoseSize * i]));
+      store(g + stride, across * broadcast(scale[kPoseSize * i + 1]));
+      store(g + 2 * stride, by_theta * broadcast(scale[kPoseSize * i + 2]));
+      by_theta += multiply_add(gap(kPoseSize * i), across, -(gap(kPoseSize * i + 1) * along));
     }
   }
 };

@@ -33,7 +33,7 @@ GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
     throw InputError("no episodes to take the bounds of gaps from; expected at least one");
   }
   require_alike(episodes);
-  const Eigen::Index gaps = episodes.front().backbone.cols() / 3 - 1;
+  const Eigen::Index gaps = episodes.front().backbone.cols() / kPoseSize - 1;
   GapBounds bounds;
   for (Eigen::VectorXf* numbers :
        {&bounds.min_length_m, &bounds.max_length_m, &bounds.min_turn_rad, &bounds.max_turn_rad}) {
@@ -47,8 +47,8 @@ GapBounds gap_bounds_of(const std::vector<Episode>& episodes) {
     for (const Episode& episode : episodes) {
       for (int t = 0; t < episode.frame_count(); ++t) {
         if (episode.was_tracked(t)) {
-          const auto step = episode.backbone.row(t).segment<3>(3 * (g + 1)) -
-                            episode.backbone.row(t).segment<3>(3 * g);
+          const auto step = episode.backbone.row(t).segment<kPoseSize>(kPoseSize * (g + 1)) -
+                            episode.backbone.row(t).segment<kPoseSize>(kPoseSize * g);
           lengths.push_back(std::hypot(step[0], step[1]));
           turns.push_back(step[2]);
         }

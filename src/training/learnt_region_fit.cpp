@@ -143,7 +143,7 @@ Eigen::VectorXd spread_of(const Eigen::MatrixXd& centred, Eigen::Index segments)
   const double min_kpa = widest > 0.0 ? kMinPressureShare * widest : 1.0;
   spread.head(segments) = spread.head(segments).cwiseMax(min_kpa);
   for (Eigen::Index i = segments; i < spread.size(); ++i) {
-    const bool heading = (i - segments) % 3 == 2;
+    const bool heading = (i - segments) % kPoseSize == 2;
     spread[i] = std::max(spread[i], heading ? kMinHeadingSpread_rad : kMinPositionSpread_m);
   }
   return spread;

@@ -68,7 +68,7 @@ void walk(const ForwardModel& model, const Episode& episode, int frames, LongRol
   const int count = frames_from_tracked(episode);
   const int begin = episode.frame_count() - count;
   ForwardModel::Workspace workspace;
-  Backbone state(model.point_count(), 3);
+  Backbone state(model.point_count(), kPoseSize);
   state.reshaped<Eigen::RowMajor>() = episode.backbone.row(begin).transpose();
   Backbone before = state;
   Pressures previous = episode.pressure_kpa.row(begin);

@@ -46,12 +46,12 @@ struct ChainedWindow {
     };
     for (int i = 0; i < gaps; ++i) {
       heading[i] = theta;
-      x += std::cos(theta) * gap(3 * i) - std::sin(theta) * gap(3 * i + 1);
-      y += std::sin(theta) * gap(3 * i) + std::cos(theta) * gap(3 * i + 1);
-      theta += gap(3 * i + 2);
-      compare(3 * i, x);
-      compare(3 * i + 1, y);
-      compare(3 * i + 2, theta);
+      x += std::cos(theta) * gap(kPoseSize * i) - std::sin(theta) * gap(kPoseSize * i + 1);
+      y += std::sin(theta) * gap(kPoseSize * i) + std::cos(theta) * gap(kPoseSize * i + 1);
+      theta += gap(kPoseSize * i + 2);
+      compare(kPoseSize * i, x);
+      compare(kPoseSize * i + 1, y);
+      compare(kPoseSize * i + 2, theta);
     }
     return error;
   }
@@ -61,16 +61,16 @@ struct ChainedWindow {
     double by_y = 0.0;
     double by_theta = 0.0;
     for (int i = gaps - 1; i >= 0; --i) {
-      double* g = gradient + 3 * i * stride;
+      double* g = gradient + kPoseSize * i * stride;
       by_x += window_weight * g[0];
       by_y += window_weight * g[stride];
       by_theta += window_weight * g[2 * stride];
       const double along = std::cos(heading[i]) * by_x + std::sin(heading[i]) * by_y;
       const double across = std::cos(heading[i]) * by_y - std::sin(heading[i]) * by_x;
-      g[0] = along * scale[3 * i];
-      g[stride] = across * scale[3 * i + 1];
-      g[2 * stride] = by_theta * scale[3 * i + 2];
-      by_theta += gap(3 * i) * across - gap(3 * i + 1) * along;
+      g[0] = along * scale[kPoseSize * i];
+      g[stride] = across * scale[kPoseSize * i + 1];
+      g[2 * stride] = by_theta * scale[kPoseSize * i + 2];
+      by_theta += gap(kPoseSize * i) * across - gap(kPoseSize * i + 1) * along;
     }
   }
 };
@@ -165,7 +165,7 @@ void bound(const StateBoundsView<double>& bounds, int stride, const double* unbo
       continue;
     }
     for (int g = 0; g < bounds.gap_count; ++g) {
-      for (int r = 3 * g; r < 3 * (g + 1); ++r) {
+      for (int r = kPoseSize * g; r < kPoseSize * (g + 1); ++r) {
         state[r * stride + j] = unbounded[r * stride + j];
       }
       bound_gap_of_window(bounds, g, stride, unbounded + j, state + j);

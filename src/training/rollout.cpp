@@ -152,7 +152,7 @@ double mean_tip_error_m(const std::vector<FrameMatrix>& predicted,
   for (const RolloutPiece& piece : pieces) {
     const auto index = static_cast<std::size_t>(piece.episode);
     const Episode& episode = episodes[index];
-    const Eigen::Index tip = episode.backbone.cols() - 3;
+    const Eigen::Index tip = episode.backbone.cols() - kPoseSize;
     for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
       if (episode.was_tracked(t)) {
         const auto error =

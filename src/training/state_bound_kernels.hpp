@@ -4,6 +4,7 @@
 // Plain numbers, one window at a time: bounds are hardly ever reached.
 
 #include "kernels/gap_bound.hpp"
+#include "limber/arm/pose_size.hpp"
 #include "training_kernels.hpp"
 
 namespace limber {
@@ -23,7 +24,7 @@ inline Scalar in_metres(const StateBoundsView<Scalar>& bounds, int row, Scalar n
 template <class Scalar>
 inline GapNumbers<Scalar> gap_numbers(const StateBoundsView<Scalar>& bounds, int g, int stride,
                                       const Scalar* state) {
-  const int r = 3 * g;
+  const int r = kPoseSize * g;
   return {in_metres(bounds, r, state[r * stride]),
           in_metres(bounds, r + 1, state[(r + 1) * stride]),
           in_metres(bounds, r + 2, state[(r + 2) * stride])};
@@ -36,11 +37,11 @@ inline void bound_gap_of_window(const StateBoundsView<Scalar>& bounds, int g, in
   const GapNumbers<Scalar> given = gap_numbers(bounds, g, stride, unbounded);
   GapNumbers<Scalar> kept = given;
   bound_gap(bounds.gaps[g], kept.x, kept.y, kept.turn);
-  const Scalar before[3] = {given.x, given.y, given.turn};
-  const Scalar after[3] = {kept.x, kept.y, kept.turn};
-  for (int i = 0; i < 3; ++i) {
+  const Scalar before[kPoseSize] = {given.x, given.y, given.turn};
+  const Scalar after[kPoseSize] = {kept.x, kept.y, kept.turn};
+  for (int i = 0; i < kPoseSize; ++i) {
     if (after[i] != before[i]) {
-      const int r = 3 * g + i;
+      const int r = kPoseSize * g + i;
       state[r * stride] = (after[i] - bounds.offset[r]) / bounds.scale[r];
     }
   }
@@ -51,18 +52,18 @@ inline void bound_gap_of_window_back(const StateBoundsView<Scalar>& bounds, int 
                                      const Scalar* unbounded, Scalar* carried, Scalar* direct,
                                      Scalar* error) {
   const GapNumbers<Scalar> given = gap_numbers(bounds, g, stride, unbounded);
-  Scalar by[3];
-  for (int i = 0; i < 3; ++i) {
-    const int at = (3 * g + i) * stride;
-    by[i] = (carried[at] + direct[at] + error[at]) / bounds.scale[3 * g + i];
+  Scalar by[kPoseSize];
+  for (int i = 0; i < kPoseSize; ++i) {
+    const int at = (kPoseSize * g + i) * stride;
+    by[i] = (carried[at] + direct[at] + error[at]) / bounds.scale[kPoseSize * g + i];
   }
-  const Scalar before[3] = {by[0], by[1], by[2]};
+  const Scalar before[kPoseSize] = {by[0], by[1], by[2]};
   bound_gap_back(bounds.gaps[g], bounds.lead_back, given.x, given.y, given.turn, by[0], by[1],
                  by[2]);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < kPoseSize; ++i) {
     if (by[i] != before[i]) {
-      const int at = (3 * g + i) * stride;
-      carried[at] = by[i] * bounds.scale[3 * g + i];
+      const int at = (kPoseSize * g + i) * stride;
+      carried[at] = by[i] * bounds.scale[kPoseSize * g + i];
       direct[at] = 0;
       error[at] = 0;
     }
@@ -74,22 +75,22 @@ inline void bound_gap_of_window_back(const StateBoundsView<Scalar>& bounds, int 
 template <class Scalar>
 inline void bound_base_window(const StateBoundsView<Scalar>& bounds, int stride,
                               const Scalar* unbounded, Scalar* state) {
-  Scalar before[3] = {};
-  Scalar now[3] = {};
-  for (int i = 0; i < 3; ++i) {
+  Scalar before[kPoseSize] = {};
+  Scalar now[kPoseSize] = {};
+  for (int i = 0; i < kPoseSize; ++i) {
     state[i * stride] = -bounds.offset[i] / bounds.scale[i];
   }
   for (int g = 0; g < bounds.gap_count; ++g) {
-    Scalar step[3];
-    for (int i = 0; i < 3; ++i) {
-      const int r = 3 * (g + 1) + i;
+    Scalar step[kPoseSize];
+    for (int i = 0; i < kPoseSize; ++i) {
+      const int r = kPoseSize * (g + 1) + i;
       const Scalar given = in_metres(bounds, r, unbounded[r * stride]);
       step[i] = given - before[i];
       before[i] = given;
     }
     bound_gap(bounds.gaps[g], step[0], step[1], step[2]);
-    for (int i = 0; i < 3; ++i) {
-      const int r = 3 * (g + 1) + i;
+    for (int i = 0; i < kPoseSize; ++i) {
+      const int r = kPoseSize * (g + 1) + i;
       now[i] += step[i];
       state[r * stride] = (now[i] - bounds.offset[r]) / bounds.scale[r];
     }
@@ -101,26 +102,27 @@ template <class Scalar>
 inline void bound_base_window_back(const StateBoundsView<Scalar>& bounds, int stride,
                                    const Scalar* unbounded, Scalar* carried, Scalar* direct,
                                    Scalar* error) {
-  Scalar behind[3] = {};     // gradient by all plates from here to the tip
-  Scalar from_next[3] = {};  // by the step to the next plate
+  Scalar behind[kPoseSize] = {};     // gradient by all plates from here to the tip
+  Scalar from_next[kPoseSize] = {};  // by the step to the next plate
   for (int g = bounds.gap_count - 1; g >= -1; --g) {
-    Scalar by[3] = {};
+    Scalar by[kPoseSize] = {};
     if (g >= 0) {
-      Scalar step[3];
-      for (int i = 0; i < 3; ++i) {
-        const int r = 3 * (g + 1) + i;
+      Scalar step[kPoseSize];
+      for (int i = 0; i < kPoseSize; ++i) {
+        const int r = kPoseSize * (g + 1) + i;
         const int at = r * stride;
         behind[i] += (carried[at] + direct[at] + error[at]) / bounds.scale[r];
         by[i] = behind[i];
         const Scalar base =
-            g > 0 ? in_metres(bounds, r - 3, unbounded[at - 3 * stride]) : Scalar(0);
+            g > 0 ? in_metres(bounds, r - kPoseSize, unbounded[at - kPoseSize * stride])
+                  : Scalar(0);
         step[i] = in_metres(bounds, r, unbounded[at]) - base;
       }
       bound_gap_back(bounds.gaps[g], bounds.lead_back, step[0], step[1], step[2], by[0], by[1],
                      by[2]);
     }
-    for (int i = 0; i < 3; ++i) {
-      const int r = 3 * (g + 1) + i;
+    for (int i = 0; i < kPoseSize; ++i) {
+      const int r = kPoseSize * (g + 1) + i;
       const int at = r * stride;
       carried[at] = g >= 0 ? (by[i] - from_next[i]) * bounds.scale[r] : Scalar(0);
       direct[at] = 0;

@@ -59,10 +59,11 @@ TipErrorSeries tip_errors(const FrameMatrix& predicted, const Episode& episode, 
   assert(first >= 1);
   TipErrorSeries errors;
   const FrameMatrix& recorded = episode.backbone;
-  const Eigen::Index tip = recorded.cols() - 3;
+  const Eigen::Index tip = recorded.cols() - kPoseSize;
   for (int t = first; t < episode.frame_count(); ++t) {
     const Eigen::Vector3d difference =
-        (predicted.row(t).segment<3>(tip) - recorded.row(t).segment<3>(tip)).cast<double>();
+        (predicted.row(t).segment<kPoseSize>(tip) - recorded.row(t).segment<kPoseSize>(tip))
+            .cast<double>();
     const bool tracked = episode.was_tracked(t) && difference.allFinite();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     errors.position_cm.push_back(tracked ? kCmPerM * difference.head<2>().norm() : nan);

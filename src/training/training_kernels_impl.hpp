@@ -160,9 +160,9 @@ inline bool any_near_bound(const StateBoundsView<float>& bounds, int g, const fl
                            int stride) {
   constexpr float kRounding = 1e-5F;
   const GapBound<float>& bound = bounds.gaps[g];
-  const Vector x = gap_number(bounds, state, stride, 3 * g);
-  const Vector y = gap_number(bounds, state, stride, 3 * g + 1);
-  const Vector turn = gap_number(bounds, state, stride, 3 * g + 2);
+  const Vector x = gap_number(bounds, state, stride, kPoseSize * g);
+  const Vector y = gap_number(bounds, state, stride, kPoseSize * g + 1);
+  const Vector turn = gap_number(bounds, state, stride, kPoseSize * g + 2);
   const Vector square = x * x + y * y;
   const IntVector near = (square < broadcast(bound.min_square * (1.0F + kRounding))) |
                          (square > broadcast(bound.max_square * (1.0F - kRounding))) |
@@ -178,7 +178,7 @@ void bound(const StateBoundsView<float>& bounds, int stride, const float* unboun
     }
     return;
   }
-  for (int i = 0; i < 3 * bounds.gap_count * stride; i += kLanes) {
+  for (int i = 0; i < kPoseSize * bounds.gap_count * stride; i += kLanes) {
     store(state + i, load(unbounded + i));
   }
   for (int g = 0; g < bounds.gap_count; ++g) {

@@ -69,13 +69,13 @@ RawFrames gather(const ArmDescription& arm, const std::vector<Episode>& episodes
                     "episode to learn from",
                     episodes.size()));
   }
-  const int poses = 3 * arm.point_count();
+  const int poses = kPoseSize * arm.point_count();
   RawFrames raw;
   raw.pressure_kpa.resize(arm.channel_count(), count);
   raw.poses.resize(poses, count);
   raw.no_load_poses.resize(poses, count);
   const NoLoadModel no_load(arm);
-  Backbone unloaded(arm.point_count(), 3);
+  Backbone unloaded(arm.point_count(), kPoseSize);
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     const EpisodeRange range = ranges[index];
     raw.pressure_kpa.middleCols(range.first, range.count) =
@@ -101,7 +101,7 @@ Eigen::MatrixXf tracked_only(Eigen::MatrixXf columns, const RawFrames& raw) {
 /// Least spread of the numbers of poses (x, y, θ, x, y, …): a number that only noise moves would
 /// otherwise count as much as the arm's end.
 float min_pose_spread(Eigen::Index row) {
-  return row % 3 == 2 ? kMinInputSpread_rad : kMinInputSpread_m;
+  return row % kPoseSize == 2 ? kMinInputSpread_rad : kMinInputSpread_m;
 }
 
 /// Least spread of their changes from frame to frame: below that they are rounding.

@@ -68,7 +68,7 @@ std::optional<RunError> error_of(const FrameMatrix& predicted, const Episode& ru
       continue;
     }
     const Eigen::RowVector3d tip_apart =
-        (predicted.row(t).tail<3>() - run.backbone.row(t).tail<3>()).cast<double>();
+        (predicted.row(t).tail<kPoseSize>() - run.backbone.row(t).tail<kPoseSize>()).cast<double>();
     error = error.value_or(RunError{});
     error->max_position_m =
         std::max(error->max_position_m,

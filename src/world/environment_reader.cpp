@@ -169,10 +169,10 @@ std::vector<YamlReader> setpoints_of(const YamlReader& start) {
 
 Backbone read_backbone(const YamlReader& node) {
   const std::vector<YamlReader> rows = node.elements();
-  Backbone backbone(static_cast<Eigen::Index>(rows.size()), 3);
+  Backbone backbone(static_cast<Eigen::Index>(rows.size()), kPoseSize);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<YamlReader> pose = rows[i].elements();
-    if (pose.size() != 3) {
+    if (pose.size() != kPoseSize) {
       rows[i].refuse(
           fmt::format("{} numbers found; expected a pose [x_m, y_m, theta_rad]", pose.size()));
     }

@@ -76,10 +76,10 @@ Backbone read_backbone(const JsonReader& field, std::size_t point_count) {
   if (rows.size() != point_count) {
     field.refuse(fmt::format("{} poses found; expected {}", rows.size(), point_count));
   }
-  Backbone backbone(static_cast<Eigen::Index>(rows.size()), 3);
+  Backbone backbone(static_cast<Eigen::Index>(rows.size()), kPoseSize);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     backbone.row(static_cast<Eigen::Index>(i)) =
-        read_vector(rows[i], 3, "numbers [x_m, y_m, theta_rad]").transpose();
+        read_vector(rows[i], kPoseSize, "numbers [x_m, y_m, theta_rad]").transpose();
   }
   return backbone;
 }

@@ -67,8 +67,8 @@ class Grower {
     Forest forest;
     forest.key = key;
     forest.setpoints_kpa.resize(tree_.scales_kpa().size(), states.size());
-    forest.held_tips.resize(3, states.size());
-    forest.shapes.resize(3 * (problem_.arm.point_count() - 1), states.size());
+    forest.held_tips.resize(kPoseSize, states.size());
+    forest.shapes.resize(kPoseSize * (problem_.arm.point_count() - 1), states.size());
     for (int i = 0; i < states.size(); ++i) {
       forest.parents.push_back(states.parent(i));
       forest.setpoints_kpa.col(i) = states.setpoint_kpa(i);
@@ -180,7 +180,7 @@ void require_forest_of(const Forest& forest, const ArmDescription& arm,
       (forest.lowest_kpa.array() < box.low_kpa.array()).any()) {
     refuse("pressures beyond the arm's limits");
   }
-  const Eigen::Index numbers = 3 * (arm.point_count() - 1);
+  const Eigen::Index numbers = kPoseSize * (arm.point_count() - 1);
   if (forest.shapes.rows() != numbers) {
     refuse(fmt::format("{} numbers per shape; arm '{}' needs {}", forest.shapes.rows(), arm.name,
                        numbers));

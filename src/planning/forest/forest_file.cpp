@@ -146,16 +146,16 @@ Forest read_forest(const std::filesystem::path& path) {
   forest.setpoints_kpa = Eigen::Map<const Eigen::MatrixXf>(
       setpoints.values.data(), segments, static_cast<Eigen::Index>(forest.size()));
   const Tensor& tips = reader.tensor("held_tips", 2);
-  if (tips.shape[1] != 3) {
+  if (tips.shape[1] != kPoseSize) {
     refuse(reader.where(), "tensor held_tips does not have 3 columns (x_m, y_m, theta_rad)");
   }
   for (std::size_t i = 0; i < tips.values.size(); ++i) {
     if (std::abs(tips.values[i]) > kFarthest) {
       refuse(reader.where(), fmt::format("held_tips[{}, {}] = {}; expected at most {} (m, rad)",
-                                         i / 3, i % 3, tips.values[i], kFarthest));
+                                         i / kPoseSize, i % kPoseSize, tips.values[i], kFarthest));
     }
   }
-  forest.held_tips = Eigen::Map<const Eigen::Matrix3Xf>(tips.values.data(), 3,
+  forest.held_tips = Eigen::Map<const Eigen::Matrix3Xf>(tips.values.data(), kPoseSize,
                                                         static_cast<Eigen::Index>(forest.size()));
   const ShortTensor& shapes = reader.shorts("shapes", 2);
   forest.shapes = Eigen::Map<const QuantizedShapes>(

@@ -79,7 +79,7 @@ class ArmSampler final : public ob::StateSampler {
 class TipProjection final : public ob::ProjectionEvaluator {
  public:
   TipProjection(const ob::StateSpace* space, const ArmWorld& world)
-      : ProjectionEvaluator(space), tip_(world.backbone_index() + world.poses() - 3) {
+      : ProjectionEvaluator(space), tip_(world.backbone_index() + world.poses() - kPoseSize) {
     constexpr double kCells = 20.0;  // an arm's length
     cellSizes_ = {world.problem.arm.length_m() / kCells, world.problem.arm.length_m() / kCells};
   }
@@ -100,7 +100,7 @@ class ArmSpace final : public ob::RealVectorStateSpace {
     const double reach = 4.0 * world.problem.arm.length_m();
     for (int i = 0; i < world.size(); ++i) {
       const auto index = static_cast<unsigned>(i);
-      const bool angle = (i - world.valves()) % 3 == 2;
+      const bool angle = (i - world.valves()) % kPoseSize == 2;
       const double most = i == world.cost_index()   ? 1e9
                           : i == world.free_index() ? 1.0
                           : angle                   ? kMaxAngleRad
@@ -120,7 +120,7 @@ class ArmSpace final : public ob::RealVectorStateSpace {
       const double change = (values(a)[i] - values(b)[i]) / scale_kpa(world_, i);
       squares += change * change;
     }
-    const int tip = world_.backbone_index() + world_.poses() - 3;
+    const int tip = world_.backbone_index() + world_.poses() - kPoseSize;
     const double distance =
         std::hypot(values(a)[tip] - values(b)[tip], values(a)[tip + 1] - values(b)[tip + 1]) *
         world_.settings.tip_weight / world_.problem.arm.length_m();
@@ -294,7 +294,8 @@ MotionState ArmWorld::motion_state(const ob::State* state) const {
   const Eigen::Index n = segments();
   const double* numbers = values(state);
   const auto backbone_at = [&](int index) {
-    return Eigen::Map<const BackboneD>(numbers + index, problem.arm.point_count(), 3).cast<float>();
+    return Eigen::Map<const BackboneD>(numbers + index, problem.arm.point_count(), kPoseSize)
+        .cast<float>();
   };
   MotionState result = problem.model.moving_state(
       Eigen::Map<const Eigen::VectorXd>(numbers, valves()).cast<float>(),
@@ -317,7 +318,7 @@ void ArmWorld::write(const MotionState& motion_state, double cost_kpa, bool free
 }
 
 void ArmWorld::write_target(const Pressures& kpa, ob::State* state) const {
-  Backbone shape(problem.arm.point_count(), 3);
+  Backbone shape(problem.arm.point_count(), kPoseSize);
   problem.model.no_load().backbone(kpa, shape);
   write(problem.model.settled_state(kpa, shape), 0.0, true, state);
 }

@@ -34,7 +34,7 @@ struct ArmWorld {
 
   int segments() const { return problem.arm.segment_count(); }
   int valves() const { return problem.model.valves().state_size(); }
-  int poses() const { return 3 * problem.arm.point_count(); }
+  int poses() const { return kPoseSize * problem.arm.point_count(); }
   /// Numbers of the backbone a frame earlier, behind the valves; 0: no velocities are read.
   int before() const { return problem.model.reads_velocity() ? poses() : 0; }
   int backbone_index() const { return valves() + before(); }

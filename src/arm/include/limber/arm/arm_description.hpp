@@ -114,11 +114,12 @@ struct ArmDescription {
   double actuator_radius_m = 0.0;  ///< collision radius of a gap is width/2 + this
   VirtualArmSection virtual_arm;
 
+  /// What bends: shapes, lengths and curvatures have one of each.
   int segment_count() const { return static_cast<int>(segments.size()); }
-  /// Backbone points m: every plate, base included.
   /// What is commanded: n of Pressures, of valves and of their limits. Equal to segment_count()
   /// today; an arm in space will have several channels per segment.
   int channel_count() const { return segment_count(); }
+  /// Backbone points m: every plate, base included.
   int point_count() const;
   double length_m() const;
   double frame_period_s() const { return 1.0 / frame_rate_hz; }

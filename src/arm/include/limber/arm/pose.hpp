@@ -5,10 +5,9 @@
 
 #include <Eigen/Core>
 
-namespace limber {
+#include "limber/arm/pose_size.hpp"
 
-/// Numbers per pose, and so per plate: x_m, y_m, theta_rad.
-inline constexpr int kPoseSize = 3;
+namespace limber {
 
 /// A pose in the plane. θ is unwrapped: poses are added up, never reduced by full turns.
 template <class Scalar>

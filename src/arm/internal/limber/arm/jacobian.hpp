@@ -8,7 +8,8 @@
 namespace limber {
 
 /// 3×n, one column per segment; storage is inside the object, so that solvers allocate nothing.
-using PlanarJacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, kMaxSegments>;
+using PlanarJacobian =
+    Eigen::Matrix<double, kPoseSize, Eigen::Dynamic, Eigen::ColMajor, kPoseSize, kMaxSegments>;
 /// n numbers, stored inside the object.
 using SegmentVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxSegments, 1>;
 

@@ -34,7 +34,7 @@ struct LearntRegion {
   Eigen::VectorXf axis_high;     ///< k, > axis_low
 
   int segment_count() const { return static_cast<int>(low_kpa.size()); }
-  int point_count() const { return static_cast<int>(axes.cols() - low_kpa.size()) / 3 + 1; }
+  int point_count() const { return static_cast<int>(axes.cols() - low_kpa.size()) / kPoseSize + 1; }
 
   /// How far (pressures, backbone) lies from the middle of what was recorded: 1 on the border,
   /// less inside, growing linearly outside. It is the largest of |a − middle| / half range over the
