@@ -1,4 +1,4 @@
-# Install, export and packaging: find_package(limber) gives limber::common … limber::experiment. Every
+# Install, export and packaging: find_package(limber) gives limber::common … limber::lab. Every
 # file belongs to a component, and each is a Debian package: runtime (limber: the program and its data),
 # dev (limber-dev: headers and libraries) and python (python3-limber: python/CMakeLists.txt).
 

@@ -4,16 +4,16 @@
 option(LIMBER_BUILD_PEERS "Build the peers of limber bench whose libraries are found" ON)
 
 # limber_add_peer(<name> INCLUDES … LIBRARIES …)
-# src/bench/<name>_peer.cpp as lib/limber/peers/limber_<name>_peer.so in the build folder.
+# src/lab/speed/<name>_peer.cpp as lib/limber/peers/limber_<name>_peer.so in the build folder.
 function(limber_add_peer name)
   cmake_parse_arguments(ARG "" "" "INCLUDES;LIBRARIES" ${ARGN})
-  add_library(limber_${name}_peer MODULE ${PROJECT_SOURCE_DIR}/src/bench/${name}_peer.cpp)
+  add_library(limber_${name}_peer MODULE ${PROJECT_SOURCE_DIR}/src/lab/speed/${name}_peer.cpp)
   set_target_properties(limber_${name}_peer PROPERTIES PREFIX ""
     LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib/limber/peers")
   target_compile_features(limber_${name}_peer PRIVATE cxx_std_20)
   target_include_directories(limber_${name}_peer SYSTEM PRIVATE ${ARG_INCLUDES})
   target_link_libraries(limber_${name}_peer PRIVATE ${ARG_LIBRARIES} limber_private_settings)
-  add_dependencies(limber_bench limber_${name}_peer)
+  add_dependencies(limber_lab limber_${name}_peer)
 endfunction()
 
 if(LIMBER_BUILD_PEERS AND NOT LIMBER_SANITIZE)

@@ -4,7 +4,7 @@
 The same search tunes both, on seeds that no table uses: gains are drawn on a logarithmic scale, then
 in shrinking ranges around the best. A run's score is its distance to the goal at the end, or 10 cm
 more if it collided; a set of gains is as good as the mean over all environments, disturbances and
-trials. The best belong into src/trial/jacobian_gains.cpp, as defaults.
+trials. The best belong into src/run/tracking/jacobian_gains.cpp, as defaults.
 
     tools/tune_baselines.py --limber build/release/bin/limber --model model.safetensors
 """

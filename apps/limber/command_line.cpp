@@ -14,7 +14,7 @@
 #include "limber/common/printable.hpp"
 #include "limber/common/utf8.hpp"
 #include "limber/common/version.hpp"
-#include "limber/hardware/process_driver.hpp"
+#include "limber/driver/process_driver.hpp"
 #include "numeric_flags.hpp"
 #include "verb.hpp"
 #include "verbs.hpp"

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
-#include "limber/experiment/output_folder.hpp"
+#include "limber/lab/output_folder.hpp"
 
 namespace limber {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "limber/calibration/calibrate_driver.hpp"
+#include "limber/driver/calibrate_driver.hpp"
 #include "verb.hpp"
 
 namespace limber {

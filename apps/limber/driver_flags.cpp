@@ -9,8 +9,8 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/hardware/dry_run_driver.hpp"
-#include "limber/hardware/vented_rest.hpp"
+#include "limber/driver/dry_run_driver.hpp"
+#include "limber/driver/vented_rest.hpp"
 #include "limber/report/driver_report.hpp"
 
 namespace limber {

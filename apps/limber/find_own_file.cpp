@@ -2,7 +2,7 @@
 
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
-#include "limber/hardware/virtual_arm_parameters.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
 #include "verb.hpp"
 
 namespace limber {

@@ -9,7 +9,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/certificate/certificate.hpp"
-#include "limber/trial/plan_spread.hpp"
+#include "limber/lab/plan_spread.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/plan.hpp"
 

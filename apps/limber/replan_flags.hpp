@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "limber/trial/closed_loop.hpp"
+#include "limber/run/closed_loop.hpp"
 #include "verb.hpp"
 
 namespace limber {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "limber/trial/disturbance.hpp"
-#include "limber/trial/trial_run.hpp"
+#include "limber/sim/disturbance.hpp"
+#include "limber/lab/trial_run.hpp"
 
 namespace limber {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/trial/plan_spread.hpp"
+#include "limber/lab/plan_spread.hpp"
 
 namespace limber {
 

@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 
 #include "driver_flags.hpp"
-#include "limber/hardware/virtual_arm.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "limber/report/track_report.hpp"
-#include "limber/trial/tip_tracker.hpp"
+#include "limber/run/tip_tracker.hpp"
 #include "model_flags.hpp"
 
 namespace limber {

@@ -1,7 +1,7 @@
 #include <optional>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/bench/speed_benchmark.hpp"
+#include "limber/lab/speed_benchmark.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/report/speed_report.hpp"

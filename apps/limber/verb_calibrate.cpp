@@ -3,8 +3,8 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
-#include "limber/experiment/tube_calibration.hpp"
-#include "limber/hardware/virtual_arm_parameters.hpp"
+#include "limber/lab/tube_calibration.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
 #include "model_flags.hpp"
 #include "verbs.hpp"
 

@@ -5,8 +5,8 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/valve_identification.hpp"
-#include "limber/hardware/related_arms.hpp"
-#include "limber/hardware/virtual_arm_factory.hpp"
+#include "limber/sim/related_arms.hpp"
+#include "limber/sim/virtual_arm_factory.hpp"
 #include "verbs.hpp"
 
 namespace limber {

@@ -1,6 +1,6 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/experiment/demo.hpp"
+#include "limber/lab/demo.hpp"
 #include "verbs.hpp"
 
 namespace limber {

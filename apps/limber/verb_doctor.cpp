@@ -6,12 +6,12 @@
 #include <oneapi/tbb/version.h>
 #include <Eigen/Core>
 
-#include "limber/bench/speed_peers.hpp"
+#include "limber/lab/speed_peers.hpp"
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/version.hpp"
 #include "limber/data/hdf5_version.hpp"
-#include "limber/hardware/mujoco_version.hpp"
+#include "limber/sim/mujoco_version.hpp"
 #include "limber/network/onnx_export.hpp"
 #include "limber/planning/ompl_planner.hpp"
 #include "verbs.hpp"

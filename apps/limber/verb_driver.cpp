@@ -5,7 +5,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/valve_identification.hpp"
-#include "limber/hardware/driver_check.hpp"
+#include "limber/driver/driver_check.hpp"
 #include "limber/report/driver_report.hpp"
 #include "verbs.hpp"
 

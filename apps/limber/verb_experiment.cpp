@@ -6,7 +6,7 @@
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/experiment/planning_experiment.hpp"
+#include "limber/lab/planning_experiment.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "model_flags.hpp"

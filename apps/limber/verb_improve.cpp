@@ -6,10 +6,10 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
-#include "limber/experiment/improve.hpp"
-#include "limber/hardware/vented_rest.hpp"
+#include "limber/lab/improve.hpp"
+#include "limber/driver/vented_rest.hpp"
 #include "limber/training/fine_tuning.hpp"
-#include "limber/trial/model_arm.hpp"
+#include "limber/run/model_arm.hpp"
 #include "room_flags.hpp"
 #include "verbs.hpp"
 

@@ -13,7 +13,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/recording_inspection.hpp"
-#include "limber/hardware/virtual_arm_parameters.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/planning/forest.hpp"

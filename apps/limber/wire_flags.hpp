@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "limber/hardware/process_driver.hpp"
+#include "limber/driver/process_driver.hpp"
 #include "verb.hpp"
 
 namespace limber {

@@ -6,8 +6,8 @@
 #include <iostream>
 
 #include "limber/common/data_folder.hpp"
-#include "limber/hardware/virtual_arm.hpp"
-#include "limber/trial/plan_trial.hpp"
+#include "limber/sim/virtual_arm.hpp"
+#include "limber/run/replanning.hpp"
 
 void print(const std::string& how, const limber::ExecutionResult& result) {
   if (!result.final_backbone) {  // the arm was not tracked at the end

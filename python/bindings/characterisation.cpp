@@ -10,7 +10,7 @@
 #include "episodes.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/data/simple_model.hpp"
-#include "limber/hardware/bench_test.hpp"
+#include "limber/sim/bench_test.hpp"
 #include "others_may_run.hpp"
 #include "record.hpp"
 

@@ -1,4 +1,4 @@
-#include "limber/hardware/collection.hpp"
+#include "limber/run/collection.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -8,7 +8,7 @@
 #include "bindings.hpp"
 #include "caller_thread.hpp"
 #include "limber/common/error.hpp"
-#include "limber/hardware/virtual_arm_factory.hpp"
+#include "limber/sim/virtual_arm_factory.hpp"
 #include "process_driver.hpp"
 #include "python_driver.hpp"
 #include "record.hpp"

@@ -6,7 +6,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
-#include "limber/hardware/executor.hpp"
+#include "limber/run/executor.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/plot/svg_drawing.hpp"

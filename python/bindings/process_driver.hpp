@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "limber/hardware/driver_run.hpp"
-#include "limber/hardware/process_driver.hpp"
+#include "limber/driver/driver_run.hpp"
+#include "limber/driver/process_driver.hpp"
 #include "limber/world/plan.hpp"
 
 namespace limber::python {

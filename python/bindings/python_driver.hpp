@@ -5,7 +5,7 @@
 #include <pybind11/pybind11.h>
 
 #include "caller_thread.hpp"
-#include "limber/hardware/arm_driver.hpp"
+#include "limber/run/arm_driver.hpp"
 
 namespace limber::python {
 

@@ -3,7 +3,7 @@
 #include <atomic>
 
 #include "limber/common/error.hpp"
-#include "limber/hardware/virtual_arm.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 namespace limber::python {
 

@@ -7,7 +7,7 @@
 
 #include <gmock/gmock.h>
 
-#include "limber/hardware/bench_test.hpp"
+#include "limber/sim/bench_test.hpp"
 
 namespace limber {
 namespace {

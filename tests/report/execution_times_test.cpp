@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "limber/hardware/appearing_obstacle.hpp"
+#include "limber/run/appearing_obstacle.hpp"
 #include "limber/report/track_report.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"

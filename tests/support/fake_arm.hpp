@@ -9,7 +9,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/error.hpp"
-#include "limber/hardware/arm_driver.hpp"
+#include "limber/run/arm_driver.hpp"
 
 namespace limber {
 

@@ -8,7 +8,7 @@
 #include "limber/forward/motion_simulator.hpp"
 #include "limber/planning/plan_builder.hpp"
 #include "limber/planning/planner.hpp"
-#include "limber/trial/environment_findings.hpp"
+#include "limber/lab/environment_findings.hpp"
 #include "limber/world/collision.hpp"
 #include "random_obstacle.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "limber/arm/no_load_model.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/hardware/virtual_arm.hpp"
-#include "limber/hardware/virtual_arm_parameters.hpp"
+#include "limber/sim/virtual_arm.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
 
 namespace limber {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "limber/hardware/executor.hpp"
+#include "limber/run/executor.hpp"
 
 namespace limber {
 

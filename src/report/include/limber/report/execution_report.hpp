@@ -5,7 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "limber/hardware/executor.hpp"
+#include "limber/run/executor.hpp"
 
 namespace limber {
 

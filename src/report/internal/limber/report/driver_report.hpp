@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/valve_findings.hpp"
-#include "limber/hardware/driver_check.hpp"
+#include "limber/driver/driver_check.hpp"
 
 namespace limber {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "limber/trial/plan_trial.hpp"
+#include "limber/run/plan_trial.hpp"
 
 namespace limber {
 

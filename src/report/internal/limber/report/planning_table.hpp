@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "limber/report/report_page.hpp"
-#include "limber/trial/plan_trial.hpp"
+#include "limber/run/plan_trial.hpp"
 
 namespace limber {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "limber/bench/speed_benchmark.hpp"
+#include "limber/forward/speed_report.hpp"
 #include "limber/plot/chart.hpp"
 
 namespace limber {

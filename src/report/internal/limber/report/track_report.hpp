@@ -4,8 +4,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "limber/hardware/executor.hpp"
-#include "limber/trial/track_errors.hpp"
+#include "limber/run/executor.hpp"
+#include "limber/run/track_errors.hpp"
 
 namespace limber {
 

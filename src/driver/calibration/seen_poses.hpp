@@ -1,0 +1,75 @@
+#pragma once
+
+#include <stdexcept>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/driver/calibration_log.hpp"
+
+namespace limber {
+
+/// What does not fit, with what would. Ends an estimate.
+class CalibrationRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Marker bodies over all frames of a log, in the tracker's frame: frames ×
+/// bodies. Frames without a shape are NaN.
+struct SeenPoses {
+  Eigen::MatrixXd x, y;
+  Eigen::MatrixXd theta;
+
+  Eigen::Index bodies() const { return x.cols(); }
+  bool seen(std::size_t frame) const {
+    return std::isfinite(x(static_cast<Eigen::Index>(frame), 0));
+  }
+};
+
+/// One mean pose of every body: m×3, and how many frames it is of.
+struct MeanPose {
+  Eigen::MatrixX3d pose;
+  int count = 0;
+};
+
+/// As the wire has them. @throws CalibrationRefused where nothing tracks the arm.
+SeenPoses seen_poses(const CalibrationLog& log);
+
+/// θ in rad, unwrapped over time; lengths in metres; y and θ turned over where mirrored.
+SeenPoses in_metres(const SeenPoses& raw, double metres_per_unit, double radians_per_unit,
+                    bool mirrored);
+
+/// @throws CalibrationRefused where a mean would be of fewer than three frames.
+void require_seen(int seen, std::size_t frames, const char* when);
+
+/// Over frames `first` to `end` − 1. @throws CalibrationRefused where fewer than three are seen.
+MeanPose mean_pose(const SeenPoses& poses, std::size_t first, std::size_t end, const char* when);
+
+/// Standard deviations of one frame, from what changes between neighbouring frames at rest.
+struct PoseNoise {
+  double position_m = 0.0;
+  double theta_rad = 0.0;
+};
+PoseNoise pose_noise(const SeenPoses& poses, std::size_t first, std::size_t end);
+
+/// Frames `first` to `end` − 1 of a pulse; `when` is for messages.
+struct FrameWindow {
+  std::size_t first = 0;
+  std::size_t end = 0;
+  const char* when = "";
+};
+/// Before a pulse, at the end of its hold, and at its end.
+struct PulseWindows {
+  FrameWindow before, held, after;
+};
+PulseWindows pulse_windows(const CalibrationPulse& pulse, double frame_period_s);
+
+/// Before a pulse, while it is held, and once it is over.
+struct PulsePoses {
+  MeanPose before, held, after;
+};
+std::vector<PulsePoses> pulse_poses(const SeenPoses& poses, const CalibrationLog& log,
+                                    double frame_period_s);
+
+}  // namespace limber

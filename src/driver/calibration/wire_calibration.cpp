@@ -1,0 +1,185 @@
+#include "limber/driver/wire_calibration.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+namespace {
+
+Pressures gathered(const std::vector<WireChannel>& channels,
+                   const Eigen::Ref<const Pressures>& on_wire) {
+  Pressures result(static_cast<Eigen::Index>(channels.size()));
+  for (std::size_t s = 0; s < channels.size(); ++s) {
+    result[static_cast<Eigen::Index>(s)] =
+        static_cast<float>(channels[s].sign) * on_wire[channels[s].channel];
+  }
+  return result;
+}
+
+Pressures scattered(const std::vector<WireChannel>& channels,
+                    const Eigen::Ref<const Pressures>& of_segments) {
+  Pressures result(static_cast<Eigen::Index>(channels.size()));
+  for (std::size_t s = 0; s < channels.size(); ++s) {
+    result[channels[s].channel] =
+        static_cast<float>(channels[s].sign) * of_segments[static_cast<Eigen::Index>(s)];
+  }
+  return result;
+}
+
+PressureLimits turned(const PressureLimits& limits, double sign) {
+  return sign > 0.0 ? limits : PressureLimits(-limits.upper_kpa, -limits.lower_kpa);
+}
+
+/// (x, y) turned by `angle_rad`.
+Eigen::Vector2d turned(const Eigen::Vector2d& vector, double angle_rad) {
+  return Eigen::Rotation2Dd(angle_rad) * vector;
+}
+
+Eigen::Vector2d position_of(const Pose& pose) {
+  return {pose.x_m, pose.y_m};
+}
+
+double y_sign(const TrackerCalibration& tracker) {
+  return tracker.mirrored ? -1.0 : 1.0;
+}
+
+Backbone plates_of(const TrackerCalibration& tracker, const Backbone& bodies) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  Backbone plates(bodies.rows(), 3);
+  double before_rad = 0.0;
+  for (Eigen::Index i = 0; i < bodies.rows(); ++i) {
+    const Pose& offset = tracker.marker_offsets[static_cast<std::size_t>(i)];
+    const Eigen::Vector2d in_T(tracker.metres_per_unit * bodies(i, 0),
+                               y_sign(tracker) * tracker.metres_per_unit * bodies(i, 1));
+    double theta_rad = y_sign(tracker) * tracker.radians_per_unit * bodies(i, 2) -
+                       tracker.base.theta_rad - offset.theta_rad;
+    theta_rad -= kTurn * std::round((theta_rad - before_rad) / kTurn);
+    before_rad = theta_rad;
+    const Eigen::Vector2d p = turned(in_T - position_of(tracker.base), -tracker.base.theta_rad) -
+                              turned(position_of(offset), theta_rad);
+    plates.row(i) << static_cast<float>(p.x()), static_cast<float>(p.y()),
+        static_cast<float>(theta_rad);
+  }
+  return plates;
+}
+
+Backbone bodies_of(const TrackerCalibration& tracker, const Backbone& plates) {
+  Backbone bodies(plates.rows(), 3);
+  for (Eigen::Index i = 0; i < plates.rows(); ++i) {
+    const Pose& offset = tracker.marker_offsets[static_cast<std::size_t>(i)];
+    const double theta_rad = plates(i, 2);
+    const Eigen::Vector2d in_B =
+        plates.row(i).head<2>().cast<double>().transpose() + turned(position_of(offset), theta_rad);
+    const Eigen::Vector2d in_T = position_of(tracker.base) + turned(in_B, tracker.base.theta_rad);
+    bodies.row(i) << static_cast<float>(in_T.x() / tracker.metres_per_unit),
+        static_cast<float>(y_sign(tracker) * in_T.y() / tracker.metres_per_unit),
+        static_cast<float>(y_sign(tracker) *
+                           (theta_rad + tracker.base.theta_rad + offset.theta_rad) /
+                           tracker.radians_per_unit);
+  }
+  return bodies;
+}
+
+}  // namespace
+
+Pressures WireCalibration::to_wire(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
+  return scattered(valves, setpoint_kpa);
+}
+
+Pressures WireCalibration::from_wire(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
+  return gathered(valves, setpoint_kpa);
+}
+
+ArmState WireCalibration::from_wire(ArmState state) const {
+  const Eigen::Map<const Eigen::VectorXd> zero(zero_kpa.data(), state.pressure_kpa.size());
+  state.pressure_kpa = gathered(sensors, state.pressure_kpa - zero.cast<float>());
+  if (state.setpoint_kpa) {
+    state.setpoint_kpa = gathered(valves, *state.setpoint_kpa);
+  }
+  if (state.backbone && tracker) {
+    state.backbone = plates_of(*tracker, *state.backbone);
+  }
+  return state;
+}
+
+ArmState WireCalibration::from_wire(ArmState state, const std::optional<BodyPoses>& bodies) const {
+  constexpr double kMaxTiltRad = 0.5;  // more is no body of this arm
+  if (bodies && tilts_rad(*tracker->plane, *bodies).maxCoeff() <= kMaxTiltRad) {
+    state.backbone = poses_in_plane(*tracker->plane, *bodies);
+  }
+  return from_wire(std::move(state));
+}
+
+ArmState WireCalibration::to_wire(ArmState state) const {
+  const Eigen::Map<const Eigen::VectorXd> zero(zero_kpa.data(), state.pressure_kpa.size());
+  state.pressure_kpa = scattered(sensors, state.pressure_kpa) + zero.cast<float>();
+  if (state.setpoint_kpa) {
+    state.setpoint_kpa = scattered(valves, *state.setpoint_kpa);
+  }
+  if (state.backbone && tracker) {
+    state.backbone = bodies_of(*tracker, *state.backbone);
+  }
+  return state;
+}
+
+std::vector<PressureLimits> WireCalibration::from_wire(
+    const std::vector<PressureLimits>& limits_kpa) const {
+  std::vector<PressureLimits> result;
+  for (const WireChannel& valve : valves) {
+    result.push_back(turned(limits_kpa[static_cast<std::size_t>(valve.channel)], valve.sign));
+  }
+  return result;
+}
+
+std::vector<PressureLimits> WireCalibration::to_wire(
+    const std::vector<PressureLimits>& limits_kpa) const {
+  std::vector<PressureLimits> result(limits_kpa.size());
+  for (std::size_t s = 0; s < valves.size(); ++s) {
+    result[static_cast<std::size_t>(valves[s].channel)] = turned(limits_kpa[s], valves[s].sign);
+  }
+  return result;
+}
+
+WireCalibration identity_calibration(const ArmDescription& arm) {
+  WireCalibration calibration;
+  calibration.arm = arm.name;
+  calibration.length_m = arm.length_m();
+  for (int s = 0; s < arm.segment_count(); ++s) {
+    calibration.valves.push_back({s, 1.0});
+  }
+  calibration.sensors = calibration.valves;
+  calibration.zero_kpa.assign(arm.segments.size(), 0.0);
+  calibration.noise_kpa = calibration.zero_kpa;
+  return calibration;
+}
+
+void require_calibration_of(const WireCalibration& calibration, const ArmDescription& arm,
+                            const std::string& file) {
+  constexpr double kSameLength = 0.01;  // of it: `characterize` fits lengths, too
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(
+        fmt::format("{}: calibration of arm '{}', {}; calibrate again: limber driver calibrate",
+                    file, calibration.arm, what));
+  };
+  if (calibration.valves.size() != arm.segments.size()) {
+    refuse(fmt::format("with {} segments; arm '{}' has {}", calibration.valves.size(), arm.name,
+                       arm.segment_count()));
+  }
+  if (std::abs(calibration.length_m - arm.length_m()) > kSameLength * arm.length_m()) {
+    refuse(fmt::format("{:.4g} m long; arm '{}' is {:.4g} m long", calibration.length_m, arm.name,
+                       arm.length_m()));
+  }
+  const auto points = static_cast<std::size_t>(arm.point_count());
+  if (calibration.tracker && calibration.tracker->marker_offsets.size() != points) {
+    refuse(fmt::format("with {} marker bodies; arm '{}' has {} plates",
+                       calibration.tracker->marker_offsets.size(), arm.name, points));
+  }
+}
+
+}  // namespace limber

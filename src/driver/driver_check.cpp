@@ -1,0 +1,373 @@
+#include "limber/driver/driver_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/world/straight_motion.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kRestS = 3.0;
+constexpr double kPulseS = 1.0;
+constexpr double kStepS = 1.5;
+constexpr double kPulseShare = 0.05;  // of the limit in force
+constexpr double kStepShare = 0.3;
+constexpr double kMeanS = 0.3;      // at the end of a hold
+constexpr double kSilenceS = 0.65;  // three frames or the device's 0.3 s, and time for the valves
+constexpr double kMaxCrosstalk = 0.5;  // of a pulse, in a segment that was not told to move
+constexpr double kSlotS = 0.005;       // a `set` later than that is late
+constexpr double kMaxLateShare = 0.001;
+constexpr double kMaxLateS = 0.025;  // of any
+constexpr double kNoiseDeviations = 4.0;
+constexpr double kMovedShare = 0.05;  // of the jump: the reading has moved
+constexpr double kVentedShare = 0.5;  // of the pressure before: less says that a deadman vented
+
+double mean(const double* begin, const double* end) {
+  return std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
+}
+
+/// Index, interpolated, at which the readings first reach `level`.
+std::optional<double> crossing(const std::vector<double>& readings, double level) {
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    if (readings[k] >= level) {
+      if (k == 0) {
+        return 0.0;
+      }
+      return static_cast<double>(k) - (readings[k] - level) / (readings[k] - readings[k - 1]);
+    }
+  }
+  return std::nullopt;
+}
+
+/// One run of checks on one driver.
+class Check {
+ public:
+  Check(const ArmDescription& arm, const ProcessDriverSettings& settings)
+      : arm_(arm), settings_(settings) {
+    // What the watch would stop for is what this check measures.
+    constexpr double kNever = 1e9;
+    settings_.check_rate = false;
+    settings_.safety.following_error_kpa = kNever;
+    settings_.safety.stuck_change_kpa = kNever;
+    driver_.emplace(arm_, settings_);
+    result_.hello = driver_->hello();
+  }
+
+  DriverCheck run() {
+    rest();
+    if (for_each_side(&Check::pulse)) {
+      for_each_side(&Check::step);
+      test_silence();
+      driver_->vent();
+      result_.timing = driver_->timing();
+      test_end_of_input();
+    } else {
+      driver_->vent();
+      result_.timing = driver_->timing();
+    }
+    judge_timing();
+    keep_episode();
+    return std::move(result_);
+  }
+
+ private:
+  int segments() const { return arm_.segment_count(); }
+
+  /// Holds a set point and keeps what is read. @return the first frame of it
+  std::size_t hold(const Pressures& setpoint_kpa, double seconds) {
+    const std::size_t first = time_s_.size();
+    for (int k = 0; k < arm_.frames_in(seconds); ++k) {
+      throw_if_interrupted();
+      const ArmState& state = driver_->command(setpoint_kpa);
+      time_s_.push_back(state.time_s);
+      setpoints_.push_back(state.setpoint_kpa.value_or(setpoint_kpa));
+      readings_.push_back(state.pressure_kpa);
+    }
+    return first;
+  }
+
+  std::vector<double> readings(int segment, std::size_t first) const {
+    std::vector<double> values;
+    for (std::size_t k = first; k < readings_.size(); ++k) {
+      values.push_back(readings_[k][segment]);
+    }
+    return values;
+  }
+
+  double last_mean(int segment) const {
+    const std::vector<double> values = readings(segment, 0);
+    const auto count = static_cast<std::size_t>(arm_.frames_in(kMeanS));
+    return mean(values.data() + values.size() - count, values.data() + values.size());
+  }
+
+  void rest() {
+    const std::size_t first = hold(Pressures::Zero(segments()), kRestS);
+    for (int s = 0; s < segments(); ++s) {
+      const std::vector<double> values = readings(s, first);
+      const double zero = mean(values.data(), values.data() + values.size());
+      double sum = 0.0;
+      for (const double value : values) {
+        sum += (value - zero) * (value - zero);
+      }
+      result_.zero_kpa.push_back(zero);
+      result_.noise_kpa.push_back(std::sqrt(sum / static_cast<double>(values.size())));
+    }
+  }
+
+  /// @return whether nothing was wrong; the first complaint ends it.
+  bool for_each_side(void (Check::*move)(int segment, double sign)) {
+    for (int s = 0; s < segments(); ++s) {
+      for (const double sign : {1.0, -1.0}) {
+        if (limit_kpa(s, sign) != 0.0) {
+          (this->*move)(s, sign);
+        }
+        if (!result_.complaints.empty()) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  Pressures alone(int segment, double kpa) const {
+    Pressures result = Pressures::Zero(segments());
+    result[segment] = static_cast<float>(kpa);
+    return result;
+  }
+
+  /// Of the side that positive or negative set points are on; 0 where the segment has none there.
+  double limit_kpa(int segment, double sign) const {
+    return driver_->limits_kpa()[static_cast<std::size_t>(segment)].side_kpa(sign);
+  }
+
+  void pulse(int segment, double sign) {
+    const double wanted = kPulseShare * limit_kpa(segment, sign);
+    hold(alone(segment, wanted), kPulseS);
+    const double zero = result_.zero_kpa[static_cast<std::size_t>(segment)];
+    const std::string wrong = scale_complaint(segment, wanted, last_mean(segment) - zero);
+    for (int s = 0; s < segments(); ++s) {
+      const double moved = last_mean(s) - result_.zero_kpa[static_cast<std::size_t>(s)];
+      if (s != segment && std::abs(moved) > kMaxCrosstalk * std::abs(wanted)) {
+        complain(
+            fmt::format("a set point of {:.1f} kPa for {} moved {} by {:.1f} kPa: channels "
+                        "are swapped, or share air",
+                        wanted, segment_name(segment), segment_name(s), moved));
+      }
+    }
+    if (!wrong.empty()) {
+      complain(wrong);
+    }
+    hold(Pressures::Zero(segments()), kPulseS);
+  }
+
+  void step(int segment, double sign) {
+    const double wanted = kStepShare * limit_kpa(segment, sign);
+    const std::size_t first = hold(alone(segment, wanted), kStepS);
+    StepResponse response = step_response(readings(segment, first), arm_.frame_period_s(), wanted,
+                                          result_.noise_kpa[static_cast<std::size_t>(segment)]);
+    response.segment = segment;
+    result_.steps.push_back(response);
+    ramp_down(alone(segment, wanted));
+    hold(Pressures::Zero(segments()), kStepS);
+  }
+
+  /// Back to zero at half the arm's rate: jumps alone say little about a valve.
+  void ramp_down(const Pressures& from_kpa) {
+    constexpr int kMinFrames = 10;
+    const Pressures zero = Pressures::Zero(segments());
+    const int count = std::max(
+        kMinFrames, 2 * motion_frame_count(from_kpa, zero, arm_.pressure_step_limit_kpa()));
+    Pressures setpoint_kpa = from_kpa;
+    for (int k = 1; k <= count; ++k) {
+      motion_setpoint(from_kpa, zero, k, count, setpoint_kpa);
+      hold(setpoint_kpa, arm_.frame_period_s());
+    }
+  }
+
+  /// Raises every pressure to `kPulseShare`-sized ones that a deadman has to take away.
+  double pressurise() {
+    Pressures wanted(segments());
+    for (int s = 0; s < segments(); ++s) {
+      const double sign = limit_kpa(s, 1.0) != 0.0 ? 1.0 : -1.0;
+      wanted[s] = static_cast<float>(2.0 * kPulseShare * limit_kpa(s, sign));
+    }
+    hold(wanted, kPulseS);
+    return driver_->state().pressure_kpa.cwiseAbs().minCoeff();
+  }
+
+  void test_silence() {
+    if (!result_.hello.real_time) {
+      return;  // a simulation that keeps no frames
+    }
+    result_.silence.tested = true;
+    result_.silence.before_kpa = pressurise();
+    const ArmState after = driver_->read_after_silence(kSilenceS);
+    judge(result_.silence, after, "no set came for three frames");
+  }
+
+  void test_end_of_input() {
+    DeadmanResult& deadman = result_.end_of_input;
+    deadman.tested = true;
+    deadman.before_kpa = pressurise();
+    driver_->abandon();
+    std::this_thread::sleep_for(std::chrono::duration<double>(kSilenceS));
+    judge(deadman, start_again(), "its input was closed");
+    deadman.starts_vented = deadman.vented && starts_vented();
+  }
+
+  /// What was read at the end of input counts only where a start shows what is there: killed under
+  /// pressure, a driver had no time to vent, nor had the device for its 0.3 s.
+  bool starts_vented() {
+    const double before_kpa = pressurise();
+    driver_->abandon(true);
+    return largest_kpa(start_again()) < kVentedShare * before_kpa;
+  }
+
+  const ArmState& start_again() {
+    keep_episode();
+    driver_.reset();
+    driver_.emplace(arm_, settings_);
+    return driver_->first_state();
+  }
+
+  static double largest_kpa(const ArmState& state) {
+    return state.pressure_kpa.cwiseAbs().maxCoeff();
+  }
+
+  void judge(DeadmanResult& deadman, const ArmState& after, const char* when) {
+    deadman.after_kpa = largest_kpa(after);
+    deadman.vented = deadman.after_kpa < kVentedShare * deadman.before_kpa;
+    if (!deadman.vented) {
+      complain(fmt::format(
+          "the driver did not vent when {}: {:.1f} kPa before, {:.1f} kPa after. docs/driver.md "
+          "says what it has to do",
+          when, deadman.before_kpa, deadman.after_kpa));
+    }
+  }
+
+  void judge_timing() {
+    const std::vector<double>& late = result_.timing.late_s;
+    const auto count = std::count_if(late.begin(), late.end(), [](double s) { return s > kSlotS; });
+    const double share = late.empty() ? 0.0 : double(count) / double(late.size());
+    const double latest_s = late.empty() ? 0.0 : *std::max_element(late.begin(), late.end());
+    if (result_.hello.real_time &&
+        (share > kMaxLateShare || latest_s > kMaxLateS || result_.timing.skipped_slots > 0)) {
+      complain(fmt::format(
+          "{} of {} set points left more than 5 ms after their slot, the latest {:.0f} ms, and {} "
+          "slots passed without one: the driver answers too late, or this computer is too busy",
+          count, late.size(), 1e3 * latest_s, result_.timing.skipped_slots));
+    }
+  }
+
+  void complain(std::string text) { result_.complaints.push_back(std::move(text)); }
+
+  /// Of the first driver alone: the clock of the next one begins again.
+  void keep_episode() {
+    if (result_.episode.frame_count() == 0) {
+      result_.episode = episode();
+    }
+  }
+
+  Episode episode() const {
+    Episode result;
+    const auto frames = static_cast<Eigen::Index>(time_s_.size());
+    result.time_s = Eigen::Map<const Eigen::VectorXd>(time_s_.data(), frames).array() - time_s_[0];
+    result.pressure_kpa.resize(frames, segments());
+    result.setpoint_kpa.resize(frames, segments());
+    for (Eigen::Index k = 0; k < frames; ++k) {
+      result.pressure_kpa.row(k) = readings_[static_cast<std::size_t>(k)].transpose();
+      result.setpoint_kpa.row(k) = setpoints_[static_cast<std::size_t>(k)].transpose();
+    }
+    result.backbone = FrameMatrix::Zero(frames, 3 * arm_.point_count());
+    result.motion_index.assign(time_s_.size(), 0);
+    result.tracked.assign(time_s_.size(), 0);
+    return result;
+  }
+
+  ArmDescription arm_;
+  ProcessDriverSettings settings_;
+  std::optional<ProcessDriver> driver_;
+  DriverCheck result_;
+  std::vector<double> time_s_;
+  std::vector<Pressures> setpoints_;
+  std::vector<Pressures> readings_;
+};
+
+}  // namespace
+
+DriverCheck check_driver(const ArmDescription& arm, const ProcessDriverSettings& settings) {
+  return Check(arm, settings).run();
+}
+
+std::string scale_complaint(int segment, double setpoint_kpa, double measured_kpa) {
+  struct Scale {
+    double factor;
+    const char* says;
+  };
+  constexpr std::array<Scale, 6> kScales = {{
+      {1.0 / 6.894757, "the driver sends psi; the wire is in kPa"},
+      {6.894757, "the driver takes set points for psi; the wire is in kPa"},
+      {10.0, "the driver sends mbar; the wire is in kPa"},
+      {0.1, "the driver takes set points for mbar; the wire is in kPa"},
+      {0.01, "the driver sends bar; the wire is in kPa"},
+      {1000.0, "the driver sends Pa; the wire is in kPa"},
+  }};
+  constexpr double kAlike = 1.25;  // factors so close are the same unit
+  const double factor = measured_kpa / setpoint_kpa;
+  if (factor >= 0.5 && factor <= 2.0) {
+    return "";
+  }
+  std::string guess = "check supply, valve and sensor";
+  if (factor <= -0.5 && factor >= -2.0) {
+    guess = "left and right are swapped, or the sign";
+  }
+  for (const Scale& scale : kScales) {
+    if (factor > scale.factor / kAlike && factor < scale.factor * kAlike) {
+      guess = scale.says;
+    }
+  }
+  return fmt::format("{} reads {:.2f} kPa at a set point of {:.2f} kPa: {}", segment_name(segment),
+                     measured_kpa, setpoint_kpa, guess);
+}
+
+StepResponse step_response(const std::vector<double>& reading_kpa, double period_s,
+                           double setpoint_kpa, double noise_kpa) {
+  StepResponse response;
+  response.setpoint_kpa = setpoint_kpa;
+  const double sign = setpoint_kpa < 0.0 ? -1.0 : 1.0;
+  std::vector<double> upward;
+  for (const double reading : reading_kpa) {
+    upward.push_back(sign * reading);
+  }
+  const auto count =
+      std::min(upward.size(), static_cast<std::size_t>(std::lround(kMeanS / period_s)));
+  if (count == 0) {
+    return response;
+  }
+  const double reached = mean(upward.data() + upward.size() - count, upward.data() + upward.size());
+  response.reached_kpa = sign * reached;
+  response.overshoot_kpa = std::max(0.0, *std::max_element(upward.begin(), upward.end()) - reached);
+  const double moved = std::max(kNoiseDeviations * noise_kpa, kMovedShare * std::abs(setpoint_kpa));
+  const std::optional<double> dead = crossing(upward, moved);
+  const std::optional<double> low = crossing(upward, 0.1 * reached);
+  const std::optional<double> high = crossing(upward, 0.9 * reached);
+  if (dead && low && high && reached > moved) {
+    response.answered = true;
+    response.dead_time_s = *dead * period_s;
+    response.rise_time_s = (*high - *low) * period_s;
+  }
+  return response;
+}
+
+}  // namespace limber

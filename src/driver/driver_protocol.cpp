@@ -1,0 +1,313 @@
+#include "limber/driver/driver_protocol.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/arm/pressure_limits.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/common/printable.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMaxKpa = 1e5;     // 1000 bar: no soft arm comes near
+constexpr double kMaxLength = 1e5;  // of a coordinate; before calibration in mm, too
+constexpr double kMaxAngle = 1e5;
+constexpr double kMaxTimeS = 1e12;
+constexpr std::uint64_t kMaxSeq = std::uint64_t{1} << 53U;  // what a double holds exactly
+constexpr double kMaxQuaternionOff = 0.01;                  // of its length from 1
+constexpr double kRateTolerance = 0.01;                     // of the arm's frame rate
+
+Json list(const Eigen::Ref<const Pressures>& values) {
+  Json json = Json::array();
+  for (const float value : values) {
+    json.push_back(static_cast<double>(value));
+  }
+  return json;
+}
+
+template <class Poses>
+Json rows(const Poses& poses) {
+  Json json = Json::array();
+  for (const auto& pose : poses.rowwise()) {
+    Json numbers = Json::array();
+    for (const double number : pose) {
+      numbers.push_back(number);
+    }
+    json.push_back(std::move(numbers));
+  }
+  return json;
+}
+
+Pressures pressures(const JsonReader& reader, int segments) {
+  const std::vector<double> values =
+      reader.numbers(static_cast<std::size_t>(segments), "pressures in kPa", -kMaxKpa, kMaxKpa);
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), segments).cast<float>();
+}
+
+std::optional<Backbone> backbone(const JsonReader& root, int points) {
+  if (!root.has("backbone") || root.at("backbone").is_null()) {
+    return std::nullopt;
+  }
+  const JsonReader reader = root.at("backbone");
+  const std::vector<JsonReader> rows = reader.elements("a list of [x, y, theta], or null");
+  if (rows.size() != static_cast<std::size_t>(points)) {
+    reader.refuse(fmt::format("{} poses found; the arm has {} plates", rows.size(), points));
+  }
+  Backbone result(points, 3);
+  for (int i = 0; i < points; ++i) {
+    const std::vector<double> pose = rows[static_cast<std::size_t>(i)].numbers(
+        3, "numbers: x, y and theta", -kMaxAngle, kMaxAngle);
+    if (std::abs(pose[0]) > kMaxLength || std::abs(pose[1]) > kMaxLength) {
+      rows[static_cast<std::size_t>(i)].refuse_found("expected x and y in metres");
+    }
+    result.row(i) << static_cast<float>(pose[0]), static_cast<float>(pose[1]),
+        static_cast<float>(pose[2]);
+  }
+  return result;
+}
+
+std::optional<BodyPoses> bodies(const JsonReader& root, int points) {
+  if (!root.has("bodies")) {
+    return std::nullopt;
+  }
+  const JsonReader reader = root.at("bodies");
+  if (root.has("backbone")) {
+    reader.refuse("stands beside backbone; a state has one of the two");
+  }
+  if (reader.is_null()) {
+    return std::nullopt;
+  }
+  const std::vector<JsonReader> rows =
+      reader.elements("a list of [x, y, z, qx, qy, qz, qw], or null");
+  if (rows.size() != static_cast<std::size_t>(points)) {
+    reader.refuse(fmt::format("{} bodies found; the arm has {} plates", rows.size(), points));
+  }
+  BodyPoses result(points, 7);
+  for (int i = 0; i < points; ++i) {
+    const JsonReader& row = rows[static_cast<std::size_t>(i)];
+    const std::vector<double> pose =
+        row.numbers(7, "numbers: x, y, z, qx, qy, qz and qw", -kMaxLength, kMaxLength);
+    result.row(i) = Eigen::Map<const Eigen::RowVectorXd>(pose.data(), 7);
+    const double length = result.row(i).tail<4>().norm();
+    if (!(std::abs(length - 1.0) <= kMaxQuaternionOff)) {
+      row.refuse(fmt::format("a quaternion of length {:.4g}; expected [qx, qy, qz, qw] of length 1",
+                             length));
+    }
+    result.row(i).tail<4>() /= length;
+  }
+  return result;
+}
+
+double rate(const JsonReader& root) {
+  constexpr double kMaxRateHz = 1e4;
+  return root.at("rate_hz").number(1e-3, kMaxRateHz);
+}
+
+/// `limit_kpa` alone is that of both sides; beside it, `limits_kpa` has [lower, upper] of each
+/// segment. Programs that do not know the latter read the largest of either side.
+std::vector<PressureLimits> limits(const JsonReader& root, int segments) {
+  const auto n = static_cast<std::size_t>(segments);
+  std::vector<PressureLimits> result;
+  if (root.has("limits_kpa")) {
+    const std::vector<JsonReader> pairs =
+        root.at("limits_kpa").elements("a list of [lower, upper]");
+    if (pairs.size() != n) {
+      root.at("limits_kpa")
+          .refuse(
+              fmt::format("{} pairs found; expected one of each of {} segments", pairs.size(), n));
+    }
+    for (const JsonReader& pair : pairs) {
+      const std::vector<double> ends =
+          pair.numbers(2, "limits in kPa, [lower, upper]", -kMaxKpa, kMaxKpa);
+      if (!(ends[0] <= 0.0 && ends[1] >= 0.0)) {
+        pair.refuse_found("expected lower <= 0 <= upper: a vented segment is at 0");
+      }
+      result.emplace_back(ends[0], ends[1]);
+    }
+  } else if (root.has("limit_kpa")) {
+    for (const double limit : root.at("limit_kpa").numbers(n, "limits in kPa", 0.0, kMaxKpa)) {
+      result.emplace_back(limit);
+    }
+  }
+  return result;
+}
+
+void add_limits(const std::vector<PressureLimits>& limits, Json& json) {
+  Json pairs = Json::array();
+  bool symmetric = true;
+  for (const PressureLimits& one : limits) {
+    json["limit_kpa"].push_back(one.largest_kpa());
+    pairs.push_back({one.lower_kpa, one.upper_kpa});
+    symmetric &= one.is_symmetric();
+  }
+  if (!symmetric) {
+    json["limits_kpa"] = std::move(pairs);
+  }
+}
+
+std::string optional_text(const JsonReader& root, const char* key) {
+  return root.has(key) ? root.at(key).text() : "";
+}
+
+bool optional_flag(const JsonReader& root, const char* key, bool otherwise) {
+  return root.has(key) ? root.at(key).boolean() : otherwise;
+}
+
+void require_type(const JsonReader& root, const char* expected) {
+  if (root.at("type").text() != expected) {
+    root.at("type").refuse_found(fmt::format("expected '{}'", expected));
+  }
+}
+
+void require_protocol(const JsonReader& root) {
+  if (root.at("protocol").integer(0, 1 << 20) != kDriverProtocol) {
+    root.at("protocol").refuse_found(fmt::format("this limber speaks version {}", kDriverProtocol));
+  }
+}
+
+}  // namespace
+
+HostHello host_hello(const ArmDescription& arm) {
+  return {arm.name, arm.segment_count(), arm.point_count(), arm.frame_rate_hz, limits_of(arm)};
+}
+
+std::string to_line(const HostHello& hello) {
+  Json json = {{"type", "hello"},        {"protocol", kDriverProtocol},
+               {"arm", hello.arm},       {"segments", hello.segments},
+               {"points", hello.points}, {"rate_hz", hello.rate_hz}};
+  add_limits(hello.limit_kpa, json);
+  return json.dump();
+}
+
+std::string to_line(const DriverHello& hello) {
+  Json json = {{"type", "hello"},          {"protocol", hello.protocol},
+               {"driver", hello.driver},   {"device", hello.device},
+               {"rate_hz", hello.rate_hz}, {"segments", hello.segments},
+               {"tracked", hello.tracked}, {"real_time", hello.real_time}};
+  add_limits(hello.limit_kpa, json);
+  return json.dump();
+}
+
+std::string set_line(std::int64_t seq, double time_s, const Pressures& setpoint_kpa) {
+  return Json{{"type", "set"}, {"seq", seq}, {"t", time_s}, {"pressure_kpa", list(setpoint_kpa)}}
+      .dump();
+}
+
+std::string vent_line(std::int64_t seq, double time_s) {
+  return Json{{"type", "vent"}, {"seq", seq}, {"t", time_s}}.dump();
+}
+
+std::string bye_line() {
+  return Json{{"type", "bye"}}.dump();
+}
+
+std::string state_line(std::int64_t seq, const ArmState& state,
+                       const std::optional<BodyPoses>& bodies) {
+  Json json = {{"type", "state"},
+               {"seq", seq},
+               {"t", state.time_s},
+               {"pressure_kpa", list(state.pressure_kpa)}};
+  if (state.setpoint_kpa) {
+    json["setpoint_kpa"] = list(*state.setpoint_kpa);
+  }
+  if (bodies) {
+    json["bodies"] = rows(*bodies);
+  } else {
+    json["backbone"] = state.backbone ? rows(*state.backbone) : Json(nullptr);
+  }
+  if (state.tracker_s) {
+    json["tracker_t"] = *state.tracker_s;
+  }
+  return json.dump();
+}
+
+std::string fault_line(const std::string& message) {
+  return Json{{"type", "fault"}, {"message", message}}.dump(-1, ' ', false,
+                                                            Json::error_handler_t::replace);
+}
+
+DriverHello parse_driver_hello(std::string_view line, const HostHello& expected) {
+  const nlohmann::json json = parse_json_object(line, "hello");
+  const JsonReader root(json, "hello");
+  require_type(root, "hello");
+  require_protocol(root);
+  DriverHello hello;
+  hello.driver = in_one_line(optional_text(root, "driver"));
+  hello.device = in_one_line(optional_text(root, "device"));
+  hello.rate_hz = rate(root);
+  if (!(std::abs(hello.rate_hz - expected.rate_hz) <= kRateTolerance * expected.rate_hz)) {
+    root.at("rate_hz").refuse_found(
+        fmt::format("arm '{}' runs at {} Hz", expected.arm, expected.rate_hz));
+  }
+  hello.segments = root.at("segments").integer(0, 1 << 20);
+  if (hello.segments != expected.segments) {
+    root.at("segments")
+        .refuse_found(fmt::format("arm '{}' has {} segments", expected.arm, expected.segments));
+  }
+  hello.tracked = optional_flag(root, "tracked", true);
+  hello.real_time = optional_flag(root, "real_time", true);
+  hello.limit_kpa = limits(root, hello.segments);
+  return hello;
+}
+
+DriverReply parse_state(std::string_view line, const HostHello& arm) {
+  const nlohmann::json json = parse_json_object(line, "state");
+  const JsonReader root(json, "state");
+  if (root.at("type").text() == "fault") {
+    throw SystemFault(
+        fmt::format("it reports a fault: {}", in_one_line(optional_text(root, "message"))));
+  }
+  require_type(root, "state");
+  DriverReply reply;
+  reply.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
+  reply.state.time_s = root.at("t").number(-kMaxTimeS, kMaxTimeS);
+  reply.state.pressure_kpa = pressures(root.at("pressure_kpa"), arm.segments);
+  if (root.has("setpoint_kpa") && !root.at("setpoint_kpa").is_null()) {
+    reply.state.setpoint_kpa = pressures(root.at("setpoint_kpa"), arm.segments);
+  }
+  reply.state.backbone = backbone(root, arm.points);
+  reply.bodies = bodies(root, arm.points);
+  if (root.has("tracker_t") && !root.at("tracker_t").is_null()) {
+    reply.state.tracker_s = root.at("tracker_t").number(-kMaxTimeS, kMaxTimeS);
+  }
+  return reply;
+}
+
+DriverRequest parse_request(std::string_view line, const HostHello& arm) {
+  const nlohmann::json json = parse_json_object(line, "request");
+  const JsonReader root(json, "request");
+  const std::string type = root.at("type").text();
+  DriverRequest request;
+  if (type == "bye") {
+    return request;
+  }
+  if (type == "hello") {
+    require_protocol(root);
+    request.kind = RequestKind::hello;
+    request.hello.arm = optional_text(root, "arm");
+    request.hello.segments = root.at("segments").integer(1, kMaxSegments);
+    request.hello.points = root.at("points").integer(2, 1 << 20);
+    request.hello.rate_hz = rate(root);
+    request.hello.limit_kpa = limits(root, request.hello.segments);
+    return request;
+  }
+  if (type != "set" && type != "vent") {
+    root.at("type").refuse_found("expected hello, set, vent or bye");
+  }
+  request.kind = type == "set" ? RequestKind::set : RequestKind::vent;
+  request.seq = static_cast<std::int64_t>(root.at("seq").count(kMaxSeq));
+  request.time_s = root.at("t").number(-kMaxTimeS, kMaxTimeS);
+  if (request.kind == RequestKind::set) {
+    request.setpoint_kpa = pressures(root.at("pressure_kpa"), arm.segments);
+  }
+  return request;
+}
+
+}  // namespace limber

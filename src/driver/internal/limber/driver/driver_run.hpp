@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/run/collection.hpp"
+#include "limber/driver/process_driver.hpp"
+#include "limber/world/plan.hpp"
+
+namespace limber {
+
+/// "driver arduino (device: limber-sketch 2), started by user@host", as recordings say it.
+std::string describe(const ProcessDriver& driver);
+
+/// Every episode on the same driver, which has to outlive the factory.
+DriverFactory on_one_driver(ProcessDriver& driver);
+
+/// A set point that limits do not allow.
+struct ForbiddenSetpoint {
+  std::size_t frame = 0;
+  Eigen::Index segment = 0;
+  double value = 0.0;  ///< [kPa], or the command's own unit
+  PressureLimits limits;
+};
+
+/// The first set point of a plan that is beyond `limits`, by more than float32 rounds.
+std::optional<ForbiddenSetpoint> first_beyond(const Plan& plan,
+                                              const std::vector<PressureLimits>& limits);
+
+/// Motions go farther in a segment than a driver lets them.
+struct ShortReach {
+  Eigen::Index segment = 0;
+  double wanted_kpa = 0.0;
+  double allowed_kpa = 0.0;
+};
+
+/// The limits of `arm`, so many times smaller, stay within those of the driver on every side; two
+/// decimals, so that it can be typed. None where the driver allows nothing on a side of the arm's.
+std::optional<double> scale_within(const ArmDescription& arm,
+                                   const std::vector<PressureLimits>& allowed_kpa);
+
+/// What to do about a short reach. @param flag  as "--limit-scale {}", with the scale in its place
+std::string advice(const ShortReach& found, const ArmDescription& arm,
+                   const std::vector<PressureLimits>& allowed_kpa, const char* flag);
+
+/// Where `limit_scale` times the limits of the arm go beyond those of the driver.
+std::optional<ShortReach> first_short_reach(const ArmDescription& arm, double limit_scale,
+                                            const std::vector<PressureLimits>& allowed_kpa);
+
+}  // namespace limber

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "limber/run/arm_driver.hpp"
+#include "limber/driver/process_driver.hpp"
+#include "limber/run/safety_settings.hpp"
+
+namespace limber {
+
+/// A vent, as the states show it that answer it. Only a sample that was taken after it confirms it:
+/// one that is newer than the first answer, which may be of before.
+class VentWatch {
+ public:
+  /// @param was_resting  nothing was commanded since the last vent: any sample confirms it
+  VentWatch(const SafetySettings& safety, bool was_resting)
+      : safety_(safety), was_resting_(was_resting) {}
+
+  /// Takes in the state that answered the latest `vent`, `after_s` after the first.
+  void note(const ArmState& state, double after_s);
+
+  /// Whether there is nothing to wait for: it is confirmed, or its time is over.
+  bool is_over() const { return result_.confirmed || result_.after_s >= safety_.vent_time_s; }
+
+  /// What came of it. Where it is not over, the driver has stopped answering.
+  /// @param last_kpa  measured last, for where nothing was measured since
+  VentResult result(const Pressures& last_kpa) const;
+
+ private:
+  std::string unconfirmed(const Pressures& last_kpa) const;
+
+  SafetySettings safety_;
+  bool was_resting_;
+  VentResult result_;
+  std::optional<ArmState> first_;  // that answered
+  Pressures now_kpa_;
+  std::string rising_;
+};
+
+/// Notices a driver that has vented by itself: what is in force is zero, though nothing that was
+/// sent recently is.
+class OwnVentWatch {
+ public:
+  void note_sent(const Pressures& setpoint_kpa);
+  void clear() { sent_kpa_.clear(); }
+  bool has_vented(const ArmState& state) const;
+
+ private:
+  std::deque<Pressures> sent_kpa_;  // the last ones, newest first
+};
+
+/// What is wrong with an arm that reads `pressure_kpa` after its first vent.
+std::string not_zero_message(double pressure_kpa, const SafetySettings& safety);
+
+}  // namespace limber

@@ -1,0 +1,303 @@
+#include "limber/lab/tube_calibration.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/common/version.hpp"
+#include "limber/lab/factor_search.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
+#include "limber/report/evidence_page.hpp"
+#include "limber/lab/binomial_bound.hpp"
+#include "optional_json.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr const char* kCalibrationFile = "calibration.json";
+// Wide tubes are only passed through; where factors end up, a step changes coverage by about 1 %.
+constexpr double kWideFactors[] = {2.2, 1.95, 1.7};
+constexpr double kFirstNarrow = 1.5;
+constexpr double kStep = 0.975;
+constexpr int kFactors = 32;               // down to 0.73
+constexpr double kScreenConfidence = 0.5;  // a screen only finds what is worth testing
+constexpr int kMaxWiderTests = 3;          // of one level; they share its confidence
+constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
+
+/// What has to be the same for runs of two starts to be one calibration.
+Json identity(const CalibrationSettings& settings) {
+  const TubeRunSettings& runs = settings.runs;
+  return {{"schema", "limber/calibration/3"},
+          {"ensemble", to_string(runs.model.answer)},
+          {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
+          {"virtual_arm", content_hash(virtual_arm_to_yaml(runs.executed_arm))},
+          {"model", content_hash(read_file(settings.model_file))},
+          {"valves", runs.valves.hash()},
+          {"seed", runs.seed},
+          {"max_queries", optional_json(runs.limits.queries)},
+          {"time_limit_s", optional_json(runs.limits.time_s)},
+          {"levels", settings.levels},
+          {"confidence", settings.confidence},
+          {"scale_runs", settings.scale_runs},
+          {"screen_runs", settings.screen_runs},
+          {"test_runs", settings.test_runs},
+          {"audit_runs", settings.audit_runs}};
+}
+
+class Calibration {
+ public:
+  explicit Calibration(const CalibrationSettings& settings)
+      : settings_(settings), factors_(tube_factors()), identity_(identity(settings)) {
+    prepare_folder();
+  }
+
+  CalibrationResult run() {
+    find_shape();
+    screen();
+    for (const double level : settings_.levels) {
+      if (const std::optional<TubeLevel> found = find_level(level)) {
+        shape_.levels.push_back(*found);
+      }
+    }
+    result_.model = settings_.runs.model;
+    result_.model.tube.reset();
+    if (!shape_.levels.empty()) {
+      result_.model.tube = shape_;
+      evidence_["tube"] = to_json(shape_);
+    }
+    evidence_["failures"] = result_.failures;
+    result_.evidence = evidence_;
+    folder_->write("evidence.json", evidence_.dump(1) + "\n");
+    folder_->write("evidence.html", evidence_page(evidence_));
+    return std::move(result_);
+  }
+
+ private:
+  void prepare_folder() {
+    const fs::path file = settings_.folder / kCalibrationFile;
+    const bool resumes = settings_.resume && fs::exists(file);
+    if (resumes) {
+      require_same(file);
+    } else if (fs::exists(file) && !settings_.force) {
+      throw InputError(
+          fmt::format("{}: holds a calibration already: --resume continues it, --force replaces it",
+                      settings_.folder.string()));
+    }
+    folder_.emplace(settings_.folder, "calibrate",
+                    resumes           ? OutputFolder::Start::resumed
+                    : settings_.force ? OutputFolder::Start::forced
+                                      : OutputFolder::Start::fresh,
+                    std::vector<fs::path>{settings_.model_file});
+    folder_->require_free({"evidence.json", "evidence.html"});
+    if (!resumes) {
+      Json written = identity_;
+      written["program_version"] = version();
+      folder_->write(kCalibrationFile, written.dump(1) + "\n");
+    }
+    evidence_ = identity_;
+    evidence_["phases"] = Json::array();
+  }
+
+  void require_same(const fs::path& file) const {
+    const nlohmann::json there = read_json_object(file);
+    const nlohmann::json wanted = identity_;
+    for (const auto& [key, value] : wanted.items()) {
+      const nlohmann::json found = there.value(key, nlohmann::json(nullptr));
+      if (found != value) {
+        throw InputError(fmt::format(
+            "{}: {} = {}; this run has {}: --resume continues the same calibration only",
+            file.string(), key, in_few_words(found), in_few_words(value)));
+      }
+    }
+  }
+
+  TubeRuns run_phase(const std::string& name, int runs, const Tube* shape, double factor,
+                     bool may_fall_short = false) {
+    const TubeRuns done =
+        run_tube_phase(settings_.runs, {name, runs, shape, factor, may_fall_short}, &*folder_);
+    Json json = {{"phase", name}, {"factor", factor}};
+    json.update(to_json(done, factor));
+    if (shape == nullptr) {
+      json.erase("outside");
+      json.erase("coverage");
+    }
+    evidence_["phases"].push_back(json);
+    return done;
+  }
+
+  void find_shape() {
+    shape_ = tube_shape(run_phase("shape", settings_.scale_runs, nullptr, 0.0).errors(),
+                        usual_growth(settings_.runs.arm.length_m()));
+    shape_.answer = settings_.runs.model.answer;
+    shape_.source = "virtual arm";
+  }
+
+  /// Down the list until no level's bound holds any more. candidates_[l] is the last factor that
+  /// held for level l; widest_with_plans_ the first one that most environments have a plan with.
+  void screen() {
+    candidates_.assign(settings_.levels.size(), std::nullopt);
+    std::vector<bool> open(settings_.levels.size(), true);
+    for (std::size_t k = 0; k < factors_.size(); ++k) {
+      if (std::find(open.begin(), open.end(), true) == open.end()) {
+        return;
+      }
+      const TubeRuns runs = run_phase(fmt::format("screen_{:02}", k), settings_.screen_runs,
+                                      &shape_, factors_[k], true);
+      const int outside = runs.outside(factors_[k]);
+      settings_.say(fmt::format("factor {:.3f}: {} of {} runs outside", factors_[k], outside,
+                                runs.executed()));
+      if (runs.executed() < settings_.screen_runs) {
+        continue;  // too wide: most environments have no plan
+      }
+      widest_with_plans_ = widest_with_plans_.value_or(k);
+      const double bound = share_at_most(outside, runs.executed(), kScreenConfidence);
+      for (std::size_t l = 0; l < open.size(); ++l) {
+        open[l] = open[l] && bound <= 1.0 - settings_.levels[l];
+        if (open[l]) {
+          candidates_[l] = k;
+        }
+      }
+    }
+  }
+
+  std::optional<TubeLevel> find_level(double level) {
+    const auto l = static_cast<std::size_t>(
+        std::find(settings_.levels.begin(), settings_.levels.end(), level) -
+        settings_.levels.begin());
+    if (!candidates_[l]) {
+      fail(level,
+           widest_with_plans_
+               ? fmt::format("even factor {:.3g} of the shape is too narrow; wider tubes leave "
+                             "too few environments with a plan",
+                             factors_[*widest_with_plans_])
+               : "no tube of the list leaves enough environments with a plan; a model with "
+                 "smaller errors is needed, or a larger budget");
+      return std::nullopt;
+    }
+    std::optional<TubeLevel> narrowest;
+    int tests = 0;
+    const auto holds = [&](std::size_t k) {
+      const std::optional<TubeLevel> found = test_factor(level, factors_[k], tests++);
+      narrowest = found ? found : narrowest;
+      return found.has_value();
+    };
+    if (!narrowest_factor(*candidates_[l], factors_.size(), kMaxWiderTests, holds)) {
+      fail(level, fmt::format("no factor held its test on {} runs", settings_.test_runs));
+      return std::nullopt;
+    }
+    audit(*narrowest);
+    return narrowest;
+  }
+
+  /// In environments of its own. The tests of a level share its confidence (narrowest_factor).
+  std::optional<TubeLevel> test_factor(double level, double factor, int test) {
+    const TubeRuns runs = run_phase(fmt::format("test_{:g}_{}", 100.0 * level, test),
+                                    settings_.test_runs, &shape_, factor);
+    const int outside = runs.outside(factor);
+    const double confidence = 1.0 - (1.0 - settings_.confidence) / kMaxWiderTests;
+    settings_.say(fmt::format("level {}: factor {:.3f}: {} of {} runs outside", level, factor,
+                              outside, runs.executed()));
+    if (share_at_most(outside, runs.executed(), confidence) > 1.0 - level) {
+      return std::nullopt;
+    }
+    TubeLevel found;
+    found.level = level;
+    found.factor = factor;
+    found.runs = runs.executed();
+    found.outside = outside;
+    found.confidence = settings_.confidence;
+    return found;
+  }
+
+  void audit(TubeLevel& level) {
+    if (settings_.audit_runs == 0) {
+      return;
+    }
+    const TubeRuns runs = run_phase(fmt::format("audit_{:g}", 100.0 * level.level),
+                                    settings_.audit_runs, &shape_, level.factor);
+    level.audit_runs = runs.executed();
+    level.audit_outside = runs.outside(level.factor);
+    settings_.say(fmt::format("level {}: audit: {} of {} runs outside", level.level,
+                              level.audit_outside, level.audit_runs));
+    if (share_at_least(level.audit_outside, level.audit_runs, kAuditConfidence) >
+        1.0 - level.level) {
+      fail(level.level, fmt::format("its audit contradicts it: {} of {} runs are outside",
+                                    level.audit_outside, level.audit_runs));
+    }
+  }
+
+  void fail(double level, const std::string& why) {
+    result_.failures.push_back(fmt::format("level {}: {}", level, why));
+  }
+
+  const CalibrationSettings& settings_;
+  const std::vector<double> factors_;
+  const Json identity_;
+  std::optional<OutputFolder> folder_;
+  Tube shape_;
+  std::vector<std::optional<std::size_t>> candidates_;
+  std::optional<std::size_t> widest_with_plans_;
+  Json evidence_;
+  CalibrationResult result_;
+};
+
+void require_runs(const char* flag, int runs, int min, int max = 1'000'000) {
+  if (runs < min || runs > max) {
+    throw InputError(fmt::format("{} {}: expected {} to {}", flag, runs, min, max));
+  }
+}
+
+}  // namespace
+
+std::vector<double> tube_factors() {
+  std::vector<double> factors(std::begin(kWideFactors), std::end(kWideFactors));
+  for (double factor = kFirstNarrow; factors.size() < kFactors; factor *= kStep) {
+    factors.push_back(factor);
+  }
+  return factors;
+}
+
+void require_usable(const CalibrationSettings& settings) {
+  require_runs("--shape-runs", settings.scale_runs, 1);
+  require_runs("--audit-runs", settings.audit_runs, 0);
+  if (settings.levels.empty() ||
+      std::adjacent_find(settings.levels.begin(), settings.levels.end(), std::greater_equal<>()) !=
+          settings.levels.end()) {
+    throw InputError("--levels: expected rising shares, such as 0.9 0.95");
+  }
+  const double highest = settings.levels.back();
+  for (const double share : {settings.levels.front(), highest, settings.confidence}) {
+    if (!(share > 0.0 && share < 1.0)) {
+      throw InputError(fmt::format("a share of {}: expected more than 0 and less than 1", share));
+    }
+  }
+  const double confidence = 1.0 - (1.0 - settings.confidence) / kMaxWiderTests;
+  for (const auto& [flag, runs, sure] :
+       {std::tuple{"--screen-runs", settings.screen_runs, kScreenConfidence},
+        std::tuple{"--test-runs", settings.test_runs, confidence}}) {
+    if (const int needed = min_runs(highest, sure); runs < needed) {
+      throw InputError(
+          fmt::format("{} {}: so few can't show a level of {}: at least {}, or lower --levels",
+                      flag, runs, highest, needed));
+    }
+  }
+}
+
+CalibrationResult calibrate_tube(const CalibrationSettings& settings) {
+  require_usable(settings);
+  return Calibration(settings).run();
+}
+
+}  // namespace limber

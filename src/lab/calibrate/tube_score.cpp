@@ -1,0 +1,173 @@
+#include "limber/lab/tube_score.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Eigen/Core>
+
+#include "limber/run/state_lag.hpp"
+
+namespace limber {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kShareInside = 0.99;  // of the runs, below the shape
+/// The same for the last third of the plates and for the end, where a wide tube costs plans most.
+constexpr double kShareAtTip = 0.95;
+constexpr double kTipPlates = 1.0 / 3.0;
+constexpr double kStartShare = 0.4;       // what arms are off in their first frames
+constexpr double kFullAfterShare = 0.15;  // of the arm's length
+constexpr double kMinScaleM = 1e-4;       // as the certificate's deviation: nothing is known better
+constexpr double kMinScaleRad = 1e-3;     // the same
+
+Vector2d at(const Eigen::Ref<const Backbone>& backbone, Eigen::Index plate) {
+  return {double(backbone(plate, 0)), double(backbone(plate, 1))};
+}
+
+/// Middle of the arc through two plates that turns by the difference of their headings.
+Vector2d middle(const Eigen::Ref<const Backbone>& backbone, Eigen::Index gap) {
+  const Vector2d from = at(backbone, gap);
+  const Vector2d chord = at(backbone, gap + 1) - from;
+  const double turn = double(backbone(gap + 1, 2)) - double(backbone(gap, 2));
+  const double bulge = 0.5 * std::tan(0.25 * std::clamp(turn, -std::numbers::pi, std::numbers::pi));
+  return from + 0.5 * chord - bulge * Vector2d(-chord.y(), chord.x());
+}
+
+Backbone shape_in(const Episode& run, int frame) {
+  return Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
+      run.backbone.row(frame).data(), run.backbone.cols() / 3, 3);
+}
+
+double turned(double a, double b) {
+  return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
+}
+
+/// Calls visit(predicted, true shape) where the arm was tracked.
+template <class Visit>
+void visit_frames(const Plan& plan, const Episode& run, Visit&& visit) {
+  const std::vector<int> shown = shown_frames(plan, run);
+  for (int t = 0; t < run.frame_count(); ++t) {
+    if (run.was_tracked(t)) {
+      const auto k = static_cast<std::size_t>(shown[static_cast<std::size_t>(t)]);
+      visit(plan.frames[k].backbone, shape_in(run, t));
+    }
+  }
+}
+
+/// How far each plate of a predicted shape is from where it started.
+class Moved {
+ public:
+  explicit Moved(const Backbone& start) : start_(start) {}
+  double operator()(const Backbone& predicted, Eigen::Index plate) const {
+    return (at(predicted, plate) - at(start_, plate)).norm();
+  }
+
+ private:
+  const Backbone& start_;
+};
+
+}  // namespace
+
+std::vector<int> shown_frames(const Plan& plan, const Episode& run) {
+  const int last = plan.frame_count() - 1;
+  StateLag lag;
+  ArmState state;
+  std::vector<int> shown;
+  for (int t = 0; t < run.frame_count(); ++t) {
+    const Pressures& sent_kpa =
+        plan.frames[static_cast<std::size_t>(std::min(t, last))].setpoint_kpa;
+    state.setpoint_kpa = run.setpoint_kpa.row(t).transpose();
+    shown.push_back(std::clamp(t - lag.note(sent_kpa, state), 0, last));
+  }
+  return shown;
+}
+
+MotionErrors motion_errors(const Plan& plan, const Episode& run, const RoomGrowth& growth) {
+  MotionErrors errors;
+  errors.plate_m.assign(static_cast<std::size_t>(plan.frames.front().backbone.rows()), 0.0);
+  const Moved moved(plan.frames.front().backbone);
+  visit_frames(plan, run, [&](const Backbone& predicted, const Backbone& seen) {
+    const Eigen::Index tip = predicted.rows() - 1;
+    for (Eigen::Index plate = 0; plate <= tip; ++plate) {
+      double& largest = errors.plate_m[static_cast<std::size_t>(plate)];
+      largest = std::max(largest, (at(predicted, plate) - at(seen, plate)).norm() /
+                                      growth.share_after(moved(predicted, plate)));
+    }
+    errors.end_m = (at(predicted, tip) - at(seen, tip)).norm();
+    errors.end_heading_rad = turned(double(predicted(tip, 2)), double(seen(tip, 2)));
+  });
+  return errors;
+}
+
+double tube_score(const Plan& plan, const Episode& run, const Tube& shape) {
+  double score = 0.0;
+  double end_score = 0.0;
+  const Moved moved(plan.frames.front().backbone);
+  const auto scale = [&](const Backbone& predicted, Eigen::Index plate) {
+    return shape.plate_scale_m[static_cast<std::size_t>(plate)] *
+           shape.growth.share_after(moved(predicted, plate));
+  };
+  visit_frames(plan, run, [&](const Backbone& predicted, const Backbone& seen) {
+    const Eigen::Index tip = predicted.rows() - 1;
+    double before = 0.0;
+    for (Eigen::Index plate = 0; plate <= tip; ++plate) {
+      const double here = scale(predicted, plate);
+      score = std::max(score, (at(predicted, plate) - at(seen, plate)).norm() / here);
+      if (plate > 0) {
+        score = std::max(score, (middle(predicted, plate - 1) - middle(seen, plate - 1)).norm() /
+                                    std::max(before, here));
+      }
+      before = here;
+    }
+    end_score = std::max(
+        (at(predicted, tip) - at(seen, tip)).norm() / shape.end_scale_m,
+        turned(double(predicted(tip, 2)), double(seen(tip, 2))) / shape.end_heading_scale_rad);
+  });
+  return std::max(score, end_score);
+}
+
+RoomGrowth usual_growth(double arm_length_m) {
+  return {kStartShare, kFullAfterShare * arm_length_m};
+}
+
+double mean_tip_radius_m(const Plan& plan, const Tube& tube, const TubeLevel& level) {
+  const Moved moved(plan.frames.front().backbone);
+  double sum = 0.0;
+  for (const PlanFrame& frame : plan.frames) {
+    const Eigen::Index tip = frame.backbone.rows() - 1;
+    sum += tube.radius_m(level, static_cast<std::size_t>(tip), moved(frame.backbone, tip));
+  }
+  return sum / plan.frame_count();
+}
+
+Tube tube_shape(const std::vector<MotionErrors>& runs, const RoomGrowth& growth) {
+  assert(!runs.empty());
+  Tube tube;
+  tube.growth = growth;
+  const auto below = [&](double share, auto&& value) {
+    std::vector<double> values;
+    for (const MotionErrors& run : runs) {
+      values.push_back(value(run));
+    }
+    return conformal_quantile(std::move(values), share);
+  };
+  const std::size_t plates = runs.front().plate_m.size();
+  for (std::size_t plate = 0; plate < plates; ++plate) {
+    const bool is_inside = double(plate) < (1.0 - kTipPlates) * double(plates);
+    tube.plate_scale_m.push_back(
+        std::max(kMinScaleM, below(is_inside ? kShareInside : kShareAtTip,
+                                   [&](const MotionErrors& run) { return run.plate_m[plate]; })));
+  }
+  tube.end_scale_m =
+      std::max(kMinScaleM, below(kShareAtTip, [](const MotionErrors& r) { return r.end_m; }));
+  tube.end_heading_scale_rad = std::max(
+      kMinScaleRad, below(kShareInside, [](const MotionErrors& r) { return r.end_heading_rad; }));
+  return tube;
+}
+
+}  // namespace limber

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "demo_recipe.hpp"
+#include "limber/arm/characterisation.hpp"
+#include "limber/lab/speed_benchmark.hpp"
+#include "limber/data/recording.hpp"
+#include "limber/lab/demo.hpp"
+#include "limber/lab/output_folder.hpp"
+#include "limber/forward/motion_model.hpp"
+#include "limber/report/evaluation_plots.hpp"
+#include "limber/report/planning_table.hpp"
+#include "limber/report/report_page.hpp"
+#include "limber/training/evaluation.hpp"
+#include "limber/training/trainer.hpp"
+#include "limber/lab/trials.hpp"
+#include "stage_clock.hpp"
+
+namespace limber {
+
+/// What became of the network's plans of one planning time, in one group of environments.
+struct Arrivals {
+  std::string environments;
+  double planning_time_s = kFirstPlan;
+  int plans = 0;
+  int solved = 0;
+  int arrived = 0;  ///< ended within the goal's tolerances, without collision
+  int collided = 0;
+  SampleFigures distance_cm;  ///< of all runs, to the goal's centre
+};
+
+/// What the stages leave behind for each other and for the report. A stage reads what earlier ones
+/// have set.
+struct DemoResults {
+  const DemoSettings* settings = nullptr;
+  OutputFolder* output = nullptr;
+  DemoRecipe recipe;
+  StageClock clock;
+
+  BenchData bench_points;
+  CharacterisedArm characterised;
+
+  Recording training_recording;
+  std::vector<Episode> validation;
+  std::vector<Episode> unseen;
+  Recording test_recording;
+
+  TrainingResult training;
+  std::optional<ForwardModel> no_load;
+  std::optional<ForwardModel> network;
+  std::string model_hash;
+  std::string valve_plot_svg;
+
+  Evaluation evaluation;
+  EvaluationPlots evaluation_plots;
+  std::string inflate_deflate_svg;  ///< the paper's Fig. 1
+
+  SpeedReport speed;
+
+  std::vector<EnvironmentCase> environments;
+  std::vector<PlanTrial> trials;            ///< environment by environment, no load before network
+  std::vector<ReportFigure> plan_pictures;  ///< planned and executed, environment by environment
+
+  std::vector<Arrivals> arrivals;  ///< group by group, over planning time
+
+  /// What motions are predicted with: the no-load model or the network, after the network's valves.
+  MotionModel motion_model(const ForwardModel& forward) const;
+  const Environment& environment(const std::string& id) const;
+  const ArmDescription& arm() const { return characterised.arm; }
+  std::filesystem::path file(const std::string& name) const { return output->path() / name; }
+};
+
+void characterise_stage(DemoResults& results);
+void collect_stage(DemoResults& results);
+void train_stage(DemoResults& results);
+void evaluate_stage(DemoResults& results);
+void bench_stage(DemoResults& results);
+/// Plans with both models in every environment, and executes every plan at once.
+void plan_stage(DemoResults& results);
+void execute_stage(DemoResults& results);
+/// Plans and executes in limber's own and in random environments, over planning time.
+void arrival_stage(DemoResults& results);
+
+/// The page and the summary of a finished run.
+std::string demo_report(const DemoResults& results);
+nlohmann::ordered_json demo_summary(const DemoResults& results);
+
+}  // namespace limber

@@ -1,0 +1,121 @@
+#include "limber/lab/witnessed_environment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "environment_parts.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/random_stream.hpp"
+#include "limber/world/collision.hpp"
+#include "limber/world/pressure_box.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::uint64_t kWitnessedStream = 0x776974ULL << 32;
+constexpr int kAttempts = 100;
+constexpr int kMaxMotions = 3;
+constexpr double kMinWitnessTravelM =
+    0.15;  // of the tip, from start to goal: else the arm may stay
+constexpr int kMinObstacles = 5;
+constexpr int kMaxObstacles = 13;
+constexpr int kTriesPerWitnessed = 30;
+constexpr double kNearM = 0.16;                   // from a plate to an obstacle's middle
+constexpr double kClearancesM[] = {0.012, 0.02};  // each of half of the environments
+constexpr double kPositionToleranceM = 0.02;      // these three as in limber's own environments
+constexpr double kOrientationToleranceRad = 0.3;
+constexpr double kOrientationShare = 0.3;
+
+/// One attempt.
+class Sampler {
+ public:
+  Sampler(const ArmDescription& arm, RandomStream& random)
+      : arm_(arm), unit_(size_unit(arm)), random_(random) {}
+
+  std::optional<WitnessedEnvironment> sample(const Witness& witness) {
+    const PressureBox box = pressure_box(arm_);
+    const int motions = 1 + index(kMaxMotions);
+    for (int k = 0; k < motions; ++k) {
+      result_.waypoints_kpa.push_back(box.sample(random_));
+    }
+    // A plan starts where the model has the arm at rest, which is to be free too.
+    shapes_.assign(1, start_state(result_.environment, arm_).backbone);
+    const std::vector<Backbone> moved = witness(result_.waypoints_kpa);
+    shapes_.insert(shapes_.end(), moved.begin(), moved.end());
+    const Pose start = tip_pose<float>(moved.front());
+    const Pose end = tip_pose<float>(moved.back());
+    if (std::hypot(end.x_m - start.x_m, end.y_m - start.y_m) < unit_ * kMinWitnessTravelM) {
+      return std::nullopt;
+    }
+    result_.environment.goal =
+        random_goal(end, kPositionToleranceM, kOrientationToleranceRad, kOrientationShare, random_);
+    result_.clearance_m = unit_ * kClearancesM[index(2)];
+    return add_obstacles() ? std::optional(std::move(result_)) : std::nullopt;
+  }
+
+ private:
+  int index(int count) {
+    return static_cast<int>(random_.index(static_cast<std::uint32_t>(count)));
+  }
+
+  bool add_obstacles() {
+    std::vector<Obstacle>& obstacles = result_.environment.obstacles;
+    const auto wanted =
+        static_cast<std::size_t>(kMinObstacles + index(kMaxObstacles - kMinObstacles + 1));
+    for (std::size_t k = 0; k < wanted * kTriesPerWitnessed && obstacles.size() < wanted; ++k) {
+      const Obstacle obstacle = random_obstacle(unit_, random_point(), random_);
+      if (is_clear(obstacle)) {
+        obstacles.push_back(obstacle);
+      }
+    }
+    return obstacles.size() == wanted;
+  }
+
+  Eigen::Vector2d random_point() {
+    const Backbone& shape = shapes_[static_cast<std::size_t>(index(int(shapes_.size())))];
+    const int plate = index(arm_.point_count());
+    const double angle = random_.uniform(0.0, 2.0 * std::numbers::pi);
+    const double away_m = unit_ * kNearM * random_.uniform();
+    return {double(shape(plate, 0)) + away_m * std::cos(angle),
+            double(shape(plate, 1)) + away_m * std::sin(angle)};
+  }
+
+  bool is_clear(const Obstacle& obstacle) const {
+    const CollisionChecker checker(arm_, {obstacle}, result_.clearance_m);
+    for (std::size_t k = 1; k < shapes_.size(); ++k) {
+      if (!checker.is_motion_free(shapes_[k - 1], shapes_[k])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const ArmDescription& arm_;
+  double unit_;
+  RandomStream& random_;
+  std::vector<Backbone> shapes_;
+  WitnessedEnvironment result_;
+};
+
+}  // namespace
+
+std::optional<WitnessedEnvironment> witnessed_environment(const ArmDescription& arm,
+                                                          const Witness& witness,
+                                                          std::uint64_t seed,
+                                                          std::uint64_t number) {
+  RandomStream random(seed, kWitnessedStream + number);
+  for (int k = 0; k < kAttempts; ++k) {
+    throw_if_interrupted();
+    if (std::optional<WitnessedEnvironment> sampled = Sampler(arm, random).sample(witness)) {
+      sampled->environment.name = fmt::format("random {} of seed {}", number, seed);
+      return sampled;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace limber

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "limber/lab/tube_runs.hpp"
+
+namespace limber {
+
+struct CalibrationSettings {
+  TubeRunSettings runs;
+  std::filesystem::path model_file;
+  std::filesystem::path folder;  ///< of finished runs and the evidence
+  std::vector<double> levels = {0.90, 0.95};
+  double confidence = 0.95;  ///< of every level that is promised, in (0, 1)
+  int scale_runs = 500;
+  int screen_runs = 500;
+  int test_runs = 4000;
+  int audit_runs = 4000;
+  bool resume = false;
+  bool force = false;
+  std::function<void(const std::string&)> say = [](const std::string&) {};
+};
+
+struct CalibrationResult {
+  /// Carries the tube, with every level that passed its test; none if none did.
+  CompensationModel model;
+  nlohmann::ordered_json evidence;
+  std::vector<std::string> failures;  ///< a sentence for each level that failed test or audit
+};
+
+/// The factors that are tried, the largest first.
+std::vector<double> tube_factors();
+
+/// Refuses levels, confidence and numbers of runs that can't give what is asked for.
+/// @throws InputError
+void require_usable(const CalibrationSettings& settings);
+
+/// docs/tube.md, Calibration: a shape, then factors from the largest down on plans made with them,
+/// a test and an audit, each in environments of its own. Writes evidence.json and evidence.html
+/// into the folder.
+CalibrationResult calibrate_tube(const CalibrationSettings& settings);
+
+/// A tube from plans and the runs that executed them, with what they can promise (docs/tube.md).
+/// @param recordings  one per plan, in the same order
+/// @throws InputError if a recording is not its plan's, or there are too few for a level, naming
+/// the largest level that they can promise.
+struct RecordedCalibration {
+  ArmDescription arm;
+  CompensationModel model;
+  std::string model_hash;
+  std::vector<std::filesystem::path> plans;
+  std::vector<std::filesystem::path> recordings;
+  std::vector<double> levels = {0.90, 0.95};
+  double confidence = 0.95;
+};
+Tube tube_from_recordings(const RecordedCalibration& settings);
+
+}  // namespace limber

@@ -1,0 +1,146 @@
+#include "limber/lab/plan_spread.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <numeric>
+
+#include "limber/forward/ensemble_forward.hpp"
+#include "limber/world/collision.hpp"
+
+namespace limber {
+
+namespace {
+
+using Rollouts = std::vector<Eigen::MatrixXf>;  // one per member, 3m × frames
+
+Eigen::Map<const Backbone> shape(const Eigen::MatrixXf& rollout, Eigen::Index frame) {
+  return {rollout.col(frame).data(), rollout.rows() / 3, 3};
+}
+
+Rollouts roll_out(const Plan& plan, const EnsembleForward& ensemble) {
+  const auto frames = static_cast<Eigen::Index>(plan.frames.size());
+  const Backbone& start = plan.frames.front().backbone;
+  Eigen::MatrixXf pressures(plan.frames.front().pressure_kpa.size(), frames);
+  for (Eigen::Index k = 0; k < frames; ++k) {
+    pressures.col(k) = plan.frames[static_cast<std::size_t>(k)].pressure_kpa;
+  }
+  ForwardModel::Workspace workspace;
+  Rollouts rollouts;
+  for (int member = 0; member < ensemble.member_count(); ++member) {
+    rollouts.emplace_back(start.size(), frames);
+    rollouts.back().col(0) = Eigen::Map<const Eigen::VectorXf>(start.data(), start.size());
+    ensemble.member(member).rollout(pressures, rollouts.back(), workspace);
+  }
+  return rollouts;
+}
+
+MemberFigures figures_of(const std::vector<double>& values) {
+  const double count = static_cast<double>(values.size());
+  MemberFigures result;
+  result.min_m = *std::ranges::min_element(values);
+  result.max_m = *std::ranges::max_element(values);
+  result.mean_m = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  for (const double value : values) {
+    result.standard_deviation_m += std::pow(value - result.mean_m, 2) / count;
+  }
+  result.standard_deviation_m = std::sqrt(result.standard_deviation_m);
+  return result;
+}
+
+SpreadAt spread_of_plate(const Rollouts& rollouts, int frame, int plate) {
+  std::vector<Eigen::Vector2d> positions;
+  for (const Eigen::MatrixXf& rollout : rollouts) {
+    positions.emplace_back(shape(rollout, frame).row(plate).head(2).transpose().cast<double>());
+  }
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& position : positions) {
+    mean += position / static_cast<double>(positions.size());
+  }
+  SpreadAt result{frame, plate};
+  double square = 0.0;
+  for (const Eigen::Vector2d& position : positions) {
+    square += (position - mean).squaredNorm() / static_cast<double>(positions.size());
+    for (const Eigen::Vector2d& other : positions) {
+      result.largest_distance_m = std::max(result.largest_distance_m, (position - other).norm());
+    }
+  }
+  result.standard_deviation_m = std::sqrt(square);
+  return result;
+}
+
+/// Of the plates from `first` to `last` the one that is farthest apart.
+SpreadAt spread_of(const Rollouts& rollouts, int frame, int first, int last) {
+  SpreadAt widest = spread_of_plate(rollouts, frame, first);
+  for (int plate = first + 1; plate <= last; ++plate) {
+    const SpreadAt next = spread_of_plate(rollouts, frame, plate);
+    if (next.largest_distance_m > widest.largest_distance_m) {
+      widest = next;
+    }
+  }
+  return widest;
+}
+
+/// Smallest clearance of the motion through the rollout's frames.
+double clearance_m(const CollisionChecker& checker, const Eigen::MatrixXf& rollout) {
+  double smallest = checker.clearance(shape(rollout, 0)).value_m;
+  for (Eigen::Index k = 1; k < rollout.cols(); ++k) {
+    smallest = checker.motion_clearance(shape(rollout, k - 1), shape(rollout, k), smallest).value_m;
+  }
+  return smallest;
+}
+
+PlanSpread::Closest closest_approach(const Plan& plan, const Rollouts& rollouts,
+                                     const CollisionChecker& checker) {
+  PlanSpread::Closest closest;
+  int frame = 0;
+  Clearance nearest = checker.clearance(plan.frames.front().backbone);
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    const Clearance here = checker.clearance(plan.frames[k].backbone);
+    if (here.value_m < nearest.value_m) {
+      nearest = here;
+      frame = static_cast<int>(k);
+    }
+  }
+  closest.gap = nearest.gap;
+  closest.obstacle = nearest.obstacle;
+  closest.at = spread_of(rollouts, frame, nearest.gap, nearest.gap + 1);
+  std::vector<double> clearances;
+  for (const Eigen::MatrixXf& rollout : rollouts) {
+    clearances.push_back(clearance_m(checker, rollout));
+  }
+  closest.clearance = figures_of(clearances);
+  return closest;
+}
+
+}  // namespace
+
+std::optional<PlanSpread> plan_spread(const Plan& plan, const ArmDescription& arm,
+                                      const CompensationModel& model,
+                                      const Environment& environment) {
+  if (model.member_count() == 1) {
+    return std::nullopt;
+  }
+  const EnsembleForward ensemble(arm, model);
+  const Rollouts rollouts = roll_out(plan, ensemble);
+  if (!std::ranges::all_of(rollouts, [](const Eigen::MatrixXf& r) { return r.allFinite(); })) {
+    return std::nullopt;
+  }
+  PlanSpread spread;
+  spread.members = ensemble.member_count();
+  const int last = plan.frame_count() - 1;
+  std::vector<double> distances;
+  for (const Eigen::MatrixXf& rollout : rollouts) {
+    const auto tip = shape(rollout, last).row(arm.point_count() - 1);
+    distances.push_back(
+        std::hypot(double(tip[0]) - environment.goal.x_m, double(tip[1]) - environment.goal.y_m));
+  }
+  spread.goal_distance = figures_of(distances);
+  spread.end = spread_of(rollouts, last, 0, arm.point_count() - 1);
+  if (!environment.obstacles.empty()) {
+    spread.closest = closest_approach(plan, rollouts, CollisionChecker(arm, environment.obstacles));
+  }
+  return spread;
+}
+
+}  // namespace limber

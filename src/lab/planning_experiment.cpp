@@ -1,0 +1,365 @@
+#include "limber/lab/planning_experiment.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "demo/demo_recipe.hpp"
+#include "experiment_identity.hpp"
+#include "kernels/job_arena.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/json_reader.hpp"
+#include "limber/common/version.hpp"
+#include "limber/lab/output_folder.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
+#include "limber/planning/forest.hpp"
+#include "limber/planning/planner_factory.hpp"
+#include "limber/planning/problem_check.hpp"
+#include "limber/report/final_shapes_picture.hpp"
+#include "limber/report/planner_arena.hpp"
+#include "limber/report/planning_table.hpp"
+#include "limber/report/report_page.hpp"
+#include "limber/report/run_table.hpp"
+#include "limber/sim/disturbance.hpp"
+#include "limber/lab/trial_run.hpp"
+#include "optional_json.hpp"
+#include "trial_file.hpp"
+
+namespace limber {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kTrialSeed = 128;  // as the demo's plans
+constexpr const char* kExperimentFile = "experiment.json";
+
+CompensationModel model_of(const ExperimentSettings& settings) {
+  CompensationModel model = read_model(settings.model_file);
+  model.answer = settings.ensemble;
+  return model;
+}
+
+/// "ompl:SST,frames=5" → "ompl-SST-frames-5".
+std::string as_file_name(std::string text) {
+  for (char& c : text) {
+    c = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ? c : '-';
+  }
+  return text;
+}
+
+/// Planner, controller and disturbance in a file's name; the usual ones are left out.
+std::string way_of(const TrialKey& key) {
+  std::string name = as_file_name(key.planner);
+  if (key.controller != "open") {
+    name += "_" + as_file_name(key.controller);
+  }
+  return key.disturbance.empty() ? name : name + "_" + as_file_name(key.disturbance);
+}
+
+struct Task {
+  const EnvironmentCase* environment;
+  const MotionModel* model;
+  TrialKey key;
+};
+
+class Experiment {
+ public:
+  explicit Experiment(const ExperimentSettings& settings)
+      : settings_(settings),
+        model_bytes_hash_(content_hash(read_file(settings.model_file))),
+        no_load_forward_(settings.arm),
+        network_forward_(settings.arm, model_of(settings)),
+        no_load_(no_load_forward_, ValveModel(settings.arm, settings.valves)),
+        network_(network_forward_, ValveModel(settings.arm, settings.valves)),
+        identity_(experiment_identity(settings, model_bytes_hash_)) {}
+
+  Json run() {
+    list_tasks();
+    prepare_folder();
+    run_tasks();
+    throw_if_interrupted();
+    return write_results();
+  }
+
+ private:
+  fs::path file(const std::string& name) const { return settings_.folder / name; }
+
+  void prepare_folder() {
+    const bool resumes = settings_.resume && fs::exists(file(kExperimentFile));
+    if (resumes) {
+      Json wanted = identity_;
+      if (replans() && known_motion_queries(settings_)) {
+        wanted["motion_queries"] = settings_.motion_queries;
+      }
+      require_same_experiment(file(kExperimentFile), wanted);
+    }
+    output_.emplace(settings_.folder, "experiment",
+                    resumes           ? OutputFolder::Start::resumed
+                    : settings_.force ? OutputFolder::Start::forced
+                                      : OutputFolder::Start::fresh,
+                    std::vector<fs::path>{settings_.model_file});
+    if (!output_->left().empty()) {
+      settings_.say(output_->about_left());
+    }
+    output_->require_free(names_to_write());
+    if (!resumes || adds_replanning()) {
+      Json written = identity_;
+      if (replans()) {
+        written["motion_queries"] = settings_.motion_queries;
+      }
+      written["program_version"] = version();
+      output_->write(kExperimentFile, written.dump(1) + "\n");
+    }
+  }
+
+  bool replans() const {
+    return std::ranges::find(settings_.controllers, "replan") != settings_.controllers.end();
+  }
+  /// Whether the experiment that is resumed had no closed loop so far.
+  bool adds_replanning() const { return replans() && !known_motion_queries(settings_); }
+
+  /// What a trial is one of: trials in closed loop depend on its budget too.
+  std::string hash_for(const std::string& controller) const {
+    return content_hash(controller == "replan"
+                            ? fmt::format("{} {}", identity_.dump(), settings_.motion_queries)
+                            : identity_.dump());
+  }
+
+  /// Finished trials are only read.
+  std::vector<std::string> names_to_write() const {
+    std::vector<std::string> names{"table.json", "table.md", "runs.json", "report.html"};
+    for (const EnvironmentCase& item : settings_.environments) {
+      names.insert(names.end(), {"figures/" + item.id + ".svg", "figures/" + item.id + "_all.svg",
+                                 "planner_arena/" + item.id + ".log"});
+    }
+    for (const Task& task : tasks_) {
+      if (!has_trial(settings_.folder, task.key.id)) {
+        const std::vector<std::string> files = trial_files(task.key.id);
+        names.insert(names.end(), files.begin(), files.end());
+      }
+    }
+    return names;
+  }
+
+  void list_tasks() {
+    for (const std::string& disturbance : settings_.disturbances) {
+      for (const std::string& controller : settings_.controllers) {
+        for (const std::string& planner : settings_.planners) {
+          TrialKey key;
+          key.planner = planner;
+          key.controller = controller;
+          key.disturbance = disturbance;
+          for (const EnvironmentCase& item : settings_.environments) {
+            add_tasks(key, item, no_load_);
+            add_tasks(key, item, network_);
+          }
+        }
+      }
+    }
+  }
+
+  void add_tasks(TrialKey key, const EnvironmentCase& item, const MotionModel& model) {
+    if (!settings_.with_no_load && !model.has_network()) {
+      return;
+    }
+    key.experiment = hash_for(key.controller);
+    key.environment = item.id;
+    key.environment_hash = environment_hash(item.environment);
+    key.model = model.has_network() ? "network" : "no_load";
+    key.model_hash = model.has_network() ? model_bytes_hash_ : "";
+    for (int k = 0; k < settings_.trials; ++k) {
+      key.seed = derived_seed(settings_.seed, kTrialSeed + std::uint64_t(k));
+      key.id = fmt::format("{}_{}_{}_{:03}", item.id, key.model, way_of(key), k + 1);
+      tasks_.push_back({&item, &model, key});
+    }
+  }
+
+  void run_tasks() {
+    std::vector<const Task*> open;
+    for (const Task& task : tasks_) {
+      if (!has_trial(settings_.folder, task.key.id)) {
+        open.push_back(&task);
+      } else {
+        (void)read(task);  // a damaged one is found now, not after hours of running the others
+      }
+    }
+    if (open.size() < tasks_.size()) {
+      settings_.say(fmt::format("{} of {} trials were already finished",
+                                tasks_.size() - open.size(), tasks_.size()));
+    }
+    PlanTrialSettings trial;
+    trial.limits = settings_.limits;
+    trial.room = settings_.room;
+    trial.planner_jobs = settings_.planner_jobs;
+    trial.model_hash = model_bytes_hash_;
+    trial.motion_queries = settings_.motion_queries;
+    Progress progress("experiment", "trials", open.size(), settings_.progress);
+    JobArena arena(settings_.jobs);
+    arena.execute([&] {
+      tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t i) {
+        if (!interrupt_requested()) {
+          run_task(*open[i], trial);
+          progress.advance();
+        }
+      });
+    });
+    progress.finish();
+  }
+
+  PlanTrial read(const Task& task) const {
+    PlanTrial trial =
+        read_trial(settings_.folder, task.key, settings_.arm, task.environment->environment);
+    output_->require_unchanged(trial_files(task.key.id));
+    return trial;
+  }
+
+  void run_task(const Task& task, PlanTrialSettings settings) {
+    settings.planner = task.key.planner;
+    settings.controller = task.key.controller;
+    settings.disturbance = task.key.disturbance;
+    if (settings_.forest && task.model->has_network() && is_default_planner(settings.planner)) {
+      settings.forest = &*settings_.forest;
+    }
+    const Environment& environment = task.environment->environment;
+    PlanTrial trial =
+        plan_trial(settings_.arm, *task.model, *task.environment, settings, task.key.seed);
+    run_trial(settings_.arm, *task.model, environment, settings, trial);
+    if (!interrupt_requested()) {
+      write_trial(*output_, task.key, trial, environment);
+    }
+  }
+
+  Json write_results() {
+    std::vector<PlanTrial> trials;
+    for (const Task& task : tasks_) {
+      trials.push_back(read(task));
+    }
+    const std::vector<PlanningRow> rows = planning_rows(trials);
+    const Json table = to_json(rows);
+    output_->write("table.json", table.dump(1) + "\n");
+    const std::string title =
+        fmt::format("Planning and execution, arm {}, {} trials per cell, seed {}",
+                    settings_.arm.name, settings_.trials, settings_.seed);
+    std::vector<ReportTable> tables = planning_tables(rows);
+    const std::vector<RunRow> runs = run_rows(trials);
+    output_->write("runs.json", to_json(runs).dump(1) + "\n");
+    tables.insert(tables.begin(), run_table(runs));
+    output_->write("table.md", tables_to_markdown(title, tables));
+    write_report(title, tables, rows, trials);
+    for (const EnvironmentCase& item : settings_.environments) {
+      output_->write("planner_arena/" + item.id + ".log",
+                     planner_arena_log(item.id, trials, settings_.limits, settings_.seed));
+    }
+    return table;
+  }
+
+  void write_report(const std::string& title, const std::vector<ReportTable>& tables,
+                    const std::vector<PlanningRow>& rows, const std::vector<PlanTrial>& trials) {
+    ReportPage page("limber experiment", title);
+    page.heading("Tables");
+    for (const ReportTable& table : tables) {
+      page.table(table);
+    }
+    page.heading("Final shapes")
+        .paragraph(
+            "As in the paper's Fig. 5: where the arm ended after executing one plan of each model, "
+            "and after all of them. Runs that collided are dashed.");
+    for (const EnvironmentCase& item : settings_.environments) {
+      std::vector<PlanTrial> one;
+      for (const PlanningRow& row : rows) {
+        const PlanningRow& first = rows.front();
+        if (row.environment == item.id && row.planner == first.planner &&
+            row.controller == first.controller && row.disturbance == first.disturbance &&
+            row.one_plan != nullptr) {
+          one.push_back(*row.one_plan);
+        }
+      }
+      const std::string single = final_shapes_picture(settings_.arm, item, one);
+      const std::string all = final_shapes_picture(settings_.arm, item, trials);
+      output_->write("figures/" + item.id + ".svg", single);
+      output_->write("figures/" + item.id + "_all.svg", all);
+      page.figures(
+          {{single, item.id + ": one plan of each model"}, {all, item.id + ": all plans"}});
+    }
+    output_->write("report.html", page.html());
+  }
+
+  const ExperimentSettings& settings_;
+  std::string model_bytes_hash_;
+  ForwardModel no_load_forward_;
+  ForwardModel network_forward_;
+  MotionModel no_load_;
+  MotionModel network_;
+  Json identity_;
+  std::optional<OutputFolder> output_;
+  std::vector<Task> tasks_;
+};
+
+}  // namespace
+
+void require_usable(const ExperimentSettings& settings) {
+  if (settings.trials < 1 || settings.trials > 100'000) {
+    throw InputError(fmt::format("--trials {}: expected 1 to 100000", settings.trials));
+  }
+  require_margin(settings.room.margin_m.value_or(0.0));
+  require_goal_margin(
+      {settings.room.goal_margin_m.value_or(0.0), settings.room.goal_margin_rad.value_or(0.0)});
+  if (settings.planners.empty()) {
+    throw InputError("no planner given");
+  }
+  for (const std::string& planner : settings.planners) {
+    (void)make_planner(planner);  // refuses an unknown one before any work
+  }
+  if (settings.controllers.empty() || settings.disturbances.empty()) {
+    throw InputError("no controller or no disturbance given; \"\" is no disturbance");
+  }
+  for (const std::string& controller : settings.controllers) {
+    require_controller(controller);
+  }
+  for (const std::string& disturbance : settings.disturbances) {
+    (void)parse_disturbances(disturbance);
+  }
+  if (settings.environments.empty()) {
+    throw InputError("no environments to plan in");
+  }
+  if (fs::exists(settings.folder / kExperimentFile) && !settings.resume && !settings.force) {
+    throw InputError(
+        fmt::format("{}: holds an experiment already: --resume continues it, --force replaces it",
+                    settings.folder.string()));
+  }
+  for (const EnvironmentCase& item : settings.environments) {
+    if (settings.forest) {
+      require_forest_of(*settings.forest, settings.arm, settings.valves,
+                        start_state(item.environment, settings.arm));
+    }
+  }
+}
+
+std::optional<std::uint64_t> known_motion_queries(const ExperimentSettings& settings) {
+  const fs::path file = settings.folder / kExperimentFile;
+  if (!settings.resume || !fs::exists(file)) {
+    return std::nullopt;
+  }
+  const nlohmann::json root = read_json_object(file);
+  const auto found = root.find("motion_queries");
+  return found != root.end() && found->is_number_unsigned()
+             ? std::optional(found->get<std::uint64_t>())
+             : std::nullopt;
+}
+
+Json run_experiment(const ExperimentSettings& settings) {
+  require_usable(settings);
+  return Experiment(settings).run();
+}
+
+}  // namespace limber

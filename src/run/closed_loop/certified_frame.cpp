@@ -1,0 +1,100 @@
+#include "certified_frame.hpp"
+
+#include <algorithm>
+
+#include "estimate/arm_estimate.hpp"
+#include "limber/run/replanner.hpp"
+#include "plan_repair.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kWholeArm = 3.0;  // of its length: a goal that the end of any motion is in
+
+/// The set points that are wanted, then the rest of the plan, as far off it as these are.
+std::vector<Pressures> with_rest_of(const Plan& plan, const CertifiedFrame::Wanted& wanted,
+                                    const PressureBox& box, double step_limit_kpa) {
+  std::vector<Pressures> to_kpa{wanted.kpa};
+  const Pressures off_kpa = wanted.kpa - plan.frames[wanted.frame].setpoint_kpa;
+  const std::vector<Pressures> rest = waypoints_after(plan, wanted.frame, step_limit_kpa);
+  for (std::size_t w = 1; w < rest.size(); ++w) {
+    to_kpa.push_back(box.limited(rest[w] + off_kpa));
+  }
+  return to_kpa;
+}
+
+}  // namespace
+
+CertifiedFrame::CertifiedFrame(const ArmDescription& arm, const MotionModel& model,
+                               const Environment& environment, double clearance_m,
+                               const std::vector<PressureLimits>& limits)
+    : arm_(arm),
+      model_(model),
+      environment_(environment),
+      clearance_m_(clearance_m),
+      limits_(limits),
+      check_(certificate_check(arm, model)) {
+  environment_.goal = {};
+  environment_.goal.position_tolerance_m = kWholeArm * arm.length_m();
+}
+
+CertifiedFrame::Sent CertifiedFrame::next(const MotionState& now, const Plan& plan,
+                                          const std::vector<Wanted>& wanted) {
+  const PressureBox box = box_for(plan);
+  for (const Wanted& one : wanted) {
+    if (std::optional<Plan> found =
+            motion_from(now, with_rest_of(plan, one, box, arm_.pressure_step_limit_kpa()))) {
+      last_ = Motion{std::move(*found), 1, one.frame, &plan};
+      return {last_->plan.frames[1].setpoint_kpa, one.frame};
+    }
+    if (std::optional<Plan> found = motion_from(now, {one.kpa})) {
+      last_ = Motion{std::move(*found), 1, std::nullopt, &plan};
+      return {last_->plan.frames[1].setpoint_kpa, one.frame};
+    }
+  }
+  if (!last_ || last_->frame + 1 >= last_->plan.frames.size()) {
+    return {now.setpoint_kpa(), std::nullopt, false};
+  }
+  const std::size_t frame = ++last_->frame;
+  Sent sent{last_->plan.frames[frame].setpoint_kpa, std::nullopt, false};
+  if (last_->first && last_->of == &plan) {
+    sent.frame = std::min(*last_->first + frame - 1, plan.frames.size() - 1);
+  }
+  return sent;
+}
+
+bool CertifiedFrame::may_hold(const MotionState& now) {
+  last_.reset();
+  if (std::optional<Plan> found = stop_from(now)) {
+    last_ = Motion{std::move(*found), 1, std::nullopt, nullptr};
+  }
+  return last_.has_value();
+}
+
+bool CertifiedFrame::leads_on(const MotionState& now, const Plan& plan, std::size_t frame) const {
+  const Wanted held{now.setpoint_kpa(), frame};
+  return motion_from(now, with_rest_of(plan, held, box_for(plan), arm_.pressure_step_limit_kpa()))
+      .has_value();
+}
+
+PressureBox CertifiedFrame::box_for(const Plan& plan) const {
+  const std::vector<PressureLimits> limits = limits_after(plan, limits_);
+  return limits.empty() ? pressure_box(arm_) : pressure_box(limits);
+}
+
+std::optional<Plan> CertifiedFrame::motion_from(const MotionState& now,
+                                                const std::vector<Pressures>& to_kpa) const {
+  Environment from_here = environment_;
+  from_here.start = start_at(now);
+  const Pose tip = tip_pose(now.backbone);
+  from_here.goal.x_m = tip.x_m;
+  from_here.goal.y_m = tip.y_m;
+  std::vector<Pressures> waypoints_kpa{now.setpoint_kpa()};
+  waypoints_kpa.insert(waypoints_kpa.end(), to_kpa.begin(), to_kpa.end());
+  CheckedPlans plans(PlanningProblem{arm_, model_, from_here, clearance_m_}, check_);
+  return plans.end_of(waypoints_kpa) ? plans.checked(waypoints_kpa, "certified frame", 0)
+                                     : std::nullopt;
+}
+
+}  // namespace limber

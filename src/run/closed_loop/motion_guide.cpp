@@ -1,0 +1,318 @@
+#include "motion_guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "goal_lengths.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/run/replanner.hpp"
+
+namespace limber {
+
+namespace {
+
+/// Of the room for the model's error, what the rest of a plan has to keep in mid-motion: that error
+/// is one of whole motions, and what is left of one starts where the arm was just measured.
+constexpr double kRoomInMotion = 0.25;
+constexpr double kRoomOfNewPlans = 0.5;  // more, so that they are not given up at once
+/// For where a halted arm comes to rest. With a quarter of the room some touched what they were
+/// halted for; from farther away they also find another way more often.
+constexpr double kRoomOfHalts = 1.0;
+constexpr double kOfPromised = 0.9;  // of a plan's own clearance, where that is less
+/// Of the goal's tolerance: an arm that will end farther from the goal than promised by more than
+/// that strays. Less is left to the corrections, which are predicted better.
+constexpr double kStrays = 0.5;
+constexpr double kSlowS = 1.0;  // to where the way is not free: from here on at half the speed
+/// Of the arm's length: a plate that is farther from where its plan has it holds the plan up. 3 cm
+/// of the arm of the paper.
+constexpr double kOffPlan = 0.043;
+/// Or of what the plan keeps from obstacles in its next second, where that is less: arms with more
+/// friction than the model knows slide off their plan by centimetres within a few frames.
+constexpr double kOfClearance = 0.25;
+/// From here on a forecast that strikes counts at once. What lies farther ahead counts from the
+/// second such forecast in a row on: a tracker's noise makes single ones, as networks that read
+/// velocities amplify it, and the way that avoids what is not there ends farther from the goal.
+constexpr double kStrikesSoonS = 0.3;
+constexpr double kHaltS = 1.0;  // that an arm takes to come to rest
+
+std::vector<Pressures> setpoints_after(const Plan& plan, std::size_t next) {
+  std::vector<Pressures> rest;
+  for (std::size_t k = next + 1; k < plan.frames.size(); ++k) {
+    rest.push_back(plan.frames[k].setpoint_kpa);
+  }
+  return rest;
+}
+
+bool is_at_rest(const std::vector<Pressures>& rest, const Pressures& now) {
+  return std::all_of(rest.begin(), rest.end(), [&](const Pressures& kpa) { return kpa == now; });
+}
+
+Eigen::Vector3d bounded(const Eigen::Vector3d& miss, double max_m) {
+  const double size_m = miss.head<2>().norm();
+  return size_m > max_m ? Eigen::Vector3d(miss * (max_m / size_m)) : miss;
+}
+
+/// What the model will miss by the end, if it goes on as it did: as much for each kPa. A model
+/// without memory predicts from pressures alone, so it is off by as much then as it is now.
+Eigen::Vector3d miss_ahead(const MotionModel& model, const ModelMiss& miss,
+                           const std::vector<Pressures>& rest, const Pressures& from_kpa) {
+  constexpr double kMaxMissM = 0.02;
+  constexpr double kMaxOffsetM = 0.1;
+  if (!model.has_network()) {
+    return bounded(miss.latest, kMaxOffsetM);
+  }
+  double ahead_kpa = 0.0;
+  Pressures before = from_kpa;
+  for (const Pressures& kpa : rest) {
+    ahead_kpa += double((kpa - before).cwiseAbs().sum());
+    before = kpa;
+  }
+  const double share =
+      miss.travelled_kpa > 0.0 ? std::min(1.0, ahead_kpa / miss.travelled_kpa) : 0.0;
+  return bounded(share * miss.sum, kMaxMissM);
+}
+
+/// By what the model's forecasts were off recently. Where a plate was off by more than its whole
+/// room, none of them waits for its room to grow.
+void widen(PlateRoom& room, const Eigen::VectorXd& missed_m, double kept_m) {
+  if (room.full_m.empty()) {
+    room.full_m.resize(static_cast<std::size_t>(missed_m.size()), 0.0);
+  }
+  bool is_wider = false;
+  for (Eigen::Index plate = 0; plate < missed_m.size(); ++plate) {
+    const auto i = static_cast<std::size_t>(plate);
+    const double more_m = missed_m[plate] - kept_m;
+    is_wider = is_wider || more_m > room.full_m[i];
+    room.full_m[i] = std::max(room.full_m[i], more_m);
+  }
+  if (is_wider) {
+    room.growth = {};
+  }
+}
+
+}  // namespace
+
+MotionGuide::MotionGuide(const ArmDescription& arm, const MotionModel& model,
+                         const Environment& environment, const ErrorRoom& room,
+                         const MotionGuideSettings& settings, Planner& planner, PlanCheck check,
+                         std::uint64_t seed)
+    : arm_(arm),
+      model_(model),
+      environment_(environment),
+      checker_(arm, environment.obstacles),
+      room_(room),
+      settings_(settings),
+      planner_(planner),
+      check_(std::move(check)),
+      seed_(seed) {}
+
+PlateRoom MotionGuide::room_in_motion(const Plan& plan, double share) const {
+  PlateRoom room;
+  if (plan.tube) {
+    room = {plan.tube->plate_radius_m, plan.tube->growth, plan.frames.front().backbone};
+  }
+  for (double& radius_m : room.full_m) {
+    radius_m *= share;
+  }
+  return room;
+}
+
+CollisionChecker MotionGuide::checker_for(const Plan& plan, const ModelMiss& miss,
+                                          double share) const {
+  PlateRoom room = room_in_motion(plan, share);
+  if (model_.has_network()) {  // another is off by as much now as later, which `miss_ahead` knows
+    widen(room, miss.plate_m, needed_m(plan));
+  }
+  return CollisionChecker(arm_, environment_.obstacles, 0.0, std::move(room));
+}
+
+double MotionGuide::needed_m(const Plan& plan) const {
+  return plan.tube ? 0.0 : std::min(kRoomInMotion * room_.margin_m, kOfPromised * plan.clearance_m);
+}
+
+MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseGoal& aim,
+                                 const MotionState& now, const ModelMiss& miss,
+                                 const std::optional<PlanFollower>& follower) {
+  const Pressures& next_kpa = plan.frames[next].setpoint_kpa;
+  const std::vector<Pressures> rest_kpa = setpoints_after(plan, next);
+  if (is_at_rest(rest_kpa, next_kpa)) {
+    return {};  // its hold: corrections follow it
+  }
+  ++seed_;
+  if (follower) {
+    if (std::optional<MotionAdvice> led = lead(plan, next, *follower)) {
+      strikes_ = false;
+      return *std::move(led);
+    }
+  }
+  MotionState from = now;
+  MotionModel::Workspace workspace;
+  model_.step(next_kpa, from, workspace);
+  const CollisionChecker checker = checker_for(plan, miss, kRoomInMotion);
+  // An arm that is nearer already may go on where it comes no nearer.
+  const double start_m = checker.clearance(from.backbone).value_m;
+  const double kept_m = start_m > 0.0 ? kOfPromised * start_m : start_m / kOfPromised;
+  const Ahead way{from, checker, std::min(needed_m(plan), kept_m)};
+  const RestForecast rest =
+      follower ? led_forecast(plan, next, way, *follower) : way.forecast_of(model_, rest_kpa);
+  const Eigen::Vector3d ahead =
+      follower ? Eigen::Vector3d::Zero().eval() : miss_ahead(model_, miss, rest_kpa, next_kpa);
+  // The tip will be that much beside where the model has it, so the model is asked for as much
+  // less. The shift of a memoryless model's goal is of the same kind, and known better now.
+  PoseGoal goal = model_.has_network() ? aim : environment_.goal;
+  goal.x_m -= ahead.x();
+  goal.y_m -= ahead.y();
+  if (goal.theta_rad) {
+    *goal.theta_rad -= ahead.z();
+  }
+  const double error_m = as_length_m(goal, pose_error(goal, rest.end));
+  const bool struck_before = std::exchange(strikes_, !rest.is_safe());
+  const double promised_m =
+      as_length_m(goal, PoseError{plan.goal_distance_m, plan.goal_orientation_rad});
+  if (rest.is_safe() && error_m <= promised_m + kStrays * goal.position_tolerance_m) {
+    has_waited_ = false;
+    return {};
+  }
+  if (model_.has_network() && strikes_ && !struck_before &&
+      rest.unsafe_frame > arm_.frames_in(kStrikesSoonS)) {
+    return {};
+  }
+  if (std::optional<Plan> found = find(plan, next, way, goal, rest.is_safe(), error_m)) {
+    has_waited_ = false;
+    return {MotionAdvice::Kind::go_on, std::move(found), "", true};
+  }
+  if (rest.is_safe()) {
+    return {.has_searched = true};
+  }
+  std::optional<PlanFollower> leads = follower;
+  const Pressures after_next_kpa =
+      leads ? led_setpoint(plan, next, from, *leads) : rest_kpa.front();
+  // Nearer than it may be, it does not come nearer frame by frame.
+  const double kept_at_halt = plan.tube ? 0.0 : kRoomOfHalts * room_.margin_m;
+  MotionAdvice slowed =
+      slow_down({from, checker_for(plan, miss, kRoomOfHalts), kept_at_halt}, after_next_kpa, rest);
+  slowed.has_searched = true;
+  return slowed;
+}
+
+bool MotionGuide::is_free(const Plan& plan, std::size_t next, std::size_t frames,
+                          const Backbone& off) const {
+  const CollisionChecker checker(arm_, environment_.obstacles, needed_m(plan),
+                                 room_in_motion(plan, kRoomInMotion));
+  const std::size_t first = std::max<std::size_t>(next, 1);  // 0: the arm waits in the start
+  Backbone before = plan.frames[first - 1].backbone + off;
+  for (std::size_t k = first; k < next + frames; ++k) {
+    Backbone now = plan.frames[k].backbone + off;
+    if (!(checker.motion_clearance(before, now).value_m > 0.0)) {
+      return false;
+    }
+    before.swap(now);
+  }
+  return true;
+}
+
+double MotionGuide::clearance_m(const Plan& plan, std::size_t next, std::size_t frames) const {
+  double least_m = checker_.clearance(plan.frames[next].backbone).value_m;
+  for (std::size_t k = next + 1; k < next + frames; ++k) {
+    least_m = std::min(least_m, checker_.clearance(plan.frames[k].backbone).value_m);
+  }
+  return least_m;
+}
+
+std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next,
+                                              const PlanFollower& follower) {
+  const std::size_t rest = plan.frames.size() - next;
+  const std::size_t soon = std::min(rest, static_cast<std::size_t>(arm_.frames_in(kSlowS)));
+  const Backbone on_plan = Backbone::Zero(arm_.point_count(), 3);
+  if (!is_free(plan, next, rest, on_plan) || !is_free(plan, next, soon, follower.off_plan())) {
+    return std::nullopt;
+  }
+  const double off_m =
+      std::min(kOffPlan * arm_.length_m(),
+               kOfClearance * std::max(clearance_m(plan, next, soon), room_.margin_m));
+  has_waited_ = !has_waited_ && follower.farthest_m() > off_m;
+  return MotionAdvice{has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
+}
+
+Pressures MotionGuide::led_setpoint(const Plan& plan, std::size_t next, const MotionState& from,
+                                    PlanFollower& follower) const {
+  follower.learn(plan.frames[next].backbone, from.backbone);
+  return follower.setpoint(plan.frames[next + 1].setpoint_kpa, from.setpoint_kpa(),
+                           limits_after(plan, settings_.limits));
+}
+
+RestForecast MotionGuide::led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
+                                       PlanFollower follower) const {
+  return forecast(
+      model_, way.checker, way.from, plan.frames.size() - next - 1,
+      [&](std::size_t k, const MotionState& before) {
+        return led_setpoint(plan, next + k, before, follower);
+      },
+      way.needed_m);
+}
+
+std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const Ahead& way,
+                                      const PoseGoal& goal, bool is_safe, double error_m) {
+  Environment from_here = environment_;
+  from_here.start = start_at(way.from);
+  from_here.goal = goal;
+  const double tolerance_m = environment_.goal.position_tolerance_m;
+  const double max_error_m =
+      is_safe ? std::min(tolerance_m, error_m - settings_.min_gain_m) : tolerance_m;
+  if (max_error_m <= 0.0) {
+    return std::nullopt;
+  }
+  const auto is_free = [&](const std::optional<Plan>& found) {
+    return found && way.forecast_of(model_, setpoints_after(*found, 0)).is_safe();
+  };
+  std::optional<Plan> found = repaired_plan(
+      problem_from(from_here, plan), waypoints_after(plan, next, arm_.pressure_step_limit_kpa()),
+      max_error_m, seed_, check_);
+  if (is_free(found)) {
+    return found;
+  }
+  if (is_safe && error_m <= tolerance_m) {
+    return std::nullopt;  // good enough for the corrections to start from
+  }
+  found = searched(plan, from_here);
+  return is_free(found) ? std::move(found) : std::nullopt;
+}
+
+PlanningProblem MotionGuide::problem_from(const Environment& from_here, const Plan& plan) const {
+  PlanningProblem problem{arm_, model_, from_here, kRoomOfNewPlans * room_.margin_m};
+  problem.limits = limits_after(plan, settings_.limits);
+  problem.margin_yields_to_start = true;
+  return problem;
+}
+
+std::optional<Plan> MotionGuide::searched(const Plan& plan, const Environment& from_here) {
+  PlannerLimits limits;
+  limits.queries = settings_.queries;
+  PlanResult result = planner_.plan(problem_from(from_here, plan), limits, seed_,
+                                    [](const PlannerProgress&) { return !interrupt_requested(); });
+  const bool is_certified = result.plan && result.plan->certified;
+  return is_certified ? std::move(result.plan) : std::nullopt;
+}
+
+/// A held arm moves on for a while, as its valves and its mass have it. So it is held in the last
+/// frame from which that is free.
+MotionAdvice MotionGuide::slow_down(const Ahead& way, const Pressures& held_kpa,
+                                    const RestForecast& rest) {
+  if (rest.unsafe_frame + 1 > arm_.frames_in(kSlowS)) {
+    return {};
+  }
+  const std::vector<Pressures> held_a_frame_later_kpa(
+      1 + static_cast<std::size_t>(arm_.frames_in(kHaltS)), held_kpa);
+  if (way.forecast_of(model_, held_a_frame_later_kpa).is_safe()) {
+    has_waited_ = !has_waited_;
+    return {has_waited_ ? MotionAdvice::Kind::wait : MotionAdvice::Kind::go_on};
+  }
+  return {MotionAdvice::Kind::stop, std::nullopt,
+          fmt::format("{} is in the way, and no other way was found: the arm was stopped",
+                      obstacle_name(environment_, rest.unsafe_obstacle))};
+}
+
+}  // namespace limber

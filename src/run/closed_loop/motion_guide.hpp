@@ -1,0 +1,105 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "estimate/arm_estimate.hpp"
+#include "limber/forward/error_room.hpp"
+#include "limber/run/executor.hpp"
+#include "limber/planning/planner.hpp"
+#include "plan_follower.hpp"
+#include "plan_repair.hpp"
+#include "repaired_plan.hpp"
+#include "rest_forecast.hpp"
+
+namespace limber {
+
+struct MotionGuideSettings {
+  /// Model queries of a search in mid-motion.
+  std::uint64_t queries = 2000;
+  /// What a plan has to end nearer to the goal, to replace the one that is followed. [m]
+  double min_gain_m = 0.001;
+  std::vector<PressureLimits> limits = {};  ///< ReplannerSettings::limits
+};
+
+/// Says what an arm in mid-motion does after its next frame (docs/planning.md, Closed loop). One
+/// that is led goes on where the plan is free, also for an arm as far beside it as this one is, and
+/// slower where that is far. Else what is left of the plan is simulated from the state that the
+/// next frame leads to. If that is safe and ends where the plan promised, or nearer to the goal,
+/// the arm goes on. If not, the guide looks for a plan that starts in that state: the rest of the
+/// present one with its end shifted, and then, if the rest is not safe or would miss the goal,
+/// whatever a planner finds within its queries. It takes one that is certified and better. If there
+/// is none and the way is not free, the arm slows down, and is held in the last frame from which it
+/// comes to rest free.
+///
+/// Threads: one guide, one thread at a time. All arguments are borrowed.
+class MotionGuide {
+ public:
+  MotionGuide(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
+              const ErrorRoom& room, const MotionGuideSettings& settings, Planner& planner,
+              PlanCheck check, std::uint64_t seed);
+
+  /// @param next  frame of the plan whose set points are commanded next, whatever is said
+  /// @param aim   the goal that the plan was made for
+  /// @param now   after the last frame
+  /// @param miss  of the model, since this motion began; none in corrections
+  /// @param follower  that leads the arm; it has said the set points of `next`. None: the arm has
+  ///   the plan's
+  MotionAdvice advise(const Plan& plan, std::size_t next, const PoseGoal& aim,
+                      const MotionState& now, const ModelMiss& miss,
+                      const std::optional<PlanFollower>& follower = std::nullopt);
+
+ private:
+  /// Of the plan's tube, if it has one, this share.
+  PlateRoom room_in_motion(const Plan& plan, double share) const;
+  /// Obstacles and clearance that the rest of a plan is asked for.
+  CollisionChecker checker_for(const Plan& plan, const ModelMiss& miss, double share) const;
+  double needed_m(const Plan& plan) const;
+  PlanningProblem problem_from(const Environment& from_here, const Plan& plan) const;
+  /// Where the next frame leads, and what is kept from obstacles from there on.
+  struct Ahead {
+    const MotionState& from;
+    const CollisionChecker& checker;
+    double needed_m;
+
+    RestForecast forecast_of(const MotionModel& model,
+                             const std::vector<Pressures>& setpoints_kpa) const {
+      return forecast(model, checker, from, setpoints_kpa, needed_m);
+    }
+  };
+  /// Whether an arm that is led goes on or waits. None: it needs another way.
+  std::optional<MotionAdvice> lead(const Plan& plan, std::size_t next,
+                                   const PlanFollower& follower);
+  /// Whether so many frames of a plan are, from `next` on.
+  /// @param off  that the arm is beside the plan in all of them
+  bool is_free(const Plan& plan, std::size_t next, std::size_t frames, const Backbone& off) const;
+  /// Smallest of so many frames of a plan.
+  double clearance_m(const Plan& plan, std::size_t next, std::size_t frames) const;
+  /// Set points of the frame after `next`.
+  Pressures led_setpoint(const Plan& plan, std::size_t next, const MotionState& from,
+                         PlanFollower& follower) const;
+  /// What becomes of an arm that is led along the rest of a plan.
+  RestForecast led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
+                            PlanFollower follower) const;
+  /// The best of what is found that is free as the rest of a plan has to be, and better than it.
+  std::optional<Plan> find(const Plan& plan, std::size_t next, const Ahead& way,
+                           const PoseGoal& goal, bool is_safe, double error_m);
+  std::optional<Plan> searched(const Plan& plan, const Environment& from_here);
+  /// @param held_kpa  of the frame after the next, where the arm would be held a frame later
+  MotionAdvice slow_down(const Ahead& way, const Pressures& held_kpa, const RestForecast& rest);
+
+  const ArmDescription& arm_;
+  MotionModel model_;
+  const Environment& environment_;
+  CollisionChecker checker_;  // of its obstacles, without room
+  ErrorRoom room_;
+  MotionGuideSettings settings_;
+  Planner& planner_;
+  PlanCheck check_;
+  std::uint64_t seed_;
+  bool has_waited_ = false;  // in the frame before
+  bool strikes_ = false;     // as the last forecast has it
+};
+
+}  // namespace limber

@@ -1,0 +1,347 @@
+#include "limber/run/replanner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "goal_lengths.hpp"
+#include "repaired_plan.hpp"
+#include "sampled_plan.hpp"
+#include "limber/arm/plate_distance.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/planning/planner_factory.hpp"
+
+namespace limber {
+
+namespace {
+
+/// What is asked of a correction, the most first: share of the goal's tolerances that it ends
+/// within, share of the room for the model's error that it keeps from obstacles. That error is one
+/// of long motions; a correction is short.
+struct Asked {
+  double tolerance;
+  double margin;
+};
+/// A search usually asks 25 times in an iteration. From where every motion strikes at once it asks
+/// once or not at all, and would go on for minutes.
+constexpr std::uint64_t kQueriesPerIteration = 5;
+/// Times the queries of a search, for an arm that was halted and found no way on: it stands, and
+/// would stay there.
+constexpr std::uint64_t kQueriesOfLastResort = 25;
+/// Of the goal's tolerance: near enough, for a model with a memory. Corrections of an arm with
+/// friction end some 4 mm beside their predictions: where the tolerance is 2 cm, from nearer than
+/// this the next one is no likely gain (docs/experiments.md, Disturbances).
+constexpr double kNearEnough = 0.1;
+/// More of the tolerance with each plan after so many: an arm that needed them is hard to place.
+constexpr double kNearEnoughLater = 0.01;
+constexpr int kPlansBeforeLater = 6;
+/// What a sampled correction has to end within: of the distance that is left, and of the tolerance.
+constexpr double kOfNow = 0.8;
+constexpr double kFarthest = 0.6;
+/// Up to that share of the tolerance it may be a little more than the distance that is left: moved,
+/// an arm that friction holds ends somewhere else, which is worth as much as a good prediction.
+constexpr double kNear = 0.5;
+constexpr double kOfNowNear = 1.3;
+/// SampledMotion::effort: friction holds an arm that is moved by less. Twice as much is better, a
+/// few times at most, after each correction that moved the arm by less than that share of what was
+/// predicted.
+constexpr double kLeastEffort = 0.05;
+constexpr double kHardlyMoved = 0.25;
+constexpr int kMaxDoublings = 3;
+/// By that share of a memory's creep, and of what it missed, is the goal shifted. Arms that are
+/// hardly moved show all of the creep, others next to none.
+constexpr double kShiftShare = 0.5;
+constexpr double kNearObstacleM = 0.01;
+/// Of the distance that is left, where no plan ends in the goal.
+constexpr double kNearerShare = 0.8;
+/// What a straight plan has to end within: of the distance that is left, and of the tolerance.
+constexpr double kOfStraight = 0.5;
+/// Of the goal's tolerance: an arm this near to the centre is not led out of the goal again.
+constexpr double kWellInside = 0.5;
+/// Cost of a correction, of a pressure scale: less moves no arm.
+constexpr double kLeastCost = 0.01;
+constexpr double kNearOfClearance =
+    0.5;  // of the plan's own, where that is less than kNearObstacleM
+/// Small gains in a row that end the corrections of a model without memory. Friction holds the tip
+/// until several of them add up.
+constexpr int kPatience = 10;
+constexpr double kLeastMargin = 0.25;
+constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, kLeastMargin}, Asked{1.0, kLeastMargin}};
+/// Of an arm that was halted: its way is long again.
+constexpr std::array kAskedOfHalted = {Asked{0.1, 1.0}, Asked{1.0, 1.0}};
+
+Eigen::Vector3d difference(const Pose& pose, const Pose& other) {
+  return {pose.x_m - other.x_m, pose.y_m - other.y_m,
+          std::remainder(pose.theta_rad - other.theta_rad, 2.0 * std::numbers::pi)};
+}
+
+}  // namespace
+
+Replanner::Replanner(const ArmDescription& arm, const MotionModel& model,
+                     const Environment& environment, const ErrorRoom& room,
+                     const ReplannerSettings& settings, std::uint64_t seed)
+    : arm_(arm),
+      model_(model),
+      environment_(environment),
+      room_(room),
+      settings_(settings),
+      seed_(seed),
+      near_(arm, environment.obstacles),
+      planner_(make_planner("default", settings.planner_jobs)),
+      aim_(environment.goal) {}
+
+Replanner::~Replanner() = default;
+
+bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) {
+  if (!state.backbone || replans_ >= settings_.max_replans) {
+    return true;
+  }
+  // No obstacle is nearer to the plan than its clearance, so that much is always allowed.
+  const bool strays =
+      !(largest_plate_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m);
+  return !strays || clearance_m(*state.backbone) >=
+                        std::min(kNearObstacleM, kNearOfClearance * plan.clearance_m);
+}
+
+bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
+  if (error_m < settings_.min_gain_m) {
+    return false;
+  }
+  if (model_.has_network()) {
+    const double near_enough =
+        kNearEnough + kNearEnoughLater * std::max(0, replans_ - kPlansBeforeLater);
+    return !has_arrived || error_m >= near_enough * environment_.goal.position_tolerance_m;
+  }
+  if (error_before_m_) {
+    small_gains_ = *error_before_m_ - error_m < settings_.min_gain_m ? small_gains_ + 1 : 0;
+  }
+  error_before_m_ = error_m;
+  return !has_arrived || small_gains_ < kPatience;
+}
+
+std::vector<PressureLimits> limits_after(const Plan& plan,
+                                         const std::vector<PressureLimits>& in_force) {
+  if (plan.limits.empty() || in_force.empty()) {
+    return plan.limits.empty() ? in_force : plan.limits;
+  }
+  std::vector<PressureLimits> limits = in_force;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    limits[i] = limits[i].within(plan.limits[i]);
+  }
+  return limits;
+}
+
+void Replanner::learn_from(const Plan& ended, const Pose& measured) {
+  constexpr double kShare = 0.5;
+  constexpr double kMaxBiasM = 0.1;
+  if (model_.has_network() && !is_correction_) {
+    return;  // a long way, on which the arm was led
+  }
+  const Pose expected = tip_pose(ended.frames.back().backbone);
+  const Pose start = tip_pose(ended.frames.front().backbone);
+  const double moved_m = difference(measured, start).head<2>().norm();
+  const double wanted_m = (difference(expected, start) - creep()).head<2>().norm();
+  stuck_ = moved_m < kHardlyMoved * wanted_m ? stuck_ + 1 : 0;
+  const Eigen::Vector3d missed = difference(measured, expected) + creep();
+  bias_ += kShare * (missed - bias_);
+  const double size_m = bias_.head<2>().norm();
+  if (size_m > kMaxBiasM) {
+    bias_ *= kMaxBiasM / size_m;
+  }
+}
+
+/// Under a load, or with more friction than it learnt, a model has an arm that is just held drift
+/// away. The arm does not, so that drift is taken off what the model says of plans from there.
+void Replanner::note_creep(const Pressures& held_kpa, int frames, const Backbone& measured) {
+  creep_.clear();
+  if (!model_.has_network()) {
+    return;  // what that misses is learnt as bias
+  }
+  MotionState state = model_.settled_state(held_kpa, measured);
+  MotionModel::Workspace workspace;
+  for (int k = 0; k < frames; ++k) {
+    model_.step(held_kpa, state, workspace);
+    creep_.push_back(difference(tip_pose(state.backbone), tip_pose(measured)));
+  }
+}
+
+Eigen::Vector3d Replanner::creep(std::size_t frame) const {
+  return creep_.empty() || frame == 0 ? Eigen::Vector3d(0.0, 0.0, 0.0)
+                                      : creep_[std::min(frame, creep_.size()) - 1];
+}
+
+PoseGoal Replanner::shifted_goal() const {
+  const double share = model_.has_network() ? kShiftShare : 1.0;
+  const Eigen::Vector3d shift = share * (creep() - bias_);
+  PoseGoal goal = environment_.goal;
+  goal.x_m += shift.x();
+  goal.y_m += shift.y();
+  if (goal.theta_rad) {
+    *goal.theta_rad += shift.z();
+  }
+  return goal;
+}
+
+/// As the arm will go, and not as the model has it: without creep, and, of a model without memory,
+/// with the bias that it has in every frame but the first.
+bool Replanner::stays_in_goal(const Plan& plan) const {
+  const Eigen::Vector3d in_every_frame =
+      model_.has_network() ? Eigen::Vector3d(0.0, 0.0, 0.0) : bias_;
+  for (std::size_t k = 1; k < plan.frames.size(); ++k) {
+    const Eigen::Vector3d off = in_every_frame - creep(k);
+    Pose tip = tip_pose(plan.frames[k].backbone);
+    tip.x_m += off.x();
+    tip.y_m += off.y();
+    tip.theta_rad += off.z();
+    if (!is_within(environment_.goal, pose_error(environment_.goal, tip))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::optional<Plan> Replanner::search(const Plan& before, const Environment& from_here,
+                                      double margin_m) {
+  PlanningProblem problem{arm_, model_, from_here, margin_m};
+  problem.limits = limits_after(before, settings_.limits);
+  problem.margin_yields_to_start = true;
+  PlannerLimits limits;
+  limits.queries = (has_halted_in_vain_ ? kQueriesOfLastResort : 1) * settings_.queries;
+  limits.iterations = std::max<std::uint64_t>(1, *limits.queries / kQueriesPerIteration);
+  return planner_
+      ->plan(problem, limits, seed_of_next(),
+             [](const PlannerProgress&) { return !interrupt_requested(); })
+      .plan;
+}
+
+std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const ArmState& state) {
+  if (!state.backbone || replans_ >= settings_.max_replans) {
+    return std::nullopt;
+  }
+  const Pose measured = tip_pose(*state.backbone);
+  const PoseError error = pose_error(environment_.goal, measured);
+  const double error_m = as_length_m(environment_.goal, error);
+  const bool has_ended = frame + 1 == plan.frames.size();
+  const bool has_arrived = is_within(environment_.goal, error);
+  const bool halted = !has_ended && !has_arrived;
+  if (has_ended) {
+    learn_from(plan, measured);
+  }
+  // Millimetres are not worth a collision: an arm in the goal keeps all of the room.
+  const double kept_m = has_arrived && model_.has_network()
+                            ? room_.margin_m
+                            : -std::numeric_limits<double>::infinity();
+  if (halted) {
+    creep_.clear();
+  } else if (has_more_to_gain(error_m, has_arrived) && clearance_m(*state.backbone) >= kept_m) {
+    note_creep(plan.frames[frame].setpoint_kpa, plan.hold_frame_count, *state.backbone);
+  } else {
+    return std::nullopt;
+  }
+  Environment from_here = environment_;
+  from_here.start = ArmStart{plan.frames[frame].setpoint_kpa, *state.backbone};
+  aim_ = shifted_goal();
+  from_here.goal = aim_;
+  const bool is_well_inside =
+      !halted && error_m <= kWellInside * environment_.goal.position_tolerance_m;
+  const double least_cost_kpa = kLeastCost * double(pressure_scales_kpa(arm_).mean());
+  const IsTaken is_taken = [&](const Plan& found) {
+    return (halted || found.cost_kpa >= least_cost_kpa) && found.clearance_m >= kept_m &&
+           (!is_well_inside || stays_in_goal(found));
+  };
+  const auto if_taken = [&](std::optional<Plan> found) {
+    return found && is_taken(*found) ? std::move(found) : std::nullopt;
+  };
+  std::optional<Plan> found;
+  if (!halted) {
+    found = if_taken(short_correction(plan, from_here, error_m, is_taken));
+  }
+  if (!found) {
+    found = if_taken(search_less_and_less(plan, from_here, halted));
+  }
+  if (!found && !halted) {
+    found = if_taken(nearer(plan, from_here, as_length_m(aim_, pose_error(aim_, measured))));
+  }
+  has_halted_in_vain_ = halted && !found;
+  if (!found) {
+    return std::nullopt;
+  }
+  ++replans_;
+  is_correction_ = !halted;
+  return found;
+}
+
+std::optional<Plan> Replanner::search_less_and_less(const Plan& before, Environment from_here,
+                                                    bool is_halted) {
+  for (const Asked& asked : is_halted ? std::span<const Asked>(kAskedOfHalted) : kAsked) {
+    from_here.goal.position_tolerance_m = asked.tolerance * aim_.position_tolerance_m;
+    from_here.goal.orientation_tolerance_rad = asked.tolerance * aim_.orientation_tolerance_rad;
+    if (std::optional<Plan> found = search(before, from_here, asked.margin * room_.margin_m)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+/// From where the arm rests to where the model has it near the aim, without looking for ways
+/// around anything. Slopes say where a model without memory goes.
+std::optional<Plan> Replanner::short_correction(const Plan& before, const Environment& from_here,
+                                                double error_m, const IsTaken& is_taken) {
+  const double tolerance_m = aim_.position_tolerance_m;
+  if (!model_.has_network()) {
+    return straight(before, from_here, 1.0, kOfStraight * std::min(error_m, tolerance_m));
+  }
+  const double near_m = std::min(kOfNowNear * error_m, kNear * tolerance_m);
+  const SampledPlanAsked asked{
+      std::min(kFarthest * tolerance_m, std::max(near_m, kOfNow * error_m)), kLeastEffort,
+      std::ldexp(kLeastEffort, std::min(stuck_, kMaxDoublings))};
+  const PlanCheck certified = certificate_check(arm_, model_);
+  const PlanCheck check = [&](Plan& plan, const Environment& environment) {
+    return is_taken(plan) && certified(plan, environment);
+  };
+  const std::vector<SampledMotion> motions = sampled_motions(
+      correction_problem(before, from_here, 0.0), settings_.queries, seed_of_next());
+  for (const double share : {1.0, kLeastMargin}) {
+    if (std::optional<Plan> found = sampled_plan(correction_problem(before, from_here, share),
+                                                 motions, asked, seed_of_next(), check)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+/// @param share  of the room for the model's error: kept
+PlanningProblem Replanner::correction_problem(const Plan& before, const Environment& from_here,
+                                              double share) const {
+  PlanningProblem problem{arm_, model_, from_here, share * room_.margin_m};
+  problem.limits = limits_after(before, settings_.limits);
+  return problem;
+}
+
+/// From where the arm is to where the model has it in the goal, whose tolerances are widened by a
+/// factor.
+std::optional<Plan> Replanner::straight(const Plan& before, Environment from_here, double widened,
+                                        double max_error_m) {
+  from_here.goal.position_tolerance_m *= widened;
+  from_here.goal.orientation_tolerance_rad *= widened;
+  const Pressures& held_kpa = from_here.start->pressures_kpa;
+  return repaired_plan(correction_problem(before, from_here, kLeastMargin), {held_kpa, held_kpa},
+                       max_error_m, seed_of_next(), certificate_check(arm_, model_));
+}
+
+/// As near to the aim as a straight motion comes, where that is clearly nearer than the arm is. For
+/// the model an arm that is held is nearer too, by its creep; but an arm that stands short of the
+/// goal had better be moved a little than not at all (docs/experiments.md, Disturbances).
+std::optional<Plan> Replanner::nearer(const Plan& before, const Environment& from_here,
+                                      double error_m) {
+  const double max_error_m = kNearerShare * error_m;
+  if (!(error_m - max_error_m >= settings_.min_gain_m)) {
+    return std::nullopt;
+  }
+  return straight(before, from_here, std::max(1.0, max_error_m / aim_.position_tolerance_m),
+                  max_error_m);
+}
+
+}  // namespace limber

@@ -1,0 +1,118 @@
+#include "limber/run/episode_recorder.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+
+namespace limber {
+
+EpisodeRecorder::EpisodeRecorder(const ArmDescription& arm)
+    : segments_(arm.segment_count()), points_(arm.point_count()), period_s_(arm.frame_period_s()) {}
+
+void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index) {
+  assert(setpoint_kpa.size() == segments_);
+  if (state.pressure_kpa.size() != segments_ ||
+      (state.backbone && state.backbone->rows() != points_)) {
+    throw SystemFault(fmt::format(
+        "the arm returned {} pressures and {} backbone points at {:.3f} s; expected {} and {}",
+        state.pressure_kpa.size(), state.backbone ? state.backbone->rows() : points_, state.time_s,
+        segments_, points_));
+  }
+  if (!state.pressure_kpa.allFinite() || (state.backbone && !state.backbone->allFinite())) {
+    throw SystemFault(
+        fmt::format("the arm returned a number that is not finite at {:.3f} s", state.time_s));
+  }
+  const bool is_new = time_s_.empty() || state.time_s != time_s_.back();
+  time_s_.push_back(state.time_s);
+  pressure_kpa_.insert(pressure_kpa_.end(), state.pressure_kpa.begin(), state.pressure_kpa.end());
+  const Pressures& in_force_kpa = state.setpoint_kpa ? *state.setpoint_kpa : setpoint_kpa;
+  setpoint_kpa_.insert(setpoint_kpa_.end(), in_force_kpa.begin(), in_force_kpa.end());
+  if (state.backbone) {
+    backbone_.insert(backbone_.end(), state.backbone->data(),
+                     state.backbone->data() + state.backbone->size());
+  } else {
+    backbone_.resize(backbone_.size() + static_cast<std::size_t>(3 * points_), 0.0F);
+  }
+  motion_index_.push_back(motion_index);
+  tracked_.push_back(state.backbone && is_new ? 1 : 0);
+}
+
+/// Frames that repeat a sample lie evenly between it and the next.
+std::vector<double> EpisodeRecorder::sample_times() const {
+  std::vector<double> times = time_s_;
+  for (std::size_t first = 0; first < times.size();) {
+    std::size_t next = first + 1;
+    while (next < times.size() && time_s_[next] == time_s_[first]) {
+      ++next;
+    }
+    const auto frames = static_cast<double>(next - first);
+    const double until_s =
+        next < times.size() ? time_s_[next] : time_s_[first] + frames * period_s_;
+    for (std::size_t k = first; k < next; ++k) {
+      times[k] += static_cast<double>(k - first) / frames * (until_s - time_s_[first]);
+    }
+    first = next;
+  }
+  return times;
+}
+
+Episode EpisodeRecorder::finish() {
+  if (std::find(tracked_.begin(), tracked_.end(), 1) == tracked_.end()) {
+    throw SystemFault(fmt::format(
+        "none of {} frames had a backbone: nothing tracked the arm, so there is nothing to record",
+        frame_count()));
+  }
+  const Eigen::Index frames = frame_count();
+  const std::vector<double> times_s = sample_times();
+  Episode episode;
+  episode.time_s = Eigen::Map<const Eigen::VectorXd>(times_s.data(), frames).array() - times_s[0];
+  episode.pressure_kpa = Eigen::Map<const FrameMatrix>(pressure_kpa_.data(), frames, segments_);
+  episode.setpoint_kpa = Eigen::Map<const FrameMatrix>(setpoint_kpa_.data(), frames, segments_);
+  episode.backbone = Eigen::Map<const FrameMatrix>(backbone_.data(), frames, 3 * points_);
+  fill_missing_rows(times_s, tracked_, episode.backbone);
+  episode.motion_index = std::move(motion_index_);
+  episode.tracked = std::move(tracked_);
+  time_s_.clear();
+  pressure_kpa_.clear();
+  setpoint_kpa_.clear();
+  backbone_.clear();
+  motion_index_.clear();
+  tracked_.clear();
+  return episode;
+}
+
+void fill_missing_rows(const std::vector<double>& time_s, const std::vector<std::uint8_t>& tracked,
+                       FrameMatrix& values) {
+  const auto frames = static_cast<Eigen::Index>(tracked.size());
+  const auto is_tracked = [&](Eigen::Index t) { return tracked[static_cast<std::size_t>(t)] != 0; };
+  const auto time = [&](Eigen::Index t) { return time_s[static_cast<std::size_t>(t)]; };
+  Eigen::Index before = -1;
+  for (Eigen::Index t = 0; t < frames; ++t) {
+    if (is_tracked(t)) {
+      before = t;
+      continue;
+    }
+    Eigen::Index after = t + 1;
+    while (after < frames && !is_tracked(after)) {
+      ++after;
+    }
+    assert(before >= 0 || after < frames);
+    for (Eigen::Index k = t; k < after; ++k) {
+      if (before < 0) {
+        values.row(k) = values.row(after);
+      } else if (after == frames) {
+        values.row(k) = values.row(before);
+      } else {
+        const auto fraction =
+            static_cast<float>((time(k) - time(before)) / (time(after) - time(before)));
+        values.row(k) = (1.0F - fraction) * values.row(before) + fraction * values.row(after);
+      }
+    }
+    t = after - 1;
+  }
+}
+
+}  // namespace limber

@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/arm/pressure_limits.hpp"
+#include "limber/common/error.hpp"
+#include "limber/run/executor.hpp"
+
+namespace limber {
+
+void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
+                        const Pressures& setpoint_kpa) {
+  constexpr double kRounding = 1e-3;  // [kPa] of float32 set points and their sums
+  const double step_kpa = arm.pressure_step_limit_kpa();
+  for (Eigen::Index i = 0; i < arm.segment_count(); ++i) {
+    const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
+    const double value = setpoint_kpa[i];
+    if (!limits.contains(value)) {
+      throw InputError(fmt::format("controller: set point of {} in {} is {} {}; expected {}",
+                                   segment_name(i), frame_name(frame), value, arm.command.unit,
+                                   to_string(limits)));
+    }
+    if (!(std::abs(value - double(before_kpa[i])) <= step_kpa + kRounding)) {
+      throw InputError(fmt::format(
+          "controller: set point of {} in {} changes from {} to {} {unit}; a frame allows "
+          "{} {unit}",
+          segment_name(i), frame_name(frame), before_kpa[i], value, step_kpa,
+          fmt::arg("unit", arm.command.unit)));
+    }
+  }
+}
+
+Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double step_limit_kpa,
+                            const Pressures& before_kpa,
+                            const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa) {
+  Pressures result = before_kpa;
+  for (std::size_t segment = 0; segment < limits.size(); ++segment) {
+    const auto i = static_cast<Eigen::Index>(segment);
+    if (std::isfinite(wanted_kpa[i])) {
+      const double before = before_kpa[i];
+      const double near =
+          std::clamp(wanted_kpa[i], before - step_limit_kpa, before + step_limit_kpa);
+      result[i] = static_cast<float>(limits[segment].clamped(near));
+    }
+  }
+  return result;
+}
+
+Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
+                            const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa) {
+  return within_frame_rule(limits_of(arm), arm.pressure_step_limit_kpa(), before_kpa, wanted_kpa);
+}
+
+}  // namespace limber

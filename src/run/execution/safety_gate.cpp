@@ -1,0 +1,254 @@
+#include "limber/run/safety_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "limber/arm/names.hpp"
+#include "limber/common/units.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kRoundingKpa = 1e-3;  // of float32 set points, beside a limit
+constexpr double kStuckWindowS = 1.0;  // a reading that stands still for so long …
+constexpr double kStuckDelayS = 0.5;   // … though the set point had moved so long before
+constexpr double kStuckShare = 0.02;   // of the set point's change: less is none
+
+/// Of the side that `kpa` is on; without a sign where both have the same.
+double limit_of(const PressureLimits& limits, double kpa) {
+  return limits.is_symmetric() ? limits.upper_kpa : limits.side_kpa(kpa);
+}
+
+/// Where a shape can't be the arm's: it is in another unit, or of markers in another order.
+std::string another_scale(const Backbone& shape, double arm_length_m) {
+  constexpr double kMaxFactor = 1.5;  // what strains and chords make of a length
+  const Eigen::Index gaps = shape.rows() - 1;
+  const double length_m =
+      (shape.bottomRows(gaps) - shape.topRows(gaps)).leftCols<2>().rowwise().norm().sum();
+  if (length_m < kMaxFactor * arm_length_m && kMaxFactor * length_m > arm_length_m) {
+    return "";
+  }
+  return fmt::format(". The shape is {:.3g} m long from plate to plate, and the arm {:.3g} m",
+                     length_m, arm_length_m);
+}
+
+}  // namespace
+
+SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> limits_kpa,
+                       bool check_rate, const SafetySettings& settings)
+    : arm_(arm),
+      limits_kpa_(std::move(limits_kpa)),
+      check_rate_(check_rate),
+      settings_(settings),
+      largest_jump_m_(largest_jump_m(settings, arm)),
+      setpoint_kpa_(Pressures::Zero(arm.segment_count())),
+      reference_kpa_(Pressures::Zero(arm.segment_count())),
+      frames_off_(arm.segments.size(), 0),
+      history_{{setpoint_kpa_, reference_kpa_, reference_kpa_}} {}
+
+std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
+  if (setpoint_kpa.size() != arm_.segment_count()) {
+    return fmt::format("{} set points; arm '{}' has {} segments. They were not sent",
+                       setpoint_kpa.size(), arm_.name, arm_.segment_count());
+  }
+  const double step_kpa = arm_.pressure_step_limit_kpa();
+  const std::string& unit = arm_.command.unit;
+  for (int s = 0; s < arm_.segment_count(); ++s) {
+    const double value = setpoint_kpa[s];
+    const PressureLimits& limits = limits_kpa(s);
+    if (!(value >= limits.lower_kpa - kRoundingKpa && value <= limits.upper_kpa + kRoundingKpa)) {
+      return fmt::format(
+          "set point of {} is {:.2f} {unit}; its limit is {:.2f} {unit}. It was not "
+          "sent",
+          segment_name(s), value, limit_of(limits, value), fmt::arg("unit", unit));
+    }
+    const double change_kpa = value - static_cast<double>(setpoint_kpa_[s]);
+    if (check_rate_ && !(std::abs(change_kpa) <= step_kpa + kRoundingKpa)) {
+      return fmt::format(
+          "set point of {} goes from {:.2f} to {:.2f} {unit} in a frame; the arm's rate limit "
+          "allows {:.2f} {unit}. It was not sent",
+          segment_name(s), setpoint_kpa_[s], value, step_kpa, fmt::arg("unit", unit));
+    }
+  }
+  setpoint_kpa_ = setpoint_kpa;
+  return "";
+}
+
+std::string SafetyGate::check_state(const ArmState& state) {
+  std::string wrong = check_shape(state);
+  if (wrong.empty()) {
+    wrong = following(state);
+  }
+  return wrong.empty() ? never_sent(state) : wrong;
+}
+
+void SafetyGate::note_vented(const ArmState& state) {
+  setpoint_kpa_.setZero();
+  reference_kpa_ = state.pressure_kpa;
+  std::fill(frames_off_.begin(), frames_off_.end(), 0);
+  history_ = {{setpoint_kpa_, reference_kpa_, state.pressure_kpa}};
+  backbone_ = state.backbone;
+  backbone_time_s_ = state.time_s;
+  frames_unseen_ = 0;
+}
+
+std::string SafetyGate::check_in_force(const ArmState& state) const {
+  return state.setpoint_kpa ? over_limit(*state.setpoint_kpa, "reports a set point in force of")
+                            : "";
+}
+
+std::string SafetyGate::over_limit(const Pressures& kpa, const char* what) const {
+  for (int s = 0; s < arm_.segment_count(); ++s) {
+    const PressureLimits& limits = limits_kpa(s);
+    const double value = kpa[s];
+    if (value > limits.upper_kpa + excess_kpa(s) || value < limits.lower_kpa - excess_kpa(s)) {
+      return fmt::format(
+          "{} {} {:.1f} kPa; its limit is {:.1f} kPa, with {:.1f} kPa allowed beyond",
+          segment_name(s), what, value, limit_of(limits, value), excess_kpa(s));
+    }
+  }
+  return "";
+}
+
+double SafetyGate::excess_kpa(int segment) const {
+  return settings_.over_limit_percent / 100.0 *
+         arm_.segments[static_cast<std::size_t>(segment)].pressure_limit_kpa.largest_kpa();
+}
+
+std::string SafetyGate::check_shape(const ArmState& state) {
+  std::string wrong = over_limit(state.pressure_kpa, "is at");
+  if (wrong.empty()) {
+    wrong = check_in_force(state);
+  }
+  ++frames_unseen_;
+  if (!wrong.empty() || !state.backbone) {
+    return wrong;
+  }
+  const Backbone& now = *state.backbone;
+  const double since_s = state.time_s - backbone_time_s_;  // long, where nobody looked meanwhile
+  const int frames =
+      std::max(frames_unseen_, static_cast<int>(std::lround(since_s * arm_.frame_rate_hz)));
+  for (Eigen::Index i = 0; i < now.rows(); ++i) {
+    const double x_m = now(i, 0);
+    const double y_m = now(i, 1);
+    if (settings_.fence && !(x_m >= settings_.fence->x_min_m && x_m <= settings_.fence->x_max_m &&
+                             y_m >= settings_.fence->y_min_m && y_m <= settings_.fence->y_max_m)) {
+      return fmt::format("{} is at ({:.3f}, {:.3f}) m, outside of the fence", plate_name(i), x_m,
+                         y_m);
+    }
+    if (backbone_) {
+      const double moved_m = (now.row(i) - backbone_->row(i)).head<2>().norm();
+      if (moved_m > largest_jump_m_ * frames) {
+        return fmt::format(
+            "{} jumped by {:.2f} cm within {} frame{}; more than {:.2f} cm per frame counts as no "
+            "motion of this arm (jump_m of the mapping safety in the arm file, docs/hardware.md){}",
+            plate_name(i), kCmPerM * moved_m, frames, frames == 1 ? "" : "s",
+            kCmPerM * largest_jump_m_, another_scale(now, arm_.length_m()));
+      }
+    }
+  }
+  backbone_ = now;
+  backbone_time_s_ = state.time_s;
+  frames_unseen_ = 0;
+  return "";
+}
+
+std::string SafetyGate::following(const ArmState& state) {
+  const auto step = static_cast<float>(arm_.pressure_step_limit_kpa());
+  reference_kpa_ += (setpoint_kpa_ - reference_kpa_)
+                        .cwiseMax(Pressures::Constant(reference_kpa_.size(), -step))
+                        .cwiseMin(Pressures::Constant(reference_kpa_.size(), step));
+  history_.push_back({setpoint_kpa_, reference_kpa_, state.pressure_kpa});
+  const auto window = static_cast<std::size_t>(arm_.frames_in(kStuckWindowS));
+  while (history_.size() > window) {
+    history_.pop_front();
+  }
+  // Valves lag, and some are faster than the arm's rate: a pressure may be anywhere between what
+  // it was told and where that rate had led at any time of the last half second.
+  for (int s = 0; s < arm_.segment_count(); ++s) {
+    float low = reference_kpa_[s];
+    float high = low;
+    for (std::size_t k = first_recent(); k < history_.size(); ++k) {
+      const auto& [told_kpa, led_kpa, measured_kpa] = history_[k];
+      low = std::min({low, led_kpa[s], told_kpa[s]});
+      high = std::max({high, led_kpa[s], told_kpa[s]});
+    }
+    const float measured = state.pressure_kpa[s];
+    const double off_kpa = std::max({low - measured, measured - high, 0.0F});
+    int& frames = frames_off_[static_cast<std::size_t>(s)];
+    frames = off_kpa > settings_.following_error_kpa ? frames + 1 : 0;
+    std::string wrong = stuck(s);
+    if (wrong.empty() && frames > arm_.frames_in(settings_.following_time_s)) {
+      wrong = fmt::format(
+          "{} is at {:.1f} kPa, {:.1f} kPa off where its set point of {:.1f} kPa has led since "
+          "{:.2g} s. Check supply pressure, hoses and leaks",
+          segment_name(s), measured, off_kpa, setpoint_kpa_[s], settings_.following_time_s);
+    }
+    if (!wrong.empty()) {
+      return wrong;
+    }
+  }
+  return "";
+}
+
+std::size_t SafetyGate::first_recent() const {
+  const auto frames = static_cast<std::size_t>(arm_.frames_in(settings_.following_time_s));
+  return history_.size() - std::min(history_.size(), frames);
+}
+
+std::string SafetyGate::never_sent(const ArmState& state) const {
+  for (int s = 0; state.setpoint_kpa && s < arm_.segment_count(); ++s) {
+    float low = setpoint_kpa_[s];
+    float high = low;
+    for (std::size_t k = first_recent(); k < history_.size(); ++k) {
+      low = std::min(low, history_[k].setpoint_kpa[s]);
+      high = std::max(high, history_[k].setpoint_kpa[s]);
+    }
+    const float reported = (*state.setpoint_kpa)[s];
+    if (std::max(low - reported, reported - high) > excess_kpa(s)) {
+      return fmt::format(
+          "{} reports a set point in force of {:.1f} kPa; {:.1f} to {:.1f} kPa were sent within "
+          "the last {} s, and {:.1f} kPa are allowed beyond",
+          segment_name(s), reported, low, high, settings_.following_time_s, excess_kpa(s));
+    }
+  }
+  return "";
+}
+
+std::string SafetyGate::stuck(int segment) const {
+  if (history_.size() < static_cast<std::size_t>(arm_.frames_in(kStuckWindowS))) {
+    return "";
+  }
+  const auto until = history_.size() - static_cast<std::size_t>(arm_.frames_in(kStuckDelayS));
+  float low = history_.front().reference_kpa[segment];
+  float high = low;
+  float measured_low = history_.front().measured_kpa[segment];
+  float measured_high = measured_low;
+  for (std::size_t k = 0; k < history_.size(); ++k) {
+    if (k < until) {
+      low = std::min(low, history_[k].reference_kpa[segment]);
+      high = std::max(high, history_[k].reference_kpa[segment]);
+    }
+    measured_low = std::min(measured_low, history_[k].measured_kpa[segment]);
+    measured_high = std::max(measured_high, history_[k].measured_kpa[segment]);
+  }
+  const double commanded_kpa = high - low;
+  const double changed_kpa = measured_high - measured_low;
+  if (commanded_kpa < settings_.stuck_change_kpa || changed_kpa > kStuckShare * commanded_kpa) {
+    return "";
+  }
+  const Frame& then = history_[until - 1];  // what came after it has had no time to act
+  if (std::abs(then.measured_kpa[segment] - then.setpoint_kpa[segment]) <
+      settings_.stuck_change_kpa) {
+    return "";  // it had arrived, faster than the arm's rate
+  }
+  return fmt::format(
+      "{} stands still at {:.2f} kPa though its set point "
+      "moved by {:.1f} kPa: a channel is stuck, or its sensor",
+      segment_name(segment), history_.back().measured_kpa[segment], commanded_kpa);
+}
+
+}  // namespace limber

@@ -1,0 +1,235 @@
+#pragma once
+// For those who move an arm, real or virtual.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/arm/backbone.hpp"
+#include "limber/data/recording.hpp"
+#include "limber/run/arm_driver.hpp"
+#include "limber/run/collision_watch.hpp"
+#include "limber/world/environment.hpp"
+#include "limber/world/plan.hpp"
+#include "limber/world/pose_goal.hpp"
+
+namespace limber {
+
+struct AppearingObstacle;
+
+enum class ExecutionStatus {
+  done,    ///< every frame was commanded, and the hold after them; or halted, it rests in the goal
+  fault,   ///< the arm failed; `message` says how
+  stopped  ///< by Ctrl-C, or by a controller; `message` says why
+};
+
+const char* to_string(ExecutionStatus status);
+
+/// What an arm in motion does after its next frame.
+struct MotionAdvice {
+  enum class Kind {
+    go_on,  ///< follows the plan: its own, or another one
+    wait,   ///< holds its set points for a frame
+    stop    ///< holds them, and leaves the plan
+  };
+  Kind kind = Kind::go_on;
+  /// To go on along, if not along its own: it starts at the set points of that next frame.
+  std::optional<Plan> plan = std::nullopt;
+  std::string reason = {};    ///< of a stop
+  bool has_searched = false;  ///< for another plan, in vain or not
+};
+
+/// What is sent in a frame of a plan.
+struct FrameSetpoint {
+  Pressures kpa;
+  /// Of the plan: the one that was asked for, a later one, or the one commanded last while the plan
+  /// waits.
+  std::size_t frame;
+  /// Whether it begins a motion that is certified from where the arm is, as far as the source looks
+  /// at that.
+  bool is_certified = true;
+};
+
+/// How to go on while a plan is executed, from what is measured (docs/planning.md, Closed loop).
+class PlanSource {
+ public:
+  virtual ~PlanSource() = default;
+  /// Told of every set point and of what was measured after it; first of the start, where the arm
+  /// has long had the plan's first set points.
+  virtual void observe(const Pressures& setpoint_kpa, const ArmState& state);
+  /// Set points to send in frame `next` of a plan, in place of the plan's own; from then on the
+  /// plan that this source is shown has them. They are within the limits, and no farther from the
+  /// last ones than the frame rule allows. Asked for each frame of a plan, and while the arm waits
+  /// in one, is halted or holds.
+  /// @param frame  the one commanded last, `next` where it is to stay there
+  virtual FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next);
+  /// Whether an arm that has to hold its set points, as a plan from there is being made, does
+  /// something certified, as far as the source looks at that. Asked for each such frame.
+  virtual bool may_hold() { return true; }
+  /// Asked before each frame of a motion, whose set points `plan.frames[next]` are then sent
+  /// without waiting for the answer: it takes effect in the frame after that one, or never if it
+  /// comes later. In real time the answer is worked out on another thread while the arm goes on:
+  /// it copies what it needs of `plan`. Empty: the arm goes on.
+  virtual std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next);
+  /// Whether the rest of the plan may be followed; asked after each of its frames but the last.
+  /// Where not, the arm holds where it is and `next` is asked.
+  virtual bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
+  /// The plan to follow from here on, for an arm that has held the set points of frame `frame` of
+  /// `plan` for the hold, or 0.3 s where it was halted: the last one, or the one after which it was
+  /// not allowed to go on. It starts there. None ends the run. In real time it is called on another
+  /// thread; meanwhile nothing but `observe` and `may_hold` is called.
+  virtual std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
+  /// An obstacle has appeared: from now on the environment is this one, which outlives the run.
+  /// Said while no advice and no plan is being worked out.
+  virtual void obstacle_appeared(const Environment& now) { (void)now; }
+};
+
+/// A controller beside or in place of a plan: each frame's set points from what is measured.
+class FrameController {
+ public:
+  virtual ~FrameController() = default;
+  /// Set points (size n, kPa) of the next frame; none ends the run. They are within the limits,
+  /// and no farther from the last ones than the frame rule allows (`pressure_step_limit_kpa`).
+  virtual std::optional<Pressures> next(const ArmState& state) = 0;
+  /// Why it ended the run before its time; empty if it did not.
+  virtual std::string stop_reason() const { return ""; }
+};
+
+/// @throws InputError naming frame, segment and limit if a controller's set points break them.
+void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
+                        const Pressures& setpoint_kpa);
+
+/// The set points nearest to `wanted_kpa`, each by itself, that keep them; NaN stays before_kpa.
+Pressures within_frame_rule(const ArmDescription& arm, const Pressures& before_kpa,
+                            const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa);
+/// The same with other limits, one for each segment, and another step.
+Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double step_limit_kpa,
+                            const Pressures& before_kpa,
+                            const Eigen::Ref<const Eigen::VectorXd>& wanted_kpa);
+
+struct ExecutionSettings {
+  /// The last set point is held this long in all, including the plan's own hold (which is never
+  /// cut); then the goal is judged. A source of plans is asked 0.3 s after a halt, and then again
+  /// if it found none. [s], ≥ 0.
+  double hold_s = 1.0;
+  /// Asked for more plans; borrowed. None: the plan is executed open loop.
+  PlanSource* replanner = nullptr;
+  /// Decides every set point in place of the plan's, which is then what predictions are compared
+  /// with; it also decides how long the end is held. Borrowed. None: the plan's own.
+  FrameController* controller = nullptr;
+  /// Appears during the run; borrowed (internal/limber/hardware/appearing_obstacle.hpp).
+  const AppearingObstacle* obstacle = nullptr;
+  /// Asked before every set point; true stops the execution as Ctrl-C does. Empty: never.
+  std::function<bool()> should_stop = {};
+  /// A start whose plates are seen farther than that from the plan's is refused; none: any start.
+  std::optional<double> max_start_error_m;
+};
+
+/// Distance between predicted and executed tip over the plan's frames.
+struct ExecutedError {
+  double mean_m = 0.0;
+  double before_hold_m = 0.0;  ///< mean over the frames before the plan's hold: while it moves
+  double max_m = 0.0;
+  double final_m = 0.0;  ///< at the plan's last frame; NaN if it was not seen at the end
+};
+
+/// An obstacle that was not there when the run began.
+struct AppearedObstacle {
+  double time_s = 0.0;  ///< since the run's start
+  Circle circle;
+};
+
+/// What advice in motion took to work out, in real time; in simulated time nothing is noted.
+struct AdviceTimes {
+  std::vector<double> all_s;
+  std::vector<double> searches_s;  ///< of it, what searched for another plan
+  int late = 0;                    ///< came after its frame, and was dropped
+};
+
+struct ExecutionResult {
+  ExecutionStatus status = ExecutionStatus::done;
+  std::string message;      ///< why it did not arrive: what ended it, or what it missed or struck
+  int frames = 0;           ///< set points commanded, those of the hold included
+  int frames_not_seen = 0;  ///< of them, those after which the arm was not tracked
+  /// Before the first set point: largest distance of a plate from where the plan starts.
+  double start_error_m = 0.0;
+
+  bool collided = false;  ///< was seen to; without `final_backbone`, false says nothing
+  std::optional<Contact> first_collision;
+  /// Where the arm came closest; none without obstacles, or without `final_backbone` unless it
+  /// collided.
+  std::optional<Contact> closest;
+
+  /// After the hold, or at the fault; none if the arm was not tracked in the last 0.25 s: then
+  /// nobody knows where it ended.
+  std::optional<Backbone> final_backbone;
+  PoseError goal_error;                     ///< of it; meaningless without `final_backbone`
+  bool goal_reached = false;                ///< was seen to
+  std::optional<ExecutedError> prediction;  ///< none if nothing was tracked
+
+  int replans = 0;   ///< plans after the first that started at rest
+  int switches = 0;  ///< plans that another one replaced in mid-motion
+  int waits = 0;     ///< frames in which the arm waited in mid-motion
+  int halts = 0;     ///< plans that were left before their end, since the arm strayed
+  /// Frames in which nothing was certified from where the arm was: it went on along what was
+  /// certified last, then held.
+  int frames_not_certified = 0;
+  AdviceTimes advice;
+  std::optional<AppearedObstacle> appeared;
+  /// A plan was left before its end, and none was found that leads on: the arm held and stayed.
+  bool stopped_ahead = false;
+  /// Where the first plan's hold ended, if more plans followed.
+  std::optional<PoseError> open_loop_goal_error;
+
+  /// When the tip came into the goal's region for good, and when the first plan would have it
+  /// there; none if it was not there at the end. [s]
+  std::optional<double> goal_time_s;
+  std::optional<double> planned_goal_time_s;
+
+  /// What was commanded and measured, time 0 being the start; no frames if nothing was tracked.
+  /// A motion is one edge of the plan, the hold belongs to the last one.
+  Episode episode;
+};
+
+/// Whether it says what becomes of a plan: a run that was stopped does, a fault does not.
+inline bool has_run(const ExecutionResult& result) {
+  return result.status != ExecutionStatus::fault;
+}
+
+/// Whether it was seen to end in its goal, clear of everything on its way.
+inline bool has_arrived(const ExecutionResult& result) {
+  return result.goal_reached && !result.collided;
+}
+
+/// The environment in which the run ended: an obstacle that appeared is the last one.
+Environment with_appeared(const Environment& environment, const ExecutionResult& result);
+
+/// Commands a plan's frames as they stand, one frame period each, then holds; open loop, unless the
+/// settings name a source of more plans. Whatever happens (end, fault, Ctrl-C, exception), the arm
+/// is vented before this returns. If the plan starts under pressure, the arm is led there first,
+/// straight in pressure space, and held 3 s, unrecorded.
+///
+/// Collision is judged on the backbones that the driver returns, once per frame.
+/// @throws InputError if plan, environment and arm don't belong together (hashes in the
+/// message), or the arm is too far from where the plan starts.
+[[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
+                                      const Plan& plan, ArmDriver& driver,
+                                      const ExecutionSettings& settings = {});
+
+/// An arm whose true shape is known, as a simulator's is (limber/sim/virtual_arm.hpp).
+struct TrueShape {
+  std::function<BackboneD()> now;
+  /// Passes on a function that takes every shape the arm comes through, with its time; an empty
+  /// one ends that.
+  std::function<void(std::function<void(double time_s, const BackboneD& backbone)>)> observe;
+};
+
+/// The same, but collisions, goal and prediction are judged on the true shapes, those between frames
+/// too, whatever noise the driver adds to measured ones.
+[[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
+                                      const Plan& plan, ArmDriver& driver, const TrueShape& truth,
+                                      const ExecutionSettings& settings);
+
+}  // namespace limber

@@ -1,0 +1,21 @@
+#pragma once
+// For those who have plans corrected while they are executed.
+
+#include <cstdint>
+#include <memory>
+
+#include "limber/forward/error_room.hpp"
+#include "limber/forward/motion_model.hpp"
+#include "limber/run/executor.hpp"
+
+namespace limber {
+
+/// Plans again from where the arm is measured, while it moves and after (docs/planning.md, Closed
+/// loop): for ExecutionSettings::replanner. A search takes 2000 queries while the arm moves, 20 000
+/// when it stands. Without tracking the run is open loop. Borrows arm, environment and what the
+/// model borrows. Threads: one run at a time.
+std::unique_ptr<PlanSource> make_replanner(const ArmDescription& arm, const MotionModel& model,
+                                           const Environment& environment, const ErrorRoom& room,
+                                           std::uint64_t seed);
+
+}  // namespace limber

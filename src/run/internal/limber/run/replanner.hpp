@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "limber/forward/error_room.hpp"
+#include "limber/forward/motion_model.hpp"
+#include "limber/run/executor.hpp"
+#include "limber/planning/planner.hpp"
+#include "limber/world/collision.hpp"
+
+namespace limber {
+
+struct ReplannerSettings {
+  /// Of each search; a number of queries, so that runs in simulated time can be repeated.
+  std::uint64_t queries = 20000;
+  int max_replans = 24;
+  /// About what the tracker's noise hides. An arm nearer to the goal's centre than that is left
+  /// alone, and so is one in the goal that a model without memory brought nearer by less, ten times
+  /// in a row. [m], > 0.
+  double min_gain_m = 0.001;
+  int planner_jobs = 1;
+  /// Of set points, where they are narrower than the arm's; empty: the arm's. Plans stay within
+  /// them, and within those of the plan that runs.
+  std::vector<PressureLimits> limits = {};
+};
+
+/// Of plans that follow `plan`: its own, as its end is within them, and what the run allows. Empty:
+/// the arm's.
+std::vector<PressureLimits> limits_after(const Plan& plan,
+                                         const std::vector<PressureLimits>& in_force);
+
+/// Plans again from where the arm is measured, whenever it stands: after a plan that ended off the
+/// goal, and where it has strayed so far from its plan that it comes near an obstacle. Every
+/// plan is certified. Small corrections from rest are predicted well, since the network's error
+/// grows with the motion: of many that are sampled, the one that ends nearest. They end where the
+/// arm is so near that the next one is no likely gain. An arm well inside the goal gets none that
+/// leaves it on the way. What the model misses all the same, where a correction ended beside its
+/// prediction, shifts the goal of the next one, by at most 10 cm. A model without memory errs as
+/// much after a correction as before, so its first plan counts too; it is corrected along slopes.
+///
+/// Borrows arm, model and environment. Without tracking it asks for no plan: the run is then open
+/// loop.
+class Replanner final : public PlanSource {
+ public:
+  Replanner(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
+            const ErrorRoom& room, const ReplannerSettings& settings, std::uint64_t seed);
+  ~Replanner() override;
+
+  bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
+  std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
+
+  double clearance_m(const Backbone& shape) const { return near_.clearance(shape).value_m; }
+  /// The goal that the last plan was made for: shifted by what the model misses.
+  const PoseGoal& aim() const { return aim_; }
+  /// Whether the last plan was for an arm whose plan had ended, or that stood in the goal.
+  bool is_correction() const { return is_correction_; }
+
+ private:
+  std::uint64_t seed_of_next() const { return seed_ + static_cast<std::uint64_t>(replans_); }
+  bool has_more_to_gain(double error_m, bool has_arrived);
+  void learn_from(const Plan& ended, const Pose& measured);
+  void note_creep(const Pressures& held_kpa, int frames, const Backbone& measured);
+  /// After so many frames; it has ended with a plan's hold.
+  Eigen::Vector3d creep(std::size_t frame = std::numeric_limits<std::size_t>::max()) const;
+  PoseGoal shifted_goal() const;
+  bool stays_in_goal(const Plan& plan) const;
+  std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
+  std::optional<Plan> search_less_and_less(const Plan& before, Environment from_here,
+                                           bool is_halted);
+  using IsTaken = std::function<bool(const Plan&)>;
+  std::optional<Plan> short_correction(const Plan& before, const Environment& from_here,
+                                       double error_m, const IsTaken& is_taken);
+  PlanningProblem correction_problem(const Plan& before, const Environment& from_here,
+                                     double share) const;
+  std::optional<Plan> straight(const Plan& before, Environment from_here, double widened,
+                               double max_error_m);
+  std::optional<Plan> nearer(const Plan& before, const Environment& from_here, double error_m);
+
+  const ArmDescription& arm_;
+  MotionModel model_;
+  const Environment& environment_;
+  ErrorRoom room_;
+  ReplannerSettings settings_;
+  std::uint64_t seed_;
+  CollisionChecker near_;  // what touches this arm is too near to go on beside
+  std::unique_ptr<Planner> planner_;
+  PoseGoal aim_;
+  int replans_ = 0;
+  bool has_halted_in_vain_ = false;  // the arm, halted, asked and found no plan
+  bool is_correction_ = false;       // what the arm follows
+  int stuck_ = 0;                    // corrections in a row that hardly moved the arm
+  int small_gains_ = 0;
+  std::optional<double> error_before_m_;  // of the correction under way
+  // Of the tip, x, y, theta.
+  Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();  // measured beside predicted ends
+  std::vector<Eigen::Vector3d> creep_;  // of a held arm after each frame, as the model has it
+};
+
+}  // namespace limber

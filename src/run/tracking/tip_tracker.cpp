@@ -1,0 +1,311 @@
+#include "limber/run/tip_tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+#include <Eigen/Cholesky>
+
+#include "limber/world/straight_motion.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kApproachHoldS = 1.0;
+constexpr double kFirstPointS = 2.0;  // for the path's first point before its time 0
+constexpr int kBiasFrames = 5;
+constexpr double kBiasShare = 0.2;      // of the low-pass, in each frame
+constexpr double kMaxBiasFactor = 2.0;  // farthest extrapolation of the bias
+constexpr int kRounds = 2;              // of sampling and fitting, in each frame
+constexpr double kRidge = 1e-3;         // of the fit, over the samples' own variance
+constexpr double kStepShares[] = {0.25, 0.5, 0.75, 1.0};
+constexpr int kMinSamples = 8;
+
+}  // namespace
+
+ArmDescription with_limits(ArmDescription arm, const std::vector<PressureLimits>& limits) {
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    arm.segments[i].pressure_limit_kpa = arm.segments[i].pressure_limit_kpa.within(limits[i]);
+  }
+  return arm;
+}
+
+TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
+                       const TrackStart& start, const TipTrackerSettings& settings,
+                       std::uint64_t seed)
+    : arm_(arm),
+      model_(model),
+      rollouts_(model),
+      path_(path),
+      settings_(settings),
+      laps_(std::max(1, static_cast<int>(std::lround(path.lap_s() / arm.frame_period_s()))),
+            path.laps > 1 ? settings.lap_share : 0.0),
+      posture_(start.posture),
+      seed_(seed) {
+  const Pressures& start_kpa = start.setpoint_kpa;
+  const Pressures vented_kpa = Pressures::Zero(arm.segment_count());
+  const int count = motion_frame_count(vented_kpa, start_kpa, arm.pressure_step_limit_kpa());
+  approach_.assign(static_cast<std::size_t>(count), vented_kpa);
+  for (int k = 1; k <= count; ++k) {
+    motion_setpoint(vented_kpa, start_kpa, k, count, approach_[static_cast<std::size_t>(k) - 1]);
+  }
+  approach_.insert(approach_.end(), static_cast<std::size_t>(arm.frames_in(kApproachHoldS)),
+                   start_kpa);
+  path_start_frame_ = static_cast<int>(approach_.size()) + arm.frames_in(kFirstPointS);
+  knots_kpa_ = start_kpa.cast<double>().replicate(settings_.knots, 1);
+  if (!posture_.is_known()) {
+    settings_.posture_m = 0.0;
+  }
+  posture_weight_m_per_kpa_.resize(knots_kpa_.size());
+  for (Eigen::Index i = 0; i < knots_kpa_.size(); ++i) {
+    posture_weight_m_per_kpa_[i] = settings_.posture_m / limits_of_knot(i).half_width_kpa();
+  }
+}
+
+const PressureLimits& TipTracker::limits_of_knot(Eigen::Index i) const {
+  return arm_.segments[static_cast<std::size_t>(i % segments())].pressure_limit_kpa;
+}
+
+double TipTracker::path_time_s(int frame) const {
+  return (frame - path_start_frame_) * arm_.frame_period_s();
+}
+
+/// @return whether the run goes on
+bool TipTracker::take_in(const ArmState& state) {
+  if (frame_ == 0) {
+    if (!state.backbone) {
+      stop_reason_ =
+          "nothing tracks the arm; to keep its tip on a path, its shape has to be measured";
+      return false;
+    }
+    state_ = model_.settled_state(Pressures::Zero(segments()), *state.backbone);
+  }
+  blind_ = state.backbone ? 0 : blind_ + 1;
+  if (blind_ > arm_.frames_in(settings_.blind_s)) {
+    stop_reason_ = fmt::format("nothing has tracked the arm for {:.2f} s; it was vented",
+                               blind_ * arm_.frame_period_s());
+    return false;
+  }
+  if (!state.backbone) {
+    states_.clear();
+    commanded_.clear();
+    return true;
+  }
+  state_.backbone = *state.backbone;
+  if (!model_.valves().is_ideal()) {
+    state_.valves.head(segments()) = state.pressure_kpa;
+  }
+  learn_bias();
+  learn_lap();
+  states_.push_back(state_);
+  return true;
+}
+
+/// What the commands of the last frames should have done, and what they did.
+void TipTracker::learn_bias() {
+  if (static_cast<int>(states_.size()) < kBiasFrames) {
+    return;
+  }
+  MotionState predicted = states_.front();
+  for (const Pressures& setpoint_kpa : commanded_) {
+    model_.step(setpoint_kpa, predicted, workspace_);
+  }
+  queries_ += commanded_.size();
+  const Eigen::Vector2d missed =
+      tip_position_m(state_.backbone) - tip_position_m(predicted.backbone);
+  bias_m_ += kBiasShare * (missed - bias_m_);
+  bias_m_ *= std::min(1.0, settings_.max_bias_m / std::max(bias_m_.norm(), 1e-12));
+  states_.pop_front();
+  commanded_.pop_front();
+}
+
+void TipTracker::learn_lap() {
+  const int since = frame_ - path_start_frame_;
+  if (since > 0) {  // the lap's first frame is the approach's
+    laps_.learn(since, path_.at(path_time_s(frame_)) - tip_position_m(state_.backbone));
+  }
+}
+
+/// A network starts from the measured shape, and errs more the farther ahead; the no-load model
+/// errs as much in the next frame.
+Eigen::Vector2d TipTracker::bias_ahead_m(int frames) const {
+  if (!model_.has_network()) {
+    return bias_m_;
+  }
+  return std::min(double(frames) / kBiasFrames, kMaxBiasFactor) * bias_m_;
+}
+
+Eigen::VectorXd TipTracker::wanted_tips() const {
+  Eigen::VectorXd wanted(2 * horizon());
+  for (int h = 1; h <= horizon(); ++h) {
+    wanted.segment<2>(2 * (h - 1)) = path_.at(path_time_s(frame_ + h)) - bias_ahead_m(h) +
+                                     laps_.shift_m(frame_ + h - path_start_frame_);
+  }
+  return wanted;
+}
+
+void TipTracker::roll_out(Candidates& candidates) {
+  const Eigen::Index n = segments();
+  const auto knot = [&](Eigen::Index candidate, int k) {
+    return Pressures(candidates.knots_kpa.col(candidate).segment(k * n, n).cast<float>());
+  };
+  candidates.tips_m.resize(2 * horizon(), candidates.knots_kpa.cols());
+  rollouts_.clear();
+  for (Eigen::Index c = 0; c < candidates.knots_kpa.cols(); ++c) {
+    rollouts_.add(static_cast<int>(c), state_, knot(c, 0), settings_.frames_per_knot);
+  }
+  for (int h = 0; h < horizon(); ++h) {
+    rollouts_.step();
+    for (int column = 0; column < rollouts_.size(); ++column) {
+      candidates.tips_m.col(rollouts_.label(column)).segment<2>(2 * h) =
+          tip_position_m(rollouts_.now(column));
+    }
+    const int next_knot = (h + 1) / settings_.frames_per_knot;
+    if ((h + 1) % settings_.frames_per_knot == 0 && next_knot < settings_.knots) {
+      for (int column = 0; column < rollouts_.size(); ++column) {
+        rollouts_.go_on(column, knot(rollouts_.label(column), next_knot),
+                        settings_.frames_per_knot);
+      }
+    }
+  }
+  queries_ += static_cast<std::uint64_t>(horizon() * candidates.knots_kpa.cols());
+}
+
+Eigen::VectorXd TipTracker::posture_of_knots() const {
+  Eigen::VectorXd kpa(knots_kpa_.size());
+  for (int k = 0; k < settings_.knots; ++k) {
+    kpa.segment(k * segments(), segments()) =
+        posture_.at(path_time_s(frame_ + (k + 1) * settings_.frames_per_knot));
+  }
+  return kpa;
+}
+
+Eigen::VectorXd TipTracker::off_posture(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa) const {
+  return posture_weight_m_per_kpa_.cwiseProduct(knots_kpa - posture_kpa_);
+}
+
+double TipTracker::cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
+                        const Eigen::Ref<const Eigen::VectorXd>& tips_m,
+                        const Eigen::VectorXd& wanted) const {
+  const Eigen::Index n = segments();
+  Eigen::VectorXd steps = knots_kpa;
+  steps.tail(knots_kpa.size() - n) -= knots_kpa.head(knots_kpa.size() - n);
+  steps.head(n) -= state_.setpoint_kpa().cast<double>();
+  return (tips_m - wanted).squaredNorm() + off_posture(knots_kpa).squaredNorm() +
+         std::pow(settings_.effort_m_per_kpa, 2) * steps.squaredNorm();
+}
+
+/// Knots as near as limits and frame rule allow.
+Eigen::VectorXd TipTracker::within_rule(Eigen::VectorXd knots_kpa) const {
+  const Eigen::Index n = segments();
+  const double step_kpa = settings_.frames_per_knot * arm_.pressure_step_limit_kpa();
+  for (Eigen::Index i = 0; i < knots_kpa.size(); ++i) {
+    const double before = i < n ? double(state_.setpoint_kpa()[i]) : knots_kpa[i - n];
+    knots_kpa[i] =
+        limits_of_knot(i).clamped(std::clamp(knots_kpa[i], before - step_kpa, before + step_kpa));
+  }
+  return knots_kpa;
+}
+
+/// From the first sample, the knots' change of least squared error as a linear fit has it.
+Eigen::VectorXd TipTracker::fitted_step(const Candidates& samples,
+                                        const Eigen::VectorXd& wanted) const {
+  const Eigen::Index n = segments();
+  const Eigen::Index size = samples.knots_kpa.rows();
+  const Eigen::MatrixXd knots = samples.knots_kpa.colwise() - samples.knots_kpa.rowwise().mean();
+  const Eigen::MatrixXd tips = samples.tips_m.colwise() - samples.tips_m.rowwise().mean();
+  Eigen::MatrixXd square = knots * knots.transpose();
+  square.diagonal().array() += kRidge * square.trace() / double(size) + 1e-9;
+  const Eigen::MatrixXd slope = square.ldlt().solve(knots * tips.transpose()).transpose();
+  // Differences of successive knots, the first from the set points in force.
+  Eigen::MatrixXd difference = Eigen::MatrixXd::Identity(size, size);
+  difference.bottomLeftCorner(size - n, size - n).diagonal().array() -= 1.0;
+  Eigen::VectorXd steps = difference * samples.knots_kpa.col(0);
+  steps.head(n) -= state_.setpoint_kpa().cast<double>();
+  const double effort = std::pow(settings_.effort_m_per_kpa, 2);
+  Eigen::MatrixXd left = slope.transpose() * slope + effort * difference.transpose() * difference;
+  left.diagonal() += posture_weight_m_per_kpa_.cwiseAbs2();
+  const Eigen::VectorXd right =
+      slope.transpose() * (wanted - samples.tips_m.col(0)) -
+      effort * difference.transpose() * steps -
+      posture_weight_m_per_kpa_.cwiseProduct(off_posture(samples.knots_kpa.col(0)));
+  return left.ldlt().solve(right);
+}
+
+Eigen::VectorXd TipTracker::knots_one_frame_on() const {
+  const Eigen::Index n = segments();
+  const Eigen::Index rest = knots_kpa_.size() - n;
+  Eigen::VectorXd slope(knots_kpa_.size());
+  slope.head(rest) = (knots_kpa_.tail(rest) - knots_kpa_.head(rest)) / settings_.frames_per_knot;
+  slope.tail(n) = rest > 0 ? Eigen::VectorXd(slope.segment(rest - n, n)) : Eigen::VectorXd::Zero(n);
+  return knots_kpa_ + slope;
+}
+
+void TipTracker::search() {
+  const Eigen::VectorXd wanted = wanted_tips();
+  const int samples =
+      std::max(kMinSamples, settings_.queries / horizon() / kRounds - int(std::size(kStepShares)));
+  RandomStream random(seed_, static_cast<std::uint64_t>(frame_));
+  knots_kpa_ = within_rule(knots_kpa_);
+  posture_kpa_ = posture_of_knots();
+  for (int round = 0; round < kRounds; ++round) {
+    Candidates sampled;
+    sampled.knots_kpa.resize(knots_kpa_.size(), samples);
+    sampled.knots_kpa.col(0) = knots_kpa_;
+    for (int c = 1; c < samples; ++c) {
+      const double spread_kpa = settings_.spread_kpa;
+      sampled.knots_kpa.col(c) = within_rule(
+          knots_kpa_.unaryExpr([&](double kpa) { return kpa + spread_kpa * random.normal(); }));
+    }
+    roll_out(sampled);
+    const Eigen::VectorXd step = fitted_step(sampled, wanted);
+    Candidates steps;
+    steps.knots_kpa.resize(knots_kpa_.size(), Eigen::Index(std::size(kStepShares)));
+    for (Eigen::Index k = 0; k < steps.knots_kpa.cols(); ++k) {
+      steps.knots_kpa.col(k) = within_rule(knots_kpa_ + kStepShares[k] * step);
+    }
+    roll_out(steps);
+    double min_cost = std::numeric_limits<double>::infinity();
+    for (const Candidates* tried : {&sampled, &steps}) {
+      for (Eigen::Index c = 0; c < tried->knots_kpa.cols(); ++c) {
+        const double found = cost(tried->knots_kpa.col(c), tried->tips_m.col(c), wanted);
+        if (found < min_cost) {
+          min_cost = found;
+          knots_kpa_ = tried->knots_kpa.col(c);
+        }
+      }
+    }
+  }
+}
+
+/// The first frame of the way to the first knot.
+Pressures TipTracker::decide() {
+  if (frame_ < static_cast<int>(approach_.size())) {
+    return approach_[static_cast<std::size_t>(frame_)];
+  }
+  search();
+  const Eigen::VectorXd now = state_.setpoint_kpa().cast<double>();
+  const Eigen::VectorXd next =
+      now + (knots_kpa_.head(segments()) - now) / settings_.frames_per_knot;
+  knots_kpa_ = knots_one_frame_on();
+  return within_frame_rule(arm_, state_.setpoint_kpa(), next);
+}
+
+std::optional<Pressures> TipTracker::next(const ArmState& state) {
+  if (!take_in(state) || path_time_s(frame_) >= path_.duration_s()) {
+    return std::nullopt;
+  }
+  const Pressures setpoint_kpa = decide();
+  if (!states_.empty()) {
+    commanded_.push_back(setpoint_kpa);
+  }
+  model_.step(setpoint_kpa, state_, workspace_);
+  ++queries_;
+  ++frame_;
+  return setpoint_kpa;
+}
+
+}  // namespace limber

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "actuator_law.hpp"
+#include "limber/arm/arm_description.hpp"
+#include "limber/sim/mjcf.hpp"
+#include "limber/sim/virtual_arm.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
+#include "mujoco_chain.hpp"
+#include "plane_kinematics.hpp"
+#include "pneumatics.hpp"
+#include "spring_slider.hpp"
+
+namespace limber {
+
+/// The simulator behind VirtualArm: one step of valves, actuators, braids, table and chain. It has
+/// no frames, noise or limits.
+class ArmPhysics {
+ public:
+  ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& parameters, double time_step_s);
+
+  /// One step toward `setpoint_kpa` (signed, size n). @param vent  as Pneumatics::step's `exact`.
+  /// @return what went wrong; empty if nothing did
+  [[nodiscard]] std::string step(const std::vector<double>& setpoint_kpa, bool vent);
+
+  /// The simulator's part of the state.
+  void save(VirtualArmState& state) const;
+  void restore(const VirtualArmState& state);
+  /// The state at rest: straight and vented.
+  VirtualArmState rest() const;
+
+  const PlaneKinematics& kinematics() const { return kinematics_; }
+  const std::vector<SegmentAir>& air() const { return air_; }
+  double energy_j() const;
+  /// Mean strain of a segment's left (+1) or right (−1) side.
+  double side_strain(int segment, double side) const;
+
+ private:
+  static constexpr std::array kSides = {1.0, -1.0};  // y of the side: left, right
+
+  /// What never changes of one side of one gap.
+  struct Side {
+    double lever_m = 0.0;   ///< ± w/2
+    double strength = 1.0;  ///< × actuators per side
+    double full_tension_n_per_kpa = 0.0;
+  };
+
+  double side_length_change_m(std::size_t gap, double lever_m) const;
+  double side_tension_n(std::size_t side, double stretch_m, double rate_m_per_s,
+                        double pressure_kpa);
+  void apply_side_forces();
+  void apply_table_forces();
+  SpringSlider table_slider(const ChainLink& link) const;
+  SpringSlider torsion_slider(const ChainLink& link) const;
+
+  VirtualArmParameters parameters_;
+  double time_step_s_;
+  std::vector<ChainLink> links_;
+  std::vector<Side> sides_;  // left and right of each gap
+  ActuatorLaw actuator_;
+  Pneumatics pneumatics_;
+  MujocoChain chain_;
+  PlaneKinematics kinematics_;
+  std::vector<PlaneKinematics::Load> loads_;
+
+  std::vector<SegmentAir> air_;
+  std::vector<double> braid_anchor_m_;
+  std::vector<double> creep_m_;
+  std::vector<double> table_anchor_m_;
+  std::vector<double> table_anchor_rad_;
+};
+
+}  // namespace limber

@@ -1,0 +1,124 @@
+#pragma once
+// For those who move an arm, real or virtual.
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/run/arm_driver.hpp"
+#include "limber/run/executor.hpp"
+
+namespace limber {
+
+/// Faults of a real laboratory, all off by default; the same seed gives the same faults.
+struct VirtualArmOptions {
+  double noise_m = 0.0;      ///< standard deviation of every measured x and y, ≥ 0
+  double noise_rad = 0.0;    ///< of every measured θ, ≥ 0
+  double noise_kpa = 0.0;    ///< of every measured pressure, ≥ 0
+  double drop_rate = 0.0;    ///< probability that a frame has no backbone, in [0, 1]
+  double latency_s = 0.0;    ///< what is measured was true this long ago, ≥ 0
+  double lost_from_s = 0.0;  ///< what is true from then on has no backbone, ≥ 0
+  double lost_for_s = 0.0;   ///< for so long, ≥ 0
+  std::uint64_t seed = 0;    ///< of noise and drops
+  std::uint64_t stream = 0;  ///< unit of work (episode, trial), so that each has its own faults
+};
+
+/// A set point that has not reached the pressure controller yet.
+struct PendingSetpoint {
+  std::int64_t step = 0;  ///< the first simulator step that it acts in
+  std::vector<double> setpoint_kpa;
+};
+
+/// Everything in a virtual arm that changes with time, exact to the bit: restoring it repeats the
+/// same motion on any VirtualArm of the same arm and options. Copy it freely; only the simulator
+/// should use its members.
+struct VirtualArmState {
+  std::int64_t step = 0;               ///< simulator steps since rest
+  std::vector<double> position;        ///< MuJoCo's qpos: slide [m] and hinge [rad] of each gap
+  std::vector<double> velocity;        ///< qvel
+  std::vector<double> warm_start;      ///< qacc_warmstart
+  std::vector<double> pressure_kpa;    ///< true, signed, one per segment
+  std::vector<double> flow_kpa_per_s;  ///< what the valves let through
+  std::vector<double> setpoint_kpa;    ///< set points that the pressure controller follows
+  std::deque<PendingSetpoint> pending_setpoints;  ///< commanded, but still delayed (dead time)
+  bool vented = false;                            ///< `vent` was the last command
+  std::vector<double> braid_anchor_m;  ///< spring-sliders of the braids, left and right of each gap
+  std::vector<double> creep_m;         ///< relaxed part of each side's stretch, left and right
+  std::vector<double> table_anchor_m;  ///< spring-sliders of the plates, x and y of each
+  std::vector<double> table_anchor_rad;  ///< their torsional ones
+  std::uint64_t noise_position = 0;      ///< of the random stream
+  std::deque<ArmState> delayed;          ///< frames measured but not yet delivered (latency)
+  ArmState delivered;                    ///< what `state()` returns
+};
+
+/// Called after every simulator step with the time [s] and the true backbone (m×3).
+using StepObserver = std::function<void(double time_s, const BackboneD& backbone)>;
+
+/// A soft arm lying on a table, simulated (docs/virtual-arm.md): one serial chain in MuJoCo, a
+/// slide and a hinge per gap, driven by McKibben actuators, braid hysteresis, table friction and
+/// valves with their pressure controller.
+///
+/// Frame:   B, the arm's base; θ is the sum of the hinge angles, never wrapped.
+/// Step:    the largest one that divides the frame period and does not exceed
+///          `virtual_arm.time_step_s`.
+/// Threads: one object, one thread; objects share nothing.
+class VirtualArm final : public ArmDriver {
+ public:
+  /// At rest: straight, vented, at time 0.
+  /// @throws InputError if an option or a parameter is out of its range.
+  explicit VirtualArm(const ArmDescription& arm, const VirtualArmOptions& options = {});
+  ~VirtualArm() override;
+  VirtualArm(VirtualArm&&) noexcept;
+  VirtualArm& operator=(VirtualArm&&) noexcept;
+
+  const ArmState& state() const override;
+
+  /// As ArmDriver::command. Set points up to 1e-3 kPa beyond a limit (rounding) are clamped.
+  /// @throws SystemFault if the simulation blows up, naming time and pressures.
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override;
+
+  /// Opens every vent valve: all set points zero, no dead band, until the next `command` arrives.
+  /// Acts at once: the controller has a dead time, the safety valve has none.
+  void vent() noexcept override;
+
+  /// Commands the same set points for at least `seconds`; returns the state at the end.
+  const ArmState& settle(const Eigen::Ref<const Pressures>& setpoint_kpa, double seconds);
+
+  VirtualArmState save() const;
+  /// @throws InputError if the state is another arm's (sizes differ).
+  void restore(const VirtualArmState& state);
+
+  /// Sets the function that is called after every simulator step (to watch for collisions). It is
+  /// not part of the state; an empty function ends it.
+  void set_observer(StepObserver observer);
+
+  /// m×3, without noise, drops or latency.
+  BackboneD true_backbone() const;
+  /// Signed, one per segment, without noise or latency.
+  Eigen::VectorXd true_pressure_kpa() const;
+  /// Change of a side's length over its unpressurised length, negative where it has contracted.
+  /// @pre 0 ≤ segment < n.
+  double left_strain(int segment) const;
+  double right_strain(int segment) const;
+  /// Kinetic plus elastic energy [J], including that of the springs of friction and hysteresis.
+  /// Only the work of pressurised actuators increases it.
+  double energy_j() const;
+  double time_step_s() const;
+
+ private:
+  class Simulation;
+  std::unique_ptr<Simulation> simulation_;
+};
+
+/// As `execute` of any driver, but collisions, clearance, goal and prediction are judged on the true
+/// backbone at every simulator step, whatever noise the arm adds to measured ones.
+[[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
+                                      const Plan& plan, VirtualArm& driver,
+                                      const ExecutionSettings& settings = {});
+
+}  // namespace limber

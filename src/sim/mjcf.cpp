@@ -1,0 +1,101 @@
+#include "limber/sim/mjcf.hpp"
+
+#include <fmt/format.h>
+
+#include "limber/common/printable.hpp"
+#include "limber/common/random_stream.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
+
+namespace limber {
+
+namespace {
+
+// Streams of strength_seed: 0 … 2n − 1 are the sides' strengths (virtual_arm.cpp).
+constexpr std::uint64_t kPlateOffsetStream = 1'000'000;
+
+/// XML has no control characters, however they are written: they are spelled out.
+std::string escape_xml(const std::string& text) {
+  std::string escaped;
+  for (const char c : printable(text)) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string link_mjcf(const ChainLink& link, const VirtualArmParameters& p, std::size_t number,
+                      const std::string& margin) {
+  return fmt::format(
+      "{0}<body name=\"plate_{1}\" pos=\"{2} 0 0\">\n"
+      "{0}  <inertial pos=\"0 0 0\" mass=\"{3}\" diaginertia=\"{4} {4} {4}\"/>\n"
+      "{0}  <joint name=\"slide_{1}\" type=\"slide\" "
+      "axis=\"1 0 0\" damping=\"{5}\" armature=\"{6}\"/>\n"
+      "{0}  <joint name=\"hinge_{1}\" type=\"hinge\" axis=\"0 0 1\" pos=\"{7} 0 0\" "
+      "stiffness=\"{8}\" springref=\"{9}\" damping=\"{10}\" armature=\"{11}\"/>\n",
+      margin, number, link.length_m, link.mass_kg, link.inertia_kg_m2, p.slide_damping_n_s_per_m,
+      p.slide_armature_kg, -0.5 * link.length_m, p.hinge_stiffness_n_m_per_rad, link.rest_angle_rad,
+      link.hinge_damping_n_m_s_per_rad, p.hinge_armature_kg_m2);
+}
+
+}  // namespace
+
+std::vector<ChainLink> chain_links(const ArmDescription& arm, const VirtualArmParameters& p) {
+  RandomStream offsets(p.strength_seed, kPlateOffsetStream);
+  std::vector<ChainLink> links;
+  for (int s = 0; s < arm.segment_count(); ++s) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(s)];
+    const double scale = segment.width_m / p.reference_width_m;
+    ChainLink link;
+    link.segment = s;
+    link.length_m = segment.length_m / segment.gaps;
+    link.width_m = segment.width_m;
+    const double fixed = p.plate_mass_fixed_fraction;
+    link.mass_kg = p.plate_mass_kg * (fixed + (1.0 - fixed) * scale) + p.plate_payload_kg;
+    link.inertia_kg_m2 = link.mass_kg * segment.width_m * segment.width_m / 12.0;
+    link.hinge_damping_n_m_s_per_rad = p.hinge_damping_n_m_s_per_rad * scale;
+    for (int gap = 0; gap < segment.gaps; ++gap) {
+      link.rest_angle_rad = p.plate_offset_rad * offsets.uniform(-1.0, 1.0);
+      links.push_back(link);
+    }
+  }
+  // The load lies on the plate's middle: it adds mass, and no inertia about it.
+  links.back().mass_kg += p.tip_load_kg;
+  return links;
+}
+
+std::string chain_mjcf(const ArmDescription& arm, const VirtualArmParameters& p,
+                       double time_step_s) {
+  const std::vector<ChainLink> links = chain_links(arm, p);
+  std::string text = fmt::format(
+      "<mujoco model=\"{}\">\n"
+      "  <compiler angle=\"radian\"/>\n"
+      "  <option timestep=\"{}\" integrator=\"Euler\" gravity=\"0 0 -{}\">\n"
+      "    <flag contact=\"disable\" constraint=\"disable\"/>\n"
+      "  </option>\n"
+      "  <worldbody>\n"
+      "    <body name=\"base\" euler=\"0 0 {}\">\n",
+      escape_xml(arm.name), time_step_s, p.gravity_m_per_s2, p.base_misalignment_rad);
+  std::string margin(6, ' ');
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    text += link_mjcf(links[i], p, i + 1, margin);
+    margin += ' ';
+  }
+  for (std::size_t i = links.size(); i > 0; --i) {
+    margin.pop_back();
+    text += fmt::format("{}</body>\n", margin);
+  }
+  return text + "    </body>\n  </worldbody>\n</mujoco>\n";
+}
+
+}  // namespace limber

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "limber/sim/virtual_arm_parameters.hpp"
+
+namespace limber {
+
+/// Pressure of one segment (that of its right side if positive) and the flow of its valves.
+struct SegmentAir {
+  double pressure_kpa = 0.0;
+  double flow_kpa_per_s = 0.0;
+};
+
+/// Valves of one segment and the PD controller that drives them: docs/virtual-arm.md, (V8), (V9).
+///
+/// One signed pressure stands for both sides, so they are never pressurised together: a set point
+/// of the other sign vents one side and then inflates the other.
+/// Threads: constant after construction; share it freely.
+class Pneumatics {
+ public:
+  Pneumatics(const VirtualArmParameters& parameters, double time_step_s)
+      : parameters_(parameters),
+        time_step_s_(time_step_s),
+        valve_response_(1.0 - std::exp(-time_step_s / parameters.valve_lag_s)),
+        inflate_limit_kpa_per_s_(own_or_common(parameters.inflate_rate_limit_kpa_per_s)),
+        vent_limit_kpa_per_s_(own_or_common(parameters.vent_rate_limit_kpa_per_s)) {}
+
+  /// One simulator step toward `setpoint_kpa` (signed); errors within the dead band close the
+  /// valves, unless `exact` (a safety vent).
+  void step(double setpoint_kpa, bool exact, SegmentAir& air) const {
+    const double error = setpoint_kpa - air.pressure_kpa;
+    const bool closed = !exact && std::abs(error) <= parameters_.pressure_dead_band_kpa;
+    const double demand = closed
+                              ? 0.0
+                              : parameters_.controller_proportional_gain * error -
+                                    parameters_.controller_derivative_gain_s * air.flow_kpa_per_s;
+    const bool vents = demand * air.pressure_kpa < 0.0;
+    const double time_constant =
+        vents ? parameters_.vent_time_constant_s : parameters_.inflate_time_constant_s;
+    const double limit = vents ? vent_limit_kpa_per_s_ : inflate_limit_kpa_per_s_;
+    const double flow = std::clamp(demand / time_constant, -limit, limit);
+    // Exact for a demand that is constant over the step, and second order in the pressure.
+    const double before = air.flow_kpa_per_s;
+    air.flow_kpa_per_s += valve_response_ * (flow - before);
+    air.pressure_kpa += 0.5 * time_step_s_ * (before + air.flow_kpa_per_s);
+  }
+
+ private:
+  double own_or_common(double limit) const {
+    return limit > 0.0 ? limit : parameters_.pressure_rate_limit_kpa_per_s;
+  }
+
+  VirtualArmParameters parameters_;
+  double time_step_s_;
+  double valve_response_;
+  double inflate_limit_kpa_per_s_;
+  double vent_limit_kpa_per_s_;
+};
+
+}  // namespace limber

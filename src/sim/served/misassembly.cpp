@@ -1,0 +1,100 @@
+#include "limber/sim/misassembly.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "limber/common/random_stream.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kMaxDrawnZeroKpa = 1.5;  // less than what a vented arm may read
+constexpr double kMaxDrawnPositionM = 3.0;
+constexpr double kMaxOffsetM = 0.008;
+constexpr double kMaxHeightM = 0.03;  // of a body above its plate
+constexpr double kMaxOffsetRad = 0.5;
+constexpr double kMaxLatencyS = 0.15;
+constexpr double kMaxDrawnClockS = 1000.0;
+
+std::vector<WireChannel> drawn_channels(int count, RandomStream& stream) {
+  std::vector<WireChannel> channels;
+  for (int s = 0; s < count; ++s) {
+    channels.push_back({s, stream.index(2) == 0 ? 1.0 : -1.0});
+  }
+  for (std::uint32_t s = static_cast<std::uint32_t>(count); s > 1; --s) {
+    std::swap(channels[s - 1].channel, channels[stream.index(s)].channel);
+  }
+  return channels;
+}
+
+/// Every rotation is as likely as any other.
+Eigen::Quaterniond drawn_rotation(RandomStream& stream) {
+  Eigen::Vector4d q;
+  for (double& number : q) {
+    number = stream.normal();
+  }
+  return Eigen::Quaterniond(q).normalized();
+}
+
+}  // namespace
+
+Misassembly draw_misassembly(const ArmDescription& arm, std::uint64_t seed) {
+  constexpr std::array<double, 3> kUnits = {1.0, 0.01, 0.001};
+  RandomStream stream(seed, 0);
+  Misassembly result;
+  result.truth = identity_calibration(arm);
+  result.truth.valves = drawn_channels(arm.segment_count(), stream);
+  result.truth.sensors = drawn_channels(arm.segment_count(), stream);
+  for (double& zero : result.truth.zero_kpa) {
+    zero = stream.uniform(-kMaxDrawnZeroKpa, kMaxDrawnZeroKpa);
+  }
+  TrackerCalibration tracker;
+  tracker.metres_per_unit = kUnits[stream.index(3)];
+  tracker.radians_per_unit = stream.index(2) == 0 ? 1.0 : std::numbers::pi / 180.0;
+  tracker.mirrored = stream.index(2) == 0;
+  tracker.base = {stream.uniform(-kMaxDrawnPositionM, kMaxDrawnPositionM),
+                  stream.uniform(-kMaxDrawnPositionM, kMaxDrawnPositionM),
+                  stream.uniform(-std::numbers::pi, std::numbers::pi)};
+  for (int i = 0; i < arm.point_count(); ++i) {
+    tracker.marker_offsets.push_back({stream.uniform(-kMaxOffsetM, kMaxOffsetM),
+                                      stream.uniform(-kMaxOffsetM, kMaxOffsetM),
+                                      stream.uniform(-kMaxOffsetRad, kMaxOffsetRad)});
+  }
+  result.truth.tracker = tracker;
+  result.tracker_latency_s = stream.uniform(0.0, kMaxLatencyS);
+  result.truth.clocks.shape_delay =
+      TimeInterval{result.tracker_latency_s, result.tracker_latency_s, result.tracker_latency_s};
+  result.driver_ahead_s = stream.uniform(-kMaxDrawnClockS, kMaxDrawnClockS);
+  result.tracker_ahead_s = stream.uniform(-kMaxDrawnClockS, kMaxDrawnClockS);
+  result.truth.clocks.tracker =
+      TimeInterval{-result.tracker_ahead_s, -result.tracker_ahead_s, -result.tracker_ahead_s};
+  return result;
+}
+
+Misassembly draw_misassembly_in_3d(const ArmDescription& arm, std::uint64_t seed) {
+  Misassembly result = draw_misassembly(arm, seed);
+  TrackerCalibration& tracker = *result.truth.tracker;
+  tracker.radians_per_unit = 1.0;  // quaternions have no unit
+  RandomStream stream(seed, 1);
+  TrackerPlane plane;
+  const Eigen::Matrix3d axes = drawn_rotation(stream).toRotationMatrix();
+  Eigen::Index largest = 0;
+  axes.col(2).cwiseAbs().maxCoeff(&largest);
+  plane.x_axis = axes.col(0);
+  plane.y_axis = std::copysign(1.0, axes(largest, 2)) * axes.col(1);
+  for (double& coordinate : plane.origin) {
+    coordinate = stream.uniform(-kMaxDrawnPositionM, kMaxDrawnPositionM) / tracker.metres_per_unit;
+  }
+  result.body_heights.resize(arm.point_count());
+  for (double& height : result.body_heights) {
+    height = stream.uniform(0.0, kMaxHeightM) / tracker.metres_per_unit;
+    plane.body_rotations.push_back(drawn_rotation(stream));
+  }
+  tracker.plane = plane;
+  return result;
+}
+
+}  // namespace limber

@@ -1,0 +1,177 @@
+#include "limber/sim/virtual_arm_parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "limber/common/yaml_reader.hpp"
+
+namespace limber {
+
+namespace {
+
+using Parameters = VirtualArmParameters;
+
+constexpr double kUnlimited = std::numeric_limits<double>::max();
+
+/// Name, member and smallest value of every parameter that is a plain number: one table serves
+/// reading and writing.
+struct Field {
+  const char* key;
+  double Parameters::*member;
+  double low;
+  double high = kUnlimited;
+  /// Came later: not written while 0, so that arms without it keep their text and its hash.
+  bool optional = false;
+};
+
+constexpr double kAboveZero = 1e-12;
+constexpr double kAnySign = -std::numeric_limits<double>::max();
+constexpr std::array kFields = {
+    Field{"slide_damping_n_s_per_m", &Parameters::slide_damping_n_s_per_m, 0.0},
+    Field{"slide_armature_kg", &Parameters::slide_armature_kg, 0.0},
+    Field{"hinge_stiffness_n_m_per_rad", &Parameters::hinge_stiffness_n_m_per_rad, 0.0},
+    Field{"hinge_damping_n_m_s_per_rad", &Parameters::hinge_damping_n_m_s_per_rad, 0.0},
+    Field{"hinge_armature_kg_m2", &Parameters::hinge_armature_kg_m2, 0.0},
+    Field{"reference_width_m", &Parameters::reference_width_m, kAboveZero},
+    Field{"plate_mass_kg", &Parameters::plate_mass_kg, kAboveZero},
+    Field{"plate_mass_fixed_fraction", &Parameters::plate_mass_fixed_fraction, 0.0},
+    Field{"plate_payload_kg", &Parameters::plate_payload_kg, 0.0},
+    Field{"side_elasticity_n", &Parameters::side_elasticity_n, 0.0},
+    Field{"actuators_per_side", &Parameters::actuators_per_side, kAboveZero},
+    Field{"actuator_gain", &Parameters::actuator_gain, 0.0},
+    Field{"actuator_strain_offset", &Parameters::actuator_strain_offset, 0.0},
+    Field{"strength_spread", &Parameters::strength_spread, 0.0},
+    Field{"hysteresis_fraction", &Parameters::hysteresis_fraction, 0.0},
+    Field{"hysteresis_floor_n", &Parameters::hysteresis_floor_n, 0.0},
+    Field{"hysteresis_stiffness_n_per_m", &Parameters::hysteresis_stiffness_n_per_m, kAboveZero},
+    Field{"hysteresis_damping_n_s_per_m", &Parameters::hysteresis_damping_n_s_per_m, 0.0},
+    Field{"creep_fraction", &Parameters::creep_fraction, 0.0},
+    Field{"creep_time_s", &Parameters::creep_time_s, kAboveZero},
+    Field{"plate_offset_rad", &Parameters::plate_offset_rad, 0.0},
+    Field{"base_misalignment_rad", &Parameters::base_misalignment_rad, kAnySign},
+    Field{"gravity_m_per_s2", &Parameters::gravity_m_per_s2, 0.0},
+    Field{"friction_coefficient", &Parameters::friction_coefficient, 0.0},
+    Field{"friction_stiffness_n_per_m", &Parameters::friction_stiffness_n_per_m, kAboveZero},
+    Field{"friction_damping_n_s_per_m", &Parameters::friction_damping_n_s_per_m, 0.0},
+    Field{"friction_torsion_arm", &Parameters::friction_torsion_arm, 0.0},
+    Field{"pressure_rate_limit_kpa_per_s", &Parameters::pressure_rate_limit_kpa_per_s, kAboveZero},
+    Field{"inflate_time_constant_s", &Parameters::inflate_time_constant_s, kAboveZero},
+    Field{"vent_time_constant_s", &Parameters::vent_time_constant_s, kAboveZero},
+    Field{"valve_lag_s", &Parameters::valve_lag_s, kAboveZero},
+    Field{"controller_proportional_gain", &Parameters::controller_proportional_gain, kAboveZero},
+    Field{"controller_derivative_gain_s", &Parameters::controller_derivative_gain_s, 0.0},
+    Field{"pressure_dead_band_kpa", &Parameters::pressure_dead_band_kpa, 0.0},
+    Field{"inflate_rate_limit_kpa_per_s", &Parameters::inflate_rate_limit_kpa_per_s, kAboveZero,
+          kUnlimited, true},
+    Field{"vent_rate_limit_kpa_per_s", &Parameters::vent_rate_limit_kpa_per_s, kAboveZero,
+          kUnlimited, true},
+    Field{"valve_dead_time_s", &Parameters::valve_dead_time_s, 0.0, 5.0, true},
+    Field{"tip_load_kg", &Parameters::tip_load_kg, 0.0, 100.0, true},
+    Field{"weak_side_loss", &Parameters::weak_side_loss, 0.0, 1.0, true},
+    Field{"time_step_s", &Parameters::time_step_s, 1e-5, 0.01},
+};
+
+/// Parameters that are four coefficients.
+struct QuarticField {
+  const char* key;
+  QuarticCoefficients Parameters::*member;
+};
+
+constexpr std::array kQuarticFields = {
+    QuarticField{"actuator_threshold_kpa", &Parameters::actuator_threshold_kpa},
+    QuarticField{"actuator_extension_n", &Parameters::actuator_extension_n},
+    QuarticField{"actuator_compression_n", &Parameters::actuator_compression_n},
+};
+
+constexpr const char* kSection = "virtual_arm";
+constexpr const char* kWeakSide = "weak_side";
+constexpr const char* kParameter = "a parameter of the virtual arm (docs/virtual-arm.md)";
+
+template <class Table>
+const typename Table::value_type* find_field(const Table& table, const std::string& key) {
+  for (const auto& field : table) {
+    if (key == field.key) {
+      return &field;
+    }
+  }
+  return nullptr;
+}
+
+QuarticCoefficients read_quartic(const YamlReader& value) {
+  const std::vector<double> numbers = value.numbers(kParameter);
+  QuarticCoefficients coefficients;
+  if (numbers.size() != coefficients.size()) {
+    value.refuse(
+        fmt::format("{} coefficients found; expected 4, of x, x^2, x^3 and x^4", numbers.size()));
+  }
+  std::copy(numbers.begin(), numbers.end(), coefficients.begin());
+  return coefficients;
+}
+
+VirtualArmParameters read_parameters(const YamlReader& node) {
+  VirtualArmParameters parameters;
+  for (const std::string& key : node.keys()) {
+    const YamlReader value = node.at(key);
+    if (key == "strength_seed") {
+      parameters.strength_seed =
+          static_cast<std::uint64_t>(value.integer("a seed", 0, 1'000'000'000));
+    } else if (key == kWeakSide) {
+      parameters.weak_side = static_cast<int>(
+          value.integer("2 x segment, + 1 for its right side", 0, 2 * kMaxSegments - 1));
+    } else if (const Field* field = find_field(kFields, key)) {
+      parameters.*(field->member) = value.number(kParameter, field->low, field->high);
+    } else if (const QuarticField* quartic = find_field(kQuarticFields, key)) {
+      parameters.*(quartic->member) = read_quartic(value);
+    } else {
+      value.refuse("unknown parameter of the virtual arm; docs/virtual-arm.md lists them");
+    }
+  }
+  return parameters;
+}
+
+std::string to_yaml(const VirtualArmParameters& parameters) {
+  std::string text = std::string(kSection) + ":\n";
+  for (const Field& field : kFields) {
+    if (field.optional && parameters.*(field.member) == 0.0) {
+      continue;
+    }
+    text += fmt::format("  {}: {}\n", field.key, parameters.*(field.member));
+  }
+  for (const QuarticField& field : kQuarticFields) {
+    text += fmt::format("  {}: [{}]\n", field.key, fmt::join(parameters.*(field.member), ", "));
+  }
+  if (parameters.weak_side_loss > 0.0) {
+    text += fmt::format("  {}: {}\n", kWeakSide, parameters.weak_side);
+  }
+  return text + fmt::format("  strength_seed: {}\n", parameters.strength_seed);
+}
+
+}  // namespace
+
+VirtualArmParameters virtual_arm_parameters(const ArmDescription& arm) {
+  if (arm.virtual_arm.yaml.empty()) {
+    return {};
+  }
+  return read_parameters(
+      YamlReader::from_text(arm.virtual_arm.yaml, arm.virtual_arm.file).at(kSection));
+}
+
+void set_virtual_arm_parameters(ArmDescription& arm, const VirtualArmParameters& parameters) {
+  arm.virtual_arm.yaml = to_yaml(parameters);
+}
+
+std::string virtual_arm_to_yaml(const ArmDescription& arm) {
+  if (!arm.command.is_pressure_kpa()) {
+    return arm_to_yaml(arm);
+  }
+  ArmDescription complete = arm;
+  set_virtual_arm_parameters(complete, virtual_arm_parameters(arm));
+  return arm_to_yaml(complete);
+}
+
+}  // namespace limber

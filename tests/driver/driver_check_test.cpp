@@ -1,0 +1,64 @@
+#include "limber/driver/driver_check.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr double kPeriodS = 0.05;
+constexpr double kStepKpa = 30.0;
+
+/// Readings after a jump: dead for `dead_s`, then first order.
+std::vector<double> first_order(double dead_s, double time_constant_s, double sign) {
+  std::vector<double> readings;
+  for (int k = 1; k <= 60; ++k) {
+    const double t = k * kPeriodS - dead_s;
+    readings.push_back(t <= 0.0 ? 0.0 : sign * kStepKpa * (1.0 - std::exp(-t / time_constant_s)));
+  }
+  return readings;
+}
+
+// A first-order answer rises from 10 to 90 % in T ln 9.
+TEST(StepResponse, FindsDeadTimeAndRiseOfAFirstOrderAnswer) {
+  for (const double sign : {1.0, -1.0}) {
+    const StepResponse found =
+        step_response(first_order(0.15, 0.2, sign), kPeriodS, sign * kStepKpa, 0.01);
+    ASSERT_TRUE(found.answered);
+    EXPECT_NEAR(found.reached_kpa, sign * kStepKpa, 0.01);
+    EXPECT_NEAR(found.rise_time_s, 0.2 * std::log(9.0), 0.02);
+    EXPECT_NEAR(found.dead_time_s, 0.15 - kPeriodS, 0.03);  // the first reading is a frame old
+    EXPECT_LT(found.overshoot_kpa, 0.01);
+  }
+}
+
+TEST(StepResponse, AReadingThatStaysIsNoAnswer) {
+  EXPECT_FALSE(step_response(std::vector<double>(60, 0.1), kPeriodS, kStepKpa, 0.1).answered);
+  EXPECT_FALSE(step_response({}, kPeriodS, kStepKpa, 0.1).answered);
+}
+
+TEST(StepResponse, OvershootIsWhatIsBeyondTheEnd) {
+  std::vector<double> readings(60, kStepKpa);
+  readings[4] = kStepKpa + 3.5;
+  EXPECT_NEAR(step_response(readings, kPeriodS, kStepKpa, 0.0).overshoot_kpa, 3.5, 1e-9);
+}
+
+TEST(ScaleComplaint, NamesTheUnitThatWouldFit) {
+  EXPECT_THAT(scale_complaint(0, 5.0, 4.8), IsEmpty());
+  EXPECT_THAT(scale_complaint(0, -5.0, -5.2), IsEmpty());
+  EXPECT_THAT(scale_complaint(1, 5.0, 0.725), HasSubstr("sends psi"));
+  EXPECT_THAT(scale_complaint(1, 5.0, 34.5), HasSubstr("takes set points for psi"));
+  EXPECT_THAT(scale_complaint(1, 5.0, 50.0), HasSubstr("sends mbar"));
+  EXPECT_THAT(scale_complaint(1, 5.0, 0.5), HasSubstr("set points for mbar"));
+  EXPECT_THAT(scale_complaint(1, 5.0, 5000.0), HasSubstr("sends Pa"));
+  EXPECT_THAT(scale_complaint(2, -5.0, 5.1), HasSubstr("segment 2 reads 5.10 kPa"));
+  EXPECT_THAT(scale_complaint(2, -5.0, 5.1), HasSubstr("swapped, or the sign"));
+  EXPECT_THAT(scale_complaint(2, 5.0, 0.0), HasSubstr("check supply"));
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,127 @@
+#include "src/run/estimate/arm_estimate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "limber/forward/motion_simulator.hpp"
+#include "planning/play_model.hpp"
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+/// Valves with a dead time of two frames.
+struct EstimateSetting {
+  ArmDescription arm = small_arm();
+  ForwardModel forward{arm, play_network(arm, 0.002F, 0.3F)};  // reads velocities
+  MotionModel model{forward,
+                    ValveModel(arm, {true, std::vector<SegmentValves>(
+                                               2, {{0.1, 100.0}, {0.1, 100.0}, 0.1, 0.2})})};
+  ArmStart rest = start_state(Environment{}, arm);
+  MotionState state = state_of(rest, model);
+  MotionModel::Workspace workspace;
+
+  /// What the model itself does.
+  ArmState after(const Pressures& setpoint_kpa) {
+    model.step(setpoint_kpa, state, workspace);
+    return {0.0, state.pressure_kpa(), std::nullopt, state.backbone};
+  }
+  Pressures setpoint(int k) const { return Pressures::Constant(2, 3.0F * float(k)); }
+};
+
+TEST(ArmEstimate, OfAnArmThatDoesAsTheModelSaysIsTheModelsStateAndNothingIsMissed) {
+  EstimateSetting s;
+  ArmEstimate estimate(s.model, 4);
+  estimate.observe(s.rest.pressures_kpa,
+                   {0.0, s.rest.pressures_kpa, std::nullopt, s.rest.backbone});
+  for (int k = 1; k < 10; ++k) {
+    estimate.observe(s.setpoint(k), s.after(s.setpoint(k)));
+    ASSERT_TRUE(estimate.state() == s.state) << k;
+  }
+  EXPECT_EQ(estimate.miss().sum.x(), 0.0);
+  EXPECT_EQ(estimate.miss().sum.y(), 0.0);
+  EXPECT_NEAR(estimate.miss().travelled_kpa, 2 * 27.0, 1e-4);
+}
+
+// A driver that answers at once shows the end of the frame before, and says so.
+TEST(ArmEstimate, OfADriverThatAnswersAtOnceIsWhereTheSetPointsLead) {
+  EstimateSetting s;
+  ArmEstimate estimate(s.model, 4);
+  ArmState shown{0.0, s.rest.pressures_kpa, s.rest.pressures_kpa, s.rest.backbone};
+  estimate.observe(s.rest.pressures_kpa, shown);
+  for (int k = 1; k < 10; ++k) {
+    estimate.observe(s.setpoint(k), shown);
+    shown = s.after(s.setpoint(k));
+    shown.setpoint_kpa = s.setpoint(k);
+    ASSERT_TRUE(estimate.state() == s.state) << k;
+  }
+  EXPECT_EQ(estimate.miss().sum.norm(), 0.0);
+  EXPECT_NEAR(estimate.miss().travelled_kpa, 2 * 24.0, 1e-4) << "of what was shown";
+}
+
+TEST(ArmEstimate, BridgesUnseenFramesByPrediction) {
+  EstimateSetting s;
+  ArmEstimate estimate(s.model, 4);
+  estimate.observe(s.rest.pressures_kpa,
+                   {0.0, s.rest.pressures_kpa, std::nullopt, s.rest.backbone});
+  for (int k = 1; k < 6; ++k) {
+    ArmState unseen = s.after(s.setpoint(k));
+    unseen.backbone.reset();
+    estimate.observe(s.setpoint(k), unseen);
+    EXPECT_EQ(estimate.frames_unseen(), k);
+    ASSERT_TRUE(estimate.state() == s.state) << k;
+  }
+  estimate.observe(s.setpoint(6), s.after(s.setpoint(6)));
+  EXPECT_EQ(estimate.frames_unseen(), 0);
+}
+
+TEST(ArmEstimate, TakesWhatIsMeasuredAndSumsWhatTheModelMisses) {
+  EstimateSetting s;
+  ArmEstimate estimate(s.model, 4);
+  estimate.observe(s.rest.pressures_kpa,
+                   {0.0, s.rest.pressures_kpa, std::nullopt, s.rest.backbone});
+  constexpr float kAsideM = 0.001F;
+  constexpr double kRoundingM = 1e-6;
+  for (int k = 1; k < 4; ++k) {
+    ArmState aside = s.after(s.setpoint(k));
+    MotionState expected = estimate.state();
+    s.model.step(s.setpoint(k), expected, s.workspace);
+    aside.backbone = expected.backbone;  // what follows from where it was, and a little beside it
+    aside.backbone->col(1).array() += kAsideM;
+    estimate.observe(s.setpoint(k), aside);
+    EXPECT_EQ(estimate.state().backbone, *aside.backbone);
+  }
+  EXPECT_NEAR(estimate.miss().sum.y(), 3 * double(kAsideM), kRoundingM);
+  EXPECT_GE(estimate.miss().plate_m.minCoeff(), double(kAsideM) - kRoundingM);
+  estimate.forget_miss();
+  EXPECT_EQ(estimate.miss().sum.y(), 0.0);
+  EXPECT_EQ(estimate.miss().travelled_kpa, 0.0);
+  EXPECT_EQ(estimate.miss().plate_m.size(), 0);
+}
+
+TEST(ArmEstimate, HasNoStateBeforeTheArmWasSeenButKnowsItsValvesThen) {
+  EstimateSetting s;
+  ArmEstimate estimate(s.model, 4);
+  estimate.observe(s.rest.pressures_kpa, {0.0, s.rest.pressures_kpa, std::nullopt, std::nullopt});
+  for (int k = 1; k < 4; ++k) {
+    ArmState unseen = s.after(s.setpoint(k));
+    unseen.backbone.reset();
+    estimate.observe(s.setpoint(k), unseen);
+    EXPECT_FALSE(estimate.has_state());
+  }
+  estimate.observe(s.setpoint(4), s.after(s.setpoint(4)));
+  ASSERT_TRUE(estimate.has_state());
+  EXPECT_EQ(estimate.state().valves, s.state.valves);
+  EXPECT_EQ(estimate.state().backbone, s.state.backbone);
+  EXPECT_EQ(estimate.state().before, s.state.backbone) << "one shape does not show how it moves";
+}
+
+TEST(ArmEstimate, AStartThereIsTheSameState) {
+  EstimateSetting s;
+  for (int k = 1; k < 5; ++k) {
+    (void)s.after(s.setpoint(k));
+  }
+  EXPECT_TRUE(state_of(start_at(s.state), s.model) == s.state);
+}
+
+}  // namespace
+}  // namespace limber

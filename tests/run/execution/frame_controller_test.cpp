@@ -1,0 +1,80 @@
+#include <functional>
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "limber/run/executor.hpp"
+#include "support/bending_plan.hpp"
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr double kInstant_s = 1e-4;
+
+/// Says what a function of the frame says.
+class Scripted final : public FrameController {
+ public:
+  explicit Scripted(std::function<std::optional<Pressures>(int)> script)
+      : script_(std::move(script)) {}
+  std::optional<Pressures> next(const ArmState&) override { return script_(frame_++); }
+
+ private:
+  std::function<std::optional<Pressures>(int)> script_;
+  int frame_ = 0;
+};
+
+class FrameControllerTest : public ::testing::Test {
+ protected:
+  ExecutionResult run(std::function<std::optional<Pressures>(int)> script, int* vents = nullptr) {
+    Scripted controller(std::move(script));
+    ExecutionSettings settings;
+    settings.controller = &controller;
+    FakeArm driver(arm_, kInstant_s, {}, vents);
+    return execute(arm_, environment_, plan_, driver, settings);
+  }
+
+  const ArmDescription arm_ = small_arm();  // 10 kPa a frame
+  const Environment environment_;
+  const Plan plan_ = bending_plan(arm_, environment_);
+};
+
+TEST_F(FrameControllerTest, ThePlansOwnSetPointsGiveThePlansRun) {
+  const ExecutionResult result = run([&](int k) -> std::optional<Pressures> {
+    const auto next = static_cast<std::size_t>(k) + 1;
+    return next < plan_.frames.size() ? std::optional<Pressures>(plan_.frames[next].setpoint_kpa)
+                                      : std::nullopt;
+  });
+  FakeArm driver(arm_, kInstant_s);
+  ExecutionSettings no_hold;
+  no_hold.hold_s = 0.0;
+  const ExecutionResult open = execute(arm_, environment_, plan_, driver, no_hold);
+  EXPECT_EQ(result.status, ExecutionStatus::done);
+  EXPECT_EQ(result.frames, plan_.frame_count() - 1);
+  EXPECT_EQ(result.episode.backbone, open.episode.backbone);
+  EXPECT_EQ(result.goal_error.position_m, open.goal_error.position_m);
+  ASSERT_TRUE(result.prediction);
+  EXPECT_EQ(result.prediction->mean_m, open.prediction->mean_m);
+}
+
+TEST_F(FrameControllerTest, SetPointsBeyondLimitOrStepAreRefusedByNameAndTheArmIsVented) {
+  int vents = 0;
+  EXPECT_THAT(
+      [&] { (void)run([](int) { return Pressures(Pressures::Unit(2, 1) * 11.0F); }, &vents); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("segment 1 in frame 0 changes from 0 to 11"),
+                                      HasSubstr("a frame allows 10 kPa"))));
+  EXPECT_GE(vents, 1);
+  EXPECT_THAT(
+      [&] { (void)run([](int k) { return Pressures(Pressures::Unit(2, 0) * float(10 * k)); }); },
+      ThrowsMessage<InputError>(HasSubstr("is 110 kPa; expected ± 100")));
+  EXPECT_THAT(
+      [&] { (void)run([](int) { return Pressures(Pressures::Constant(2, std::nanf(""))); }); },
+      ThrowsMessage<InputError>(HasSubstr("expected ± 100")));
+}
+
+}  // namespace
+}  // namespace limber

@@ -1,0 +1,138 @@
+#include "limber/run/gated_driver.hpp"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "limber/run/collection.hpp"
+#include "limber/run/executor.hpp"
+#include "limber/driver/segment_bench.hpp"
+#include "support/bending_plan.hpp"
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+/// A user's driver in this process: it has no checks of its own, and counts.
+class TrustingArm final : public ArmDriver {
+ public:
+  explicit TrustingArm(const ArmDescription& arm) : arm_(arm, 1e-4) {}
+
+  const ArmState& state() const override { return arm_.state(); }
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
+    largest_kpa = std::max(largest_kpa, setpoint_kpa.cwiseAbs().maxCoeff());
+    largest_step_kpa = std::max(largest_step_kpa,
+                                (setpoint_kpa - arm_.state().pressure_kpa).cwiseAbs().maxCoeff());
+    return arm_.command(setpoint_kpa);
+  }
+  void vent() noexcept override { ++vents; }
+
+  float largest_kpa = 0.0F;
+  float largest_step_kpa = 0.0F;
+  int vents = 0;
+
+ private:
+  FakeArm arm_;
+};
+
+constexpr float kLimitKpa = 100.0F;  // of small_arm …
+constexpr float kStepKpa = 10.0F;    // … and what its rate allows in a frame
+constexpr float kRoundingKpa = 0.01F;
+
+class GatedDriverTest : public ::testing::Test {
+ protected:
+  void expect_untouched() const {
+    EXPECT_LE(arm_driver_.largest_kpa, kLimitKpa + kRoundingKpa);
+    EXPECT_LE(arm_driver_.largest_step_kpa, kStepKpa + kRoundingKpa);
+  }
+
+  /// A motion as a caller of the library may ask for it.
+  static EpisodeSchedule to(float kpa) {
+    EpisodeSchedule schedule;
+    schedule.first_kpa = Pressures::Zero(2);
+    schedule.motions = {{Pressures::Constant(2, kpa), 0.2, false}};
+    return schedule;
+  }
+
+  ArmDescription arm_ = small_arm();
+  TrustingArm arm_driver_{arm_};
+};
+
+TEST_F(GatedDriverTest, PassesWhatIsAllowedAndNothingElse) {
+  GatedDriver gated(arm_, arm_driver_, true);
+  EXPECT_EQ(gated.command(Pressures::Constant(2, 9.0F)).pressure_kpa,
+            arm_driver_.state().pressure_kpa);
+  const auto refused = [&](const Pressures& setpoint_kpa, const char* message) {
+    EXPECT_THAT([&] { gated.command(setpoint_kpa); },
+                ThrowsMessage<SystemFault>(HasSubstr(message)));
+  };
+  refused(Pressures::Constant(2, 20.0F), "goes from 9.00 to 20.00 kPa in a frame");
+  refused(Pressures::Constant(2, -101.0F), "its limit is 100.00 kPa. It was not sent");
+  refused(Pressures::Constant(2, std::numeric_limits<float>::quiet_NaN()), "is nan kPa");
+  refused(Pressures::Zero(3), "3 set points; arm 'small' has 2 segments");
+  expect_untouched();
+}
+
+/// Plans again as it likes: what is sent in a frame is the last thing that it decides.
+class WildSource final : public PlanSource {
+ public:
+  explicit WildSource(Pressures sent_kpa) : sent_kpa_(std::move(sent_kpa)) {}
+  FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next) override {
+    return frame == 3 ? FrameSetpoint{sent_kpa_, next} : PlanSource::setpoint(plan, frame, next);
+  }
+  bool may_go_on(const Plan&, std::size_t, const ArmState&) override { return true; }
+  std::optional<Plan> next(const Plan&, std::size_t, const ArmState&) override { return {}; }
+
+ private:
+  Pressures sent_kpa_;
+};
+
+// Plans are checked before they are executed, and what replaces their set points in every frame.
+TEST_F(GatedDriverTest, AnExecutionKeepsLimitsAndRateWhateverDecides) {
+  Environment environment;
+  environment.name = "test";
+  for (const float kpa : {60.0F, 150.0F}) {
+    WildSource source(Pressures::Constant(2, kpa));
+    ExecutionSettings settings;
+    settings.replanner = &source;
+    TrustingArm driver(arm_);
+    EXPECT_THROW(
+        (void)execute(arm_, environment, bending_plan(arm_, environment), driver, settings),
+        InputError);
+    EXPECT_LE(driver.largest_step_kpa, kStepKpa + kRoundingKpa);
+    EXPECT_EQ(driver.vents, 1);
+  }
+}
+
+TEST_F(GatedDriverTest, ARecordingKeepsTheLimitsAndWhereItSaysSoTheRate) {
+  CollectionSettings settings;
+  settings.schedule.approach = Approach::straight;
+  EXPECT_THAT([&] { (void)record_episode(arm_, arm_driver_, to(150.0F), settings); },
+              ThrowsMessage<SystemFault>(HasSubstr("its limit is 100.00 kPa")));
+  expect_untouched();
+  EXPECT_EQ(arm_driver_.vents, 1);
+  settings.schedule.approach = Approach::step;  // its set points jump, and the valves ramp
+  TrustingArm stepping(arm_);
+  EXPECT_NO_THROW((void)record_episode(arm_, stepping, to(50.0F), settings));
+  EXPECT_EQ(stepping.largest_step_kpa, 50.0F);
+  EXPECT_THAT([&] { (void)record_episode(arm_, stepping, to(150.0F), settings); },
+              ThrowsMessage<SystemFault>(HasSubstr("its limit is 100.00 kPa")));
+}
+
+TEST_F(GatedDriverTest, ABenchTestKeepsThemToo) {
+  const ArmDescription one = small_arm(1);
+  TrustingArm driver(one);
+  Episode episode;
+  EXPECT_THAT(
+      [&] { (void)measure_segment(one, PressureLimits(150.0), 4, driver, episode); },
+      ThrowsMessage<SystemFault>(AllOf(HasSubstr("segment 0"), HasSubstr("It was not sent"))));
+  EXPECT_LE(driver.largest_kpa, kLimitKpa + kRoundingKpa);
+}
+
+}  // namespace
+}  // namespace limber

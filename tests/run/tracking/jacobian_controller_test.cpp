@@ -1,0 +1,119 @@
+#include "limber/run/jacobian_controller.hpp"
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "limber/common/random_stream.hpp"
+#include "support/bending_arms.hpp"
+#include "support/bending_plan.hpp"
+#include "support/fake_arm.hpp"
+
+namespace limber {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr double kLag_s = 0.1;
+constexpr JacobianGains kGains{0.2, 2.0, 1e-4, 0.0};
+constexpr JacobianGains kOnline{0.2, 2.0, 1e-4, 0.3};
+
+/// The plan bends as its own no-load model has it; the arm by a weaker one.
+class JacobianControllerTest : public ::testing::Test {
+ protected:
+  JacobianControllerTest() {
+    const auto tip = plan_.frames.back().backbone.bottomRows<1>();
+    goal_ = {double(tip(0, 0)), double(tip(0, 1)), std::nullopt, 0.02, 0.1};
+    environment_.goal = goal_;
+    plan_.environment_hash = environment_hash(environment_);
+  }
+
+  ExecutionResult run(const ArmDescription& real, const JacobianGains& gains,
+                      FakeFaults faults = {}) {
+    JacobianController controller(arm_, plan_, goal_, gains);
+    ExecutionSettings settings;
+    settings.controller = &controller;
+    FakeArm driver(real, kLag_s, faults);
+    return execute(arm_, environment_, plan_, driver, settings);
+  }
+
+  const ArmDescription arm_ = small_arm();
+  Environment environment_;
+  Plan plan_ = bending_plan(arm_, environment_);
+  PoseGoal goal_;
+};
+
+TEST_F(JacobianControllerTest, WithoutGainsItCommandsThePlansSetPoints) {
+  const ExecutionResult result = run(bending(arm_, 0.85), {0.0, 0.0, 1e-3, 0.0});
+  ASSERT_GE(result.frames, plan_.frame_count() - 1);
+  for (int k = 0; k < plan_.frame_count(); ++k) {
+    EXPECT_EQ(result.episode.setpoint_kpa.row(k),
+              plan_.frames[static_cast<std::size_t>(k)].setpoint_kpa.transpose());
+  }
+  EXPECT_GT(result.goal_error.position_m, 0.02) << "the arm is weaker than the plan has it";
+}
+
+TEST_F(JacobianControllerTest, ItsIntegralBringsAWeakerArmToTheGoal) {
+  for (const JacobianGains& gains : {kGains, kOnline}) {
+    const ExecutionResult result = run(bending(arm_, 0.85), gains);
+    EXPECT_EQ(result.status, ExecutionStatus::done);
+    EXPECT_LT(result.goal_error.position_m, 0.001);
+  }
+}
+
+TEST_F(JacobianControllerTest, WithoutTrackingItIsOpenLoop) {
+  FakeFaults blind;
+  blind.drop_every = 1;
+  const ExecutionResult result = run(bending(arm_, 0.85), kGains, blind);
+  EXPECT_EQ(result.status, ExecutionStatus::done);
+  EXPECT_FALSE(result.final_backbone);
+  EXPECT_EQ(result.frames, plan_.frame_count() - 1 + arm_.frames_in(10.0));
+}
+
+TEST_F(JacobianControllerTest, AGoalOutOfReachKeepsLimitsAndFrameRule) {
+  goal_.x_m = 5.0;  // the executor refuses what breaks them
+  const ExecutionResult result = run(bending(arm_, 0.85), {2.0, 50.0, 1e-6, 0.0});
+  EXPECT_EQ(result.status, ExecutionStatus::done);
+}
+
+TEST_F(JacobianControllerTest, BroydensRuleFindsTheSlopeOfALinearArm) {
+  JacobianController controller(arm_, plan_, goal_, {0.0, 0.0, 1e-3, 1.0});
+  Eigen::MatrixXd slope(2, 2);
+  slope << 1e-3, -2e-3, -4e-3, 1e-3;
+  RandomStream random(3, 0);
+  ArmState state;
+  state.backbone = plan_.frames.front().backbone;
+  for (int k = 0; k < 60; ++k) {
+    state.pressure_kpa = Pressures::Zero(2);
+    for (float& kpa : state.pressure_kpa) {
+      kpa = static_cast<float>(random.uniform(-50.0, 50.0));
+    }
+    const Eigen::VectorXd tip = slope * state.pressure_kpa.cast<double>();
+    state.backbone->bottomRows<1>() << float(tip[0]), float(tip[1]), 0.0F;
+    (void)controller.next(state);
+  }
+  constexpr double kRounding_m_per_kpa = 1e-6;
+  EXPECT_LT((controller.jacobian() - slope).cwiseAbs().maxCoeff(), kRounding_m_per_kpa);
+}
+
+TEST(JacobianGains, AreReadByName) {
+  EXPECT_FALSE(parse_jacobian("open"));
+  EXPECT_EQ(parse_jacobian("jacobian")->update, 0.0);
+  EXPECT_GT(parse_jacobian("online_jacobian")->update, 0.0);
+  const auto gains = parse_jacobian("online_jacobian,integral=3,update=0.5");
+  EXPECT_EQ(gains->integral_per_s, 3.0);
+  EXPECT_EQ(gains->update, 0.5);
+  EXPECT_EQ(gains->proportional, parse_jacobian("online_jacobian")->proportional);
+  const auto refuses = [](const std::string& text, const std::string& message) {
+    EXPECT_THAT([&] { (void)parse_jacobian(text); }, ThrowsMessage<InputError>(HasSubstr(message)));
+  };
+  refuses("jacobian,update=0.5",
+          "'update=0.5': no such gain; expected proportional, integral, damping");
+  refuses("jacobian,integral=-1", "integral=-1: expected integral=NUMBER, from 0 to 100");
+  refuses("jacobian,integral", "expected integral=NUMBER");
+  refuses("online_jacobian,speed=1", "'speed=1': no such gain");
+  refuses("jacobian,", "'': no such gain");
+}
+
+}  // namespace
+}  // namespace limber

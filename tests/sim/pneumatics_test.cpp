@@ -1,0 +1,95 @@
+#include "src/sim/pneumatics.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace limber {
+namespace {
+
+constexpr double kStepS = 1e-3;
+const VirtualArmParameters kParameters;
+const Pneumatics kPneumatics(kParameters, kStepS);
+
+/// Time until the pressure is within `tolerance_kpa` of the set point.
+double time_to_reach(double from_kpa, double setpoint_kpa, double tolerance_kpa) {
+  SegmentAir air{from_kpa, 0.0};
+  int steps = 0;
+  while (std::abs(air.pressure_kpa - setpoint_kpa) > tolerance_kpa && steps < 100000) {
+    kPneumatics.step(setpoint_kpa, false, air);
+    ++steps;
+  }
+  return steps * kStepS;
+}
+
+TEST(Pneumatics, NeverFasterThanItsLimitAndNeverPastTheSetPoint) {
+  SegmentAir air{-100.0, 0.0};
+  for (int i = 0; i < 5000; ++i) {
+    const double before = air.pressure_kpa;
+    kPneumatics.step(100.0, false, air);
+    EXPECT_LE(air.pressure_kpa - before,
+              kParameters.pressure_rate_limit_kpa_per_s * kStepS * 1.001);
+    EXPECT_GE(air.pressure_kpa, before);
+    EXPECT_LE(air.pressure_kpa, 100.0);
+  }
+}
+
+TEST(Pneumatics, SettlesAFullReversalWithinAHoldOfThreeSeconds) {
+  EXPECT_LT(time_to_reach(-100.0, 100.0, 2.0 * kParameters.pressure_dead_band_kpa), 3.0);
+  EXPECT_GT(time_to_reach(-100.0, 100.0, 2.0 * kParameters.pressure_dead_band_kpa), 2.0);
+}
+
+TEST(Pneumatics, VentsMoreSlowlyThanItInflates) {
+  EXPECT_GT(time_to_reach(10.0, 0.0, 0.5), 1.1 * time_to_reach(0.0, 10.0, 0.5));
+  EXPECT_NEAR(time_to_reach(0.0, -10.0, 0.5), time_to_reach(0.0, 10.0, 0.5), kStepS);
+}
+
+TEST(Pneumatics, EachDirectionKeepsItsOwnLimit) {
+  VirtualArmParameters parameters;
+  parameters.inflate_rate_limit_kpa_per_s = 60.0;
+  parameters.vent_rate_limit_kpa_per_s = 140.0;
+  const Pneumatics pneumatics(parameters, kStepS);
+  SegmentAir air{-90.0, 0.0};
+  double fastest_vent = 0.0;
+  double fastest_inflate = 0.0;
+  for (int i = 0; i < 5000; ++i) {
+    const double before = air.pressure_kpa;
+    pneumatics.step(90.0, false, air);
+    double& fastest = air.pressure_kpa < -1.0 ? fastest_vent : fastest_inflate;
+    if (std::abs(air.pressure_kpa) > 20.0) {  // around zero the valve's lag mixes the two
+      fastest = std::max(fastest, (air.pressure_kpa - before) / kStepS);
+    }
+  }
+  constexpr double kRounding = 1e-6;
+  EXPECT_NEAR(fastest_vent, 140.0, kRounding);
+  EXPECT_NEAR(fastest_inflate, 60.0, 0.1);
+}
+
+TEST(Pneumatics, HoldsStillWithinTheDeadBandUnlessItVents) {
+  const double inside = 0.9 * kParameters.pressure_dead_band_kpa;
+  SegmentAir air{inside, 0.0};
+  for (int i = 0; i < 1000; ++i) {
+    kPneumatics.step(0.0, false, air);
+  }
+  EXPECT_EQ(air.pressure_kpa, inside);
+  for (int i = 0; i < 3000; ++i) {
+    kPneumatics.step(0.0, true, air);
+  }
+  EXPECT_NEAR(air.pressure_kpa, 0.0, 1e-6);
+}
+
+TEST(Pneumatics, SettlesWithinTheDeadBandFromEverywhere) {
+  for (double from = -100.0; from <= 100.0; from += 12.5) {
+    for (double to = -100.0; to <= 100.0; to += 12.5) {
+      SegmentAir air{from, 0.0};
+      for (int i = 0; i < 4000; ++i) {
+        kPneumatics.step(to, false, air);
+      }
+      EXPECT_NEAR(air.pressure_kpa, to, kParameters.pressure_dead_band_kpa * 1.001);
+      EXPECT_NEAR(air.flow_kpa_per_s, 0.0, 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limber
