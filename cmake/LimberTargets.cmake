@@ -61,7 +61,8 @@ function(limber_add_test module)
     POSITION_INDEPENDENT_CODE OFF)    # the flags of the headers they reuse
   target_compile_features(${module}_test PRIVATE cxx_std_20)
   # Headers shared by tests; and, from the root, the private ones of the module that is tested.
-  target_include_directories(${module}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR})
+  target_include_directories(${module}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}
+    ${PROJECT_SOURCE_DIR}/src/${module})
   target_compile_definitions(${module}_test PRIVATE
     LIMBER_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LIMBER_TEST_DATA_DIR="${PROJECT_SOURCE_DIR}/tests/data"
     LIMBER_PYTHON="${LIMBER_PYTHON}")

@@ -21,7 +21,7 @@ import subprocess
 
 from kept_parts import KeptParts
 
-CONTROLLERS = ("replan", "open", "jacobian", "online_jacobian")
+CONTROLLERS = ("replan", "open", "jacobian")
 DISTURBANCES = ("none", "sensor_noise", "noise", "lost_tracking", "obstacle", "weak_actuator", "friction",
                 "tip_load")
 HEADER = ("| environments | controller | disturbance | arrive | collide | stopped (clean) | "

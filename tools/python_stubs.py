@@ -17,6 +17,7 @@ PARAMETERS = {
     "on_epoch": "Callable[[LearningCurvePoint], bool | None] | None",
     "make_driver": "DriverFactory | ProcessDriver | Callable[[int], ArmDriver]",
     "driver": "ArmDriver | ProcessDriver | VirtualArm",
+    "controller": "ClosedLoop | Controller | None",
     "on_message": "Callable[[str], None] | None",
     "episodes": "Iterable[Episode]", "training": "Iterable[Episode]",
     "validation": "Iterable[Episode]", "replay": "Iterable[Episode]",
@@ -44,6 +45,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .arm_driver import ArmDriver
+from .controller import Controller
 
 __version__: str
 '''

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Searches gains for `limber experiment --controller jacobian` and `online_jacobian`.
+"""Searches gains for `limber experiment --controller jacobian`.
 
-The same search tunes both, on seeds that no table uses: gains are drawn on a logarithmic scale, then
+The search runs on seeds that no table uses: gains are drawn on a logarithmic scale, then
 in shrinking ranges around the best. A run's score is its distance to the goal at the end, or 10 cm
 more if it collided; a set of gains is as good as the mean over all environments, disturbances and
 trials. The best belong into src/run/tracking/jacobian_gains.cpp, as defaults.
@@ -21,10 +21,8 @@ RANGES = {
     "proportional": (0.02, 2.0),
     "integral": (0.1, 10.0),
     "damping": (0.0002, 0.02),
-    "update": (0.01, 1.0),
 }
-GAINS = {"jacobian": ("proportional", "integral", "damping"),
-         "online_jacobian": ("proportional", "integral", "damping", "update")}
+GAINS = {"jacobian": ("proportional", "integral", "damping")}
 DISTURBANCES = ("none", "noise", "lost_tracking", "weak_actuator", "friction", "tip_load")
 COLLISION_CM = 10.0
 

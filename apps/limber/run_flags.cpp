@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "limber/sim/disturbance.hpp"
 #include "limber/lab/trial_run.hpp"
+#include "limber/sim/disturbance.hpp"
 
 namespace limber {
 

@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 
 #include "driver_flags.hpp"
-#include "limber/sim/virtual_arm.hpp"
 #include "limber/report/track_report.hpp"
 #include "limber/run/tip_tracker.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "model_flags.hpp"
 
 namespace limber {
@@ -39,7 +39,8 @@ class TrackFlags {
     run.result = execute(arm, environment, stay_at_rest(arm, environment), driver, execution);
     run.start_frame = tracker.path_start_frame();
     run.queries = tracker.queries();
-    run.errors = track_errors(tip_path_, run.result.episode, run.start_frame);
+    run.errors =
+        track_errors(tip_path_, run.result.episode, run.start_frame + run.result.lag_frames);
     if (run.result.status == ExecutionStatus::done) {
       run.result.message = why_not_followed(run.result);  // there is no goal to miss
     }

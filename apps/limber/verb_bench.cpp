@@ -1,8 +1,8 @@
 #include <optional>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/lab/speed_benchmark.hpp"
 #include "limber/common/atomic_file.hpp"
+#include "limber/lab/speed_benchmark.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/report/speed_report.hpp"
 #include "limber/report/training_report.hpp"

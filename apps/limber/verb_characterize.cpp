@@ -14,10 +14,10 @@
 #include "limber/data/recording_inspection.hpp"
 #include "limber/data/simple_model.hpp"
 #include "limber/data/valve_identification.hpp"
-#include "limber/sim/bench_test.hpp"
 #include "limber/driver/segment_bench.hpp"
 #include "limber/report/bench_chart.hpp"
 #include "limber/report/valve_plot.hpp"
+#include "limber/sim/bench_test.hpp"
 #include "recording_kinds.hpp"
 #include "verbs.hpp"
 

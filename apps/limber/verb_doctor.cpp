@@ -6,14 +6,14 @@
 #include <oneapi/tbb/version.h>
 #include <Eigen/Core>
 
-#include "limber/lab/speed_peers.hpp"
 #include "limber/common/cpu_level.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/version.hpp"
 #include "limber/data/hdf5_version.hpp"
-#include "limber/sim/mujoco_version.hpp"
+#include "limber/lab/speed_peers.hpp"
 #include "limber/network/onnx_export.hpp"
 #include "limber/planning/ompl_planner.hpp"
+#include "limber/sim/mujoco_version.hpp"
 #include "verbs.hpp"
 
 namespace limber {

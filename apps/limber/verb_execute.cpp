@@ -2,14 +2,14 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/sim/virtual_arm.hpp"
 #include "limber/report/execution_picture.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/execution_times.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/run/closed_loop.hpp"
-#include "limber/sim/disturbance.hpp"
 #include "limber/run/model_arm.hpp"
+#include "limber/sim/disturbance.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "model_flags.hpp"
 #include "replan_flags.hpp"
 #include "room_flags.hpp"
@@ -233,7 +233,7 @@ class ExecuteVerb final : public Verb {
     ClosedLoop loop(arm, model, environment, room_.room(forward, flags), replan_.settings(),
                     flags.seed);
     ExecutionSettings closed_loop = settings_;
-    closed_loop.replanner = &loop;
+    closed_loop.controller = &loop;
     return execute(arm, environment, plan, driver, closed_loop);
   }
 

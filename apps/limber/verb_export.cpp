@@ -6,9 +6,9 @@
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/recording_export.hpp"
+#include "limber/network/onnx_export.hpp"
 #include "limber/sim/mjcf.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
-#include "limber/network/onnx_export.hpp"
 #include "limber/world/plan.hpp"
 #include "verbs.hpp"
 

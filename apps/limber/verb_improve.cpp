@@ -6,10 +6,10 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
-#include "limber/lab/improve.hpp"
 #include "limber/driver/vented_rest.hpp"
-#include "limber/training/fine_tuning.hpp"
+#include "limber/lab/improve.hpp"
 #include "limber/run/model_arm.hpp"
+#include "limber/training/fine_tuning.hpp"
 #include "room_flags.hpp"
 #include "verbs.hpp"
 
@@ -156,9 +156,9 @@ class ImproveVerb final : public Verb {
     on.about = "network " + content_hash(read_file(driver_.model_file()));
     on.drivers = [make](int /*index*/) { return make(); };
     on.execute = [arm = settings_.arm, make](const Environment& environment, const Plan& plan,
-                                             PlanSource* then) {
+                                             Controller* then) {
       ExecutionSettings execution;
-      execution.replanner = then;
+      execution.controller = then;
       return execute(arm, environment, plan, *make(), execution);
     };
     on.side_by_side = true;
@@ -182,10 +182,10 @@ class ImproveVerb final : public Verb {
     on.drivers = on_one_driver(*driver);
     on.start = [&driver = *driver, this] { return vented_rest(settings_.arm, driver); };
     on.execute = [&driver = *driver, this](const Environment& environment, const Plan& plan,
-                                           PlanSource* then) {
+                                           Controller* then) {
       constexpr double kMeasured_m = 0.01;  // what trackers and a base's frame are off by
       ExecutionSettings execution;
-      execution.replanner = then;
+      execution.controller = then;
       execution.max_start_error_m = std::max(plan.margin_m, kMeasured_m);
       driver.look();
       return execute(settings_.arm, environment, plan, driver, execution);

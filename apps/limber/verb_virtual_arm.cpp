@@ -1,7 +1,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
-#include "limber/sim/driver_server.hpp"
 #include "limber/sim/disturbance.hpp"
+#include "limber/sim/driver_server.hpp"
 #include "verbs.hpp"
 
 namespace limber {

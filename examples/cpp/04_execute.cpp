@@ -6,8 +6,8 @@
 #include <iostream>
 
 #include "limber/common/data_folder.hpp"
+#include "limber/run/make_closed_loop.hpp"
 #include "limber/sim/virtual_arm.hpp"
-#include "limber/run/replanning.hpp"
 
 void print(const std::string& how, const limber::ExecutionResult& result) {
   if (!result.final_backbone) {  // the arm was not tracked at the end
@@ -41,11 +41,11 @@ int main(int argc, char** argv) try {
   const limber::ForwardModel forward(arm, network);
   const limber::ValveParameters valves = network.valves.value_or(limber::ValveParameters{});
   const limber::MotionModel model(forward, limber::ValveModel(arm, valves));
-  const auto replanner =
-      limber::make_replanner(arm, model, environment, limber::error_room(forward), 1);
+  const auto loop =
+      limber::make_closed_loop(arm, model, environment, limber::error_room(forward), 1);
   limber::VirtualArm again(arm);
   limber::ExecutionSettings settings;
-  settings.replanner = replanner.get();
+  settings.controller = loop.get();
   const auto closed_loop = limber::execute(arm, environment, plan, again, settings);
   print("closed loop", closed_loop);
   return limber::has_arrived(closed_loop) ? 0 : 1;

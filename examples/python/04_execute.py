@@ -33,9 +33,9 @@ def main() -> int:
     forward = limber.ForwardModel(arm, network)
     valves = network.valves or limber.ValveParameters()
     model = limber.MotionModel(forward, limber.ValveModel(arm, valves))
-    replanner = limber.Replanner(arm, model, environment, limber.error_room(forward), seed=1)
+    loop = limber.ClosedLoop(arm, model, environment, limber.error_room(forward), seed=1)
     closed_loop = limber.execute(arm, environment, plan, limber.VirtualArm(arm),
-                                 replanner=replanner)
+                                 controller=loop)
     show("closed loop", closed_loop)
     return 0 if closed_loop.goal_reached and not closed_loop.collided else 1
 

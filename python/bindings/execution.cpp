@@ -1,13 +1,15 @@
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "caller_thread.hpp"
-#include "limber/run/executor.hpp"
 #include "limber/report/execution_picture.hpp"
-#include "limber/run/replanning.hpp"
+#include "limber/run/executor.hpp"
+#include "limber/run/make_closed_loop.hpp"
 #include "others_may_run.hpp"
 #include "process_driver.hpp"
+#include "python_controller.hpp"
 #include "python_driver.hpp"
 #include "record.hpp"
 #include "virtual_arm.hpp"
@@ -35,38 +37,49 @@ namespace {
 
 constexpr const char* kParts = "_parts";  // arm, environment and plan of a result
 
-/// A PlanSource, and what it is for.
-struct Replanner {
-  std::unique_ptr<PlanSource> source;
+/// limber's own closed loop, and what it is for.
+struct ClosedLoopOf {
+  std::unique_ptr<Controller> controller;
   std::string arm;
   std::string environment;
 };
 
+template <class Driver>
+ExecutionResult run_on(const ArmDescription& arm, const Environment& environment, const Plan& plan,
+                       Driver& driver, const ExecutionSettings& settings, CallerThread& caller) {
+  return caller.run([&] { return execute(arm, environment, plan, driver, settings); });
+}
+
 ExecutionResult run_with(const ArmDescription& arm, const Environment& environment,
                          const Plan& plan, const py::object& driver, const ExecutionSettings& asked,
-                         Replanner* replanner) {
+                         const py::object& controller) {
   ExecutionSettings settings = asked;
-  settings.replanner = replanner == nullptr ? nullptr : replanner->source.get();
   CallerThread caller;
   settings.should_stop = [&] { return caller.should_stop(); };
+  std::optional<PythonController> own;
+  if (py::isinstance<ClosedLoopOf>(controller)) {
+    settings.controller = controller.cast<ClosedLoopOf&>().controller.get();
+  } else if (!controller.is_none()) {
+    settings.controller = &own.emplace(controller, arm.segment_count(), caller);
+  }
   if (py::isinstance<SharedVirtualArm>(driver)) {
     const SharedVirtualArm::Use use(driver.cast<SharedVirtualArm&>());
-    return caller.run([&] { return execute(arm, environment, plan, *use, settings); });
+    return run_on(arm, environment, plan, *use, settings, caller);
   }
   if (py::isinstance<SharedProcessDriver>(driver)) {
     const SharedProcessDriver::Use use(driver.cast<SharedProcessDriver&>());
     require_within(plan, *use);
-    return caller.run([&] { return execute(arm, environment, plan, *use, settings); });
+    return run_on(arm, environment, plan, *use, settings, caller);
   }
   PythonDriver python_driver(driver, caller);
-  return caller.run([&] { return execute(arm, environment, plan, python_driver, settings); });
+  return run_on(arm, environment, plan, python_driver, settings, caller);
 }
 
 /// With what its picture needs: the very objects that the caller handed over.
 ResultObject execute_with(const ArmDescription& arm, const Environment& environment,
                           const Plan& plan, const py::object& driver,
-                          const ExecutionSettings& settings, Replanner* replanner) {
-  py::object result = py::cast(run_with(arm, environment, plan, driver, settings, replanner));
+                          const ExecutionSettings& settings, const py::object& controller) {
+  py::object result = py::cast(run_with(arm, environment, plan, driver, settings, controller));
   result.attr(kParts) = py::make_tuple(py::cast(&arm), py::cast(&environment), py::cast(&plan));
   return ResultObject{std::move(result)};
 }
@@ -109,25 +122,47 @@ void bind_execution_findings(py::module_& module) {
       .done();
 }
 
-void bind_replanner(py::module_& module) {
-  py::class_<Replanner>(module, "Replanner",
-                        "Plans again from where the arm is measured, whenever it stands off the "
-                        "goal or has strayed. One run at a time.")
+void bind_controllers(py::module_& module) {
+  py::class_<ArmNow>(module, "ArmEstimate", "What is known about an arm at one moment of a run.")
+      .def_readonly("frames", &ArmNow::frames, "Set points sent since the start.")
+      .def_property_readonly(
+          "setpoint_kpa", [](const ArmNow& now) { return vector_array(now.setpoint_kpa); },
+          "Set points of the last frame, float32 (n,) [kPa].")
+      .def_readonly("measured", &ArmNow::measured,
+                    "ArmState as the driver said it, lag_frames behind the set points.")
+      .def_readonly("lag_frames", &ArmNow::lag_frames,
+                    "Frames by which what is measured is behind what was sent.")
+      .def_readonly("frames_unseen", &ArmNow::frames_unseen,
+                    "Frames since the arm was tracked last.")
+      .def_property_readonly(
+          "rest",
+          [](const ArmNow& now) -> py::object {
+            return now.rest ? py::object(backbone_array<float>(*now.rest)) : py::none();
+          },
+          "Mean shape of an arm that has rested for 0.5 s, float32 (m, 3), or None.")
+      .def_readonly("state", &ArmNow::state,
+                    "MotionState after the last set points, or None: no model, or never tracked.")
+      .def("__repr__", [](const ArmNow& now) {
+        return fmt::format("ArmEstimate(frames={}, lag_frames={}, frames_unseen={})", now.frames,
+                           now.lag_frames, now.frames_unseen);
+      });
+  py::class_<ClosedLoopOf>(module, "ClosedLoop",
+                           "Leads the arm along its plan, and plans again from where it is "
+                           "measured, while it moves and after. One run.")
       .def(py::init([](const ArmDescription& arm, const MotionModel& model,
                        const Environment& environment, const std::optional<ErrorRoom>& room,
                        std::uint64_t seed) {
-             return Replanner{make_replanner(arm, model, environment,
-                                             room ? *room : error_room(model.forward()), seed),
-                              arm.name, environment.name};
+             return ClosedLoopOf{make_closed_loop(arm, model, environment,
+                                                  room ? *room : error_room(model.forward()), seed),
+                                 arm.name, environment.name};
            }),
            py::arg("arm"), py::arg("model"), py::arg("environment"), py::arg("room") = py::none(),
            py::arg("seed") = 1, py::keep_alive<1, 2>(), py::keep_alive<1, 3>(),
            py::keep_alive<1, 4>(),
            "room: ErrorRoom that plans keep, None: error_room(model.forward); seed: of the "
-           "searches.")
-      .def("__repr__", [](const Replanner& replanner) {
-        return "Replanner(arm='" + replanner.arm + "', environment='" + replanner.environment +
-               "')";
+           "searches. Raises InputError for a model without a network.")
+      .def("__repr__", [](const ClosedLoopOf& loop) {
+        return "ClosedLoop(arm='" + loop.arm + "', environment='" + loop.environment + "')";
       });
 }
 
@@ -141,7 +176,7 @@ std::optional<Known> if_seen(const ExecutionResult& run, const Known& value) {
 
 void bind_execution(py::module_& module) {
   bind_execution_findings(module);
-  bind_replanner(module);
+  bind_controllers(module);
   Record<ExecutionResult>(module, "ExecutionResult", "What came of executing a plan.",
                           py::dynamic_attr())
       .read_only("status", &ExecutionResult::status, "ExecutionStatus: how the run ended.")
@@ -194,8 +229,9 @@ void bind_execution(py::module_& module) {
       .def("_repr_svg_", &picture_of);
   module.def("execute", &execute_with, py::arg("arm"), py::arg("environment"), py::arg("plan"),
              py::arg("driver"), py::arg("settings") = ExecutionSettings{},
-             py::arg("replanner") = py::none(),
-             "Commands a plan's frames as they stand, then holds; a Replanner plans again. "
+             py::arg("controller") = py::none(),
+             "Commands a plan's frames as they stand, then holds; or what a controller decides: a "
+             "ClosedLoop, or a Controller of your own. "
              "driver: a VirtualArm, a ProcessDriver, or an ArmDriver of your own for "
              "simulation. The arm is vented before this returns, whatever happens; Ctrl-C "
              "raises KeyboardInterrupt. Raises InputError where arm, environment and plan do "

@@ -6,7 +6,6 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
-#include "limber/run/executor.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/plot/chart.hpp"
 #include "limber/plot/svg_drawing.hpp"
@@ -14,6 +13,7 @@
 #include "limber/report/execution_picture.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/report/training_report.hpp"
+#include "limber/run/executor.hpp"
 #include "limber/world/obstacle_shape.hpp"
 #include "others_may_run.hpp"
 

@@ -60,8 +60,8 @@ class Record {
     names_.emplace_back(name);
     return *this;
   }
-  /// A vector of records: given as copies that can't be changed, as a reference to one of them would
-  /// outlive it where another list is assigned.
+  /// A vector of records: given as copies that can't be changed, as a reference to one of them
+  /// would outlive it where another list is assigned.
   template <class Member>
   Record& list(const char* name, Member member, const char* doc) {
     class_.def_property(
@@ -101,8 +101,8 @@ class Record {
     return *this;
   }
 
-  /// Also as part of something that does not change: what that gives is a copy, whose fields can't be
-  /// set, as the whole would not notice. copy.copy gives one whose fields can.
+  /// Also as part of something that does not change: what that gives is a copy, whose fields can't
+  /// be set, as the whole would not notice. copy.copy gives one whose fields can.
   /// @param nested  makes the same of fields that have fields.
   template <class Nested = void (*)(py::class_<Fixed<T>, T>&)>
   Record& fixed(const Nested& nested = [](py::class_<Fixed<T>, T>&) {}) {
@@ -110,8 +110,8 @@ class Record {
     py::class_<Fixed<T>, T> fixed(class_, "_Fixed");
     fixed.def("__setattr__", [name](const py::object&, const py::str& field, const py::object&) {
       throw py::attribute_error(fmt::format(
-          "{0}.{1}: this {0} is part of something that does not change; make that from a copy of it "
-          "(copy.copy)",
+          "{0}.{1}: this {0} is part of something that does not change; make that from a copy of "
+          "it (copy.copy)",
           std::string(name), std::string(field)));
     });
     fixed.attr("__name__") = name;

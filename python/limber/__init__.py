@@ -42,12 +42,13 @@ except ImportError as _error:
                       "its NumPy (docs/python.md, To get it)") from _error
 from . import _pickles  # noqa: F401
 from .arm_driver import ArmDriver
+from .controller import Controller
 
 __all__ = [
-    "Approach", "ArmDescription", "ArmDriver", "ArmStart", "ArmState", "BackboneLayout",
+    "Approach", "ArmDescription", "ArmDriver", "ArmEstimate", "ArmStart", "ArmState", "BackboneLayout",
     "BenchPoint", "Certificate", "CertificateFailure", "CertifiedFigures", "Certifier",
-    "CharacterisedArm", "Circle", "Clearance", "CollectionResult", "CollectionSettings",
-    "CollisionChecker", "Command", "CompensationModel", "Contact", "DriverFactory", "Environment",
+    "CharacterisedArm", "Circle", "Clearance", "ClosedLoop", "CollectionResult", "CollectionSettings",
+    "CollisionChecker", "Command", "CompensationModel", "Contact", "Controller", "DriverFactory", "Environment",
     "Episode", "EpisodeErrors", "ErrorRoom", "ErrorStatistics", "Evaluation", "ExecutedError",
     "ExecutionResult", "ExecutionSettings", "ExecutionStatus", "FirstSolution", "ForwardModel",
     "GapBounds", "IdentifiedValves", "ImportResult", "InputError", "Interrupted",
@@ -57,7 +58,7 @@ __all__ = [
     "PlanResult", "PlanStatus", "PlanTube", "Planner", "PlannerLimits", "PlannerProgress",
     "PlannerStatistics", "PlanningProblem", "Polygon", "Pose", "PoseError", "PoseGoal",
     "PredictionError", "ProcessDriver", "ProgressMode", "RandomStream", "RecordedRegion", "Recording", "Rectangle",
-    "Replanner", "Restart", "RolloutErrors", "Scaling", "ScheduleKind", "ScheduleSettings",
+    "Restart", "RolloutErrors", "Scaling", "ScheduleKind", "ScheduleSettings",
     "Segment", "SegmentPressure", "SegmentShape", "SegmentValves", "SimpleFit", "StageChoice",
     "StrainFit", "SystemFault", "TipErrors", "TrainingData", "TrainingResult", "TrainingSettings",
     "TrainingStage", "TrainingStages", "TrainingStatus", "ValveDirection", "ValveErrors",

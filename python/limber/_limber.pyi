@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .arm_driver import ArmDriver
+from .controller import Controller
 
 __version__: str
 
@@ -84,6 +85,30 @@ class ArmDescription:
     def hash(self) -> str:
         """Hash of everything that the no-load model and planning depend on, a text."""
     def _repr_svg_(self) -> str: ...
+
+class ArmEstimate:
+    """What is known about an arm at one moment of a run."""
+    @property
+    def frames(self) -> int:
+        """Set points sent since the start."""
+    @property
+    def setpoint_kpa(self) -> npt.NDArray[np.float32]:
+        """Set points of the last frame, float32 (n,) [kPa]."""
+    @property
+    def measured(self) -> ArmState:
+        """ArmState as the driver said it, lag_frames behind the set points."""
+    @property
+    def lag_frames(self) -> int:
+        """Frames by which what is measured is behind what was sent."""
+    @property
+    def frames_unseen(self) -> int:
+        """Frames since the arm was tracked last."""
+    @property
+    def rest(self) -> Any:
+        """Mean shape of an arm that has rested for 0.5 s, float32 (m, 3), or None."""
+    @property
+    def state(self) -> MotionState | None:
+        """MotionState after the last set points, or None: no model, or never tracked."""
 
 class ArmStart:
     """State of the arm that a motion starts from."""
@@ -262,6 +287,11 @@ class Clearance:
     @property
     def obstacle(self) -> int:
         """Index in the environment's list; -1: none."""
+
+class ClosedLoop:
+    """Leads the arm along its plan, and plans again from where it is measured, while it moves and after. One run."""
+    def __init__(self, arm: ArmDescription, model: MotionModel, environment: Environment, room: ErrorRoom | None = None, seed: int = 1) -> None:
+        """room: ErrorRoom that plans keep, None: error_room(model.forward); seed: of the searches. Raises InputError for a model without a network."""
 
 class CollectionResult:
     """What `collect` recorded, and how long it took."""
@@ -1465,11 +1495,6 @@ class Rectangle:
     def __init__(self, *, x_m: float = ..., y_m: float = ..., width_m: float = ..., height_m: float = ..., angle_rad: float = ...) -> None:
         """Fields are keyword arguments, all optional. The defaults: Rectangle(x_m=0.0, y_m=0.0, width_m=0.0, height_m=0.0, angle_rad=0.0)."""
 
-class Replanner:
-    """Plans again from where the arm is measured, whenever it stands off the goal or has strayed. One run at a time."""
-    def __init__(self, arm: ArmDescription, model: MotionModel, environment: Environment, room: ErrorRoom | None = None, seed: int = 1) -> None:
-        """room: ErrorRoom that plans keep, None: error_room(model.forward); seed: of the searches."""
-
 class Restart:
     """How often a prediction is corrected by what was recorded."""
     every_frame: Restart
@@ -2175,8 +2200,8 @@ def error_room(model: ForwardModel, margin_m: float | None = None, goal_margin_m
 def evaluate(no_load: ForwardModel, network: ForwardModel | None, episodes: Iterable[Episode], jobs: int = 0) -> Evaluation:
     """Evaluation: errors of the no-load model and of a network on episodes. no_load: ForwardModel(arm); network: ForwardModel(arm, model), or None. Take episodes that it was not trained on. jobs: threads, 0: one per core. Raises InputError where no episode has three frames, or nothing was tracked."""
 
-def execute(arm: ArmDescription, environment: Environment, plan: Plan, driver: ArmDriver | ProcessDriver | VirtualArm, settings: ExecutionSettings = ..., replanner: Replanner | None = None) -> ExecutionResult:
-    """Commands a plan's frames as they stand, then holds; a Replanner plans again. driver: a VirtualArm, a ProcessDriver, or an ArmDriver of your own for simulation. The arm is vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt. Raises InputError where arm, environment and plan do not belong together, or the arm is too far from the plan's start."""
+def execute(arm: ArmDescription, environment: Environment, plan: Plan, driver: ArmDriver | ProcessDriver | VirtualArm, settings: ExecutionSettings = ..., controller: ClosedLoop | Controller | None = None) -> ExecutionResult:
+    """Commands a plan's frames as they stand, then holds; or what a controller decides: a ClosedLoop, or a Controller of your own. driver: a VirtualArm, a ProcessDriver, or an ArmDriver of your own for simulation. The arm is vented before this returns, whatever happens; Ctrl-C raises KeyboardInterrupt. Raises InputError where arm, environment and plan do not belong together, or the arm is too far from the plan's start."""
 
 def execution_animation(arm: ArmDescription, environment: Environment, plan: Plan, result: ExecutionResult) -> str:
     """A page in which the arm moves, as predicted and as measured."""

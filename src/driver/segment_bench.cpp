@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "limber/run/episode_recorder.hpp"
-#include "limber/run/gated_driver.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/run/episode_recorder.hpp"
+#include "limber/run/gated_driver.hpp"
 #include "limber/world/straight_motion.hpp"
 
 namespace limber {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "limber/run/arm_driver.hpp"
 #include "limber/driver/process_driver.hpp"
+#include "limber/run/arm_driver.hpp"
 #include "limber/run/safety_settings.hpp"
 
 namespace limber {

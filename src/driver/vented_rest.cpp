@@ -1,70 +1,53 @@
 #include "limber/driver/vented_rest.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <deque>
 #include <thread>
 
 #include <fmt/format.h>
 
-#include "limber/arm/plate_distance.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/common/units.hpp"
+#include "limber/run/rest_average.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr double kWindowS = 0.25;
-constexpr double kStillM = 0.003;
 constexpr double kLongestS = 10.0;
 constexpr double kLongestBlindS = 1.0;
-
-/// How far any plate has moved since any of the shapes: a swing ends where it began.
-double largest_motion_m(const std::deque<Backbone>& shapes) {
-  double largest_m = 0.0;
-  for (const Backbone& before : shapes) {
-    largest_m = std::max(largest_m, largest_plate_distance_m(shapes.back(), before));
-  }
-  return largest_m;
-}
 
 }  // namespace
 
 ArmStart vented_rest(const ArmDescription& arm, const std::function<const ArmState&()>& look) {
-  const auto window = static_cast<std::size_t>(arm.frames_in(kWindowS));
-  std::deque<Backbone> seen;  // the newest last
-  double moved_m = 0.0;
+  RestAverage rest(arm.frames_in(RestAverage::kRestS));
+  std::optional<double> moved_m;
+  int seen = 0;
   for (int frame = 0; frame <= arm.frames_in(kLongestS); ++frame) {
     throw_if_interrupted();
     const std::optional<Backbone>& backbone = look().backbone;
     if (!backbone || !backbone->allFinite()) {
-      if (seen.empty() && frame >= arm.frames_in(kLongestBlindS)) {
+      if (seen == 0 && frame >= arm.frames_in(kLongestBlindS)) {
         throw SystemFault(
             "the driver's state has no backbone: nothing tracks the arm, so where it lies is not "
             "known");
       }
-      continue;
+      continue;  // what was seen before the gap counts: an arm that is vented is not moved
     }
-    seen.push_back(*backbone);
-    if (seen.size() <= window) {
-      continue;
+    ++seen;
+    rest.observe(backbone);
+    if (const std::optional<Backbone> mean = rest.backbone()) {
+      return {Pressures::Zero(arm.segment_count()), *mean};
     }
-    moved_m = largest_motion_m(seen);
-    if (moved_m <= kStillM) {
-      return {Pressures::Zero(arm.segment_count()), seen.back()};
-    }
-    seen.pop_front();
+    moved_m = rest.moved_m();
   }
-  if (seen.size() < window) {
+  if (!moved_m) {
     throw SystemFault(fmt::format("the vented arm was lost: it was tracked in {} frames of {:g} s",
-                                  seen.size(), kLongestS));
+                                  seen, kLongestS));
   }
-  throw SystemFault(
-      fmt::format("the vented arm does not lie still: after {:g} s it still moved by {:.1f} cm in "
-                  "{:g} s, and {:.1f} cm are allowed. Is it being touched, or its tracking noisy?",
-                  kLongestS, kCmPerM * moved_m, kWindowS, kCmPerM * kStillM));
+  throw SystemFault(fmt::format(
+      "the vented arm does not lie still: after {:g} s it was still {:.1f} mm from its mean of "
+      "{:g} s, where {:.1f} mm are allowed. Is it being touched, or its tracking noisy?",
+      kLongestS, 1e3 * *moved_m, RestAverage::kRestS, 1e3 * RestAverage::kStillM));
 }
 
 ArmStart vented_rest(const ArmDescription& arm, ProcessDriver& driver) {

@@ -6,8 +6,8 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
-#include "limber/sim/virtual_arm_parameters.hpp"
 #include "limber/planning/forest.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
 #include "optional_json.hpp"
 
 namespace limber {

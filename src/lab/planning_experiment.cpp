@@ -19,7 +19,7 @@
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
 #include "limber/lab/output_folder.hpp"
-#include "limber/sim/virtual_arm_parameters.hpp"
+#include "limber/lab/trial_run.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
@@ -29,7 +29,7 @@
 #include "limber/report/report_page.hpp"
 #include "limber/report/run_table.hpp"
 #include "limber/sim/disturbance.hpp"
-#include "limber/lab/trial_run.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
 #include "optional_json.hpp"
 #include "trial_file.hpp"
 
@@ -169,7 +169,8 @@ class Experiment {
   }
 
   void add_tasks(TrialKey key, const EnvironmentCase& item, const MotionModel& model) {
-    if (!settings_.with_no_load && !model.has_network()) {
+    const bool is_closed = key.controller == "replan";  // which needs a network
+    if (!model.has_network() && (!settings_.with_no_load || is_closed)) {
       return;
     }
     key.experiment = hash_for(key.controller);

@@ -10,16 +10,16 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
-#include "limber/sim/virtual_arm.hpp"
 #include "limber/run/closed_loop.hpp"
-#include "limber/sim/disturbance.hpp"
 #include "limber/run/jacobian_controller.hpp"
+#include "limber/sim/disturbance.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 namespace limber {
 
 namespace {
 
-constexpr std::array kControllers = {"open", "replan", "jacobian", "online_jacobian"};
+constexpr std::array kControllers = {"open", "replan", "jacobian"};
 
 }  // namespace
 
@@ -91,7 +91,7 @@ void run_trial(const ArmDescription& arm, const MotionModel& model, const Enviro
   if (settings.controller == "replan") {
     ClosedLoopSettings loop_settings;
     loop_settings.motion_queries = settings.motion_queries;
-    run.replanner = &loop.emplace(arm, model, environment, room, loop_settings, trial.seed);
+    run.controller = &loop.emplace(arm, model, environment, room, loop_settings, trial.seed);
   }
   std::optional<JacobianController> controller;
   if (const std::optional<JacobianGains> gains = parse_jacobian(settings.controller)) {

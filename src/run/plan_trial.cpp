@@ -1,6 +1,5 @@
 #include "limber/run/plan_trial.hpp"
 
-
 namespace limber {
 
 namespace {

@@ -31,8 +31,8 @@ class ProcessDriverTest : public ::testing::Test {
  protected:
   ProcessDriverSettings settings(const std::string& fault = "") {
     ProcessDriverSettings settings;
-    settings.command = fmt::format("{} {}/tests/driver/fake_driver.py \"{}\" {}",
-                                   LIMBER_PYTHON, LIMBER_SOURCE_DIR, log_.string(), fault);
+    settings.command = fmt::format("{} {}/tests/driver/fake_driver.py \"{}\" {}", LIMBER_PYTHON,
+                                   LIMBER_SOURCE_DIR, log_.string(), fault);
     settings.say = [this](const std::string& message) { said_.push_back(message); };
     return settings;
   }

@@ -47,6 +47,8 @@ class Examples(InFolder):
                                    "model.safetensors", codes=(0, 1))
         self.assertRegex(executed, "(?m)^open loop: done")
         self.assertRegex(executed, "(?m)^closed loop: (done|stopped)")
+        nudged = self.run_to_end("11_your_own_controller.py", "wrong.json", environment)
+        self.assertRegex(nudged, r"^done: [\d.]+ cm from the goal")
         own = self.run_to_end("06_plug_in_a_planner.py", "model.safetensors", environment,
                               "own.json", codes=(0, 1))
         self.assertRegex(own, "(?m)^own.json: .* certified$|^no plan: ")

@@ -75,7 +75,7 @@ class Pictures(unittest.TestCase):
         arm, environment = self.chain.arm, self.chain.environment
         model = limber.read_model(self.chain.model)
         episodes = limber.read_recording(self.chain.recording).episodes
-        motion = limber.MotionModel(limber.ForwardModel(arm))
+        learnt = limber.MotionModel(limber.ForwardModel(arm, model))
         stream = limber.RandomStream(1)
         stream.next_u32()
         for thing, text in [
@@ -89,8 +89,8 @@ class Pictures(unittest.TestCase):
                 (limber.Certifier(arm, None, limber.ValveParameters(), environment),
                  "Certifier(environment_hash='"),
                 (limber.virtual_arm_factory(arm), "DriverFactory(a VirtualArm for each episode)"),
-                (limber.Replanner(arm, motion, environment),
-                 "Replanner(arm='two_segment', environment='a wall')"),
+                (limber.ClosedLoop(arm, learnt, environment),
+                 "ClosedLoop(arm='two_segment', environment='a wall')"),
                 (limber.best_preset().stages, "TrainingStages([TrainingStage(window_frames=")]:
             self.assertTrue(repr(thing).startswith(text), repr(thing))
 

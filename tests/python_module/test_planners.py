@@ -121,7 +121,7 @@ class PlansAlong(InFolder):
         limber.write_plan(self.folder / "plan.json", plan)
         run = [limber.execute(
             self.chain.arm, self.chain.environment, plan, limber.VirtualArm(self.chain.arm),
-            replanner=limber.Replanner(self.chain.arm, self.model, self.chain.environment))
+            controller=limber.ClosedLoop(self.chain.arm, self.model, self.chain.environment))
             for _ in range(2)]
         self.assertEqual(run[0].replans, run[1].replans)
         np.testing.assert_array_equal(run[0].episode.backbone, run[1].episode.backbone)

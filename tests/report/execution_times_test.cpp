@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "limber/run/appearing_obstacle.hpp"
 #include "limber/report/track_report.hpp"
+#include "limber/run/appearing_obstacle.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
 

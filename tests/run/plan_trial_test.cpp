@@ -1,11 +1,7 @@
 #include "limber/run/plan_trial.hpp"
 
-#include <set>
-
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-
-#include "src/lab/demo/demo_recipe.hpp"
 
 namespace limber {
 namespace {
@@ -72,16 +68,6 @@ TEST(PlanTrials, CheapestPlanIsSoughtAmongThoseAskedFor) {
 }
 
 // Test and training data must not share their chance, whatever seed the user gives.
-TEST(DemoRecipe, DerivedSeedsDifferFromEachOtherAndFromTheSeed) {
-  std::set<std::uint64_t> seeds;
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    seeds.insert(seed);
-    for (std::uint64_t part = 0; part < 200; ++part) {
-      seeds.insert(derived_seed(seed, part));
-    }
-  }
-  EXPECT_EQ(seeds.size(), 50U * 201U);
-}
 
 }  // namespace
 }  // namespace limber

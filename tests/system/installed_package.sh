@@ -62,6 +62,7 @@ grep -q '^certified\|^no plan' plan.txt
 "$prefix/bin/limber" plan --model model.safetensors --environment 01_pillar --margin-m 0 \
   --goal-margin-m 0 --goal-margin-rad 0 --max-queries 100000 --out wrong.json --quiet
 at_most_1 "$run/04_execute" wrong.json "$environment" model.safetensors | tee executed.txt
+"$run/11_your_own_controller" wrong.json "$environment" | grep '^done: '
 grep -q '^open loop: done' executed.txt && grep -q '^closed loop: \(done\|stopped\)' executed.txt
 at_most_1 "$run/06_plug_in_a_planner" model.safetensors "$environment" own.json | tee own.txt
 grep -q ', certified$\|^no plan' own.txt

@@ -109,7 +109,8 @@ class Disturbance(InFolder):
         self.assertEqual(
             [(row["model"], row["controller"], row["disturbance"]) for row in rows],
             [(model, controller, disturbance) for disturbance in ("", "friction")
-             for controller in ("open", "replan") for model in ("no_load", "network")])
+             for controller, model in (("open", "no_load"), ("open", "network"),
+                                       ("replan", "network"))])
         error = self.run_limber(*command, "--out", "one", *more[:-1], 600, "--resume", code=2).stderr
         self.assertIn("motion_queries = 500; this run has 600", error)
         self.assertTrue(all(row["replans"]["mean"] in (0, None) for row in rows

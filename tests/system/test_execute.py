@@ -4,10 +4,12 @@ refused before anything moves."""
 import json
 import unittest
 
-from program import InFolder
+from program import InFolder, ROOT
 
 ARM = ("--arm", "two_segment")
 GOAL = {"x_m": 0.38, "y_m": 0.2, "position_tolerance_m": 0.03}
+RUNS = ROOT / "tests" / "data" / "closed_loop"
+REPLAN = ("--replan", "--model", RUNS / "ten_hours.safetensors")
 KEYS = {
     "status", "collided", "min_clearance_cm", "distance_to_goal_cm", "orientation_to_goal_rad",
     "replans", "switches", "waits", "halts", "goal_time_s", "planned_goal_time_s", "frames",
@@ -49,24 +51,32 @@ class Execute(InFolder):
         evaluated = self.run_json("evaluate", *ARM, "--data", "run.h5")
         self.assertEqual(evaluated["frames"], recording["frames"] - 1)
 
+    def execute_with_a_network(self, *arguments):
+        """A plan of a network of ten hours."""
+        return self.run_execution("--plan", RUNS / "arm_019.plan.json", "--environment",
+                                  RUNS / "arm_019.yaml", *arguments)
+
     def test_closed_loop_ends_nearer_to_the_goal(self):
-        open_loop = self.execute()
-        arguments = ("--replan", "--no-load", "--no-valves", "--out", "run.h5")
-        found = self.execute(*arguments)
+        open_loop = self.execute_with_a_network()
+        found = self.execute_with_a_network(*REPLAN, "--out", "run.h5")
         self.assertGreater(found["replans"] + found["switches"], 0)
         self.assertLess(found["distance_to_goal_cm"], 0.5 * open_loop["distance_to_goal_cm"])
         self.assertEqual((found["goal_reached"], found["collided"], found["message"]), (True, False, ""))
         # What a time of this machine was worth in queries repeats the run.
         queries = ("--motion-queries", found["motion_queries"])
         self.assertGreater(found["motion_queries"], 0)
-        self.assertEqual(self.execute(*arguments, *queries, "--force"), found)
-        message = self.run_limber(
-            "execute", *ARM, "--plan", "p.json", "--environment", "e.yaml", "--replan", code=2).stderr
-        self.assertIn("--model", message)
+        self.assertEqual(
+            self.execute_with_a_network(*REPLAN, "--out", "run.h5", *queries, "--force"), found)
+
+    def test_the_closed_loop_needs_a_network(self):
+        for model, word in (((), "--model"), (("--no-load", "--no-valves"), "needs a network")):
+            message = self.run_limber("execute", *ARM, "--plan", "p.json", "--environment", "e.yaml",
+                                      "--replan", *model, code=2).stderr
+            self.assertIn(word, message)
 
     def test_without_queries_in_motion_it_plans_at_rest_alone(self):
-        open_loop = self.execute()
-        found = self.execute("--replan", "--no-load", "--no-valves", "--motion-queries", 0)
+        open_loop = self.execute_with_a_network()
+        found = self.execute_with_a_network(*REPLAN, "--motion-queries", 0)
         self.assertGreater(found["replans"], 0)
         self.assertEqual((found["switches"], found["waits"]), (0, 0))
         self.assertEqual(

@@ -17,9 +17,9 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/units.hpp"
-#include "limber/sim/virtual_arm.hpp"
-#include "limber/network/compensation_model.hpp"
 #include "limber/lab/environment_findings.hpp"
+#include "limber/network/compensation_model.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "styled_environment.hpp"
 
 namespace limber {

@@ -6,9 +6,9 @@
 
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_simulator.hpp"
+#include "limber/lab/environment_findings.hpp"
 #include "limber/planning/plan_builder.hpp"
 #include "limber/planning/planner.hpp"
-#include "limber/lab/environment_findings.hpp"
 #include "limber/world/collision.hpp"
 #include "random_obstacle.hpp"
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
-#include "limber/driver/calibration_log.hpp"
 #include "limber/common/error.hpp"
+#include "limber/driver/calibration_log.hpp"
 #include "limber/run/safety_settings.hpp"
 
 namespace limber {

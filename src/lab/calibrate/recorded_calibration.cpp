@@ -5,8 +5,8 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
-#include "limber/lab/tube_calibration.hpp"
 #include "limber/lab/binomial_bound.hpp"
+#include "limber/lab/tube_calibration.hpp"
 #include "limber/lab/tube_score.hpp"
 
 namespace limber {

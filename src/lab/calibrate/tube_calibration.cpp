@@ -13,10 +13,10 @@
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
-#include "limber/lab/factor_search.hpp"
-#include "limber/sim/virtual_arm_parameters.hpp"
-#include "limber/report/evidence_page.hpp"
 #include "limber/lab/binomial_bound.hpp"
+#include "limber/lab/factor_search.hpp"
+#include "limber/report/evidence_page.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
 #include "optional_json.hpp"
 
 namespace limber {

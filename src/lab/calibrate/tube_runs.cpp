@@ -13,10 +13,10 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/units.hpp"
-#include "limber/sim/virtual_arm.hpp"
 #include "limber/lab/binomial_bound.hpp"
-#include "limber/lab/trials.hpp"
 #include "limber/lab/random_environment.hpp"
+#include "limber/lab/trials.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 namespace limber {
 

@@ -7,17 +7,17 @@
 
 #include "demo_recipe.hpp"
 #include "limber/arm/characterisation.hpp"
-#include "limber/lab/speed_benchmark.hpp"
 #include "limber/data/recording.hpp"
+#include "limber/forward/motion_model.hpp"
 #include "limber/lab/demo.hpp"
 #include "limber/lab/output_folder.hpp"
-#include "limber/forward/motion_model.hpp"
+#include "limber/lab/speed_benchmark.hpp"
+#include "limber/lab/trials.hpp"
 #include "limber/report/evaluation_plots.hpp"
 #include "limber/report/planning_table.hpp"
 #include "limber/report/report_page.hpp"
 #include "limber/training/evaluation.hpp"
 #include "limber/training/trainer.hpp"
-#include "limber/lab/trials.hpp"
 #include "stage_clock.hpp"
 
 namespace limber {

@@ -9,10 +9,10 @@ ImproveArm virtual_improve_arm(const ArmDescription& arm) {
   on.source = "virtual arm";
   on.about = describe(arm, VirtualArmOptions{});
   on.drivers = virtual_arm_factory(arm, {});
-  on.execute = [arm](const Environment& environment, const Plan& plan, PlanSource* then) {
+  on.execute = [arm](const Environment& environment, const Plan& plan, Controller* then) {
     VirtualArm driver(arm);
     ExecutionSettings execution;
-    execution.replanner = then;
+    execution.controller = then;
     return execute(arm, environment, plan, driver, execution);
   };
   on.side_by_side = true;

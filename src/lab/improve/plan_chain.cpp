@@ -43,29 +43,30 @@ bool PlanChain::has_held_for_long() const {
          (seen_ - 1 - executed_.back().last_frame) * arm_.frame_period_s() > kLongestSearchS;
 }
 
-void PlanChain::observe(const Pressures& /*setpoint_kpa*/, const ArmState& /*state*/) {
-  ++seen_;
-}
-
-FrameSetpoint PlanChain::setpoint(const Plan& plan, std::size_t frame, std::size_t next) {
-  if (frame == 0) {
+FrameSetpoint PlanChain::setpoint(const PlanProgress& at, std::size_t next,
+                                  const ArmEstimate& arm) {
+  if (at.frame == 0) {
     executed_.back().first_frame = seen_ - 1;  // an arm whose plan was searched for held meanwhile
   }
-  return {plan.frames[next].setpoint_kpa, next};
+  return PlanController::setpoint(at, next, arm);
 }
 
-std::optional<Plan> PlanChain::next(const Plan& plan, std::size_t frame, const ArmState& state) {
+/// The question throws Interrupted.
+PlanController::NextPlan PlanChain::next(const PlanProgress& at, const ArmEstimate& arm) {
   executed_.back().last_frame = seen_ - 1;
-  if (!state.backbone || executed_.back().last_frame * arm_.frame_period_s() >= max_s_) {
-    return std::nullopt;
+  const std::optional<Backbone>& rest = arm.measured().backbone;
+  if (!rest || executed_.back().last_frame * arm_.frame_period_s() >= max_s_) {
+    return {};
   }
-  const PlannedRun* found = plan_from(ArmStart{plan.frames[frame].setpoint_kpa, *state.backbone});
-  throw_if_interrupted();
-  if (found == nullptr) {
-    return std::nullopt;
-  }
-  executed_.push_back({tried_.size() - 1});
-  return found->plan;
+  return [this, start = ArmStart{at.sent_kpa, *rest}]() -> std::optional<Plan> {
+    const PlannedRun* found = plan_from(start);
+    throw_if_interrupted();
+    if (found == nullptr) {
+      return std::nullopt;
+    }
+    executed_.push_back({tried_.size() - 1});
+    return found->plan;
+  };
 }
 
 PlanRuns PlanChain::ended(const ExecutionResult& run) const {

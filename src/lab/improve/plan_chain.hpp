@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "limber/run/executor.hpp"
+#include "limber/run/plan_controller.hpp"
 #include "plan_runs.hpp"
 
 namespace limber {
@@ -21,7 +21,7 @@ struct PlannedRun {
 /// about where the arm rests after the plan before. An environment without a plan is passed over.
 ///
 /// Threads: the executor's. `observe` may come while `next` searches.
-class PlanChain final : public PlanSource {
+class PlanChain final : public PlanController {
  public:
   /// Samples environment `number` for an arm at rest at `start` (none: vented), and plans in it.
   using PlanIn = std::function<PlannedRun(int number, const std::optional<ArmStart>& start)>;
@@ -32,12 +32,6 @@ class PlanChain final : public PlanSource {
   /// The first environment that has a plan for the vented arm; null if none has. It stays where it
   /// is as long as the chain.
   const PlannedRun* begin();
-
-  void observe(const Pressures& setpoint_kpa, const ArmState& state) override;
-  FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next) override;
-  bool may_go_on(const Plan&, std::size_t /*frame*/, const ArmState&) override { return true; }
-  /// @throws Interrupted
-  std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
 
   /// What became of the environments, after `run`. A chain of one plan is judged as the executor
   /// judged it; the plans of a longer one each in its own environment, on the frames recorded. The
@@ -51,6 +45,10 @@ class PlanChain final : public PlanSource {
     int first_frame = 0;
     int last_frame = 0;
   };
+
+  void observe(const ArmEstimate& arm) override { seen_ = arm.frames() + 1; }
+  FrameSetpoint setpoint(const PlanProgress& at, std::size_t next, const ArmEstimate& arm) override;
+  NextPlan next(const PlanProgress& at, const ArmEstimate& arm) override;
 
   bool has_held_for_long() const;
   const PlannedRun* plan_from(const std::optional<ArmStart>& start);

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "limber/data/recording.hpp"
+#include "limber/forward/motion_model.hpp"
 #include "limber/lab/improve.hpp"
 #include "limber/lab/output_folder.hpp"
-#include "limber/forward/motion_model.hpp"
 
 namespace limber {
 

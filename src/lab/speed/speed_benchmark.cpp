@@ -314,16 +314,6 @@ void SpeedMeasurement::require_agreement(const std::string& peer,
 
 }  // namespace
 
-QueryRate fastest_batch(const std::vector<QueryRate>& rates) {
-  const QueryRate* best = &rates.front();
-  for (const QueryRate& rate : rates) {
-    if (rate.threads == 1 && rate.queries_per_s > best->queries_per_s) {
-      best = &rate;
-    }
-  }
-  return *best;
-}
-
 SpeedReport measure_speed(const ArmDescription& arm, const CompensationModel* model,
                           const SpeedSettings& settings) {
   CompensationModel paper =

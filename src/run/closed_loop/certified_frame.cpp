@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "estimate/arm_estimate.hpp"
+#include "limber/run/arm_estimate.hpp"
 #include "limber/run/replanner.hpp"
 #include "plan_repair.hpp"
 
@@ -13,11 +13,13 @@ namespace {
 constexpr double kWholeArm = 3.0;  // of its length: a goal that the end of any motion is in
 
 /// The set points that are wanted, then the rest of the plan, as far off it as these are.
-std::vector<Pressures> with_rest_of(const Plan& plan, const CertifiedFrame::Wanted& wanted,
+std::vector<Pressures> with_rest_of(const PlanProgress& at, const CertifiedFrame::Wanted& wanted,
                                     const PressureBox& box, double step_limit_kpa) {
   std::vector<Pressures> to_kpa{wanted.kpa};
-  const Pressures off_kpa = wanted.kpa - plan.frames[wanted.frame].setpoint_kpa;
-  const std::vector<Pressures> rest = waypoints_after(plan, wanted.frame, step_limit_kpa);
+  const Pressures& has_kpa = at.setpoint_kpa(wanted.frame);
+  const Pressures off_kpa = wanted.kpa - has_kpa;
+  const std::vector<Pressures> rest =
+      waypoints_after({at.plan, wanted.frame, has_kpa}, step_limit_kpa);
   for (std::size_t w = 1; w < rest.size(); ++w) {
     to_kpa.push_back(box.limited(rest[w] + off_kpa));
   }
@@ -39,12 +41,13 @@ CertifiedFrame::CertifiedFrame(const ArmDescription& arm, const MotionModel& mod
   environment_.goal.position_tolerance_m = kWholeArm * arm.length_m();
 }
 
-CertifiedFrame::Sent CertifiedFrame::next(const MotionState& now, const Plan& plan,
+CertifiedFrame::Sent CertifiedFrame::next(const MotionState& now, const PlanProgress& at,
                                           const std::vector<Wanted>& wanted) {
+  const Plan& plan = at.plan;
   const PressureBox box = box_for(plan);
   for (const Wanted& one : wanted) {
     if (std::optional<Plan> found =
-            motion_from(now, with_rest_of(plan, one, box, arm_.pressure_step_limit_kpa()))) {
+            motion_from(now, with_rest_of(at, one, box, arm_.pressure_step_limit_kpa()))) {
       last_ = Motion{std::move(*found), 1, one.frame, &plan};
       return {last_->plan.frames[1].setpoint_kpa, one.frame};
     }
@@ -73,8 +76,10 @@ bool CertifiedFrame::may_hold(const MotionState& now) {
 }
 
 bool CertifiedFrame::leads_on(const MotionState& now, const Plan& plan, std::size_t frame) const {
-  const Wanted held{now.setpoint_kpa(), frame};
-  return motion_from(now, with_rest_of(plan, held, box_for(plan), arm_.pressure_step_limit_kpa()))
+  const Pressures held_kpa = now.setpoint_kpa();
+  const Wanted held{held_kpa, frame};
+  return motion_from(now, with_rest_of({plan, frame, held_kpa}, held, box_for(plan),
+                                       arm_.pressure_step_limit_kpa()))
       .has_value();
 }
 

@@ -7,6 +7,7 @@
 #include "checked_plans.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/forward/motion_model.hpp"
+#include "limber/run/plan_controller.hpp"
 
 namespace limber {
 
@@ -39,8 +40,8 @@ class CertifiedFrame {
   /// The first of these that is certified; or the next frame of what was certified last, which the
   /// arm holds once that has ended.
   /// @param now   where the arm is, after all set points that were sent
-  /// @param plan  that it follows
-  Sent next(const MotionState& now, const Plan& plan, const std::vector<Wanted>& wanted);
+  /// @param at    the plan that it follows, and the set points that it has
+  Sent next(const MotionState& now, const PlanProgress& at, const std::vector<Wanted>& wanted);
   /// Whether the arm comes to rest free if it holds its set points from now on.
   bool may_stop(const MotionState& now) const { return stop_from(now).has_value(); }
   /// The same for an arm that does so, whatever is said.

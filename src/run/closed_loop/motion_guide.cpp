@@ -55,15 +55,10 @@ Eigen::Vector3d bounded(const Eigen::Vector3d& miss, double max_m) {
   return size_m > max_m ? Eigen::Vector3d(miss * (max_m / size_m)) : miss;
 }
 
-/// What the model will miss by the end, if it goes on as it did: as much for each kPa. A model
-/// without memory predicts from pressures alone, so it is off by as much then as it is now.
-Eigen::Vector3d miss_ahead(const MotionModel& model, const ModelMiss& miss,
-                           const std::vector<Pressures>& rest, const Pressures& from_kpa) {
+/// What the model will miss by the end, if it goes on as it did: as much for each kPa.
+Eigen::Vector3d miss_ahead(const ModelMiss& miss, const std::vector<Pressures>& rest,
+                           const Pressures& from_kpa) {
   constexpr double kMaxMissM = 0.02;
-  constexpr double kMaxOffsetM = 0.1;
-  if (!model.has_network()) {
-    return bounded(miss.latest, kMaxOffsetM);
-  }
   double ahead_kpa = 0.0;
   Pressures before = from_kpa;
   for (const Pressures& kpa : rest) {
@@ -123,9 +118,7 @@ PlateRoom MotionGuide::room_in_motion(const Plan& plan, double share) const {
 CollisionChecker MotionGuide::checker_for(const Plan& plan, const ModelMiss& miss,
                                           double share) const {
   PlateRoom room = room_in_motion(plan, share);
-  if (model_.has_network()) {  // another is off by as much now as later, which `miss_ahead` knows
-    widen(room, miss.plate_m, needed_m(plan));
-  }
+  widen(room, miss.plate_m, needed_m(plan));
   return CollisionChecker(arm_, environment_.obstacles, 0.0, std::move(room));
 }
 
@@ -133,10 +126,12 @@ double MotionGuide::needed_m(const Plan& plan) const {
   return plan.tube ? 0.0 : std::min(kRoomInMotion * room_.margin_m, kOfPromised * plan.clearance_m);
 }
 
-MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseGoal& aim,
+MotionAdvice MotionGuide::advise(const PlanProgress& at, const PoseGoal& aim,
                                  const MotionState& now, const ModelMiss& miss,
                                  const std::optional<PlanFollower>& follower) {
-  const Pressures& next_kpa = plan.frames[next].setpoint_kpa;
+  const Plan& plan = at.plan;
+  const std::size_t next = at.frame;
+  const Pressures& next_kpa = at.sent_kpa;
   const std::vector<Pressures> rest_kpa = setpoints_after(plan, next);
   if (is_at_rest(rest_kpa, next_kpa)) {
     return {};  // its hold: corrections follow it
@@ -159,10 +154,10 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
   const RestForecast rest =
       follower ? led_forecast(plan, next, way, *follower) : way.forecast_of(model_, rest_kpa);
   const Eigen::Vector3d ahead =
-      follower ? Eigen::Vector3d::Zero().eval() : miss_ahead(model_, miss, rest_kpa, next_kpa);
+      follower ? Eigen::Vector3d::Zero().eval() : miss_ahead(miss, rest_kpa, next_kpa);
   // The tip will be that much beside where the model has it, so the model is asked for as much
-  // less. The shift of a memoryless model's goal is of the same kind, and known better now.
-  PoseGoal goal = model_.has_network() ? aim : environment_.goal;
+  // less.
+  PoseGoal goal = aim;
   goal.x_m -= ahead.x();
   goal.y_m -= ahead.y();
   if (goal.theta_rad) {
@@ -176,11 +171,10 @@ MotionAdvice MotionGuide::advise(const Plan& plan, std::size_t next, const PoseG
     has_waited_ = false;
     return {};
   }
-  if (model_.has_network() && strikes_ && !struck_before &&
-      rest.unsafe_frame > arm_.frames_in(kStrikesSoonS)) {
+  if (strikes_ && !struck_before && rest.unsafe_frame > arm_.frames_in(kStrikesSoonS)) {
     return {};
   }
-  if (std::optional<Plan> found = find(plan, next, way, goal, rest.is_safe(), error_m)) {
+  if (std::optional<Plan> found = find(at, way, goal, rest.is_safe(), error_m)) {
     has_waited_ = false;
     return {MotionAdvice::Kind::go_on, std::move(found), "", true};
   }
@@ -254,8 +248,9 @@ RestForecast MotionGuide::led_forecast(const Plan& plan, std::size_t next, const
       way.needed_m);
 }
 
-std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const Ahead& way,
+std::optional<Plan> MotionGuide::find(const PlanProgress& at, const Ahead& way,
                                       const PoseGoal& goal, bool is_safe, double error_m) {
+  const Plan& plan = at.plan;
   Environment from_here = environment_;
   from_here.start = start_at(way.from);
   from_here.goal = goal;
@@ -268,9 +263,9 @@ std::optional<Plan> MotionGuide::find(const Plan& plan, std::size_t next, const 
   const auto is_free = [&](const std::optional<Plan>& found) {
     return found && way.forecast_of(model_, setpoints_after(*found, 0)).is_safe();
   };
-  std::optional<Plan> found = repaired_plan(
-      problem_from(from_here, plan), waypoints_after(plan, next, arm_.pressure_step_limit_kpa()),
-      max_error_m, seed_, check_);
+  std::optional<Plan> found = repaired_plan(problem_from(from_here, plan),
+                                            waypoints_after(at, arm_.pressure_step_limit_kpa()),
+                                            max_error_m, seed_, check_);
   if (is_free(found)) {
     return found;
   }

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "estimate/arm_estimate.hpp"
 #include "limber/forward/error_room.hpp"
-#include "limber/run/executor.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/run/arm_estimate.hpp"
+#include "limber/run/plan_controller.hpp"
 #include "plan_follower.hpp"
 #include "plan_repair.hpp"
 #include "repaired_plan.hpp"
@@ -40,14 +40,14 @@ class MotionGuide {
               const ErrorRoom& room, const MotionGuideSettings& settings, Planner& planner,
               PlanCheck check, std::uint64_t seed);
 
-  /// @param next  frame of the plan whose set points are commanded next, whatever is said
+  /// @param at    the plan, and the frame and set points of it that are sent next, whatever is said
   /// @param aim   the goal that the plan was made for
   /// @param now   after the last frame
   /// @param miss  of the model, since this motion began; none in corrections
-  /// @param follower  that leads the arm; it has said the set points of `next`. None: the arm has
+  /// @param follower  that leads the arm; it has said these set points. None: the arm has
   ///   the plan's
-  MotionAdvice advise(const Plan& plan, std::size_t next, const PoseGoal& aim,
-                      const MotionState& now, const ModelMiss& miss,
+  MotionAdvice advise(const PlanProgress& at, const PoseGoal& aim, const MotionState& now,
+                      const ModelMiss& miss,
                       const std::optional<PlanFollower>& follower = std::nullopt);
 
  private:
@@ -83,8 +83,8 @@ class MotionGuide {
   RestForecast led_forecast(const Plan& plan, std::size_t next, const Ahead& way,
                             PlanFollower follower) const;
   /// The best of what is found that is free as the rest of a plan has to be, and better than it.
-  std::optional<Plan> find(const Plan& plan, std::size_t next, const Ahead& way,
-                           const PoseGoal& goal, bool is_safe, double error_m);
+  std::optional<Plan> find(const PlanProgress& at, const Ahead& way, const PoseGoal& goal,
+                           bool is_safe, double error_m);
   std::optional<Plan> searched(const Plan& plan, const Environment& from_here);
   /// @param held_kpa  of the frame after the next, where the arm would be held a frame later
   MotionAdvice slow_down(const Ahead& way, const Pressures& held_kpa, const RestForecast& rest);

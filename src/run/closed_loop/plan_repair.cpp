@@ -16,13 +16,14 @@ constexpr int kRepairSteps = 4;
 
 }  // namespace
 
-std::vector<Pressures> waypoints_after(const Plan& plan, std::size_t next, double step_limit_kpa) {
-  std::vector<Pressures> rest{plan.frames[next].setpoint_kpa};
+std::vector<Pressures> waypoints_after(const PlanProgress& at, double step_limit_kpa) {
+  const Plan& plan = at.plan;
+  std::vector<Pressures> rest{at.sent_kpa};
   std::size_t reached = 0;  // the frame in which the plan is at waypoint w
   for (std::size_t w = 1; w < plan.waypoints_kpa.size(); ++w) {
     reached += static_cast<std::size_t>(
         motion_frame_count(plan.waypoints_kpa[w - 1], plan.waypoints_kpa[w], step_limit_kpa));
-    if (reached > next) {
+    if (reached > at.frame) {
       rest.push_back(plan.waypoints_kpa[w]);
     }
   }

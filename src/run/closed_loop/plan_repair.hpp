@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "checked_plans.hpp"
+#include "limber/run/plan_controller.hpp"
 
 namespace limber {
 
 /// What is left of a plan for an arm in motion: the set points of its next frame, then the plan's
 /// waypoints after that frame, its end last.
-std::vector<Pressures> waypoints_after(const Plan& plan, std::size_t next, double step_limit_kpa);
+std::vector<Pressures> waypoints_after(const PlanProgress& at, double step_limit_kpa);
 
 /// Shifts the end of what is left of a plan, and the waypoints before it in proportion to how far
 /// along they are, so that the tip comes to rest nearer to the goal's centre. The model itself says

@@ -7,11 +7,11 @@
 #include <span>
 
 #include "goal_lengths.hpp"
-#include "repaired_plan.hpp"
-#include "sampled_plan.hpp"
 #include "limber/arm/plate_distance.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/planning/planner_factory.hpp"
+#include "repaired_plan.hpp"
+#include "sampled_plan.hpp"
 
 namespace limber {
 
@@ -30,7 +30,7 @@ constexpr std::uint64_t kQueriesPerIteration = 5;
 /// Times the queries of a search, for an arm that was halted and found no way on: it stands, and
 /// would stay there.
 constexpr std::uint64_t kQueriesOfLastResort = 25;
-/// Of the goal's tolerance: near enough, for a model with a memory. Corrections of an arm with
+/// Of the goal's tolerance: near enough. Corrections of an arm with
 /// friction end some 4 mm beside their predictions: where the tolerance is 2 cm, from nearer than
 /// this the next one is no likely gain (docs/experiments.md, Disturbances).
 constexpr double kNearEnough = 0.1;
@@ -50,23 +50,18 @@ constexpr double kOfNowNear = 1.3;
 constexpr double kLeastEffort = 0.05;
 constexpr double kHardlyMoved = 0.25;
 constexpr int kMaxDoublings = 3;
-/// By that share of a memory's creep, and of what it missed, is the goal shifted. Arms that are
+/// By that share of the creep, and of what was missed, is the goal shifted. Arms that are
 /// hardly moved show all of the creep, others next to none.
 constexpr double kShiftShare = 0.5;
 constexpr double kNearObstacleM = 0.01;
 /// Of the distance that is left, where no plan ends in the goal.
 constexpr double kNearerShare = 0.8;
-/// What a straight plan has to end within: of the distance that is left, and of the tolerance.
-constexpr double kOfStraight = 0.5;
 /// Of the goal's tolerance: an arm this near to the centre is not led out of the goal again.
-constexpr double kWellInside = 0.5;
+constexpr double kHeldInside = 0.5;
 /// Cost of a correction, of a pressure scale: less moves no arm.
 constexpr double kLeastCost = 0.01;
 constexpr double kNearOfClearance =
     0.5;  // of the plan's own, where that is less than kNearObstacleM
-/// Small gains in a row that end the corrections of a model without memory. Friction holds the tip
-/// until several of them add up.
-constexpr int kPatience = 10;
 constexpr double kLeastMargin = 0.25;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, kLeastMargin}, Asked{1.0, kLeastMargin}};
 /// Of an arm that was halted: its way is long again.
@@ -94,31 +89,23 @@ Replanner::Replanner(const ArmDescription& arm, const MotionModel& model,
 
 Replanner::~Replanner() = default;
 
-bool Replanner::may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) {
-  if (!state.backbone || replans_ >= settings_.max_replans) {
+bool Replanner::may_go_on(const Plan& plan, std::size_t frame,
+                          const std::optional<Backbone>& seen) {
+  if (!seen || replans_ >= settings_.max_replans) {
     return true;
   }
   // No obstacle is nearer to the plan than its clearance, so that much is always allowed.
   const bool strays =
-      !(largest_plate_distance_m(*state.backbone, plan.frames[frame].backbone) < plan.clearance_m);
-  return !strays || clearance_m(*state.backbone) >=
-                        std::min(kNearObstacleM, kNearOfClearance * plan.clearance_m);
+      !(largest_plate_distance_m(*seen, plan.frames[frame].backbone) < plan.clearance_m);
+  return !strays ||
+         clearance_m(*seen) >= std::min(kNearObstacleM, kNearOfClearance * plan.clearance_m);
 }
 
-bool Replanner::has_more_to_gain(double error_m, bool has_arrived) {
-  if (error_m < settings_.min_gain_m) {
-    return false;
-  }
-  if (model_.has_network()) {
-    const double near_enough =
-        kNearEnough + kNearEnoughLater * std::max(0, replans_ - kPlansBeforeLater);
-    return !has_arrived || error_m >= near_enough * environment_.goal.position_tolerance_m;
-  }
-  if (error_before_m_) {
-    small_gains_ = *error_before_m_ - error_m < settings_.min_gain_m ? small_gains_ + 1 : 0;
-  }
-  error_before_m_ = error_m;
-  return !has_arrived || small_gains_ < kPatience;
+bool Replanner::has_more_to_gain(double error_m, bool has_arrived) const {
+  const double near_enough =
+      kNearEnough + kNearEnoughLater * std::max(0, replans_ - kPlansBeforeLater);
+  return error_m >= settings_.min_gain_m &&
+         (!has_arrived || error_m >= near_enough * environment_.goal.position_tolerance_m);
 }
 
 std::vector<PressureLimits> limits_after(const Plan& plan,
@@ -136,7 +123,7 @@ std::vector<PressureLimits> limits_after(const Plan& plan,
 void Replanner::learn_from(const Plan& ended, const Pose& measured) {
   constexpr double kShare = 0.5;
   constexpr double kMaxBiasM = 0.1;
-  if (model_.has_network() && !is_correction_) {
+  if (!is_correction_) {
     return;  // a long way, on which the arm was led
   }
   const Pose expected = tip_pose(ended.frames.back().backbone);
@@ -156,9 +143,6 @@ void Replanner::learn_from(const Plan& ended, const Pose& measured) {
 /// away. The arm does not, so that drift is taken off what the model says of plans from there.
 void Replanner::note_creep(const Pressures& held_kpa, int frames, const Backbone& measured) {
   creep_.clear();
-  if (!model_.has_network()) {
-    return;  // what that misses is learnt as bias
-  }
   MotionState state = model_.settled_state(held_kpa, measured);
   MotionModel::Workspace workspace;
   for (int k = 0; k < frames; ++k) {
@@ -173,8 +157,7 @@ Eigen::Vector3d Replanner::creep(std::size_t frame) const {
 }
 
 PoseGoal Replanner::shifted_goal() const {
-  const double share = model_.has_network() ? kShiftShare : 1.0;
-  const Eigen::Vector3d shift = share * (creep() - bias_);
+  const Eigen::Vector3d shift = kShiftShare * (creep() - bias_);
   PoseGoal goal = environment_.goal;
   goal.x_m += shift.x();
   goal.y_m += shift.y();
@@ -184,17 +167,14 @@ PoseGoal Replanner::shifted_goal() const {
   return goal;
 }
 
-/// As the arm will go, and not as the model has it: without creep, and, of a model without memory,
-/// with the bias that it has in every frame but the first.
+/// As the arm will go, and not as the model has it: without creep.
 bool Replanner::stays_in_goal(const Plan& plan) const {
-  const Eigen::Vector3d in_every_frame =
-      model_.has_network() ? Eigen::Vector3d(0.0, 0.0, 0.0) : bias_;
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    const Eigen::Vector3d off = in_every_frame - creep(k);
+    const Eigen::Vector3d off = creep(k);
     Pose tip = tip_pose(plan.frames[k].backbone);
-    tip.x_m += off.x();
-    tip.y_m += off.y();
-    tip.theta_rad += off.z();
+    tip.x_m -= off.x();
+    tip.y_m -= off.y();
+    tip.theta_rad -= off.z();
     if (!is_within(environment_.goal, pose_error(environment_.goal, tip))) {
       return false;
     }
@@ -216,11 +196,12 @@ std::optional<Plan> Replanner::search(const Plan& before, const Environment& fro
       .plan;
 }
 
-std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const ArmState& state) {
-  if (!state.backbone || replans_ >= settings_.max_replans) {
+std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const Pressures& held_kpa,
+                                    const std::optional<Backbone>& rest) {
+  if (!rest || replans_ >= settings_.max_replans) {
     return std::nullopt;
   }
-  const Pose measured = tip_pose(*state.backbone);
+  const Pose measured = tip_pose(*rest);
   const PoseError error = pose_error(environment_.goal, measured);
   const double error_m = as_length_m(environment_.goal, error);
   const bool has_ended = frame + 1 == plan.frames.size();
@@ -230,22 +211,20 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const A
     learn_from(plan, measured);
   }
   // Millimetres are not worth a collision: an arm in the goal keeps all of the room.
-  const double kept_m = has_arrived && model_.has_network()
-                            ? room_.margin_m
-                            : -std::numeric_limits<double>::infinity();
+  const double kept_m = has_arrived ? room_.margin_m : -std::numeric_limits<double>::infinity();
   if (halted) {
     creep_.clear();
-  } else if (has_more_to_gain(error_m, has_arrived) && clearance_m(*state.backbone) >= kept_m) {
-    note_creep(plan.frames[frame].setpoint_kpa, plan.hold_frame_count, *state.backbone);
+  } else if (has_more_to_gain(error_m, has_arrived) && clearance_m(*rest) >= kept_m) {
+    note_creep(held_kpa, plan.hold_frame_count, *rest);
   } else {
     return std::nullopt;
   }
   Environment from_here = environment_;
-  from_here.start = ArmStart{plan.frames[frame].setpoint_kpa, *state.backbone};
+  from_here.start = ArmStart{held_kpa, *rest};
   aim_ = shifted_goal();
   from_here.goal = aim_;
   const bool is_well_inside =
-      !halted && error_m <= kWellInside * environment_.goal.position_tolerance_m;
+      !halted && error_m <= kHeldInside * environment_.goal.position_tolerance_m;
   const double least_cost_kpa = kLeastCost * double(pressure_scales_kpa(arm_).mean());
   const IsTaken is_taken = [&](const Plan& found) {
     return (halted || found.cost_kpa >= least_cost_kpa) && found.clearance_m >= kept_m &&
@@ -286,13 +265,10 @@ std::optional<Plan> Replanner::search_less_and_less(const Plan& before, Environm
 }
 
 /// From where the arm rests to where the model has it near the aim, without looking for ways
-/// around anything. Slopes say where a model without memory goes.
+/// around anything.
 std::optional<Plan> Replanner::short_correction(const Plan& before, const Environment& from_here,
                                                 double error_m, const IsTaken& is_taken) {
   const double tolerance_m = aim_.position_tolerance_m;
-  if (!model_.has_network()) {
-    return straight(before, from_here, 1.0, kOfStraight * std::min(error_m, tolerance_m));
-  }
   const double near_m = std::min(kOfNowNear * error_m, kNear * tolerance_m);
   const SampledPlanAsked asked{
       std::min(kFarthest * tolerance_m, std::max(near_m, kOfNow * error_m)), kLeastEffort,

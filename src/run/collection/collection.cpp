@@ -9,16 +9,16 @@
 #include <tbb/parallel_for.h>
 
 #include "collection_parts.hpp"
-#include "limber/run/episode_recorder.hpp"
-#include "limber/run/gated_driver.hpp"
+#include "execution/vent_guard.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/data/reach.hpp"
+#include "limber/run/episode_recorder.hpp"
+#include "limber/run/gated_driver.hpp"
 #include "limber/world/straight_motion.hpp"
-#include "execution/vent_guard.hpp"
 
 namespace limber {
 

@@ -1,59 +1,103 @@
-#include "arm_estimate.hpp"
+#include "limber/run/arm_estimate.hpp"
 
+#include <deque>
 #include <utility>
 
+#include "forecast_check.hpp"
 #include "limber/arm/plate_distance.hpp"
+#include "limber/run/rest_average.hpp"
+#include "limber/run/state_lag.hpp"
+#include "pressure_lag.hpp"
+#include "shape_filter.hpp"
 
 namespace limber {
 
-ArmStart start_at(const MotionState& state) {
-  ArmStart start{state.pressure_kpa(), state.backbone};
-  const Eigen::Index n = state.segments;
-  for (Eigen::Index at = n; at + n <= state.valves.size(); at += n) {
-    start.setpoints_kpa.emplace_back(state.valves.segment(at, n));
+namespace {
+
+constexpr double kForecastS = 0.5;  // most of what an arm that is held still moves is over by then
+/// Of the arm's length, per frame: 2 mm of the arm of the paper. An arm that slid on at 1.4 cm per
+/// frame was led to the goal by where it was, and struck what its plan passed.
+constexpr double kMovingShare = 0.00284;
+/// Of the arm's length: what a plate is measured beside where the filter believes the arm can have
+/// it. 2 mm of the arm of the paper, four times a tracker's noise: with 0.5 and 1 mm a noise of
+/// 0.5 mm still moved the arm (docs/experiments.md, Disturbances).
+constexpr double kMeasuredShare = 0.00284;
+
+Eigen::VectorXd gap_lengths_m(const ArmDescription& arm) {
+  Eigen::VectorXd lengths_m(arm.point_count() - 1);
+  for (int gap = 0; gap < lengths_m.size(); ++gap) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(arm.segment_of_gap(gap))];
+    lengths_m[gap] = segment.length_m / segment.gaps;
   }
-  start.before = state.before;
-  return start;
+  return lengths_m;
 }
 
-void ArmEstimate::observe(const Pressures& setpoint_kpa, const ArmState& measured) {
-  const int said = lag_.note(setpoint_kpa, measured);
-  const int found = pressure_lag_.note(setpoint_kpa, measured.pressure_kpa);
-  const auto lag = static_cast<std::size_t>(measured.setpoint_kpa ? said : found);
-  bool is_later = true;
-  if (valves_.size() == 0) {
-    valves_ = model_.valves().settled_state(setpoint_kpa);
-  } else {
-    coming_kpa_.push_back(setpoint_kpa);
-    is_later = coming_kpa_.size() > lag;
-    while (coming_kpa_.size() > lag) {
-      take_next(measured.pressure_kpa);
+/// The arm as a model has it, from frame to frame.
+class Predicted {
+ public:
+  Predicted(const ArmDescription& arm, const EstimateModel& with)
+      : model_(*with.model),
+        pressure_lag_(model_.valves()),
+        start_(with.filter_from),
+        check_(static_cast<std::size_t>(arm.frames_in(kForecastS))) {
+    if (start_) {
+      filter_.emplace(gap_lengths_m(arm), kMeasuredShare * arm.length_m());
     }
   }
-  if (!measured.backbone) {
-    ++frames_unseen_;
-  } else {
-    if (state_ && is_later) {
-      note_miss(*measured.backbone);
-    }
-    // What it had a frame ago was corrected then, and has been kept by the prediction since.
-    const Backbone before = state_ ? state_->before : *measured.backbone;
-    const Backbone* predicted = state_ ? &state_->backbone : start_ ? &*start_ : nullptr;
-    const Backbone now = filter_ && predicted != nullptr
-                             ? filter_->corrected(*predicted, *measured.backbone)
-                             : *measured.backbone;
-    state_ = model_.moving_state(valves_, now, state_ ? before : now);
-    frames_unseen_ = 0;
-    if (is_later) {
-      check_.compare(*state_);
-      miss_.plate_m = check_.missed_m();
-    }
+
+  int pressure_lag(const Pressures& setpoint_kpa, const Pressures& measured_kpa) {
+    return pressure_lag_.note(setpoint_kpa, measured_kpa);
   }
-  look_ahead();
-}
+
+  /// @param lag  frames that `measured` is behind `setpoint_kpa`
+  void observe(const Pressures& setpoint_kpa, const ArmState& measured, std::size_t lag) {
+    bool is_later = true;
+    if (valves_.size() == 0) {
+      valves_ = model_.valves().settled_state(setpoint_kpa);
+    } else {
+      coming_kpa_.push_back(setpoint_kpa);
+      is_later = coming_kpa_.size() > lag;
+      while (coming_kpa_.size() > lag) {
+        take_next(measured.pressure_kpa);
+      }
+    }
+    if (measured.backbone) {
+      correct(*measured.backbone, is_later);
+    }
+    look_ahead();
+  }
+
+  const std::optional<MotionState>& ahead() const { return ahead_; }
+  double moved_m() const { return moved_m_; }
+  const ModelMiss& miss() const { return miss_; }
+  const ForecastCheck& check() const { return check_; }
+  void forget_miss() {
+    miss_ = {};
+    check_.forget();
+  }
+
+ private:
+  void take_next(const Pressures& pressure_kpa);
+  void predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa);
+  void correct(const Backbone& measured, bool is_later);
+  void look_ahead();
+
+  MotionModel model_;
+  MotionModel::Workspace workspace_;
+  Eigen::VectorXf valves_;  // followed from the start on, tracked or not
+  PressureLag pressure_lag_;
+  std::deque<Pressures> coming_kpa_;  // set points whose frames no state has shown yet
+  std::optional<MotionState> state_;  // in the frame that the last state shows
+  std::optional<MotionState> ahead_;  // after those that are coming
+  std::optional<ShapeFilter> filter_;
+  std::optional<Backbone> start_;
+  double moved_m_ = 0.0;
+  ModelMiss miss_;
+  ForecastCheck check_;
+};
 
 /// The frame of the set points that are next. @param pressure_kpa  measured in it
-void ArmEstimate::take_next(const Pressures& pressure_kpa) {
+void Predicted::take_next(const Pressures& pressure_kpa) {
   const Pressures& setpoint_kpa = coming_kpa_.front();
   const Eigen::Index n = setpoint_kpa.size();
   miss_.travelled_kpa += double((setpoint_kpa - valves_.segment(n, n)).cwiseAbs().sum());
@@ -61,17 +105,7 @@ void ArmEstimate::take_next(const Pressures& pressure_kpa) {
   coming_kpa_.pop_front();
 }
 
-void ArmEstimate::look_ahead() {
-  const std::optional<MotionState> before = std::exchange(ahead_, state_);
-  if (ahead_) {
-    for (const Pressures& setpoint_kpa : coming_kpa_) {
-      model_.step(setpoint_kpa, *ahead_, workspace_);
-    }
-    moved_m_ = before ? largest_plate_distance_m(before->backbone, ahead_->backbone) : 0.0;
-  }
-}
-
-void ArmEstimate::predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa) {
+void Predicted::predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa) {
   const Eigen::Index n = setpoint_kpa.size();
   const Pressures before_kpa = valves_.head(n);
   model_.valves().step(setpoint_kpa, valves_);
@@ -88,12 +122,137 @@ void ArmEstimate::predict(const Pressures& setpoint_kpa, const Pressures& pressu
   }
 }
 
-void ArmEstimate::note_miss(const Backbone& measured) {
-  const Pose expected = tip_pose(state_->backbone);
-  const Pose found = tip_pose(measured);
-  miss_.latest = {found.x_m - expected.x_m, found.y_m - expected.y_m,
-                  found.theta_rad - expected.theta_rad};
-  miss_.sum += miss_.latest;
+/// @param is_later  than the shape before
+void Predicted::correct(const Backbone& measured, bool is_later) {
+  if (state_ && is_later) {
+    const Pose expected = tip_pose(state_->backbone);
+    const Pose found = tip_pose(measured);
+    miss_.sum += Eigen::Vector3d(found.x_m - expected.x_m, found.y_m - expected.y_m,
+                                 found.theta_rad - expected.theta_rad);
+  }
+  // What it had a frame ago was corrected then, and has been kept by the prediction since.
+  const Backbone before = state_ ? state_->before : measured;
+  const Backbone* predicted = state_ ? &state_->backbone : start_ ? &*start_ : nullptr;
+  const Backbone now = filter_ ? filter_->corrected(*predicted, measured) : measured;
+  state_ = model_.moving_state(valves_, now, state_ ? before : now);
+  if (is_later) {
+    check_.compare(*state_);
+    miss_.plate_m = check_.missed_m();
+  }
+}
+
+void Predicted::look_ahead() {
+  const std::optional<MotionState> before = std::exchange(ahead_, state_);
+  if (ahead_) {
+    for (const Pressures& setpoint_kpa : coming_kpa_) {
+      model_.step(setpoint_kpa, *ahead_, workspace_);
+    }
+    moved_m_ = before ? largest_plate_distance_m(before->backbone, ahead_->backbone) : 0.0;
+  }
+}
+
+}  // namespace
+
+ArmStart start_at(const MotionState& state) {
+  ArmStart start{state.pressure_kpa(), state.backbone};
+  const Eigen::Index n = state.segments;
+  for (Eigen::Index at = n; at + n <= state.valves.size(); at += n) {
+    start.setpoints_kpa.emplace_back(state.valves.segment(at, n));
+  }
+  start.before = state.before;
+  return start;
+}
+
+struct ArmEstimate::Parts {
+  explicit Parts(const ArmDescription& arm)
+      : moving_m(kMovingShare * arm.length_m()), rest(arm.frames_in(RestAverage::kRestS)) {}
+
+  double moving_m;  // in a frame: more is no rest
+  int frames = -1;  // the start is none
+  int frames_unseen = 0;
+  int lag_frames = 0;
+  Pressures setpoint_kpa;
+  ArmState measured;
+  StateLag said_lag;
+  RestAverage rest;
+  std::optional<Predicted> predicted;
+};
+
+ArmEstimate::ArmEstimate(const ArmDescription& arm, const EstimateModel& with)
+    : parts_(std::make_unique<Parts>(arm)) {
+  if (with.model != nullptr) {
+    parts_->predicted.emplace(arm, with);
+  }
+}
+
+ArmEstimate::~ArmEstimate() = default;
+
+void ArmEstimate::observe(const Pressures& setpoint_kpa, const ArmState& measured) {
+  Parts& now = *parts_;
+  ++now.frames;
+  now.setpoint_kpa = setpoint_kpa;
+  now.measured = measured;
+  now.frames_unseen = measured.backbone ? 0 : now.frames_unseen + 1;
+  now.rest.observe(measured.backbone);
+  now.lag_frames = now.said_lag.note(setpoint_kpa, measured);
+  if (now.predicted) {
+    const int found = now.predicted->pressure_lag(setpoint_kpa, measured.pressure_kpa);
+    now.lag_frames = measured.setpoint_kpa ? now.lag_frames : found;
+    now.predicted->observe(setpoint_kpa, measured, static_cast<std::size_t>(now.lag_frames));
+  }
+}
+
+int ArmEstimate::frames() const {
+  return parts_->frames;
+}
+
+const Pressures& ArmEstimate::setpoint_kpa() const {
+  return parts_->setpoint_kpa;
+}
+
+const ArmState& ArmEstimate::measured() const {
+  return parts_->measured;
+}
+
+int ArmEstimate::lag_frames() const {
+  return parts_->lag_frames;
+}
+
+int ArmEstimate::frames_unseen() const {
+  return parts_->frames_unseen;
+}
+
+std::optional<Backbone> ArmEstimate::rest() const {
+  return parts_->rest.backbone();
+}
+
+bool ArmEstimate::has_state() const {
+  return parts_->predicted && parts_->predicted->ahead();
+}
+
+const MotionState& ArmEstimate::state() const {
+  return *parts_->predicted->ahead();
+}
+
+bool ArmEstimate::is_moving() const {
+  return parts_->predicted && parts_->predicted->moved_m() > parts_->moving_m;
+}
+
+const ModelMiss& ArmEstimate::miss() const {
+  static const ModelMiss kNone;
+  return parts_->predicted ? parts_->predicted->miss() : kNone;
+}
+
+std::optional<Eigen::Vector2d> ArmEstimate::missed_tip_m(int frames) const {
+  return parts_->predicted && parts_->measured.backbone
+             ? parts_->predicted->check().missed_tip_m(static_cast<std::size_t>(frames))
+             : std::nullopt;
+}
+
+void ArmEstimate::forget_miss() {
+  if (parts_->predicted) {
+    parts_->predicted->forget_miss();
+  }
 }
 
 }  // namespace limber

@@ -29,6 +29,15 @@ void ForecastCheck::compare(const MotionState& now) {
   forecasts_.push_back({now.before, now.backbone, 0});
 }
 
+std::optional<Eigen::Vector2d> ForecastCheck::missed_tip_m(std::size_t age) const {
+  for (const Forecast& forecast : forecasts_) {
+    if (forecast.age == age) {
+      return tip_position_m(forecasts_.back().now) - tip_position_m(forecast.now);
+    }
+  }
+  return std::nullopt;
+}
+
 void ForecastCheck::forget() {
   forecasts_.clear();
   missed_m_.resize(0);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 
 #include "limber/forward/motion_model.hpp"
 
@@ -28,6 +29,9 @@ class ForecastCheck {
   /// Per plate, the most that was seen recently: it counts a tenth less with every frame. Empty
   /// before anything was compared. [m]
   const Eigen::VectorXd& missed_m() const { return missed_m_; }
+  /// Where the tip is that was compared last, less where the forecast of that age had it; none if
+  /// no forecast has that age.
+  std::optional<Eigen::Vector2d> missed_tip_m(std::size_t age) const;
 
  private:
   struct Forecast {

@@ -1,4 +1,8 @@
-#include "rest_average.hpp"
+#include "limber/run/rest_average.hpp"
+
+#include <algorithm>
+
+#include "limber/arm/plate_distance.hpp"
 
 namespace limber {
 
@@ -25,16 +29,27 @@ void RestAverage::observe(const std::optional<Backbone>& measured) {
   }
 }
 
-std::optional<Backbone> RestAverage::backbone() const {
+std::optional<double> RestAverage::moved_m() const {
   if (last_.size() < frames_) {
     return std::nullopt;
   }
-  const std::size_t middle = frames_ / 2;
-  const Backbone moved = mean_of(last_, middle, frames_) - mean_of(last_, 0, middle);
-  if (double(moved.leftCols<2>().rowwise().norm().maxCoeff()) > kStillM) {
+  const Backbone mean = mean_of(last_, 0, frames_);
+  double farthest_m = 0.0;
+  for (const Backbone& one : last_) {
+    farthest_m = std::max(farthest_m, largest_plate_distance_m(one, mean));
+  }
+  return farthest_m;
+}
+
+std::optional<Backbone> RestAverage::backbone() const {
+  const std::optional<double> moved = moved_m();
+  if (!moved || *moved > kStillM) {
     return std::nullopt;
   }
-  return mean_of(last_, 0, frames_);
+  const std::size_t middle = frames_ / 2;
+  const bool drifts = largest_plate_distance_m(mean_of(last_, middle, frames_),
+                                               mean_of(last_, 0, middle)) > kDriftM;
+  return drifts ? std::nullopt : std::optional(mean_of(last_, 0, frames_));
 }
 
 }  // namespace limber

@@ -1,20 +1,17 @@
 #include "limber/run/executor.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <functional>
-#include <future>
-#include <list>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "advice_job.hpp"
-#include "limber/run/gated_driver.hpp"
-#include "limber/arm/names.hpp"
+#include "background_question.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
+#include "limber/run/controller.hpp"
+#include "limber/run/gated_driver.hpp"
+#include "limber/run/plan_controller.hpp"
 #include "run_message.hpp"
 #include "run_watch.hpp"
 #include "start_approach.hpp"
@@ -22,10 +19,18 @@
 
 namespace limber {
 
-namespace {
+const char* to_string(ExecutionStatus status) {
+  switch (status) {
+    case ExecutionStatus::done:
+      return "done";
+    case ExecutionStatus::fault:
+      return "fault";
+    default:
+      return "stopped";
+  }
+}
 
-constexpr double kHaltHoldS = 0.3;      // that a halted arm stands before it is asked how to go on
-constexpr double kLongestBlindS = 1.0;  // waited for the arm to be tracked, before the next plan
+namespace {
 
 class Execution {
  public:
@@ -33,11 +38,12 @@ class Execution {
             ArmDriver& driver, RunWatch::Look look, const ExecutionSettings& settings)
       : arm_(arm),
         environment_(environment),
-        plans_{plan},
-        plan_(&plans_.back()),
+        plan_(plan),
         driver_(arm, driver, true),
         settings_(settings),
-        watch_(arm, environment, driver, std::move(look), settings) {
+        controller_(settings.controller != nullptr ? *settings.controller : open_loop_),
+        estimate_(arm, controller_.estimate_with()),
+        watch_(arm, environment, driver, estimate_, std::move(look), settings) {
     result_.planned_goal_time_s = planned_goal_time_s(environment.goal, plan);
   }
 
@@ -47,20 +53,13 @@ class Execution {
   ExecutionResult run() {
     const VentGuard vent_at_the_end(driver_);
     try {
-      approach_start(arm_, driver_, plan_->frames.front().setpoint_kpa,
-                     [this] { throw_if_stopped(); });
-      watch_.start(*plan_);
+      const Pressures& start_kpa = plan_.frames.front().setpoint_kpa;
+      approach_start(arm_, driver_, start_kpa, [this] { throw_if_stopped(); });
+      watch_.start(plan_);
       require_start();
-      if (settings_.replanner != nullptr) {
-        settings_.replanner->observe(plan_->frames.front().setpoint_kpa, driver_.state());
-      }
-      if (settings_.controller != nullptr) {
-        follow_controller();
-      } else {
-        do {
-          follow();
-        } while (settings_.replanner != nullptr && go_on());
-      }
+      estimate_.observe(start_kpa, driver_.state());
+      controller_.begin({arm_, plan_, settings_.hold_s, driver_.is_real_time()});
+      follow();
     } catch (const SystemFault& fault) {
       result_.status = ExecutionStatus::fault;
       result_.message = fault.what();
@@ -69,221 +68,73 @@ class Execution {
       result_.message =
           fmt::format("stopped on request after {} frames; the arm was vented", watch_.frames());
     }
+    controller_.report(result_);
     watch_.judge(result_);
     if (result_.message.empty()) {
-      result_.message = why_not_arrived(result_, with_appeared(environment_, result_), *plan_,
-                                        settings_.controller != nullptr  ? Correction::feedback
-                                        : settings_.replanner != nullptr ? Correction::replans
-                                                                         : Correction::none);
+      result_.message = why_not_arrived(result_, with_appeared(environment_, result_),
+                                        followed_ != nullptr ? *followed_ : plan_, correction());
     }
     return std::move(result_);
   }
 
  private:
-  /// The plan, or its beginning where its rest must not be followed, and the hold.
   void follow() {
-    halted_ = !move();
-    result_.halts += halted_ ? 1 : 0;
-    // A plan's own hold counts: planner and executor judge the goal at the same moment.
-    hold(halted_ ? 0 : plan_->hold_frame_count,
-         halted_ ? std::min(kHaltHoldS, settings_.hold_s) : settings_.hold_s);
-  }
-
-  /// @param held  frames of the hold that are over
-  /// @param until_s  since the hold began
-  void hold(int held, double until_s) {
-    int late = 0;  // frames after the plan's end, in which its last ones are seen
-    for (int k = held; k < arm_.frames_in(until_s);) {
-      k = hold_frame() ? k + 1 : 0;
-      if (!halted_) {
-        watch_.compare(*plan_, frame_ + static_cast<std::size_t>(++late));
-      }
-    }
-  }
-
-  /// Holds; or goes on along the plan, where its source has it that an arm held now strikes.
-  /// @return whether the arm held
-  bool hold_frame() {
-    const std::size_t before = std::exchange(frame_, correct_setpoint(frame_));
-    command(held_kpa());
-    return frame_ == before;
-  }
-
-  /// Holds whatever becomes of it: a plan that starts there is being made.
-  void hold_still() {
-    if (settings_.replanner != nullptr && !settings_.replanner->may_hold()) {
-      ++result_.frames_not_certified;
-    }
-    command(held_kpa());
-  }
-
-  /// Commands the plan's frames, and those of plans that replace it meanwhile.
-  /// @return whether the last of them came to its end
-  bool move() {
-    AdviceJob job(driver_.is_real_time(), result_.advice);
-    frame_ = 0;
+    BackgroundQuestion thinking(driver_.is_real_time());
     try {
-      bool goes_on = true;
-      for (bool waits = false; goes_on && frame_ + 1 < plan_->frames.size();) {
-        const std::size_t wanted = waits ? frame_ : frame_ + 1;
-        const Pressures planned_kpa = plan_->frames[wanted].setpoint_kpa;
-        const std::size_t next = correct_setpoint(wanted);
-        waits = next == frame_;
-        ask_for_advice(job, next);
-        command(plan_->frames[next].setpoint_kpa);
-        if (!job.is_busy()) {
+      for (;;) {
+        const bool is_busy = thinking.is_busy();
+        if (!is_busy) {
           tell_of_obstacle();
         }
-        if (waits) {
-          ++result_.waits;
-        } else {
-          frame_ = next;
-          watch_.compare(*plan_, frame_);
-          count_motion(planned_kpa);
+        Decision decision = controller_.step({estimate_, is_busy});
+        if (decision.question) {
+          thinking.begin(std::move(decision.question));
+        } else if (!decision.setpoint_kpa) {
+          end(decision);
+          return;
         }
-        goes_on = is_at_end() || may_go_on();
-        if (std::optional<MotionAdvice> advice = job.end(); advice && goes_on) {
-          waits = advice->kind == MotionAdvice::Kind::wait;
-          goes_on = take(std::move(*advice));
-        } else {
-          waits = false;
+        if (decision.setpoint_kpa) {
+          send(decision);
         }
       }
-      while (job.is_busy()) {
-        hold_frame();  // nothing else may be asked before that
-      }
-      return is_at_end();
     } catch (...) {
-      if (job.is_busy()) {
-        driver_.vent();  // now, not when the search has ended
+      if (thinking.is_busy()) {
+        driver_.vent();  // now, not when that has ended
       }
       throw;
     }
   }
 
-  bool is_at_end() const { return frame_ + 1 == plan_->frames.size(); }
-
-  bool may_go_on() {
-    return settings_.replanner == nullptr ||
-           settings_.replanner->may_go_on(*plan_, frame_ - std::min(frame_, watch_.lag()),
-                                          driver_.state());
-  }
-
-  /// As the source of plans wants it. The plan shows what is sent.
-  /// @return the frame of the plan that is sent
-  std::size_t correct_setpoint(std::size_t next) {
-    if (settings_.replanner == nullptr) {
-      return next;
-    }
-    FrameSetpoint sent = settings_.replanner->setpoint(*plan_, frame_, next);
-    if (sent.frame < frame_ || sent.frame >= plan_->frames.size()) {
-      throw InputError(fmt::format("a source of plans stands in {} of its plan; expected {} to {}",
-                                   frame_name(static_cast<Eigen::Index>(sent.frame)), frame_,
-                                   plan_->frames.size() - 1));
-    }
-    result_.frames_not_certified += sent.is_certified ? 0 : 1;
-    require_frame_rule(arm_, watch_.frames(), held_kpa(), sent.kpa);
-    plan_->frames[sent.frame].setpoint_kpa = std::move(sent.kpa);
-    return sent.frame;
-  }
-
-  void ask_for_advice(AdviceJob& job, std::size_t next) {
-    if (settings_.replanner != nullptr) {
-      job.begin(settings_.replanner->advise(*plan_, next));
-    }
-  }
-
-  /// @return whether the arm goes on
-  bool take(MotionAdvice advice) {
-    if (advice.kind == MotionAdvice::Kind::stop) {
-      stop_reason_ = std::move(advice.reason);
-      return is_at_end();
-    }
-    if (advice.plan) {
-      go_over_to(std::move(*advice.plan), "the plan that replaces it in motion");
-      ++result_.switches;
-      frame_ = 0;
-    }
-    return true;
-  }
-
-  void go_over_to(Plan next, const std::string& name) {
-    require_plan_of(next, arm_, name);
-    if (next.frames.front().setpoint_kpa != held_kpa()) {
-      throw InputError(name + " does not start at the set points that the arm holds");
-    }
-    plans_.push_back(std::move(next));
-    plan_ = &plans_.back();
-    first_motion_ = ++motion_;
-  }
-
-  /// Every frame's set points from the controller, until it ends the run.
-  void follow_controller() {
-    const std::vector<PlanFrame>& frames = plan_->frames;
-    Pressures before_kpa = frames.front().setpoint_kpa;
-    while (const std::optional<Pressures> next = settings_.controller->next(driver_.state())) {
-      require_frame_rule(arm_, watch_.frames(), before_kpa, *next);
-      command(*next);
-      before_kpa = *next;
-      if (watch_.frames() < static_cast<int>(frames.size())) {
-        watch_.compare(*plan_, static_cast<std::size_t>(watch_.frames()));
-      }
-    }
-    if (std::string reason = settings_.controller->stop_reason(); !reason.empty()) {
-      result_.status = ExecutionStatus::stopped;
-      result_.message = std::move(reason);
-    }
-  }
-
-  const Pressures& held_kpa() const { return plan_->frames[frame_].setpoint_kpa; }
-
-  /// @return whether there is another plan to follow
-  bool go_on() {
-    for (int k = 0; k < arm_.frames_in(kLongestBlindS) && !driver_.state().backbone; ++k) {
-      hold_still();
-    }
-    std::optional<Plan> next = ask_for_next();
-    if (!next && halted_) {  // it may still have moved a little
-      hold(arm_.frames_in(kHaltHoldS), settings_.hold_s);
-      next = ask_for_next();
-    }
-    if (!next) {
-      const bool rests_in_goal = watch_.rests_in_goal(settings_.hold_s);
-      result_.stopped_ahead = !is_at_end() && !rests_in_goal;
-      if (!stop_reason_.empty() && !rests_in_goal) {
-        result_.status = ExecutionStatus::stopped;  // not done: it was stopped in mid-motion
-        result_.message = stop_reason_;
-      }
-      return false;
-    }
-    stop_reason_.clear();
-    go_over_to(std::move(*next), "the next plan");
-    if (result_.replans++ == 0 && watch_.shape()) {
+  void send(const Decision& decision) {
+    if (decision.begins_at_rest && !result_.open_loop_goal_error && watch_.shape()) {
       result_.open_loop_goal_error = pose_error(environment_.goal, tip_pose(*watch_.shape()));
     }
-    return true;
+    followed_ = decision.plan != nullptr ? decision.plan : followed_;
+    const Pressures& setpoint_kpa = *decision.setpoint_kpa;
+    require_frame_rule(arm_, watch_.frames(), estimate_.setpoint_kpa(), setpoint_kpa);
+    throw_if_stopped();
+    const ArmState& state = driver_.command(setpoint_kpa);
+    estimate_.observe(setpoint_kpa, state);
+    const Environment* now = watch_.take_in(setpoint_kpa, decision.motion);
+    appeared_ = now != nullptr ? now : appeared_;
+    if (decision.plan != nullptr) {
+      watch_.compare(*decision.plan, decision.frame);
+    }
   }
 
-  /// A driver in real time gets its set points while the next plan is searched for; simulated time
-  /// stands still meanwhile, so that runs can be repeated.
-  std::optional<Plan> ask_for_next() {
-    tell_of_obstacle();
-    if (!driver_.is_real_time()) {
-      return settings_.replanner->next(*plan_, frame_, driver_.state());
+  void end(const Decision& decision) {
+    const bool rests_in_goal = watch_.rests_in_goal(settings_.hold_s);
+    result_.stopped_ahead = decision.has_left_plan && !rests_in_goal;
+    if (!decision.reason.empty() && !(decision.has_left_plan && rests_in_goal)) {
+      result_.status = ExecutionStatus::stopped;  // not done
+      result_.message = decision.reason;
     }
-    std::future<std::optional<Plan>> next =
-        std::async(std::launch::async, [this, state = driver_.state()] {
-          return settings_.replanner->next(*plan_, frame_, state);
-        });
-    try {
-      while (next.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-        hold_still();
-      }
-    } catch (...) {
-      driver_.vent();  // now, not when the search has ended
-      throw;
-    }
-    return next.get();
+  }
+
+  Correction correction() const {
+    return settings_.controller == nullptr ? Correction::none
+           : controller_.plans_again()     ? Correction::replans
+                                           : Correction::feedback;
   }
 
   void throw_if_stopped() const {
@@ -293,21 +144,10 @@ class Execution {
     }
   }
 
-  void command(const Pressures& setpoint_kpa) {
-    throw_if_stopped();
-    const ArmState& state = driver_.command(setpoint_kpa);
-    const Environment* now = watch_.take_in(setpoint_kpa, motion_);
-    if (settings_.replanner != nullptr) {
-      settings_.replanner->observe(setpoint_kpa, state);
-      appeared_ = now != nullptr ? now : appeared_;
-    }
-  }
-
-  /// While nothing is being worked out: that would be for the environment of before.
+  /// While nothing is being worked out: that would be for the older environment.
   void tell_of_obstacle() {
-    if (const Environment* now = std::exchange(appeared_, nullptr);
-        now != nullptr && settings_.replanner != nullptr) {
-      settings_.replanner->obstacle_appeared(*now);
+    if (const Environment* now = std::exchange(appeared_, nullptr); now != nullptr) {
+      controller_.obstacle_appeared(*now);
     }
   }
 
@@ -322,28 +162,18 @@ class Execution {
     }
   }
 
-  /// A motion ends where its edge of the plan does.
-  void count_motion(const Pressures& setpoint_kpa) {
-    const auto next = static_cast<std::size_t>(motion_ - first_motion_) + 1;
-    if (next + 1 < plan_->waypoints_kpa.size() && setpoint_kpa == plan_->waypoints_kpa[next]) {
-      ++motion_;
-    }
-  }
-
   const ArmDescription& arm_;
   const Environment& environment_;
-  std::list<Plan> plans_;  // one after another, with the set points that were sent
-  Plan* plan_;             // the one that is followed
-  std::size_t frame_ = 0;  // the last one of it that was commanded
+  const Plan& plan_;
+  const Plan* followed_ = nullptr;  // the one that was followed last
   GatedDriver driver_;
   const ExecutionSettings& settings_;
+  OpenLoop open_loop_;
+  Controller& controller_;
+  ArmEstimate estimate_;
   RunWatch watch_;
   ExecutionResult result_;
-  bool halted_ = false;
-  int motion_ = 0;
-  int first_motion_ = 0;                   // of the plan that is followed
-  std::string stop_reason_;                // of the plan that was left last
-  const Environment* appeared_ = nullptr;  // the source of plans does not know yet
+  const Environment* appeared_ = nullptr;  // the controller does not know yet
 };
 
 /// Sees every shape of the arm as long as it lives.

@@ -11,15 +11,16 @@ namespace limber {
 
 namespace {
 
-constexpr double kLongestUnseenS = 0.25;  // after which an arm may be anywhere
 constexpr double kRoundingS = 1e-6;
 
 }  // namespace
 
 RunWatch::RunWatch(const ArmDescription& arm, const Environment& environment,
-                   const ArmDriver& driver, Look look, const ExecutionSettings& settings)
+                   const ArmDriver& driver, const ArmEstimate& estimate, Look look,
+                   const ExecutionSettings& settings)
     : environment_(environment),
       driver_(driver),
+      estimate_(estimate),
       look_(std::move(look)),
       contacts_(arm, environment),
       appearance_(arm, environment, settings.obstacle),
@@ -34,7 +35,6 @@ void RunWatch::start(const Plan& plan) {
     const BackboneD planned = plan.frames.front().backbone.cast<double>();
     start_error_m_ = largest_plate_distance_m(*shape_, planned);
   }
-  (void)lag_.note(plan.frames.front().setpoint_kpa, driver_.state());
   recorder_.add(driver_.state(), plan.frames.front().setpoint_kpa, 0);
   measured_ = driver_.state().backbone.has_value();
 }
@@ -50,7 +50,6 @@ const Environment* RunWatch::take_in(const Pressures& setpoint_kpa, int motion) 
   const ArmState& state = driver_.state();
   ++frames_;
   frames_not_seen_ += state.backbone ? 0 : 1;
-  (void)lag_.note(setpoint_kpa, state);
   recorder_.add(state, setpoint_kpa, motion);
   measured_ = measured_ || state.backbone.has_value();
   see();
@@ -69,8 +68,9 @@ void RunWatch::see() {
 }
 
 void RunWatch::compare(const Plan& plan, std::size_t frame) {
-  if (shape_ && shape_frame_ == frames_ && frame >= lag() && frame - lag() < plan.frames.size()) {
-    prediction_.compare(plan, frame - lag(), *shape_);
+  const auto lag = static_cast<std::size_t>(estimate_.lag_frames());
+  if (shape_ && shape_frame_ == frames_ && frame >= lag && frame - lag < plan.frames.size()) {
+    prediction_.compare(plan, frame - lag, *shape_);
   }
 }
 
@@ -83,12 +83,14 @@ bool RunWatch::is_in_goal() const {
 }
 
 bool RunWatch::is_seen() const {
-  return shape_ && driver_.state().time_s - shape_time_s_ <= kLongestUnseenS + kRoundingS;
+  return shape_ &&
+         driver_.state().time_s - shape_time_s_ <= ArmEstimate::kUnknownAfterS + kRoundingS;
 }
 
 void RunWatch::judge(ExecutionResult& result) {
   result.frames = frames_;
   result.frames_not_seen = frames_not_seen_;
+  result.lag_frames = estimate_.lag_frames();
   result.start_error_m = start_error_m_;
   if (is_seen()) {
     result.final_backbone = shape_->cast<float>();

@@ -4,10 +4,10 @@
 #include <functional>
 #include <optional>
 
-#include "limber/run/episode_recorder.hpp"
 #include "goal_time.hpp"
+#include "limber/run/arm_estimate.hpp"
+#include "limber/run/episode_recorder.hpp"
 #include "limber/run/executor.hpp"
-#include "limber/run/state_lag.hpp"
 #include "obstacle_appearance.hpp"
 #include "prediction_watch.hpp"
 
@@ -20,9 +20,9 @@ class RunWatch {
   /// The arm's shape now, where it is known: measured, or the truth of a virtual arm.
   using Look = std::function<std::optional<BackboneD>()>;
 
-  /// Borrows arm, environment, driver and settings.
+  /// Borrows arm, environment, driver, estimate and settings.
   RunWatch(const ArmDescription& arm, const Environment& environment, const ArmDriver& driver,
-           Look look, const ExecutionSettings& settings);
+           const ArmEstimate& estimate, Look look, const ExecutionSettings& settings);
 
   /// The arm stands where the plan starts; what came before does not count.
   void start(const Plan& plan);
@@ -36,8 +36,6 @@ class RunWatch {
   /// @param frame  of the plan that was commanded last; those after its end are held
   void compare(const Plan& plan, std::size_t frame);
 
-  /// Frames by which what is seen is behind what was commanded.
-  std::size_t lag() const { return static_cast<std::size_t>(lag_.frames()); }
   int frames() const { return frames_; }
   /// From the plan's first shape to where the arm was then: the farthest plate. 0 if unseen.
   double start_error_m() const { return start_error_m_; }
@@ -57,13 +55,13 @@ class RunWatch {
 
   const Environment& environment_;
   const ArmDriver& driver_;
+  const ArmEstimate& estimate_;
   Look look_;
   CollisionWatch contacts_;
   ObstacleAppearance appearance_;
   EpisodeRecorder recorder_;
   GoalTime goal_time_;
   PredictionWatch prediction_;
-  StateLag lag_;
   std::optional<BackboneD> shape_;
   int frames_ = 0;
   int frames_not_seen_ = 0;

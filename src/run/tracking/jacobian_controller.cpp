@@ -5,14 +5,13 @@
 
 #include <Eigen/Cholesky>
 
+#include "limber/run/executor.hpp"
+
 namespace limber {
 
 namespace {
 
-constexpr double kSlopeStepKpa = 1.0;    // of the central difference
-constexpr double kUpdateWindowS = 0.25;  // Broyden's Δy and Δp are taken over it
-constexpr double kMinMotionKpa = 0.5;    // |Δp| below which nothing is learnt
-constexpr double kMaxGrowth = 10.0;      // of a learnt Jacobian's norm over the first one's
+constexpr double kSlopeStepKpa = 1.0;  // of the central difference
 constexpr double kAfterPlanS = 10.0;
 constexpr double kSettledM = 0.001;
 constexpr double kSettledS = 1.0;
@@ -35,9 +34,7 @@ JacobianController::JacobianController(const ArmDescription& arm, const Plan& pl
       goal_(goal),
       gains_(gains),
       rows_(goal.theta_rad ? 3 : 2),
-      setpoint_kpa_(plan.frames.front().setpoint_kpa),
-      jacobian_(no_load_jacobian()),
-      largest_norm_(kMaxGrowth * jacobian_.norm()) {}
+      setpoint_kpa_(plan.frames.front().setpoint_kpa) {}
 
 /// x, y and, if the goal asks for one, the heading as a length.
 Eigen::VectorXd JacobianController::in_metres(const Pose& pose) const {
@@ -54,9 +51,9 @@ Eigen::VectorXd JacobianController::predicted(std::size_t frame) const {
   return in_metres(tip_pose<float>(plan_.frames[frame].backbone));
 }
 
-Eigen::VectorXd JacobianController::reference() const {
-  return frame_ < plan_.frames.size()
-             ? predicted(frame_)
+Eigen::VectorXd JacobianController::reference(std::size_t frame) const {
+  return frame < plan_.frames.size()
+             ? predicted(frame)
              : in_metres({goal_.x_m, goal_.y_m, goal_.theta_rad.value_or(0.0)});
 }
 
@@ -76,30 +73,12 @@ Eigen::MatrixXd JacobianController::no_load_jacobian() const {
   return jacobian;
 }
 
-void JacobianController::learn(const Seen& now) {
-  const auto window = static_cast<std::size_t>(arm_.frames_in(kUpdateWindowS));
-  if (seen_.size() < window) {
-    return;
-  }
-  const Seen& then = seen_[seen_.size() - window];
-  const Eigen::VectorXd moved_kpa = now.pressure_kpa - then.pressure_kpa;
-  const double square = moved_kpa.squaredNorm();
-  if (square < kMinMotionKpa * kMinMotionKpa) {
-    return;
-  }
-  const Eigen::VectorXd missed = now.tip - then.tip - jacobian_ * moved_kpa;
-  jacobian_ += gains_.update / square * missed * moved_kpa.transpose();
-  const double norm = jacobian_.norm();
-  if (norm > largest_norm_) {
-    jacobian_ *= largest_norm_ / norm;
-  }
-}
-
 Eigen::VectorXd JacobianController::correction(const Eigen::VectorXd& velocity) const {
   const double lambda = gains_.damping_m_per_kpa;
+  const Eigen::MatrixXd jacobian = no_load_jacobian();
   const Eigen::MatrixXd square =
-      jacobian_ * jacobian_.transpose() + lambda * lambda * Eigen::MatrixXd::Identity(rows_, rows_);
-  return jacobian_.transpose() * square.ldlt().solve(velocity);
+      jacobian * jacobian.transpose() + lambda * lambda * Eigen::MatrixXd::Identity(rows_, rows_);
+  return jacobian.transpose() * square.ldlt().solve(velocity);
 }
 
 bool JacobianController::has_ended(const std::optional<Eigen::VectorXd>& error) {
@@ -111,45 +90,37 @@ bool JacobianController::has_ended(const std::optional<Eigen::VectorXd>& error) 
   return settled_ >= arm_.frames_in(kSettledS) || after >= arm_.frames_in(kAfterPlanS);
 }
 
-/// What the tip is to move in this frame: PI in velocity form.
-Eigen::VectorXd JacobianController::feedback(const Seen& now, const Eigen::VectorXd& error) const {
-  Eigen::VectorXd velocity = gains_.integral_per_s * arm_.frame_period_s() * error;
-  if (seen_.empty()) {
+/// What the tip is to move in this frame: PI in velocity form. @param seen  frame that `tip` shows
+Eigen::VectorXd JacobianController::feedback(const Eigen::VectorXd& tip, std::size_t seen) const {
+  Eigen::VectorXd velocity =
+      gains_.integral_per_s * arm_.frame_period_s() * (reference(seen) - tip);
+  if (!tip_before_) {
     return velocity;
   }
-  velocity -= gains_.proportional * (now.tip - seen_.back().tip);
-  if (frame_ > 0 && frame_ < plan_.frames.size()) {
-    velocity += gains_.proportional * (predicted(frame_) - predicted(frame_ - 1));
+  velocity -= gains_.proportional * (tip - *tip_before_);
+  if (seen > 0 && seen < plan_.frames.size()) {
+    velocity += gains_.proportional * (predicted(seen) - predicted(seen - 1));
   }
   return velocity;
 }
 
-void JacobianController::remember(const Seen& now) {
-  if (gains_.update > 0.0) {
-    learn(now);
-  } else {
-    jacobian_ = no_load_jacobian();
-  }
-  seen_.push_back(now);
-  if (static_cast<int>(seen_.size()) > arm_.frames_in(kUpdateWindowS)) {
-    seen_.pop_front();
-  }
-}
-
-std::optional<Pressures> JacobianController::next(const ArmState& state) {
-  // What is measured belongs to plan frame `frame_`; what is commanded, to the one after it.
+Decision JacobianController::step(const Moment& now) {
+  // What is measured belongs to an older frame where states are late; what is commanded, to the one
+  // after frame_.
+  const std::size_t seen =
+      frame_ - std::min(frame_, static_cast<std::size_t>(now.arm.lag_frames()));
   std::optional<Eigen::VectorXd> error;
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(rows_);
-  if (state.backbone) {
-    const Seen now{in_metres(tip_pose<float>(*state.backbone)), state.pressure_kpa.cast<double>()};
-    error = reference() - now.tip;
-    velocity = feedback(now, *error);
-    remember(now);
+  if (const std::optional<Backbone>& shape = now.arm.measured().backbone) {
+    const Eigen::VectorXd tip = in_metres(tip_pose<float>(*shape));
+    error = reference(seen) - tip;
+    velocity = feedback(tip, seen);
+    tip_before_ = tip;
   } else {
-    seen_.clear();
+    tip_before_.reset();
   }
   if (has_ended(error)) {
-    return std::nullopt;
+    return {};
   }
   Eigen::VectorXd wanted = setpoint_kpa_.cast<double>() + correction(velocity);
   if (frame_ + 1 < plan_.frames.size()) {
@@ -158,7 +129,13 @@ std::optional<Pressures> JacobianController::next(const ArmState& state) {
   }
   setpoint_kpa_ = within_frame_rule(arm_, setpoint_kpa_, wanted);
   ++frame_;
-  return setpoint_kpa_;
+  Decision decision;
+  decision.setpoint_kpa = setpoint_kpa_;
+  if (frame_ < plan_.frames.size()) {
+    decision.plan = &plan_;
+    decision.frame = frame_;
+  }
+  return decision;
 }
 
 }  // namespace limber

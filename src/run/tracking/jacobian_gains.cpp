@@ -13,10 +13,9 @@ namespace limber {
 
 namespace {
 
-// The best of 36 each that tools/tune_baselines.py tried on seed 7001: 0.83 and 0.99 cm, over an
-// arm as it was and five disturbances.
-constexpr JacobianGains kNoLoadGains{0.496, 0.762, 0.00192, 0.0};
-constexpr JacobianGains kOnlineGains{0.491, 2.22, 0.00526, 0.061};
+// The best of 36 that tools/tune_baselines.py tried on seed 7001: 0.83 cm, over an arm as it was
+// and five disturbances.
+constexpr JacobianGains kDefaultGains{0.496, 0.762, 0.00192};
 
 struct GainField {
   const char* name;
@@ -29,17 +28,13 @@ constexpr std::array kGainFields = {
     GainField{"proportional", &JacobianGains::proportional, 0.0, 10.0},
     GainField{"integral", &JacobianGains::integral_per_s, 0.0, 100.0},
     GainField{"damping", &JacobianGains::damping_m_per_kpa, 1e-6, 1.0},
-    GainField{"update", &JacobianGains::update, 1e-6, 1.0},
 };
 
-void read_gain(const std::string& text, bool is_online, JacobianGains& gains) {
+void read_gain(const std::string& text, JacobianGains& gains) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::string name = text.substr(0, equals);
   std::string names;
   for (const GainField& field : kGainFields) {
-    if (field.member == &JacobianGains::update && !is_online) {
-      continue;
-    }
     names += (names.empty() ? "" : ", ") + std::string(field.name);
     if (name != field.name) {
       continue;
@@ -61,14 +56,13 @@ void read_gain(const std::string& text, bool is_online, JacobianGains& gains) {
 std::optional<JacobianGains> parse_jacobian(const std::string& text) {
   const std::size_t comma = std::min(text.find(','), text.size());
   const std::string name = text.substr(0, comma);
-  const bool is_online = name == "online_jacobian";
-  if (name != "jacobian" && !is_online) {
+  if (name != "jacobian") {
     return std::nullopt;
   }
-  JacobianGains gains = is_online ? kOnlineGains : kNoLoadGains;
+  JacobianGains gains = kDefaultGains;
   for (std::size_t begin = comma; begin < text.size();) {
     const std::size_t end = std::min(text.find(',', begin + 1), text.size());
-    read_gain(text.substr(begin + 1, end - begin - 1), is_online, gains);
+    read_gain(text.substr(begin + 1, end - begin - 1), gains);
     begin = end;
   }
   return gains;

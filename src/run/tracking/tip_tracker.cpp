@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "limber/run/executor.hpp"
 #include "limber/world/straight_motion.hpp"
 
 namespace limber {
@@ -73,59 +74,30 @@ double TipTracker::path_time_s(int frame) const {
   return (frame - path_start_frame_) * arm_.frame_period_s();
 }
 
-/// @return whether the run goes on
-bool TipTracker::take_in(const ArmState& state) {
-  if (frame_ == 0) {
-    if (!state.backbone) {
-      stop_reason_ =
-          "nothing tracks the arm; to keep its tip on a path, its shape has to be measured";
-      return false;
-    }
-    state_ = model_.settled_state(Pressures::Zero(segments()), *state.backbone);
+/// Empty: the run goes on.
+std::string TipTracker::why_stopped(const ArmEstimate& arm) const {
+  if (!arm.has_state()) {
+    return "nothing tracks the arm; to keep its tip on a path, its shape has to be measured";
   }
-  blind_ = state.backbone ? 0 : blind_ + 1;
-  if (blind_ > arm_.frames_in(settings_.blind_s)) {
-    stop_reason_ = fmt::format("nothing has tracked the arm for {:.2f} s; it was vented",
-                               blind_ * arm_.frame_period_s());
-    return false;
-  }
-  if (!state.backbone) {
-    states_.clear();
-    commanded_.clear();
-    return true;
-  }
-  state_.backbone = *state.backbone;
-  if (!model_.valves().is_ideal()) {
-    state_.valves.head(segments()) = state.pressure_kpa;
-  }
-  learn_bias();
-  learn_lap();
-  states_.push_back(state_);
-  return true;
+  const int blind = arm.frames_unseen();
+  return blind > arm_.frames_in(settings_.blind_s)
+             ? fmt::format("nothing has tracked the arm for {:.2f} s; it was vented",
+                           blind * arm_.frame_period_s())
+             : "";
 }
 
-/// What the commands of the last frames should have done, and what they did.
-void TipTracker::learn_bias() {
-  if (static_cast<int>(states_.size()) < kBiasFrames) {
-    return;
+/// Where the arm is, what the model misses, and what this lap's measured frame teaches the next.
+void TipTracker::take_in(const ArmEstimate& arm) {
+  state_ = arm.state();
+  queries_ += std::uint64_t(1 + arm.lag_frames());
+  if (const std::optional<Eigen::Vector2d> missed = arm.missed_tip_m(kBiasFrames)) {
+    bias_m_ += kBiasShare * (*missed - bias_m_);
+    bias_m_ *= std::min(1.0, settings_.max_bias_m / std::max(bias_m_.norm(), 1e-12));
   }
-  MotionState predicted = states_.front();
-  for (const Pressures& setpoint_kpa : commanded_) {
-    model_.step(setpoint_kpa, predicted, workspace_);
-  }
-  queries_ += commanded_.size();
-  const Eigen::Vector2d missed =
-      tip_position_m(state_.backbone) - tip_position_m(predicted.backbone);
-  bias_m_ += kBiasShare * (missed - bias_m_);
-  bias_m_ *= std::min(1.0, settings_.max_bias_m / std::max(bias_m_.norm(), 1e-12));
-  states_.pop_front();
-  commanded_.pop_front();
-}
-
-void TipTracker::learn_lap() {
-  const int since = frame_ - path_start_frame_;
-  if (since > 0) {  // the lap's first frame is the approach's
-    laps_.learn(since, path_.at(path_time_s(frame_)) - tip_position_m(state_.backbone));
+  const int seen = frame_ - arm.lag_frames();
+  const int since = seen - path_start_frame_;
+  if (since > 0 && arm.measured().backbone) {  // the lap's first frame is the approach's
+    laps_.learn(since, path_.at(path_time_s(seen)) - tip_position_m(*arm.measured().backbone));
   }
 }
 
@@ -294,18 +266,16 @@ Pressures TipTracker::decide() {
   return within_frame_rule(arm_, state_.setpoint_kpa(), next);
 }
 
-std::optional<Pressures> TipTracker::next(const ArmState& state) {
-  if (!take_in(state) || path_time_s(frame_) >= path_.duration_s()) {
-    return std::nullopt;
+Decision TipTracker::step(const Moment& now) {
+  Decision decision;
+  decision.reason = why_stopped(now.arm);
+  if (!decision.reason.empty() || path_time_s(frame_) >= path_.duration_s()) {
+    return decision;
   }
-  const Pressures setpoint_kpa = decide();
-  if (!states_.empty()) {
-    commanded_.push_back(setpoint_kpa);
-  }
-  model_.step(setpoint_kpa, state_, workspace_);
-  ++queries_;
+  take_in(now.arm);
+  decision.setpoint_kpa = decide();
   ++frame_;
-  return setpoint_kpa;
+  return decision;
 }
 
 }  // namespace limber

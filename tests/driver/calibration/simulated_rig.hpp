@@ -4,10 +4,10 @@
 #include <deque>
 #include <vector>
 
-#include "limber/driver/calibration_log.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/sim/misassembly.hpp"
+#include "limber/driver/calibration_log.hpp"
 #include "limber/driver/tracker_plane.hpp"
+#include "limber/sim/misassembly.hpp"
 
 namespace limber {
 

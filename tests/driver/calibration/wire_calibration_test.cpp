@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
-#include "limber/sim/misassembly.hpp"
 #include "limber/run/safety_settings.hpp"
+#include "limber/sim/misassembly.hpp"
 
 namespace limber {
 namespace {

@@ -8,9 +8,9 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/forward/motion_simulator.hpp"
+#include "limber/planning/plan_builder.hpp"
 #include "limber/run/executor.hpp"
 #include "limber/sim/virtual_arm.hpp"
-#include "limber/planning/plan_builder.hpp"
 #include "limber/world/collision.hpp"
 #include "limber/world/environment.hpp"
 

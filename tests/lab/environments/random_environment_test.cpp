@@ -4,8 +4,8 @@
 
 #include "limber/common/yaml_reader.hpp"
 #include "limber/forward/motion_simulator.hpp"
-#include "limber/planning/problem_check.hpp"
 #include "limber/lab/environment_measures.hpp"
+#include "limber/planning/problem_check.hpp"
 #include "limber/world/collision.hpp"
 #include "planning/play_model.hpp"
 

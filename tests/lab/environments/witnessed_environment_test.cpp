@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "limber/common/yaml_reader.hpp"
-#include "limber/run/executor.hpp"
-#include "limber/sim/virtual_arm.hpp"
 #include "limber/planning/plan_builder.hpp"
 #include "limber/planning/problem_check.hpp"
+#include "limber/run/executor.hpp"
+#include "limber/sim/virtual_arm.hpp"
 #include "limber/world/collision.hpp"
 #include "planning/play_model.hpp"
 

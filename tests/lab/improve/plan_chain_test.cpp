@@ -78,7 +78,7 @@ class PlanChains : public ::testing::Test {
       return chain.ended({});
     }
     ExecutionSettings settings;
-    settings.replanner = &chain;
+    settings.controller = &chain;
     whole_ = execute(arm_, begun->environment, *begun->plan, driver, settings);
     EXPECT_EQ(whole_.status, ExecutionStatus::done) << whole_.message;
     return chain.ended(whole_);

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/sim/virtual_arm.hpp"
 #include "limber/network/compensation_model.hpp"
+#include "limber/run/arm_estimate.hpp"
 #include "limber/run/closed_loop.hpp"
-#include "src/run/estimate/arm_estimate.hpp"
+#include "limber/sim/virtual_arm.hpp"
 
 namespace limber {
 namespace {
@@ -17,51 +17,40 @@ namespace {
 const std::string kStruckRuns = LIMBER_TEST_DATA_DIR "/closed_loop/";
 
 /// Passes everything on to a closed loop, and simulates what becomes of an arm that is sent what it
-/// says: by the forward model alone, from where the arm was measured.
-class Replayed final : public PlanSource {
+/// says: by the forward model alone, from where the arm is.
+class Replayed final : public Controller {
  public:
   Replayed(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
-           PlanSource& loop)
-      : arm_(arm),
-        model_(model),
-        checker_(arm, environment.obstacles),
-        loop_(loop),
-        estimate_(model, 10) {}
+           Controller& loop)
+      : arm_(arm), model_(model), checker_(arm, environment.obstacles), loop_(loop) {}
 
-  void observe(const Pressures& setpoint_kpa, const ArmState& state) override {
-    estimate_.observe(setpoint_kpa, state);
-    loop_.observe(setpoint_kpa, state);
-  }
-  FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next) override {
-    const FrameSetpoint sent = loop_.setpoint(plan, frame, next);
-    if (sent.is_certified) {
+  EstimateModel estimate_with() const override { return loop_.estimate_with(); }
+  void begin(const RunStart& start) override { loop_.begin(start); }
+  Decision step(const Moment& now) override {
+    Decision decision = loop_.step(now);
+    if (decision.setpoint_kpa && decision.is_certified) {
       ++checked;
-      const double clearance_m =
-          std::max(clearance_along({}, sent.kpa), clearance_along(rest_of(plan, sent), sent.kpa));
+      const Pressures& sent_kpa = *decision.setpoint_kpa;
+      const MotionState& from = now.arm.state();
+      const double clearance_m = std::max(
+          clearance_along(from, {}, sent_kpa),
+          decision.plan == nullptr ? -1.0 : clearance_along(from, rest_of(decision), sent_kpa));
       least_clearance_m = std::min(least_clearance_m, clearance_m);
     }
-    return sent;
-  }
-  bool may_hold() override { return loop_.may_hold(); }
-  std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next) override {
-    return loop_.advise(plan, next);
-  }
-  bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override {
-    return loop_.may_go_on(plan, frame, state);
-  }
-  std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override {
-    return loop_.next(plan, frame, state);
+    return decision;
   }
 
   int checked = 0;
   double least_clearance_m = 1.0;
 
  private:
-  std::vector<Pressures> rest_of(const Plan& plan, const FrameSetpoint& sent) const {
+  std::vector<Pressures> rest_of(const Decision& sent) const {
+    const Plan& plan = *sent.plan;
     std::vector<Pressures> rest;
-    const Pressures off_kpa = sent.kpa - plan.frames[sent.frame].setpoint_kpa;
-    Pressures before_kpa = sent.kpa;
-    for (std::size_t k = sent.frame + 1; k < plan.frames.size(); ++k) {
+    const std::size_t frame = std::min(sent.frame, plan.frames.size() - 1);
+    const Pressures off_kpa = *sent.setpoint_kpa - plan.frames[frame].setpoint_kpa;
+    Pressures before_kpa = *sent.setpoint_kpa;
+    for (std::size_t k = frame + 1; k < plan.frames.size(); ++k) {
       const Pressures wanted_kpa = plan.frames[k].setpoint_kpa + off_kpa;
       before_kpa = within_frame_rule(arm_, before_kpa, wanted_kpa.cast<double>());
       rest.push_back(before_kpa);
@@ -69,10 +58,10 @@ class Replayed final : public PlanSource {
     return rest;
   }
   /// Smallest on the way: what is sent, others after it, and then a second's rest.
-  double clearance_along(std::vector<Pressures> kpa, const Pressures& first_kpa) const {
+  double clearance_along(MotionState state, std::vector<Pressures> kpa,
+                         const Pressures& first_kpa) const {
     kpa.insert(kpa.begin(), first_kpa);
     kpa.insert(kpa.end(), 20, kpa.back());
-    MotionState state = estimate_.state();
     MotionModel::Workspace workspace;
     double smallest_m = 1.0;
     for (const Pressures& one_kpa : kpa) {
@@ -85,8 +74,7 @@ class Replayed final : public PlanSource {
   const ArmDescription& arm_;
   const MotionModel& model_;
   CollisionChecker checker_;
-  PlanSource& loop_;
-  ArmEstimate estimate_;
+  Controller& loop_;
 };
 
 class CertifiedFrameTest : public ::testing::TestWithParam<std::pair<const char*, int>> {};
@@ -103,7 +91,7 @@ TEST_P(CertifiedFrameTest, WhatIsSentComesToRestFreeAsTheModelHasIt) {
                   static_cast<std::uint64_t>(GetParam().second));
   Replayed replayed(arm, model, environment, loop);
   ExecutionSettings settings;
-  settings.replanner = &replayed;
+  settings.controller = &replayed;
   VirtualArm driver(arm);
   const ExecutionResult result = execute(arm, environment, plan, driver, settings);
   EXPECT_FALSE(result.collided);

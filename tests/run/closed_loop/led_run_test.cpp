@@ -38,7 +38,7 @@ class LedRunTest : public ::testing::Test {
     loop_settings.motion_queries = motion_queries;
     ClosedLoop loop(known_, model_, environment_, ErrorRoom{}, loop_settings, 1);
     ExecutionSettings settings;
-    settings.replanner = &loop;
+    settings.controller = &loop;
     return execute(known_, environment_, plan_, driver, settings);
   }
 

@@ -87,7 +87,8 @@ TEST(WaypointsAfter, AreThoseStillAheadAndTheFirstIsWhereTheArmIs) {
   const ArmDescription arm = small_arm();
   const Plan plan = bending_plan(arm, Environment{});  // 8 frames to the first waypoint, 8 more
   const auto rest = [&](std::size_t next) {
-    return waypoints_after(plan, next, arm.pressure_step_limit_kpa());
+    return waypoints_after({plan, next, plan.frames[next].setpoint_kpa},
+                           arm.pressure_step_limit_kpa());
   };
   EXPECT_EQ(rest(0), plan.waypoints_kpa);
   ASSERT_EQ(rest(3).size(), 3U);

@@ -42,15 +42,13 @@ class ReplannerCreepTest : public ::testing::Test {
   }
 
   /// At rest where it was, whatever the plan had in mind.
-  ArmState state_of(const Plan& plan) const {
-    return {0.0, plan.frames.back().setpoint_kpa, std::nullopt, resting_};
+  std::optional<Plan> next(Replanner& source, const Plan& plan, std::size_t frame) const {
+    return source.next(plan, frame, plan.frames[frame].setpoint_kpa, resting_);
   }
 
   std::optional<Plan> plan_from(const Backbone& shape) const {
     Replanner source(arm_, model_, environment_, ErrorRoom{}, ReplannerSettings{}, 1);
-    ArmState state = state_of(ended_);
-    state.backbone = shape;
-    return source.next(ended_, ended_.frames.size() - 1, state);
+    return source.next(ended_, ended_.frames.size() - 1, ended_.frames.back().setpoint_kpa, shape);
   }
 
   const ArmDescription arm_ = small_arm();
@@ -88,12 +86,12 @@ TEST_F(ReplannerCreepTest, AnArmThatIsNearEnoughIsLeftAloneAndOneThatIsNotIsMove
 
 TEST_F(ReplannerCreepTest, AnArmThatWasHaltedInTheGoalIsCorrectedAsAtItsEnd) {
   Replanner source(arm_, model_, environment_, ErrorRoom{}, ReplannerSettings{}, 1);
-  const std::optional<Plan> next = source.next(ended_, 1, state_of(ended_));
-  ASSERT_TRUE(next);
+  const std::optional<Plan> found = next(source, ended_, 1);
+  ASSERT_TRUE(found);
   EXPECT_TRUE(source.is_correction());
   environment_.goal.y_m -= 0.03;  // it stands outside
   Replanner outside(arm_, model_, environment_, ErrorRoom{}, ReplannerSettings{}, 1);
-  ASSERT_TRUE(outside.next(ended_, 1, state_of(ended_)));
+  ASSERT_TRUE(next(outside, ended_, 1));
   EXPECT_FALSE(outside.is_correction());
 }
 
@@ -102,10 +100,10 @@ TEST_F(ReplannerCreepTest, AnArmThatDidNotMoveIsMovedByMore) {
   Plan plan = ended_;
   std::vector<double> costs_kpa;
   for (int k = 0; k < 4; ++k) {
-    const std::optional<Plan> next = source.next(plan, plan.frames.size() - 1, state_of(plan));
-    ASSERT_TRUE(next) << k;
-    costs_kpa.push_back(next->cost_kpa);
-    plan = *next;
+    const std::optional<Plan> found = next(source, plan, plan.frames.size() - 1);
+    ASSERT_TRUE(found) << k;
+    costs_kpa.push_back(found->cost_kpa);
+    plan = *found;
   }
   for (std::size_t k = 0; k < costs_kpa.size(); ++k) {
     EXPECT_GE(costs_kpa[k], std::ldexp(5.0, static_cast<int>(k))) << k << " moved nothing";

@@ -4,11 +4,11 @@
 
 #include <gmock/gmock.h>
 
-#include "run/collection/collection_fixture.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/run/episode_recorder.hpp"
+#include "run/collection/collection_fixture.hpp"
 
 namespace limber {
 namespace {

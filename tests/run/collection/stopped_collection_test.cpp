@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 
-#include "run/collection/collection_fixture.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "run/collection/collection_fixture.hpp"
 #include "support/file_size_limit.hpp"
 
 namespace limber {

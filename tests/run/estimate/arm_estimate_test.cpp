@@ -1,4 +1,4 @@
-#include "src/run/estimate/arm_estimate.hpp"
+#include "limber/run/arm_estimate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ struct EstimateSetting {
 
 TEST(ArmEstimate, OfAnArmThatDoesAsTheModelSaysIsTheModelsStateAndNothingIsMissed) {
   EstimateSetting s;
-  ArmEstimate estimate(s.model, 4);
+  ArmEstimate estimate(s.arm, {&s.model, std::nullopt});
   estimate.observe(s.rest.pressures_kpa,
                    {0.0, s.rest.pressures_kpa, std::nullopt, s.rest.backbone});
   for (int k = 1; k < 10; ++k) {
@@ -45,7 +45,7 @@ TEST(ArmEstimate, OfAnArmThatDoesAsTheModelSaysIsTheModelsStateAndNothingIsMisse
 // A driver that answers at once shows the end of the frame before, and says so.
 TEST(ArmEstimate, OfADriverThatAnswersAtOnceIsWhereTheSetPointsLead) {
   EstimateSetting s;
-  ArmEstimate estimate(s.model, 4);
+  ArmEstimate estimate(s.arm, {&s.model, std::nullopt});
   ArmState shown{0.0, s.rest.pressures_kpa, s.rest.pressures_kpa, s.rest.backbone};
   estimate.observe(s.rest.pressures_kpa, shown);
   for (int k = 1; k < 10; ++k) {
@@ -60,7 +60,7 @@ TEST(ArmEstimate, OfADriverThatAnswersAtOnceIsWhereTheSetPointsLead) {
 
 TEST(ArmEstimate, BridgesUnseenFramesByPrediction) {
   EstimateSetting s;
-  ArmEstimate estimate(s.model, 4);
+  ArmEstimate estimate(s.arm, {&s.model, std::nullopt});
   estimate.observe(s.rest.pressures_kpa,
                    {0.0, s.rest.pressures_kpa, std::nullopt, s.rest.backbone});
   for (int k = 1; k < 6; ++k) {
@@ -76,7 +76,7 @@ TEST(ArmEstimate, BridgesUnseenFramesByPrediction) {
 
 TEST(ArmEstimate, TakesWhatIsMeasuredAndSumsWhatTheModelMisses) {
   EstimateSetting s;
-  ArmEstimate estimate(s.model, 4);
+  ArmEstimate estimate(s.arm, {&s.model, std::nullopt});
   estimate.observe(s.rest.pressures_kpa,
                    {0.0, s.rest.pressures_kpa, std::nullopt, s.rest.backbone});
   constexpr float kAsideM = 0.001F;
@@ -100,7 +100,7 @@ TEST(ArmEstimate, TakesWhatIsMeasuredAndSumsWhatTheModelMisses) {
 
 TEST(ArmEstimate, HasNoStateBeforeTheArmWasSeenButKnowsItsValvesThen) {
   EstimateSetting s;
-  ArmEstimate estimate(s.model, 4);
+  ArmEstimate estimate(s.arm, {&s.model, std::nullopt});
   estimate.observe(s.rest.pressures_kpa, {0.0, s.rest.pressures_kpa, std::nullopt, std::nullopt});
   for (int k = 1; k < 4; ++k) {
     ArmState unseen = s.after(s.setpoint(k));

@@ -1,4 +1,4 @@
-#include "src/run/estimate/rest_average.hpp"
+#include "limber/run/rest_average.hpp"
 
 #include <gtest/gtest.h>
 

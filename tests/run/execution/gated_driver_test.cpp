@@ -5,9 +5,10 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
+#include "limber/driver/segment_bench.hpp"
 #include "limber/run/collection.hpp"
 #include "limber/run/executor.hpp"
-#include "limber/driver/segment_bench.hpp"
+#include "limber/run/plan_controller.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
 
@@ -79,14 +80,13 @@ TEST_F(GatedDriverTest, PassesWhatIsAllowedAndNothingElse) {
 }
 
 /// Plans again as it likes: what is sent in a frame is the last thing that it decides.
-class WildSource final : public PlanSource {
+class WildSource final : public PlanController {
  public:
   explicit WildSource(Pressures sent_kpa) : sent_kpa_(std::move(sent_kpa)) {}
-  FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next) override {
-    return frame == 3 ? FrameSetpoint{sent_kpa_, next} : PlanSource::setpoint(plan, frame, next);
+  FrameSetpoint setpoint(const PlanProgress& at, std::size_t next,
+                         const ArmEstimate& arm) override {
+    return at.frame == 3 ? FrameSetpoint{sent_kpa_, next} : PlanController::setpoint(at, next, arm);
   }
-  bool may_go_on(const Plan&, std::size_t, const ArmState&) override { return true; }
-  std::optional<Plan> next(const Plan&, std::size_t, const ArmState&) override { return {}; }
 
  private:
   Pressures sent_kpa_;
@@ -99,7 +99,7 @@ TEST_F(GatedDriverTest, AnExecutionKeepsLimitsAndRateWhateverDecides) {
   for (const float kpa : {60.0F, 150.0F}) {
     WildSource source(Pressures::Constant(2, kpa));
     ExecutionSettings settings;
-    settings.replanner = &source;
+    settings.controller = &source;
     TrustingArm driver(arm_);
     EXPECT_THROW(
         (void)execute(arm_, environment, bending_plan(arm_, environment), driver, settings),

@@ -11,6 +11,7 @@
 #include "limber/common/error.hpp"
 #include "limber/run/appearing_obstacle.hpp"
 #include "limber/run/executor.hpp"
+#include "limber/run/plan_controller.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
 
@@ -23,22 +24,20 @@ using ::testing::ThrowsMessage;
 constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
 
 /// Advises what it is told to, and notes what it was shown.
-class Adviser final : public PlanSource {
+class Adviser final : public PlanController {
  public:
   using Answer = std::function<MotionAdvice(const Plan& plan, std::size_t next)>;
   explicit Adviser(Answer answer) : answer_(std::move(answer)) {}
 
-  void observe(const Pressures& setpoint_kpa, const ArmState& state) override {
-    commanded_kpa.push_back(setpoint_kpa);
-    times_s.push_back(state.time_s);
+  void observe(const ArmEstimate& arm) override {
+    if (arm.frames() == int(commanded_kpa.size())) {  // asked twice between frames
+      commanded_kpa.push_back(arm.setpoint_kpa());
+      times_s.push_back(arm.measured().time_s);
+    }
   }
-  std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next) override {
+  std::function<MotionAdvice()> advise(const PlanProgress& at, const ArmEstimate&) override {
     asked_at.push_back(commanded_kpa.size() - 1);
-    return [this, &plan, next] { return answer_(plan, next); };
-  }
-  bool may_go_on(const Plan&, std::size_t, const ArmState&) override { return true; }
-  std::optional<Plan> next(const Plan&, std::size_t, const ArmState&) override {
-    return std::nullopt;
+    return [this, &plan = at.plan, next = at.frame] { return answer_(plan, next); };
   }
 
   void obstacle_appeared(const Environment&) override {
@@ -76,7 +75,7 @@ class MotionAdviceTest : public ::testing::Test {
   ExecutionResult run(Adviser& adviser, ArmDriver& driver,
                       const AppearingObstacle* obstacle = nullptr) {
     ExecutionSettings settings = held_shortly();
-    settings.replanner = &adviser;
+    settings.controller = &adviser;
     settings.obstacle = obstacle;
     return execute(arm_, environment_, plan_, driver, settings);
   }
@@ -163,7 +162,7 @@ TEST_F(MotionAdviceTest, ARunThatIsStoppedAndRestsInTheGoalIsDone) {
                      : MotionAdvice{};
   });
   ExecutionSettings settings;
-  settings.replanner = &adviser;
+  settings.controller = &adviser;
   for (const double hold_s : {1.0, 0.5}) {
     settings.hold_s = hold_s;
     FakeArm driver(arm_, kInstant_s);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "limber/run/executor.hpp"
+#include "limber/run/plan_controller.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
@@ -34,10 +35,10 @@ class RunMessage : public ::testing::Test {
     return plan;
   }
 
-  ExecutionResult run(const FakeFaults& faults = {}, PlanSource* source = nullptr) {
+  ExecutionResult run(const FakeFaults& faults = {}, Controller* source = nullptr) {
     FakeArm driver(arm_, kInstant_s, faults);
     ExecutionSettings settings;
-    settings.replanner = source;
+    settings.controller = source;
     return execute(arm_, environment_, plan(), driver, settings);
   }
 
@@ -52,21 +53,21 @@ class RunMessage : public ::testing::Test {
 };
 
 /// As many plans as asked, each a frame of standing still.
-class Stays final : public PlanSource {
+class Stays final : public PlanController {
  public:
   explicit Stays(int plans, bool halts = false) : left_(plans), halts_(halts) {}
-  bool may_go_on(const Plan&, std::size_t frame, const ArmState&) override {
-    return !halts_ || frame < 3;
+  bool may_go_on(const Plan&, std::size_t seen, const ArmEstimate&) override {
+    return !halts_ || seen < 3;
   }
-  std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState&) override {
+  NextPlan next(const PlanProgress& at, const ArmEstimate&) override {
     if (left_-- <= 0) {
-      return std::nullopt;
+      return {};
     }
-    Plan stay = plan;
-    stay.frames.assign(2, plan.frames[frame]);
-    stay.waypoints_kpa.assign(2, plan.frames[frame].setpoint_kpa);
+    Plan stay = at.plan;
+    stay.frames.assign(2, at.plan.frames[at.frame]);
+    stay.waypoints_kpa.assign(2, at.sent_kpa);
     stay.hold_frame_count = 0;
-    return stay;
+    return [stay] { return stay; };
   }
 
  private:

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
-#include "limber/common/random_stream.hpp"
+#include "limber/run/executor.hpp"
 #include "support/bending_arms.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
@@ -15,8 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 constexpr double kLag_s = 0.1;
-constexpr JacobianGains kGains{0.2, 2.0, 1e-4, 0.0};
-constexpr JacobianGains kOnline{0.2, 2.0, 1e-4, 0.3};
+constexpr JacobianGains kGains{0.2, 2.0, 1e-4};
 
 /// The plan bends as its own no-load model has it; the arm by a weaker one.
 class JacobianControllerTest : public ::testing::Test {
@@ -44,7 +43,7 @@ class JacobianControllerTest : public ::testing::Test {
 };
 
 TEST_F(JacobianControllerTest, WithoutGainsItCommandsThePlansSetPoints) {
-  const ExecutionResult result = run(bending(arm_, 0.85), {0.0, 0.0, 1e-3, 0.0});
+  const ExecutionResult result = run(bending(arm_, 0.85), {0.0, 0.0, 1e-3});
   ASSERT_GE(result.frames, plan_.frame_count() - 1);
   for (int k = 0; k < plan_.frame_count(); ++k) {
     EXPECT_EQ(result.episode.setpoint_kpa.row(k),
@@ -54,11 +53,9 @@ TEST_F(JacobianControllerTest, WithoutGainsItCommandsThePlansSetPoints) {
 }
 
 TEST_F(JacobianControllerTest, ItsIntegralBringsAWeakerArmToTheGoal) {
-  for (const JacobianGains& gains : {kGains, kOnline}) {
-    const ExecutionResult result = run(bending(arm_, 0.85), gains);
-    EXPECT_EQ(result.status, ExecutionStatus::done);
-    EXPECT_LT(result.goal_error.position_m, 0.001);
-  }
+  const ExecutionResult result = run(bending(arm_, 0.85), kGains);
+  EXPECT_EQ(result.status, ExecutionStatus::done);
+  EXPECT_LT(result.goal_error.position_m, 0.001);
 }
 
 TEST_F(JacobianControllerTest, WithoutTrackingItIsOpenLoop) {
@@ -72,38 +69,16 @@ TEST_F(JacobianControllerTest, WithoutTrackingItIsOpenLoop) {
 
 TEST_F(JacobianControllerTest, AGoalOutOfReachKeepsLimitsAndFrameRule) {
   goal_.x_m = 5.0;  // the executor refuses what breaks them
-  const ExecutionResult result = run(bending(arm_, 0.85), {2.0, 50.0, 1e-6, 0.0});
+  const ExecutionResult result = run(bending(arm_, 0.85), {2.0, 50.0, 1e-6});
   EXPECT_EQ(result.status, ExecutionStatus::done);
-}
-
-TEST_F(JacobianControllerTest, BroydensRuleFindsTheSlopeOfALinearArm) {
-  JacobianController controller(arm_, plan_, goal_, {0.0, 0.0, 1e-3, 1.0});
-  Eigen::MatrixXd slope(2, 2);
-  slope << 1e-3, -2e-3, -4e-3, 1e-3;
-  RandomStream random(3, 0);
-  ArmState state;
-  state.backbone = plan_.frames.front().backbone;
-  for (int k = 0; k < 60; ++k) {
-    state.pressure_kpa = Pressures::Zero(2);
-    for (float& kpa : state.pressure_kpa) {
-      kpa = static_cast<float>(random.uniform(-50.0, 50.0));
-    }
-    const Eigen::VectorXd tip = slope * state.pressure_kpa.cast<double>();
-    state.backbone->bottomRows<1>() << float(tip[0]), float(tip[1]), 0.0F;
-    (void)controller.next(state);
-  }
-  constexpr double kRounding_m_per_kpa = 1e-6;
-  EXPECT_LT((controller.jacobian() - slope).cwiseAbs().maxCoeff(), kRounding_m_per_kpa);
 }
 
 TEST(JacobianGains, AreReadByName) {
   EXPECT_FALSE(parse_jacobian("open"));
-  EXPECT_EQ(parse_jacobian("jacobian")->update, 0.0);
-  EXPECT_GT(parse_jacobian("online_jacobian")->update, 0.0);
-  const auto gains = parse_jacobian("online_jacobian,integral=3,update=0.5");
+  const auto gains = parse_jacobian("jacobian,integral=3,damping=0.5");
   EXPECT_EQ(gains->integral_per_s, 3.0);
-  EXPECT_EQ(gains->update, 0.5);
-  EXPECT_EQ(gains->proportional, parse_jacobian("online_jacobian")->proportional);
+  EXPECT_EQ(gains->damping_m_per_kpa, 0.5);
+  EXPECT_EQ(gains->proportional, parse_jacobian("jacobian")->proportional);
   const auto refuses = [](const std::string& text, const std::string& message) {
     EXPECT_THAT([&] { (void)parse_jacobian(text); }, ThrowsMessage<InputError>(HasSubstr(message)));
   };
@@ -111,7 +86,6 @@ TEST(JacobianGains, AreReadByName) {
           "'update=0.5': no such gain; expected proportional, integral, damping");
   refuses("jacobian,integral=-1", "integral=-1: expected integral=NUMBER, from 0 to 100");
   refuses("jacobian,integral", "expected integral=NUMBER");
-  refuses("online_jacobian,speed=1", "'speed=1': no such gain");
   refuses("jacobian,", "'': no such gain");
 }
 

@@ -94,7 +94,7 @@ struct ArmCommand {
 };
 
 /// What an arm's file says under `virtual_arm`, not read yet: whoever simulates the arm does so
-/// (hardware/virtual_arm_parameters.hpp).
+/// (limber/sim/virtual_arm_parameters.hpp).
 struct VirtualArmSection {
   std::string yaml;          ///< `virtual_arm:` and its entries, on the lines of the file; or empty
   std::string file = "arm";  ///< stands for the file in messages

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/run/arm_driver.hpp"
 #include "limber/driver/tracker_plane.hpp"
+#include "limber/run/arm_driver.hpp"
 
 namespace limber {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "limber/run/collection.hpp"
 #include "limber/driver/process_driver.hpp"
+#include "limber/run/collection.hpp"
 #include "limber/world/plan.hpp"
 
 namespace limber {

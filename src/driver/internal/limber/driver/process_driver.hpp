@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
-#include "limber/run/arm_driver.hpp"
 #include "limber/driver/driver_protocol.hpp"
-#include "limber/run/safety_settings.hpp"
 #include "limber/driver/wire_calibration.hpp"
+#include "limber/run/arm_driver.hpp"
+#include "limber/run/safety_settings.hpp"
 
 namespace limber {
 

@@ -24,7 +24,15 @@ struct NetworkSpeed {
 };
 
 /// The fastest of some rates on one thread. @pre there is one
-QueryRate fastest_batch(const std::vector<QueryRate>& rates);
+inline QueryRate fastest_batch(const std::vector<QueryRate>& rates) {
+  const QueryRate* best = &rates.front();
+  for (const QueryRate& rate : rates) {
+    if (rate.threads == 1 && rate.queries_per_s > best->queries_per_s) {
+      best = &rate;
+    }
+  }
+  return *best;
+}
 
 /// Another library on the same weights and inputs, one thread.
 struct PeerSpeed {

@@ -12,8 +12,8 @@
 
 #include "limber/common/progress.hpp"
 #include "limber/forward/error_room.hpp"
-#include "limber/planning/forest.hpp"
 #include "limber/lab/trials.hpp"
+#include "limber/planning/forest.hpp"
 
 namespace limber {
 

@@ -15,12 +15,6 @@
 
 namespace limber {
 
-/// An environment and its short name in files and tables, "03_gap_in_a_wall".
-struct EnvironmentCase {
-  std::string id;
-  Environment environment;
-};
-
 /// Every *.yaml of a folder, sorted by name.
 /// @throws InputError naming the folder where it is none or has no such file, or the file that
 ///   can't be read.

@@ -26,7 +26,7 @@ struct ImproveArm {
   DriverFactory drivers;  ///< for motions as `collect` makes them
   /// Executes a plan from the vented arm, then those that the source gives (null: none), each open
   /// loop from where the last one ended, and vents.
-  std::function<ExecutionResult(const Environment&, const Plan&, PlanSource*)> execute;
+  std::function<ExecutionResult(const Environment&, const Plan&, Controller*)> execute;
   /// Where the vented arm lies now; empty: straight.
   std::function<ArmStart()> start;
   std::vector<PressureLimits> limits;  ///< of plans; empty: the arm's

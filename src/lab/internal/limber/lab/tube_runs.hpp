@@ -10,8 +10,8 @@
 
 #include "limber/common/progress.hpp"
 #include "limber/lab/output_folder.hpp"
-#include "limber/planning/planner.hpp"
 #include "limber/lab/tube_score.hpp"
+#include "limber/planning/planner.hpp"
 
 namespace limber {
 

@@ -18,6 +18,7 @@
 namespace limber {
 
 struct AppearingObstacle;
+class Controller;
 
 enum class ExecutionStatus {
   done,    ///< every frame was commanded, and the hold after them; or halted, it rests in the goal
@@ -26,76 +27,6 @@ enum class ExecutionStatus {
 };
 
 const char* to_string(ExecutionStatus status);
-
-/// What an arm in motion does after its next frame.
-struct MotionAdvice {
-  enum class Kind {
-    go_on,  ///< follows the plan: its own, or another one
-    wait,   ///< holds its set points for a frame
-    stop    ///< holds them, and leaves the plan
-  };
-  Kind kind = Kind::go_on;
-  /// To go on along, if not along its own: it starts at the set points of that next frame.
-  std::optional<Plan> plan = std::nullopt;
-  std::string reason = {};    ///< of a stop
-  bool has_searched = false;  ///< for another plan, in vain or not
-};
-
-/// What is sent in a frame of a plan.
-struct FrameSetpoint {
-  Pressures kpa;
-  /// Of the plan: the one that was asked for, a later one, or the one commanded last while the plan
-  /// waits.
-  std::size_t frame;
-  /// Whether it begins a motion that is certified from where the arm is, as far as the source looks
-  /// at that.
-  bool is_certified = true;
-};
-
-/// How to go on while a plan is executed, from what is measured (docs/planning.md, Closed loop).
-class PlanSource {
- public:
-  virtual ~PlanSource() = default;
-  /// Told of every set point and of what was measured after it; first of the start, where the arm
-  /// has long had the plan's first set points.
-  virtual void observe(const Pressures& setpoint_kpa, const ArmState& state);
-  /// Set points to send in frame `next` of a plan, in place of the plan's own; from then on the
-  /// plan that this source is shown has them. They are within the limits, and no farther from the
-  /// last ones than the frame rule allows. Asked for each frame of a plan, and while the arm waits
-  /// in one, is halted or holds.
-  /// @param frame  the one commanded last, `next` where it is to stay there
-  virtual FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next);
-  /// Whether an arm that has to hold its set points, as a plan from there is being made, does
-  /// something certified, as far as the source looks at that. Asked for each such frame.
-  virtual bool may_hold() { return true; }
-  /// Asked before each frame of a motion, whose set points `plan.frames[next]` are then sent
-  /// without waiting for the answer: it takes effect in the frame after that one, or never if it
-  /// comes later. In real time the answer is worked out on another thread while the arm goes on:
-  /// it copies what it needs of `plan`. Empty: the arm goes on.
-  virtual std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next);
-  /// Whether the rest of the plan may be followed; asked after each of its frames but the last.
-  /// Where not, the arm holds where it is and `next` is asked.
-  virtual bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
-  /// The plan to follow from here on, for an arm that has held the set points of frame `frame` of
-  /// `plan` for the hold, or 0.3 s where it was halted: the last one, or the one after which it was
-  /// not allowed to go on. It starts there. None ends the run. In real time it is called on another
-  /// thread; meanwhile nothing but `observe` and `may_hold` is called.
-  virtual std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) = 0;
-  /// An obstacle has appeared: from now on the environment is this one, which outlives the run.
-  /// Said while no advice and no plan is being worked out.
-  virtual void obstacle_appeared(const Environment& now) { (void)now; }
-};
-
-/// A controller beside or in place of a plan: each frame's set points from what is measured.
-class FrameController {
- public:
-  virtual ~FrameController() = default;
-  /// Set points (size n, kPa) of the next frame; none ends the run. They are within the limits,
-  /// and no farther from the last ones than the frame rule allows (`pressure_step_limit_kpa`).
-  virtual std::optional<Pressures> next(const ArmState& state) = 0;
-  /// Why it ended the run before its time; empty if it did not.
-  virtual std::string stop_reason() const { return ""; }
-};
 
 /// @throws InputError naming frame, segment and limit if a controller's set points break them.
 void require_frame_rule(const ArmDescription& arm, int frame, const Pressures& before_kpa,
@@ -111,15 +42,11 @@ Pressures within_frame_rule(const std::vector<PressureLimits>& limits, double st
 
 struct ExecutionSettings {
   /// The last set point is held this long in all, including the plan's own hold (which is never
-  /// cut); then the goal is judged. A source of plans is asked 0.3 s after a halt, and then again
-  /// if it found none. [s], ≥ 0.
+  /// cut); then the goal is judged. [s], ≥ 0.
   double hold_s = 1.0;
-  /// Asked for more plans; borrowed. None: the plan is executed open loop.
-  PlanSource* replanner = nullptr;
-  /// Decides every set point in place of the plan's, which is then what predictions are compared
-  /// with; it also decides how long the end is held. Borrowed. None: the plan's own.
-  FrameController* controller = nullptr;
-  /// Appears during the run; borrowed (internal/limber/hardware/appearing_obstacle.hpp).
+  /// Decides what is sent, and when the run ends; borrowed. None: the plan, open loop.
+  Controller* controller = nullptr;
+  /// Appears during the run; borrowed (internal/limber/run/appearing_obstacle.hpp).
   const AppearingObstacle* obstacle = nullptr;
   /// Asked before every set point; true stops the execution as Ctrl-C does. Empty: never.
   std::function<bool()> should_stop = {};
@@ -153,6 +80,7 @@ struct ExecutionResult {
   std::string message;      ///< why it did not arrive: what ended it, or what it missed or struck
   int frames = 0;           ///< set points commanded, those of the hold included
   int frames_not_seen = 0;  ///< of them, those after which the arm was not tracked
+  int lag_frames = 0;       ///< ArmEstimate::lag_frames at the end: the episode shows so much less
   /// Before the first set point: largest distance of a plate from where the plan starts.
   double start_error_m = 0.0;
 
@@ -206,8 +134,8 @@ inline bool has_arrived(const ExecutionResult& result) {
 /// The environment in which the run ended: an obstacle that appeared is the last one.
 Environment with_appeared(const Environment& environment, const ExecutionResult& result);
 
-/// Commands a plan's frames as they stand, one frame period each, then holds; open loop, unless the
-/// settings name a source of more plans. Whatever happens (end, fault, Ctrl-C, exception), the arm
+/// Commands a plan's frames as they stand, one frame period each, then holds; or what a controller
+/// decides. Whatever happens (end, fault, Ctrl-C, exception), the arm
 /// is vented before this returns. If the plan starts under pressure, the arm is led there first,
 /// straight in pressure space, and held 3 s, unrecorded.
 ///
@@ -226,8 +154,8 @@ struct TrueShape {
   std::function<void(std::function<void(double time_s, const BackboneD& backbone)>)> observe;
 };
 
-/// The same, but collisions, goal and prediction are judged on the true shapes, those between frames
-/// too, whatever noise the driver adds to measured ones.
+/// The same, but collisions, goal and prediction are judged on the true shapes, also between
+/// frames, whatever noise the driver adds to measured ones.
 [[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
                                       const Plan& plan, ArmDriver& driver, const TrueShape& truth,
                                       const ExecutionSettings& settings);

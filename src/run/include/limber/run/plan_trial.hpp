@@ -6,14 +6,21 @@
 #include <string>
 #include <vector>
 
-#include "limber/run/executor.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/run/executor.hpp"
+#include "limber/world/environment.hpp"
 
 namespace limber {
 
+/// An environment and its short name in files and tables, "03_gap_in_a_wall".
+struct EnvironmentCase {
+  std::string id;
+  Environment environment;
+};
+
 /// One plan and its outcome on the virtual arm.
 struct PlanTrial {
-  std::string environment;  ///< its short name
+  std::string environment;  ///< EnvironmentCase::id
   std::string model;        ///< "no_load" or "network"
   std::string planner;
   std::string controller = "open";  ///< that executed the plan

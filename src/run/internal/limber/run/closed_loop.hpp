@@ -5,7 +5,7 @@
 
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/motion_model.hpp"
-#include "limber/run/executor.hpp"
+#include "limber/run/plan_controller.hpp"
 #include "limber/run/replanner.hpp"
 
 namespace limber {
@@ -25,26 +25,28 @@ struct ClosedLoopSettings {
 /// replaced where it is no longer any good; then the tip is led into the goal, and corrections from
 /// rest follow.
 ///
-/// An arm that was never tracked runs open loop. Borrows arm, model and environment.
-class ClosedLoop final : public PlanSource {
+/// An arm that was never tracked runs open loop. Borrows arm, model and environment. One run.
+class ClosedLoop final : public PlanController {
  public:
+  /// @throws InputError if the model has no network: it errs as much after a correction as before.
   ClosedLoop(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
              const ErrorRoom& room, const ClosedLoopSettings& settings, std::uint64_t seed);
   ~ClosedLoop() override;
 
-  void observe(const Pressures& setpoint_kpa, const ArmState& state) override;
-  FrameSetpoint setpoint(const Plan& plan, std::size_t frame, std::size_t next) override;
-  bool may_hold() override;
-  std::function<MotionAdvice()> advise(const Plan& plan, std::size_t next) override;
-  bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
-  std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
-
+  EstimateModel estimate_with() const override;
   void obstacle_appeared(const Environment& now) override;
 
  private:
+  bool may_go_on(const Plan& plan, std::size_t seen, const ArmEstimate& arm) override;
+  FrameSetpoint setpoint(const PlanProgress& at, std::size_t next, const ArmEstimate& arm) override;
+  std::function<MotionAdvice()> advise(const PlanProgress& at, const ArmEstimate& arm) override;
+  bool may_hold(const ArmEstimate& arm) override;
+  NextPlan next(const PlanProgress& at, const ArmEstimate& arm) override;
+  void take_next(const Plan* found, ArmEstimate& arm) override;
+
   struct Motion;
 
-  Pressures led_setpoint(const Plan& plan, std::size_t frame, std::size_t next);
+  Pressures led_setpoint(const PlanProgress& at, std::size_t next, const ArmEstimate& arm);
 
   std::unique_ptr<Motion> motion_;
 };

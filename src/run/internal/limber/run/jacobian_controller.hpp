@@ -1,13 +1,13 @@
 #pragma once
 
-#include <deque>
+#include <cstddef>
 #include <optional>
 #include <string>
 
 #include <Eigen/Core>
 
 #include "limber/arm/no_load_model.hpp"
-#include "limber/run/executor.hpp"
+#include "limber/run/controller.hpp"
 
 namespace limber {
 
@@ -17,13 +17,11 @@ struct JacobianGains {
   double proportional = 0.0;    ///< share of the error's change that is taken back in each frame
   double integral_per_s = 0.0;  ///< of the error
   double damping_m_per_kpa = 1e-3;  ///< λ of the damped least squares, > 0
-  /// Share of Broyden's update that is taken in each frame, in [0, 1]; 0: the no-load Jacobian.
-  double update = 0.0;
   bool operator==(const JacobianGains&) const = default;
 };
 
-/// "jacobian" or "online_jacobian", and gains if they are not the defaults:
-/// "jacobian,proportional=0.2,integral=1,damping=0.001", "online_jacobian,update=0.1".
+/// "jacobian", and gains if they are not the defaults:
+/// "jacobian,proportional=0.2,integral=1,damping=0.001".
 /// @return none if `text` names another controller
 /// @throws InputError naming the gain, what was found and what is allowed.
 std::optional<JacobianGains> parse_jacobian(const std::string& text);
@@ -32,41 +30,27 @@ std::optional<JacobianGains> parse_jacobian(const std::string& text);
 ///
 ///   Δq = Δq_plan + Jᵀ(J Jᵀ + λ² I)⁻¹ (K_p (Δr − Δy) + K_i e T),   e = r − y,
 ///
-/// where y is the measured tip, r the tip that the plan predicts, and after its end the goal. That
-/// is a PI controller in velocity form, so that limits do not wind it up. J is the no-load model's
-/// Jacobian at the set points, or starts as that and follows Broyden's rule,
-///
-///   J ← J + η (Δy − J Δp) Δpᵀ / (Δpᵀ Δp),
-///
-/// with Δy and Δp as measured over the last 0.25 s (C. G. Broyden 1965; as in uncalibrated visual
-/// servoing). The heading is a third row where the goal asks for one, in metres by the goal's
-/// tolerances. It knows no obstacle. Frames without tracking take the plan's set points alone.
+/// where y is the measured tip, r the tip that the plan predicts in the frame that y shows, and
+/// after its end the goal. That is a PI controller in velocity form, so that limits do not wind it
+/// up. J is the no-load model's Jacobian at the set points. The heading is a third row where the
+/// goal asks for one, in metres by the goal's tolerances. It knows no obstacle. Frames without
+/// tracking take the plan's set points alone.
 ///
 /// Ends 10 s after the plan, or after 1 s within 1 mm of the goal.
-class JacobianController final : public FrameController {
+class JacobianController final : public Controller {
  public:
   /// Borrows the plan.
   JacobianController(const ArmDescription& arm, const Plan& plan, const PoseGoal& goal,
                      const JacobianGains& gains);
 
-  std::optional<Pressures> next(const ArmState& state) override;
-
-  /// J now, rows × n.
-  const Eigen::MatrixXd& jacobian() const { return jacobian_; }
+  Decision step(const Moment& now) override;
 
  private:
-  struct Seen {
-    Eigen::VectorXd tip;
-    Eigen::VectorXd pressure_kpa;
-  };
-
   Eigen::VectorXd in_metres(const Pose& pose) const;
   Eigen::VectorXd predicted(std::size_t frame) const;
-  Eigen::VectorXd reference() const;
+  Eigen::VectorXd reference(std::size_t frame) const;
   Eigen::MatrixXd no_load_jacobian() const;
-  Eigen::VectorXd feedback(const Seen& now, const Eigen::VectorXd& error) const;
-  void remember(const Seen& now);
-  void learn(const Seen& now);
+  Eigen::VectorXd feedback(const Eigen::VectorXd& tip, std::size_t seen) const;
   bool has_ended(const std::optional<Eigen::VectorXd>& error);
   Eigen::VectorXd correction(const Eigen::VectorXd& velocity) const;
 
@@ -79,9 +63,7 @@ class JacobianController final : public FrameController {
   std::size_t frame_ = 0;  // of the plan; beyond its end, frames since the start
   int settled_ = 0;        // frames within the tolerance, in a row
   Pressures setpoint_kpa_;
-  Eigen::MatrixXd jacobian_;
-  double largest_norm_;    // of a learnt Jacobian
-  std::deque<Seen> seen_;  // the last frames, without a gap
+  std::optional<Eigen::VectorXd> tip_before_;  // in the frame before; none: it was not seen
 };
 
 }  // namespace limber

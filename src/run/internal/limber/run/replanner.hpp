@@ -9,8 +9,8 @@
 
 #include "limber/forward/error_room.hpp"
 #include "limber/forward/motion_model.hpp"
-#include "limber/run/executor.hpp"
 #include "limber/planning/planner.hpp"
+#include "limber/run/arm_driver.hpp"
 #include "limber/world/collision.hpp"
 
 namespace limber {
@@ -20,8 +20,7 @@ struct ReplannerSettings {
   std::uint64_t queries = 20000;
   int max_replans = 24;
   /// About what the tracker's noise hides. An arm nearer to the goal's centre than that is left
-  /// alone, and so is one in the goal that a model without memory brought nearer by less, ten times
-  /// in a row. [m], > 0.
+  /// alone. [m], > 0.
   double min_gain_m = 0.001;
   int planner_jobs = 1;
   /// Of set points, where they are narrower than the arm's; empty: the arm's. Plans stay within
@@ -40,19 +39,22 @@ std::vector<PressureLimits> limits_after(const Plan& plan,
 /// grows with the motion: of many that are sampled, the one that ends nearest. They end where the
 /// arm is so near that the next one is no likely gain. An arm well inside the goal gets none that
 /// leaves it on the way. What the model misses all the same, where a correction ended beside its
-/// prediction, shifts the goal of the next one, by at most 10 cm. A model without memory errs as
-/// much after a correction as before, so its first plan counts too; it is corrected along slopes.
+/// prediction, shifts the goal of the next one, by at most 10 cm.
 ///
-/// Borrows arm, model and environment. Without tracking it asks for no plan: the run is then open
-/// loop.
-class Replanner final : public PlanSource {
+/// Borrows arm, model and environment; the model has a network. Without tracking it asks for no
+/// plan: the run is then open loop.
+class Replanner {
  public:
   Replanner(const ArmDescription& arm, const MotionModel& model, const Environment& environment,
             const ErrorRoom& room, const ReplannerSettings& settings, std::uint64_t seed);
-  ~Replanner() override;
+  ~Replanner();
 
-  bool may_go_on(const Plan& plan, std::size_t frame, const ArmState& state) override;
-  std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState& state) override;
+  /// Whether an arm that is seen there (none: nowhere) in a frame of the plan may follow its rest.
+  bool may_go_on(const Plan& plan, std::size_t frame, const std::optional<Backbone>& seen);
+  /// The plan to follow from where the arm rests after that frame of a plan.
+  /// @param held_kpa  set points that it has
+  std::optional<Plan> next(const Plan& plan, std::size_t frame, const Pressures& held_kpa,
+                           const std::optional<Backbone>& rest);
 
   double clearance_m(const Backbone& shape) const { return near_.clearance(shape).value_m; }
   /// The goal that the last plan was made for: shifted by what the model misses.
@@ -62,7 +64,7 @@ class Replanner final : public PlanSource {
 
  private:
   std::uint64_t seed_of_next() const { return seed_ + static_cast<std::uint64_t>(replans_); }
-  bool has_more_to_gain(double error_m, bool has_arrived);
+  bool has_more_to_gain(double error_m, bool has_arrived) const;
   void learn_from(const Plan& ended, const Pose& measured);
   void note_creep(const Pressures& held_kpa, int frames, const Backbone& measured);
   /// After so many frames; it has ended with a plan's hold.
@@ -94,8 +96,6 @@ class Replanner final : public PlanSource {
   bool has_halted_in_vain_ = false;  // the arm, halted, asked and found no plan
   bool is_correction_ = false;       // what the arm follows
   int stuck_ = 0;                    // corrections in a row that hardly moved the arm
-  int small_gains_ = 0;
-  std::optional<double> error_before_m_;  // of the correction under way
   // Of the tip, x, y, theta.
   Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();  // measured beside predicted ends
   std::vector<Eigen::Vector3d> creep_;  // of a held arm after each frame, as the model has it

@@ -10,7 +10,7 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "limber/forward/rollout_batch.hpp"
-#include "limber/run/executor.hpp"
+#include "limber/run/controller.hpp"
 #include "limber/run/lap_memory.hpp"
 #include "limber/run/lap_posture.hpp"
 #include "limber/run/tip_path.hpp"
@@ -65,14 +65,14 @@ struct TipTrackerSettings {
 ///
 /// Starts with an approach: straight to the start's set points, then the path's first point for
 /// 2 s; the path's time 0 is `path_start_frame`.
-class TipTracker final : public FrameController {
+class TipTracker final : public Controller {
  public:
   /// Borrows what the model borrows. Set points stay within the arm's limits.
   TipTracker(const ArmDescription& arm, const MotionModel& model, const TipPath& path,
              const TrackStart& start, const TipTrackerSettings& settings, std::uint64_t seed);
 
-  std::optional<Pressures> next(const ArmState& state) override;
-  std::string stop_reason() const override { return stop_reason_; }
+  EstimateModel estimate_with() const override { return {&model_, std::nullopt}; }
+  Decision step(const Moment& now) override;
 
   /// Frame of the run, counted as ExecutionResult::frames, at which the path's time is 0.
   int path_start_frame() const { return path_start_frame_; }
@@ -90,9 +90,8 @@ class TipTracker final : public FrameController {
   /// Of the segment that entry `i` of the knots is a set point of.
   const PressureLimits& limits_of_knot(Eigen::Index i) const;
   double path_time_s(int frame) const;
-  bool take_in(const ArmState& state);
-  void learn_bias();
-  void learn_lap();
+  std::string why_stopped(const ArmEstimate& arm) const;
+  void take_in(const ArmEstimate& arm);
   Eigen::Vector2d bias_ahead_m(int frames) const;
   void roll_out(Candidates& candidates);
   Eigen::VectorXd wanted_tips() const;
@@ -109,7 +108,6 @@ class TipTracker final : public FrameController {
 
   ArmDescription arm_;
   MotionModel model_;
-  MotionModel::Workspace workspace_;
   RolloutBatch rollouts_;
   TipPath path_;
   TipTrackerSettings settings_;
@@ -121,13 +119,9 @@ class TipTracker final : public FrameController {
   std::vector<Pressures> approach_;
   int path_start_frame_ = 0;
   int frame_ = 0;      // set points commanded
-  int blind_ = 0;      // frames without tracking, in a row
-  MotionState state_;  // measured, or predicted while nothing tracks the arm
+  MotionState state_;  // after them, as the estimate has it
   Eigen::VectorXd knots_kpa_;
-  std::deque<MotionState> states_;                    // measured, the last frames, without a gap
-  std::deque<Pressures> commanded_;                   // after each of them
   Eigen::Vector2d bias_m_ = Eigen::Vector2d::Zero();  // missed within kBiasFrames
-  std::string stop_reason_;
   std::uint64_t queries_ = 0;
 };
 

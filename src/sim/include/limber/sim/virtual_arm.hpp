@@ -115,8 +115,8 @@ class VirtualArm final : public ArmDriver {
   std::unique_ptr<Simulation> simulation_;
 };
 
-/// As `execute` of any driver, but collisions, clearance, goal and prediction are judged on the true
-/// backbone at every simulator step, whatever noise the arm adds to measured ones.
+/// As `execute` of any driver, but collisions, clearance, goal and prediction are judged on the
+/// true backbone at every simulator step, whatever noise the arm adds to measured ones.
 [[nodiscard]] ExecutionResult execute(const ArmDescription& arm, const Environment& environment,
                                       const Plan& plan, VirtualArm& driver,
                                       const ExecutionSettings& settings = {});

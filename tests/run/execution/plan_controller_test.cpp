@@ -4,6 +4,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/run/executor.hpp"
+#include "limber/run/plan_controller.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
 
@@ -17,19 +18,18 @@ constexpr double kHaltS = 0.3;       // for which an arm that was halted is held
 constexpr double kInstant_s = 1e-4;  // lag of a fake arm that is where it is told to be
 
 /// Halts once, in frame 3, and goes on with one more plan.
-class HaltOnce final : public PlanSource {
+class HaltOnce final : public PlanController {
  public:
   explicit HaltOnce(std::function<Plan(const Pressures&)> plan_from)
       : plan_from_(std::move(plan_from)) {}
-  bool may_go_on(const Plan&, std::size_t frame, const ArmState&) override {
-    return halted_ || frame < 3;
+  bool may_go_on(const Plan&, std::size_t seen, const ArmEstimate&) override {
+    return halted_ || seen < 3;
   }
-  std::optional<Plan> next(const Plan& plan, std::size_t frame, const ArmState&) override {
-    if (halted_) {
-      return std::nullopt;
+  NextPlan next(const PlanProgress& at, const ArmEstimate&) override {
+    if (std::exchange(halted_, true)) {
+      return {};
     }
-    halted_ = true;
-    return plan_from_(plan.frames[frame].setpoint_kpa);
+    return [this, held_kpa = at.sent_kpa] { return plan_from_(held_kpa); };
   }
 
  private:
@@ -37,7 +37,7 @@ class HaltOnce final : public PlanSource {
   bool halted_ = false;
 };
 
-TEST(PlanSource, HoldsWhereItHaltsAndGoesOnFromThere) {
+TEST(PlanController, HoldsWhereItHaltsAndGoesOnFromThere) {
   const ArmDescription arm = small_arm();
   const Environment environment;
   const Plan plan = bending_plan(arm, environment);
@@ -48,7 +48,7 @@ TEST(PlanSource, HoldsWhereItHaltsAndGoesOnFromThere) {
     return rest;
   });
   ExecutionSettings settings;
-  settings.replanner = &source;
+  settings.controller = &source;
   settings.hold_s = 0.5;
   FakeArm driver(arm, kInstant_s);
   const ExecutionResult result = execute(arm, environment, plan, driver, settings);
@@ -59,13 +59,13 @@ TEST(PlanSource, HoldsWhereItHaltsAndGoesOnFromThere) {
             plan.frames[3].setpoint_kpa.transpose());
 }
 
-TEST(PlanSource, RefusesANextPlanThatStartsElsewhereAndVents) {
+TEST(PlanController, RefusesANextPlanThatStartsElsewhereAndVents) {
   const ArmDescription arm = small_arm();
   const Environment environment;
   const Plan plan = bending_plan(arm, environment);
   HaltOnce source([&](const Pressures&) { return plan; });
   ExecutionSettings settings;
-  settings.replanner = &source;
+  settings.controller = &source;
   int vents = 0;
   FakeArm driver(arm, kInstant_s, {}, &vents);
   EXPECT_THAT([&] { (void)execute(arm, environment, plan, driver, settings); },
@@ -74,24 +74,18 @@ TEST(PlanSource, RefusesANextPlanThatStartsElsewhereAndVents) {
 }
 
 /// Adds to the set points of one frame.
-class Trims final : public PlanSource {
+class Trims final : public PlanController {
  public:
   Trims(std::size_t frame, float more_kpa) : frame_(frame), more_kpa_(more_kpa) {}
-  FrameSetpoint setpoint(const Plan& plan, std::size_t /*frame*/, std::size_t next) override {
-    Pressures kpa = plan.frames[next].setpoint_kpa;
-    if (next == frame_) {
+  FrameSetpoint setpoint(const PlanProgress& at, std::size_t next, const ArmEstimate&) override {
+    if (at.frame == frame_) {
+      shown_kpa = at.sent_kpa;
+    }
+    Pressures kpa = at.setpoint_kpa(next);
+    if (next == frame_ && at.frame != frame_) {
       kpa[1] += more_kpa_;
     }
     return {kpa, next};
-  }
-  bool may_go_on(const Plan& plan, std::size_t frame, const ArmState&) override {
-    if (frame == frame_) {
-      shown_kpa = plan.frames[frame].setpoint_kpa;
-    }
-    return true;
-  }
-  std::optional<Plan> next(const Plan&, std::size_t, const ArmState&) override {
-    return std::nullopt;
   }
 
   Pressures shown_kpa;
@@ -101,28 +95,29 @@ class Trims final : public PlanSource {
   float more_kpa_;
 };
 
-TEST(PlanSource, DecidesTheSetPointsOfAFrameAndIsShownThem) {
+TEST(PlanController, DecidesTheSetPointsOfAFrameAndIsShownThemWhileThePlanStays) {
   const ArmDescription arm = small_arm();
   const Environment environment;
   const Plan plan = bending_plan(arm, environment);
   Trims source(3, 2.0F);
   ExecutionSettings settings;
-  settings.replanner = &source;
+  settings.controller = &source;
   FakeArm driver(arm, kInstant_s);
   const ExecutionResult result = execute(arm, environment, plan, driver, settings);
+  EXPECT_TRUE(plan.frames[3].setpoint_kpa == bending_plan(arm, environment).frames[3].setpoint_kpa);
   const Pressures sent = plan.frames[3].setpoint_kpa + Eigen::Vector2f(0.0F, 2.0F);
   EXPECT_EQ(result.episode.setpoint_kpa.row(3), sent.transpose());
   EXPECT_EQ(source.shown_kpa, sent);
   EXPECT_EQ(result.episode.setpoint_kpa.row(4), plan.frames[4].setpoint_kpa.transpose());
 }
 
-TEST(PlanSource, RefusesSetPointsThatAreTooFastAndVents) {
+TEST(PlanController, RefusesSetPointsThatAreTooFastAndVents) {
   const ArmDescription arm = small_arm();
   const Environment environment;
   const Plan plan = bending_plan(arm, environment);
   Trims source(3, float(arm.pressure_step_limit_kpa()) + 1.0F);
   ExecutionSettings settings;
-  settings.replanner = &source;
+  settings.controller = &source;
   int vents = 0;
   FakeArm driver(arm, kInstant_s, {}, &vents);
   EXPECT_THAT([&] { (void)execute(arm, environment, plan, driver, settings); },

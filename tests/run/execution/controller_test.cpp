@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "limber/common/error.hpp"
+#include "limber/run/controller.hpp"
 #include "limber/run/executor.hpp"
 #include "support/bending_plan.hpp"
 #include "support/fake_arm.hpp"
@@ -17,18 +18,26 @@ using ::testing::ThrowsMessage;
 constexpr double kInstant_s = 1e-4;
 
 /// Says what a function of the frame says.
-class Scripted final : public FrameController {
+class Scripted final : public Controller {
  public:
   explicit Scripted(std::function<std::optional<Pressures>(int)> script)
       : script_(std::move(script)) {}
-  std::optional<Pressures> next(const ArmState&) override { return script_(frame_++); }
+  Decision step(const Moment& now) override {
+    Decision decision;
+    decision.setpoint_kpa = script_(frame_++);
+    decision.plan = plan_;
+    decision.frame = static_cast<std::size_t>(now.arm.frames()) + 1;
+    return decision;
+  }
+  void begin(const RunStart& start) override { plan_ = &start.plan; }
 
  private:
   std::function<std::optional<Pressures>(int)> script_;
   int frame_ = 0;
+  const Plan* plan_ = nullptr;
 };
 
-class FrameControllerTest : public ::testing::Test {
+class ControllerTest : public ::testing::Test {
  protected:
   ExecutionResult run(std::function<std::optional<Pressures>(int)> script, int* vents = nullptr) {
     Scripted controller(std::move(script));
@@ -43,7 +52,7 @@ class FrameControllerTest : public ::testing::Test {
   const Plan plan_ = bending_plan(arm_, environment_);
 };
 
-TEST_F(FrameControllerTest, ThePlansOwnSetPointsGiveThePlansRun) {
+TEST_F(ControllerTest, ThePlansOwnSetPointsGiveThePlansRun) {
   const ExecutionResult result = run([&](int k) -> std::optional<Pressures> {
     const auto next = static_cast<std::size_t>(k) + 1;
     return next < plan_.frames.size() ? std::optional<Pressures>(plan_.frames[next].setpoint_kpa)
@@ -61,7 +70,7 @@ TEST_F(FrameControllerTest, ThePlansOwnSetPointsGiveThePlansRun) {
   EXPECT_EQ(result.prediction->mean_m, open.prediction->mean_m);
 }
 
-TEST_F(FrameControllerTest, SetPointsBeyondLimitOrStepAreRefusedByNameAndTheArmIsVented) {
+TEST_F(ControllerTest, SetPointsBeyondLimitOrStepAreRefusedByNameAndTheArmIsVented) {
   int vents = 0;
   EXPECT_THAT(
       [&] { (void)run([](int) { return Pressures(Pressures::Unit(2, 1) * 11.0F); }, &vents); },

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <pybind11/pybind11.h>
+
+#include "caller_thread.hpp"
+#include "limber/run/controller.hpp"
+
+namespace limber::python {
+
+/// An ArmEstimate at one moment: a value, which may outlive the run.
+struct ArmNow {
+  int frames = 0;
+  Pressures setpoint_kpa;
+  ArmState measured;
+  int lag_frames = 0;
+  int frames_unseen = 0;
+  std::optional<Backbone> rest;
+  std::optional<MotionState> state;
+};
+
+/// A controller that is a Python object: `step(arm)` returns set points or None. Its methods run on
+/// the thread that waits for the work.
+class PythonController final : public Controller {
+ public:
+  /// @param segments  entries of its set points
+  PythonController(py::object controller, Eigen::Index segments, CallerThread& caller);
+
+  EstimateModel estimate_with() const override { return {model_, std::nullopt}; }
+  Decision step(const Moment& now) override;
+
+ private:
+  std::shared_ptr<py::object> controller_;  // let go with Python's lock
+  Eigen::Index segments_;
+  CallerThread& caller_;
+  const MotionModel* model_ = nullptr;
+};
+
+}  // namespace limber::python
