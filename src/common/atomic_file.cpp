@@ -224,11 +224,20 @@ Descriptor open_to_read(const fs::path& path) {
   return file;
 }
 
+/// A folder, a device or a link: for root, a rename would put a file in the place of /dev/null.
+void refuse_to_replace(const fs::path& path, const fs::file_status& status) {
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    throw InputError(
+        fmt::format("{}: exists and is not a plain file; it is never replaced", path.string()));
+  }
+}
+
 }  // namespace
 
 void write_file_atomically(const fs::path& path, std::string_view content) {
   const fs::path folder = folder_of(path);
   std::error_code error;
+  refuse_to_replace(path, fs::symlink_status(path, error));
   fs::create_directories(folder, error);
   if (error) {
     throw_fault(folder, "folder can't be made", error.value());
@@ -286,10 +295,7 @@ void refuse_to_overwrite(const fs::path& path, bool force) {
   }
   std::error_code error;
   const fs::file_status status = fs::symlink_status(path, error);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
-    throw InputError(
-        fmt::format("{}: exists and is not a plain file; it is never replaced", path.string()));
-  }
+  refuse_to_replace(path, status);
   if (!force && fs::exists(status)) {
     throw InputError(fmt::format("{}: exists already; --force replaces it", path.string()));
   }

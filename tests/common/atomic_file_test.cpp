@@ -142,6 +142,16 @@ TEST(AtomicFile, NeverReplacesFoldersDevicesOrLinks) {
   }
   EXPECT_THAT([&] { refuse_to_overwrite(file / "x", true); },
               ThrowsMessage<InputError>(HasSubstr("is no folder")));
+  // Nor does a writer that nobody asked before; of devices, that would be for all of the machine.
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"pipe", "link"}) {
+    const fs::path path = folder.path() / name;
+    const fs::file_type type = fs::symlink_status(path).type();
+    EXPECT_THAT([&] { write_file_atomically(path, "y"); },
+                ThrowsMessage<InputError>(HasSubstr("not a plain file")));
+    EXPECT_EQ(fs::symlink_status(path).type(), type);
+  }
+  EXPECT_EQ(read_file(file), "x");
 }
 
 TEST(AtomicFile, RefusesWhatCannotBeWrittenBeforeTheWork) {

@@ -9,6 +9,7 @@ import argparse
 import copy
 import inspect
 import itertools
+import os
 import pathlib
 import random
 import re
@@ -41,6 +42,8 @@ class Arguments:
     """Good ones by the name of a parameter, wrong ones by what they stand for."""
 
     def __init__(self, folder, rnd):
+        # For root, a call that is given /dev/null itself could replace it.
+        (folder / "null").symlink_to("/dev/null")
         self.rnd = rnd
         self.folder = folder
         own = chain()
@@ -104,7 +107,7 @@ class Arguments:
             np.zeros((m, 3), np.float32)[::-1], np.zeros((3, m)).T, np.zeros((0, 3)),
             np.zeros((100000, 3), np.float32), np.array("x"), np.array([None] * 3),
             np.zeros(n, complex), np.ones((3, 3, 3, 3)), lambda *a: None, lambda *a: 1 / 0,
-            object(), sys, int, str(folder / "none"), "/dev/null", "/", "x" * 5000,
+            object(), sys, int, str(folder / "none"), str(folder / "null"), str(folder), "x" * 5000,
             *halves, self.other_arm, limber.ForwardModel(self.other_arm), *self.good.values()]
 
     def episode_of(self, arm):
@@ -224,6 +227,7 @@ def main():
         raise TooLong()
     signal.signal(signal.SIGALRM, too_long)
     with tempfile.TemporaryDirectory(prefix="limber_hostile_") as folder:
+        os.chdir(folder)  # where calls write that are given "x"
         campaign = Campaign(pathlib.Path(folder), asked.seed)
         campaign.run(asked.calls)
     print(f"{campaign.calls} calls, {campaign.refused} refused, seed {asked.seed}")
