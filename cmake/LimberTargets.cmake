@@ -45,10 +45,11 @@ function(limber_add_library module)
   set_property(GLOBAL APPEND PROPERTY LIMBER_LIBRARIES limber_${module})
 endfunction()
 
-# limber_add_test(<module> SOURCES … [DEPENDS …] [LABEL unit|system])
-# One GoogleTest program a module, <module>_test; each of its tests is known to ctest on its own.
+# limber_add_test(<module> SOURCES … [DEPENDS …] [LABEL unit|system] [ALONE <filter>])
+# One GoogleTest program a module, <module>_test; each of its tests is known to ctest on its own. Those
+# that measure the machine run alone.
 function(limber_add_test module)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT;ALONE" "SOURCES;DEPENDS" ${ARGN})
   if(NOT ARG_LABEL)
     set(ARG_LABEL unit)
   endif()
@@ -69,6 +70,13 @@ function(limber_add_test module)
   target_link_libraries(${module}_test PRIVATE
     ${ARG_DEPENDS} GTest::gmock GTest::gtest_main limber_private_settings)
   limber_reuse_headers(${module}_test limber_test_precompiled)
-  gtest_discover_tests(${module}_test DISCOVERY_TIMEOUT 60
+  set(others "*")
+  if(ARG_ALONE)
+    set(others "-${ARG_ALONE}")
+    gtest_discover_tests(${module}_test DISCOVERY_TIMEOUT 60 TEST_FILTER "${ARG_ALONE}"
+      TEST_LIST ${module}_tests_alone
+      PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} RUN_SERIAL ON)
+  endif()
+  gtest_discover_tests(${module}_test DISCOVERY_TIMEOUT 60 TEST_FILTER "${others}"
     PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT})
 endfunction()

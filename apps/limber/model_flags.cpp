@@ -1,6 +1,6 @@
 #include "model_flags.hpp"
 
-#include "limber/arm/valve_file.hpp"
+#include "limber/arm/valve_findings.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/gap_bounds.hpp"
 

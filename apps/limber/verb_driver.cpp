@@ -1,7 +1,7 @@
 #include "driver_calibrate.hpp"
 #include "driver_flags.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_file.hpp"
+#include "limber/arm/valve_findings.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/data/valve_identification.hpp"

@@ -8,7 +8,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/arm/no_load_model.hpp"
 #include "limber/arm/pressure_limits.hpp"
-#include "limber/arm/valve_file.hpp"
+#include "limber/arm/valve_findings.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"

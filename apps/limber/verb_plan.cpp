@@ -8,7 +8,6 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/planning/planner_factory.hpp"
-#include "limber/report/animation.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/report/plan_report.hpp"
 #include "limit_flags.hpp"

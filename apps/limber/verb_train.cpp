@@ -9,7 +9,7 @@
 #include "bound_model.hpp"
 #include "episode_choice.hpp"
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_file.hpp"
+#include "limber/arm/valve_findings.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"

@@ -7,7 +7,7 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/network/compensation_model.hpp"
-#include "limber/report/certificate_report.hpp"
+#include "limber/report/plan_report.hpp"
 #include "model_flags.hpp"
 #include "other_judges.hpp"
 #include "spread_report.hpp"

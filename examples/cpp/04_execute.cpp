@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "limber/common/data_folder.hpp"
-#include "limber/run/make_closed_loop.hpp"
+#include "limber/run/controller.hpp"
 #include "limber/sim/virtual_arm.hpp"
 
 void print(const std::string& how, const limber::ExecutionResult& result) {

@@ -2,11 +2,10 @@
 #include <nlohmann/json.hpp>
 
 #include "bindings.hpp"
-#include "limber/arm/valve_file.hpp"
+#include "limber/arm/valve_findings.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/network/prediction_error.hpp"
-#include "limber/report/certificate_report.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/plan_report.hpp"
 #include "limber/report/training_report.hpp"

@@ -1,5 +1,7 @@
 #include "python_controller.hpp"
 
+#include <fmt/format.h>
+
 #include "arrays.hpp"
 #include "limber/common/error.hpp"
 
@@ -30,11 +32,18 @@ PythonController::PythonController(py::object controller, Eigen::Index segments,
     : controller_(shared(std::move(controller))), segments_(segments), caller_(caller) {
   const py::gil_scoped_acquire python;
   if (!py::hasattr(*controller_, "step")) {
-    throw py::type_error("controller: has no method step(arm); expected a Controller");
+    throw py::type_error(fmt::format(
+        "controller: {} has no method step(arm); expected a Controller", type_name(*controller_)));
   }
-  if (const py::object model = py::getattr(*controller_, "model", py::none()); !model.is_none()) {
-    model_ = &model.cast<const MotionModel&>();
+  model_object_ = shared(py::getattr(*controller_, "model", py::none()));
+  if (model_object_->is_none()) {
+    return;
   }
+  if (!py::isinstance<MotionModel>(*model_object_)) {
+    throw py::type_error(fmt::format("{}.model is {}; expected a MotionModel or None",
+                                     type_name(*controller_), type_name(*model_object_)));
+  }
+  model_ = &model_object_->cast<const MotionModel&>();
 }
 
 Decision PythonController::step(const Moment& now) {
@@ -42,8 +51,13 @@ Decision PythonController::step(const Moment& now) {
   const bool returned = caller_.call([&] {
     const py::object answer = controller_->attr("step")(at_this_moment(now.arm));
     if (!answer.is_none()) {
-      const auto setpoints = answer.cast<FloatArray>();
-      decision.setpoint_kpa = pressures_from(setpoints, segments_, "the controller's set points");
+      py::detail::make_caster<FloatArray> setpoints;
+      if (!setpoints.load(answer, true)) {
+        throw py::type_error(fmt::format("{}.step returned {}; expected set points or None",
+                                         type_name(*controller_), type_name(answer)));
+      }
+      decision.setpoint_kpa = pressures_from(py::detail::cast_op<const FloatArray&>(setpoints),
+                                             segments_, "the controller's set points");
     }
   });
   if (!returned) {

@@ -26,13 +26,15 @@ struct ArmNow {
 class PythonController final : public Controller {
  public:
   /// @param segments  entries of its set points
+  /// @throws TypeError where it has no `step`, or its `model` is no MotionModel.
   PythonController(py::object controller, Eigen::Index segments, CallerThread& caller);
 
   EstimateModel estimate_with() const override { return {model_, std::nullopt}; }
   Decision step(const Moment& now) override;
 
  private:
-  std::shared_ptr<py::object> controller_;  // let go with Python's lock
+  std::shared_ptr<py::object> controller_;    // both let go with Python's lock
+  std::shared_ptr<py::object> model_object_;  // whatever `model` is set to meanwhile
   Eigen::Index segments_;
   CallerThread& caller_;
   const MotionModel* model_ = nullptr;

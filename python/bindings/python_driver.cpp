@@ -12,11 +12,8 @@ namespace {
 /// @throws TypeError naming the driver's method that returned something else.
 ArmState state_from(const py::object& driver, const char* method, const py::object& returned) {
   if (!py::isinstance<ArmState>(returned)) {
-    const auto name = [](const py::object& of) {
-      return std::string(py::str(py::type::of(of).attr("__name__")));
-    };
-    throw py::type_error(fmt::format("{}.{} returned {}; expected an ArmState", name(driver),
-                                     method, name(returned)));
+    throw py::type_error(fmt::format("{}.{} returned {}; expected an ArmState", type_name(driver),
+                                     method, type_name(returned)));
   }
   return returned.cast<ArmState>();
 }

@@ -5,7 +5,7 @@ from __future__ import annotations
 import abc
 from typing import TYPE_CHECKING
 
-from ._limber import ArmEstimate, ClosedLoop
+from ._limber import ArmEstimate, ClosedLoop, MotionModel
 
 if TYPE_CHECKING:  # numpy.typing alone takes a tenth of the import
     import numpy as np
@@ -16,11 +16,11 @@ class Controller(abc.ABC):
     """Decides what an arm is sent, frame by frame, from where it is.
 
     The executor holds each answer against the arm's limits and its rate, sends it through the
-    safety gate, and asks again after the frame. `model` (a MotionModel, or None) is what the
-    estimate predicts with.
+    safety gate, and asks again after the frame. `model`, if it is set, is what the estimate
+    predicts with.
     """
 
-    model = None
+    model: MotionModel | None
 
     @abc.abstractmethod
     def step(self, arm: ArmEstimate) -> npt.NDArray[np.float32] | None:

@@ -1,4 +1,4 @@
-#include "limber/arm/valve_file.hpp"
+#include "limber/arm/valve_findings.hpp"
 
 #include <algorithm>
 #include <cmath>

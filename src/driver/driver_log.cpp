@@ -14,7 +14,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/common/version.hpp"
-#include "limber/driver/run_origin.hpp"
+#include "run_origin.hpp"
 
 namespace limber {
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
-#include "limber/driver/run_origin.hpp"
+#include "run_origin.hpp"
 
 namespace limber {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
-#include "limber/arm/valve_file.hpp"
+#include "limber/arm/valve_findings.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/number_text.hpp"

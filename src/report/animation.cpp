@@ -1,4 +1,4 @@
-#include "limber/report/animation.hpp"
+#include "limber/report/plan_picture.hpp"
 
 #include <cmath>
 
@@ -9,7 +9,6 @@
 #include "limber/common/units.hpp"
 #include "limber/plot/palette.hpp"
 #include "limber/plot/svg_text.hpp"
-#include "limber/report/plan_picture.hpp"
 
 namespace limber {
 

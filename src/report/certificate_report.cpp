@@ -1,4 +1,4 @@
-#include "limber/report/certificate_report.hpp"
+#include "limber/report/plan_report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "limber/report/execution_picture.hpp"
+#include "limber/report/execution_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include "limber/common/units.hpp"
 #include "limber/plot/palette.hpp"
-#include "limber/report/animation.hpp"
 #include "limber/report/plan_picture.hpp"
 
 namespace limber {

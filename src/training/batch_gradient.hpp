@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "limber/training/training_tables.hpp"
 #include "limber/training/window_gradient.hpp"
+#include "training_tables.hpp"
 
 namespace limber {
 

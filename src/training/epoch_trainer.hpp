@@ -7,8 +7,8 @@
 
 #include "batch_gradient.hpp"
 #include "limber/training/trainer.hpp"
-#include "limber/training/training_tables.hpp"
 #include "optimiser.hpp"
+#include "training_tables.hpp"
 
 namespace limber {
 

@@ -1,4 +1,4 @@
-#include "limber/training/training_tables.hpp"
+#include "training_tables.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include "limber/common/error.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/planning/planner_factory.hpp"
-#include "limber/report/certificate_report.hpp"
+#include "limber/report/plan_report.hpp"
 #include "planning/play_model.hpp"
 #include "src/planning/certified/certified_planner.hpp"
 #include "src/planning/paper/pressure_rrt_star.hpp"

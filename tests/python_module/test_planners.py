@@ -138,6 +138,45 @@ class PlansAlong(InFolder):
         self.assertAlmostEqual(theirs["distance_to_goal_cm"], 100.0 * run[0].goal_error.position_m,
                                places=4)
 
+    def test_a_controller_of_ones_own_is_asked_and_its_wrong_answers_are_named(self):
+        arm, environment = self.chain.arm, self.chain.environment
+        plan = limber.make_planner().plan(
+            self.problem, limber.PlannerLimits(iterations=300), 1).plan
+
+        class Mine(limber.Controller):
+            """Answers from a list."""
+
+            def __init__(self, answers, model=None):
+                self.answers, self.model, self.seen = iter(answers), model, []
+
+            def step(self, arm):
+                self.seen.append(arm)
+                self.model = None  # the run keeps what it began with
+                return next(self.answers)
+
+        def run(controller):
+            return limber.execute(arm, environment, plan, limber.VirtualArm(arm),
+                                  controller=controller)
+
+        still = np.zeros(arm.segment_count, np.float32)
+        mine = Mine([still, still, None],
+                    limber.MotionModel(limber.ForwardModel(arm, limber.read_model(self.chain.model))))
+        self.assertEqual(run(mine).frames, 2)
+        self.assertEqual([one.frames for one in mine.seen], [0, 1, 2])
+        self.assertEqual(mine.seen[-1].state.backbone.shape, mine.seen[-1].measured.backbone.shape)
+        for controller, error, words in (
+                (Mine(["left"]), TypeError, "Mine.step returned str; expected set points or None"),
+                (Mine([still[:1]]), limber.InputError, "the controller's set points"),
+                (Mine([still + 1e6]), limber.InputError, "expected ±"),
+                (Mine([], model=3), TypeError, "Mine.model is int; expected a MotionModel or None"),
+                (object(), TypeError, r"object has no method step\(arm\)")):
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                run(controller)
+        loop = limber.ClosedLoop(arm, self.model, environment)
+        run(loop)
+        with self.assertRaisesRegex(limber.InputError, "runs once"):
+            run(loop)
+
     def test_of_an_arm_that_is_lost_nothing_is_known(self):
         class LostArm(limber.ArmDriver):
             """Nothing tracks it after half a second."""

@@ -1,4 +1,4 @@
-#include "limber/report/animation.hpp"
+#include "limber/report/plan_picture.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "limber/training/training_tables.hpp"
 #include "limber/training/window_gradient.hpp"
 #include "src/training/training_kernels.hpp"
+#include "src/training/training_tables.hpp"
 #include "support/allocation_count.hpp"
 #include "training/toy_arm.hpp"
 

@@ -1,4 +1,4 @@
-#include "limber/training/training_tables.hpp"
+#include "src/training/training_tables.hpp"
 
 #include <set>
 

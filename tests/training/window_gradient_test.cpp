@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "limber/training/training_tables.hpp"
+#include "src/training/training_tables.hpp"
 #include "support/narrow_bounds.hpp"
 #include "training/toy_arm.hpp"
 

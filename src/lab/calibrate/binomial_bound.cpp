@@ -1,4 +1,4 @@
-#include "limber/lab/binomial_bound.hpp"
+#include "binomial_bound.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "limber/lab/factor_search.hpp"
+#include "factor_search.hpp"
 
 namespace limber {
 

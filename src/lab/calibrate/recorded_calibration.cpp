@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "binomial_bound.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
-#include "limber/lab/binomial_bound.hpp"
 #include "limber/lab/tube_calibration.hpp"
 #include "limber/lab/tube_score.hpp"
 

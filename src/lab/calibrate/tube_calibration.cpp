@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "binomial_bound.hpp"
+#include "factor_search.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
-#include "limber/lab/binomial_bound.hpp"
-#include "limber/lab/factor_search.hpp"
 #include "limber/report/evidence_page.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "optional_json.hpp"

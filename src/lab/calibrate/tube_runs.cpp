@@ -7,15 +7,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "binomial_bound.hpp"
 #include "demo/demo_recipe.hpp"
 #include "kernels/job_arena.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/units.hpp"
-#include "limber/lab/binomial_bound.hpp"
+#include "limber/lab/planning_experiment.hpp"
 #include "limber/lab/random_environment.hpp"
-#include "limber/lab/trials.hpp"
 #include "limber/sim/virtual_arm.hpp"
 
 namespace limber {

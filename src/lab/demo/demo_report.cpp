@@ -3,7 +3,7 @@
 
 #include "demo_arrivals.hpp"
 #include "demo_stages.hpp"
-#include "limber/arm/valve_file.hpp"
+#include "limber/arm/valve_findings.hpp"
 #include "limber/common/progress.hpp"
 #include "limber/common/units.hpp"
 #include "limber/common/version.hpp"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
-#include "limber/lab/trials.hpp"
+#include "limber/lab/planning_experiment.hpp"
 
 namespace limber {
 

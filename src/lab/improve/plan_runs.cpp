@@ -12,8 +12,8 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/data/episode_slice.hpp"
+#include "limber/lab/planning_experiment.hpp"
 #include "limber/lab/random_environment.hpp"
-#include "limber/lab/trials.hpp"
 #include "plan_chain.hpp"
 #include "plan_run_file.hpp"
 

@@ -8,7 +8,7 @@
 #include "goal_lengths.hpp"
 #include "limber/common/error.hpp"
 #include "limber/planning/planner_factory.hpp"
-#include "limber/run/make_closed_loop.hpp"
+#include "limber/run/controller.hpp"
 #include "motion_guide.hpp"
 
 namespace limber {
@@ -123,6 +123,8 @@ struct ClosedLoop::Motion {
   int waited = 0;                 // frames of that in a row in which the arm was held in mid-motion
   PoseGoal aim;                   // of the plan that is followed
   PoseGoal goal;                  // of the environment
+  PoseGoal next_aim;              // of the last answer to `next`, and whether that corrects
+  bool next_is_correction = false;
   /// It starts at rest, and its goal is shifted by what the model has a held arm do: that is not
   /// missed once more.
   bool is_correction = false;
@@ -250,8 +252,12 @@ PlanController::NextPlan ClosedLoop::next(const PlanProgress& at, const ArmEstim
   // Where it rests, free of most of the tracker's noise.
   const std::optional<Backbone> mean = arm.rest();
   const std::optional<Backbone> rest = mean ? mean : arm.measured().backbone;
-  return [&corrections = *motion.corrections, &plan = at.plan, frame = at.frame,
-          held_kpa = at.sent_kpa, rest] { return corrections.next(plan, frame, held_kpa, rest); };
+  return [&motion, &plan = at.plan, frame = at.frame, held_kpa = at.sent_kpa, rest] {
+    std::optional<Plan> found = motion.corrections->next(plan, frame, held_kpa, rest);
+    motion.next_aim = motion.corrections->aim();  // an obstacle that appears now has another
+    motion.next_is_correction = motion.corrections->is_correction();
+    return found;
+  };
 }
 
 void ClosedLoop::take_next(const Plan* /*found*/, ArmEstimate& arm) {
@@ -259,8 +265,8 @@ void ClosedLoop::take_next(const Plan* /*found*/, ArmEstimate& arm) {
     ++motion_->times_led_on;
     return;
   }
-  motion_->aim = motion_->corrections->aim();
-  motion_->is_correction = motion_->corrections->is_correction();
+  motion_->aim = motion_->next_aim;
+  motion_->is_correction = motion_->next_is_correction;
   motion_->times_led_on = 0;
   motion_->followed = nullptr;
   arm.forget_miss();

@@ -24,16 +24,17 @@ class BackgroundQuestion {
     }
   }
 
-  /// Whether it is still being worked out. Throws what it threw.
-  bool is_busy() {
-    if (!answered_.valid()) {
-      return false;
+  /// Whether it is still being worked out.
+  bool is_busy() const {
+    return answered_.valid() &&
+           answered_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+  }
+
+  /// Of one that is not busy: throws what it threw, once.
+  void end() {
+    if (answered_.valid()) {
+      answered_.get();
     }
-    if (answered_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-      return true;
-    }
-    answered_.get();
-    return false;
   }
 
  private:

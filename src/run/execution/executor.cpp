@@ -84,9 +84,13 @@ class Execution {
       for (;;) {
         const bool is_busy = thinking.is_busy();
         if (!is_busy) {
+          thinking.end();
           tell_of_obstacle();
         }
         Decision decision = controller_.step({estimate_, is_busy});
+        if (decision.question && is_busy) {  // to wait for the first would leave the arm alone
+          throw InputError("a controller asks a second question while its first is worked out");
+        }
         if (decision.question) {
           thinking.begin(std::move(decision.question));
         } else if (!decision.setpoint_kpa) {

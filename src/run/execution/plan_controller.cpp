@@ -44,6 +44,9 @@ PlanController::NextPlan PlanController::next(const PlanProgress& /*at*/,
 void PlanController::take_next(const Plan* /*found*/, ArmEstimate& /*arm*/) {}
 
 void PlanController::begin(const RunStart& start) {
+  if (plan_ != nullptr) {
+    throw InputError("a controller that follows plans runs once; make another one for another run");
+  }
   arm_ = &start.arm;
   hold_s_ = start.hold_s;
   in_real_time_ = start.in_real_time;

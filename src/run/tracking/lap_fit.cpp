@@ -1,4 +1,4 @@
-#include "limber/run/lap_fit.hpp"
+#include "lap_fit.hpp"
 
 #include <algorithm>
 #include <cmath>

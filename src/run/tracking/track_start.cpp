@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "lap_fit.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/run/lap_fit.hpp"
 #include "limber/run/tip_tracker.hpp"
 #include "limber/world/environment.hpp"
 #include "limber/world/straight_motion.hpp"

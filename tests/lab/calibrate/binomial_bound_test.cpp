@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "limber/lab/binomial_bound.hpp"
+#include "src/lab/calibrate/binomial_bound.hpp"
 
 namespace limber {
 namespace {

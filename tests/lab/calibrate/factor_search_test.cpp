@@ -1,4 +1,4 @@
-#include "limber/lab/factor_search.hpp"
+#include "src/lab/calibrate/factor_search.hpp"
 
 #include <vector>
 

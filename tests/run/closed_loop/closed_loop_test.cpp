@@ -4,7 +4,7 @@
 
 #include "limber/common/error.hpp"
 #include "limber/planning/planner_factory.hpp"
-#include "limber/run/make_closed_loop.hpp"
+#include "limber/run/controller.hpp"
 #include "limber/world/collision.hpp"
 #include "planning/play_model.hpp"
 #include "support/bending_arms.hpp"

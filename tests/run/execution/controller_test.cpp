@@ -1,4 +1,7 @@
+#include <atomic>
+#include <chrono>
 #include <functional>
+#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -83,6 +86,71 @@ TEST_F(ControllerTest, SetPointsBeyondLimitOrStepAreRefusedByNameAndTheArmIsVent
   EXPECT_THAT(
       [&] { (void)run([](int) { return Pressures(Pressures::Constant(2, std::nanf(""))); }); },
       ThrowsMessage<InputError>(HasSubstr("expected ± 100")));
+}
+
+/// Asks whatever it is told, and sends what it has.
+class Asking final : public Controller {
+ public:
+  explicit Asking(std::function<void()> question) : question_(std::move(question)) {}
+  Decision step(const Moment& now) override {
+    Decision decision;
+    decision.setpoint_kpa = now.arm.setpoint_kpa();
+    decision.question = question_;
+    return decision;
+  }
+
+ private:
+  std::function<void()> question_;
+};
+
+/// Each frame takes a millisecond.
+class RealTimeArm final : public ArmDriver {
+ public:
+  RealTimeArm(const ArmDescription& arm, const FakeFaults& faults, int* vents)
+      : inner_(arm, kInstant_s, faults, vents) {}
+  const ArmState& state() const override { return inner_.state(); }
+  const ArmState& command(const Eigen::Ref<const Pressures>& setpoint_kpa) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return inner_.command(setpoint_kpa);
+  }
+  bool is_real_time() const override { return true; }
+  void vent() noexcept override { inner_.vent(); }
+
+ private:
+  FakeArm inner_;
+};
+
+TEST_F(ControllerTest, ASecondQuestionIsRefusedAndTheArmIsVentedBeforeTheFirstIsAnswered) {
+  int vents = 0;
+  std::atomic<int> vents_when_answered = -1;
+  Asking controller([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    vents_when_answered = vents;
+  });
+  ExecutionSettings settings;
+  settings.controller = &controller;
+  RealTimeArm driver(arm_, {}, &vents);
+  EXPECT_THAT([&] { (void)execute(arm_, environment_, plan_, driver, settings); },
+              ThrowsMessage<InputError>(HasSubstr("a second question")));
+  EXPECT_GE(vents_when_answered, 1);
+}
+
+TEST_F(ControllerTest, AFaultIsSaidWhateverAQuestionThrows) {
+  FakeFaults faults;
+  faults.fails_at_s = 0.05;  // the first frame
+  std::atomic<bool> is_asked = false;
+  Asking controller([&] {
+    is_asked = true;
+    throw InputError("the question's own");
+  });
+  ExecutionSettings settings;
+  settings.controller = &controller;
+  int vents = 0;
+  RealTimeArm driver(arm_, faults, &vents);
+  const ExecutionResult result = execute(arm_, environment_, plan_, driver, settings);
+  EXPECT_TRUE(is_asked);
+  EXPECT_EQ(result.status, ExecutionStatus::fault);
+  EXPECT_THAT(result.message, HasSubstr("hose came off"));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
-#include "limber/report/execution_picture.hpp"
+#include "limber/report/execution_report.hpp"
 #include "limber/run/schedule.hpp"
 #include "limber/sim/virtual_arm.hpp"
 #include "limber/world/straight_motion.hpp"

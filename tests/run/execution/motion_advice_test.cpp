@@ -157,13 +157,13 @@ TEST_F(MotionAdviceTest, ARunThatIsStoppedAndRestsInTheGoalIsDone) {
   there.goal = {tip.x_m, tip.y_m, std::nullopt, 0.02, 0.1};
   Plan plan = plan_;
   plan.environment_hash = environment_hash(there);
-  Adviser adviser([](const Plan&, std::size_t next) {
-    return next == 3 ? MotionAdvice{MotionAdvice::Kind::stop, std::nullopt, "no way"}
-                     : MotionAdvice{};
-  });
-  ExecutionSettings settings;
-  settings.controller = &adviser;
   for (const double hold_s : {1.0, 0.5}) {
+    Adviser adviser([](const Plan&, std::size_t next) {
+      return next == 3 ? MotionAdvice{MotionAdvice::Kind::stop, std::nullopt, "no way"}
+                       : MotionAdvice{};
+    });
+    ExecutionSettings settings;
+    settings.controller = &adviser;
     settings.hold_s = hold_s;
     FakeArm driver(arm_, kInstant_s);
     const ExecutionResult result = execute(arm_, there, plan, driver, settings);

@@ -111,6 +111,20 @@ TEST(PlanController, DecidesTheSetPointsOfAFrameAndIsShownThemWhileThePlanStays)
   EXPECT_EQ(result.episode.setpoint_kpa.row(4), plan.frames[4].setpoint_kpa.transpose());
 }
 
+TEST(PlanController, RunsOnceAndSaysSo) {
+  const ArmDescription arm = small_arm();
+  const Environment environment;
+  const Plan plan = bending_plan(arm, environment);
+  Trims controller(3, 0.0F);
+  ExecutionSettings settings;
+  settings.controller = &controller;
+  FakeArm driver(arm, kInstant_s);
+  (void)execute(arm, environment, plan, driver, settings);
+  FakeArm again(arm, kInstant_s);
+  EXPECT_THAT([&] { (void)execute(arm, environment, plan, again, settings); },
+              ThrowsMessage<InputError>(HasSubstr("runs once")));
+}
+
 TEST(PlanController, RefusesSetPointsThatAreTooFastAndVents) {
   const ArmDescription arm = small_arm();
   const Environment environment;

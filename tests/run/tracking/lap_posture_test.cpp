@@ -8,8 +8,8 @@
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/arm/pressure_limits.hpp"
-#include "limber/run/lap_fit.hpp"
 #include "limber/world/environment.hpp"
+#include "src/run/tracking/lap_fit.hpp"
 #include "support/bending_arms.hpp"
 
 namespace limber {

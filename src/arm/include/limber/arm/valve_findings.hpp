@@ -2,8 +2,11 @@
 // For those who train and evaluate models.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "limber/arm/valve_parameters.hpp"
 
@@ -31,5 +34,19 @@ struct IdentifiedValves {
   ValveParameters parameters;  ///< ideal where there is a reason
   ValveFindings findings;
 };
+
+class YamlReader;
+
+/// Keys as in the file (docs/formats.md, schema limber/valves/1).
+nlohmann::ordered_json to_json(const IdentifiedValves& valves);
+/// The file's text. Numbers survive the round trip exactly.
+std::string valves_to_yaml(const IdentifiedValves& valves);
+/// One line for people: parameters of each segment (once where all are alike) and errors.
+std::string to_text(const IdentifiedValves& valves, const std::string& unit = "kPa");
+
+void write_valves(const std::filesystem::path& path, const IdentifiedValves& valves);
+/// YAML, or JSON, which is YAML too. @throws InputError naming file, line and key.
+IdentifiedValves read_valves(const std::filesystem::path& path);
+IdentifiedValves read_valves(const YamlReader& root);
 
 }  // namespace limber

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "limber/lab/environment_measures.hpp"
-#include "limber/lab/trials.hpp"
+#include "limber/lab/planning_experiment.hpp"
 
 namespace limber {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "limber/lab/trials.hpp"
+#include "limber/lab/planning_experiment.hpp"
 
 namespace limber {
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "limber/arm/arm_description.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/plot/svg_drawing.hpp"
 #include "limber/world/environment.hpp"
@@ -40,5 +41,25 @@ std::string plan_picture(const ArmDescription& arm, const Environment& environme
 /// @param measured_kpa  one row per frame, the plan's frames first; may be empty
 std::string pressure_picture(const ArmDescription& arm, const Plan& plan,
                              const std::vector<Pressures>& measured_kpa = {});
+
+/// One arm that moves through an animation, one shape per frame.
+struct AnimationTrack {
+  std::string label;  ///< "predicted", "executed"
+  std::string color;  ///< CSS
+  std::vector<Backbone> shapes;
+};
+
+/// One self-contained HTML page, which loads nothing else, in which arms move through an
+/// environment: play, pause, speed, a slider over time, and set points and pressures of each frame.
+/// @param setpoints_kpa  one per frame; may be shorter than the tracks
+/// @param pressures_kpa  the same: as predicted, or as measured
+std::string animation_page(const ArmDescription& arm, const Environment& environment,
+                           const std::string& title, const std::vector<AnimationTrack>& tracks,
+                           const std::vector<Pressures>& setpoints_kpa,
+                           const std::vector<Pressures>& pressures_kpa);
+
+/// A plan as its model predicts it.
+std::string plan_animation(const ArmDescription& arm, const Environment& environment,
+                           const Plan& plan);
 
 }  // namespace limber

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "limber/certificate/certificate.hpp"
 #include "limber/planning/planner.hpp"
 
 namespace limber {
@@ -18,5 +19,12 @@ nlohmann::ordered_json to_json(const PlanResult& result, const Command& command,
 
 /// The same in a few lines for people; `command` is what the arm's segments are given.
 std::string to_text(const PlanResult& result, const Command& command = {});
+
+/// The object of `limber verify --json`.
+nlohmann::ordered_json to_json(const Certificate& certificate, const Command& command,
+                               const Environment& environment);
+/// The same in a few lines for people.
+std::string to_text(const Certificate& certificate, const ArmDescription& arm,
+                    const Environment& environment);
 
 }  // namespace limber

@@ -58,6 +58,7 @@ struct FrameSetpoint {
 /// functions are asked in one frame, it is in the order of their declaration.
 class PlanController : public Controller {
  public:
+  /// @throws InputError the second time: its state is that of the first run.
   void begin(const RunStart& start) override;
   Decision step(const Moment& now) final;
   bool plans_again() const override { return true; }
