@@ -1,6 +1,5 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
-#include <pybind11/stl_bind.h>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
@@ -15,9 +14,6 @@
 #include "limber/training/unseen_error.hpp"
 #include "others_may_run.hpp"
 #include "record.hpp"
-
-// So that settings.stages[0].epochs = 3 changes the settings, as in C++.
-PYBIND11_MAKE_OPAQUE(std::vector<limber::TrainingStage>)
 
 namespace limber::python {
 
@@ -79,13 +75,8 @@ void bind_training_stages(py::module_& module) {
              "Windows for each change of the weights, >= 1.")
       .field("epochs", &TrainingStage::epochs, "Passes over the training data, >= 1.")
       .keywords()
+      .fixed()
       .done();
-  py::bind_vector<std::vector<TrainingStage>>(
-      module, "TrainingStages",
-      "Stages of training, a list of TrainingStage that changes in place.")
-      .def("__repr__", [](const py::object& stages) {
-        return "TrainingStages(" + std::string(py::repr(py::list(stages))) + ")";
-      });
 }
 
 void bind_settings(py::module_& module) {
@@ -104,7 +95,9 @@ void bind_settings(py::module_& module) {
              "Units of each hidden layer, >= 1 each; a copy: assign a whole list.")
       .field("scaling", &S::scaling, "Scaling of the network's inputs and outputs.")
       .field("reduction", &S::reduction, "LossReduction: how a batch's errors become one number.")
-      .field("stages", &S::stages, "TrainingStages, done in this order; can be changed in place.")
+      .list("stages", &S::stages,
+            "List of TrainingStage, done in this order. A copy, whose fields can't be set: assign "
+            "whole lists.")
       .field("optimiser", &S::optimiser, "Optimiser: how weights are changed.")
       .field("learning_rate", &S::learning_rate, "Step size at the start, > 0.")
       .field("cosine_decay", &S::cosine_decay,

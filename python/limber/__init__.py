@@ -61,7 +61,7 @@ __all__ = [
     "Restart", "RolloutErrors", "Scaling", "ScheduleKind", "ScheduleSettings",
     "Segment", "SegmentPressure", "SegmentShape", "SegmentValves", "SimpleFit", "StageChoice",
     "StrainFit", "SystemFault", "TipErrors", "TrainingData", "TrainingResult", "TrainingSettings",
-    "TrainingStage", "TrainingStages", "TrainingStatus", "ValveDirection", "ValveErrors",
+    "TrainingStage", "TrainingStatus", "ValveDirection", "ValveErrors",
     "ValveFindings", "ValveModel", "ValveParameters", "VirtualArm", "VirtualArmOptions",
     "WindowsTried", "arm_differences", "arm_svg", "arm_to_yaml", "bench_test_all", "best_preset",
     "certify", "characterise", "choose_stages", "collect", "content_hash", "data_folder",

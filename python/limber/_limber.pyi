@@ -1813,10 +1813,10 @@ class TrainingSettings:
     @reduction.setter
     def reduction(self, value: LossReduction) -> None: ...
     @property
-    def stages(self) -> TrainingStages:
-        """TrainingStages, done in this order; can be changed in place."""
+    def stages(self) -> list[TrainingStage]:
+        """List of TrainingStage, done in this order. A copy, whose fields can't be set: assign whole lists."""
     @stages.setter
-    def stages(self, value: TrainingStages) -> None: ...
+    def stages(self, value: list[TrainingStage]) -> None: ...
     @property
     def optimiser(self) -> Optimiser:
         """Optimiser: how weights are changed."""
@@ -1905,8 +1905,8 @@ class TrainingSettings:
     @property
     def epoch_count(self) -> int:
         """Epochs of all stages together."""
-    def __init__(self, *, preset: str = ..., layout: BackboneLayout = ..., form: OutputForm = ..., reads_velocity: bool = ..., hidden_units: list[int] = ..., scaling: Scaling = ..., reduction: LossReduction = ..., stages: TrainingStages = ..., optimiser: Optimiser = ..., learning_rate: float = ..., cosine_decay: bool = ..., gradient_norm_limit: float = ..., growth_limit: float = ..., average_decay: float = ..., input_noise: float = ..., shift_windows: bool = ..., ensemble: int = ..., replay_share: float = ..., seed: int = ..., jobs: int = ..., time_limit_s: float = ..., validation_interval: int = ..., checkpoint: str | os.PathLike[str] = ..., checkpoint_interval_s: float = ..., resume: bool = ...) -> None:
-        """Fields are keyword arguments, all optional. The defaults: TrainingSettings(preset='best', layout=<BackboneLayout.gap_poses: 1>, form=<OutputForm.gated_change: 1>, reads_velocity=True, hidden_units=[100, 100, 100], scaling=<Scaling.unit_spread: 1>, reduction=<LossReduction.mean_over_batch: 1>, stages=TrainingStages([]), optimiser=<Optimiser.adam: 1>, learning_rate=0.003, cosine_decay=True, gradient_norm_limit=0.0, growth_limit=0.0, average_decay=0.0, input_noise=0.0, shift_windows=True, ensemble=1, replay_share=0.25, seed=1, jobs=0, time_limit_s=0.0, validation_interval=1, checkpoint=PosixPath('.'), checkpoint_interval_s=20.0, resume=False)."""
+    def __init__(self, *, preset: str = ..., layout: BackboneLayout = ..., form: OutputForm = ..., reads_velocity: bool = ..., hidden_units: list[int] = ..., scaling: Scaling = ..., reduction: LossReduction = ..., stages: list[TrainingStage] = ..., optimiser: Optimiser = ..., learning_rate: float = ..., cosine_decay: bool = ..., gradient_norm_limit: float = ..., growth_limit: float = ..., average_decay: float = ..., input_noise: float = ..., shift_windows: bool = ..., ensemble: int = ..., replay_share: float = ..., seed: int = ..., jobs: int = ..., time_limit_s: float = ..., validation_interval: int = ..., checkpoint: str | os.PathLike[str] = ..., checkpoint_interval_s: float = ..., resume: bool = ...) -> None:
+        """Fields are keyword arguments, all optional. The defaults: TrainingSettings(preset='best', layout=<BackboneLayout.gap_poses: 1>, form=<OutputForm.gated_change: 1>, reads_velocity=True, hidden_units=[100, 100, 100], scaling=<Scaling.unit_spread: 1>, reduction=<LossReduction.mean_over_batch: 1>, stages=[], optimiser=<Optimiser.adam: 1>, learning_rate=0.003, cosine_decay=True, gradient_norm_limit=0.0, growth_limit=0.0, average_decay=0.0, input_noise=0.0, shift_windows=True, ensemble=1, replay_share=0.25, seed=1, jobs=0, time_limit_s=0.0, validation_interval=1, checkpoint=PosixPath('.'), checkpoint_interval_s=20.0, resume=False)."""
 
 class TrainingStage:
     """A part of training, windows of one length."""
@@ -1927,54 +1927,6 @@ class TrainingStage:
     def epochs(self, value: int) -> None: ...
     def __init__(self, *, window_frames: int = ..., windows_per_batch: int = ..., epochs: int = ...) -> None:
         """Fields are keyword arguments, all optional. The defaults: TrainingStage(window_frames=32, windows_per_batch=128, epochs=1)."""
-
-class TrainingStages:
-    """Stages of training, a list of TrainingStage that changes in place."""
-    @overload
-    def __init__(self) -> None: ...
-    @overload
-    def __init__(self, value: TrainingStages) -> None:
-        """Copy constructor"""
-    @overload
-    def __init__(self, value: Iterable) -> None: ...
-    def append(self, x: TrainingStage) -> None:
-        """Add an item to the end of the list"""
-    def clear(self) -> None:
-        """Clear the contents"""
-    @overload
-    def extend(self, L: TrainingStages) -> None:
-        """Extend the list by appending all the items in the given list"""
-    @overload
-    def extend(self, L: Iterable) -> None:
-        """Extend the list by appending all the items in the given list"""
-    def insert(self, i: int, x: TrainingStage) -> None:
-        """Insert an item at a given position."""
-    @overload
-    def pop(self) -> TrainingStage:
-        """Remove and return the last item"""
-    @overload
-    def pop(self, i: int) -> TrainingStage:
-        """Remove and return the item at index ``i``"""
-    @overload
-    def __setitem__(self, value: int, arg1: TrainingStage) -> None: ...
-    @overload
-    def __setitem__(self, value: slice, arg1: TrainingStages) -> None:
-        """Assign list elements using a slice object"""
-    @overload
-    def __getitem__(self, s: slice) -> TrainingStages:
-        """Retrieve list elements using a slice object"""
-    @overload
-    def __getitem__(self, value: int) -> TrainingStage: ...
-    @overload
-    def __delitem__(self, value: int) -> None:
-        """Delete the list elements at index ``i``"""
-    @overload
-    def __delitem__(self, value: slice) -> None:
-        """Delete list elements using a slice object"""
-    def __iter__(self) -> Iterator: ...
-    def __bool__(self) -> bool:
-        """Check whether the list is nonempty"""
-    def __len__(self) -> int: ...
 
 class TrainingStatus:
     """How training ended."""

@@ -57,10 +57,6 @@ def _reduce_episode(self: Any, _protocol: int) -> tuple[Any, ...]:
     return type(self), tuple(getattr(self, name) for name in _ARRAYS)
 
 
-def _reduce_stages(self: Any, _protocol: int) -> tuple[Any, ...]:
-    return type(self), (list(self),)
-
-
 def _reduce_enum(self: Any, _protocol: int) -> tuple[Any, ...]:
     return type(self), (int(self),)
 
@@ -80,8 +76,6 @@ for _kind in list(vars(_limber).values()):
         _own = _reduce_enum
     elif _kind is _limber.Episode:
         _own = _reduce_episode
-    elif _kind is _limber.TrainingStages:
-        _own = _reduce_stages
     else:
         continue
     setattr(_kind, "__reduce_ex__", _own)
