@@ -154,6 +154,20 @@ class WrongNumbers(unittest.TestCase):
             limber.execute(chain().arm, chain().environment, plan, Mine())
 
 
+class WrongPaths(InFolder):
+    def test_what_is_no_plain_file_is_never_replaced(self):
+        link = self.folder / "null"
+        link.symlink_to("/dev/null")  # of a device, it would be the whole machine's
+        given = chain()
+        recording, model = limber.read_recording(given.recording), limber.read_model(given.model)
+        for function, value in ((limber.write_arm, given.arm), (limber.write_model, model),
+                                (limber.write_recording, recording),
+                                (limber.write_environment, given.environment)):
+            with self.assertRaisesRegex(limber.InputError, "not a plain file; it is never"):
+                function(link, value)
+            self.assertTrue(link.is_symlink())
+
+
 class LostAssignments(unittest.TestCase):
     """What is set in a copy would change nothing, and say nothing."""
 
@@ -191,6 +205,15 @@ class LostAssignments(unittest.TestCase):
             model.parameters.has_sides = False
         parameters.segments = []
         self.assertEqual(valves.venting.rate_limit_kpa_per_s, 100.0)
+
+    def test_stages_do_not_change_and_outlive_their_list(self):
+        settings = limber.best_preset()
+        stage = settings.stages[0]
+        before = repr(stage)
+        with self.assertRaisesRegex(AttributeError, "TrainingStage.epochs: this"):
+            stage.epochs = 5
+        limber.set_window_frames(settings, list(range(1, 200)))
+        self.assertEqual(repr(stage), before)
 
 
 if __name__ == "__main__":
