@@ -16,9 +16,11 @@ namespace {
 
 std::atomic<int> without_lock{0};
 std::atomic<bool> ending{false};
+std::atomic<std::thread::id> ending_thread;
 
 void stop_and_wait() {
   constexpr std::chrono::milliseconds kPeriod(5);
+  ending_thread = std::this_thread::get_id();
   ending = true;
   request_interrupt();
   const py::gil_scoped_release others_may_end;
@@ -45,6 +47,10 @@ OthersMayRun::OthersMayRun() {
 
 bool python_is_ending() {
   return ending;
+}
+
+bool python_leaves_this_thread() {
+  return ending && std::this_thread::get_id() != ending_thread.load();
 }
 
 void stop_at_exit() {

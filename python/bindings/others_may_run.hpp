@@ -33,6 +33,9 @@ class OthersMayRun {
 /// Whether Python is ending: no work begins any more.
 bool python_is_ending();
 
+/// Whether Python is ending and another thread ends it: this one may be cut off at any moment.
+bool python_leaves_this_thread();
+
 /// Registers what stops all work and waits for it, with Python's atexit.
 void stop_at_exit();
 

@@ -65,7 +65,7 @@ class Exit(InFolder):
                     print("ends")
                     """)
                 code, out, err, _ = self.end_of(process)
-                self.assertEqual((code, out), (0, "ends\n"), err)
+                self.assertEqual((code, out, err), (0, "ends\n", ""))
 
     def test_ctrl_c_while_the_main_thread_waits_for_one(self):
         for _ in range(TRIES):
