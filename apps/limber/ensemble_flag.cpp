@@ -5,6 +5,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/arm_family.hpp"
 
 namespace limber {
 
@@ -19,7 +20,7 @@ void EnsembleFlag::add_to(CLI::App& app) {
 
 CompensationModel EnsembleFlag::read(const std::string& model_file) const {
   require_model(model_file);
-  CompensationModel model = read_model(model_file);
+  CompensationModel model = read_model_of_one_arm(model_file);
   if (asks_for_mean() && model.member_count() == 1) {
     throw InputError(
         fmt::format("--ensemble mean: {} holds one network, so there is no mean; leave --ensemble "
@@ -42,7 +43,7 @@ void EnsembleFlag::require_model(const std::string& model_file) const {
 
 CompensationModel read_model_of_plan(const std::string& model_file, const Plan& plan,
                                      const std::string& plan_file) {
-  CompensationModel model = read_model(model_file);
+  CompensationModel model = read_model_of_one_arm(model_file);
   if (plan.ensemble.empty()) {
     model.answer = EnsembleAnswer::first;
     return model;

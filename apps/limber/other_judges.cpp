@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limber/common/units.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/network/compensation_model.hpp"
 
 namespace limber {
@@ -28,7 +29,7 @@ bool has_failed(const Certificate& certificate, const char* check) {
 
 OtherJudgement judge_by(const std::string& model_file, const Plan& plan, const ArmDescription& arm,
                         const ValveParameters* valves, const Environment& environment) {
-  const CompensationModel network = read_model(model_file);
+  const CompensationModel network = read_model_of_one_arm(model_file);
   const ValveParameters own = network.valves.value_or(ValveParameters{});
   const ValveParameters& used = valves == nullptr || network.learnt_from_setpoints ? own : *valves;
   Plan same_commands = plan;

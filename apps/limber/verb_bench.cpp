@@ -3,6 +3,7 @@
 #include "limber/arm/arm_description.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/lab/speed_benchmark.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/report/speed_report.hpp"
 #include "limber/report/training_report.hpp"
@@ -64,7 +65,7 @@ class BenchVerb final : public Verb {
     }
     std::optional<CompensationModel> model;
     if (!model_.empty()) {
-      model = read_model(model_);
+      model = read_model_of_one_arm(model_);
       require_model_of(*model, arm, model_);
     }
     SpeedSettings settings;

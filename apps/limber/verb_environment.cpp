@@ -6,6 +6,7 @@
 #include "limber/common/units.hpp"
 #include "limber/lab/environment_measures.hpp"
 #include "limber/lab/witnessed_environment.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/planning/problem_check.hpp"
 #include "limber/report/plan_picture.hpp"
 #include "limber/world/collision.hpp"
@@ -69,7 +70,7 @@ class EnvironmentVerb final : public Verb {
       return run_random(arm, virtual_witness(arm), flags);
     }
     const ForwardModel forward =
-        model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model(model_));
+        model_.empty() ? ForwardModel(arm) : ForwardModel(arm, read_model_of_one_arm(model_));
     const MotionModel model = valves_.motion_model(arm, forward);
     return check ? run_check(arm, model, flags) : run_random(arm, model_witness(arm, model), flags);
   }

@@ -2,6 +2,7 @@
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/report/execution_report.hpp"
 #include "limber/report/execution_times.hpp"
 #include "limber/report/plan_picture.hpp"
@@ -105,7 +106,7 @@ class ExecuteVerb final : public Verb {
       return finish(arm, environment, plan, result, driver.get(), flags);
     }
     if (driver_.is_model()) {
-      CompensationModel network = read_model(driver_.model_file());
+      CompensationModel network = read_model_of_one_arm(driver_.model_file());
       const ValveParameters valves = network.valves.value_or(ValveParameters{});
       ModelArm driver(arm, std::move(network), valves);
       const ExecutionResult result = run_plan(arm, environment, plan, driver, flags);
@@ -173,7 +174,7 @@ class ExecuteVerb final : public Verb {
                           flags);
     }
     if (driver_.is_model()) {
-      CompensationModel network = read_model(driver_.model_file());
+      CompensationModel network = read_model_of_one_arm(driver_.model_file());
       const ValveParameters valves = network.valves.value_or(ValveParameters{});
       ModelArm driver(arm, std::move(network), valves);
       return finish_track(arm, track_.run(arm, environment, driver, limits, flags), nullptr, flags);

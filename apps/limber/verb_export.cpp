@@ -6,6 +6,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/yaml_reader.hpp"
 #include "limber/data/recording_export.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/network/onnx_export.hpp"
 #include "limber/sim/mjcf.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
@@ -154,7 +155,7 @@ class ExportVerb final : public Verb {
   }
 
   void export_model() {
-    const CompensationModel model = read_model(file_);
+    const CompensationModel model = read_model_of_one_arm(file_);
     if (!onnx_.empty()) {
       write_onnx(onnx_, model);
       add({onnx_});

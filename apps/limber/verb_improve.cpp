@@ -8,6 +8,7 @@
 #include "limber/common/error.hpp"
 #include "limber/driver/vented_rest.hpp"
 #include "limber/lab/improve.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/run/model_arm.hpp"
 #include "limber/training/fine_tuning.hpp"
 #include "room_flags.hpp"
@@ -148,7 +149,7 @@ class ImproveVerb final : public Verb {
 
   /// A fresh arm that is what another network says, for every run.
   ImproveArm model_arm() const {
-    const auto make = [arm = settings_.arm, network = read_model(driver_.model_file())] {
+    const auto make = [arm = settings_.arm, network = read_model_of_one_arm(driver_.model_file())] {
       return std::make_unique<ModelArm>(arm, network, network.valves.value_or(ValveParameters{}));
     };
     ImproveArm on;

@@ -90,6 +90,14 @@ class TrainVerb final : public Verb {
                    "Without this flag, best trains 3 for a third of the epochs where the "
                    "data hold 1 to 4 hours and nothing says how long to train; else 1")
         ->check(CLI::Range(1, 64));
+    app.add_flag("--family", family_,
+                 "One network for all arms that the recordings are of, which limber adapt makes one "
+                 "arm's: every recording is an arm, of collect --vary-physics every episode")
+        ->excludes(from);
+    app.add_option("--family-size", family_size_, "Numbers that say which arm of a family it is")
+        ->check(CLI::Range(0, ArmFamily::kMaxSize))
+        ->needs("--family")
+        ->capture_default_str();
     app.add_option("--checkpoint-interval-s", checkpoint_interval_s_,
                    "Seconds between checkpoints: the most that a killed run loses")
         ->check(CLI::NonNegativeNumber)
@@ -115,7 +123,8 @@ class TrainVerb final : public Verb {
     const TrainingData old_data = load_old_data(flags, arm, settings, sources);
     data.replay = old_data.training;
     say_episodes(flags, choice);
-    const std::optional<StageChoice> stages = choose_stages(flags, arm, data, settings);
+    const std::optional<StageChoice> stages =
+        family_ ? std::nullopt : choose_stages(flags, arm, data, settings);
     say_training(flags, data, settings);
     keep_known_valves(flags, arm, start, valves);
     TrainingResult result =
@@ -254,6 +263,10 @@ class TrainVerb final : public Verb {
     }
     settings.reads_velocity = velocity_.value_or(settings.reads_velocity);
     settings.ensemble = ensemble_.value_or(settings.ensemble);
+    if (family_) {
+      settings.family_size = family_size_;
+      settings.validation_interval = kFamilyValidationInterval;
+    }
     settings.replay_share = replay_share_.value_or(settings.replay_share);
     settings.checkpoint = checkpoint_path();
     settings.checkpoint_interval_s = checkpoint_interval_s_;
@@ -274,11 +287,16 @@ class TrainVerb final : public Verb {
   }
 
   NamedEpisodes read_episodes(const CommonFlags& flags, const ArmDescription& arm,
-                              const std::vector<std::string>& paths, std::string& sources) {
+                              const std::vector<std::string>& paths, std::string& sources,
+                              std::vector<int>* arms = nullptr) {
     NamedEpisodes all;
     for (const std::string& path : paths) {
       const std::string file = fs::path(path).filename().string();
-      all.add(file, read_usable(flags, arm, path).episodes);
+      Recording recording = read_usable(flags, arm, path);
+      if (arms != nullptr) {
+        add_arms_of(recording, *arms);
+      }
+      all.add(file, std::move(recording.episodes));
       sources +=
           fmt::format("{}{} {}", sources.empty() ? "" : ", ", file, content_hash(read_file(path)));
     }
@@ -297,12 +315,22 @@ class TrainVerb final : public Verb {
   EpisodeChoice load_data(const CommonFlags& flags, const ArmDescription& arm,
                           const TrainingSettings& settings, std::string& sources,
                           IdentifiedValves& valves) {
-    NamedEpisodes all = read_episodes(flags, arm, data_, sources);
+    std::vector<int> arms;
+    NamedEpisodes all = read_episodes(flags, arm, data_, sources, &arms);
     std::vector<std::string> files;
     for (const std::string& path : data_) {
       files.push_back(fs::path(path).filename().string());
     }
     valves = identify_valves(all.episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
+    if (family_) {
+      EpisodeChoice choice;
+      choice.data =
+          hold_back_arms(std::move(all.episodes), arms, kValidationShare, settings.seed);
+      for (const int held : choice.data.held_back) {
+        choice.validation.push_back(all.names[static_cast<std::size_t>(held)]);
+      }
+      return choice;
+    }
     NamedEpisodes validation;
     if (!validation_.empty()) {
       validation.add(fs::path(validation_).filename().string(),
@@ -363,6 +391,8 @@ class TrainVerb final : public Verb {
     write_file_atomically(curve_path(".curve.svg"), learning_curve_svg(result.curve));
   }
 
+  static constexpr int kFamilyValidationInterval = 10;
+  static constexpr int kFamilySize = 8;
   static constexpr double kValidationShare = 0.1;
   static constexpr double kUnseenShare = 0.1;
 
@@ -381,6 +411,8 @@ class TrainVerb final : public Verb {
   std::vector<int> hidden_;
   std::optional<bool> velocity_;
   std::optional<int> ensemble_;
+  bool family_ = false;
+  int family_size_ = kFamilySize;
   bool setpoints_ = false;
   RecordingKinds kinds_;
   double checkpoint_interval_s_ = 20.0;

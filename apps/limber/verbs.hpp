@@ -10,6 +10,7 @@ namespace limber {
 /// Every verb, in the order of `limber --help`; each is made in its own file, verb_<name>.cpp.
 std::vector<std::unique_ptr<Verb>> all_verbs();
 
+std::unique_ptr<Verb> make_adapt_verb();
 std::unique_ptr<Verb> make_bench_verb();
 std::unique_ptr<Verb> make_calibrate_verb();
 std::unique_ptr<Verb> make_collect_verb();

@@ -28,6 +28,7 @@ void bind_process_driver(pybind11::module_& module);
 void bind_collection(pybind11::module_& module);
 void bind_execution(pybind11::module_& module);
 void bind_training(pybind11::module_& module);
+void bind_families(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
 void bind_pictures(pybind11::module_& module);
 void bind_json(pybind11::module_& module);

@@ -58,6 +58,7 @@ PYBIND11_MODULE(_limber, module) {
   bind_collection(module);
   bind_execution(module);
   bind_training(module);
+  bind_families(module);
   bind_evaluation(module);
   bind_pictures(module);
   bind_json(module);

@@ -114,6 +114,9 @@ void bind_settings(py::module_& module) {
              "normalised units, >= 0.")
       .field("shift_windows", &S::shift_windows,
              "Whether each epoch cuts its windows at another frame.")
+      .field("family_size", &S::family_size,
+             "Numbers that say which of a family's arms it is, 0 to 64; 0: the network is one "
+             "arm's.")
       .field("ensemble", &S::ensemble,
              "Networks trained together, each from its own weights, 1 to 64.")
       .field("replay_share", &S::replay_share,
@@ -198,6 +201,9 @@ void bind_data(py::module_& module) {
           "unseen", [](const TrainingData& data) { return copies_of(data.unseen); },
           [](TrainingData& data, const EpisodeList& e) { data.unseen = episodes_from(e); },
           "List of Episode for note_unseen, which `train` never looks at; a copy.")
+      .def_readwrite("arms", &TrainingData::arms,
+                     "For a family: the arm of each training episode, from 0; empty: each one of "
+                     "its own. A copy; assign whole lists.")
       .def_readonly("held_back", &TrainingData::held_back,
                     "Numbers, from 0, of the episodes given to hold_back_validation that validate.")
       .def("__repr__", [](const TrainingData& data) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "limber/network/arm_family.hpp"
+
 namespace limber {
 
 namespace {
@@ -23,12 +25,13 @@ void turn_about(const Pose& middle, double turn_rad, double grown_m, Pose& tip) 
 }  // namespace
 
 MotionModel::MotionModel(const ForwardModel& forward)
-    : forward_(&forward), valves_(ValveModel::ideal(forward.channel_count())) {}
+    : MotionModel(forward, ValveModel::ideal(forward.channel_count())) {}
 
 MotionModel::MotionModel(const ForwardModel& forward, ValveModel valves)
     : forward_(&forward), valves_(std::move(valves)) {
   assert(valves_.segment_count() == forward.channel_count());
   if (forward.has_network()) {
+    require_one_arm(forward.compensation(), "motion model");
     require_no_valves_before(forward.compensation(), valves_.parameters(), "motion model");
   }
 }

@@ -20,6 +20,7 @@
 #include "limber/common/version.hpp"
 #include "limber/lab/output_folder.hpp"
 #include "limber/lab/trial_run.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/planning/forest.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "limber/planning/problem_check.hpp"
@@ -44,7 +45,7 @@ constexpr std::uint64_t kTrialSeed = 128;  // as the demo's plans
 constexpr const char* kExperimentFile = "experiment.json";
 
 CompensationModel model_of(const ExperimentSettings& settings) {
-  CompensationModel model = read_model(settings.model_file);
+  CompensationModel model = read_model_of_one_arm(settings.model_file);
   model.answer = settings.ensemble;
   return model;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "refusal.hpp"
 
@@ -29,18 +30,6 @@ Sizes expected_sizes(const CompensationModel& model) {
   const bool gated = model.form == OutputForm::gated_change;
   const Eigen::Index change = model.reads_velocity ? backbone : 0;
   return {2 * n + backbone + no_load + change, backbone, gated ? 2 * backbone : backbone};
-}
-
-void require_finite(const std::string& where, const std::string& name,
-                    const Eigen::Ref<const Eigen::MatrixXf>& values) {
-  for (Eigen::Index j = 0; j < values.cols(); ++j) {
-    for (Eigen::Index i = 0; i < values.rows(); ++i) {
-      if (!std::isfinite(values(i, j))) {
-        refuse(where, fmt::format("tensor {}[{}, {}] is {}; expected a finite number", name, i, j,
-                                  values(i, j)));
-      }
-    }
-  }
 }
 
 void validate_normalisation(const std::string& where, const std::string& name,
@@ -112,6 +101,18 @@ void validate_members(const std::string& where, const CompensationModel& model, 
 
 }  // namespace
 
+void require_finite(const std::string& where, const std::string& name,
+                    const Eigen::Ref<const Eigen::MatrixXf>& values) {
+  for (Eigen::Index j = 0; j < values.cols(); ++j) {
+    for (Eigen::Index i = 0; i < values.rows(); ++i) {
+      if (!std::isfinite(values(i, j))) {
+        refuse(where, fmt::format("tensor {}[{}, {}] is {}; expected a finite number", name, i, j,
+                                  values(i, j)));
+      }
+    }
+  }
+}
+
 const char* to_string(BackboneLayout layout) {
   return layout == BackboneLayout::base_poses ? "base_poses" : "gap_poses";
 }
@@ -143,6 +144,8 @@ CompensationModel CompensationModel::member(int index) const {
       one.tube = tube;
     }
   }
+  one.family = family;
+  one.member_of_family = member_of_family;
   one.learnt = learnt;
   one.bounds = bounds;
   return one;
@@ -227,6 +230,18 @@ void validate(const CompensationModel& model, const std::string& where) {
                                 "numbers; expected {}, one per plate",
                                 model.tube->plate_scale_m.size(), model.point_count));
     }
+  }
+  if (model.family) {
+    validate(*model.family, model.layers.front().weight.rows(), where);
+    if (model.member_count() > 1) {
+      refuse(where, "holds several networks and a family; a family has one");
+    }
+  }
+  if (model.member_of_family) {
+    if (!model.family) {
+      refuse(where, "no tensor family.columns; expected one beside family.e");
+    }
+    validate(*model.member_of_family, *model.family, where);
   }
   if (model.learnt) {
     validate(*model.learnt, model.segment_count, model.point_count, where);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "limber/arm/names.hpp"
@@ -27,6 +28,8 @@ constexpr const char* kReadsVelocityKey = "reads_velocity";
 constexpr const char* kTubeKey = "tube";
 constexpr const char* kLearntPrefix = "learnt.";
 constexpr const char* kBoundsPrefix = "bounds.";
+constexpr const char* kFamilyPrefix = "family.";
+constexpr const char* kFamilyKey = "family";
 using RowMajorMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 Tensor matrix_tensor(const Eigen::MatrixXf& matrix) {
@@ -259,6 +262,30 @@ GapBounds read_bounds(TensorReader& tensors) {
   return {vector("length.min"), vector("length.max"), vector("turn.min"), vector("turn.max")};
 }
 
+void add_family(Safetensors& content, const CompensationModel& model) {
+  const std::string prefix = kFamilyPrefix;
+  content.tensors[prefix + "columns"] = matrix_tensor(model.family->columns);
+  content.tensors[prefix + "arms"] = matrix_tensor(model.family->arms);
+  if (model.member_of_family) {
+    const FamilyMember& member = *model.member_of_family;
+    content.metadata[kFamilyKey] = member.family_hash;
+    content.metadata["e"] = fmt::format("[{}]", fmt::join(member.e, ", "));
+    content.tensors[prefix + "e"] = vector_tensor(member.e);
+    content.tensors[prefix + "covariance"] = matrix_tensor(member.covariance);
+  }
+}
+
+void read_family_into(CompensationModel& model, const Safetensors& content,
+                      TensorReader& tensors) {
+  const std::string prefix = kFamilyPrefix;
+  model.family = {tensors.matrix(prefix + "columns"), tensors.matrix(prefix + "arms")};
+  if (tensors.has(prefix + "e")) {
+    const auto hash = content.metadata.find(kFamilyKey);
+    model.member_of_family = {hash == content.metadata.end() ? "" : hash->second,
+                              tensors.vector(prefix + "e"), tensors.matrix(prefix + "covariance")};
+  }
+}
+
 }  // namespace
 
 void write_model(const std::filesystem::path& path, const CompensationModel& model) {
@@ -304,6 +331,9 @@ void write_model(const std::filesystem::path& path, const CompensationModel& mod
   }
   if (model.bounds) {
     add_bounds(content, *model.bounds);
+  }
+  if (model.family) {
+    add_family(content, model);
   }
   write_file_atomically(path, safetensors_bytes(content));
 }
@@ -352,6 +382,9 @@ CompensationModel read_model(const std::filesystem::path& path) {
   }
   if (tensors.has_any(kBoundsPrefix)) {
     model.bounds = read_bounds(tensors);
+  }
+  if (tensors.has_any(kFamilyPrefix)) {
+    read_family_into(model, content, tensors);
   }
   tensors.require_all_taken();
   validate(model, where);

@@ -15,6 +15,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/common/version.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/network/packed_network.hpp"
 
 namespace limber {
@@ -262,6 +263,7 @@ std::string onnx_version() {
 
 void write_onnx(const std::filesystem::path& path, const CompensationModel& model) {
   validate(model, path.string());
+  require_one_arm(model, "ONNX");
   onnx::ModelProto file;
   file.set_ir_version(kIrVersion);
   file.set_producer_name("limber");

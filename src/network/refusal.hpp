@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <Eigen/Core>
+
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -10,5 +12,9 @@ namespace limber {
 [[noreturn]] inline void refuse(const std::string& where, const std::string& what) {
   throw InputError(where + ": " + what);
 }
+
+/// @param name  of the tensor
+void require_finite(const std::string& where, const std::string& name,
+                    const Eigen::Ref<const Eigen::MatrixXf>& values);
 
 }  // namespace limber

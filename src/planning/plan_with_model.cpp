@@ -4,6 +4,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/planning/planner_factory.hpp"
 
@@ -78,7 +79,7 @@ PlanResult plan(const ArmDescription& arm, const CompensationModel& network,
 PlanResult plan(const ArmDescription& arm, const std::filesystem::path& model_file,
                 const Environment& environment, const PlannerLimits& limits, std::uint64_t seed,
                 const PlanSettings& settings) {
-  const CompensationModel network = read_model(model_file);
+  const CompensationModel network = read_model_of_one_arm(model_file);
   require_bounded(network, model_file.string());
   PlanResult result = plan(arm, network, environment, limits, seed, settings);
   if (result.plan) {

@@ -1,4 +1,4 @@
-#include "limber/plot/palette.hpp"
+#include "limber/plot/shape_style.hpp"
 
 #include <array>
 #include <cassert>

@@ -7,7 +7,7 @@
 
 #include "animation_page.hpp"
 #include "limber/common/units.hpp"
-#include "limber/plot/palette.hpp"
+#include "limber/plot/shape_style.hpp"
 #include "limber/plot/svg_text.hpp"
 
 namespace limber {

@@ -6,7 +6,7 @@
 
 #include "limber/common/atomic_file.hpp"
 #include "limber/plot/chart.hpp"
-#include "limber/plot/palette.hpp"
+#include "limber/plot/shape_style.hpp"
 #include "limber/training/evaluation.hpp"
 
 namespace limber {

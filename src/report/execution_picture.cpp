@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "limber/common/units.hpp"
-#include "limber/plot/palette.hpp"
+#include "limber/plot/shape_style.hpp"
 #include "limber/report/plan_picture.hpp"
 
 namespace limber {

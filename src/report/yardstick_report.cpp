@@ -12,7 +12,7 @@
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/plot/chart.hpp"
-#include "limber/plot/palette.hpp"
+#include "limber/plot/shape_style.hpp"
 #include "limber/report/training_report.hpp"
 
 namespace limber {

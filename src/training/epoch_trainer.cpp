@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include "learnt_kind.hpp"
@@ -25,22 +26,64 @@ constexpr double kWorsening = 3.0;
 constexpr std::uint64_t kShuffleStreams = 1ULL << 32;
 constexpr std::uint64_t kNoiseStreams = 1ULL << 33;
 constexpr std::uint64_t kMemberStreams = 1ULL << 34;
+// Variance that is added to that of the arms' vectors: a direction that none of them uses stays one.
+constexpr double kLeastArmSpread = 1e-6;
 
-std::vector<int> widths(const TrainingTables& tables, const std::vector<int>& hidden) {
-  std::vector<int> result = {static_cast<int>(tables.input.scale.size())};
-  result.insert(result.end(), hidden.begin(), hidden.end());
-  result.push_back(tables.map.output_count());
-  return result;
+ParameterLayout layout_for(const TrainingTables& tables, const TrainingSettings& settings) {
+  ArmVectorTable arms;
+  if (settings.family_size > 0) {
+    arms = {settings.family_size, 1 + std::ranges::max(tables.frames.arm)};
+  }
+  std::vector<int> widths = {static_cast<int>(tables.input.scale.size()) + arms.size};
+  widths.insert(widths.end(), settings.hidden_units.begin(), settings.hidden_units.end());
+  widths.push_back(tables.map.output_count());
+  return ParameterLayout(std::move(widths), arms);
+}
+
+/// The arm of every frame.
+std::vector<int> arms_of_frames(const TrainingData& data) {
+  std::vector<int> arms;
+  for (std::size_t i = 0; i < data.training.size(); ++i) {
+    arms.insert(arms.end(), static_cast<std::size_t>(data.training[i].frame_count()),
+                data.arms.empty() ? static_cast<int>(i) : data.arms[i]);
+  }
+  return arms;
+}
+
+/// The family that such a network and its arms' vectors are, in a scale in which these have mean 0
+/// and unit covariance.
+void make_family(const ParameterLayout& layout, const Eigen::VectorXf& parameters,
+                 CompensationModel& model) {
+  const auto [size, count] = layout.arms();
+  const Eigen::MatrixXd arms =
+      kArmVectorScale *
+      Eigen::Map<const Eigen::MatrixXf>(parameters.data() + layout.arm_offset(0), size, count)
+          .cast<double>();
+  const Eigen::VectorXd mean = arms.rowwise().mean();
+  const Eigen::MatrixXd centred = arms.colwise() - mean;
+  const Eigen::MatrixXd covariance =
+      centred * centred.transpose() / count + kLeastArmSpread * Eigen::MatrixXd::Identity(size, size);
+  const Eigen::LLT<Eigen::MatrixXd> root(covariance);
+  Layer& first = model.layers.front();
+  const Eigen::MatrixXd columns = first.weight.rightCols(size).cast<double>();
+  first.bias += (columns * mean).cast<float>();
+  first.weight.conservativeResize(Eigen::NoChange, first.weight.cols() - size);
+  model.family = {(columns * Eigen::MatrixXd(root.matrixL())).cast<float>(),
+                  root.matrixL().solve(centred).cast<float>()};
 }
 
 TrainingTables tables_for(const ArmDescription& arm, const TrainingData& data,
                           const TrainingSettings& settings, const CompensationModel* start) {
   std::vector<Episode> episodes = data.training;
   episodes.insert(episodes.end(), data.replay.begin(), data.replay.end());
-  if (start != nullptr) {
-    return make_training_tables(arm, episodes, settings, start->input, start->output);
+  TrainingTables tables =
+      start != nullptr
+          ? make_training_tables(arm, episodes, settings, start->input, start->output)
+          : make_training_tables(arm, episodes, settings);
+  if (settings.family_size > 0) {
+    tables.frames.arm = arms_of_frames(data);
   }
-  return make_training_tables(arm, episodes, settings);
+  return tables;
 }
 
 GapBounds bounds_for(const TrainingData& data, const CompensationModel* start) {
@@ -65,7 +108,7 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       members_(start != nullptr ? start->member_count() : settings.ensemble),
       tables_(tables_for(arm, data, settings, start)),
       bounds_(bounds_for(data, start)),
-      layout_(widths(tables_, settings.hidden_units)),
+      layout_(layout_for(tables_, settings)),
       own_episodes_(data.training.size()),
       from_setpoints_(learns_from_setpoints(data)) {
   set_bounds(tables_, settings_, bounds_);
@@ -238,6 +281,9 @@ CompensationModel EpochTrainer::model_of(const Eigen::VectorXf& parameters,
     } else {
       model.more_members.push_back(std::move(layers));
     }
+  }
+  if (layout_.arms().size > 0) {
+    make_family(layout_, parameters, model);
   }
   model.input = tables_.input;
   model.output = tables_.output;

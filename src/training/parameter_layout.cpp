@@ -10,10 +10,12 @@ namespace limber {
 namespace {
 
 constexpr float kLastLayerShare = 0.1F;
+constexpr double kFirstArmSpread = 0.3;
 
 }  // namespace
 
-ParameterLayout::ParameterLayout(std::vector<int> widths) : widths_(std::move(widths)) {
+ParameterLayout::ParameterLayout(std::vector<int> widths, ArmVectorTable arms)
+    : widths_(std::move(widths)), arms_(arms) {
   assert(widths_.size() >= 2);
   for (int layer = 0; layer < layer_count(); ++layer) {
     offsets_.push_back(size_);
@@ -32,6 +34,10 @@ Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t 
     for (Eigen::Index i = layout.weight_offset(layer); i < layout.bias_offset(layer); ++i) {
       parameters[i] = static_cast<float>(stream.uniform(-limit, limit));
     }
+  }
+  RandomStream stream(seed, first_stream + static_cast<std::uint64_t>(layout.layer_count()));
+  for (Eigen::Index i = layout.arm_offset(0); i < layout.size(); ++i) {
+    parameters[i] = static_cast<float>(kFirstArmSpread * stream.normal()) / kArmVectorScale;
   }
   return parameters;
 }

@@ -138,6 +138,43 @@ void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
   }
 }
 
+TrainingData hold_back_arms(std::vector<Episode> episodes, const std::vector<int>& arms,
+                            double fraction, std::uint64_t seed) {
+  assert(arms.size() == episodes.size());
+  std::vector<int> order = arms;
+  std::ranges::sort(order);
+  order.erase(std::ranges::unique(order).begin(), order.end());
+  RandomStream random(seed, kValidationStream);
+  for (std::size_t i = order.size(); i > 1; --i) {
+    std::swap(order[i - 1], order[random.index(static_cast<std::uint32_t>(i))]);
+  }
+  const std::size_t held =
+      order.size() < kMinArmsToHoldBack
+          ? 0
+          : static_cast<std::size_t>(std::lround(fraction * static_cast<double>(order.size())));
+  TrainingData data;
+  for (std::size_t i = 0; i < episodes.size(); ++i) {
+    const auto place = static_cast<std::size_t>(std::ranges::find(order, arms[i]) - order.begin());
+    if (place < held) {
+      data.validation.push_back(std::move(episodes[i]));
+      data.held_back.push_back(static_cast<int>(i));
+    } else {
+      data.training.push_back(std::move(episodes[i]));
+      data.arms.push_back(static_cast<int>(place - held));
+    }
+  }
+  return data;
+}
+
+void add_arms_of(const Recording& recording, std::vector<int>& arms) {
+  int next = arms.empty() ? 0 : 1 + std::ranges::max(arms);
+  const bool varies = recording.settings.find("varied ") != std::string::npos;
+  for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
+    arms.push_back(next);
+    next += varies ? 1 : 0;
+  }
+}
+
 TrainingResult train(const ArmDescription& arm, const TrainingData& data,
                      const TrainingSettings& settings, const TrainingHooks& hooks) {
   return TrainingRun(arm, data, settings, nullptr, hooks).run();

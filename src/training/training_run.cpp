@@ -13,6 +13,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
+#include "limber/training/arm_fit.hpp"
 #include "rollout.hpp"
 
 namespace limber {
@@ -69,7 +70,12 @@ void TrainingRun::validate(LearningCurvePoint& point) {
   const Eigen::VectorXf& weights = trainer_.validated_weights();
   double error_m = point.loss;  // without validation data the training loss decides
   std::vector<double> members_m;
-  if (!data_.validation.empty()) {
+  if (!data_.validation.empty() && settings_.family_size > 0) {
+    error_m = error_on_other_arms_m(arm_, trainer_.model_of_member(weights, 0), data_.validation,
+                                    settings_.jobs);
+    members_m.push_back(error_m);
+    point.validation_position_error_cm = kCmPerM * error_m;
+  } else if (!data_.validation.empty()) {
     const std::vector<RolloutPiece> pieces = pieces_of_length(data_.validation, kValidationFrames);
     std::vector<std::vector<FrameMatrix>> predicted;
     for (int member = 0; member < trainer_.member_count(); ++member) {
@@ -253,6 +259,9 @@ std::string TrainingRun::identity() const {
       s.error_in_base_poses, static_cast<int>(s.reduction), static_cast<int>(s.optimiser),
       s.learning_rate, s.cosine_decay, s.gradient_norm_limit, s.average_decay, s.input_noise,
       s.shift_windows, s.validation_interval, s.ensemble, s.seed);
+  if (s.family_size > 0) {
+    text += fmt::format(" family {} {}", s.family_size, fmt::join(data_.arms, " "));
+  }
   if (!data_.replay.empty()) {
     text += fmt::format(" replay {} of {} episodes", s.replay_share, data_.replay.size());
   }

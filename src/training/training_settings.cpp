@@ -147,6 +147,10 @@ void require_usable(const TrainingSettings& settings) {
   require(settings.input_noise >= 0.0, "input_noise", settings.input_noise, ">= 0");
   require(settings.ensemble >= 1 && settings.ensemble <= 64, "ensemble", settings.ensemble,
           "1 to 64 networks");
+  require(settings.family_size >= 0 && settings.family_size <= ArmFamily::kMaxSize, "family_size",
+          settings.family_size, "0 to 64 numbers");
+  require(settings.family_size == 0 || settings.ensemble == 1, "ensemble", settings.ensemble,
+          "1 network for a family");
   require(settings.replay_share >= 0.0 && settings.replay_share <= 0.95, "replay_share",
           settings.replay_share, "0 to 0.95");
   require(settings.validation_interval >= 1, "validation_interval", settings.validation_interval,

@@ -70,6 +70,11 @@ WindowGradient<Scalar>::WindowGradient(const ParameterLayout& layout, const Stat
   change_back_.resize(changed_.size());
   put_in_.resize(map.growth_limit > 0 ? numbers(1, 1) : 0);
   shortened_.resize(put_in_.size());
+  if (layout.arms().size > 0) {
+    arm_.resize(index_.size());
+    arm_back_.resize(numbers(1, layout.arms().size));
+    arm_sum_.resize(arm_back_.size());
+  }
   unbounded_.resize(map.is_bounded() ? numbers(blocks, size_) : 0);
   gate_.resize(map.is_gated() ? numbers(blocks, size_) : 0);
 }
@@ -81,6 +86,10 @@ void WindowGradient<Scalar>::load(const FrameTable<Scalar>& frames, std::span<co
   groups_ = (windows_ + stride_ - 1) / stride_;
   std::copy(starts.begin(), starts.end(), index_.begin());
   std::fill(index_.begin() + windows_, index_.begin() + groups_ * stride_, starts.back());
+  if (!arm_.empty()) {
+    std::transform(index_.begin(), index_.begin() + groups_ * stride_, arm_.begin(),
+                   [&](int frame) { return frames.arm[static_cast<std::size_t>(frame)]; });
+  }
   for (int group = 0; group < groups_; ++group) {
     for (int k = 0; k < frames_; ++k) {
       load_block(frames, group, k);
@@ -149,10 +158,28 @@ Scalar* WindowGradient<Scalar>::layer_input(int layer, int block) {
              : at(hidden_[static_cast<std::size_t>(layer) - 1], layout_.inputs(layer), block);
 }
 
+// An arm's vector is the same in all frames of a window.
+template <class Scalar>
+void WindowGradient<Scalar>::put_arms(const Scalar* parameters) {
+  for (int block = 0; block < groups_ * frames_; ++block) {
+    Scalar* rows = layer_input(0, block) + arm_row() * stride_;
+    const int* arms = arm_.data() + block / frames_ * stride_;
+    for (int i = 0; i < stride_; ++i) {
+      const Scalar* vector = parameters + layout_.arm_offset(arms[i]);
+      for (int r = 0; r < layout_.arms().size; ++r) {
+        rows[r * stride_ + i] = Scalar(kArmVectorScale) * vector[r];
+      }
+    }
+  }
+}
+
 template <class Scalar>
 double WindowGradient<Scalar>::forward(const Scalar* parameters) {
   const int last = layout_.layer_count() - 1;
   double loss = 0.0;
+  if (!arm_.empty()) {
+    put_arms(parameters);
+  }
   for (int group = 0; group < groups_; ++group) {
     for (int k = 0; k < frames_; ++k) {
       const int block = block_of(group, k);
@@ -230,7 +257,8 @@ void WindowGradient<Scalar>::carry_back(int block, Scalar* delta) {
 }
 
 template <class Scalar>
-void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block, int slot) {
+void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block, int slot,
+                                            Scalar* gradient) {
   const auto delta = [&](int layer) {
     return at(delta_[static_cast<std::size_t>(layer)], layout_.outputs(layer), slot);
   };
@@ -244,6 +272,9 @@ void WindowGradient<Scalar>::backward_block(const Scalar* parameters, int block,
     kernels_.layer_back(stride_, layout_.outputs(layer), inputs, delta(layer),
                         parameters + layout_.weight_offset(layer), delta(layer - 1));
     kernels_.relu_gradient(stride_ * inputs, layer_input(layer, block), delta(layer - 1));
+  }
+  if (!arm_.empty()) {
+    carry_arms_back(parameters, block, delta(0), gradient);
   }
   // Only the columns of the first weight that read B_{t−1} lead back in time, and from a window's
   // first frame nothing does.
@@ -306,7 +337,7 @@ void WindowGradient<Scalar>::carry_change_back(const Scalar* parameters, const S
   const int outputs = layout_.outputs(0);
   kernels_.layer_back(
       stride_, outputs, size_, delta,
-      parameters + layout_.weight_offset(0) + std::ptrdiff_t{layout_.inputs(0) - size_} * outputs,
+      parameters + layout_.weight_offset(0) + std::ptrdiff_t{change_row()} * outputs,
       change_back_.data());
   for (int r = 0; r < size_; ++r) {
     const Scalar scale = map_.change_scale[r];
@@ -316,6 +347,30 @@ void WindowGradient<Scalar>::carry_change_back(const Scalar* parameters, const S
     }
   }
   std::swap(change_back_, changed_);
+}
+
+// Frames of a group are added up, and go to their arms behind the last of them.
+template <class Scalar>
+void WindowGradient<Scalar>::carry_arms_back(const Scalar* parameters, int block,
+                                             const Scalar* delta, Scalar* gradient) {
+  const int outputs = layout_.outputs(0);
+  const int size = layout_.arms().size;
+  kernels_.layer_back(
+      stride_, outputs, size, delta,
+      parameters + layout_.weight_offset(0) + std::ptrdiff_t{arm_row()} * outputs,
+      arm_back_.data());
+  std::transform(arm_back_.begin(), arm_back_.end(), arm_sum_.begin(), arm_sum_.begin(),
+                 std::plus<>());
+  if (block % frames_ + 1 < frames_) {
+    return;
+  }
+  const int* arms = arm_.data() + block / frames_ * stride_;
+  for (int i = 0; i < stride_; ++i) {
+    Scalar* vector = gradient + layout_.arm_offset(arms[i]);
+    for (int r = 0; r < size; ++r) {
+      vector[r] += Scalar(kArmVectorScale) * arm_sum_[static_cast<std::size_t>(r * stride_ + i)];
+    }
+  }
 }
 
 template <class Scalar>
@@ -342,8 +397,9 @@ void WindowGradient<Scalar>::backward(const Scalar* parameters, Scalar* gradient
       std::fill(direct_.begin(), direct_.end(), Scalar(0));
       std::fill(changed_.begin(), changed_.end(), Scalar(0));
       std::fill(put_in_.begin(), put_in_.end(), Scalar(0));
+      std::fill(arm_sum_.begin(), arm_sum_.end(), Scalar(0));
     }
-    backward_block(parameters, block, pending);
+    backward_block(parameters, block, pending, gradient);
     ++pending;
     if (pending == slots_ || block + 1 == blocks) {
       add_weight_gradients(block + 1 - pending, pending, gradient);

@@ -15,6 +15,7 @@
 #include "limber/common/interrupt.hpp"
 #include "limber/common/version.hpp"
 #include "limber/lab/output_folder.hpp"
+#include "limber/network/arm_family.hpp"
 #include "plan_runs.hpp"
 #include "round_figures.hpp"
 #include "round_training.hpp"
@@ -51,7 +52,7 @@ struct RoundModel {
 };
 
 RoundModel read_round_model(const fs::path& file) {
-  return {read_model(file), content_hash(read_file(file))};
+  return {read_model_of_one_arm(file), content_hash(read_file(file))};
 }
 
 class Improvement {

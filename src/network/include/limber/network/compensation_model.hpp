@@ -58,6 +58,27 @@ struct GapBounds {
   Eigen::VectorXf max_turn_rad;  ///< ≥ min_turn_rad
 };
 
+/// What makes a network one for a family of arms: its first layer reads, beside its other inputs,
+/// k numbers e that say which arm it is (docs/families.md). They are in the family's own scale:
+/// over the arms that it learnt from, e has mean 0 and unit covariance, so that the origin is the
+/// family's middle, and an arm of it is about √k away. Plain values.
+struct ArmFamily {
+  static constexpr int kMaxSize = 64;  ///< of k
+
+
+  Eigen::MatrixXf columns;  ///< of e in the first layer, units × k
+  Eigen::MatrixXf arms;     ///< k × N, e of the arms that it learnt from
+
+  int size() const { return static_cast<int>(columns.cols()); }
+};
+
+/// Which arm of a family a model is of, as far as its recordings told.
+struct FamilyMember {
+  std::string family_hash;     ///< of the family's file; empty: not from a file
+  Eigen::VectorXf e;           ///< k; its share is part of the first layer's bias
+  Eigen::MatrixXf covariance;  ///< k × k, of e: several arms fit what was recorded
+};
+
 /// The network Φ of (5), (16) or (22) with everything needed to use it. Its inputs (q_{t−1}, q_t,
 /// B_{t−1}, B̃_t, and B_{t−1} − B_{t−2} where it reads velocities) are normalised by `input`. Its
 /// result is in the coordinates of `layout`: the compensation B_t − B̃_t normalised by `output`; or
@@ -103,6 +124,10 @@ struct CompensationModel {
   std::optional<LearntRegion> learnt;
   /// What its predictions stay within, by (20); none in files of before it was kept.
   std::optional<GapBounds> bounds;
+
+  /// Where it is a family's, or was made from one; and the arm that it is then a model of.
+  std::optional<ArmFamily> family;
+  std::optional<FamilyMember> member_of_family;
 
   int member_count() const { return 1 + static_cast<int>(more_members.size()); }
   /// Networks that every answer asks: all of them for their mean, else 1.

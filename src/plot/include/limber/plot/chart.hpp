@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "limber/plot/chart_series.hpp"
-#include "limber/plot/palette.hpp"
+#include "limber/plot/shape_style.hpp"
 
 namespace limber {
 

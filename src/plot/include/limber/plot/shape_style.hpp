@@ -5,6 +5,15 @@
 
 namespace limber {
 
+/// Colour `index` ≥ 0 of the palette of Okabe and Ito (2008), as "#rrggbb". Colour-blind readers
+/// can tell its colours apart. After the last colour it starts again. The first three keep their
+/// meaning in all of limber's pictures; see below.
+std::string palette_color(int index);
+
+inline constexpr int kNoLoadColor = 0;   ///< vermilion: the no-load model
+inline constexpr int kNetworkColor = 1;  ///< blue: the network model
+inline constexpr int kTrueArmColor = 2;  ///< black: the true arm
+
 /// How a shape looks: "none" leaves fill or stroke out. Colours are any of CSS's.
 struct ShapeStyle {
   std::string fill = "none";

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "limber/plot/palette.hpp"
 #include "limber/plot/shape_style.hpp"
 
 namespace limber {

@@ -23,6 +23,9 @@ struct TrainingData {
   std::vector<Episode> replay = {};
   /// The finished model's error is measured on these data; `train` never uses them.
   std::vector<Episode> unseen = {};
+  /// For a family: which arm each training episode was recorded on, from 0. Empty: every one on an
+  /// arm of its own.
+  std::vector<int> arms = {};
   /// Which of the episodes given to `hold_back_validation` validate, rising; empty where none were
   /// held back.
   std::vector<int> held_back = {};
@@ -44,6 +47,18 @@ void leave_out_broken(TrainingData& data, const std::vector<bool>& broken);
 /// they are. Call it after `hold_back_validation`, or before validation episodes come from
 /// elsewhere.
 void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed);
+
+/// For a family: holds back whole arms, with all of their episodes, for validation: about
+/// `fraction` of the arms, chosen by `seed`; none of fewer than kMinArmsToHoldBack.
+/// @param arms  the arm of each episode, any numbers
+TrainingData hold_back_arms(std::vector<Episode> episodes, const std::vector<int>& arms,
+                            double fraction, std::uint64_t seed);
+
+inline constexpr int kMinArmsToHoldBack = 10;
+
+/// Adds the arm of each of a recording's episodes to `arms`, in numbers that none of these has: of
+/// virtual arms that vary from episode to episode each is one; else all are of one.
+void add_arms_of(const Recording& recording, std::vector<int>& arms);
 
 /// One row of the learning curve.
 struct LearningCurvePoint {

@@ -68,6 +68,10 @@ struct TrainingSettings {
   double input_noise = 0;     ///< standard deviation added to a window's first backbone, normalised
   bool shift_windows = true;  ///< each epoch cuts its windows at another offset
 
+  /// k, numbers that say which of a family's arms it is (network/arm_family.hpp), 0 to 64; 0: the
+  /// network is one arm's.
+  int family_size = 0;
+
   int ensemble = 1;            ///< networks trained together, 1 to 64, each from its own weights
   double replay_share = 0.25;  ///< of an epoch's windows, from what is replayed; [0, 0.95]
 

@@ -8,18 +8,28 @@
 
 namespace limber {
 
+/// The vectors e of a family's training arms, as parameters: k numbers for each of N arms.
+struct ArmVectorTable {
+  int size = 0;   ///< k; 0: one arm, and no such vectors
+  int count = 0;  ///< N
+};
+
 /// Where the weights and biases of a network lie in one flat vector: layer by layer, the weight
-/// (out × in, column-major), then the bias. Optimisers see the flat vector alone.
+/// (out × in, column-major), then the bias; behind them, arm by arm, the vectors of a family's arms
+/// divided by kArmVectorScale. Optimisers see the flat vector alone.
 class ParameterLayout {
  public:
-  /// @param widths  inputs, hidden layers, outputs: at least two numbers ≥ 1.
-  explicit ParameterLayout(std::vector<int> widths);
+  /// @param widths  inputs, hidden layers, outputs: at least two numbers ≥ 1. The last of the
+  ///                inputs are an arm's vector.
+  explicit ParameterLayout(std::vector<int> widths, ArmVectorTable arms = {});
 
   int layer_count() const { return static_cast<int>(widths_.size()) - 1; }
   int inputs(int layer) const { return widths_[static_cast<std::size_t>(layer)]; }
   int outputs(int layer) const { return widths_[static_cast<std::size_t>(layer) + 1]; }
   /// Numbers in the flat vector.
-  Eigen::Index size() const { return size_; }
+  Eigen::Index size() const { return size_ + Eigen::Index(arms_.size) * arms_.count; }
+  const ArmVectorTable& arms() const { return arms_; }
+  Eigen::Index arm_offset(int arm) const { return size_ + Eigen::Index(arm) * arms_.size; }
   Eigen::Index weight_offset(int layer) const { return offsets_[static_cast<std::size_t>(layer)]; }
   Eigen::Index bias_offset(int layer) const {
     return weight_offset(layer) + Eigen::Index(inputs(layer)) * outputs(layer);
@@ -27,13 +37,18 @@ class ParameterLayout {
 
  private:
   std::vector<int> widths_;
+  ArmVectorTable arms_;
   std::vector<Eigen::Index> offsets_;
   Eigen::Index size_ = 0;
 };
 
+/// An optimiser whose steps are of one size moves the arms' vectors by so much more than weights.
+inline constexpr float kArmVectorScale = 7.0F;
+
 /// Weights uniform within ± √(6 / inputs) (He et al. 2015, for ReLU), biases zero; the last layer a
 /// tenth of that, so that training starts near the no-load model. Draws from the streams
-/// `first_stream`, `first_stream` + 1, … of `seed`, one per layer.
+/// `first_stream`, `first_stream` + 1, … of `seed`, one per layer, and one for the arms' vectors,
+/// which are normal with a standard deviation of 0.3.
 Eigen::VectorXf initial_parameters(const ParameterLayout& layout, std::uint64_t seed,
                                    std::uint64_t first_stream = 0);
 

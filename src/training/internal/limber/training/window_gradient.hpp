@@ -25,6 +25,7 @@ struct FrameTable {
   Matrix target;                      ///< D×F, what the frame error compares with; empty: `state`
   std::vector<std::uint8_t> tracked;  ///< F, 0 if the backbone was not tracked; empty: always
   Matrix change = {};  ///< D×F, B_t − B_{t−1} as the network reads it; empty: it does not
+  std::vector<int> arm = {};  ///< F, which of a family's arms; empty: they are one
 
   const Matrix& targets() const { return target.size() > 0 ? target : state; }
 };
@@ -94,8 +95,8 @@ class WindowGradient {
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  /// @param layout  2n + D + N inputs (q_{t−1}, q_t, B_{t−1}, B̃_t), and D more where the map has a
-  ///                change_scale; map.output_count() outputs.
+  /// @param layout  2n + D + N inputs (q_{t−1}, q_t, B_{t−1}, B̃_t), D more where the map has a
+  ///                change_scale, and an arm's vector where it has some; map.output_count() outputs.
   WindowGradient(const ParameterLayout& layout, const StateMap<Scalar>& map, int segment_count,
                  int window_frames, int window_limit);
 
@@ -125,9 +126,11 @@ class WindowGradient {
   }
   Scalar* layer_input(int layer, int block);
   Scalar* previous_state(int block) { return layer_input(0, block) + 2 * segments_ * stride_; }
-  Scalar* change(int block) {
-    return layer_input(0, block) + (layout_.inputs(0) - size_) * stride_;
-  }
+  Scalar* change(int block) { return layer_input(0, block) + change_row() * stride_; }
+  int change_row() const { return arm_row() - size_; }
+  int arm_row() const { return layout_.inputs(0) - layout_.arms().size; }
+  void put_arms(const Scalar* parameters);
+  void carry_arms_back(const Scalar* parameters, int block, const Scalar* delta, Scalar* gradient);
   void note_change(int block, const Scalar* state, Scalar* change) const;
   void carry_change_back(const Scalar* parameters, const Scalar* delta);
   void note_error(int block);
@@ -137,7 +140,7 @@ class WindowGradient {
   void carry_back(int block, Scalar* delta);
   void load_block(const FrameTable<Scalar>& frames, int group, int frame);
   void weigh(const FrameTable<Scalar>& frames, std::span<const int> starts);
-  void backward_block(const Scalar* parameters, int block, int slot);
+  void backward_block(const Scalar* parameters, int block, int slot, Scalar* gradient);
   void add_weight_gradients(int first_block, int count, Scalar* gradient);
 
   const WindowKernels<Scalar>& kernels_;
@@ -152,7 +155,8 @@ class WindowGradient {
   int groups_ = 0;
   int windows_ = 0;
   std::vector<int> index_;       ///< table columns of a group's windows
-  Storage input_;                ///< 2n+D+N rows per block
+  std::vector<int> arm_;         ///< the arm of each of them, in a family
+  Storage input_;                ///< the layout's inputs, a row each, per block
   std::vector<Storage> hidden_;  ///< outputs of the hidden layers
   std::vector<Storage>
       delta_;  ///< a layer each: ∂loss/∂(its output before ReLU), of `slots_` blocks
@@ -166,6 +170,8 @@ class WindowGradient {
   Storage changed_;  ///< one block: ∂loss/∂(state's change) of the frame behind, in state's units
   Storage change_back_;     ///< one block: the same of this frame
   Storage put_in_;          ///< of a group's windows: norms of the frames' error gradients, summed
+  Storage arm_back_;        ///< one block: ∂loss/∂(arm's vector) of a frame
+  Storage arm_sum_;         ///< … and of a group's frames so far
   Storage shortened_;       ///< of a group's windows: the factor that keeps them from growing
   Storage unbounded_;       ///< states before (20), where there are bounds
   Storage gate_;            ///< g, where there are gates

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/ranges.h>
+
+#include "limber/arm/valve_findings.hpp"
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/units.hpp"
+#include "limber/network/arm_family.hpp"
+#include "limber/training/adaptation.hpp"
+#include "limber/training/unseen_error.hpp"
+#include "recording_kinds.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+/// null where it is not known
+nlohmann::ordered_json cm_or_null(double error_m) {
+  return std::isnan(error_m) ? nlohmann::ordered_json() : nlohmann::ordered_json(kCmPerM * error_m);
+}
+
+class AdaptVerb final : public Verb {
+ public:
+  const char* name() const override { return "adapt"; }
+  const char* summary() const override {
+    return "Make a family's network one arm's, from a minute of its motion";
+  }
+  const char* example() const override {
+    return "limber collect --schedule identify --out minute.h5\n"
+           "  limber adapt --model family.safetensors --recording minute.h5 --out mine.safetensors";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_option("--model", family_file_,
+                   "Family, as limber family or train --family makes it; or a model of adapt's, "
+                   "whose family it is then")
+        ->required();
+    app.add_option("--recording", recordings_, "Motions of the arm; repeat for more")->required();
+    app.add_option("--weights", settings_.weights,
+                   "auto: where the family does not contain the arm, weights are trained too, and "
+                   "kept if that is better on the seconds held back; never: e alone")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, AdaptWeights>{
+            {"auto", AdaptWeights::automatic}, {"never", AdaptWeights::never}}))
+        ->default_str("auto");
+    app.add_option("--out", out_, "Model of this arm to write")->required();
+  }
+
+  int run(const CommonFlags& flags) override {
+    refuse_to_overwrite(out_, flags.force);
+    const ArmDescription arm = load_asked_arm(arm_);
+    const CompensationModel family = read_model(family_file_);
+    require_family(family, family_file_);
+    std::vector<Episode> episodes;
+    std::string sources;
+    RecordingKinds kinds;
+    for (const std::string& path : recordings_) {
+      Recording recording = kinds.read(path, arm, family.learnt_from_setpoints);
+      std::ranges::move(recording.episodes, std::back_inserter(episodes));
+      sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ",
+                             std::filesystem::path(path).filename().string(),
+                             content_hash(read_file(path)));
+    }
+    settings_.seed = flags.seed;
+    settings_.jobs = flags.jobs;
+    Adaptation done = adapt(arm, family, episodes, settings_);
+    note_origin(family, sources, done);
+    write_model(out_, done.model);
+    print_result(flags, to_json(done), to_text(done, arm));
+    return kExitDone;
+  }
+
+ private:
+  void note_origin(const CompensationModel& family, const std::string& sources,
+                   Adaptation& done) const {
+    const std::string hash = family.member_of_family ? family.member_of_family->family_hash
+                                                     : content_hash(read_file(family_file_));
+    if (done.model.member_of_family) {
+      done.model.member_of_family->family_hash = hash;
+    }
+    done.model.training["data"] = sources;
+    done.model.training["from"] = hash;
+  }
+
+  nlohmann::ordered_json to_json(const Adaptation& done) const {
+    nlohmann::ordered_json json;
+    json["file"] = out_;
+    json["seconds"] = done.seconds;
+    json["held_back_s"] = done.held_back_s;
+    json["error_cm"] = {{"family_middle", cm_or_null(done.middle_error_m)},
+                        {"e_alone", cm_or_null(done.fitted_error_m)},
+                        {"with_weights", cm_or_null(done.trained_error_m)},
+                        {"arms_of_the_family", cm_or_null(done.family_error_m)}};
+    json["e"] = nullptr;
+    json["sd"] = nullptr;
+    if (const auto& member = done.model.member_of_family) {
+      const Eigen::VectorXf deviation = member->covariance.diagonal().cwiseSqrt();
+      json["e"] = std::vector<float>(member->e.begin(), member->e.end());
+      json["sd"] = std::vector<float>(deviation.begin(), deviation.end());
+    }
+    json["distance_from_family"] = done.distance;
+    json["distance_to_nearest_arm"] = done.distance_to_nearest;
+    json["uncertainty"] = {{"mean", done.uncertainty}, {"largest", done.largest_uncertainty}};
+    json["of_family"] = done.is_of_family();
+    json["trained_weights"] = done.has_trained_weights;
+    json["tells_enough"] = !done.tells_too_little();
+    json["valves"] = limber::to_json(done.model.identified_valves());
+    return json;
+  }
+
+  std::string to_text(const Adaptation& done, const ArmDescription& arm) const {
+    std::string text = fmt::format("{}: fitted to {:.0f} s", out_, done.seconds);
+    if (done.held_back_s > 0.0) {
+      text += fmt::format(
+          "; tip error over the last {:.0f} s, held back, open loop: {:.2f} cm, of the family's "
+          "middle {:.2f}",
+          done.held_back_s,
+          kCmPerM * (done.has_trained_weights ? done.trained_error_m : done.fitted_error_m),
+          kCmPerM * done.middle_error_m);
+    }
+    text += fmt::format(
+        "\nthe arm lies {:.2f} from the family's middle (its own arms about 1), {:.2f} from the "
+        "nearest; {:.0f} % of the family's spread are left (at most {:.0f} % in a direction)",
+        done.distance, done.distance_to_nearest, 100.0 * done.uncertainty,
+        100.0 * done.largest_uncertainty);
+    if (done.tells_too_little()) {
+      text +=
+          "\nwarning: the recording moved too little to tell which arm it is; limber collect "
+          "--schedule identify records a minute that does";
+    }
+    if (done.has_trained_weights) {
+      text += fmt::format(
+          "\nthe family does not contain this arm: weights were trained as well ({:.2f} cm instead "
+          "of {:.2f})",
+          kCmPerM * done.trained_error_m, kCmPerM * done.fitted_error_m);
+    } else if (!done.is_of_family()) {
+      text += "\nwarning: the family does not contain this arm; more motions of it, given to limber "
+              "train --from, make a model of its own";
+    }
+    text += "\n" + limber::to_text(done.model.identified_valves(), arm.command.unit);
+    return text;
+  }
+
+  std::string arm_ = "three_segment";
+  std::string family_file_;
+  std::vector<std::string> recordings_;
+  std::string out_;
+  AdaptationSettings settings_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_adapt_verb() {
+  return std::make_unique<AdaptVerb>();
+}
+
+}  // namespace limber

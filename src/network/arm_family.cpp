@@ -1,0 +1,91 @@
+#include "limber/network/arm_family.hpp"
+
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "refusal.hpp"
+
+namespace limber {
+
+namespace {
+
+void add_share(CompensationModel& model, const Eigen::VectorXf& e, float sign) {
+  model.layers.front().bias += sign * (model.family->columns * e);
+}
+
+}  // namespace
+
+void validate(const ArmFamily& family, Eigen::Index units, const std::string& where) {
+  if (family.size() < 1 || family.size() > ArmFamily::kMaxSize || family.columns.rows() != units) {
+    refuse(where, fmt::format("tensor family.columns is {} by {}; expected {}, the units of the "
+                              "first layer, by 1 to {}",
+                              family.columns.rows(), family.size(), units, ArmFamily::kMaxSize));
+  }
+  if (family.arms.rows() != family.size() || family.arms.cols() < 1) {
+    refuse(where, fmt::format("tensor family.arms is {} by {}; expected {}, the columns of "
+                              "family.columns, by at least 1",
+                              family.arms.rows(), family.arms.cols(), family.size()));
+  }
+  require_finite(where, "family.columns", family.columns);
+  require_finite(where, "family.arms", family.arms);
+}
+
+void validate(const FamilyMember& member, const ArmFamily& family, const std::string& where) {
+  if (member.e.size() != family.size() || member.covariance.rows() != family.size() ||
+      member.covariance.cols() != family.size()) {
+    refuse(where, fmt::format("tensors family.e and family.covariance have {} and {} by {} "
+                              "numbers; expected {} and its square",
+                              member.e.size(), member.covariance.rows(), member.covariance.cols(),
+                              family.size()));
+  }
+  require_finite(where, "family.e", member.e);
+  require_finite(where, "family.covariance", member.covariance);
+}
+
+bool is_family(const CompensationModel& model) {
+  return model.family && !model.member_of_family;
+}
+
+CompensationModel model_of_arm(CompensationModel model, const FamilyMember& member) {
+  model = family_of(std::move(model));
+  add_share(model, member.e, 1.0F);
+  model.member_of_family = member;
+  return model;
+}
+
+CompensationModel family_of(CompensationModel model) {
+  if (model.member_of_family) {
+    add_share(model, model.member_of_family->e, -1.0F);
+    model.member_of_family.reset();
+    model.prediction_error.reset();
+    model.tube.reset();
+  }
+  return model;
+}
+
+void require_family(const CompensationModel& model, const std::string& where) {
+  if (!model.family) {
+    throw InputError(fmt::format(
+        "{}: a network of one arm; expected a family's, which limber train --family or limber "
+        "family makes",
+        where));
+  }
+}
+
+void require_one_arm(const CompensationModel& model, const std::string& where) {
+  if (is_family(model)) {
+    throw InputError(fmt::format(
+        "{}: a family of {} arms, and of none of them alone. Record a minute of the arm (limber "
+        "collect --schedule identify --out MINUTE.h5), then: limber adapt --model {} --recording "
+        "MINUTE.h5 --out MINE.safetensors",
+        where, model.family->arms.cols(), where));
+  }
+}
+
+CompensationModel read_model_of_one_arm(const std::filesystem::path& path) {
+  CompensationModel model = read_model(path);
+  require_one_arm(model, path.string());
+  return model;
+}
+
+}  // namespace limber

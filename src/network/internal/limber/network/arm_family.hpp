@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "limber/network/compensation_model.hpp"
+
+namespace limber {
+
+/// @throws InputError beginning with `where` and naming the tensor, unless sizes fit each other and
+/// a first layer of so many units, and every number is finite.
+void validate(const ArmFamily& family, Eigen::Index units, const std::string& where);
+void validate(const FamilyMember& member, const ArmFamily& family, const std::string& where);
+
+/// Whether the model is a family's, not yet one arm's: `limber adapt` makes it so.
+bool is_family(const CompensationModel& model);
+
+/// The model of the arm e: an ordinary one of the same size, e's share added to the first layer's
+/// bias, in place of that of the arm which `model` was fitted to. What was measured on that arm
+/// (error, tube) is left out. @pre model.family, and e has its size
+CompensationModel model_of_arm(CompensationModel model, const FamilyMember& member);
+
+/// The family again, without an arm. @pre model.family
+CompensationModel family_of(CompensationModel model);
+
+/// @throws InputError, its message beginning with `where`, if the model is of no family.
+void require_family(const CompensationModel& model, const std::string& where);
+
+/// @throws InputError, its message beginning with `where`, if the model is a family's: it names the
+/// command that makes it one arm's.
+void require_one_arm(const CompensationModel& model, const std::string& where);
+
+/// For whoever predicts, plans or moves: `read_model`, and `require_one_arm`.
+CompensationModel read_model_of_one_arm(const std::filesystem::path& path);
+
+}  // namespace limber

@@ -1,0 +1,203 @@
+#include "limber/training/adaptation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/number_text.hpp"
+#include "limber/common/units.hpp"
+#include "limber/data/episode_slice.hpp"
+#include "limber/data/valve_identification.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/network/arm_family.hpp"
+#include "limber/training/arm_fit.hpp"
+#include "limber/training/fine_tuning.hpp"
+#include "limber/training/trainer.hpp"
+#include "limber/training/unseen_error.hpp"
+#include "rollout.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr double kHeldBackShare = 0.2;
+constexpr int kLeastFrames = 40;        // of all: less is no motion
+constexpr int kMinHeldBackFrames = 40;
+constexpr int kHeldBackPieceFrames = 600;
+constexpr double kTooWrong = 1.5;     // times the error of the family's own arms: it is none of them
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Of all episodes together, the end.
+struct Halves {
+  std::vector<Episode> seen;
+  std::vector<Episode> held_back;
+};
+
+Halves split(const std::vector<Episode>& episodes) {
+  int frames = 0;
+  for (const Episode& episode : episodes) {
+    frames += episode.frame_count();
+  }
+  int left = static_cast<int>(std::lround(kHeldBackShare * frames));
+  Halves halves{episodes, {}};
+  if (left < kMinHeldBackFrames) {
+    return halves;
+  }
+  while (left > 0) {
+    Episode& last = halves.seen.back();
+    const int taken = std::min(left, last.frame_count());
+    const int kept = last.frame_count() - taken;
+    halves.held_back.insert(halves.held_back.begin(), slice(last, kept, taken));
+    if (kept > 0) {
+      last = slice(last, 0, kept);
+    } else {
+      halves.seen.pop_back();
+    }
+    left -= taken;
+  }
+  return halves;
+}
+
+/// The error of its own arms that a family's record gives.
+double family_error_m(const CompensationModel& family) {
+  const auto found = family.training.find("validation_position_error_cm");
+  const std::optional<double> error_cm =
+      found == family.training.end() ? std::nullopt : number_in<double>(found->second);
+  return error_cm ? *error_cm / kCmPerM : kUnknown;
+}
+
+class Adapter {
+ public:
+  Adapter(const ArmDescription& arm, const CompensationModel& family,
+          const AdaptationSettings& settings)
+      : arm_(arm), family_(family_of(family)), settings_(settings) {}
+
+  Adaptation run(const std::vector<Episode>& episodes) {
+    const Halves halves = split(episodes);
+    const ArmFit whole = fitted_to(episodes);
+    Adaptation result;
+    result.model = whole.model;
+    result.distance = whole.distance;
+    result.distance_to_nearest = whole.distance_to_nearest;
+    note_uncertainty(result);
+    for (const Episode& episode : episodes) {
+      result.seconds += episode.frame_count() * arm_.frame_period_s();
+    }
+    result.family_error_m = family_error_m(family_);
+    result.middle_error_m = result.fitted_error_m = result.trained_error_m = kUnknown;
+    const IdentifiedValves valves = identify_valves(episodes, arm_, "the recording");
+    if (!halves.held_back.empty()) {
+      judge(halves, episodes, valves, result);
+    }
+    if (!result.model.learnt_from_setpoints) {
+      result.model.set_valves(valves);
+    }
+    return result;
+  }
+
+ private:
+  ArmFit fitted_to(const std::vector<Episode>& episodes) const {
+    ArmFitSettings settings;
+    settings.jobs = settings_.jobs;
+    return fit_arm(arm_, family_, episodes, settings);
+  }
+
+  double error_on(const CompensationModel& model, const std::vector<Episode>& episodes) const {
+    const std::vector<RolloutPiece> pieces = pieces_of_length(episodes, kHeldBackPieceFrames);
+    return mean_tip_error_m(
+        roll_out(ForwardModel(arm_, model), episodes, pieces, settings_.jobs), episodes, pieces);
+  }
+
+  static void note_uncertainty(Adaptation& result) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXf> axes(
+        result.model.member_of_family->covariance);
+    const Eigen::VectorXf deviation = axes.eigenvalues().cwiseMax(0.0F).cwiseSqrt();
+    result.uncertainty = std::sqrt(deviation.squaredNorm() / static_cast<float>(deviation.size()));
+    result.largest_uncertainty = deviation.maxCoeff();
+  }
+
+  /// What the seconds held back say, and the weights that they ask for.
+  void judge(const Halves& halves, const std::vector<Episode>& episodes,
+             const IdentifiedValves& valves, Adaptation& result) const {
+    for (const Episode& episode : halves.held_back) {
+      result.held_back_s += episode.frame_count() * arm_.frame_period_s();
+    }
+    CompensationModel before = fitted_to(halves.seen).model;
+    result.middle_error_m = error_on(family_, halves.held_back);
+    result.fitted_error_m = error_on(before, halves.held_back);
+    const bool is_too_wrong = result.fitted_error_m > kTooWrong * result.family_error_m;
+    if (settings_.weights == AdaptWeights::automatic &&
+        (is_too_wrong || result.distance > Adaptation::kFarFromFamily)) {
+      CompensationModel trained = trained_on(before, halves.seen, halves.held_back);
+      result.trained_error_m = error_on(trained, halves.held_back);
+      if (result.trained_error_m < result.fitted_error_m) {
+        result.has_trained_weights = true;
+        result.model = trained_on(result.model, episodes, {});
+        before = std::move(trained);
+      }
+    }
+    if (!before.learnt_from_setpoints) {
+      before.set_valves(valves);
+    }
+    note_unseen(arm_, before, halves.held_back, settings_.jobs);
+    result.model.prediction_error = before.prediction_error;
+  }
+
+  /// Weights trained further. What validates only says which epoch is the best.
+  CompensationModel trained_on(const CompensationModel& start, const std::vector<Episode>& training,
+                               const std::vector<Episode>& validation) const {
+    TrainingData data;
+    data.training = training;
+    data.validation = validation;
+    TrainingSettings settings = fine_tuning_of(best_preset());
+    settings.seed = settings_.seed;
+    settings.jobs = settings_.jobs;
+    settings.validation_interval = 5;
+    TrainingHooks hooks;
+    hooks.should_stop = [this] { return stops(); };
+    CompensationModel ordinary = start;
+    ordinary.family.reset();
+    ordinary.member_of_family.reset();
+    TrainingResult result = fine_tune(arm_, data, settings, ordinary, hooks);
+    if (result.status == TrainingStatus::interrupted) {
+      throw Interrupted("stopped while weights were trained");
+    }
+    if (result.best_epoch == 0) {
+      return start;
+    }
+    result.model.learnt = start.learnt;
+    return result.model;
+  }
+
+  bool stops() const {
+    return interrupt_requested() || (settings_.should_stop && settings_.should_stop());
+  }
+
+  const ArmDescription& arm_;
+  CompensationModel family_;
+  const AdaptationSettings& settings_;
+};
+
+}  // namespace
+
+Adaptation adapt(const ArmDescription& arm, const CompensationModel& family,
+                 const std::vector<Episode>& episodes, const AdaptationSettings& settings) {
+  int frames = 0;
+  for (const Episode& episode : episodes) {
+    frames += episode.frame_count();
+  }
+  if (frames < kLeastFrames) {
+    throw InputError(fmt::format(
+        "{} frames in {} episodes are too few to tell which arm it is; expected {} at least, "
+        "better a minute of motions",
+        frames, episodes.size(), kLeastFrames));
+  }
+  return Adapter(arm, family, settings).run(episodes);
+}
+
+}  // namespace limber

@@ -1,0 +1,266 @@
+#include "limber/training/arm_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "kernels/job_arena.hpp"
+#include "learnt_kind.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/statistics.hpp"
+#include "limber/data/episode_slice.hpp"
+#include "limber/forward/forward_model.hpp"
+#include "limber/network/arm_family.hpp"
+#include "rollout.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr int kStarts = 32;  // of the family's arms, from which the best one is gone on from
+constexpr int kMaxIterations = 12;
+constexpr double kMinGain = 1e-3;           // of the cost, relative: less is the end
+constexpr float kStep = 0.05F;              // of e, for derivatives
+constexpr double kSquareUpToM = 0.003;      // errors beyond count by their length
+constexpr double kLostM = 1.0;              // of a prediction that is no number
+constexpr double kIndependentFrames = 20.0; // frames that tell as much as one that stands alone
+constexpr double kLeastErrorM = 1e-3;       // no network predicts better: a fit is never surer
+constexpr double kFirstDamping = 1e-3;
+constexpr double kMaxDamping = 1e6;
+constexpr int kPieceFrames = 600;  // of an error on what was not fitted to
+constexpr int kMinRestFrames = 20;
+
+/// What a fit asks of predictions: plates' places beside the recorded ones, in a fixed order.
+class Windows {
+ public:
+  Windows(const ArmDescription& arm, const CompensationModel& family,
+          const std::vector<Episode>& episodes, const ArmFitSettings& settings)
+      : arm_(arm),
+        family_(family_of(family)),
+        episodes_(episodes),
+        pieces_(pieces_of_length(episodes, settings.window_frames)),
+        jobs_(settings.jobs) {
+    for (const RolloutPiece& piece : pieces_) {
+      const Episode& episode = episodes_[static_cast<std::size_t>(piece.episode)];
+      for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
+        frames_ += episode.was_tracked(t) ? 1 : 0;
+      }
+    }
+    if (frames_ == 0) {
+      throw InputError(
+          fmt::format("{} episodes hold no window in which the arm was tracked: there is nothing "
+                      "to fit to",
+                      episodes.size()));
+    }
+  }
+
+  int size() const { return family_.family->size(); }
+  Eigen::Index frames() const { return frames_; }
+  Eigen::Index plates() const { return arm_.point_count() - 1; }
+  const CompensationModel& family() const { return family_; }
+
+  CompensationModel model_of(const Eigen::VectorXf& e) const {
+    return model_of_arm(family_, {"", e, Eigen::MatrixXf::Identity(size(), size())});
+  }
+
+  /// Offsets in x and y of all plates but the base, frame by frame: 2 × (plates · frames).
+  Eigen::Matrix2Xf offsets(const Eigen::VectorXf& e) const {
+    throw_if_interrupted();
+    const std::vector<FrameMatrix> predicted =
+        roll_out(ForwardModel(arm_, model_of(e)), episodes_, pieces_, jobs_, OnInterrupt::stop);
+    Eigen::Matrix2Xf result(2, plates() * frames_);
+    Eigen::Index column = 0;
+    for (const RolloutPiece& piece : pieces_) {
+      const auto index = static_cast<std::size_t>(piece.episode);
+      for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
+        if (episodes_[index].was_tracked(t)) {
+          result.middleCols(column, plates()) =
+              (backbone_at(predicted[index], t) - backbone_at(episodes_[index].backbone, t))
+                  .bottomRows(plates())
+                  .leftCols<2>()
+                  .transpose();
+          column += plates();
+        }
+      }
+    }
+    return result.array().isFinite().select(result, static_cast<float>(kLostM));
+  }
+
+  double mean_tip_error_m(const Eigen::Matrix2Xf& offsets) const {
+    double sum = 0.0;
+    for (Eigen::Index tip = plates() - 1; tip < offsets.cols(); tip += plates()) {
+      sum += static_cast<double>(offsets.col(tip).norm());
+    }
+    return sum / static_cast<double>(frames_);
+  }
+
+ private:
+  const ArmDescription& arm_;
+  CompensationModel family_;
+  const std::vector<Episode>& episodes_;
+  std::vector<RolloutPiece> pieces_;
+  int jobs_;
+  Eigen::Index frames_ = 0;
+};
+
+/// The cost of e given what was recorded, and its minimum's neighbourhood.
+class Fit {
+ public:
+  Fit(const Windows& windows, Eigen::VectorXf e)
+      : windows_(windows), e_(std::move(e)), offsets_(windows.offsets(e_)) {}
+
+  const Eigen::VectorXf& e() const { return e_; }
+  const Eigen::Matrix2Xf& offsets() const { return offsets_; }
+  double cost() const { return cost_of(e_, offsets_); }
+
+  /// One step downhill. False where there is none, or hardly any.
+  bool improve() {
+    scale_m_ = mean_length_m();
+    linearise();
+    const double before = cost();
+    for (double damping = damping_; damping < kMaxDamping; damping *= 10.0) {
+      Eigen::MatrixXd damped = precision_;
+      damped.diagonal() *= 1.0 + damping;
+      const Eigen::VectorXf next = e_ - damped.ldlt().solve(gradient_).cast<float>();
+      Eigen::Matrix2Xf offsets = windows_.offsets(next);
+      const double after = cost_of(next, offsets);
+      if (after < before) {
+        e_ = next;
+        offsets_ = std::move(offsets);
+        damping_ = std::max(0.1 * damping, 1e-6);
+        return after < before * (1.0 - kMinGain);
+      }
+    }
+    return false;
+  }
+
+  /// Of e, where it has ended.
+  Eigen::MatrixXf covariance() {
+    scale_m_ = mean_length_m();
+    linearise();
+    return precision_.ldlt()
+        .solve(Eigen::MatrixXd::Identity(windows_.size(), windows_.size()))
+        .cast<float>();
+  }
+
+ private:
+  /// Of one frame, as its plates' mean, beside the prior's |e|² / 2.
+  double share() const {
+    return 1.0 / (kIndependentFrames * scale_m_ * static_cast<double>(windows_.plates()));
+  }
+
+  double cost_of(const Eigen::VectorXf& e, const Eigen::Matrix2Xf& offsets) const {
+    const Eigen::ArrayXd length = offsets.colwise().norm().cast<double>();
+    const double sum = (length < kSquareUpToM)
+                           .select(0.5 * length.square() / kSquareUpToM,
+                                   length - 0.5 * kSquareUpToM)
+                           .sum();
+    return share() * sum + 0.5 * static_cast<double>(e.squaredNorm());
+  }
+
+  double mean_length_m() const {
+    return std::max(static_cast<double>(offsets_.colwise().norm().mean()), kLeastErrorM);
+  }
+
+  void linearise() {
+    const int size = windows_.size();
+    const Eigen::Index numbers = offsets_.size();
+    Eigen::MatrixXf slope(numbers, size);
+    for (int i = 0; i < size; ++i) {
+      const Eigen::VectorXf shifted = e_ + kStep * Eigen::VectorXf::Unit(size, i);
+      slope.col(i) = (windows_.offsets(shifted) - offsets_).reshaped() / kStep;
+    }
+    const Eigen::ArrayXf length = offsets_.colwise().norm();
+    const Eigen::ArrayXf weight =
+        static_cast<float>(share()) / length.max(static_cast<float>(kSquareUpToM));
+    Eigen::VectorXf weights(numbers);
+    weights.reshaped(2, length.size()).rowwise() = weight.matrix().transpose();
+    const Eigen::MatrixXf weighted = weights.asDiagonal() * slope;
+    precision_ = (slope.transpose() * weighted).cast<double>() +
+                 Eigen::MatrixXd::Identity(size, size);
+    gradient_ = (weighted.transpose() * offsets_.reshaped() + e_).cast<double>();
+  }
+
+  const Windows& windows_;
+  Eigen::VectorXf e_;
+  Eigen::Matrix2Xf offsets_;
+  double scale_m_ = kLeastErrorM;  // mean error: what an error is measured by
+  double damping_ = kFirstDamping;
+  Eigen::MatrixXd precision_;
+  Eigen::VectorXd gradient_;
+};
+
+/// The best of the family's middle and some of its arms.
+Eigen::VectorXf best_start(const Windows& windows, double& middle_error_m) {
+  const Eigen::MatrixXf& arms = windows.family().family->arms;
+  Eigen::VectorXf best = Eigen::VectorXf::Zero(windows.size());
+  const Eigen::Matrix2Xf middle = windows.offsets(best);
+  middle_error_m = windows.mean_tip_error_m(middle);
+  float least = middle.colwise().norm().mean();
+  const Eigen::Index stride = std::max<Eigen::Index>(arms.cols() / kStarts, 1);
+  for (Eigen::Index arm = 0; arm < arms.cols(); arm += stride) {
+    const float error = windows.offsets(arms.col(arm)).colwise().norm().mean();
+    if (error < least) {
+      least = error;
+      best = arms.col(arm);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
+               const std::vector<Episode>& episodes, const ArmFitSettings& settings) {
+  require_family(family, "the family");
+  require_model_of(family, arm, "the family");
+  require_kind_learnt(family, episodes);
+  const Windows windows(arm, family, episodes, settings);
+  ArmFit result;
+  Fit fit(windows, best_start(windows, result.middle_error_m));
+  while (result.iterations < kMaxIterations) {
+    ++result.iterations;
+    if (!fit.improve()) {
+      break;
+    }
+  }
+  result.error_m = windows.mean_tip_error_m(fit.offsets());
+  result.model = model_of_arm(family, {"", fit.e(), fit.covariance()});
+  const float root = std::sqrt(static_cast<float>(windows.size()));
+  result.distance = static_cast<double>(fit.e().norm() / root);
+  result.distance_to_nearest = static_cast<double>(
+      (windows.family().family->arms.colwise() - fit.e()).colwise().norm().minCoeff() / root);
+  return result;
+}
+
+double error_on_other_arms_m(const ArmDescription& arm, const CompensationModel& model,
+                             const std::vector<Episode>& episodes, int jobs) {
+  std::vector<double> errors(episodes.size(), std::numeric_limits<double>::quiet_NaN());
+  JobArena arena(jobs);
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, episodes.size(), [&](std::size_t i) {
+      const Episode& episode = episodes[i];
+      const int seen = std::min(kFitFrames, episode.frame_count() / 2);
+      if (seen < kMinRestFrames || episode.next_tracked(0, seen) == seen) {
+        return;
+      }
+      const std::vector<Episode> first = {slice(episode, 0, seen)};
+      const std::vector<Episode> rest = {slice(episode, seen, episode.frame_count() - seen)};
+      ArmFitSettings settings;
+      settings.jobs = 1;
+      const ForwardModel forward(
+          arm, is_family(model) ? fit_arm(arm, model, first, settings).model : model);
+      const std::vector<RolloutPiece> pieces = pieces_of_length(rest, kPieceFrames);
+      errors[i] = mean_tip_error_m(roll_out(forward, rest, pieces, 1), rest, pieces);
+    });
+  });
+  std::erase_if(errors, [](double error) { return std::isnan(error); });
+  return errors.empty() ? std::numeric_limits<double>::quiet_NaN() : mean(errors);
+}
+
+}  // namespace limber

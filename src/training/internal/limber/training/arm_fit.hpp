@@ -1,0 +1,45 @@
+#pragma once
+// For those who train and evaluate models.
+
+#include <vector>
+
+#include "limber/arm/arm_description.hpp"
+#include "limber/data/recording.hpp"
+#include "limber/network/compensation_model.hpp"
+
+namespace limber {
+
+struct ArmFitSettings {
+  int window_frames = 64;  ///< that are predicted without correction, ≥ 1
+  int jobs = 0;            ///< threads, 0: one per core; never changes a result
+};
+
+/// Which arm of a family was recorded: e with the smallest error of predictions over windows of
+/// frames, and how sure that is (docs/families.md).
+struct ArmFit {
+  CompensationModel model;           ///< of that arm, without a record of this fit
+  double middle_error_m = 0.0;       ///< mean tip error over the windows, of the family's middle
+  double error_m = 0.0;              ///< … and of `model`
+  double distance = 0.0;             ///< |e| / √k: about 1 for an arm of the family
+  double distance_to_nearest = 0.0;  ///< the same from the nearest arm that it learnt from
+  int iterations = 0;
+};
+
+/// Least squares with a prior that is the family's own spread, by Gauss–Newton; errors beyond a few
+/// millimetres count by their length, not their square. It starts at whichever of some of the
+/// family's arms fits best.
+/// @throws InputError if the model is of no family, the episodes are another arm's or hold no
+/// tracked window.
+ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
+               const std::vector<Episode>& episodes, const ArmFitSettings& settings = {});
+
+/// How well a family does on arms that it did not learn from: each episode's arm is fitted to its
+/// first kFitFrames frames, or its first half where it is shorter; the error is that of the tip over
+/// the rest, in open-loop rollouts of up to 600 frames. The mean over the episodes; NaN where none
+/// is long enough. Of an ordinary model: the same without a fit.
+double error_on_other_arms_m(const ArmDescription& arm, const CompensationModel& model,
+                             const std::vector<Episode>& episodes, int jobs = 0);
+
+inline constexpr int kFitFrames = 400;
+
+}  // namespace limber
