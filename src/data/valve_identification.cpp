@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/data/valve_simulation.hpp"
 #include "valve_fit.hpp"
 
@@ -88,11 +89,9 @@ class ErrorCollector {
     ValveErrors errors;
     errors.frames = std::int64_t(sizes.size());
     if (!sizes.empty()) {
-      constexpr double kHigh = 0.95;
-      std::sort(sizes.begin(), sizes.end());
-      errors.mean_kpa = std::accumulate(sizes.begin(), sizes.end(), 0.0) / double(sizes.size());
-      errors.p95_kpa = sizes[std::size_t(kHigh * double(sizes.size() - 1))];
-      errors.max_kpa = sizes.back();
+      errors.mean_kpa = mean(sizes);
+      errors.max_kpa = *std::max_element(sizes.begin(), sizes.end());
+      errors.p95_kpa = quantile(std::move(sizes), 0.95);
     }
     return errors;
   }

@@ -9,6 +9,7 @@
 
 #include "limber/arm/names.hpp"
 #include "limber/common/error.hpp"
+#include "limber/common/statistics.hpp"
 
 namespace limber {
 
@@ -189,12 +190,7 @@ double spread(const Eigen::MatrixXd& positions, Eigen::Index axis) {
       values.push_back(positions(t, axis));
     }
   }
-  if (values.empty()) {
-    return 0.0;
-  }
-  std::sort(values.begin(), values.end());
-  const auto last = double(values.size() - 1);
-  return values[std::size_t(0.98 * last)] - values[std::size_t(0.02 * last)];
+  return values.empty() ? 0.0 : quantile(values, 0.98) - quantile(values, 0.02);
 }
 
 /// The arm lies in a plane; what a point does across it tells a wrong axis from a tilted table.

@@ -39,8 +39,7 @@ std::string laps_to_text(const char* laps, const TrackRun& run,
 
 /// Where the tip was in a frame, in cm.
 Eigen::Vector2d tip_cm(const Episode& episode, int frame) {
-  const Eigen::Index tip = episode.backbone.cols() - kPoseSize;
-  return kCmPerM * episode.backbone.row(frame).segment<2>(tip).cast<double>().transpose();
+  return kCmPerM * tip_position_m(backbone_at(episode.backbone, frame));
 }
 
 }  // namespace

@@ -99,9 +99,7 @@ class Grower {
   }
 
   void note_tip(const PathOutcome& outcome) {
-    held_tips_.push_back(
-        Eigen::Vector3d(outcome.held_tip->x_m, outcome.held_tip->y_m, outcome.held_tip->theta_rad)
-            .cast<float>());
+    held_tips_.push_back(numbers_of(*outcome.held_tip).cast<float>());
   }
 
   void add(const Edge& edge, const PathOutcome& outcome) {
