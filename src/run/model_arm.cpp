@@ -15,8 +15,8 @@ namespace {
 constexpr float kRounding = 1e-3F;  // of the command's unit: as the virtual arm
 
 Backbone straight_backbone(const ForwardModel& forward) {
-  Backbone backbone(forward.point_count(), 3);
-  const Pressures none = Pressures::Zero(forward.segment_count());
+  Backbone backbone(forward.point_count(), kPoseSize);
+  const Pressures none = Pressures::Zero(forward.channel_count());
   forward.no_load().backbone(none, backbone);
   return backbone;
 }
@@ -28,15 +28,15 @@ ModelArm::ModelArm(const ArmDescription& arm, CompensationModel network,
     : arm_(arm),
       forward_(arm, std::move(network)),
       motion_(forward_, ValveModel(arm, valves)),
-      motion_state_(motion_.settled_state(Pressures::Zero(arm.segment_count()),
+      motion_state_(motion_.settled_state(Pressures::Zero(arm.channel_count()),
                                           straight_backbone(forward_))) {
   look();
 }
 
 Pressures ModelArm::within_limits(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
-  if (setpoint_kpa.size() != arm_.segment_count()) {
+  if (setpoint_kpa.size() != arm_.channel_count()) {
     throw InputError(fmt::format("{} set points; arm '{}' has {} segments", setpoint_kpa.size(),
-                                 arm_.name, arm_.segment_count()));
+                                 arm_.name, arm_.channel_count()));
   }
   Pressures result = setpoint_kpa;
   for (Eigen::Index i = 0; i < result.size(); ++i) {

@@ -1,23 +1,14 @@
 #include "limber/run/plan_trial.hpp"
 
+#include "limber/common/statistics.hpp"
+
 namespace limber {
 
 namespace {
 
-class Mean {
- public:
-  void add(double value) {
-    sum_ += value;
-    ++count_;
-  }
-  std::optional<double> value() const {
-    return count_ > 0 ? std::optional<double>(sum_ / count_) : std::nullopt;
-  }
-
- private:
-  double sum_ = 0.0;
-  int count_ = 0;
-};
+std::optional<double> mean_of(const std::vector<double>& values) {
+  return values.empty() ? std::nullopt : std::optional(mean(values));
+}
 
 bool is_asked_for(const PlanTrial& trial, const std::string& environment,
                   const std::string& model) {
@@ -30,8 +21,8 @@ bool is_asked_for(const PlanTrial& trial, const std::string& environment,
 TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& environment,
                        const std::string& model) {
   TrialSummary sum;
-  Mean first_solution_s, first_candidate_s, first_certificate_s;
-  Mean cost_kpa, distance_m, distance_free_m, orientation_rad;
+  std::vector<double> first_solution_s, first_candidate_s, first_certificate_s;
+  std::vector<double> cost_kpa, distance_m, distance_free_m, orientation_rad;
   for (const PlanTrial& trial : trials) {
     if (!is_asked_for(trial, environment, model)) {
       continue;
@@ -40,10 +31,10 @@ TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& 
     if (trial.solved()) {
       ++sum.solved;
       const FirstSolution& first = *trial.planning.first_solution;
-      first_solution_s.add(first.time_s);
-      first_candidate_s.add(first.candidate_s);
-      first_certificate_s.add(first.certificate_s);
-      cost_kpa.add(trial.planning.plan->cost_kpa);
+      first_solution_s.push_back(first.time_s);
+      first_candidate_s.push_back(first.candidate_s);
+      first_certificate_s.push_back(first.certificate_s);
+      cost_kpa.push_back(trial.planning.plan->cost_kpa);
     }
     if (!trial.execution || !has_run(*trial.execution)) {
       continue;
@@ -55,21 +46,21 @@ TrialSummary summarise(const std::vector<PlanTrial>& trials, const std::string& 
     if (!run.final_backbone) {
       continue;
     }
-    distance_m.add(run.goal_error.position_m);
+    distance_m.push_back(run.goal_error.position_m);
     if (!run.collided) {
-      distance_free_m.add(run.goal_error.position_m);
+      distance_free_m.push_back(run.goal_error.position_m);
     }
     if (trial.asks_heading) {
-      orientation_rad.add(run.goal_error.orientation_rad);
+      orientation_rad.push_back(run.goal_error.orientation_rad);
     }
   }
-  sum.first_solution_s = first_solution_s.value();
-  sum.first_candidate_s = first_candidate_s.value();
-  sum.first_certificate_s = first_certificate_s.value();
-  sum.cost_kpa = cost_kpa.value();
-  sum.distance_m = distance_m.value();
-  sum.distance_free_m = distance_free_m.value();
-  sum.orientation_rad = orientation_rad.value();
+  sum.first_solution_s = mean_of(first_solution_s);
+  sum.first_candidate_s = mean_of(first_candidate_s);
+  sum.first_certificate_s = mean_of(first_certificate_s);
+  sum.cost_kpa = mean_of(cost_kpa);
+  sum.distance_m = mean_of(distance_m);
+  sum.distance_free_m = mean_of(distance_free_m);
+  sum.orientation_rad = mean_of(orientation_rad);
   return sum;
 }
 

@@ -220,7 +220,7 @@ std::optional<MotionAdvice> MotionGuide::lead(const Plan& plan, std::size_t next
                                               const PlanFollower& follower) {
   const std::size_t rest = plan.frames.size() - next;
   const std::size_t soon = std::min(rest, static_cast<std::size_t>(arm_.frames_in(kSlowS)));
-  const Backbone on_plan = Backbone::Zero(arm_.point_count(), 3);
+  const Backbone on_plan = Backbone::Zero(arm_.point_count(), kPoseSize);
   if (!is_free(plan, next, rest, on_plan) || !is_free(plan, next, soon, follower.off_plan())) {
     return std::nullopt;
   }

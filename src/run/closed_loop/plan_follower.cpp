@@ -1,19 +1,19 @@
 #include "plan_follower.hpp"
 
+#include "limber/arm/plate_distance.hpp"
+
 namespace limber {
 
 void PlanFollower::forget() {
   feedback_.forget();
   off_plan_.setZero();
+  farthest_m_ = 0.0;
 }
 
 void PlanFollower::learn(const Backbone& planned, const Backbone& shape) {
   feedback_.learn(planned, shape);
   off_plan_ = shape - planned;
-}
-
-double PlanFollower::farthest_m() const {
-  return double(off_plan_.leftCols<2>().rowwise().norm().maxCoeff());
+  farthest_m_ = largest_plate_distance_m(shape, planned);
 }
 
 }  // namespace limber

@@ -13,7 +13,7 @@ class PlanFollower {
  public:
   PlanFollower(const ArmDescription& arm, const MotionModel& model)
       : feedback_(arm, model.no_load(), model.valves()),
-        off_plan_(Backbone::Zero(arm.point_count(), 3)) {}
+        off_plan_(Backbone::Zero(arm.point_count(), kPoseSize)) {}
 
   /// Another plan begins.
   void forget();
@@ -32,11 +32,12 @@ class PlanFollower {
   /// Where the arm is beside where its plan has it: its shape less the plan's.
   const Backbone& off_plan() const { return off_plan_; }
   /// The farthest that a plate is off. [m]
-  double farthest_m() const;
+  double farthest_m() const { return farthest_m_; }
 
  private:
   ShapeFeedback feedback_;
   Backbone off_plan_;  // in the frame that was learnt last; none: zero
+  double farthest_m_ = 0.0;
 };
 
 }  // namespace limber

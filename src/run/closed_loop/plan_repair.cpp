@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include <Eigen/Cholesky>
-
 #include "goal_lengths.hpp"
+#include "limber/arm/damped_solve.hpp"
 
 namespace limber {
 
@@ -56,10 +55,9 @@ Eigen::MatrixXd PlanRepair::sensitivity(const std::vector<Pressures>& waypoints_
       at[j] = batch.end(static_cast<int>(j));
     }
   }
-  Eigen::MatrixXd result(3, n);
+  Eigen::MatrixXd result(kPoseSize, n);
   const auto settled = [&](std::size_t j) {
-    const Pose tip = plans_.problem().model.settled_tip(at[j].valves, at[j].backbone);
-    return Eigen::Vector3d(tip.x_m, tip.y_m, tip.theta_rad);
+    return numbers_of(plans_.problem().model.settled_tip(at[j].valves, at[j].backbone));
   };
   const Eigen::Vector3d middle = settled(0);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -88,9 +86,8 @@ std::optional<std::vector<Pressures>> PlanRepair::toward_goal(
   const PoseGoal& goal = plans_.problem().environment.goal;
   Eigen::MatrixXd jacobian = sensitivity(waypoints_kpa);
   jacobian.row(2) *= m_per_rad(goal);
-  Eigen::Matrix3d normal = jacobian * jacobian.transpose();
-  normal.diagonal().array() += kRepairDamping * normal.trace() / 3.0;
-  const auto solver = normal.ldlt();
+  const Eigen::Matrix3d normal = jacobian * jacobian.transpose();
+  const double damping = kRepairDamping * normal.trace() / kPoseSize;
   std::optional<std::vector<Pressures>> best;
   Eigen::VectorXd shift_kpa = Eigen::VectorXd::Zero(waypoints_kpa.front().size());
   std::vector<Pressures> tried = waypoints_kpa;
@@ -105,7 +102,7 @@ std::optional<std::vector<Pressures>> PlanRepair::toward_goal(
       max_error_m = error_m;
       best = tried;
     }
-    shift_kpa += jacobian.transpose() * solver.solve(missing_m(goal, tip));
+    shift_kpa += jacobian.transpose() * damped_solve(normal, missing_m(goal, tip), damping);
     tried = shifted(waypoints_kpa, shift_kpa);
   }
   return best;

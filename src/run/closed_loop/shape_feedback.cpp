@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
 #include "goal_lengths.hpp"
+#include "limber/arm/damped_solve.hpp"
 #include "limber/arm/pressure_limits.hpp"
 #include "limber/run/executor.hpp"
 
@@ -81,7 +80,7 @@ void ShapeFeedback::learn(const Backbone& planned, const Backbone& shape) {
 
 void ShapeFeedback::learn_from_goal(const PoseGoal& goal, const Backbone& shape) {
   const Pose tip = tip_pose(shape);
-  Eigen::Matrix3Xd turns = Eigen::Matrix3Xd::Zero(3, kpa_per_rad_.size());
+  Eigen::Matrix3Xd turns = Eigen::Matrix3Xd::Zero(kPoseSize, kpa_per_rad_.size());
   for (Eigen::Index i = 0; i < turns.cols(); ++i) {
     if (kpa_per_rad_[i] == 0.0) {
       continue;
@@ -93,9 +92,8 @@ void ShapeFeedback::learn_from_goal(const PoseGoal& goal, const Backbone& shape)
     turns.col(i) << middle[1] - tip.y_m, tip.x_m - middle[0], m_per_rad(goal);
   }
   const double damping_m = kDamping * arm_length_m_;
-  Eigen::Matrix3d square = turns * turns.transpose();
-  square.diagonal().array() += damping_m * damping_m;
-  learn_missed(turns.transpose() * square.ldlt().solve(missing_m(goal, tip)));
+  learn_missed(turns.transpose() * damped_solve(turns * turns.transpose(), missing_m(goal, tip),
+                                                damping_m * damping_m));
 }
 
 void ShapeFeedback::learn_missed(const Eigen::VectorXd& missed_rad) {

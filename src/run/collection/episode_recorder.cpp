@@ -10,16 +10,16 @@
 namespace limber {
 
 EpisodeRecorder::EpisodeRecorder(const ArmDescription& arm)
-    : segments_(arm.segment_count()), points_(arm.point_count()), period_s_(arm.frame_period_s()) {}
+    : channels_(arm.channel_count()), points_(arm.point_count()), period_s_(arm.frame_period_s()) {}
 
 void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, int motion_index) {
-  assert(setpoint_kpa.size() == segments_);
-  if (state.pressure_kpa.size() != segments_ ||
+  assert(setpoint_kpa.size() == channels_);
+  if (state.pressure_kpa.size() != channels_ ||
       (state.backbone && state.backbone->rows() != points_)) {
     throw SystemFault(fmt::format(
         "the arm returned {} pressures and {} backbone points at {:.3f} s; expected {} and {}",
         state.pressure_kpa.size(), state.backbone ? state.backbone->rows() : points_, state.time_s,
-        segments_, points_));
+        channels_, points_));
   }
   if (!state.pressure_kpa.allFinite() || (state.backbone && !state.backbone->allFinite())) {
     throw SystemFault(
@@ -34,7 +34,7 @@ void EpisodeRecorder::add(const ArmState& state, const Pressures& setpoint_kpa, 
     backbone_.insert(backbone_.end(), state.backbone->data(),
                      state.backbone->data() + state.backbone->size());
   } else {
-    backbone_.resize(backbone_.size() + static_cast<std::size_t>(3 * points_), 0.0F);
+    backbone_.resize(backbone_.size() + static_cast<std::size_t>(kPoseSize * points_), 0.0F);
   }
   motion_index_.push_back(motion_index);
   tracked_.push_back(state.backbone && is_new ? 1 : 0);
@@ -69,9 +69,9 @@ Episode EpisodeRecorder::finish() {
   const std::vector<double> times_s = sample_times();
   Episode episode;
   episode.time_s = Eigen::Map<const Eigen::VectorXd>(times_s.data(), frames).array() - times_s[0];
-  episode.pressure_kpa = Eigen::Map<const FrameMatrix>(pressure_kpa_.data(), frames, segments_);
-  episode.setpoint_kpa = Eigen::Map<const FrameMatrix>(setpoint_kpa_.data(), frames, segments_);
-  episode.backbone = Eigen::Map<const FrameMatrix>(backbone_.data(), frames, 3 * points_);
+  episode.pressure_kpa = Eigen::Map<const FrameMatrix>(pressure_kpa_.data(), frames, channels_);
+  episode.setpoint_kpa = Eigen::Map<const FrameMatrix>(setpoint_kpa_.data(), frames, channels_);
+  episode.backbone = Eigen::Map<const FrameMatrix>(backbone_.data(), frames, kPoseSize * points_);
   fill_missing_rows(times_s, tracked_, episode.backbone);
   episode.motion_index = std::move(motion_index_);
   episode.tracked = std::move(tracked_);

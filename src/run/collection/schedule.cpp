@@ -96,7 +96,7 @@ Motion make_motion(const ScheduleSettings& settings, Pressures setpoint_kpa, Ran
 }
 
 int transition_count(const ArmDescription& arm, const ScheduleSettings& settings) {
-  const int n = arm.segment_count();
+  const int n = arm.channel_count();
   const double all = std::pow(static_cast<double>(kCornerStates), 2 * n);
   if (settings.count == 0) {
     require(n <= kMaxFullSchedule,
@@ -114,7 +114,7 @@ int transition_count(const ArmDescription& arm, const ScheduleSettings& settings
 std::vector<EpisodeSchedule> transition_schedule(const ArmDescription& arm,
                                                  const ScheduleSettings& settings,
                                                  std::uint64_t seed) {
-  const int n = arm.segment_count();
+  const int n = arm.channel_count();
   const int count = transition_count(arm, settings);
   RandomStream random(seed, kScheduleStream);
   const std::int64_t vertices = power(kCornerStates, n);
@@ -143,9 +143,9 @@ std::vector<EpisodeSchedule> random_schedule(const ArmDescription& arm,
   std::vector<EpisodeSchedule> result(static_cast<std::size_t>(episodes));
   for (std::size_t e = 0; e < result.size(); ++e) {
     RandomStream random(seed, kScheduleStream + 1 + e);
-    result[e].first_kpa = Pressures::Zero(arm.segment_count());
+    result[e].first_kpa = Pressures::Zero(arm.channel_count());
     for (int i = 0; i < settings.count; ++i) {
-      Pressures setpoint_kpa(arm.segment_count());
+      Pressures setpoint_kpa(arm.channel_count());
       for (Eigen::Index s = 0; s < setpoint_kpa.size(); ++s) {
         const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
         setpoint_kpa[s] = static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
@@ -186,7 +186,7 @@ std::string describe(const ScheduleSettings& settings) {
 }
 
 Pressures corner_configuration(const ArmDescription& arm, int index) {
-  Pressures result(arm.segment_count());
+  Pressures result(arm.channel_count());
   for (Eigen::Index s = 0; s < result.size(); ++s) {
     const PressureLimits& limits = arm.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
     result[s] = static_cast<float>(corner_kpa(limits, index % kCornerStates));

@@ -125,10 +125,7 @@ void Predicted::predict(const Pressures& setpoint_kpa, const Pressures& pressure
 /// @param is_later  than the shape before
 void Predicted::correct(const Backbone& measured, bool is_later) {
   if (state_ && is_later) {
-    const Pose expected = tip_pose(state_->backbone);
-    const Pose found = tip_pose(measured);
-    miss_.sum += Eigen::Vector3d(found.x_m - expected.x_m, found.y_m - expected.y_m,
-                                 found.theta_rad - expected.theta_rad);
+    miss_.sum += numbers_of(tip_pose(measured)) - numbers_of(tip_pose(state_->backbone));
   }
   // What it had a frame ago was corrected then, and has been kept by the prediction since.
   const Backbone before = state_ ? state_->before : measured;

@@ -1,5 +1,7 @@
 #include "forecast_check.hpp"
 
+#include "limber/arm/plate_distance.hpp"
+
 namespace limber {
 
 namespace {
@@ -22,8 +24,7 @@ void ForecastCheck::step(const MotionModel& model, const Pressures& before_kpa,
 
 void ForecastCheck::compare(const MotionState& now) {
   if (!forecasts_.empty()) {
-    const Backbone off = now.backbone - forecasts_.front().now;
-    const Eigen::VectorXd off_m = off.leftCols<2>().rowwise().norm().cast<double>();
+    const Eigen::VectorXd off_m = plate_distances_m(now.backbone, forecasts_.front().now);
     missed_m_ = missed_m_.size() == 0 ? off_m : off_m.cwiseMax(missed_m_).eval();
   }
   forecasts_.push_back({now.before, now.backbone, 0});

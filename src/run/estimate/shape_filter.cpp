@@ -22,12 +22,12 @@ constexpr double kFramesAtStart = 25.0;  // the start is known as well as after 
 Eigen::MatrixXd growth_of(const Eigen::VectorXd& gap_length_m) {
   const Eigen::Index gaps = gap_length_m.size();
   const double arm_m = gap_length_m.sum();
-  Eigen::MatrixXd growth = Eigen::MatrixXd::Zero(3 * gaps, 3 * gaps);
+  Eigen::MatrixXd growth = Eigen::MatrixXd::Zero(kPoseSize * gaps, kPoseSize * gaps);
   for (Eigen::Index g = 0; g < gaps; ++g) {
     const double length_m = gap_length_m[g];
     const double turn = std::pow(kTurnRad * length_m / arm_m, 2);
     const double aside_m = length_m / 2.0;  // per radian
-    auto block = growth.block<3, 3>(3 * g, 3 * g);
+    auto block = growth.block<kPoseSize, kPoseSize>(kPoseSize * g, kPoseSize * g);
     block(0, 0) = std::pow(kStretch * length_m, 2);
     block(1, 1) = std::pow(kOffArc * length_m, 2) + aside_m * aside_m * turn;
     block(1, 2) = block(2, 1) = aside_m * turn;
@@ -37,21 +37,17 @@ Eigen::MatrixXd growth_of(const Eigen::VectorXd& gap_length_m) {
 }
 
 Eigen::VectorXd flat(const Backbone& backbone) {
-  Eigen::VectorXd result(3 * backbone.rows());
-  for (Eigen::Index i = 0; i < backbone.rows(); ++i) {
-    result.segment<3>(3 * i) = backbone.row(i).transpose().cast<double>();
-  }
-  return result;
+  return backbone.cast<double>().reshaped<Eigen::RowMajor>();
 }
 
 /// How poses of the plates behind the base depend on gap poses, 3g×3g.
 Eigen::MatrixXd jacobian_at(const Backbone& backbone) {
   const Eigen::Index gaps = backbone.rows() - 1;
-  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(3 * gaps, 3 * gaps);
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(kPoseSize * gaps, kPoseSize * gaps);
   for (Eigen::Index g = 0; g < gaps; ++g) {
     const double theta = double(backbone(g, 2));
     for (Eigen::Index i = g; i < gaps; ++i) {
-      auto block = jacobian.block<3, 3>(3 * i, 3 * g);
+      auto block = jacobian.block<kPoseSize, kPoseSize>(kPoseSize * i, kPoseSize * g);
       block(0, 0) = std::cos(theta);
       block(1, 0) = std::sin(theta);
       block(0, 1) = -std::sin(theta);
@@ -79,13 +75,14 @@ void ShapeFilter::predict() {
 Backbone ShapeFilter::corrected(const Backbone& predicted, const Backbone& measured) {
   const Eigen::Index gaps = predicted.rows() - 1;
   // In units of the noise, which is then the identity.
-  Eigen::VectorXd weight(3 * gaps);
+  Eigen::VectorXd weight(kPoseSize * gaps);
   for (Eigen::Index g = 0; g < gaps; ++g) {
-    weight.segment<3>(3 * g) << 1.0 / noise_m_, 1.0 / noise_m_, gap_length_m_[g] / noise_m_;
+    weight.segment<kPoseSize>(kPoseSize * g) << 1.0 / noise_m_, 1.0 / noise_m_,
+        gap_length_m_[g] / noise_m_;
   }
   const Eigen::VectorXd expected = flat(predicted);
   const Eigen::VectorXd innovation =
-      weight.cwiseProduct((flat(measured) - expected).tail(3 * gaps));
+      weight.cwiseProduct((flat(measured) - expected).tail(kPoseSize * gaps));
   const Eigen::MatrixXd jacobian = weight.asDiagonal() * jacobian_at(predicted);
   widen_for(jacobian, innovation);
   const Eigen::MatrixXd cross = covariance_ * jacobian.transpose();
@@ -97,12 +94,8 @@ Backbone ShapeFilter::corrected(const Backbone& predicted, const Backbone& measu
   covariance_ = 0.5 * (covariance_ + covariance_.transpose().eval());
 
   const Eigen::VectorXd gap_poses = gap_poses_of(expected) + change;
-  const Eigen::MatrixXd poses = base_poses_of(gap_poses);
-  Backbone result(predicted.rows(), 3);
-  for (Eigen::Index i = 0; i < predicted.rows(); ++i) {
-    result.row(i) = poses.block<3, 1>(3 * i, 0).transpose().cast<float>();
-  }
-  return result;
+  const Eigen::VectorXd poses = base_poses_of(gap_poses);
+  return poses.reshaped<Eigen::RowMajor>(predicted.rows(), kPoseSize).cast<float>();
 }
 
 /// If what is measured is farther off than covariance and noise have it, so that it no longer is.

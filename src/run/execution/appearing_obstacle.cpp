@@ -41,8 +41,9 @@ std::optional<AppearingObstacle> appearing_obstacle(const ArmDescription& arm, c
     result.frame = between(1, last - ahead);
     for (int k = 0; k < kCircleSamples; ++k) {
       const int passes = between(result.frame + ahead, last);
-      const auto tip = plan.frames[static_cast<std::size_t>(passes)].backbone.bottomRows<1>();
-      const Circle circle{double(tip(0, 0)), double(tip(0, 1)), radius_m};
+      const Eigen::Vector2d tip_m =
+          tip_position_m(plan.frames[static_cast<std::size_t>(passes)].backbone);
+      const Circle circle{tip_m.x(), tip_m.y(), radius_m};
       const CollisionChecker touches(arm, {circle});
       const CollisionChecker near(arm, {circle}, AppearingObstacle::kAheadM);
       if (plan_is_free(near, plan, result.frame, result.frame) &&

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "limber/arm/plate_distance.hpp"
+
 namespace limber {
 
 namespace {
@@ -49,10 +51,8 @@ void CollisionWatch::observe(double time_s, const Eigen::Ref<const BackboneD>& b
 // No point of an arc between two plates moves farther than its plates do, twice over where they
 // move apart (its bulge turns with the chord), plus 0.3 of the chord per radian that it turns more.
 double CollisionWatch::max_motion_m(const Eigen::Ref<const BackboneD>& backbone) const {
-  const auto change = (backbone - checked_).eval();
-  const double plates_m = change.leftCols<2>().rowwise().norm().maxCoeff();
-  const double turn_rad = change.col(2).cwiseAbs().maxCoeff();
-  return 2.0 * plates_m + longest_gap_m_ * turn_rad;
+  const double turn_rad = (backbone - checked_).col(2).cwiseAbs().maxCoeff();
+  return 2.0 * largest_plate_distance_m(backbone, checked_) + longest_gap_m_ * turn_rad;
 }
 
 }  // namespace limber

@@ -11,10 +11,8 @@ namespace limber {
 class PredictionWatch {
  public:
   void compare(const Plan& plan, std::size_t frame, const BackboneD& shape) {
-    const Backbone& predicted = plan.frames[frame].backbone;
-    const Eigen::Index last = predicted.rows() - 1;
     const double distance_m =
-        (predicted.row(last).head<2>().cast<double>() - shape.row(last).head<2>()).norm();
+        (tip_position_m(plan.frames[frame].backbone) - tip_position_m(shape)).norm();
     error_.max_m = std::max(error_.max_m, distance_m);
     error_.final_m = distance_m;
     sum_m_ += distance_m;

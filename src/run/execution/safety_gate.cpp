@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
+#include "limber/arm/plate_distance.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -44,19 +45,19 @@ SafetyGate::SafetyGate(const ArmDescription& arm, std::vector<PressureLimits> li
       check_rate_(check_rate),
       settings_(settings),
       largest_jump_m_(largest_jump_m(settings, arm)),
-      setpoint_kpa_(Pressures::Zero(arm.segment_count())),
-      reference_kpa_(Pressures::Zero(arm.segment_count())),
+      setpoint_kpa_(Pressures::Zero(arm.channel_count())),
+      reference_kpa_(Pressures::Zero(arm.channel_count())),
       frames_off_(arm.segments.size(), 0),
       history_{{setpoint_kpa_, reference_kpa_, reference_kpa_}} {}
 
 std::string SafetyGate::check_command(const Eigen::Ref<const Pressures>& setpoint_kpa) {
-  if (setpoint_kpa.size() != arm_.segment_count()) {
+  if (setpoint_kpa.size() != arm_.channel_count()) {
     return fmt::format("{} set points; arm '{}' has {} segments. They were not sent",
-                       setpoint_kpa.size(), arm_.name, arm_.segment_count());
+                       setpoint_kpa.size(), arm_.name, arm_.channel_count());
   }
   const double step_kpa = arm_.pressure_step_limit_kpa();
   const std::string& unit = arm_.command.unit;
-  for (int s = 0; s < arm_.segment_count(); ++s) {
+  for (int s = 0; s < arm_.channel_count(); ++s) {
     const double value = setpoint_kpa[s];
     const PressureLimits& limits = limits_kpa(s);
     if (!(value >= limits.lower_kpa - kRoundingKpa && value <= limits.upper_kpa + kRoundingKpa)) {
@@ -101,7 +102,7 @@ std::string SafetyGate::check_in_force(const ArmState& state) const {
 }
 
 std::string SafetyGate::over_limit(const Pressures& kpa, const char* what) const {
-  for (int s = 0; s < arm_.segment_count(); ++s) {
+  for (int s = 0; s < arm_.channel_count(); ++s) {
     const PressureLimits& limits = limits_kpa(s);
     const double value = kpa[s];
     if (value > limits.upper_kpa + excess_kpa(s) || value < limits.lower_kpa - excess_kpa(s)) {
@@ -140,7 +141,7 @@ std::string SafetyGate::check_shape(const ArmState& state) {
                          y_m);
     }
     if (backbone_) {
-      const double moved_m = (now.row(i) - backbone_->row(i)).head<2>().norm();
+      const double moved_m = plate_distances_m(now, *backbone_)[i];
       if (moved_m > largest_jump_m_ * frames) {
         return fmt::format(
             "{} jumped by {:.2f} cm within {} frame{}; more than {:.2f} cm per frame counts as no "
@@ -168,7 +169,7 @@ std::string SafetyGate::following(const ArmState& state) {
   }
   // Valves lag, and some are faster than the arm's rate: a pressure may be anywhere between what
   // it was told and where that rate had led at any time of the last half second.
-  for (int s = 0; s < arm_.segment_count(); ++s) {
+  for (int s = 0; s < arm_.channel_count(); ++s) {
     float low = reference_kpa_[s];
     float high = low;
     for (std::size_t k = first_recent(); k < history_.size(); ++k) {
@@ -200,7 +201,7 @@ std::size_t SafetyGate::first_recent() const {
 }
 
 std::string SafetyGate::never_sent(const ArmState& state) const {
-  for (int s = 0; state.setpoint_kpa && s < arm_.segment_count(); ++s) {
+  for (int s = 0; state.setpoint_kpa && s < arm_.channel_count(); ++s) {
     float low = setpoint_kpa_[s];
     float high = low;
     for (std::size_t k = first_recent(); k < history_.size(); ++k) {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
+#include "limber/arm/damped_solve.hpp"
 #include "limber/run/executor.hpp"
 
 namespace limber {
@@ -33,7 +32,7 @@ JacobianController::JacobianController(const ArmDescription& arm, const Plan& pl
       plan_(plan),
       goal_(goal),
       gains_(gains),
-      rows_(goal.theta_rad ? 3 : 2),
+      rows_(goal.theta_rad ? kPoseSize : 2),
       setpoint_kpa_(plan.frames.front().setpoint_kpa) {}
 
 /// x, y and, if the goal asks for one, the heading as a length.
@@ -41,14 +40,14 @@ Eigen::VectorXd JacobianController::in_metres(const Pose& pose) const {
   Eigen::VectorXd result(rows_);
   result[0] = pose.x_m;
   result[1] = pose.y_m;
-  if (rows_ == 3) {
+  if (rows_ == kPoseSize) {
     result[2] = pose.theta_rad * goal_.position_tolerance_m / goal_.orientation_tolerance_rad;
   }
   return result;
 }
 
 Eigen::VectorXd JacobianController::predicted(std::size_t frame) const {
-  return in_metres(tip_pose<float>(plan_.frames[frame].backbone));
+  return in_metres(tip_pose(plan_.frames[frame].backbone));
 }
 
 Eigen::VectorXd JacobianController::reference(std::size_t frame) const {
@@ -60,11 +59,10 @@ Eigen::VectorXd JacobianController::reference(std::size_t frame) const {
 Eigen::MatrixXd JacobianController::no_load_jacobian() const {
   const Eigen::VectorXd at = setpoint_kpa_.cast<double>();
   Eigen::MatrixXd jacobian(rows_, at.size());
-  BackboneD backbone(model_.point_count(), 3);
+  BackboneD backbone(model_.point_count(), kPoseSize);
   const auto tip_at = [&](const Eigen::VectorXd& kpa) {
     model_.backbone(Eigen::Ref<const Eigen::VectorXd>(kpa), Eigen::Ref<BackboneD>(backbone));
-    const auto tip = backbone.bottomRows<1>();
-    return in_metres({tip(0, 0), tip(0, 1), tip(0, 2)});
+    return in_metres(tip_pose(backbone));
   };
   for (Eigen::Index i = 0; i < at.size(); ++i) {
     const Eigen::VectorXd step = kSlopeStepKpa * Eigen::VectorXd::Unit(at.size(), i);
@@ -76,9 +74,8 @@ Eigen::MatrixXd JacobianController::no_load_jacobian() const {
 Eigen::VectorXd JacobianController::correction(const Eigen::VectorXd& velocity) const {
   const double lambda = gains_.damping_m_per_kpa;
   const Eigen::MatrixXd jacobian = no_load_jacobian();
-  const Eigen::MatrixXd square =
-      jacobian * jacobian.transpose() + lambda * lambda * Eigen::MatrixXd::Identity(rows_, rows_);
-  return jacobian.transpose() * square.ldlt().solve(velocity);
+  return jacobian.transpose() *
+         damped_solve(jacobian * jacobian.transpose(), velocity, lambda * lambda);
 }
 
 bool JacobianController::has_ended(const std::optional<Eigen::VectorXd>& error) {
@@ -112,7 +109,7 @@ Decision JacobianController::step(const Moment& now) {
   std::optional<Eigen::VectorXd> error;
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(rows_);
   if (const std::optional<Backbone>& shape = now.arm.measured().backbone) {
-    const Eigen::VectorXd tip = in_metres(tip_pose<float>(*shape));
+    const Eigen::VectorXd tip = in_metres(tip_pose(*shape));
     error = reference(seen) - tip;
     velocity = feedback(tip, seen);
     tip_before_ = tip;

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
-
+#include "limber/arm/damped_solve.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/forward/rollout_batch.hpp"
 #include "limber/world/environment.hpp"
@@ -49,9 +48,9 @@ class LapFit {
     for (int k = 1; k <= frames_; ++k) {
       wanted_m_.segment<2>(2 * (k - 1)) = path.at(path.lap_s() * k / frames_);
     }
-    knots_kpa_.resize(segments() * knots());
+    knots_kpa_.resize(channels() * knots());
     for (int k = 0; k < knots(); ++k) {
-      knots_kpa_.segment(k * segments(), segments()) = points_kpa[static_cast<std::size_t>(k)];
+      knots_kpa_.segment(k * channels(), channels()) = points_kpa[static_cast<std::size_t>(k)];
     }
     knots_kpa_ = within_limits(knots_kpa_);
   }
@@ -79,20 +78,20 @@ class LapFit {
   std::vector<Eigen::VectorXd> points_kpa() const {
     std::vector<Eigen::VectorXd> points;
     for (int k = 0; k <= intervals_; ++k) {
-      points.emplace_back(knots_kpa_.segment((k % knots()) * segments(), segments()));
+      points.emplace_back(knots_kpa_.segment((k % knots()) * channels(), channels()));
     }
     return points;
   }
 
  private:
-  Eigen::Index segments() const { return model_.segment_count(); }
+  Eigen::Index channels() const { return model_.channel_count(); }
   /// Points that are free: the last one of a lap that goes on is its first.
   int knots() const { return is_periodic_ ? intervals_ : intervals_ + 1; }
 
   Eigen::VectorXd within_limits(Eigen::VectorXd knots_kpa) const {
     for (Eigen::Index i = 0; i < knots_kpa.size(); ++i) {
       const PressureLimits& of =
-          arm_.segments[static_cast<std::size_t>(i % segments())].pressure_limit_kpa;
+          arm_.segments[static_cast<std::size_t>(i % channels())].pressure_limit_kpa;
       knots_kpa[i] =
           std::clamp(knots_kpa[i], kFittedOfLimits * of.lower_kpa, kFittedOfLimits * of.upper_kpa);
     }
@@ -100,7 +99,7 @@ class LapFit {
   }
 
   Pressures point_kpa(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa, int point) const {
-    return knots_kpa.segment((point % knots()) * segments(), segments()).cast<float>();
+    return knots_kpa.segment((point % knots()) * channels(), channels()).cast<float>();
   }
 
   int frame_of(int point) const {
@@ -159,11 +158,11 @@ class LapFit {
 
   /// Steps between successive points; of a lap that goes on, from its last one to its first too.
   Eigen::VectorXd steps_of(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa) const {
-    Eigen::VectorXd steps(segments() * intervals_);
+    Eigen::VectorXd steps(channels() * intervals_);
     for (int k = 0; k < intervals_; ++k) {
-      steps.segment(k * segments(), segments()) =
-          knots_kpa.segment(((k + 1) % knots()) * segments(), segments()) -
-          knots_kpa.segment(k * segments(), segments());
+      steps.segment(k * channels(), channels()) =
+          knots_kpa.segment(((k + 1) % knots()) * channels(), channels()) -
+          knots_kpa.segment(k * channels(), channels());
     }
     return steps;
   }
@@ -182,7 +181,7 @@ class LapFit {
     const Eigen::MatrixXd tips_m = tips_of(varied);
     const Eigen::MatrixXd slope =
         (tips_m.rightCols(size).colwise() - tips_m.col(0)) / stage_.slope_kpa;
-    Eigen::MatrixXd differences(segments() * intervals_, size);
+    Eigen::MatrixXd differences(channels() * intervals_, size);
     for (Eigen::Index i = 0; i < size; ++i) {
       differences.col(i) = steps_of(Eigen::VectorXd::Unit(size, i));
     }
@@ -194,9 +193,8 @@ class LapFit {
     Eigen::MatrixXd tried(size, std::size(kFitDampings) * std::size(kFitShares));
     Eigen::Index next = 0;
     for (const double damping : kFitDampings) {
-      Eigen::MatrixXd damped = square;
-      damped.diagonal().array() += damping * stage_.damping_per_frame * frames_;
-      const Eigen::VectorXd step = damped.ldlt().solve(downhill);
+      const Eigen::VectorXd step =
+          damped_solve(square, downhill, damping * stage_.damping_per_frame * frames_);
       for (const double share : kFitShares) {
         tried.col(next++) = within_limits(knots_kpa_ + share * step);
       }

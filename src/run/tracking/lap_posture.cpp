@@ -129,7 +129,7 @@ LapPosture::LapPosture(const NoLoadModel& model, const TipPath& path,
     is_known_ = is_known_ || model.curvature_limit_per_m(s) > 0.0;
   }
   if (!is_known_) {
-    points_kpa_.assign(2, Eigen::VectorXd::Zero(model.segment_count()));
+    points_kpa_.assign(2, Eigen::VectorXd::Zero(model.channel_count()));
     return;
   }
   std::vector<Shapes> shapes = shapes_along(model, path, limits, seed);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "limber/arm/damped_solve.hpp"
 #include "limber/run/executor.hpp"
 #include "limber/world/straight_motion.hpp"
 
@@ -47,7 +48,7 @@ TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, cons
       posture_(start.posture),
       seed_(seed) {
   const Pressures& start_kpa = start.setpoint_kpa;
-  const Pressures vented_kpa = Pressures::Zero(arm.segment_count());
+  const Pressures vented_kpa = Pressures::Zero(arm.channel_count());
   const int count = motion_frame_count(vented_kpa, start_kpa, arm.pressure_step_limit_kpa());
   approach_.assign(static_cast<std::size_t>(count), vented_kpa);
   for (int k = 1; k <= count; ++k) {
@@ -67,7 +68,7 @@ TipTracker::TipTracker(const ArmDescription& arm, const MotionModel& model, cons
 }
 
 const PressureLimits& TipTracker::limits_of_knot(Eigen::Index i) const {
-  return arm_.segments[static_cast<std::size_t>(i % segments())].pressure_limit_kpa;
+  return arm_.segments[static_cast<std::size_t>(i % channels())].pressure_limit_kpa;
 }
 
 double TipTracker::path_time_s(int frame) const {
@@ -120,7 +121,7 @@ Eigen::VectorXd TipTracker::wanted_tips() const {
 }
 
 void TipTracker::roll_out(Candidates& candidates) {
-  const Eigen::Index n = segments();
+  const Eigen::Index n = channels();
   const auto knot = [&](Eigen::Index candidate, int k) {
     return Pressures(candidates.knots_kpa.col(candidate).segment(k * n, n).cast<float>());
   };
@@ -149,7 +150,7 @@ void TipTracker::roll_out(Candidates& candidates) {
 Eigen::VectorXd TipTracker::posture_of_knots() const {
   Eigen::VectorXd kpa(knots_kpa_.size());
   for (int k = 0; k < settings_.knots; ++k) {
-    kpa.segment(k * segments(), segments()) =
+    kpa.segment(k * channels(), channels()) =
         posture_.at(path_time_s(frame_ + (k + 1) * settings_.frames_per_knot));
   }
   return kpa;
@@ -162,7 +163,7 @@ Eigen::VectorXd TipTracker::off_posture(const Eigen::Ref<const Eigen::VectorXd>&
 double TipTracker::cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
                         const Eigen::Ref<const Eigen::VectorXd>& tips_m,
                         const Eigen::VectorXd& wanted) const {
-  const Eigen::Index n = segments();
+  const Eigen::Index n = channels();
   Eigen::VectorXd steps = knots_kpa;
   steps.tail(knots_kpa.size() - n) -= knots_kpa.head(knots_kpa.size() - n);
   steps.head(n) -= state_.setpoint_kpa().cast<double>();
@@ -172,7 +173,7 @@ double TipTracker::cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
 
 /// Knots as near as limits and frame rule allow.
 Eigen::VectorXd TipTracker::within_rule(Eigen::VectorXd knots_kpa) const {
-  const Eigen::Index n = segments();
+  const Eigen::Index n = channels();
   const double step_kpa = settings_.frames_per_knot * arm_.pressure_step_limit_kpa();
   for (Eigen::Index i = 0; i < knots_kpa.size(); ++i) {
     const double before = i < n ? double(state_.setpoint_kpa()[i]) : knots_kpa[i - n];
@@ -185,13 +186,13 @@ Eigen::VectorXd TipTracker::within_rule(Eigen::VectorXd knots_kpa) const {
 /// From the first sample, the knots' change of least squared error as a linear fit has it.
 Eigen::VectorXd TipTracker::fitted_step(const Candidates& samples,
                                         const Eigen::VectorXd& wanted) const {
-  const Eigen::Index n = segments();
+  const Eigen::Index n = channels();
   const Eigen::Index size = samples.knots_kpa.rows();
   const Eigen::MatrixXd knots = samples.knots_kpa.colwise() - samples.knots_kpa.rowwise().mean();
   const Eigen::MatrixXd tips = samples.tips_m.colwise() - samples.tips_m.rowwise().mean();
-  Eigen::MatrixXd square = knots * knots.transpose();
-  square.diagonal().array() += kRidge * square.trace() / double(size) + 1e-9;
-  const Eigen::MatrixXd slope = square.ldlt().solve(knots * tips.transpose()).transpose();
+  const Eigen::MatrixXd square = knots * knots.transpose();
+  const double ridge = kRidge * square.trace() / double(size) + 1e-9;
+  const Eigen::MatrixXd slope = damped_solve(square, knots * tips.transpose(), ridge).transpose();
   // Differences of successive knots, the first from the set points in force.
   Eigen::MatrixXd difference = Eigen::MatrixXd::Identity(size, size);
   difference.bottomLeftCorner(size - n, size - n).diagonal().array() -= 1.0;
@@ -208,7 +209,7 @@ Eigen::VectorXd TipTracker::fitted_step(const Candidates& samples,
 }
 
 Eigen::VectorXd TipTracker::knots_one_frame_on() const {
-  const Eigen::Index n = segments();
+  const Eigen::Index n = channels();
   const Eigen::Index rest = knots_kpa_.size() - n;
   Eigen::VectorXd slope(knots_kpa_.size());
   slope.head(rest) = (knots_kpa_.tail(rest) - knots_kpa_.head(rest)) / settings_.frames_per_knot;
@@ -261,7 +262,7 @@ Pressures TipTracker::decide() {
   search();
   const Eigen::VectorXd now = state_.setpoint_kpa().cast<double>();
   const Eigen::VectorXd next =
-      now + (knots_kpa_.head(segments()) - now) / settings_.frames_per_knot;
+      now + (knots_kpa_.head(channels()) - now) / settings_.frames_per_knot;
   knots_kpa_ = knots_one_frame_on();
   return within_frame_rule(arm_, state_.setpoint_kpa(), next);
 }

@@ -32,14 +32,13 @@ class ErrorSum {
 
 TrackErrors track_errors(const TipPath& path, const Episode& episode, int start_frame) {
   ErrorSum first, later;
-  const Eigen::Index tip = episode.backbone.cols() - 3;
   for (int t = start_frame; t < episode.frame_count(); ++t) {
     const double since_s = episode.time_s[t] - episode.time_s[start_frame];
     if (!episode.was_tracked(t)) {
       continue;
     }
-    const Eigen::Vector2d there = episode.backbone.row(t).segment<2>(tip).cast<double>();
-    const double distance_m = (there - path.at(since_s)).norm();
+    const Eigen::Vector2d tip_m = tip_position_m(backbone_at(episode.backbone, t));
+    const double distance_m = (tip_m - path.at(since_s)).norm();
     (since_s <= path.lap_s() ? first : later).add(distance_m);
   }
   return {first.error(), later.error()};

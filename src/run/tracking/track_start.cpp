@@ -55,7 +55,7 @@ std::vector<Eigen::Vector2d> settled_tips(const ArmDescription& arm, const Motio
 /// n×count: each as `draw` has it from its segment's number and limits.
 template <class Draw>
 Eigen::MatrixXf sampled_kpa(const ArmDescription& arm, int count, const Draw& draw) {
-  Eigen::MatrixXf setpoints_kpa(arm.segment_count(), count);
+  Eigen::MatrixXf setpoints_kpa(arm.channel_count(), count);
   for (Eigen::Index c = 0; c < setpoints_kpa.cols(); ++c) {
     for (Eigen::Index i = 0; i < setpoints_kpa.rows(); ++i) {
       setpoints_kpa(i, c) =

@@ -35,7 +35,7 @@ class EpisodeRecorder {
  private:
   std::vector<double> sample_times() const;
 
-  Eigen::Index segments_;
+  Eigen::Index channels_;
   Eigen::Index points_;
   double period_s_;
   std::vector<double> time_s_;  // of samples; a repeated one has the same

@@ -86,7 +86,7 @@ class TipTracker final : public Controller {
   };
 
   int horizon() const { return settings_.knots * settings_.frames_per_knot; }
-  Eigen::Index segments() const { return model_.segment_count(); }
+  Eigen::Index channels() const { return model_.channel_count(); }
   /// Of the segment that entry `i` of the knots is a set point of.
   const PressureLimits& limits_of_knot(Eigen::Index i) const;
   double path_time_s(int frame) const;
