@@ -4,14 +4,15 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <optional>
+#include <span>
 #include <thread>
 
 #include <fmt/format.h>
 
 #include "limber/arm/names.hpp"
 #include "limber/common/interrupt.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/world/straight_motion.hpp"
 
 namespace limber {
@@ -32,10 +33,6 @@ constexpr double kMaxLateS = 0.025;  // of any
 constexpr double kNoiseDeviations = 4.0;
 constexpr double kMovedShare = 0.05;  // of the jump: the reading has moved
 constexpr double kVentedShare = 0.5;  // of the pressure before: less says that a deadman vented
-
-double mean(const double* begin, const double* end) {
-  return std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
-}
 
 /// Index, interpolated, at which the readings first reach `level`.
 std::optional<double> crossing(const std::vector<double>& readings, double level) {
@@ -82,7 +79,7 @@ class Check {
   }
 
  private:
-  int segments() const { return arm_.segment_count(); }
+  int channels() const { return arm_.channel_count(); }
 
   /// Holds a set point and keeps what is read. @return the first frame of it
   std::size_t hold(const Pressures& setpoint_kpa, double seconds) {
@@ -108,26 +105,21 @@ class Check {
   double last_mean(int segment) const {
     const std::vector<double> values = readings(segment, 0);
     const auto count = static_cast<std::size_t>(arm_.frames_in(kMeanS));
-    return mean(values.data() + values.size() - count, values.data() + values.size());
+    return mean(std::span(values).last(count));
   }
 
   void rest() {
-    const std::size_t first = hold(Pressures::Zero(segments()), kRestS);
-    for (int s = 0; s < segments(); ++s) {
+    const std::size_t first = hold(Pressures::Zero(channels()), kRestS);
+    for (int s = 0; s < channels(); ++s) {
       const std::vector<double> values = readings(s, first);
-      const double zero = mean(values.data(), values.data() + values.size());
-      double sum = 0.0;
-      for (const double value : values) {
-        sum += (value - zero) * (value - zero);
-      }
-      result_.zero_kpa.push_back(zero);
-      result_.noise_kpa.push_back(std::sqrt(sum / static_cast<double>(values.size())));
+      result_.zero_kpa.push_back(mean(values));
+      result_.noise_kpa.push_back(standard_deviation(values));
     }
   }
 
   /// @return whether nothing was wrong; the first complaint ends it.
   bool for_each_side(void (Check::*move)(int segment, double sign)) {
-    for (int s = 0; s < segments(); ++s) {
+    for (int s = 0; s < channels(); ++s) {
       for (const double sign : {1.0, -1.0}) {
         if (limit_kpa(s, sign) != 0.0) {
           (this->*move)(s, sign);
@@ -141,7 +133,7 @@ class Check {
   }
 
   Pressures alone(int segment, double kpa) const {
-    Pressures result = Pressures::Zero(segments());
+    Pressures result = Pressures::Zero(channels());
     result[segment] = static_cast<float>(kpa);
     return result;
   }
@@ -156,7 +148,7 @@ class Check {
     hold(alone(segment, wanted), kPulseS);
     const double zero = result_.zero_kpa[static_cast<std::size_t>(segment)];
     const std::string wrong = scale_complaint(segment, wanted, last_mean(segment) - zero);
-    for (int s = 0; s < segments(); ++s) {
+    for (int s = 0; s < channels(); ++s) {
       const double moved = last_mean(s) - result_.zero_kpa[static_cast<std::size_t>(s)];
       if (s != segment && std::abs(moved) > kMaxCrosstalk * std::abs(wanted)) {
         complain(
@@ -168,7 +160,7 @@ class Check {
     if (!wrong.empty()) {
       complain(wrong);
     }
-    hold(Pressures::Zero(segments()), kPulseS);
+    hold(Pressures::Zero(channels()), kPulseS);
   }
 
   void step(int segment, double sign) {
@@ -179,13 +171,13 @@ class Check {
     response.segment = segment;
     result_.steps.push_back(response);
     ramp_down(alone(segment, wanted));
-    hold(Pressures::Zero(segments()), kStepS);
+    hold(Pressures::Zero(channels()), kStepS);
   }
 
   /// Back to zero at half the arm's rate: jumps alone say little about a valve.
   void ramp_down(const Pressures& from_kpa) {
     constexpr int kMinFrames = 10;
-    const Pressures zero = Pressures::Zero(segments());
+    const Pressures zero = Pressures::Zero(channels());
     const int count = std::max(
         kMinFrames, 2 * motion_frame_count(from_kpa, zero, arm_.pressure_step_limit_kpa()));
     Pressures setpoint_kpa = from_kpa;
@@ -197,8 +189,8 @@ class Check {
 
   /// Raises every pressure to `kPulseShare`-sized ones that a deadman has to take away.
   double pressurise() {
-    Pressures wanted(segments());
-    for (int s = 0; s < segments(); ++s) {
+    Pressures wanted(channels());
+    for (int s = 0; s < channels(); ++s) {
       const double sign = limit_kpa(s, 1.0) != 0.0 ? 1.0 : -1.0;
       wanted[s] = static_cast<float>(2.0 * kPulseShare * limit_kpa(s, sign));
     }
@@ -283,13 +275,13 @@ class Check {
     Episode result;
     const auto frames = static_cast<Eigen::Index>(time_s_.size());
     result.time_s = Eigen::Map<const Eigen::VectorXd>(time_s_.data(), frames).array() - time_s_[0];
-    result.pressure_kpa.resize(frames, segments());
-    result.setpoint_kpa.resize(frames, segments());
+    result.pressure_kpa.resize(frames, channels());
+    result.setpoint_kpa.resize(frames, channels());
     for (Eigen::Index k = 0; k < frames; ++k) {
       result.pressure_kpa.row(k) = readings_[static_cast<std::size_t>(k)].transpose();
       result.setpoint_kpa.row(k) = setpoints_[static_cast<std::size_t>(k)].transpose();
     }
-    result.backbone = FrameMatrix::Zero(frames, 3 * arm_.point_count());
+    result.backbone = FrameMatrix::Zero(frames, kPoseSize * arm_.point_count());
     result.motion_index.assign(time_s_.size(), 0);
     result.tracked.assign(time_s_.size(), 0);
     return result;
@@ -355,7 +347,7 @@ StepResponse step_response(const std::vector<double>& reading_kpa, double period
   if (count == 0) {
     return response;
   }
-  const double reached = mean(upward.data() + upward.size() - count, upward.data() + upward.size());
+  const double reached = mean(std::span(upward).last(count));
   response.reached_kpa = sign * reached;
   response.overshoot_kpa = std::max(0.0, *std::max_element(upward.begin(), upward.end()) - reached);
   const double moved = std::max(kNoiseDeviations * noise_kpa, kMovedShare * std::abs(setpoint_kpa));

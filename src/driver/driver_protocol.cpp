@@ -60,10 +60,10 @@ std::optional<Backbone> backbone(const JsonReader& root, int points) {
   if (rows.size() != static_cast<std::size_t>(points)) {
     reader.refuse(fmt::format("{} poses found; the arm has {} plates", rows.size(), points));
   }
-  Backbone result(points, 3);
+  Backbone result(points, kPoseSize);
   for (int i = 0; i < points; ++i) {
     const std::vector<double> pose = rows[static_cast<std::size_t>(i)].numbers(
-        3, "numbers: x, y and theta", -kMaxAngle, kMaxAngle);
+        kPoseSize, "numbers: x, y and theta", -kMaxAngle, kMaxAngle);
     if (std::abs(pose[0]) > kMaxLength || std::abs(pose[1]) > kMaxLength) {
       rows[static_cast<std::size_t>(i)].refuse_found("expected x and y in metres");
     }

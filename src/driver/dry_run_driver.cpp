@@ -8,8 +8,8 @@ namespace limber {
 DryRunDriver::DryRunDriver(const ArmDescription& arm,
                            std::function<void(const std::string& line)> print)
     : period_s_(arm.frame_period_s()), print_(std::move(print)) {
-  state_.pressure_kpa = Pressures::Zero(arm.segment_count());
-  Backbone straight(arm.point_count(), 3);
+  state_.pressure_kpa = Pressures::Zero(arm.channel_count());
+  Backbone straight(arm.point_count(), kPoseSize);
   NoLoadModel(arm).backbone(Eigen::Ref<const Eigen::VectorXf>(state_.pressure_kpa),
                             Eigen::Ref<Backbone>(straight));
   state_.backbone = straight;

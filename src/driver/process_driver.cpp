@@ -182,9 +182,9 @@ class ProcessDriver::Session {
   }
 
   void require_size(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
-    if (setpoint_kpa.size() != arm_.segment_count()) {
+    if (setpoint_kpa.size() != arm_.channel_count()) {
       throw InputError(fmt::format("{} set points; arm '{}' has {} segments", setpoint_kpa.size(),
-                                   arm_.name, arm_.segment_count()));
+                                   arm_.name, arm_.channel_count()));
     }
   }
 

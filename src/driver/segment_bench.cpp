@@ -1,6 +1,6 @@
 #include "limber/driver/segment_bench.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -23,10 +23,7 @@ double arc_length_m(const Backbone& backbone) {
   double length_m = 0.0;
   for (Eigen::Index i = 0; i + 1 < backbone.rows(); ++i) {
     const double chord_m = (backbone.row(i + 1) - backbone.row(i)).head<2>().cast<double>().norm();
-    const double half_rad = 0.5 * (double(backbone(i + 1, 2)) - double(backbone(i, 2)));
-    constexpr double kStraightRad = 1e-6;
-    length_m +=
-        std::abs(half_rad) < kStraightRad ? chord_m : chord_m * half_rad / std::sin(half_rad);
+    length_m += chord_m / chord_share(double(backbone(i + 1, 2)) - double(backbone(i, 2)));
   }
   return length_m;
 }
@@ -77,7 +74,7 @@ class SegmentBenchRun {
     setpoint_kpa_ = goal;
     const int frames = arm_.frames_in(kBenchHoldS);
     const int used = arm_.frames_in(kBenchMeanS);
-    BackboneD sum = BackboneD::Zero(arm_.point_count(), 3);
+    BackboneD sum = BackboneD::Zero(arm_.point_count(), kPoseSize);
     double sum_kpa = 0.0;
     int tracked = 0;
     for (int k = 0; k < frames; ++k) {

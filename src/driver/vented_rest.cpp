@@ -36,7 +36,7 @@ ArmStart vented_rest(const ArmDescription& arm, const std::function<const ArmSta
     ++seen;
     rest.observe(backbone);
     if (const std::optional<Backbone> mean = rest.backbone()) {
-      return {Pressures::Zero(arm.segment_count()), *mean};
+      return {Pressures::Zero(arm.channel_count()), *mean};
     }
     moved_m = rest.moved_m();
   }

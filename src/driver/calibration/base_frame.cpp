@@ -9,11 +9,14 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "limber/arm/plate_distance.hpp"
+#include "limber/common/statistics.hpp"
+
 namespace limber {
 
 namespace {
 
-constexpr int kBaseUnknowns = 3;  // x, y, heading
+constexpr int kBaseUnknowns = kPoseSize;
 constexpr int kMaxIterations = 30;
 constexpr double kModelErrorM = 2e-5;       // of hinges in the middle of gaps, beside the noise
 constexpr double kGapErrorM = 4e-5;         // by which gaps of a segment contract unlike
@@ -72,10 +75,7 @@ class BaseFrameFit {
     Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(unknown_count());
     const Eigen::RowVector2d centre = rest_.leftCols<2>().colwise().mean();
     Eigen::Vector2d direction = Eigen::Vector2d::Zero();
-    double middle_m = 0.0;
-    for (const double m : along_m_) {
-      middle_m += m / static_cast<double>(along_m_.size());
-    }
+    const double middle_m = mean(along_m_);
     for (Eigen::Index i = 0; i < bodies(); ++i) {
       direction += (along_m_[static_cast<std::size_t>(i)] - middle_m) *
                    (rest_.row(i).head<2>() - centre).transpose();
@@ -86,10 +86,16 @@ class BaseFrameFit {
     return unknowns;
   }
 
+  /// Where a body is in frame B, were that where `unknowns` have it.
+  static Eigen::Vector2d in_B(const Eigen::VectorXd& unknowns, const Eigen::MatrixX3d& poses,
+                              Eigen::Index body) {
+    const Pose pose = between(pose_of(unknowns.head<kPoseSize>()), pose_of(poses.row(body)));
+    return {pose.x_m, pose.y_m};
+  }
+
   Eigen::Vector2d offset(const Eigen::VectorXd& unknowns, Eigen::Index body) const {
-    const Eigen::Vector2d in_B = Eigen::Rotation2Dd(-unknowns[2]) *
-                                 (rest_.row(body).head<2>().transpose() - unknowns.head<2>());
-    return in_B - Eigen::Vector2d(along_m_[static_cast<std::size_t>(body)], 0.0);
+    return in_B(unknowns, rest_, body) -
+           Eigen::Vector2d(along_m_[static_cast<std::size_t>(body)], 0.0);
   }
 
   /// Turn of a body since rest.
@@ -100,8 +106,7 @@ class BaseFrameFit {
   /// Where the plate of a body is in T, turned back into B's axes.
   Eigen::Vector2d plate(const Eigen::VectorXd& unknowns, const HeldShape& shape,
                         Eigen::Index body) const {
-    return Eigen::Rotation2Dd(-unknowns[2]) *
-               (shape.mean->pose.row(body).head<2>().transpose() - unknowns.head<2>()) -
+    return in_B(unknowns, shape.mean->pose, body) -
            Eigen::Rotation2Dd(turn_rad(shape, body)) * offset(unknowns, body);
   }
 
@@ -244,7 +249,7 @@ BaseFrame base_frame(const ArmDescription& arm, const CalibrationLog& log, const
   const std::vector<PulsePoses> pulses = pulse_poses(poses, log, arm.frame_period_s());
   std::vector<HeldShape> shapes;
   for (std::size_t k = 0; k < pulses.size(); ++k) {
-    const double moved_m = (pulses[k].held.pose - rest.pose).row(0).head<2>().norm();
+    const double moved_m = plate_distances_m(pulses[k].held.pose, rest.pose)[0];
     if (moved_m > kMaxBaseMotionM) {
       throw CalibrationRefused(
           fmt::format("marker body 0 moved by {:.1f} mm while channel {} was at {:.3g} kPa; it has "

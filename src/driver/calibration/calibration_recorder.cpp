@@ -35,7 +35,7 @@ class CalibrationRecorder {
     hold(0, 0.0, kCalibrationRestS);
     log_.rest_end = log_.frames.size();
     rig_.vent();
-    for (int channel = 0; channel < arm_.segment_count(); ++channel) {
+    for (int channel = 0; channel < arm_.channel_count(); ++channel) {
       for (const double sign : {1.0, -1.0}) {
         pulse(channel, sign * pulse_kpa_);
       }
@@ -48,7 +48,7 @@ class CalibrationRecorder {
   /// Frames with `channel` alone at `kpa`.
   void hold(int channel, double kpa, double seconds) {
     for (int k = 0; k < arm_.frames_in(seconds); ++k) {
-      Pressures setpoint_kpa = Pressures::Zero(arm_.segment_count());
+      Pressures setpoint_kpa = Pressures::Zero(arm_.channel_count());
       setpoint_kpa[channel] = static_cast<float>(kpa);
       log_.frames.push_back(rig_.command(setpoint_kpa));
     }

@@ -84,7 +84,7 @@ void require_seen(int seen, std::size_t frames, const char* when) {
 
 MeanPose mean_pose(const SeenPoses& poses, std::size_t first, std::size_t end, const char* when) {
   MeanPose mean;
-  mean.pose.setZero(poses.bodies(), 3);
+  mean.pose.setZero(poses.bodies(), kPoseSize);
   for (std::size_t frame = first; frame < end; ++frame) {
     if (poses.seen(frame)) {
       const auto k = static_cast<Eigen::Index>(frame);

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <Eigen/Cholesky>
+
+#include "limber/arm/damped_solve.hpp"
+#include "limber/common/statistics.hpp"
 
 namespace limber {
 
@@ -50,9 +53,7 @@ struct Branch {
   /// What is left of the squares once the knots are where they fit best.
   double misfit() const {
     constexpr double kRidge = 1e-9;  // for knots without a sample
-    const Eigen::Matrix<double, kKnots, kKnots> regular =
-        normal + kRidge * Eigen::Matrix<double, kKnots, kKnots>::Identity();
-    return std::max(0.0, square - right.dot(regular.ldlt().solve(right)));
+    return std::max(0.0, square - right.dot(damped_solve(normal, right, kRidge)));
   }
 };
 
@@ -183,12 +184,7 @@ std::optional<double> apart_s(const CalibrationLog& log) {
       apart.push_back(frame.state.time_s - *frame.tracker_s);
     }
   }
-  if (apart.empty()) {
-    return std::nullopt;
-  }
-  std::nth_element(apart.begin(), apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2),
-                   apart.end());
-  return apart[apart.size() / 2];
+  return apart.empty() ? std::nullopt : std::optional(median(std::move(apart)));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ Eigen::Quaterniond TrackerPlane::axes() const {
 
 Backbone poses_in_plane(const TrackerPlane& plane, const BodyPoses& bodies) {
   assert(bodies.rows() == static_cast<Eigen::Index>(plane.body_rotations.size()));
-  Backbone poses(bodies.rows(), 3);
+  Backbone poses(bodies.rows(), kPoseSize);
   for (Eigen::Index i = 0; i < bodies.rows(); ++i) {
     const Eigen::Vector3d from_origin = bodies.row(i).head<3>().transpose() - plane.origin;
     // The turn about z that is nearest to a rotation (w, x, y, z): 2 atan2(z, w).

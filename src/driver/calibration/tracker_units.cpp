@@ -10,6 +10,8 @@
 #include <fmt/ranges.h>
 #include <Eigen/Eigenvalues>
 
+#include "limber/common/statistics.hpp"
+
 namespace limber {
 
 namespace {
@@ -36,10 +38,9 @@ LineFit line_fit(const std::vector<double>& along_m, const Eigen::MatrixX3d& bod
                  const std::vector<int>& order) {
   const auto count = static_cast<double>(along_m.size());
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-  double centre_m = 0.0;
+  const double centre_m = mean(along_m);
   for (std::size_t i = 0; i < along_m.size(); ++i) {
     centre += bodies.row(order[i]).head<2>().transpose() / count;
-    centre_m += along_m[i] / count;
   }
   Eigen::Vector2d direction = Eigen::Vector2d::Zero();
   double spread = 0.0;

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
 
 #include "limber/common/error.hpp"
 
@@ -36,52 +35,36 @@ PressureLimits turned(const PressureLimits& limits, double sign) {
   return sign > 0.0 ? limits : PressureLimits(-limits.upper_kpa, -limits.lower_kpa);
 }
 
-/// (x, y) turned by `angle_rad`.
-Eigen::Vector2d turned(const Eigen::Vector2d& vector, double angle_rad) {
-  return Eigen::Rotation2Dd(angle_rad) * vector;
-}
-
-Eigen::Vector2d position_of(const Pose& pose) {
-  return {pose.x_m, pose.y_m};
-}
-
 double y_sign(const TrackerCalibration& tracker) {
   return tracker.mirrored ? -1.0 : 1.0;
 }
 
 Backbone plates_of(const TrackerCalibration& tracker, const Backbone& bodies) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  Backbone plates(bodies.rows(), 3);
+  Backbone plates(bodies.rows(), kPoseSize);
   double before_rad = 0.0;
   for (Eigen::Index i = 0; i < bodies.rows(); ++i) {
     const Pose& offset = tracker.marker_offsets[static_cast<std::size_t>(i)];
-    const Eigen::Vector2d in_T(tracker.metres_per_unit * bodies(i, 0),
-                               y_sign(tracker) * tracker.metres_per_unit * bodies(i, 1));
-    double theta_rad = y_sign(tracker) * tracker.radians_per_unit * bodies(i, 2) -
-                       tracker.base.theta_rad - offset.theta_rad;
-    theta_rad -= kTurn * std::round((theta_rad - before_rad) / kTurn);
-    before_rad = theta_rad;
-    const Eigen::Vector2d p = turned(in_T - position_of(tracker.base), -tracker.base.theta_rad) -
-                              turned(position_of(offset), theta_rad);
-    plates.row(i) << static_cast<float>(p.x()), static_cast<float>(p.y()),
-        static_cast<float>(theta_rad);
+    const Pose in_T{tracker.metres_per_unit * bodies(i, 0),
+                    y_sign(tracker) * tracker.metres_per_unit * bodies(i, 1),
+                    y_sign(tracker) * tracker.radians_per_unit * bodies(i, 2)};
+    Pose plate = compose(between(tracker.base, in_T), between(offset, Pose{}));
+    plate.theta_rad -= kTurn * std::round((plate.theta_rad - before_rad) / kTurn);
+    before_rad = plate.theta_rad;
+    plates.row(i) = numbers_of(plate).cast<float>();
   }
   return plates;
 }
 
 Backbone bodies_of(const TrackerCalibration& tracker, const Backbone& plates) {
-  Backbone bodies(plates.rows(), 3);
+  Backbone bodies(plates.rows(), kPoseSize);
   for (Eigen::Index i = 0; i < plates.rows(); ++i) {
     const Pose& offset = tracker.marker_offsets[static_cast<std::size_t>(i)];
-    const double theta_rad = plates(i, 2);
-    const Eigen::Vector2d in_B =
-        plates.row(i).head<2>().cast<double>().transpose() + turned(position_of(offset), theta_rad);
-    const Eigen::Vector2d in_T = position_of(tracker.base) + turned(in_B, tracker.base.theta_rad);
-    bodies.row(i) << static_cast<float>(in_T.x() / tracker.metres_per_unit),
-        static_cast<float>(y_sign(tracker) * in_T.y() / tracker.metres_per_unit),
-        static_cast<float>(y_sign(tracker) *
-                           (theta_rad + tracker.base.theta_rad + offset.theta_rad) /
-                           tracker.radians_per_unit);
+    const Pose plate = pose_of(plates.row(i).cast<double>());
+    const Pose in_T = compose(tracker.base, compose(plate, offset));
+    bodies.row(i) << static_cast<float>(in_T.x_m / tracker.metres_per_unit),
+        static_cast<float>(y_sign(tracker) * in_T.y_m / tracker.metres_per_unit),
+        static_cast<float>(y_sign(tracker) * in_T.theta_rad / tracker.radians_per_unit);
   }
   return bodies;
 }
