@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <numeric>
 
+#include "limber/common/statistics.hpp"
 #include "limber/forward/ensemble_forward.hpp"
 #include "limber/world/collision.hpp"
 
@@ -15,7 +14,7 @@ namespace {
 using Rollouts = std::vector<Eigen::MatrixXf>;  // one per member, 3m × frames
 
 Eigen::Map<const Backbone> shape(const Eigen::MatrixXf& rollout, Eigen::Index frame) {
-  return {rollout.col(frame).data(), rollout.rows() / 3, 3};
+  return {rollout.col(frame).data(), rollout.rows() / kPoseSize, kPoseSize};
 }
 
 Rollouts roll_out(const Plan& plan, const EnsembleForward& ensemble) {
@@ -36,16 +35,8 @@ Rollouts roll_out(const Plan& plan, const EnsembleForward& ensemble) {
 }
 
 MemberFigures figures_of(const std::vector<double>& values) {
-  const double count = static_cast<double>(values.size());
-  MemberFigures result;
-  result.min_m = *std::ranges::min_element(values);
-  result.max_m = *std::ranges::max_element(values);
-  result.mean_m = std::accumulate(values.begin(), values.end(), 0.0) / count;
-  for (const double value : values) {
-    result.standard_deviation_m += std::pow(value - result.mean_m, 2) / count;
-  }
-  result.standard_deviation_m = std::sqrt(result.standard_deviation_m);
-  return result;
+  return {*std::ranges::min_element(values), *std::ranges::max_element(values), mean(values),
+          standard_deviation(values)};
 }
 
 SpreadAt spread_of_plate(const Rollouts& rollouts, int frame, int plate) {
@@ -131,9 +122,7 @@ std::optional<PlanSpread> plan_spread(const Plan& plan, const ArmDescription& ar
   const int last = plan.frame_count() - 1;
   std::vector<double> distances;
   for (const Eigen::MatrixXf& rollout : rollouts) {
-    const auto tip = shape(rollout, last).row(arm.point_count() - 1);
-    distances.push_back(
-        std::hypot(double(tip[0]) - environment.goal.x_m, double(tip[1]) - environment.goal.y_m));
+    distances.push_back(pose_error(environment.goal, tip_pose(shape(rollout, last))).position_m);
   }
   spread.goal_distance = figures_of(distances);
   spread.end = spread_of(rollouts, last, 0, arm.point_count() - 1);

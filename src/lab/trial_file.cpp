@@ -106,11 +106,11 @@ Backbone read_backbone(const JsonReader& field, const ArmDescription& arm) {
     field.refuse(fmt::format("{} poses found; expected {}, one per plate of arm '{}'", rows.size(),
                              arm.point_count(), arm.name));
   }
-  Backbone backbone(arm.point_count(), 3);
+  Backbone backbone(arm.point_count(), kPoseSize);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double> pose =
-        rows[i].numbers(3, "numbers [x_m, y_m, theta_rad]", -kFarthest, kFarthest);
-    for (Eigen::Index k = 0; k < 3; ++k) {
+        rows[i].numbers(kPoseSize, "numbers [x_m, y_m, theta_rad]", -kFarthest, kFarthest);
+    for (Eigen::Index k = 0; k < kPoseSize; ++k) {
       backbone(static_cast<Eigen::Index>(i), k) =
           static_cast<float>(pose[static_cast<std::size_t>(k)]);
     }

@@ -133,7 +133,7 @@ class VirtualArm::Simulation {
 
   void write_backbone(BackboneD& backbone) const {
     const auto& plates = physics_.kinematics().plates();
-    backbone.resize(static_cast<Eigen::Index>(plates.size()), 3);
+    backbone.resize(static_cast<Eigen::Index>(plates.size()), kPoseSize);
     for (std::size_t i = 0; i < plates.size(); ++i) {
       backbone.row(static_cast<Eigen::Index>(i)) << plates[i].position.x(), plates[i].position.y(),
           plates[i].theta_rad;
@@ -159,12 +159,12 @@ class VirtualArm::Simulation {
 
   /// Set points within the arm's limits. Changes nothing if it throws.
   std::vector<double> checked(const Eigen::Ref<const Pressures>& setpoint_kpa) const {
-    if (setpoint_kpa.size() != arm_.segment_count()) {
+    if (setpoint_kpa.size() != arm_.channel_count()) {
       throw InputError(fmt::format("{} set points; arm '{}' has {} segments", setpoint_kpa.size(),
-                                   arm_.name, arm_.segment_count()));
+                                   arm_.name, arm_.channel_count()));
     }
     std::vector<double> result;
-    for (int s = 0; s < arm_.segment_count(); ++s) {
+    for (int s = 0; s < arm_.channel_count(); ++s) {
       const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(s)].pressure_limit_kpa;
       const double value = setpoint_kpa[s];
       if (!(value >= limits.lower_kpa - kMaxClampedKpa &&
@@ -221,8 +221,8 @@ class VirtualArm::Simulation {
     write_backbone(backbone);
     ArmState state;
     state.time_s = time_s();
-    state.pressure_kpa.resize(arm_.segment_count());
-    for (int s = 0; s < arm_.segment_count(); ++s) {
+    state.pressure_kpa.resize(arm_.channel_count());
+    for (int s = 0; s < arm_.channel_count(); ++s) {
       state.pressure_kpa[s] = static_cast<float>(
           physics_.air()[static_cast<std::size_t>(s)].pressure_kpa + noise(options_.noise_kpa));
     }

@@ -13,6 +13,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/json_reader.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 #include "limber/lab/planning_experiment.hpp"
 #include "limber/lab/random_environment.hpp"
@@ -233,26 +234,19 @@ class PhaseRunner {
   PlanTrialSettings trial_;
 };
 
-double mean_of(const std::vector<TubeRun>& runs, double TubeRun::*member) {
-  double sum = 0.0;
-  int count = 0;
-  for (const TubeRun& run : runs) {
-    if (run.executed) {
-      sum += run.*member;
-      ++count;
-    }
-  }
-  return count > 0 ? sum / count : 0.0;
-}
-
-double median_first_s(const std::vector<TubeRun>& runs) {
+std::vector<double> of_executed(const std::vector<TubeRun>& runs, double TubeRun::*member) {
   std::vector<double> values;
   for (const TubeRun& run : runs) {
     if (run.executed) {
-      values.push_back(run.first_solution_s);
+      values.push_back(run.*member);
     }
   }
-  return values.empty() ? 0.0 : conformal_quantile(std::move(values), 0.5);
+  return values;
+}
+
+double mean_of(const std::vector<TubeRun>& runs, double TubeRun::*member) {
+  const std::vector<double> values = of_executed(runs, member);
+  return values.empty() ? 0.0 : mean(values);
 }
 
 int count_of(const std::vector<TubeRun>& runs, bool TubeRun::*member) {
@@ -307,7 +301,8 @@ Json to_json(const TubeRuns& runs, double factor) {
                       {"low", 1.0 - share_at_most(outside, executed, kInterval)},
                       {"high", 1.0 - share_at_least(outside, executed, kInterval)}};
   json["cost"] = mean_of(runs.all, &TubeRun::cost_kpa);
-  json["first_solution_s_median"] = median_first_s(runs.all);
+  const std::vector<double> first_s = of_executed(runs.all, &TubeRun::first_solution_s);
+  json["first_solution_s_median"] = first_s.empty() ? 0.0 : median(first_s);
   json["mean_tip_radius_cm"] = kCmPerM * mean_of(runs.all, &TubeRun::tip_radius_m);
   json["mean_largest_tip_error_cm"] = kCmPerM * mean_of(runs.all, &TubeRun::tip_m);
   json["collided"] = count_of(runs.all, &TubeRun::collided);

@@ -38,11 +38,6 @@ Vector2d middle(const Eigen::Ref<const Backbone>& backbone, Eigen::Index gap) {
   return from + 0.5 * chord - bulge * Vector2d(-chord.y(), chord.x());
 }
 
-Backbone shape_in(const Episode& run, int frame) {
-  return Eigen::Map<const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(
-      run.backbone.row(frame).data(), run.backbone.cols() / 3, 3);
-}
-
 double turned(double a, double b) {
   return std::abs(std::remainder(a - b, 2.0 * std::numbers::pi));
 }
@@ -54,7 +49,7 @@ void visit_frames(const Plan& plan, const Episode& run, Visit&& visit) {
   for (int t = 0; t < run.frame_count(); ++t) {
     if (run.was_tracked(t)) {
       const auto k = static_cast<std::size_t>(shown[static_cast<std::size_t>(t)]);
-      visit(plan.frames[k].backbone, shape_in(run, t));
+      visit(plan.frames[k].backbone, backbone_at(run.backbone, t));
     }
   }
 }

@@ -55,14 +55,14 @@ Recording record(const DemoResults& results, const ScheduleSettings& schedule, s
 /// The run behind the paper's Fig. 1: the right side of every segment inflated fully, then vented.
 Episode inflate_and_deflate(const ArmDescription& arm) {
   EpisodeSchedule schedule;
-  schedule.first_kpa = Pressures::Zero(arm.segment_count());
-  Pressures full(arm.segment_count());
-  for (int i = 0; i < arm.segment_count(); ++i) {
+  schedule.first_kpa = Pressures::Zero(arm.channel_count());
+  Pressures full(arm.channel_count());
+  for (int i = 0; i < arm.channel_count(); ++i) {
     full[i] =
         static_cast<float>(arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa.upper_kpa);
   }
   schedule.motions.push_back({full, kInflateS, true});
-  schedule.motions.push_back({Pressures::Zero(arm.segment_count()), kDeflateS, true});
+  schedule.motions.push_back({Pressures::Zero(arm.channel_count()), kDeflateS, true});
   VirtualArm driver(arm);
   return record_episode(arm, driver, schedule, {});
 }

@@ -17,11 +17,11 @@ ScheduleSettings transitions(const ArmDescription& arm, int most) {
   ScheduleSettings schedule;
   schedule.kind = ScheduleKind::transitions;
   int configurations = 1;
-  for (int i = 0; i < arm.segment_count() && configurations <= most; ++i) {
+  for (int i = 0; i < arm.channel_count() && configurations <= most; ++i) {
     configurations *= 3;
   }
   // Up to three segments every transition is recorded; above, there are too many.
-  schedule.count = arm.segment_count() <= 3 && configurations * configurations <= most ? 0 : most;
+  schedule.count = arm.channel_count() <= 3 && configurations * configurations <= most ? 0 : most;
   return schedule;
 }
 

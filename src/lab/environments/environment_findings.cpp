@@ -46,8 +46,7 @@ class SimplePaths {
       std::swap(at, end);
     }
     return simulator_.hold(at, end) &&
-           is_within(environment_.goal,
-                     pose_error(environment_.goal, tip_pose<float>(end.backbone)));
+           is_within(environment_.goal, pose_error(environment_.goal, tip_pose(end.backbone)));
   }
 
   /// Waypoints between which every pressure only rises or only falls, ending at `end_kpa`.
@@ -68,11 +67,11 @@ class SimplePaths {
 
   /// A configuration within the limits: anywhere, or near one of `ends_kpa`.
   Pressures draw_end(const std::vector<Pressures>& ends_kpa, RandomStream& random) const {
-    Pressures end(arm_.segment_count());
+    Pressures end(arm_.channel_count());
     const bool near = !ends_kpa.empty() && random.uniform() < kAboutGoals;
     const Pressures* about =
         near ? &ends_kpa[random.index(static_cast<std::uint32_t>(ends_kpa.size()))] : nullptr;
-    for (int i = 0; i < arm_.segment_count(); ++i) {
+    for (int i = 0; i < arm_.channel_count(); ++i) {
       const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
       const double value = about != nullptr
                                ? (*about)[i] + kSpread * limits.half_width_kpa() * random.normal()

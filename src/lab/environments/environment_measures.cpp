@@ -93,7 +93,7 @@ bool straight_line_solves(const PlanningProblem& problem, const std::vector<Pres
   return std::any_of(candidates.begin(), candidates.end(), [&](const Pressures& q) {
     const std::optional<Backbone> end = end_of_straight_line(problem, simulator, q);
     const PoseGoal& goal = problem.environment.goal;
-    return end && is_within(goal, pose_error(goal, tip_pose<float>(*end)));
+    return end && is_within(goal, pose_error(goal, tip_pose(*end)));
   });
 }
 

@@ -37,8 +37,8 @@ class EnvironmentSampler {
 
   std::optional<RandomEnvironment> sample() {
     draw_motion();
-    const Pose tip = tip_pose<float>(motion_.back().backbone);
-    const Pose start = tip_pose<float>(motion_.front().backbone);
+    const Pose tip = tip_pose(motion_.back().backbone);
+    const Pose start = tip_pose(motion_.front().backbone);
     if (std::hypot(tip.x_m - start.x_m, tip.y_m - start.y_m) < kMinTravelM) {
       return std::nullopt;
     }
@@ -65,7 +65,7 @@ class EnvironmentSampler {
 
  private:
   Pressures random_pressures() {
-    Pressures q(arm_.segment_count());
+    Pressures q(arm_.channel_count());
     for (int i = 0; i < q.size(); ++i) {
       const PressureLimits& limits = arm_.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
       q[i] = static_cast<float>(random_.uniform(limits.lower_kpa, limits.upper_kpa));

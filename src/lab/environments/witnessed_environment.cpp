@@ -46,8 +46,8 @@ class Sampler {
     shapes_.assign(1, start_state(result_.environment, arm_).backbone);
     const std::vector<Backbone> moved = witness(result_.waypoints_kpa);
     shapes_.insert(shapes_.end(), moved.begin(), moved.end());
-    const Pose start = tip_pose<float>(moved.front());
-    const Pose end = tip_pose<float>(moved.back());
+    const Pose start = tip_pose(moved.front());
+    const Pose end = tip_pose(moved.back());
     if (std::hypot(end.x_m - start.x_m, end.y_m - start.y_m) < unit_ * kMinWitnessTravelM) {
       return std::nullopt;
     }

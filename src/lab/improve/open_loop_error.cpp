@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limber/arm/plate_distance.hpp"
+
 namespace limber {
 
 namespace {
@@ -17,8 +19,8 @@ class ErrorOfRuns {
     if (!episode.was_tracked(first)) {
       return;
     }
-    MotionState state =
-        model_.settled_state(episode.setpoint_kpa.row(first).transpose(), measured(episode, first));
+    MotionState state = model_.settled_state(episode.setpoint_kpa.row(first).transpose(),
+                                             backbone_at(episode.backbone, first));
     double sum_m = 0.0;
     double largest_m = 0.0;
     int plates = 0;
@@ -28,7 +30,7 @@ class ErrorOfRuns {
         continue;
       }
       const Eigen::VectorXd distance_m =
-          (state.backbone - measured(episode, t)).cast<double>().leftCols<2>().rowwise().norm();
+          plate_distances_m(state.backbone, backbone_at(episode.backbone, t));
       sum_m += distance_m.sum();
       largest_m = std::max(largest_m, distance_m.maxCoeff());
       plates += static_cast<int>(distance_m.size());
@@ -46,10 +48,6 @@ class ErrorOfRuns {
   }
 
  private:
-  static Backbone measured(const Episode& episode, int t) {
-    return episode.backbone.row(t).reshaped<Eigen::RowMajor>(episode.backbone.cols() / 3, 3);
-  }
-
   const MotionModel& model_;
   MotionModel::Workspace workspace_;
   int runs_ = 0;

@@ -110,8 +110,7 @@ void PlanChain::judge(const Episode& episode, const Executed& frames,
   BackboneD shape;
   for (int t = frames.first_frame; t <= frames.last_frame; ++t) {
     if (episode.was_tracked(t)) {
-      shape =
-          episode.backbone.row(t).reshaped<Eigen::RowMajor>(arm_.point_count(), 3).cast<double>();
+      shape = backbone_at(episode.backbone, t).cast<double>();
       watch.observe(episode.time_s[t], shape);
     }
   }

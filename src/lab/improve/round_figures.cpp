@@ -1,11 +1,11 @@
 #include "round_figures.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "limber/common/statistics.hpp"
 #include "limber/common/units.hpp"
 
 namespace limber {
@@ -61,24 +61,11 @@ PlanFigures figures_of(const std::vector<PlanRun>& runs) {
   if (distances.empty()) {
     return figures;
   }
-  const auto count = static_cast<double>(distances.size());
-  double sum = 0.0;
-  for (const double distance : distances) {
-    sum += distance;
-  }
-  const double mean = sum / count;
-  figures.mean_m = mean;
+  figures.mean_m = mean(distances);
   if (distances.size() > 1) {
-    double squares = 0.0;
-    for (const double distance : distances) {
-      squares += (distance - mean) * (distance - mean);
-    }
-    figures.standard_error_m = std::sqrt(squares / (count - 1.0) / count);
+    figures.standard_error_m = standard_error(distances);
   }
-  std::sort(distances.begin(), distances.end());
-  const std::size_t half = distances.size() / 2;
-  figures.median_m =
-      distances.size() % 2 == 1 ? distances[half] : 0.5 * (distances[half - 1] + distances[half]);
+  figures.median_m = median(std::move(distances));
   return figures;
 }
 

@@ -1,18 +1,17 @@
 #include "stopping_rule.hpp"
 
 #include <cassert>
-#include <cmath>
+
+#include "limber/common/statistics.hpp"
 
 namespace limber {
 
 DistanceGain gain_between(const EndDistances& before, const EndDistances& after) {
   assert(before.size() == after.size());
   std::vector<double> gains;
-  double sum = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (before[i] && after[i]) {
       gains.push_back(*before[i] - *after[i]);
-      sum += gains.back();
     }
   }
   DistanceGain result;
@@ -20,14 +19,9 @@ DistanceGain gain_between(const EndDistances& before, const EndDistances& after)
   if (gains.empty()) {
     return result;
   }
-  const auto count = static_cast<double>(gains.size());
-  result.mean_m = sum / count;
+  result.mean_m = mean(gains);
   if (gains.size() > 1) {
-    double squares = 0.0;
-    for (const double gain : gains) {
-      squares += (gain - result.mean_m) * (gain - result.mean_m);
-    }
-    result.standard_error_m = std::sqrt(squares / (count - 1.0) / count);
+    result.standard_error_m = standard_error(gains);
   }
   return result;
 }

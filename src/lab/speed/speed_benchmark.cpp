@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/common/statistics.hpp"
 #include "limber/forward/forward_model.hpp"
 #include "limber/forward/parallel_forward.hpp"
 #include "limber/network/packed_network.hpp"
@@ -61,9 +63,7 @@ double rate_of(std::int64_t queries, std::int64_t queries_per_pass,
       break;
     }
   }
-  const auto median = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
-  std::nth_element(seconds.begin(), median, seconds.end());
-  return static_cast<double>(queries_per_pass) / *median;
+  return static_cast<double>(queries_per_pass) / median(std::move(seconds));
 }
 
 struct Queries {
@@ -78,14 +78,14 @@ Queries random_queries(const ArmDescription& arm, int count, std::uint64_t seed)
   RandomStream random(seed, 1);
   const auto pressures = [&] {
     return MatrixXf(
-        MatrixXf::NullaryExpr(arm.segment_count(), count, [&](Eigen::Index i, Eigen::Index) {
+        MatrixXf::NullaryExpr(arm.channel_count(), count, [&](Eigen::Index i, Eigen::Index) {
           const PressureLimits& limits =
               arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
           return static_cast<float>(random.uniform(limits.lower_kpa, limits.upper_kpa));
         }));
   };
   const MatrixXf before = pressures();
-  const MatrixXf zero = MatrixXf::Zero(3 * arm.point_count(), count);
+  const MatrixXf zero = MatrixXf::Zero(kPoseSize * arm.point_count(), count);
   Queries queries{pressures(), pressures(), zero, zero};
   ForwardModel::Workspace workspace;
   ForwardModel(arm).step_batch(before, before, queries.next, queries.previous, workspace);
@@ -98,8 +98,8 @@ double single_rate(const ForwardModel& model, Queries& queries, std::int64_t cou
   return rate_of(count, queries.next.cols(), [&] {
     for (Eigen::Index j = 0; j < queries.next.cols(); ++j) {
       model.step(queries.previous_kpa.col(j), queries.current_kpa.col(j),
-                 Eigen::Map<const Backbone>(queries.previous.col(j).data(), points, 3),
-                 Eigen::Map<Backbone>(queries.next.col(j).data(), points, 3), workspace);
+                 Eigen::Map<const Backbone>(queries.previous.col(j).data(), points, kPoseSize),
+                 Eigen::Map<Backbone>(queries.next.col(j).data(), points, kPoseSize), workspace);
     }
   });
 }
@@ -266,8 +266,8 @@ PeerSpeed SpeedMeasurement::measure_peer(const PeerMaker& maker,
   }
   const ForwardModel no_load(arm_);
   ForwardModel::Workspace workspace;
-  const int n = arm_.segment_count();
-  const int size = 3 * arm_.point_count();
+  const int n = arm_.channel_count();
+  const int size = kPoseSize * arm_.point_count();
   PeerSpeed speed{maker.name, {}, {}};
   for (const int batch : kBatchSizes) {
     MatrixXf input(2 * n + 2 * size, batch);

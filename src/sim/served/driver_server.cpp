@@ -46,7 +46,7 @@ class DriverServer {
         arm_(arm, settings.arm),
         wire_(settings.misassembly, arm_, settings.arm, !settings.fast),
         input_(::dup(STDIN_FILENO), kMaxDriverLine),
-        in_force_(Pressures::Zero(arm.segment_count())) {}
+        in_force_(Pressures::Zero(arm.channel_count())) {}
 
   void run() {
     std::string line;

@@ -46,8 +46,8 @@ Misassembly draw_misassembly(const ArmDescription& arm, std::uint64_t seed) {
   RandomStream stream(seed, 0);
   Misassembly result;
   result.truth = identity_calibration(arm);
-  result.truth.valves = drawn_channels(arm.segment_count(), stream);
-  result.truth.sensors = drawn_channels(arm.segment_count(), stream);
+  result.truth.valves = drawn_channels(arm.channel_count(), stream);
+  result.truth.sensors = drawn_channels(arm.channel_count(), stream);
   for (double& zero : result.truth.zero_kpa) {
     zero = stream.uniform(-kMaxDrawnZeroKpa, kMaxDrawnZeroKpa);
   }

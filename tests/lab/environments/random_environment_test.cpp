@@ -40,7 +40,7 @@ TEST(RandomEnvironment, KeepsItsRules) {
       EXPECT_GE(checker.motion_clearance(frames[k - 1].backbone, frames[k].backbone).value_m,
                 settings.clearance_m - CollisionChecker::kToleranceM);
     }
-    EXPECT_TRUE(is_within(e.goal, pose_error(e.goal, tip_pose<float>(frames.back().backbone))));
+    EXPECT_TRUE(is_within(e.goal, pose_error(e.goal, tip_pose(frames.back().backbone))));
 
     const std::string text = environment_to_yaml(e);
     EXPECT_EQ(environment_to_yaml(read_environment(YamlReader::from_text(text, "e"), arm)), text);
