@@ -105,8 +105,8 @@ void bind_command_sums(py::module_& module) {
 }
 
 py::array_t<float> largest_pressures_of(const ArmDescription& arm) {
-  py::array_t<float> limits(arm.segment_count());
-  for (int i = 0; i < arm.segment_count(); ++i) {
+  py::array_t<float> limits(arm.channel_count());
+  for (int i = 0; i < arm.channel_count(); ++i) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(i)];
     limits.mutable_at(i) = static_cast<float>(segment.pressure_limit_kpa.largest_kpa());
   }
@@ -114,8 +114,8 @@ py::array_t<float> largest_pressures_of(const ArmDescription& arm) {
 }
 
 py::array_t<float> pressure_ranges_of(const ArmDescription& arm) {
-  py::array_t<float> ranges({arm.segment_count(), 2});
-  for (int i = 0; i < arm.segment_count(); ++i) {
+  py::array_t<float> ranges({arm.channel_count(), 2});
+  for (int i = 0; i < arm.channel_count(); ++i) {
     const PressureLimits& limits = arm.segments[static_cast<std::size_t>(i)].pressure_limit_kpa;
     ranges.mutable_at(i, 0) = static_cast<float>(limits.lower_kpa);
     ranges.mutable_at(i, 1) = static_cast<float>(limits.upper_kpa);

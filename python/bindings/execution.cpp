@@ -60,7 +60,7 @@ ExecutionResult run_with(const ArmDescription& arm, const Environment& environme
   if (py::isinstance<ClosedLoopOf>(controller)) {
     settings.controller = controller.cast<ClosedLoopOf&>().controller.get();
   } else if (!controller.is_none()) {
-    settings.controller = &own.emplace(controller, arm.segment_count(), caller);
+    settings.controller = &own.emplace(controller, arm.channel_count(), caller);
   }
   if (py::isinstance<SharedVirtualArm>(driver)) {
     const SharedVirtualArm::Use use(driver.cast<SharedVirtualArm&>());

@@ -17,7 +17,7 @@ namespace {
 /// Shape (m, 3) of (n,), or (k, m, 3) of (k, n).
 py::array_t<float> backbone(const NoLoadModel& model, const FloatArray& pressures_kpa,
                             const py::object& out) {
-  const py::ssize_t n = model.segment_count();
+  const py::ssize_t n = model.channel_count();
   const py::ssize_t m = model.point_count();
   const bool batch = pressures_kpa.ndim() == 2;
   const py::ssize_t count = batch ? pressures_kpa.shape(0) : 1;

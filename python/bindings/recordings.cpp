@@ -66,7 +66,7 @@ Episode make_episode(
   }
   episode.pressure_kpa = frames_from(pressure_kpa, frames, "pressure_kpa");
   episode.setpoint_kpa = frames_from(setpoint_kpa, frames, "setpoint_kpa");
-  if (backbone.ndim() != 3 || backbone.shape(2) != 3) {
+  if (backbone.ndim() != 3 || backbone.shape(2) != kPoseSize) {
     throw InputError(
         fmt::format("backbone has shape {}; expected (T, m, 3)", to_text(shape_of(backbone))));
   }
