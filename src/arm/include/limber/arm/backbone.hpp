@@ -21,7 +21,7 @@ using BackboneD = BackboneOf<double>;
 using Pressures = Eigen::VectorXf;
 
 /// The last pose of a backbone (m×3, m ≥ 1).
-template <class = void, class Derived>
+template <class Derived>
 Pose tip_pose(const Eigen::MatrixBase<Derived>& backbone) {
   return pose_of(backbone.template bottomRows<1>().template cast<double>());
 }
