@@ -139,8 +139,9 @@ class AdaptVerb final : public Verb {
           "of {:.2f})",
           kCmPerM * done.trained_error_m, kCmPerM * done.fitted_error_m);
     } else if (!done.is_of_family()) {
-      text += "\nwarning: the family does not contain this arm; more motions of it, given to limber "
-              "train --from, make a model of its own";
+      text +=
+          "\nwarning: the family does not contain this arm; more motions of it, given to limber "
+          "train --from, make a model of its own";
     }
     text += "\n" + limber::to_text(done.model.identified_valves(), arm.command.unit);
     return text;

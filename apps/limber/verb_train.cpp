@@ -90,9 +90,10 @@ class TrainVerb final : public Verb {
                    "Without this flag, best trains 3 for a third of the epochs where the "
                    "data hold 1 to 4 hours and nothing says how long to train; else 1")
         ->check(CLI::Range(1, 64));
-    app.add_flag("--family", family_,
-                 "One network for all arms that the recordings are of, which limber adapt makes one "
-                 "arm's: every recording is an arm, of collect --vary-physics every episode")
+    app.add_flag(
+           "--family", family_,
+           "One network for all arms that the recordings are of, which limber adapt makes one "
+           "arm's: every recording is an arm, of collect --vary-physics every episode")
         ->excludes(from);
     app.add_option("--family-size", family_size_, "Numbers that say which arm of a family it is")
         ->check(CLI::Range(0, ArmFamily::kMaxSize))
@@ -324,8 +325,7 @@ class TrainVerb final : public Verb {
     valves = identify_valves(all.episodes, arm, fmt::format("{}", fmt::join(files, ", ")));
     if (family_) {
       EpisodeChoice choice;
-      choice.data =
-          hold_back_arms(std::move(all.episodes), arms, kValidationShare, settings.seed);
+      choice.data = hold_back_arms(std::move(all.episodes), arms, kValidationShare, settings.seed);
       for (const int held : choice.data.held_back) {
         choice.validation.push_back(all.names[static_cast<std::size_t>(held)]);
       }

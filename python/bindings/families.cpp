@@ -4,43 +4,82 @@
 #include "caller_thread.hpp"
 #include "episodes.hpp"
 #include "limber/common/error.hpp"
-#include "limber/training/arm_fit.hpp"
+#include "limber/network/arm_family.hpp"
+#include "limber/training/adaptation.hpp"
+#include "record.hpp"
 
 namespace limber::python {
 
 namespace py = pybind11;
 
+namespace {
+
+void bind_adaptation(py::module_& module) {
+  using A = Adaptation;
+  Record<A>(module, "Adaptation",
+            "What became of a family's network, and what its recording told. Errors are those of "
+            "the tip over the seconds held back, the recording's last fifth, open loop.")
+      .read_only("seconds", &A::seconds, "Recorded [s].")
+      .read_only("held_back_s", &A::held_back_s, "Of these, held back [s]; 0: too few.")
+      .read_only("middle_error_m", &A::middle_error_m, "Of the family's middle [m].")
+      .read_only("fitted_error_m", &A::fitted_error_m, "Of the arm's vector alone [m].")
+      .read_only("trained_error_m", &A::trained_error_m,
+                 "With weights trained too [m]; NaN where none were.")
+      .read_only("family_error_m", &A::family_error_m,
+                 "Of arms of the family, as its record has it [m]; NaN: not known.")
+      .read_only("distance", &A::distance,
+                 "From the family's middle; about 1 for an arm of the family.")
+      .read_only("distance_to_nearest", &A::distance_to_nearest,
+                 "The same from the nearest arm that the family learnt from.")
+      .read_only("uncertainty", &A::uncertainty, "Share of the family's spread that is left.")
+      .read_only("largest_uncertainty", &A::largest_uncertainty,
+                 "The same of what the recording tells least about.")
+      .read_only("has_trained_weights", &A::has_trained_weights,
+                 "Whether `model` has weights of its own.")
+      .property("is_of_family", &A::is_of_family, "Whether the family contains the arm.")
+      .property("tells_too_little", &A::tells_too_little,
+                "Whether the recording moved too little to tell.")
+      .done()
+      .def_readonly("model", &A::model, "CompensationModel of the arm, an ordinary one.");
+}
+
+}  // namespace
+
 void bind_families(py::module_& module) {
-  py::class_<ArmFit>(module, "ArmFit", "Which arm of a family was recorded, as fit_arm finds it.")
-      .def_readonly("model", &ArmFit::model, "CompensationModel of that arm, an ordinary one.")
-      .def_readonly("middle_error_m", &ArmFit::middle_error_m,
-                    "Mean error of the tip over the windows, of the family's middle [m].")
-      .def_readonly("error_m", &ArmFit::error_m, "The same of `model` [m].")
-      .def_readonly("distance", &ArmFit::distance,
-                    "From the family's middle; about 1 for an arm of it.")
-      .def_readonly("distance_to_nearest", &ArmFit::distance_to_nearest,
-                    "The same from the nearest arm that the family learnt from.")
-      .def_readonly("iterations", &ArmFit::iterations, "Steps of the fit.");
+  bind_adaptation(module);
+  module.def("is_family", &is_family, py::arg("model"),
+             "Whether a model is a family's, which adapt makes one arm's.");
   module.def(
-      "fit_arm",
+      "adapt",
       [](const ArmDescription& arm, const CompensationModel& family, const EpisodeList& episodes,
-         int window_frames, int jobs) {
-        if (window_frames < 1 || jobs < 0) {
-          throw InputError("window_frames and jobs: expected at least 1 and 0");
-        }
+         bool train_weights, std::uint64_t seed, int jobs) {
+        require_jobs(jobs);
         const std::vector<Episode> copies = episodes_from(episodes);
-        ArmFitSettings settings;
-        settings.window_frames = window_frames;
-        settings.jobs = jobs;
         CallerThread caller;
-        return caller.run_interruptible([&] { return fit_arm(arm, family, copies, settings); });
+        AdaptationSettings settings;
+        settings.weights = train_weights ? AdaptWeights::automatic : AdaptWeights::never;
+        settings.seed = seed;
+        settings.jobs = jobs;
+        return caller.run_interruptible([&] { return adapt(arm, family, copies, settings); });
       },
-      py::arg("arm"), py::arg("family"), py::arg("episodes"),
-      py::arg("window_frames") = ArmFitSettings().window_frames, py::arg("jobs") = 0,
+      py::arg("arm"), py::arg("family"), py::arg("episodes"), py::arg("train_weights") = true,
+      py::arg("seed") = 1, py::arg("jobs") = 0,
       "Makes a family's network that of the arm in these episodes, of which a minute is enough: an "
-      "ArmFit, whose model plans like any other. window_frames: that are predicted without "
-      "correction. jobs: threads, 0: one per core. Raises InputError where the model is of no "
-      "family, or the episodes are another arm's.");
+      "Adaptation, whose model plans like any other. train_weights: whether weights are trained "
+      "too where the family does not contain the arm and that is better. jobs: threads, 0: one per "
+      "core. Raises InputError where the model is of no family, or the episodes are another arm's "
+      "or too short.");
+  module.def(
+      "hold_back_arms",
+      [](const EpisodeList& episodes, const std::vector<int>& arms, double fraction,
+         std::uint64_t seed) {
+        std::vector<Episode> copies = episodes_from(episodes);
+        const OthersMayRun others_may_run;
+        return hold_back_arms(std::move(copies), arms, fraction, seed);
+      },
+      py::arg("episodes"), py::arg("arms"), py::arg("fraction"), py::arg("seed"),
+      "TrainingData for a family: the episodes of about `fraction` of the arms are held back for "
+      "validation, none of fewer than ten. arms: the arm of each episode, any numbers.");
 }
 
 }  // namespace limber::python

@@ -45,7 +45,7 @@ from .arm_driver import ArmDriver
 from .controller import Controller
 
 __all__ = [
-    "Approach", "ArmDescription", "ArmDriver", "ArmEstimate", "ArmStart", "ArmState", "BackboneLayout",
+    "Adaptation", "Approach", "ArmDescription", "ArmDriver", "ArmEstimate", "ArmStart", "ArmState", "BackboneLayout",
     "BenchPoint", "Certificate", "CertificateFailure", "CertifiedFigures", "Certifier",
     "CharacterisedArm", "Circle", "Clearance", "ClosedLoop", "CollectionResult", "CollectionSettings",
     "CollisionChecker", "Command", "CompensationModel", "Contact", "Controller", "DriverFactory", "Environment",
@@ -63,13 +63,13 @@ __all__ = [
     "StrainFit", "SystemFault", "TipErrors", "TrainingData", "TrainingResult", "TrainingSettings",
     "TrainingStage", "TrainingStatus", "ValveDirection", "ValveErrors",
     "ValveFindings", "ValveModel", "ValveParameters", "VirtualArm", "VirtualArmOptions",
-    "WindowsTried", "arm_differences", "arm_svg", "arm_to_yaml", "bench_test_all", "best_preset",
+    "WindowsTried", "adapt", "arm_differences", "arm_svg", "arm_to_yaml", "bench_test_all", "best_preset",
     "certify", "characterise", "choose_stages", "collect", "content_hash", "data_folder",
     "environment_hash", "environment_picture", "environment_to_yaml", "episode_errors",
     "error_room", "evaluate", "execute", "execution_animation", "execution_picture", "export_csv",
-    "fine_tune", "fine_tuning_of", "fit_simple_model", "fitted_arm", "gap_bounds_of",
+    "fine_tune", "fine_tuning_of", "fit_simple_model", "fitted_arm", "gap_bounds_of", "hold_back_arms",
     "hold_back_unseen", "hold_back_validation", "identify_valves", "import_csv", "import_motive",
-    "inspect", "is_within", "learning_curve_svg", "learnt_region_of", "load_arm",
+    "inspect", "is_family", "is_within", "learning_curve_svg", "learnt_region_of", "load_arm",
     "load_arm_to_characterise", "load_environment", "make_planner", "make_recording",
     "note_unseen", "paper_preset", "plan", "plan_along", "plan_animation", "plan_picture",
     "planner_names", "pose_error", "predict", "pressure_picture", "problem_with_room",

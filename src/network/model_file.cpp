@@ -275,8 +275,7 @@ void add_family(Safetensors& content, const CompensationModel& model) {
   }
 }
 
-void read_family_into(CompensationModel& model, const Safetensors& content,
-                      TensorReader& tensors) {
+void read_family_into(CompensationModel& model, const Safetensors& content, TensorReader& tensors) {
   const std::string prefix = kFamilyPrefix;
   model.family = {tensors.matrix(prefix + "columns"), tensors.matrix(prefix + "arms")};
   if (tensors.has(prefix + "e")) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <Eigen/Eigenvalues>
 
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
@@ -26,10 +26,10 @@ namespace limber {
 namespace {
 
 constexpr double kHeldBackShare = 0.2;
-constexpr int kLeastFrames = 40;        // of all: less is no motion
+constexpr int kLeastFrames = 40;  // of all: less is no motion
 constexpr int kMinHeldBackFrames = 40;
 constexpr int kHeldBackPieceFrames = 600;
-constexpr double kTooWrong = 1.5;     // times the error of the family's own arms: it is none of them
+constexpr double kTooWrong = 1.5;  // times the error of the family's own arms: it is none of them
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Of all episodes together, the end.
@@ -109,8 +109,8 @@ class Adapter {
 
   double error_on(const CompensationModel& model, const std::vector<Episode>& episodes) const {
     const std::vector<RolloutPiece> pieces = pieces_of_length(episodes, kHeldBackPieceFrames);
-    return mean_tip_error_m(
-        roll_out(ForwardModel(arm_, model), episodes, pieces, settings_.jobs), episodes, pieces);
+    return mean_tip_error_m(roll_out(ForwardModel(arm_, model), episodes, pieces, settings_.jobs),
+                            episodes, pieces);
   }
 
   static void note_uncertainty(Adaptation& result) {
@@ -159,7 +159,7 @@ class Adapter {
     settings.jobs = settings_.jobs;
     settings.validation_interval = 5;
     TrainingHooks hooks;
-    hooks.should_stop = [this] { return stops(); };
+    hooks.should_stop = interrupt_requested;
     CompensationModel ordinary = start;
     ordinary.family.reset();
     ordinary.member_of_family.reset();
@@ -172,10 +172,6 @@ class Adapter {
     }
     result.model.learnt = start.learnt;
     return result.model;
-  }
-
-  bool stops() const {
-    return interrupt_requested() || (settings_.should_stop && settings_.should_stop());
   }
 
   const ArmDescription& arm_;

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <Eigen/Cholesky>
 
 #include "kernels/job_arena.hpp"
 #include "learnt_kind.hpp"
+#include "limber/arm/damped_solve.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/statistics.hpp"
@@ -24,12 +25,12 @@ namespace {
 
 constexpr int kStarts = 32;  // of the family's arms, from which the best one is gone on from
 constexpr int kMaxIterations = 12;
-constexpr double kMinGain = 1e-3;           // of the cost, relative: less is the end
-constexpr float kStep = 0.05F;              // of e, for derivatives
-constexpr double kSquareUpToM = 0.003;      // errors beyond count by their length
-constexpr double kLostM = 1.0;              // of a prediction that is no number
-constexpr double kIndependentFrames = 20.0; // frames that tell as much as one that stands alone
-constexpr double kLeastErrorM = 1e-3;       // no network predicts better: a fit is never surer
+constexpr double kMinGain = 1e-3;            // of the cost, relative: less is the end
+constexpr float kStep = 0.05F;               // of e, for derivatives
+constexpr double kSquareUpToM = 0.003;       // errors beyond count by their length
+constexpr double kLostM = 1.0;               // of a prediction that is no number
+constexpr double kIndependentFrames = 20.0;  // frames that tell as much as one that stands alone
+constexpr double kLeastErrorM = 1e-3;        // no network predicts better: a fit is never surer
 constexpr double kFirstDamping = 1e-3;
 constexpr double kMaxDamping = 1e6;
 constexpr int kPieceFrames = 600;  // of an error on what was not fitted to
@@ -124,9 +125,9 @@ class Fit {
     linearise();
     const double before = cost();
     for (double damping = damping_; damping < kMaxDamping; damping *= 10.0) {
-      Eigen::MatrixXd damped = precision_;
-      damped.diagonal() *= 1.0 + damping;
-      const Eigen::VectorXf next = e_ - damped.ldlt().solve(gradient_).cast<float>();
+      const Eigen::VectorXf next =
+          e_ - damped_solve(precision_, gradient_, damping * precision_.trace() / windows_.size())
+                   .cast<float>();
       Eigen::Matrix2Xf offsets = windows_.offsets(next);
       const double after = cost_of(next, offsets);
       if (after < before) {
@@ -156,10 +157,10 @@ class Fit {
 
   double cost_of(const Eigen::VectorXf& e, const Eigen::Matrix2Xf& offsets) const {
     const Eigen::ArrayXd length = offsets.colwise().norm().cast<double>();
-    const double sum = (length < kSquareUpToM)
-                           .select(0.5 * length.square() / kSquareUpToM,
-                                   length - 0.5 * kSquareUpToM)
-                           .sum();
+    const double sum =
+        (length < kSquareUpToM)
+            .select(0.5 * length.square() / kSquareUpToM, length - 0.5 * kSquareUpToM)
+            .sum();
     return share() * sum + 0.5 * static_cast<double>(e.squaredNorm());
   }
 
@@ -181,8 +182,8 @@ class Fit {
     Eigen::VectorXf weights(numbers);
     weights.reshaped(2, length.size()).rowwise() = weight.matrix().transpose();
     const Eigen::MatrixXf weighted = weights.asDiagonal() * slope;
-    precision_ = (slope.transpose() * weighted).cast<double>() +
-                 Eigen::MatrixXd::Identity(size, size);
+    precision_ =
+        (slope.transpose() * weighted).cast<double>() + Eigen::MatrixXd::Identity(size, size);
     gradient_ = (weighted.transpose() * offsets_.reshaped() + e_).cast<double>();
   }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Cholesky>
 #include <fmt/format.h>
+#include <Eigen/Cholesky>
 
 #include "learnt_kind.hpp"
 #include "limber/common/error.hpp"
@@ -26,7 +26,7 @@ constexpr double kWorsening = 3.0;
 constexpr std::uint64_t kShuffleStreams = 1ULL << 32;
 constexpr std::uint64_t kNoiseStreams = 1ULL << 33;
 constexpr std::uint64_t kMemberStreams = 1ULL << 34;
-// Variance that is added to that of the arms' vectors: a direction that none of them uses stays one.
+// Added to the variance of the arms' vectors: a direction that none of them uses stays one.
 constexpr double kLeastArmSpread = 1e-6;
 
 ParameterLayout layout_for(const TrainingTables& tables, const TrainingSettings& settings) {
@@ -42,6 +42,15 @@ ParameterLayout layout_for(const TrainingTables& tables, const TrainingSettings&
 
 /// The arm of every frame.
 std::vector<int> arms_of_frames(const TrainingData& data) {
+  const bool fit = data.arms.empty() || data.arms.size() == data.training.size();
+  if (!fit || !data.replay.empty() || std::ranges::any_of(data.arms, [&](int arm) {
+        return arm < 0 || arm >= static_cast<int>(data.training.size());
+      })) {
+    throw InputError(fmt::format(
+        "{} arms for {} episodes of a family, and {} to replay; expected an arm from 0 to below "
+        "the number of episodes for each of them, and none to replay",
+        data.arms.size(), data.training.size(), data.replay.size()));
+  }
   std::vector<int> arms;
   for (std::size_t i = 0; i < data.training.size(); ++i) {
     arms.insert(arms.end(), static_cast<std::size_t>(data.training[i].frame_count()),
@@ -61,8 +70,8 @@ void make_family(const ParameterLayout& layout, const Eigen::VectorXf& parameter
           .cast<double>();
   const Eigen::VectorXd mean = arms.rowwise().mean();
   const Eigen::MatrixXd centred = arms.colwise() - mean;
-  const Eigen::MatrixXd covariance =
-      centred * centred.transpose() / count + kLeastArmSpread * Eigen::MatrixXd::Identity(size, size);
+  const Eigen::MatrixXd covariance = centred * centred.transpose() / count +
+                                     kLeastArmSpread * Eigen::MatrixXd::Identity(size, size);
   const Eigen::LLT<Eigen::MatrixXd> root(covariance);
   Layer& first = model.layers.front();
   const Eigen::MatrixXd columns = first.weight.rightCols(size).cast<double>();
@@ -77,9 +86,8 @@ TrainingTables tables_for(const ArmDescription& arm, const TrainingData& data,
   std::vector<Episode> episodes = data.training;
   episodes.insert(episodes.end(), data.replay.begin(), data.replay.end());
   TrainingTables tables =
-      start != nullptr
-          ? make_training_tables(arm, episodes, settings, start->input, start->output)
-          : make_training_tables(arm, episodes, settings);
+      start != nullptr ? make_training_tables(arm, episodes, settings, start->input, start->output)
+                       : make_training_tables(arm, episodes, settings);
   if (settings.family_size > 0) {
     tables.frames.arm = arms_of_frames(data);
   }

@@ -140,7 +140,12 @@ void hold_back_unseen(TrainingData& data, double fraction, std::uint64_t seed) {
 
 TrainingData hold_back_arms(std::vector<Episode> episodes, const std::vector<int>& arms,
                             double fraction, std::uint64_t seed) {
-  assert(arms.size() == episodes.size());
+  if (arms.size() != episodes.size() || !(fraction >= 0.0 && fraction < 1.0)) {
+    throw InputError(fmt::format(
+        "{} arms for {} episodes, of which a share of {} is to be held back; expected an arm for "
+        "each episode, and a share from 0 to below 1",
+        arms.size(), episodes.size(), fraction));
+  }
   std::vector<int> order = arms;
   std::ranges::sort(order);
   order.erase(std::ranges::unique(order).begin(), order.end());

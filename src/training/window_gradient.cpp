@@ -355,10 +355,9 @@ void WindowGradient<Scalar>::carry_arms_back(const Scalar* parameters, int block
                                              const Scalar* delta, Scalar* gradient) {
   const int outputs = layout_.outputs(0);
   const int size = layout_.arms().size;
-  kernels_.layer_back(
-      stride_, outputs, size, delta,
-      parameters + layout_.weight_offset(0) + std::ptrdiff_t{arm_row()} * outputs,
-      arm_back_.data());
+  kernels_.layer_back(stride_, outputs, size, delta,
+                      parameters + layout_.weight_offset(0) + std::ptrdiff_t{arm_row()} * outputs,
+                      arm_back_.data());
   std::transform(arm_back_.begin(), arm_back_.end(), arm_sum_.begin(), arm_sum_.begin(),
                  std::plus<>());
   if (block % frames_ + 1 < frames_) {

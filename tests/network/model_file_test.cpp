@@ -7,6 +7,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/safetensors.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/network/untrained_model.hpp"
@@ -67,6 +68,37 @@ TEST(ModelFile, FilesOfBeforeTheDescriptionAreReadAndBelongToTheArmOfTheirHash) 
               ThrowsMessage<InputError>(HasSubstr("what differs is not known")));
   arm.segments[0].strain_polynomial[0] = c1;
   EXPECT_NO_THROW(require_model_of(old, arm, "m"));
+}
+
+TEST(ModelFile, FamiliesAndTheirArmsComeBack) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "model.safetensors";
+  CompensationModel family = untrained_model(sample_arm(2), BackboneLayout::gap_poses, {7, 9}, 1);
+  family.family = ArmFamily{Eigen::MatrixXf::Random(7, 3), Eigen::MatrixXf::Random(3, 20)};
+  write_model(path, family);
+  const CompensationModel back = read_model(path);
+  ASSERT_TRUE(is_family(back));
+  EXPECT_EQ(back.family->columns, family.family->columns);
+  EXPECT_EQ(back.family->arms, family.family->arms);
+  EXPECT_THAT([&] { (void)read_model_of_one_arm(path); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr(path.string() + ": a family of 20 arms"),
+                                              HasSubstr("limber adapt"))));
+  const FamilyMember member{"0123", Eigen::Vector3f(0.5F, -1.0F, 2.0F),
+                            Eigen::Matrix3f::Identity()};
+  const CompensationModel one = model_of_arm(family, member);
+  EXPECT_TRUE(one.layers[0].bias.isApprox(family.layers[0].bias + family.family->columns * member.e,
+                                          1e-6F));
+  write_model(path, one);
+  const CompensationModel read = read_model_of_one_arm(path);
+  EXPECT_EQ(read.layers[0].bias, one.layers[0].bias);
+  ASSERT_TRUE(read.member_of_family);
+  EXPECT_EQ(read.member_of_family->e, member.e);
+  EXPECT_EQ(read.member_of_family->covariance, member.covariance);
+  EXPECT_EQ(read.member_of_family->family_hash, "0123");
+
+  family.family->arms.conservativeResize(2, Eigen::NoChange);
+  EXPECT_THAT([&] { write_model(path, family); },
+              ThrowsMessage<InputError>(HasSubstr("tensor family.arms is 2 by 20; expected 3")));
 }
 
 TEST(ModelFile, EnsemblesKeepAllTheirMembersInOrder) {

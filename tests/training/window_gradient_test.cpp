@@ -91,6 +91,43 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(OutputForm::compensation, OutputForm::gated_change),
                      testing::Bool(), testing::Bool()));
 
+// Windows of three arms, one arm in two of them: each arm's vector gets what its windows give.
+TEST(WindowGradient, OfTheVectorsOfAFamilysArmsAgreesWithFiniteDifferences) {
+  const ArmDescription arm = three_segment_arm();
+  TrainingSettings settings;
+  settings.reads_velocity = true;
+  TrainingTables tables = make_training_tables(arm, {toy_episode(arm, 4, 20, 3)}, settings);
+  FrameTable<double> frames = in_double(tables.frames);
+  const std::vector<int> starts = {2, 20, 45, 60};
+  frames.arm.assign(static_cast<std::size_t>(frames.state.cols()), 0);
+  frames.arm[20] = 2;
+  frames.arm[45] = 1;
+  frames.arm[60] = 2;
+  constexpr int kSize = 3;
+  const ParameterLayout layout(
+      {static_cast<int>(tables.input.scale.size()) + kSize, 9, 8, tables.map.output_count()},
+      {kSize, 4});
+  Vector parameters = (0.3 * initial_parameters(layout, 5)).cast<double>();
+  WindowGradient<double> window(layout, in_double(tables.map), arm.segment_count(), 7, 4);
+  window.load(frames, starts);
+  Vector gradient(layout.size());
+  window.forward(parameters.data());
+  window.backward(parameters.data(), gradient.data());
+  EXPECT_GT(gradient.segment(layout.arm_offset(0), 3 * kSize).cwiseAbs().minCoeff(), 1e-6);
+  EXPECT_TRUE(gradient.tail(kSize).isZero(0.0)) << "of an arm without a window";
+  for (Eigen::Index i = 0; i < layout.size(); i += i < layout.arm_offset(0) - 7 ? 7 : 1) {
+    const double value = parameters[i];
+    parameters[i] = value + kDifferenceStep;
+    const double above = window.forward(parameters.data());
+    parameters[i] = value - kDifferenceStep;
+    const double below = window.forward(parameters.data());
+    parameters[i] = value;
+    EXPECT_NEAR(gradient[i], (above - below) / (2 * kDifferenceStep),
+                kDifferenceTolerance * (1.0 + std::abs(gradient[i])))
+        << "parameter " << i;
+  }
+}
+
 /// A network of large weights, which amplifies whatever it is told.
 struct Amplifier {
   ArmDescription arm = three_segment_arm();

@@ -65,7 +65,6 @@ struct GapBounds {
 struct ArmFamily {
   static constexpr int kMaxSize = 64;  ///< of k
 
-
   Eigen::MatrixXf columns;  ///< of e in the first layer, units × k
   Eigen::MatrixXf arms;     ///< k × N, e of the arms that it learnt from
 

@@ -1,8 +1,7 @@
 #pragma once
 // For those who train and evaluate models.
 
-#include <functional>
-#include <string>
+#include <cstdint>
 #include <vector>
 
 #include "limber/arm/arm_description.hpp"
@@ -21,26 +20,24 @@ struct AdaptationSettings {
   AdaptWeights weights = AdaptWeights::automatic;
   std::uint64_t seed = 1;  ///< of training weights
   int jobs = 0;            ///< threads, 0: one per core; never changes a result
-  /// Asked now and then; true stops with Interrupted. Empty: never.
-  std::function<bool()> should_stop = {};
 };
 
 /// What became of a family's network, and what its recording told. Errors are those of the tip over
 /// the seconds held back, open loop, never corrected, in metres; they are the end of the recording,
 /// a fifth of it. The model itself is then fitted to everything.
 struct Adaptation {
-  CompensationModel model;             ///< of this arm, an ordinary one
-  double seconds = 0.0;                ///< recorded, tracked or not
-  double held_back_s = 0.0;            ///< 0: too little was recorded to hold some back
-  double middle_error_m = 0.0;         ///< of the family's middle; these three NaN without held back
-  double fitted_error_m = 0.0;         ///< of e alone
-  double trained_error_m = 0.0;        ///< with weights; NaN where none were trained
-  double family_error_m = 0.0;         ///< of arms of the family, after kFitFrames; NaN: not known
-  double distance = 0.0;               ///< |e| / √k, about 1 for an arm of the family
-  double distance_to_nearest = 0.0;    ///< the same from the nearest arm that it learnt from
-  double uncertainty = 0.0;            ///< share of the family's spread that is left, 0 to 1
-  double largest_uncertainty = 0.0;    ///< … of what the recording tells least about
-  bool has_trained_weights = false;    ///< `model` has weights of its own
+  CompensationModel model;           ///< of this arm, an ordinary one
+  double seconds = 0.0;              ///< recorded, tracked or not
+  double held_back_s = 0.0;          ///< 0: too little was recorded to hold some back
+  double middle_error_m = 0.0;       ///< of the family's middle; these three NaN without held back
+  double fitted_error_m = 0.0;       ///< of e alone
+  double trained_error_m = 0.0;      ///< with weights; NaN where none were trained
+  double family_error_m = 0.0;       ///< of arms of the family, after kFitFrames; NaN: not known
+  double distance = 0.0;             ///< |e| / √k, about 1 for an arm of the family
+  double distance_to_nearest = 0.0;  ///< the same from the nearest arm that it learnt from
+  double uncertainty = 0.0;          ///< share of the family's spread that is left, 0 to 1
+  double largest_uncertainty = 0.0;  ///< … of what the recording tells least about
+  bool has_trained_weights = false;  ///< `model` has weights of its own
   bool is_of_family() const { return distance <= kFarFromFamily && !has_trained_weights; }
   /// The motions told too little: some direction of e is hardly better known than before.
   bool tells_too_little() const { return largest_uncertainty > kHardlyKnown; }
@@ -51,8 +48,8 @@ struct Adaptation {
 
 /// Makes a family's network one arm's, from seconds of that arm's motion (docs/families.md): e by
 /// least squares, the valves between set points and pressures, and the error on seconds held back.
-/// @throws InputError if the model is of no family, or the episodes are another arm's, too short, or
-/// without a tracked frame.
+/// @throws InputError if the model is of no family, or the episodes are another arm's, too short,
+/// or without a tracked frame; Interrupted on Ctrl-C.
 [[nodiscard]] Adaptation adapt(const ArmDescription& arm, const CompensationModel& family,
                                const std::vector<Episode>& episodes,
                                const AdaptationSettings& settings = {});

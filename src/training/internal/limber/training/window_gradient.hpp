@@ -96,7 +96,7 @@ class WindowGradient {
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
   /// @param layout  2n + D + N inputs (q_{t−1}, q_t, B_{t−1}, B̃_t), D more where the map has a
-  ///                change_scale, and an arm's vector where it has some; map.output_count() outputs.
+  ///                change_scale, and an arm's vector in a family; map.output_count() outputs.
   WindowGradient(const ParameterLayout& layout, const StateMap<Scalar>& map, int segment_count,
                  int window_frames, int window_limit);
 

@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "limber/common/error.hpp"
+#include "limber/network/arm_family.hpp"
+#include "limber/training/adaptation.hpp"
+#include "limber/training/arm_fit.hpp"
+#include "limber/training/trainer.hpp"
+#include "training/toy_arm.hpp"
+
+namespace limber {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr float kLeastPlayKpa = 5.0F;
+constexpr float kMostPlayKpa = 45.0F;
+
+/// Toy arms that differ in their play alone, and a network of all of them.
+class FamilyOfPlays : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    constexpr int kArms = 24;
+    TrainingData data;
+    for (int i = 0; i < kArms; ++i) {
+      const float play =
+          kLeastPlayKpa + (kMostPlayKpa - kLeastPlayKpa) * static_cast<float>(i) / (kArms - 1);
+      data.training.push_back(toy_episode(arm(), 12, 20, static_cast<std::uint64_t>(i), play));
+    }
+    TrainingSettings settings = best_preset();
+    settings.family_size = 2;
+    settings.hidden_units = {32, 32};
+    settings.stages = {{2, 32, 30}, {8, 16, 30}, {32, 8, 20}};
+    result_ = new TrainingResult(train(arm(), data, settings));
+  }
+  static void TearDownTestSuite() {
+    delete result_;
+    result_ = nullptr;
+  }
+
+  static const ArmDescription& arm() {
+    static const ArmDescription arm = three_segment_arm();
+    return arm;
+  }
+  static const TrainingResult& result() { return *result_; }
+  static const CompensationModel& family() { return result_->model; }
+  static std::vector<Episode> motions_of(float play_kpa, int motions, std::uint64_t seed) {
+    return {toy_episode(arm(), motions, 20, seed, play_kpa)};
+  }
+  static ArmFit fit_to(float play_kpa, int motions, std::uint64_t seed) {
+    return fit_arm(arm(), family(), motions_of(play_kpa, motions, seed));
+  }
+  static double spread(const CompensationModel& model) {
+    return static_cast<double>(model.member_of_family->covariance.trace());
+  }
+
+ private:
+  static TrainingResult* result_;
+};
+
+TrainingResult* FamilyOfPlays::result_ = nullptr;
+
+TEST_F(FamilyOfPlays, ItsArmsHaveMeanZeroAndUnitCovariance) {
+  ASSERT_EQ(result().status, TrainingStatus::finished);
+  ASSERT_TRUE(is_family(family()));
+  const Eigen::MatrixXf& arms = family().family->arms;
+  ASSERT_EQ(arms.cols(), 24);
+  EXPECT_LT(arms.rowwise().mean().norm(), 1e-4F);
+  const Eigen::MatrixXf covariance = arms * arms.transpose() / 24.0F;
+  EXPECT_LT((covariance - Eigen::MatrixXf::Identity(2, 2)).norm(), 1e-2F);
+}
+
+TEST_F(FamilyOfPlays, FoldsAnArmItSawIntoAnOrdinaryNetworkOfTheSameSize) {
+  const CompensationModel one = model_of_arm(
+      family(), {"", family().family->arms.col(3), Eigen::MatrixXf::Identity(2, 2)});
+  EXPECT_FALSE(is_family(one));
+  EXPECT_EQ(one.shape(), family().shape());
+  EXPECT_LT((family_of(one).layers[0].bias - family().layers[0].bias).norm(), 1e-5F);
+}
+
+TEST_F(FamilyOfPlays, AnArmThatItHasNeverSeenIsFoundFromItsMotions) {
+  for (const float play : {9.0F, 27.5F, 41.0F}) {
+    const ArmFit fit = fit_to(play, 6, 100);
+    const std::vector<Episode> others = motions_of(play, 20, 200);
+    const CompensationModel middle = model_of_arm(
+        family(), {"", Eigen::VectorXf::Zero(2), Eigen::MatrixXf::Identity(2, 2)});
+    EXPECT_LT(error_on_other_arms_m(arm(), fit.model, others),
+              0.6 * error_on_other_arms_m(arm(), middle, others))
+        << play;
+  }
+}
+
+// What says which arm it is is the play: arms of one play lie near each other, others apart.
+TEST_F(FamilyOfPlays, TheSameArmIsFoundFromOtherMotions) {
+  const auto e_of = [](float play, std::uint64_t seed) {
+    return fit_to(play, 10, seed).model.member_of_family->e;
+  };
+  const float same = (e_of(15.0F, 300) - e_of(15.0F, 301)).norm();
+  const float other = (e_of(15.0F, 300) - e_of(35.0F, 302)).norm();
+  EXPECT_LT(3.0F * same, other);
+}
+
+TEST_F(FamilyOfPlays, MoreMotionsLeaveLessOfTheFamilysSpread) {
+  const double little = spread(fit_to(20.0F, 2, 400).model);
+  const double much = spread(fit_to(20.0F, 20, 400).model);
+  EXPECT_LT(little, 2.0) << "2 is the family's own";
+  EXPECT_LT(much, little);
+}
+
+TEST_F(FamilyOfPlays, ARestTellsNothing) {
+  Episode rest = toy_episode(arm(), 4, 20, 1, 20.0F);
+  rest.pressure_kpa.setZero();
+  for (int t = 1; t < rest.frame_count(); ++t) {
+    rest.backbone.row(t) = rest.backbone.row(0);
+  }
+  EXPECT_TRUE(adapt(arm(), family(), {rest}).tells_too_little());
+}
+
+TEST_F(FamilyOfPlays, AdaptIsTheSameForAnyNumberOfThreads) {
+  const std::vector<Episode> minute = motions_of(30.0F, 12, 500);
+  AdaptationSettings settings;
+  settings.weights = AdaptWeights::never;
+  settings.jobs = 1;
+  const Adaptation one = adapt(arm(), family(), minute, settings);
+  settings.jobs = 3;
+  const Adaptation three = adapt(arm(), family(), minute, settings);
+  EXPECT_EQ(one.model.layers[0].bias, three.model.layers[0].bias);
+  EXPECT_EQ(one.fitted_error_m, three.fitted_error_m);
+  EXPECT_LT(one.fitted_error_m, one.middle_error_m);
+  EXPECT_TRUE(one.model.prediction_error);
+}
+
+TEST_F(FamilyOfPlays, AnArmOutsideGetsWeightsOfItsOwnWhereThatIsBetter) {
+  const Adaptation done = adapt(arm(), family(), motions_of(90.0F, 30, 600));
+  EXPECT_FALSE(done.is_of_family());
+  ASSERT_FALSE(std::isnan(done.trained_error_m)) << "weights were tried";
+  EXPECT_EQ(done.has_trained_weights, done.trained_error_m < done.fitted_error_m);
+  EXPECT_FALSE(is_family(done.model));
+}
+
+TEST_F(FamilyOfPlays, IsRefusedWhereOneArmIsAskedFor) {
+  EXPECT_THAT([&] { require_one_arm(family(), "family.safetensors"); },
+              ThrowsMessage<InputError>(HasSubstr("limber adapt --model family.safetensors")));
+  CompensationModel ordinary = family();
+  ordinary.family.reset();
+  EXPECT_THAT([&] { (void)adapt(arm(), ordinary, motions_of(20.0F, 4, 1)); },
+              ThrowsMessage<InputError>(HasSubstr("limber family")));
+}
+
+TEST(HoldBackArms, WholeArmsGo) {
+  std::vector<Episode> episodes;
+  std::vector<int> arms;
+  for (int i = 0; i < 40; ++i) {
+    episodes.push_back(toy_episode(three_segment_arm(), 1, 10, 1));
+    arms.push_back(100 + i / 2);  // 20 arms of two episodes each
+  }
+  const TrainingData data = hold_back_arms(episodes, arms, 0.1, 1);
+  ASSERT_EQ(data.held_back.size(), 4U);
+  EXPECT_EQ(data.validation.size(), 4U);
+  EXPECT_EQ(data.arms.size(), 36U);
+  EXPECT_EQ(*std::ranges::max_element(data.arms), 17);
+  for (std::size_t i = 0; i < 4; i += 2) {
+    EXPECT_EQ(data.held_back[i] % 2, 0);
+    EXPECT_EQ(data.held_back[i + 1], data.held_back[i] + 1) << "of the same arm";
+  }
+  EXPECT_TRUE(hold_back_arms({episodes.begin(), episodes.begin() + 18},
+                             {arms.begin(), arms.begin() + 18}, 0.1, 1)
+                  .validation.empty())
+      << "nine arms are too few";
+}
+
+}  // namespace
+}  // namespace limber
