@@ -74,8 +74,8 @@ TEST_F(FamilyOfPlays, ItsArmsHaveMeanZeroAndUnitCovariance) {
 }
 
 TEST_F(FamilyOfPlays, FoldsAnArmItSawIntoAnOrdinaryNetworkOfTheSameSize) {
-  const CompensationModel one = model_of_arm(
-      family(), {"", family().family->arms.col(3), Eigen::MatrixXf::Identity(2, 2)});
+  const CompensationModel one =
+      model_of_arm(family(), {"", family().family->arms.col(3), Eigen::MatrixXf::Identity(2, 2)});
   EXPECT_FALSE(is_family(one));
   EXPECT_EQ(one.shape(), family().shape());
   EXPECT_LT((family_of(one).layers[0].bias - family().layers[0].bias).norm(), 1e-5F);
@@ -85,8 +85,8 @@ TEST_F(FamilyOfPlays, AnArmThatItHasNeverSeenIsFoundFromItsMotions) {
   for (const float play : {9.0F, 27.5F, 41.0F}) {
     const ArmFit fit = fit_to(play, 6, 100);
     const std::vector<Episode> others = motions_of(play, 20, 200);
-    const CompensationModel middle = model_of_arm(
-        family(), {"", Eigen::VectorXf::Zero(2), Eigen::MatrixXf::Identity(2, 2)});
+    const CompensationModel middle =
+        model_of_arm(family(), {"", Eigen::VectorXf::Zero(2), Eigen::MatrixXf::Identity(2, 2)});
     EXPECT_LT(error_on_other_arms_m(arm(), fit.model, others),
               0.6 * error_on_other_arms_m(arm(), middle, others))
         << play;

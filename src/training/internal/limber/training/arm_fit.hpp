@@ -35,8 +35,8 @@ ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
 
 /// How well a family does on arms that it did not learn from: each episode's arm is fitted to its
 /// first kFitFrames frames, or its first half where it is shorter; the error is that of the tip
-/// over the rest, in open-loop rollouts of up to 600 frames. The mean over the episodes; NaN where none
-/// is long enough. Of an ordinary model: the same without a fit.
+/// over the rest, in open-loop rollouts of up to 600 frames. The mean over the episodes; NaN where
+/// none is long enough. Of an ordinary model: the same without a fit.
 double error_on_other_arms_m(const ArmDescription& arm, const CompensationModel& model,
                              const std::vector<Episode>& episodes, int jobs = 0);
 
