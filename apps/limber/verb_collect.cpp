@@ -52,11 +52,11 @@ class CollectVerb final : public Verb {
     app.add_option("--noise-kpa", options_.noise_kpa, "Noise of measured pressures");
     app.add_option("--drop-rate", options_.drop_rate, "Probability that a frame has no backbone");
     app.add_option("--latency-s", options_.latency_s, "Delay of everything measured");
-    app.add_option("--vary-physics", physics_factor_,
+    app.add_option("--vary-physics", vary_physics_,
                    "Each episode on a virtual arm whose friction, load, stiffness, valves and "
-                   "strength are others, by up to this factor: for a network that is then trained "
-                   "further on the arm itself (train --from, improve --prior)")
-        ->check(CLI::Range(1.0, kMaxPhysicsFactor));
+                   "strength are others, by up to this factor, 1 to 10: for a network that is then "
+                   "trained further on the arm itself (train --from, improve --prior). wide: drawn "
+                   "from all that arms, tables and valves are like (docs/virtual-arm.md)");
     app.add_option("--out", out_, "Recording to write")->required();
     app.add_flag("--resume", resume_, "Go on from the finished episodes of a stopped run");
   }
@@ -68,8 +68,10 @@ class CollectVerb final : public Verb {
     options_.seed = flags.seed;
     schedule_.limit_scale = driver_.limit_scale();
     CollectionSettings settings = virtual_collection(arm, schedule_, options_);
-    if (physics_factor_) {
-      settings.driver += fmt::format(", varied by up to {}", *physics_factor_);
+    std::optional<PhysicsVariation> variation;
+    if (!vary_physics_.empty()) {
+      variation = parse_physics_variation(vary_physics_);
+      settings.driver += fmt::format(", varied {}", describe(*variation));
     }
     settings.jobs = flags.jobs;
     settings.resume = resume_;
@@ -81,9 +83,8 @@ class CollectVerb final : public Verb {
     if (!driver_.is_virtual()) {
       return run_on_driver(arm, arm_file, settings, flags);
     }
-    const DriverFactory drivers = physics_factor_
-                                      ? related_arm_factory(arm, options_, *physics_factor_)
-                                      : virtual_arm_factory(arm, options_);
+    const DriverFactory drivers = variation ? related_arm_factory(arm, options_, *variation)
+                                            : virtual_arm_factory(arm, options_);
     const CollectionResult result = collect(arm, settings, drivers, out_);
     return finish(flags, arm, result, nullptr);
   }
@@ -113,7 +114,7 @@ class CollectVerb final : public Verb {
   /// One process for all episodes, one after the other.
   int run_on_driver(const ArmDescription& arm, const std::string& arm_file,
                     CollectionSettings settings, const CommonFlags& flags) {
-    if (physics_factor_ || describe(arm, options_) != describe(arm, VirtualArmOptions{})) {
+    if (!vary_physics_.empty() || describe(arm, options_) != describe(arm, VirtualArmOptions{})) {
       throw InputError(
           "--noise-m, --vary-physics and the like are the virtual arm's; drop them with exec:");
     }
@@ -171,7 +172,7 @@ class CollectVerb final : public Verb {
   std::string out_;
   ScheduleSettings schedule_;
   VirtualArmOptions options_;
-  std::optional<double> physics_factor_;
+  std::string vary_physics_;
   bool resume_ = false;
 };
 

@@ -20,6 +20,7 @@ ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& pa
                        double time_step_s)
     : parameters_(parameters),
       time_step_s_(time_step_s),
+      gravity_m_per_s2_(gravity_m_per_s2(parameters)),
       links_(chain_links(arm, parameters)),
       actuator_(parameters_),
       pneumatics_(parameters_, time_step_s),
@@ -34,8 +35,10 @@ ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& pa
       const bool is_weak = 2 * link.segment + static_cast<int>(side) == parameters_.weak_side;
       const double left = is_weak ? 1.0 - parameters_.weak_side_loss : 1.0;
       const double strength = parameters_.actuators_per_side * (1.0 + spread) * left;
-      sides_.push_back({kSides[side] * 0.5 * link.width_m, strength,
-                        strength * actuator_.tension_n(0.0, kReferencePressureKpa)});
+      sides_.push_back(
+          {kSides[side] * 0.5 * link.width_m, strength,
+           strength * actuator_.tension_n(0.0, kReferencePressureKpa),
+           arm.segments[static_cast<std::size_t>(link.segment)].pressure_limit_kpa.largest_kpa()});
     }
   }
   restore(rest());
@@ -122,12 +125,15 @@ double ArmPhysics::side_length_change_m(std::size_t gap, double lever_m) const {
   return chain_.position()[2 * gap] - lever_m * bend;
 }
 
-// (V3)–(V7)
+// (V3)–(V7), (V10)
 double ArmPhysics::side_tension_n(std::size_t side, double stretch_m, double rate_m_per_s,
                                   double pressure_kpa) {
   const double length = links_[side / kSides.size()].length_m;
   const double strain = stretch_m / length;
-  const double actuators = sides_[side].strength * actuator_.tension_n(strain, pressure_kpa);
+  const double bowed_kpa =
+      pressure_kpa *
+      (1.0 + parameters_.actuator_bow * (1.0 - pressure_kpa / sides_[side].full_pressure_kpa));
+  const double actuators = sides_[side].strength * actuator_.tension_n(strain, bowed_kpa);
   const double elastic = parameters_.side_elasticity_n * strain;
   const SpringSlider braid{
       parameters_.hysteresis_stiffness_n_per_m, parameters_.hysteresis_damping_n_s_per_m,
@@ -163,25 +169,36 @@ void ArmPhysics::apply_side_forces() {
   }
 }
 
-SpringSlider ArmPhysics::table_slider(const ChainLink& link) const {
-  return {parameters_.friction_stiffness_n_per_m, parameters_.friction_damping_n_s_per_m,
-          parameters_.friction_coefficient * link.mass_kg * parameters_.gravity_m_per_s2};
+// (V11)
+double ArmPhysics::friction_coefficient(double speed_m_per_s) const {
+  const VirtualArmParameters& p = parameters_;
+  double excess = p.friction_static_excess;
+  if (excess > 0.0) {
+    const double ratio = speed_m_per_s / p.friction_stribeck_m_per_s;
+    excess *= std::exp(-ratio * ratio);
+  }
+  return p.friction_coefficient * (1.0 + excess) + p.friction_viscous_s_per_m * speed_m_per_s;
 }
 
-SpringSlider ArmPhysics::torsion_slider(const ChainLink& link) const {
+SpringSlider ArmPhysics::table_slider(const ChainLink& link, double speed_m_per_s) const {
+  return {parameters_.friction_stiffness_n_per_m, parameters_.friction_damping_n_s_per_m,
+          friction_coefficient(speed_m_per_s) * link.mass_kg * -gravity_m_per_s2_.z()};
+}
+
+SpringSlider ArmPhysics::torsion_slider(const ChainLink& link, double rate_rad_per_s) const {
   const double arm = parameters_.friction_torsion_arm * link.width_m;
-  const SpringSlider slider = table_slider(link);
+  const SpringSlider slider = table_slider(link, arm * std::abs(rate_rad_per_s));
   return {slider.stiffness * arm * arm, slider.damping * arm * arm, slider.limit * arm};
 }
 
-// (V6)
+// (V6), (V11)
 void ArmPhysics::apply_table_forces() {
   for (std::size_t gap = 0; gap < links_.size(); ++gap) {
     const PlaneKinematics::Plate& plate = kinematics_.plates()[gap + 1];
-    loads_[gap].force_n = table_slider(links_[gap])
+    loads_[gap].force_n = table_slider(links_[gap], plate.velocity.norm())
                               .force(plate.position, plate.velocity,
                                      Eigen::Map<Eigen::Vector2d>(table_anchor_m_.data() + 2 * gap));
-    const SpringSlider torsion = torsion_slider(links_[gap]);
+    const SpringSlider torsion = torsion_slider(links_[gap], plate.rate_rad_per_s);
     loads_[gap].torque_n_m =
         torsion.stiffness > 0.0
             ? torsion.force(plate.theta_rad, plate.rate_rad_per_s, table_anchor_rad_[gap])
@@ -204,8 +221,9 @@ double ArmPhysics::energy_j() const {
                      parameters_.hinge_armature_kg_m2 * hinge_rate * hinge_rate +
                      parameters_.hinge_stiffness_n_m_per_rad * bend * bend);
     const Eigen::Map<const Eigen::Vector2d> anchor(table_anchor_m_.data() + 2 * gap);
-    energy += table_slider(link).energy((plate.position - anchor).norm(), 0.0) +
-              torsion_slider(link).energy(plate.theta_rad, table_anchor_rad_[gap]);
+    energy += table_slider(link, 0.0).energy((plate.position - anchor).norm(), 0.0) +
+              torsion_slider(link, 0.0).energy(plate.theta_rad, table_anchor_rad_[gap]) -
+              link.mass_kg * gravity_m_per_s2_.head<2>().dot(plate.position);
     for (std::size_t side = 2 * gap; side < 2 * gap + 2; ++side) {
       const double stretch = side_length_change_m(gap, sides_[side].lever_m);
       const double strain = stretch / link.length_m;

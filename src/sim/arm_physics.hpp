@@ -46,6 +46,7 @@ class ArmPhysics {
     double lever_m = 0.0;   ///< ± w/2
     double strength = 1.0;  ///< × actuators per side
     double full_tension_n_per_kpa = 0.0;
+    double full_pressure_kpa = 0.0;  ///< larger limit of the segment
   };
 
   double side_length_change_m(std::size_t gap, double lever_m) const;
@@ -53,11 +54,13 @@ class ArmPhysics {
                         double pressure_kpa);
   void apply_side_forces();
   void apply_table_forces();
-  SpringSlider table_slider(const ChainLink& link) const;
-  SpringSlider torsion_slider(const ChainLink& link) const;
+  double friction_coefficient(double speed_m_per_s) const;
+  SpringSlider table_slider(const ChainLink& link, double speed_m_per_s) const;
+  SpringSlider torsion_slider(const ChainLink& link, double rate_rad_per_s) const;
 
   VirtualArmParameters parameters_;
   double time_step_s_;
+  Eigen::Vector3d gravity_m_per_s2_;
   std::vector<ChainLink> links_;
   std::vector<Side> sides_;  // left and right of each gap
   ActuatorLaw actuator_;

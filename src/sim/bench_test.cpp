@@ -33,6 +33,8 @@ ArmDescription bench_arm(const ArmDescription& arm, int segment) {
   parameters.hysteresis_fraction = 0.0;
   parameters.hysteresis_floor_n = 0.0;
   parameters.friction_coefficient = 0.0;
+  parameters.table_tilt_rad = 0.0;
+  parameters.gap_length_spread = 0.0;
   parameters.creep_fraction = 0.0;
   parameters.plate_offset_rad = 0.0;
   parameters.base_misalignment_rad = 0.0;

@@ -1,5 +1,7 @@
 #include "limber/sim/mjcf.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "limber/common/printable.hpp"
@@ -12,6 +14,7 @@ namespace {
 
 // Streams of strength_seed: 0 … 2n − 1 are the sides' strengths (virtual_arm.cpp).
 constexpr std::uint64_t kPlateOffsetStream = 1'000'000;
+constexpr std::uint64_t kGapLengthStream = 2'000'000;
 
 /// XML has no control characters, however they are written: they are spelled out.
 std::string escape_xml(const std::string& text) {
@@ -52,19 +55,21 @@ std::string link_mjcf(const ChainLink& link, const VirtualArmParameters& p, std:
 
 std::vector<ChainLink> chain_links(const ArmDescription& arm, const VirtualArmParameters& p) {
   RandomStream offsets(p.strength_seed, kPlateOffsetStream);
+  RandomStream lengths(p.strength_seed, kGapLengthStream);
   std::vector<ChainLink> links;
   for (int s = 0; s < arm.segment_count(); ++s) {
     const Segment& segment = arm.segments[static_cast<std::size_t>(s)];
     const double scale = segment.width_m / p.reference_width_m;
     ChainLink link;
     link.segment = s;
-    link.length_m = segment.length_m / segment.gaps;
     link.width_m = segment.width_m;
     const double fixed = p.plate_mass_fixed_fraction;
     link.mass_kg = p.plate_mass_kg * (fixed + (1.0 - fixed) * scale) + p.plate_payload_kg;
     link.inertia_kg_m2 = link.mass_kg * segment.width_m * segment.width_m / 12.0;
     link.hinge_damping_n_m_s_per_rad = p.hinge_damping_n_m_s_per_rad * scale;
     for (int gap = 0; gap < segment.gaps; ++gap) {
+      link.length_m = segment.length_m / segment.gaps *
+                      (1.0 + p.gap_length_spread * lengths.uniform(-1.0, 1.0));
       link.rest_angle_rad = p.plate_offset_rad * offsets.uniform(-1.0, 1.0);
       links.push_back(link);
     }
@@ -74,18 +79,26 @@ std::vector<ChainLink> chain_links(const ArmDescription& arm, const VirtualArmPa
   return links;
 }
 
+Eigen::Vector3d gravity_m_per_s2(const VirtualArmParameters& p) {
+  const double downhill = p.gravity_m_per_s2 * std::sin(p.table_tilt_rad);
+  return {downhill * std::cos(p.table_downhill_rad), downhill * std::sin(p.table_downhill_rad),
+          -p.gravity_m_per_s2 * std::cos(p.table_tilt_rad)};
+}
+
 std::string chain_mjcf(const ArmDescription& arm, const VirtualArmParameters& p,
                        double time_step_s) {
   const std::vector<ChainLink> links = chain_links(arm, p);
+  const Eigen::Vector3d gravity = gravity_m_per_s2(p);
   std::string text = fmt::format(
       "<mujoco model=\"{}\">\n"
       "  <compiler angle=\"radian\"/>\n"
-      "  <option timestep=\"{}\" integrator=\"Euler\" gravity=\"0 0 -{}\">\n"
+      "  <option timestep=\"{}\" integrator=\"Euler\" gravity=\"{} {} {}\">\n"
       "    <flag contact=\"disable\" constraint=\"disable\"/>\n"
       "  </option>\n"
       "  <worldbody>\n"
       "    <body name=\"base\" euler=\"0 0 {}\">\n",
-      escape_xml(arm.name), time_step_s, p.gravity_m_per_s2, p.base_misalignment_rad);
+      escape_xml(arm.name), time_step_s, gravity.x(), gravity.y(), gravity.z(),
+      p.base_misalignment_rad);
   std::string margin(6, ' ');
   for (std::size_t i = 0; i < links.size(); ++i) {
     text += link_mjcf(links[i], p, i + 1, margin);

@@ -1,57 +1,143 @@
 #include "limber/sim/related_arms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
+#include <optional>
 
+#include <fmt/format.h>
+
+#include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
+#include "limber/common/printable.hpp"
 #include "limber/common/random_stream.hpp"
 
 namespace limber {
 
 namespace {
 
+using Parameters = VirtualArmParameters;
+
 constexpr std::uint64_t kPhysicsStream = 0x706879ULL << 32;
-constexpr double kLeastStrengthSpread = 0.1;
 constexpr std::uint32_t kStrengthSeeds = 1'000'000'000;
+constexpr const char* kWide = "wide";
 
 // Powers of the factor: how little is known of each.
 constexpr double kFriction = 1.0;
 constexpr double kMaterial = 0.6;
 constexpr double kValves = 0.4;
 constexpr double kStrength = 0.2;
+constexpr double kLeastStrengthSpread = 0.1;
+
+/// One parameter of the wide family, whatever the arm's file says; reasons: docs/virtual-arm.md.
+struct Range {
+  double Parameters::*member;
+  double low;
+  double high;
+  bool by_logarithm = false;
+};
+
+constexpr double kRadPerDegree = std::numbers::pi / 180.0;
+
+constexpr std::array kWideRanges = {
+    Range{&Parameters::friction_coefficient, 0.1, 0.45},
+    Range{&Parameters::friction_static_excess, 0.0, 0.4},
+    Range{&Parameters::friction_stribeck_m_per_s, 0.01, 0.1, true},
+    Range{&Parameters::friction_viscous_s_per_m, 0.0, 0.2},
+    Range{&Parameters::table_tilt_rad, 0.0, 10.0 * kRadPerDegree},
+    Range{&Parameters::table_downhill_rad, -std::numbers::pi, std::numbers::pi},
+    Range{&Parameters::tip_load_kg, 0.0, 0.08},
+    Range{&Parameters::plate_payload_kg, 0.006, 0.024, true},
+    Range{&Parameters::actuator_strain_scale, 0.8, 1.2},
+    Range{&Parameters::actuator_bow, -0.4, 0.4},
+    Range{&Parameters::inflate_time_constant_s, 0.05, 0.25, true},
+    Range{&Parameters::vent_time_constant_s, 0.05, 0.25, true},
+    Range{&Parameters::valve_dead_time_s, 0.0, 0.05},
+    Range{&Parameters::creep_fraction, 0.0, 0.05},
+    Range{&Parameters::hysteresis_fraction, 0.0, 0.08},
+};
+constexpr double kWideGain = 0.1;             // ± share, of all actuators alike
+constexpr double kWideStrengthSpread = 0.25;  // of each side
+constexpr double kWideGapLengthSpread = 0.03;
+constexpr double kWideMaterialFactor = 1.5;  // as the small family's
+
+void multiply(double& value, double factor, double power, RandomStream& random) {
+  value *= std::pow(factor, power * random.uniform(-1.0, 1.0));
+}
+
+void multiply_materials(Parameters& physics, double factor, RandomStream& random) {
+  multiply(physics.side_elasticity_n, factor, kMaterial, random);
+  multiply(physics.hinge_stiffness_n_m_per_rad, factor, kMaterial, random);
+  multiply(physics.hinge_damping_n_m_s_per_rad, factor, kMaterial, random);
+  multiply(physics.friction_stiffness_n_per_m, factor, kMaterial, random);
+  multiply(physics.friction_torsion_arm, factor, kMaterial, random);
+}
+
+void draw(Parameters& physics, const PhysicsFactor& of, RandomStream& random) {
+  multiply(physics.friction_coefficient, of.factor, kFriction, random);
+  multiply(physics.plate_payload_kg, of.factor, kFriction, random);
+  multiply(physics.hysteresis_fraction, of.factor, kFriction, random);
+  multiply_materials(physics, of.factor, random);
+  multiply(physics.inflate_time_constant_s, of.factor, kValves, random);
+  multiply(physics.vent_time_constant_s, of.factor, kValves, random);
+  multiply(physics.actuator_gain, of.factor, kStrength, random);
+  physics.strength_spread = std::max(physics.strength_spread, kLeastStrengthSpread);
+}
+
+/// Ranges are widened to hold the arm file's own value.
+void draw(Parameters& physics, const WidePhysics&, RandomStream& random) {
+  for (const Range& range : kWideRanges) {
+    double& value = physics.*(range.member);
+    const double low = std::min(range.low, value);
+    const double high = std::max(range.high, value);
+    value = range.by_logarithm && low > 0.0
+                ? std::exp(random.uniform(std::log(low), std::log(high)))
+                : random.uniform(low, high);
+  }
+  multiply_materials(physics, kWideMaterialFactor, random);
+  physics.actuator_gain *= 1.0 + random.uniform(-kWideGain, kWideGain);
+  physics.strength_spread = std::max(physics.strength_spread, kWideStrengthSpread);
+  physics.gap_length_spread = std::max(physics.gap_length_spread, kWideGapLengthSpread);
+}
 
 }  // namespace
 
-VirtualArmParameters related_physics(const VirtualArmParameters& of, double factor,
-                                     std::uint64_t seed, std::uint64_t number) {
+PhysicsVariation parse_physics_variation(const std::string& text) {
+  if (text == kWide) {
+    return WidePhysics{};
+  }
+  const std::optional<double> factor = number_in(text);
+  if (!(factor >= 1.0 && factor <= kMaxPhysicsFactor)) {
+    throw InputError(fmt::format("--vary-physics {}: expected a factor from 1 to {}, or {}",
+                                 printable(text), kMaxPhysicsFactor, kWide));
+  }
+  return PhysicsFactor{*factor};
+}
+
+std::string describe(const PhysicsVariation& variation) {
+  const auto* by = std::get_if<PhysicsFactor>(&variation);
+  return by == nullptr ? kWide : fmt::format("by up to {}", by->factor);
+}
+
+VirtualArmParameters related_physics(const VirtualArmParameters& of,
+                                     const PhysicsVariation& variation, std::uint64_t seed,
+                                     std::uint64_t number) {
   RandomStream random(seed, kPhysicsStream + number);
   VirtualArmParameters physics = of;
-  const auto vary = [&](double& value, double power) {
-    value *= std::pow(factor, power * random.uniform(-1.0, 1.0));
-  };
-  vary(physics.friction_coefficient, kFriction);
-  vary(physics.plate_payload_kg, kFriction);
-  vary(physics.hysteresis_fraction, kFriction);
-  vary(physics.side_elasticity_n, kMaterial);
-  vary(physics.hinge_stiffness_n_m_per_rad, kMaterial);
-  vary(physics.hinge_damping_n_m_s_per_rad, kMaterial);
-  vary(physics.friction_stiffness_n_per_m, kMaterial);
-  vary(physics.friction_torsion_arm, kMaterial);
-  vary(physics.inflate_time_constant_s, kValves);
-  vary(physics.vent_time_constant_s, kValves);
-  vary(physics.actuator_gain, kStrength);
-  physics.strength_spread = std::max(physics.strength_spread, kLeastStrengthSpread);
+  std::visit([&](const auto& how) { draw(physics, how, random); }, variation);
   physics.strength_seed = random.index(kStrengthSeeds);
   return physics;
 }
 
 DriverFactory related_arm_factory(const ArmDescription& arm, const VirtualArmOptions& options,
-                                  double factor) {
-  return [arm, options, factor](int index) {
+                                  const PhysicsVariation& variation) {
+  return [arm, options, variation](int index) {
     const auto number = static_cast<std::uint64_t>(index);
     ArmDescription relative = arm;
     change_virtual_arm(relative, [&](VirtualArmParameters& physics) {
-      physics = related_physics(physics, factor, options.seed, number);
+      physics = related_physics(physics, variation, options.seed, number);
     });
     VirtualArmOptions own = options;
     own.stream = number;

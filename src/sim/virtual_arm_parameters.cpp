@@ -25,7 +25,8 @@ struct Field {
   double Parameters::*member;
   double low;
   double high = kUnlimited;
-  /// Came later: not written while 0, so that arms without it keep their text and its hash.
+  /// Came later: not written while as by default, so that arms without it keep their text and its
+  /// hash.
   bool optional = false;
 };
 
@@ -73,6 +74,16 @@ constexpr std::array kFields = {
     Field{"valve_dead_time_s", &Parameters::valve_dead_time_s, 0.0, 5.0, true},
     Field{"tip_load_kg", &Parameters::tip_load_kg, 0.0, 100.0, true},
     Field{"weak_side_loss", &Parameters::weak_side_loss, 0.0, 1.0, true},
+    Field{"actuator_strain_scale", &Parameters::actuator_strain_scale, kAboveZero, kUnlimited,
+          true},
+    Field{"actuator_bow", &Parameters::actuator_bow, -1.0, 1.0, true},
+    Field{"gap_length_spread", &Parameters::gap_length_spread, 0.0, 0.5, true},
+    Field{"table_tilt_rad", &Parameters::table_tilt_rad, 0.0, 1.5, true},
+    Field{"table_downhill_rad", &Parameters::table_downhill_rad, kAnySign, kUnlimited, true},
+    Field{"friction_static_excess", &Parameters::friction_static_excess, 0.0, kUnlimited, true},
+    Field{"friction_stribeck_m_per_s", &Parameters::friction_stribeck_m_per_s, kAboveZero,
+          kUnlimited, true},
+    Field{"friction_viscous_s_per_m", &Parameters::friction_viscous_s_per_m, 0.0, kUnlimited, true},
     Field{"time_step_s", &Parameters::time_step_s, 1e-5, 0.01},
 };
 
@@ -137,7 +148,7 @@ VirtualArmParameters read_parameters(const YamlReader& node) {
 std::string to_yaml(const VirtualArmParameters& parameters) {
   std::string text = std::string(kSection) + ":\n";
   for (const Field& field : kFields) {
-    if (field.optional && parameters.*(field.member) == 0.0) {
+    if (field.optional && parameters.*(field.member) == Parameters{}.*(field.member)) {
       continue;
     }
     text += fmt::format("  {}: {}\n", field.key, parameters.*(field.member));

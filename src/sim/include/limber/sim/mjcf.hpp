@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "limber/arm/arm_description.hpp"
 
 namespace limber {
@@ -24,6 +26,9 @@ struct VirtualArmParameters;
 /// One link per gap, base first. @param parameters  the arm's
 std::vector<ChainLink> chain_links(const ArmDescription& arm,
                                    const VirtualArmParameters& parameters);
+
+/// In frame B, whose z is normal to the table; a tilted table has a part in the plane.
+Eigen::Vector3d gravity_m_per_s2(const VirtualArmParameters& parameters);
 
 /// The chain as MuJoCo's XML: per gap a body with a slide along the arm and a hinge about z at the
 /// middle of the gap, in this order (docs/virtual-arm.md, (V1)). Actuators, friction and pneumatics

@@ -105,8 +105,9 @@ class VirtualArm final : public ArmDriver {
   /// @pre 0 ≤ segment < n.
   double left_strain(int segment) const;
   double right_strain(int segment) const;
-  /// Kinetic plus elastic energy [J], including that of the springs of friction and hysteresis.
-  /// Only the work of pressurised actuators increases it.
+  /// Kinetic plus elastic energy [J], including that of the springs of friction and hysteresis, and
+  /// that of height on a tilted table (0 at the base). Only the work of pressurised actuators
+  /// increases it.
   double energy_j() const;
   double time_step_s() const;
 

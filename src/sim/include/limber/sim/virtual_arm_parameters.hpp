@@ -35,6 +35,8 @@ struct VirtualArmParameters {
   double actuator_strain_offset = 0.511455;
   QuarticCoefficients actuator_extension_n = {62.596, 836.58, 89998.0, 0.0};      ///< e > 0
   QuarticCoefficients actuator_compression_n = {21.928, 126.12, 320.59, 265.30};  ///< e < 0, p < p0
+  double actuator_strain_scale = 1.0;  ///< strain over that of the surface above
+  double actuator_bow = 0.0;           ///< > 0: more of it at low pressure; none at the limit
 
   // No two actuators are alike.
   double strength_spread = 0.07;  ///< largest relative deviation of a side's strength
@@ -55,10 +57,16 @@ struct VirtualArmParameters {
   // An imperfect build; off while 0.
   double plate_offset_rad = 0.0;       ///< largest unloaded angle of a gap, seeded by strength_seed
   double base_misalignment_rad = 0.0;  ///< angle of the arm's base plate in frame B
+  double gap_length_spread = 0.0;      ///< largest relative deviation of a gap, seeded as above
 
   // Table.
-  double gravity_m_per_s2 = 9.81;  ///< normal to the plane
-  double friction_coefficient = 0.25;
+  double gravity_m_per_s2 = 9.81;
+  double table_tilt_rad = 0.0;              ///< 0: gravity is normal to the plane
+  double table_downhill_rad = 0.0;          ///< direction in frame B that a tilted table falls to
+  double friction_coefficient = 0.25;       ///< of sliding
+  double friction_static_excess = 0.0;      ///< share by which friction at rest is larger
+  double friction_stribeck_m_per_s = 0.02;  ///< speed by which most of the excess is gone
+  double friction_viscous_s_per_m = 0.0;    ///< growth of the coefficient with speed
   double friction_stiffness_n_per_m = 3000.0;
   double friction_damping_n_s_per_m = 2.0;
   double friction_torsion_arm = 0.3;  ///< × w

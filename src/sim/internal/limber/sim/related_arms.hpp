@@ -2,6 +2,8 @@
 // For those who prepare a network for an arm whose physics is not known.
 
 #include <cstdint>
+#include <string>
+#include <variant>
 
 #include "limber/run/collection.hpp"
 #include "limber/sim/virtual_arm.hpp"
@@ -11,17 +13,29 @@ namespace limber {
 
 inline constexpr double kMaxPhysicsFactor = 10.0;
 
-/// Physics of a related arm: what is seldom known of an arm is drawn again, evenly in its
-/// logarithm. Friction on the table and in the braid, and payload, are up to `factor` times more or
-/// less; elasticity, stiffness and damping up to its power 0.6; valves 0.4; strength 0.2. Each
-/// actuator has another strength than in `of`.
-/// @param factor  1 to kMaxPhysicsFactor
-/// @param number  of the relative among those of `seed`
-VirtualArmParameters related_physics(const VirtualArmParameters& of, double factor,
-                                     std::uint64_t seed, std::uint64_t number);
+/// What is seldom known of an arm is drawn again, evenly in its logarithm. Friction on the table
+/// and in the braid, and payload, are up to `factor` times more or less; elasticity, stiffness and
+/// damping up to its power 0.6; valves 0.4; strength 0.2.
+struct PhysicsFactor {
+  double factor = 1.0;  ///< 1 to kMaxPhysicsFactor
+};
+/// Drawn from what arms, tables and valves are like (docs/virtual-arm.md, "The wide family").
+struct WidePhysics {};
+/// In both, each actuator has another strength than in the arm's file.
+using PhysicsVariation = std::variant<PhysicsFactor, WidePhysics>;
+
+/// A factor, or "wide". @throws InputError if `text` is neither.
+PhysicsVariation parse_physics_variation(const std::string& text);
+/// In words, for what a recording says of its settings: "by up to 1.5", "wide".
+std::string describe(const PhysicsVariation& variation);
+
+/// Physics of a related arm. @param number  of the relative among those of `seed`
+VirtualArmParameters related_physics(const VirtualArmParameters& of,
+                                     const PhysicsVariation& variation, std::uint64_t seed,
+                                     std::uint64_t number);
 
 /// A virtual arm of other physics for each episode; its dimensions are those of `arm`.
 DriverFactory related_arm_factory(const ArmDescription& arm, const VirtualArmOptions& options,
-                                  double factor);
+                                  const PhysicsVariation& variation);
 
 }  // namespace limber
