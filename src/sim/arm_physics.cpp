@@ -23,6 +23,7 @@ ArmPhysics::ArmPhysics(const ArmDescription& arm, const VirtualArmParameters& pa
       gravity_m_per_s2_(gravity_m_per_s2(parameters)),
       links_(chain_links(arm, parameters)),
       actuator_(parameters_),
+      friction_(parameters_),
       pneumatics_(parameters_, time_step_s),
       chain_(arm, parameters, time_step_s),
       kinematics_(links_, parameters_.base_misalignment_rad),
@@ -169,20 +170,9 @@ void ArmPhysics::apply_side_forces() {
   }
 }
 
-// (V11)
-double ArmPhysics::friction_coefficient(double speed_m_per_s) const {
-  const VirtualArmParameters& p = parameters_;
-  double excess = p.friction_static_excess;
-  if (excess > 0.0) {
-    const double ratio = speed_m_per_s / p.friction_stribeck_m_per_s;
-    excess *= std::exp(-ratio * ratio);
-  }
-  return p.friction_coefficient * (1.0 + excess) + p.friction_viscous_s_per_m * speed_m_per_s;
-}
-
 SpringSlider ArmPhysics::table_slider(const ChainLink& link, double speed_m_per_s) const {
   return {parameters_.friction_stiffness_n_per_m, parameters_.friction_damping_n_s_per_m,
-          friction_coefficient(speed_m_per_s) * link.mass_kg * -gravity_m_per_s2_.z()};
+          friction_.coefficient(speed_m_per_s) * link.mass_kg * -gravity_m_per_s2_.z()};
 }
 
 SpringSlider ArmPhysics::torsion_slider(const ChainLink& link, double rate_rad_per_s) const {

@@ -13,6 +13,7 @@
 #include "plane_kinematics.hpp"
 #include "pneumatics.hpp"
 #include "spring_slider.hpp"
+#include "table_friction.hpp"
 
 namespace limber {
 
@@ -54,7 +55,6 @@ class ArmPhysics {
                         double pressure_kpa);
   void apply_side_forces();
   void apply_table_forces();
-  double friction_coefficient(double speed_m_per_s) const;
   SpringSlider table_slider(const ChainLink& link, double speed_m_per_s) const;
   SpringSlider torsion_slider(const ChainLink& link, double rate_rad_per_s) const;
 
@@ -64,6 +64,7 @@ class ArmPhysics {
   std::vector<ChainLink> links_;
   std::vector<Side> sides_;  // left and right of each gap
   ActuatorLaw actuator_;
+  TableFriction friction_;
   Pneumatics pneumatics_;
   MujocoChain chain_;
   PlaneKinematics kinematics_;

@@ -60,5 +60,18 @@ TEST(ActuatorLaw, StoresWhatItTakesToStrainItUnpressurised) {
   }
 }
 
+// Twice as long a way from full to no tension takes twice the work.
+TEST(ActuatorLaw, IsStretchedAlongItsStrainByTheScale) {
+  VirtualArmParameters parameters;
+  parameters.actuator_strain_scale = 1.3;
+  const ActuatorLaw scaled{parameters};
+  for (double strain = -0.3; strain <= 0.1; strain += 0.017) {
+    EXPECT_NEAR(scaled.tension_n(1.3 * strain, 60.0), kLaw.tension_n(strain, 60.0), kContinuityN);
+    EXPECT_NEAR(scaled.threshold_kpa(1.3 * strain), kLaw.threshold_kpa(strain), kContinuityN);
+    EXPECT_NEAR(scaled.passive_energy_n(1.3 * strain), 1.3 * kLaw.passive_energy_n(strain),
+                kDerivativeN);
+  }
+}
+
 }  // namespace
 }  // namespace limber

@@ -1,6 +1,10 @@
 // Laws of the simulated arm, seen from outside: docs/virtual-arm.md.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -73,13 +77,32 @@ TEST_P(ArmPhysicsOf, SettlesInTheShapeOfTheNoLoadModel) {
   }
 }
 
+/// Everything that tables and builds have beside Coulomb friction, far from nothing.
+void make_worse(VirtualArmParameters& p) {
+  p.friction_static_excess = 0.6;
+  p.friction_stribeck_m_per_s = 0.02;
+  p.friction_viscous_s_per_m = 0.2;
+  p.table_tilt_rad = 0.17;
+  p.table_downhill_rad = 2.0;
+  p.tip_load_kg = 0.08;
+  p.gap_length_spread = 0.03;
+  p.actuator_strain_scale = 1.2;
+  p.actuator_bow = 0.4;
+  p.creep_fraction = 0.15;
+}
+
 // Once the valves are shut and vented, nothing but friction and damping acts.
 TEST_P(ArmPhysicsOf, LosesEnergyWhileNothingIsInflated) {
   constexpr double kRipple = 3e-3;  // of semi-implicit Euler, at the shock of losing all air
   const ArmDescription arm = own_arm(GetParam());
-  for (const double friction : {0.0, virtual_arm_parameters(arm).friction_coefficient}) {
+  const double own = virtual_arm_parameters(arm).friction_coefficient;
+  for (const auto& [friction, worse] :
+       {std::pair(0.0, false), {own, false}, {0.0, true}, {own, true}}) {
     ArmDescription on_table = arm;
     change_virtual_arm(on_table, [&](VirtualArmParameters& p) {
+      if (worse) {
+        make_worse(p);
+      }
       p.friction_coefficient = friction;
       p.time_step_s = 1e-4;  // the integrator's own ripple goes with it
     });
@@ -99,7 +122,7 @@ TEST_P(ArmPhysicsOf, LosesEnergyWhileNothingIsInflated) {
       lowest = std::min(lowest, now);
     });
     virtual_arm.settle(uniform(arm, 0.0), 0.5);
-    EXPECT_LT(rise, kRipple * start) << "friction " << friction;
+    EXPECT_LT(rise, kRipple * start) << "friction " << friction << ", worse " << worse;
     EXPECT_LT(virtual_arm.energy_j(), 0.9 * start);
   }
 }
@@ -210,6 +233,110 @@ TEST(ArmPhysics, CreepsAndIsBuiltAskewWhereAsked) {
   const double early = creeping.right_strain(1);
   creeping.settle(uniform(arm, 0.8), 20.0);
   EXPECT_LT(creeping.right_strain(1), early - 1e-3);
+}
+
+/// Straight and vented for `seconds`; where the tip is then.
+Eigen::Vector2d tip_after_rest(const ArmDescription& arm, double seconds) {
+  VirtualArm virtual_arm(arm);
+  virtual_arm.settle(uniform(arm, 0.0), seconds);
+  return virtual_arm.true_backbone().bottomRows(1).leftCols(2).transpose();
+}
+
+TEST(ArmPhysics, SinksDownhillOnATiltedTableWithoutFriction) {
+  ArmDescription arm = ideal(sample_arm(3));
+  for (const double downhill :
+       {0.5 * std::numbers::pi, -0.5 * std::numbers::pi, 0.0, std::numbers::pi}) {
+    change_virtual_arm(arm, [&](VirtualArmParameters& p) {
+      p.table_tilt_rad = 0.1;
+      p.table_downhill_rad = downhill;
+    });
+    const Eigen::Vector2d sunk = tip_after_rest(arm, 5.0) - Eigen::Vector2d(arm.length_m(), 0.0);
+    const Eigen::Vector2d direction(std::cos(downhill), std::sin(downhill));
+    EXPECT_GT(sunk.dot(direction), 1e-4) << downhill;
+  }
+}
+
+// tan(0.15) = 0.151 is more than sliding friction holds, and less than what breaks it away.
+TEST(ArmPhysics, StaysOnATiltedTableByItsStaticFrictionAlone) {
+  constexpr double kPreSlidingM = 2e-3;  // of the friction's springs, over a few plates
+  ArmDescription arm = sample_arm(3);
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) {
+    p.friction_coefficient = 0.1;
+    p.friction_static_excess = 1.5;
+    p.table_tilt_rad = 0.15;
+    p.table_downhill_rad = 0.5 * std::numbers::pi;
+  });
+  EXPECT_LT(tip_after_rest(arm, 3.0).y(), kPreSlidingM);
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) { p.friction_static_excess = 0.0; });
+  EXPECT_GT(tip_after_rest(arm, 3.0).y(), 10.0 * kPreSlidingM);
+}
+
+// What an undamped, vented arm loses in height it gains in speed and in its springs.
+TEST(ArmPhysics, KeepsItsEnergyOnATiltedTableWithoutLosses) {
+  constexpr double kRipple = 0.01;  // of the height that the arm trades
+  ArmDescription arm = ideal(sample_arm(3));
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) {
+    p.slide_damping_n_s_per_m = 0.0;
+    p.hinge_damping_n_m_s_per_rad = 0.0;
+    p.table_tilt_rad = 0.17;
+    p.table_downhill_rad = 0.5 * std::numbers::pi;
+    p.tip_load_kg = 0.05;
+    p.time_step_s = 2e-5;
+  });
+  VirtualArm virtual_arm(arm);
+  const double start_j = virtual_arm.energy_j();
+  double drift_j = 0.0;
+  double fallen_m = 0.0;
+  virtual_arm.set_observer([&](double, const BackboneD& backbone) {
+    drift_j = std::max(drift_j, std::abs(virtual_arm.energy_j() - start_j));
+    fallen_m = std::max(fallen_m, backbone(backbone.rows() - 1, 1));
+  });
+  virtual_arm.settle(uniform(arm, 0.0), 0.3);
+  ASSERT_GT(fallen_m, 0.01);
+  EXPECT_LT(drift_j, kRipple * 0.05 * 9.81 * std::sin(0.17) * fallen_m);
+}
+
+TEST(ArmPhysics, LosesMoreEnergyWithViscousFriction) {
+  std::vector<double> left_j;
+  for (const double viscous : {0.0, 0.2}) {
+    ArmDescription arm = sample_arm(3);
+    change_virtual_arm(arm, [&](VirtualArmParameters& p) {
+      p.friction_coefficient = 0.0;
+      p.friction_viscous_s_per_m = viscous;
+    });
+    VirtualArm virtual_arm(arm);
+    virtual_arm.settle(uniform(arm, 0.9), 3.0);
+    virtual_arm.settle(uniform(arm, 0.0), 2.0);
+    left_j.push_back(virtual_arm.energy_j());
+  }
+  EXPECT_LT(left_j[1], 0.8 * left_j[0]);
+}
+
+struct StrainCurve {
+  double full = 0.0;          ///< strain at the pressure limit
+  double middle_share = 0.0;  ///< of it at half of the limit
+};
+
+StrainCurve strain_curve(double scale, double bow) {
+  ArmDescription arm = sample_arm(1);
+  change_virtual_arm(arm, [&](VirtualArmParameters& p) {
+    p.actuator_strain_scale = scale;
+    p.actuator_bow = bow;
+  });
+  const std::vector<BenchPoint> points = bench_test(arm, 0, 4);
+  return {-points[4].strain, points[2].strain / points[4].strain};
+}
+
+TEST(BenchTest, AmountAndShapeOfTheStrainCurveVaryByAFifth) {
+  constexpr double kShare = 0.025;  // of what is asked
+  const StrainCurve usual = strain_curve(1.0, 0.0);
+  EXPECT_NEAR(strain_curve(0.75, 0.0).full / usual.full, 0.8, kShare);
+  EXPECT_NEAR(strain_curve(1.3, 0.0).full / usual.full, 1.2, kShare);
+  for (const double bow : {-0.4, 0.4}) {
+    const StrainCurve bowed = strain_curve(1.0, bow);
+    EXPECT_NEAR(bowed.full, usual.full, 1e-6) << "the limit's strain stays";
+    EXPECT_NEAR(bowed.middle_share / usual.middle_share, 1.0 + 0.5 * bow, kShare);
+  }
 }
 
 TEST(BenchTest, ContractsMoreWithPressureFromNothing) {

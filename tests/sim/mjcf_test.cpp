@@ -1,5 +1,9 @@
 #include "limber/sim/mjcf.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "limber/sim/virtual_arm_parameters.hpp"
@@ -20,6 +24,41 @@ TEST(Mjcf, IsXmlWhateverTheArmIsCalled) {
     EXPECT_EQ(described.code, 0) << described.output;
     EXPECT_NE(described.output.find("mujoco 1"), std::string::npos);
   }
+}
+
+TEST(Mjcf, GapsDifferInLengthByAtMostTheirSpread) {
+  constexpr double kSpread = 0.03;
+  const ArmDescription arm = sample_arm(5);
+  VirtualArmParameters parameters = virtual_arm_parameters(arm);
+  const std::vector<ChainLink> even = chain_links(arm, parameters);
+  parameters.gap_length_spread = kSpread;
+  parameters.strength_seed = 7;
+  const std::vector<ChainLink> links = chain_links(arm, parameters);
+  ASSERT_EQ(links.size(), even.size());
+  double length_m = 0.0;
+  double largest = 0.0;
+  for (std::size_t gap = 0; gap < links.size(); ++gap) {
+    const Segment& segment = arm.segments[static_cast<std::size_t>(links[gap].segment)];
+    EXPECT_EQ(even[gap].length_m, segment.length_m / segment.gaps);
+    const double deviation = links[gap].length_m / even[gap].length_m - 1.0;
+    EXPECT_LE(std::abs(deviation), kSpread);
+    largest = std::max(largest, std::abs(deviation));
+    length_m += links[gap].length_m;
+  }
+  EXPECT_GT(largest, 0.5 * kSpread);
+  EXPECT_NE(length_m, arm.length_m()) << "the whole arm's length is free";
+  EXPECT_NEAR(length_m, arm.length_m(), kSpread * arm.length_m());
+}
+
+TEST(Mjcf, GravityKeepsItsSizeOnATiltedTable) {
+  VirtualArmParameters parameters;
+  EXPECT_EQ(gravity_m_per_s2(parameters), Eigen::Vector3d(0.0, 0.0, -9.81));
+  parameters.table_tilt_rad = 0.1;
+  parameters.table_downhill_rad = 2.0;
+  const Eigen::Vector3d gravity = gravity_m_per_s2(parameters);
+  EXPECT_NEAR(gravity.norm(), 9.81, 1e-12);
+  EXPECT_NEAR(std::atan2(gravity.y(), gravity.x()), 2.0, 1e-12);
+  EXPECT_NEAR(gravity.head<2>().norm(), 9.81 * std::sin(0.1), 1e-12);
 }
 
 }  // namespace
