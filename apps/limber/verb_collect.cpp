@@ -67,12 +67,13 @@ class CollectVerb final : public Verb {
     const ArmDescription arm = load_asked_arm(arm_file, PolynomialsOf::characterisation);
     options_.seed = flags.seed;
     schedule_.limit_scale = driver_.limit_scale();
-    CollectionSettings settings = virtual_collection(arm, schedule_, options_);
     std::optional<PhysicsVariation> variation;
-    if (!vary_physics_.empty()) {
-      variation = parse_physics_variation(vary_physics_);
-      settings.driver += fmt::format(", varied {}", describe(*variation));
+    if (vary_physics_) {
+      variation = parse_physics_variation(*vary_physics_);
     }
+    CollectionSettings settings = variation
+                                      ? related_collection(arm, schedule_, options_, *variation)
+                                      : virtual_collection(arm, schedule_, options_);
     settings.jobs = flags.jobs;
     settings.resume = resume_;
     settings.force = flags.force;
@@ -114,7 +115,7 @@ class CollectVerb final : public Verb {
   /// One process for all episodes, one after the other.
   int run_on_driver(const ArmDescription& arm, const std::string& arm_file,
                     CollectionSettings settings, const CommonFlags& flags) {
-    if (!vary_physics_.empty() || describe(arm, options_) != describe(arm, VirtualArmOptions{})) {
+    if (vary_physics_ || describe(arm, options_) != describe(arm, VirtualArmOptions{})) {
       throw InputError(
           "--noise-m, --vary-physics and the like are the virtual arm's; drop them with exec:");
     }
@@ -172,7 +173,7 @@ class CollectVerb final : public Verb {
   std::string out_;
   ScheduleSettings schedule_;
   VirtualArmOptions options_;
-  std::string vary_physics_;
+  std::optional<std::string> vary_physics_;
   bool resume_ = false;
 };
 

@@ -45,7 +45,7 @@ Episode make_episode(
     const DoubleArray& time_s, const FloatArray& pressure_kpa, const FloatArray& setpoint_kpa,
     const FloatArray& backbone,
     const py::array_t<int, py::array::c_style | py::array::forcecast>& motion_index,
-    const py::object& tracked, bool setpoints_only) {
+    const py::object& tracked, bool setpoints_only, const std::string& physics) {
   using Flags = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
   std::optional<Flags> seen;
   if (!tracked.is_none()) {
@@ -54,6 +54,7 @@ Episode make_episode(
   const OthersMayRun others_may_run;
   Episode episode;
   episode.setpoints_only = setpoints_only;
+  episode.physics = physics;
   const py::ssize_t frames = time_s.size();
   require_shape(time_s, {frames}, "time_s");
   require_finite(time_s, "time_s");
@@ -97,6 +98,7 @@ void bind_episode(py::module_& module) {
       .def(py::init(&make_episode), py::arg("time_s"), py::arg("pressure_kpa"),
            py::arg("setpoint_kpa"), py::arg("backbone"), py::arg("motion_index"),
            py::arg("tracked") = py::none(), py::arg("setpoints_only") = false,
+           py::arg("physics") = "",
            "Copies its arrays once: time_s (T,) [s], pressure_kpa and setpoint_kpa (T, n) "
            "[kPa], backbone (T, m, 3) in frame B, motion_index (T,), and tracked (T,) or "
            "None: all frames. With setpoints_only, pressure_kpa has to be setpoint_kpa. "
@@ -139,6 +141,9 @@ void bind_episode(py::module_& module) {
                              "Whether the backbone was seen, bool (T,); a copy.")
       .def_readonly("setpoints_only", &Episode::setpoints_only,
                     "Nothing was measured: pressure_kpa holds the set points.")
+      .def_readonly("physics", &Episode::physics,
+                    "JSON of what a varied virtual arm has other than its file (limber collect "
+                    "--vary-physics); '' otherwise.")
       .def_property_readonly("frame_count", &Episode::frame_count, "T: number of frames.")
       .def_property_readonly("untracked_count", &Episode::untracked_count,
                              "Number of frames without a measured backbone.")

@@ -495,12 +495,15 @@ class Episode:
     def setpoints_only(self) -> bool:
         """Nothing was measured: pressure_kpa holds the set points."""
     @property
+    def physics(self) -> str:
+        """JSON of what a varied virtual arm has other than its file (limber collect --vary-physics); '' otherwise."""
+    @property
     def frame_count(self) -> int:
         """T: number of frames."""
     @property
     def untracked_count(self) -> int:
         """Number of frames without a measured backbone."""
-    def __init__(self, time_s: npt.ArrayLike, pressure_kpa: npt.ArrayLike, setpoint_kpa: npt.ArrayLike, backbone: npt.ArrayLike, motion_index: npt.ArrayLike, tracked: npt.ArrayLike | None = None, setpoints_only: bool = False) -> None:
+    def __init__(self, time_s: npt.ArrayLike, pressure_kpa: npt.ArrayLike, setpoint_kpa: npt.ArrayLike, backbone: npt.ArrayLike, motion_index: npt.ArrayLike, tracked: npt.ArrayLike | None = None, setpoints_only: bool = False, physics: str = '') -> None:
         """Copies its arrays once: time_s (T,) [s], pressure_kpa and setpoint_kpa (T, n) [kPa], backbone (T, m, 3) in frame B, motion_index (T,), and tracked (T,) or None: all frames. With setpoints_only, pressure_kpa has to be setpoint_kpa. Raises InputError naming the array whose shape does not fit."""
     def __len__(self) -> int: ...
 

@@ -286,6 +286,12 @@ nlohmann::ordered_json to_json(const Recording& recording, const RecordingInspec
   json["frames"] = recording.frame_count();
   json["frames_dropped"] = recording.untracked_count();
   json["duration_s"] = recording.duration_s();
+  if (std::any_of(recording.episodes.begin(), recording.episodes.end(),
+                  [](const Episode& episode) { return !episode.physics.empty(); })) {
+    for (const Episode& episode : recording.episodes) {
+      json["physics"].push_back(episode.physics);
+    }
+  }
   // `command` is taken: it says what drives the arm.
   const char* const followed = recording.command.is_pressure_kpa() ? "pressure_kpa" : "commands";
   if (recording.setpoints_only()) {

@@ -94,6 +94,9 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
   write_data_set(group, "motion_index", "1", H5::PredType::NATIVE_INT, episode.motion_index.data(),
                  {frames});
   write_data_set(group, "tracked", "1", H5::PredType::NATIVE_UINT8, tracked.data(), {frames});
+  if (!episode.physics.empty()) {
+    write_attribute(group, kPhysics, episode.physics);
+  }
 }
 
 /// The whole file, made in memory, so that HDF5 never meets a full disk. After one it can neither

@@ -13,6 +13,7 @@
 #include "limber/common/number_text.hpp"
 #include "limber/common/printable.hpp"
 #include "limber/common/random_stream.hpp"
+#include "limber/sim/virtual_arm_factory.hpp"
 
 namespace limber {
 
@@ -23,6 +24,12 @@ using Parameters = VirtualArmParameters;
 constexpr std::uint64_t kPhysicsStream = 0x706879ULL << 32;
 constexpr std::uint32_t kStrengthSeeds = 1'000'000'000;
 constexpr const char* kWide = "wide";
+
+/// For what a recording says of its settings.
+std::string describe(const PhysicsVariation& variation) {
+  const auto* by = std::get_if<PhysicsFactor>(&variation);
+  return by == nullptr ? kWide : fmt::format("by up to {}", by->factor);
+}
 
 // Powers of the factor: how little is known of each.
 constexpr double kFriction = 1.0;
@@ -50,12 +57,12 @@ constexpr std::array kWideRanges = {
     Range{&Parameters::table_downhill_rad, -std::numbers::pi, std::numbers::pi},
     Range{&Parameters::tip_load_kg, 0.0, 0.08},
     Range{&Parameters::plate_payload_kg, 0.006, 0.024, true},
-    Range{&Parameters::actuator_strain_scale, 0.8, 1.2},
+    Range{&Parameters::actuator_strain_scale, 0.75, 1.3},
     Range{&Parameters::actuator_bow, -0.4, 0.4},
     Range{&Parameters::inflate_time_constant_s, 0.05, 0.25, true},
     Range{&Parameters::vent_time_constant_s, 0.05, 0.25, true},
     Range{&Parameters::valve_dead_time_s, 0.0, 0.05},
-    Range{&Parameters::creep_fraction, 0.0, 0.05},
+    Range{&Parameters::creep_fraction, 0.0, 0.15},
     Range{&Parameters::hysteresis_fraction, 0.0, 0.08},
 };
 constexpr double kWideGain = 0.1;             // ± share, of all actuators alike
@@ -116,11 +123,6 @@ PhysicsVariation parse_physics_variation(const std::string& text) {
   return PhysicsFactor{*factor};
 }
 
-std::string describe(const PhysicsVariation& variation) {
-  const auto* by = std::get_if<PhysicsFactor>(&variation);
-  return by == nullptr ? kWide : fmt::format("by up to {}", by->factor);
-}
-
 VirtualArmParameters related_physics(const VirtualArmParameters& of,
                                      const PhysicsVariation& variation, std::uint64_t seed,
                                      std::uint64_t number) {
@@ -143,6 +145,18 @@ DriverFactory related_arm_factory(const ArmDescription& arm, const VirtualArmOpt
     own.stream = number;
     return std::make_unique<VirtualArm>(relative, own);
   };
+}
+
+CollectionSettings related_collection(const ArmDescription& arm, const ScheduleSettings& schedule,
+                                      const VirtualArmOptions& options,
+                                      const PhysicsVariation& variation) {
+  CollectionSettings settings = virtual_collection(arm, schedule, options);
+  settings.driver += fmt::format(", varied {}", describe(variation));
+  settings.physics = [of = virtual_arm_parameters(arm), variation, seed = options.seed](int index) {
+    const auto number = static_cast<std::uint64_t>(index);
+    return physics_differences(of, related_physics(of, variation, seed, number));
+  };
+  return settings;
 }
 
 }  // namespace limber

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -145,21 +147,33 @@ VirtualArmParameters read_parameters(const YamlReader& node) {
   return parameters;
 }
 
-std::string to_yaml(const VirtualArmParameters& parameters) {
-  std::string text = std::string(kSection) + ":\n";
+/// Key and value of each.
+using Texts = std::vector<std::pair<std::string, std::string>>;
+
+Texts texts_of(const VirtualArmParameters& parameters) {
+  Texts texts;
   for (const Field& field : kFields) {
     if (field.optional && parameters.*(field.member) == Parameters{}.*(field.member)) {
       continue;
     }
-    text += fmt::format("  {}: {}\n", field.key, parameters.*(field.member));
+    texts.emplace_back(field.key, fmt::format("{}", parameters.*(field.member)));
   }
   for (const QuarticField& field : kQuarticFields) {
-    text += fmt::format("  {}: [{}]\n", field.key, fmt::join(parameters.*(field.member), ", "));
+    texts.emplace_back(field.key, fmt::format("[{}]", fmt::join(parameters.*(field.member), ", ")));
   }
   if (parameters.weak_side_loss > 0.0) {
-    text += fmt::format("  {}: {}\n", kWeakSide, parameters.weak_side);
+    texts.emplace_back(kWeakSide, fmt::format("{}", parameters.weak_side));
   }
-  return text + fmt::format("  strength_seed: {}\n", parameters.strength_seed);
+  texts.emplace_back("strength_seed", fmt::format("{}", parameters.strength_seed));
+  return texts;
+}
+
+std::string to_yaml(const VirtualArmParameters& parameters) {
+  std::string text = std::string(kSection) + ":\n";
+  for (const auto& [key, value] : texts_of(parameters)) {
+    text += fmt::format("  {}: {}\n", key, value);
+  }
+  return text;
 }
 
 }  // namespace
@@ -174,6 +188,18 @@ VirtualArmParameters virtual_arm_parameters(const ArmDescription& arm) {
 
 void set_virtual_arm_parameters(ArmDescription& arm, const VirtualArmParameters& parameters) {
   arm.virtual_arm.yaml = to_yaml(parameters);
+}
+
+std::string physics_differences(const VirtualArmParameters& of,
+                                const VirtualArmParameters& varied) {
+  const Texts before = texts_of(of);
+  std::vector<std::string> others;
+  for (const auto& text : texts_of(varied)) {
+    if (std::find(before.begin(), before.end(), text) == before.end()) {
+      others.push_back(fmt::format("\"{}\": {}", text.first, text.second));
+    }
+  }
+  return fmt::format("{{{}}}", fmt::join(others, ", "));
 }
 
 std::string virtual_arm_to_yaml(const ArmDescription& arm) {

@@ -251,6 +251,13 @@ TEST(RecordingInspection, SaysTheSameInJsonAndInText) {
                     HasSubstr("3 of 9 transitions covered"), HasSubstr("a gap in time: 1 times")));
 }
 
+TEST(RecordingInspection, ShowsWhatWasDrawnWhereAnythingWas) {
+  Recording recording = corner_recording({0, 1, 0, -1});
+  EXPECT_FALSE(to_json(recording, inspect_it(recording)).contains("physics"));
+  recording.episodes[0].physics = "{\"tip_load_kg\": 0.05}";
+  EXPECT_EQ(to_json(recording, inspect_it(recording))["physics"][0], "{\"tip_load_kg\": 0.05}");
+}
+
 TEST(RecordingInspection, RefusesAnotherArm) {
   ArmDescription arm = one_segment_arm();
   arm.segments[0].gaps = 7;

@@ -56,6 +56,19 @@ TEST_F(RecordingFile, ReturnsEveryNumberAndAttributeAsWritten) {
   EXPECT_DOUBLE_EQ(read.duration_s(), 0.5);
 }
 
+TEST_F(RecordingFile, KeepsWhatWasDrawnForAnEpisodeAndWritesNothingWhereNothingWas) {
+  Recording varied = test_recording();
+  varied.episodes[1].physics = "{\"tip_load_kg\": 0.05}";
+  write_recording(path_, varied);
+  const Recording read = read_recording(path_);
+  EXPECT_EQ(read.episodes[0].physics, "");
+  EXPECT_EQ(read.episodes[1].physics, varied.episodes[1].physics);
+  const std::string bytes = read_file(path_);
+  EXPECT_NE(bytes.find("tip_load_kg"), std::string::npos);
+  write_recording(path_, test_recording());
+  EXPECT_EQ(read_file(path_).find("physics"), std::string::npos);
+}
+
 // Texts of variable length lie in a heap that HDF5 reads unchecked.
 TEST_F(RecordingFile, HoldsTextsOfFixedLengthAlone) {
   Recording recording = test_recording();

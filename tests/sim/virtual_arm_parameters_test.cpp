@@ -76,18 +76,23 @@ TEST(VirtualArmParameters, ThoseThatCameLaterAreWrittenWhereTheyAreUsedAlone) {
   ArmDescription arm = sample_arm(2);
   const std::string plain = virtual_arm_to_yaml(arm);
   for (const char* key :
-       {"valve_dead_time_s", "inflate_rate_limit_kpa_per_s", "vent_rate_limit_kpa_per_s"}) {
+       {"valve_dead_time_s", "inflate_rate_limit_kpa_per_s", "vent_rate_limit_kpa_per_s",
+        "actuator_strain_scale", "actuator_bow", "gap_length_spread", "table_tilt_rad",
+        "table_downhill_rad", "friction_static_excess", "friction_stribeck_m_per_s",
+        "friction_viscous_s_per_m"}) {
     EXPECT_EQ(plain.find(key), std::string::npos) << key;
   }
   change_virtual_arm(arm, [](VirtualArmParameters& p) {
     p.valve_dead_time_s = 0.13;
     p.inflate_rate_limit_kpa_per_s = 60.0;
     p.vent_rate_limit_kpa_per_s = 140.0;
+    p.friction_stribeck_m_per_s = 0.05;
   });
   const ArmDescription back = read(virtual_arm_to_yaml(arm));
   EXPECT_EQ(virtual_arm_parameters(back).valve_dead_time_s, 0.13);
   EXPECT_EQ(virtual_arm_parameters(back).inflate_rate_limit_kpa_per_s, 60.0);
   EXPECT_EQ(virtual_arm_parameters(back).vent_rate_limit_kpa_per_s, 140.0);
+  EXPECT_EQ(virtual_arm_parameters(back).friction_stribeck_m_per_s, 0.05);
   EXPECT_EQ(back.hash(), sample_arm(2).hash()) << "an arm's hash leaves physics out";
 }
 
@@ -102,6 +107,19 @@ TEST(VirtualArmParameters, SurviveTheRoundTripExactly) {
   EXPECT_EQ(back.friction_coefficient, 1.0 / 3.0);
   EXPECT_EQ(back.actuator_threshold_kpa[2], 0.1 + 0.2);
   EXPECT_EQ(back.strength_seed, 999u);
+}
+
+TEST(VirtualArmParameters, DifferencesAreJsonOfWhatDiffersAlone) {
+  const VirtualArmParameters of;
+  EXPECT_EQ(physics_differences(of, of), "{}");
+  VirtualArmParameters varied = of;
+  varied.friction_coefficient = 0.31;
+  varied.actuator_extension_n[1] = 2.5;
+  varied.tip_load_kg = 1e-7;
+  varied.strength_seed = 12;
+  EXPECT_EQ(physics_differences(of, varied),
+            "{\"friction_coefficient\": 0.31, \"tip_load_kg\": 1e-07, "
+            "\"actuator_extension_n\": [62.596, 2.5, 89998, 0], \"strength_seed\": 12}");
 }
 
 }  // namespace

@@ -274,6 +274,9 @@ void record_missing(const ArmDescription& arm, const CollectionSettings& setting
       const std::unique_ptr<ArmDriver> driver = make_driver(static_cast<int>(i));
       done[i] = record_or_keep_a_part(arm, *driver, schedule[i], settings, parts.identity(), done,
                                       [&] { progress.advance(); });
+      if (settings.physics) {
+        done[i]->physics = settings.physics(static_cast<int>(i));
+      }
     } catch (const SystemFault& fault) {
       throw SystemFault(fmt::format("{}: {}", episode_name(i), fault.what()));
     }

@@ -69,7 +69,7 @@ bool same_values(const Episode& a, const Episode& b) {
   return a.time_s.size() == b.time_s.size() && a.time_s == b.time_s &&
          same_matrix(a.pressure_kpa, b.pressure_kpa) &&
          same_matrix(a.setpoint_kpa, b.setpoint_kpa) && same_matrix(a.backbone, b.backbone) &&
-         a.motion_index == b.motion_index && same_marks(a, b);
+         a.motion_index == b.motion_index && same_marks(a, b) && a.physics == b.physics;
 }
 
 CollectionParts::CollectionParts(const fs::path& path, Recording identity)

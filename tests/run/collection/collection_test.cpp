@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "limber/common/atomic_file.hpp"
@@ -159,6 +160,24 @@ TEST_F(Collection, GoesOnFromItsPartsWithoutRecordingThemAgain) {
   drivers_ = 0;
   EXPECT_EQ(collect(arm_, settings, factory(), path_).kept_episodes, 5);
   EXPECT_EQ(drivers_, 0) << "a finished file needs no arm";
+}
+
+TEST_F(Collection, KeepsWhatIsSaidOfEachEpisodesArmThroughItsParts) {
+  CollectionSettings settings = quick_settings();
+  settings.jobs = 1;
+  settings.physics = [](int index) { return fmt::format("{{\"arm\": {}}}", index); };
+  FakeFaults faults;  // of episode 3 alone
+  faults.fails_at_s = 0.3;
+  const DriverFactory flaky = [&](int i) {
+    return std::make_unique<FakeArm>(arm_, kLag_s, i == 3 ? faults : FakeFaults{});
+  };
+  EXPECT_THROW(collect(arm_, settings, flaky, path_), SystemFault);
+  settings.resume = true;
+  ASSERT_GE(collect(arm_, settings, factory(), path_).kept_episodes, 1);
+  const Recording read = read_recording(path_);
+  for (std::size_t i = 0; i < read.episodes.size(); ++i) {
+    EXPECT_EQ(read.episodes[i].physics, settings.physics(static_cast<int>(i)));
+  }
 }
 
 TEST_F(Collection, LeavesValidPartsOnCtrlCAndSaysHowToGoOn) {

@@ -42,6 +42,10 @@ struct Episode {
   /// learns what the arm does under set points, its valves included.
   bool setpoints_only = false;
 
+  /// JSON of what a virtual arm that was varied has other than its file; empty: nothing was. Those
+  /// who want to know read it; no network ever does.
+  std::string physics;
+
   int frame_count() const { return static_cast<int>(time_s.size()); }
   int untracked_count() const;
   /// Whether the backbone of frame `t` was tracked. @pre 0 ≤ t < frame_count()

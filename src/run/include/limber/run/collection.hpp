@@ -31,6 +31,8 @@ struct CollectionSettings {
   /// Where the arm fails or the run is stopped, this recording gets the finished episodes and the
   /// frames of the unfinished one. Empty: they are not kept. Asks for `jobs` = 1.
   std::filesystem::path partial;
+  /// What Episode::physics is to say of episode `index`. Empty: nothing.
+  std::function<std::string(int index)> physics = {};
   Progress::Mode progress = Progress::Mode::automatic;
   /// Asked before every set point, from several threads at once; true stops the collection as
   /// Ctrl-C does. Empty: never.

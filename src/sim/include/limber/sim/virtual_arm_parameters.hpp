@@ -92,6 +92,9 @@ VirtualArmParameters virtual_arm_parameters(const ArmDescription& arm);
 /// Puts `parameters` in place of what the arm's file says.
 void set_virtual_arm_parameters(ArmDescription& arm, const VirtualArmParameters& parameters);
 
+/// JSON of the parameters that `varied` has other than `of`, one object: {"tip_load_kg": 0.05}.
+std::string physics_differences(const VirtualArmParameters& of, const VirtualArmParameters& varied);
+
 /// change(parameters), and puts them back.
 template <class Change>
 void change_virtual_arm(ArmDescription& arm, Change&& change) {

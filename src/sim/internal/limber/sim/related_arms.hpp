@@ -26,8 +26,6 @@ using PhysicsVariation = std::variant<PhysicsFactor, WidePhysics>;
 
 /// A factor, or "wide". @throws InputError if `text` is neither.
 PhysicsVariation parse_physics_variation(const std::string& text);
-/// In words, for what a recording says of its settings: "by up to 1.5", "wide".
-std::string describe(const PhysicsVariation& variation);
 
 /// Physics of a related arm. @param number  of the relative among those of `seed`
 VirtualArmParameters related_physics(const VirtualArmParameters& of,
@@ -37,5 +35,11 @@ VirtualArmParameters related_physics(const VirtualArmParameters& of,
 /// A virtual arm of other physics for each episode; its dimensions are those of `arm`.
 DriverFactory related_arm_factory(const ArmDescription& arm, const VirtualArmOptions& options,
                                   const PhysicsVariation& variation);
+
+/// As virtual_collection, for arms of related_arm_factory; each episode says what its arm's
+/// physics is (Episode::physics).
+CollectionSettings related_collection(const ArmDescription& arm, const ScheduleSettings& schedule,
+                                      const VirtualArmOptions& options,
+                                      const PhysicsVariation& variation);
 
 }  // namespace limber
