@@ -24,12 +24,12 @@ class CollectVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
-    app.add_option("--schedule", schedule_.kind,
+    app.add_option("--schedule", schedule_name_,
                    "transitions: every ordered pair of fully left, off, fully right per segment; "
-                   "random: uniform set points within the limits")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, ScheduleKind>{
-            {"transitions", ScheduleKind::transitions}, {"random", ScheduleKind::random}}))
-        ->default_str("transitions");
+                   "random: uniform set points within the limits; identify: the minute that tells "
+                   "most about an arm (limber adapt), with its own --count, --approach and holds")
+        ->check(CLI::IsMember({"transitions", "random", "identify"}))
+        ->capture_default_str();
     app.add_option("--count", schedule_.count,
                    "Motions per random episode; or how many transitions, all by default");
     app.add_option("--episodes", schedule_.episodes,
@@ -66,6 +66,7 @@ class CollectVerb final : public Verb {
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_asked_arm(arm_file, PolynomialsOf::characterisation);
     options_.seed = flags.seed;
+    set_schedule();
     schedule_.limit_scale = driver_.limit_scale();
     std::optional<PhysicsVariation> variation;
     if (vary_physics_) {
@@ -91,6 +92,25 @@ class CollectVerb final : public Verb {
   }
 
  private:
+  /// What flags leave out of `identify` is its own.
+  void set_schedule() {
+    if (schedule_name_ != "identify") {
+      schedule_.kind =
+          schedule_name_ == "random" ? ScheduleKind::random : ScheduleKind::transitions;
+      return;
+    }
+    if (schedule_.hold_s != ScheduleSettings().hold_s || schedule_.hold_min_s ||
+        schedule_.approach != ScheduleSettings().approach) {
+      throw InputError(
+          "--schedule identify has its own holds, and goes straight: leave --hold-s, --hold-min-s "
+          "and --approach out, or take --schedule random");
+    }
+    const ScheduleSettings asked = schedule_;
+    schedule_ = identifying_schedule();
+    schedule_.count = asked.count > 0 ? asked.count : schedule_.count;
+    schedule_.episodes = asked.episodes;
+  }
+
   /// @param driver  that moved the arm; null: the virtual one
   int finish(const CommonFlags& flags, const ArmDescription& arm, const CollectionResult& result,
              const ProcessDriver* driver) const {
@@ -171,6 +191,7 @@ class CollectVerb final : public Verb {
   std::string arm_ = "three_segment";
   DriverFlags driver_;
   std::string out_;
+  std::string schedule_name_ = "transitions";
   ScheduleSettings schedule_;
   VirtualArmOptions options_;
   std::optional<std::string> vary_physics_;

@@ -10,6 +10,7 @@ std::vector<std::unique_ptr<Verb>> all_verbs() {
   verbs.push_back(make_import_verb());
   verbs.push_back(make_inspect_verb());
   verbs.push_back(make_train_verb());
+  verbs.push_back(make_family_verb());
   verbs.push_back(make_adapt_verb());
   verbs.push_back(make_evaluate_verb());
   verbs.push_back(make_calibrate_verb());

@@ -17,6 +17,7 @@ std::unique_ptr<Verb> make_collect_verb();
 std::unique_ptr<Verb> make_demo_verb();
 std::unique_ptr<Verb> make_doctor_verb();
 std::unique_ptr<Verb> make_evaluate_verb();
+std::unique_ptr<Verb> make_family_verb();
 std::unique_ptr<Verb> make_train_verb();
 std::unique_ptr<Verb> make_environment_verb();
 std::unique_ptr<Verb> make_plan_verb();

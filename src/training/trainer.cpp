@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -172,11 +173,11 @@ TrainingData hold_back_arms(std::vector<Episode> episodes, const std::vector<int
 }
 
 void add_arms_of(const Recording& recording, std::vector<int>& arms) {
-  int next = arms.empty() ? 0 : 1 + std::ranges::max(arms);
-  const bool varies = recording.settings.find("varied ") != std::string::npos;
-  for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
-    arms.push_back(next);
-    next += varies ? 1 : 0;
+  const int first = arms.empty() ? 0 : 1 + std::ranges::max(arms);
+  std::map<std::string, int> numbers;
+  for (const Episode& episode : recording.episodes) {
+    const int next = first + static_cast<int>(numbers.size());
+    arms.push_back(numbers.try_emplace(episode.physics, next).first->second);
   }
 }
 

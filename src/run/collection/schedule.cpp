@@ -166,6 +166,16 @@ std::vector<EpisodeSchedule> make_schedule(const ArmDescription& arm,
                                                     : random_schedule(scaled, settings, seed);
 }
 
+ScheduleSettings identifying_schedule() {
+  ScheduleSettings settings;
+  settings.kind = ScheduleKind::random;
+  settings.count = 36;
+  settings.approach = Approach::straight;
+  settings.hold_s = 1.0;
+  settings.hold_min_s = 0.2;
+  return settings;
+}
+
 std::string describe(const ScheduleSettings& settings) {
   const bool transitions = settings.kind == ScheduleKind::transitions;
   std::string text = transitions ? "transitions" : "random";

@@ -37,6 +37,10 @@ struct ScheduleSettings {
   double limit_scale = 1.0;
 };
 
+/// The minute that tells most about which arm it is (docs/families.md): 36 random motions, straight
+/// and with short holds, in about a minute.
+ScheduleSettings identifying_schedule();
+
 struct Motion {
   Pressures setpoint_kpa;      ///< size n, where it ends
   double hold_s = 0.0;         ///< at least this long at that set point

@@ -56,8 +56,8 @@ TrainingData hold_back_arms(std::vector<Episode> episodes, const std::vector<int
 
 inline constexpr int kMinArmsToHoldBack = 10;
 
-/// Adds the arm of each of a recording's episodes to `arms`, in numbers that none of these has: of
-/// virtual arms that vary from episode to episode each is one; else all are of one.
+/// Adds the arm of each of a recording's episodes to `arms`, in numbers that none of these has: all
+/// are of one, but virtual arms that vary from episode to episode (Episode::physics).
 void add_arms_of(const Recording& recording, std::vector<int>& arms);
 
 /// One row of the learning curve.

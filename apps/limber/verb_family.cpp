@@ -1,0 +1,185 @@
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/ranges.h>
+
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
+#include "limber/common/error.hpp"
+#include "limber/common/units.hpp"
+#include "limber/report/training_report.hpp"
+#include "limber/sim/related_arms.hpp"
+#include "limber/training/trainer.hpp"
+#include "limber/training/unseen_error.hpp"
+#include "verbs.hpp"
+
+namespace limber {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Virtual arms that move in one way, and what share of all hours is theirs.
+struct Share {
+  const char* name;
+  double share;
+  Approach approach;
+  int count;  // motions of each arm
+  double hold_min_s;
+  double hold_s;
+  double arm_s;  // about what they last
+};
+
+constexpr double kSecondsPerHour = 3600.0;
+constexpr Share kShares[] = {{"steps", 0.7, Approach::step, 30, 0.2, 2.0, 34.0},
+                             {"straight", 0.3, Approach::straight, 18, 0.05, 1.0, 29.0}};
+
+class FamilyVerb final : public Verb {
+ public:
+  const char* name() const override { return "family"; }
+  const char* summary() const override {
+    return "Make a family for an arm file, from virtual arms: for limber adapt";
+  }
+  const char* example() const override {
+    return "limber family --arm mine.yaml --out mine_family.safetensors\n"
+           "  limber collect --arm mine.yaml --schedule identify --driver \"exec:./driver\" "
+           "--out minute.h5\n"
+           "  limber adapt --arm mine.yaml --model mine_family.safetensors --recording minute.h5 "
+           "--out mine.safetensors";
+  }
+
+  void add_flags(CLI::App& app) override {
+    app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
+        ->capture_default_str();
+    app.add_option("--out", out_, "Family to write")->required();
+    app.add_option("--hours", hours_, "Of arms' motion to learn from; a new arm every half minute")
+        ->check(CLI::Range(0.01, 1000.0))
+        ->capture_default_str();
+    app.add_option("--family-size", size_, "Numbers that say which of its arms it is")
+        ->check(CLI::Range(1, ArmFamily::kMaxSize))
+        ->capture_default_str();
+    app.add_option("--epochs", epochs_, "Epochs of training in all")
+        ->check(CLI::Range(3, 10'000'000))
+        ->capture_default_str();
+    app.add_option("--vary-physics", variation_,
+                   "How arms differ, as of limber collect: wide, or a factor")
+        ->capture_default_str();
+    app.add_flag("--resume", resume_, "Go on with a run that was stopped");
+  }
+
+  int run(const CommonFlags& flags) override {
+    refuse_to_overwrite(out_, flags.force || resume_);
+    if (!resume_ && !flags.force && fs::exists(folder())) {
+      throw InputError(fmt::format(
+          "{}: of a run that was stopped; --resume goes on with it, --force starts over",
+          folder().string()));
+    }
+    const ArmDescription arm = load_asked_arm(arm_);
+    const PhysicsVariation variation = parse_physics_variation(variation_);
+    fs::create_directories(folder());
+    std::vector<Episode> episodes;
+    std::vector<int> arms;
+    std::string sources;
+    for (const Share& share : kShares) {
+      Recording recording = record(arm, variation, share, flags);
+      add_arms_of(recording, arms);
+      std::ranges::move(recording.episodes, std::back_inserter(episodes));
+      sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ", share.name,
+                             content_hash(read_file(recording_path(share))));
+    }
+    const TrainingData data = hold_back_arms(std::move(episodes), arms, kHeldBackShare, flags.seed);
+    TrainingResult result = train(arm, data, settings(flags));
+    if (result.status != TrainingStatus::finished) {
+      say(flags, "{}; the same command with --resume goes on", result.message);
+      return kExitNoSolution;
+    }
+    result.model.learnt = learnt_region_of(data);
+    result.model.training["data"] = sources;
+    result.model.training["physics"] = variation_;
+    write_model(out_, result.model);
+    std::error_code ignored;  // what stays behind does no harm
+    fs::remove_all(folder(), ignored);
+    report(flags, data, result);
+    return kExitDone;
+  }
+
+ private:
+  fs::path folder() const { return out_ + ".parts"; }
+  fs::path recording_path(const Share& share) const {
+    return folder() / fmt::format("{}.h5", share.name);
+  }
+
+  Recording record(const ArmDescription& arm, const PhysicsVariation& variation,
+                   const Share& share, const CommonFlags& flags) const {
+    ScheduleSettings schedule;
+    schedule.kind = ScheduleKind::random;
+    schedule.approach = share.approach;
+    schedule.count = share.count;
+    schedule.hold_min_s = share.hold_min_s;
+    schedule.hold_s = share.hold_s;
+    schedule.episodes = std::max(
+        1, static_cast<int>(std::lround(hours_ * kSecondsPerHour * share.share / share.arm_s)));
+    VirtualArmOptions options;
+    options.seed = flags.seed + static_cast<std::uint64_t>(&share - kShares);
+    CollectionSettings settings = related_collection(arm, schedule, options, variation);
+    settings.seed = options.seed;
+    settings.jobs = flags.jobs;
+    settings.resume = resume_;
+    settings.force = flags.force;
+    settings.progress = flags.progress();
+    return collect(arm, settings, related_arm_factory(arm, options, variation),
+                   recording_path(share))
+        .recording;
+  }
+
+  TrainingSettings settings(const CommonFlags& flags) const {
+    TrainingSettings settings = best_preset();
+    set_epoch_count(settings, epochs_);
+    settings.family_size = size_;
+    settings.validation_interval = 10;
+    settings.seed = flags.seed;
+    settings.jobs = flags.jobs;
+    settings.progress = flags.progress();
+    settings.checkpoint = folder() / "training.checkpoint";
+    settings.resume = resume_ && fs::exists(settings.checkpoint);
+    return settings;
+  }
+
+  void report(const CommonFlags& flags, const TrainingData& data,
+              const TrainingResult& result) const {
+    const auto arms = result.model.family->arms.cols();
+    nlohmann::ordered_json json;
+    json["file"] = out_;
+    json["arms"] = arms;
+    json["arms_held_back"] = data.validation.size();
+    json["hours"] = hours_;
+    json["family_size"] = size_;
+    json["epochs"] = epochs_;
+    json["error_of_other_arms_cm"] = result.best_validation_position_error_cm;
+    json["wall_time_s"] = result.wall_time_s;
+    print_result(flags, json,
+                 fmt::format("{}: a family of {} arms; on {} others, fitted to 20 s at most, the "
+                             "tip's error is {:.2f} cm, open loop. Next: limber adapt --model {} "
+                             "--recording MINUTE.h5 --out MINE.safetensors",
+                             out_, arms, data.validation.size(),
+                             result.best_validation_position_error_cm, out_));
+  }
+
+  static constexpr double kHeldBackShare = 0.05;
+
+  std::string arm_ = "three_segment";
+  std::string out_;
+  double hours_ = 12.0;
+  int size_ = 16;
+  int epochs_ = 300;
+  std::string variation_ = "wide";
+  bool resume_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> make_family_verb() {
+  return std::make_unique<FamilyVerb>();
+}
+
+}  // namespace limber
