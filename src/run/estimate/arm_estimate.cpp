@@ -32,10 +32,12 @@ Eigen::VectorXd gap_lengths_m(const ArmDescription& arm) {
   return lengths_m;
 }
 
+}  // namespace
+
 /// The arm as a model has it, from frame to frame.
-class Predicted {
+class PredictedState {
  public:
-  Predicted(const ArmDescription& arm, const EstimateModel& with)
+  PredictedState(const ArmDescription& arm, const EstimateModel& with)
       : model_(*with.model),
         pressure_lag_(model_.valves()),
         start_(with.filter_from),
@@ -97,7 +99,7 @@ class Predicted {
 };
 
 /// The frame of the set points that are next. @param pressure_kpa  measured in it
-void Predicted::take_next(const Pressures& pressure_kpa) {
+void PredictedState::take_next(const Pressures& pressure_kpa) {
   const Pressures& setpoint_kpa = coming_kpa_.front();
   const Eigen::Index n = setpoint_kpa.size();
   miss_.travelled_kpa += double((setpoint_kpa - valves_.segment(n, n)).cwiseAbs().sum());
@@ -105,7 +107,7 @@ void Predicted::take_next(const Pressures& pressure_kpa) {
   coming_kpa_.pop_front();
 }
 
-void Predicted::predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa) {
+void PredictedState::predict(const Pressures& setpoint_kpa, const Pressures& pressure_kpa) {
   const Eigen::Index n = setpoint_kpa.size();
   const Pressures before_kpa = valves_.head(n);
   model_.valves().step(setpoint_kpa, valves_);
@@ -123,7 +125,7 @@ void Predicted::predict(const Pressures& setpoint_kpa, const Pressures& pressure
 }
 
 /// @param is_later  than the shape before
-void Predicted::correct(const Backbone& measured, bool is_later) {
+void PredictedState::correct(const Backbone& measured, bool is_later) {
   if (state_ && is_later) {
     miss_.sum += numbers_of(tip_pose(measured)) - numbers_of(tip_pose(state_->backbone));
   }
@@ -138,7 +140,7 @@ void Predicted::correct(const Backbone& measured, bool is_later) {
   }
 }
 
-void Predicted::look_ahead() {
+void PredictedState::look_ahead() {
   const std::optional<MotionState> before = std::exchange(ahead_, state_);
   if (ahead_) {
     for (const Pressures& setpoint_kpa : coming_kpa_) {
@@ -147,8 +149,6 @@ void Predicted::look_ahead() {
     moved_m_ = before ? largest_plate_distance_m(before->backbone, ahead_->backbone) : 0.0;
   }
 }
-
-}  // namespace
 
 ArmStart start_at(const MotionState& state) {
   ArmStart start{state.pressure_kpa(), state.backbone};
@@ -172,7 +172,7 @@ struct ArmEstimate::Parts {
   ArmState measured;
   StateLag said_lag;
   RestAverage rest;
-  std::optional<Predicted> predicted;
+  std::optional<PredictedState> predicted;
 };
 
 ArmEstimate::ArmEstimate(const ArmDescription& arm, const EstimateModel& with)
