@@ -109,8 +109,8 @@ class FamilyVerb final : public Verb {
     return folder() / fmt::format("{}.h5", share.name);
   }
 
-  Recording record(const ArmDescription& arm, const PhysicsVariation& variation,
-                   const Share& share, const CommonFlags& flags) const {
+  Recording record(const ArmDescription& arm, const PhysicsVariation& variation, const Share& share,
+                   const CommonFlags& flags) const {
     ScheduleSettings schedule;
     schedule.kind = ScheduleKind::random;
     schedule.approach = share.approach;
