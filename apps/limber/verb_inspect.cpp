@@ -191,6 +191,21 @@ void add_what_is_known(const CompensationModel& model, Finding& finding) {
   }
 }
 
+void add_family(const CompensationModel& model, Finding& finding) {
+  finding.json["family"] = nullptr;
+  if (!model.family) {
+    return;
+  }
+  finding.json["family"] = {{"size", model.family->size()}, {"arms", model.family->arms.cols()}};
+  finding.text += fmt::format("\n  a family of {} arms, which {} numbers tell apart",
+                              model.family->arms.cols(), model.family->size());
+  if (const auto& member = model.member_of_family) {
+    finding.json["family"]["hash"] = member->family_hash;
+    finding.json["family"]["e"] = std::vector<float>(member->e.begin(), member->e.end());
+    finding.text += fmt::format("; this is the arm ({:.2f})", fmt::join(member->e, ", "));
+  }
+}
+
 Finding inspect_model(const std::string& file, const std::optional<ArmDescription>& arm) {
   const CompensationModel model = read_model(file);
   if (arm) {
@@ -226,6 +241,7 @@ Finding inspect_model(const std::string& file, const std::optional<ArmDescriptio
   for (const auto& [key, value] : model.training) {
     finding.text += fmt::format("\n  {}: {}", key, value);
   }
+  add_family(model, finding);
   if (model.learnt_from_setpoints) {
     finding.text += "\n  learnt from set points only: no valve model belongs before it";
   }

@@ -28,12 +28,12 @@ class FamilyOfPlays : public testing::Test {
     for (int i = 0; i < kArms; ++i) {
       const float play =
           kLeastPlayKpa + (kMostPlayKpa - kLeastPlayKpa) * static_cast<float>(i) / (kArms - 1);
-      data.training.push_back(toy_episode(arm(), 12, 20, static_cast<std::uint64_t>(i), play));
+      data.training.push_back(toy_episode(arm(), 24, 20, static_cast<std::uint64_t>(i), play));
     }
     TrainingSettings settings = best_preset();
     settings.family_size = 2;
     settings.hidden_units = {32, 32};
-    settings.stages = {{2, 32, 30}, {8, 16, 30}, {32, 8, 20}};
+    settings.stages = {{2, 32, 60}, {8, 16, 80}, {32, 16, 80}};
     result_ = new TrainingResult(train(arm(), data, settings));
   }
   static void TearDownTestSuite() {

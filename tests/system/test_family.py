@@ -1,0 +1,105 @@
+"""`limber family`, `train --family` and `limber adapt`: one network for many arms becomes one arm's."""
+
+import json
+import signal
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, InFolder
+from test_plan import PILLAR
+
+ARM = ("--arm", "two_segment")
+SMALL = ("--hours", 0.25, "--epochs", 60, "--family-size", 3, "--vary-physics", 1.5)
+
+
+class Family(InFolder):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.made = {}
+
+    def setUp(self):
+        super().setUp()
+        for name, command in (
+            ("family.safetensors", ("family", *ARM, *SMALL)),
+            ("minute.h5", ("collect", *ARM, "--schedule", "identify", "--seed", 5)),
+        ):
+            path = self.folder / name
+            if name in self.made:
+                path.write_bytes(self.made[name])
+            else:
+                self.run_limber(*command, "--out", name)
+                self.made[name] = path.read_bytes()
+
+    def adapt(self, *arguments, code=0):
+        return self.run_json("adapt", *ARM, "--model", "family.safetensors", "--recording", "minute.h5",
+                             "--out", "mine.safetensors", *arguments, code=code)
+
+    def test_a_minute_makes_it_one_arms(self):
+        found = self.adapt()
+        self.assertEqual(len(found["e"]), 3)
+        self.assertGreater(found["seconds"], 45)
+        self.assertAlmostEqual(found["held_back_s"], found["seconds"] / 5, delta=0.1)
+        errors = found["error_cm"]
+        self.assertLess(errors["e_alone"], errors["family_middle"])
+        self.assertLess(found["uncertainty"]["mean"], 0.7)
+        model = self.run_json("inspect", "mine.safetensors")
+        self.assertEqual(model["family"]["e"], found["e"])
+        environment = self.write("e.yaml", json.dumps({**PILLAR, "obstacles": []}))
+        self.run_json("plan", *ARM, "--model", "mine.safetensors", "--environment", environment,
+                      "--max-queries", 20000, "--goal-margin-m", 0, "--margin-m", 0, "--out", "p.json")
+        self.run_json("verify", *ARM, "--model", "mine.safetensors", "--environment", environment,
+                      "--plan", "p.json")
+
+    def test_its_vector_is_fitted_again_from_its_own_file(self):
+        first = self.adapt("--weights", "never")
+        again = self.run_json("adapt", *ARM, "--model", "mine.safetensors", "--recording", "minute.h5",
+                              "--weights", "never", "--out", "again.safetensors")
+        for one, other in zip(first["e"], again["e"]):
+            self.assertAlmostEqual(one, other, places=2)
+        self.assertEqual(self.run_json("inspect", "again.safetensors")["family"]["hash"],
+                         self.run_json("inspect", "mine.safetensors")["family"]["hash"])
+
+    def test_a_family_is_refused_where_one_arm_is_asked_for(self):
+        environment = self.write("e.yaml", json.dumps(PILLAR))
+        for command in (("plan", "--environment", environment), ("evaluate", "--data", "minute.h5"),
+                        ("export", "family.safetensors", "--onnx", "x.onnx")):
+            arguments = command if command[0] == "export" else (*command, "--model", "family.safetensors")
+            error = self.run_limber(*arguments, *(ARM if command[0] != "export" else ()), code=2).stderr
+            self.assertIn("family.safetensors: a family of", error)
+            self.assertIn("limber adapt --model family.safetensors", error)
+        self.run_limber("train", *ARM, "--data", "minute.h5", "--epochs", 3, "--out", "one.safetensors")
+        error = self.run_limber("adapt", *ARM, "--model", "one.safetensors", "--recording", "minute.h5",
+                                "--out", "x.safetensors", code=2).stderr
+        self.assertIn("one.safetensors: a network of one arm", error)
+
+    def test_recordings_of_five_builds_make_one_too(self):
+        for build in range(5):
+            self.run_limber("collect", *ARM, "--vary-physics", 1.5, "--schedule", "identify", "--seed",
+                            90 + build, "--out", f"build_{build}.h5")
+        data = [part for build in range(5) for part in ("--data", f"build_{build}.h5")]
+        self.run_limber("train", *ARM, "--family", "--family-size", 2, *data, "--epochs", 30, "--out",
+                        "five.safetensors")
+        self.assertEqual(self.run_json("inspect", "five.safetensors")["family"]["arms"], 5)
+        found = self.run_json("adapt", *ARM, "--model", "five.safetensors", "--recording", "minute.h5",
+                              "--weights", "never", "--out", "x.safetensors")
+        self.assertEqual(len(found["e"]), 2)
+
+    def test_a_stopped_run_goes_on_to_the_same_bytes(self):
+        process = subprocess.Popen(
+            [PROGRAM, "family", *map(str, (*ARM, *SMALL)), "--out", "stopped.safetensors"],
+            cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(1.5)
+        process.send_signal(signal.SIGINT)
+        self.assertNotEqual(process.wait(timeout=60), 0)
+        error = self.run_limber("family", *ARM, *SMALL, "--out", "stopped.safetensors", code=2).stderr
+        self.assertIn("--resume goes on with it", error)
+        self.run_limber("family", *ARM, *SMALL, "--out", "stopped.safetensors", "--resume")
+        self.assertEqual((self.folder / "stopped.safetensors").read_bytes(),
+                         self.made["family.safetensors"])
+        self.assertFalse((self.folder / "stopped.safetensors.parts").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
