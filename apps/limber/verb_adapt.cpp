@@ -91,6 +91,7 @@ class AdaptVerb final : public Verb {
     nlohmann::ordered_json json;
     json["file"] = out_;
     json["seconds"] = done.seconds;
+    json["moving_s"] = done.moving_s;
     json["held_back_s"] = done.held_back_s;
     json["error_cm"] = {{"family_middle", cm_or_null(done.middle_error_m)},
                         {"e_alone", cm_or_null(done.fitted_error_m)},
@@ -114,7 +115,8 @@ class AdaptVerb final : public Verb {
   }
 
   std::string to_text(const Adaptation& done, const ArmDescription& arm) const {
-    std::string text = fmt::format("{}: fitted to {:.0f} s", out_, done.seconds);
+    std::string text = fmt::format("{}: fitted to {:.0f} s, of which the arm moved in {:.0f}", out_,
+                                   done.seconds, done.moving_s);
     if (done.held_back_s > 0.0) {
       text += fmt::format(
           "; tip error over the last {:.0f} s, held back, open loop: {:.2f} cm, of the family's "

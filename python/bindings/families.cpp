@@ -20,6 +20,7 @@ void bind_adaptation(py::module_& module) {
             "What became of a family's network, and what its recording told. Errors are those of "
             "the tip over the seconds held back, the recording's last fifth, open loop.")
       .read_only("seconds", &A::seconds, "Recorded [s].")
+      .read_only("moving_s", &A::moving_s, "Of these, in which the arm moved [s].")
       .read_only("held_back_s", &A::held_back_s, "Of these, held back [s]; 0: too few.")
       .read_only("middle_error_m", &A::middle_error_m, "Of the family's middle [m].")
       .read_only("fitted_error_m", &A::fitted_error_m, "Of the arm's vector alone [m].")

@@ -10,6 +10,54 @@ from .controller import Controller
 
 __version__: str
 
+class Adaptation:
+    """What became of a family's network, and what its recording told. Errors are those of the tip over the seconds held back, the recording's last fifth, open loop."""
+    @property
+    def seconds(self) -> float:
+        """Recorded [s]."""
+    @property
+    def moving_s(self) -> float:
+        """Of these, in which the arm moved [s]."""
+    @property
+    def held_back_s(self) -> float:
+        """Of these, held back [s]; 0: too few."""
+    @property
+    def middle_error_m(self) -> float:
+        """Of the family's middle [m]."""
+    @property
+    def fitted_error_m(self) -> float:
+        """Of the arm's vector alone [m]."""
+    @property
+    def trained_error_m(self) -> float:
+        """With weights trained too [m]; NaN where none were."""
+    @property
+    def family_error_m(self) -> float:
+        """Of arms of the family, as its record has it [m]; NaN: not known."""
+    @property
+    def distance(self) -> float:
+        """From the family's middle; about 1 for an arm of the family."""
+    @property
+    def distance_to_nearest(self) -> float:
+        """The same from the nearest arm that the family learnt from."""
+    @property
+    def uncertainty(self) -> float:
+        """Share of the family's spread that is left."""
+    @property
+    def largest_uncertainty(self) -> float:
+        """The same of what the recording tells least about."""
+    @property
+    def has_trained_weights(self) -> bool:
+        """Whether `model` has weights of its own."""
+    @property
+    def is_of_family(self) -> bool:
+        """Whether the family contains the arm."""
+    @property
+    def tells_too_little(self) -> bool:
+        """Whether the recording moved too little to tell."""
+    @property
+    def model(self) -> CompensationModel:
+        """CompensationModel of the arm, an ordinary one."""
+
 class Approach:
     """How set points go to the next configuration."""
     step: Approach
@@ -1739,6 +1787,11 @@ class TrainingData:
     @unseen.setter
     def unseen(self, value: Iterable[Episode]) -> None: ...
     @property
+    def arms(self) -> list[int]:
+        """For a family: the arm of each training episode, from 0; empty: each one of its own. A copy; assign whole lists."""
+    @arms.setter
+    def arms(self, value: list[int]) -> None: ...
+    @property
     def held_back(self) -> list[int]:
         """Numbers, from 0, of the episodes given to hold_back_validation that validate."""
     def __init__(self, training: Iterable[Episode], validation: Iterable[Episode] = ..., replay: Iterable[Episode] = ..., unseen: Iterable[Episode] = ...) -> None:
@@ -1861,6 +1914,11 @@ class TrainingSettings:
     @shift_windows.setter
     def shift_windows(self, value: bool) -> None: ...
     @property
+    def family_size(self) -> int:
+        """Numbers that say which of a family's arms it is, 0 to 64; 0: the network is one arm's."""
+    @family_size.setter
+    def family_size(self, value: int) -> None: ...
+    @property
     def ensemble(self) -> int:
         """Networks trained together, each from its own weights, 1 to 64."""
     @ensemble.setter
@@ -1908,8 +1966,8 @@ class TrainingSettings:
     @property
     def epoch_count(self) -> int:
         """Epochs of all stages together."""
-    def __init__(self, *, preset: str = ..., layout: BackboneLayout = ..., form: OutputForm = ..., reads_velocity: bool = ..., hidden_units: list[int] = ..., scaling: Scaling = ..., reduction: LossReduction = ..., stages: list[TrainingStage] = ..., optimiser: Optimiser = ..., learning_rate: float = ..., cosine_decay: bool = ..., gradient_norm_limit: float = ..., growth_limit: float = ..., average_decay: float = ..., input_noise: float = ..., shift_windows: bool = ..., ensemble: int = ..., replay_share: float = ..., seed: int = ..., jobs: int = ..., time_limit_s: float = ..., validation_interval: int = ..., checkpoint: str | os.PathLike[str] = ..., checkpoint_interval_s: float = ..., resume: bool = ...) -> None:
-        """Fields are keyword arguments, all optional. The defaults: TrainingSettings(preset='best', layout=<BackboneLayout.gap_poses: 1>, form=<OutputForm.gated_change: 1>, reads_velocity=True, hidden_units=[100, 100, 100], scaling=<Scaling.unit_spread: 1>, reduction=<LossReduction.mean_over_batch: 1>, stages=[], optimiser=<Optimiser.adam: 1>, learning_rate=0.003, cosine_decay=True, gradient_norm_limit=0.0, growth_limit=0.0, average_decay=0.0, input_noise=0.0, shift_windows=True, ensemble=1, replay_share=0.25, seed=1, jobs=0, time_limit_s=0.0, validation_interval=1, checkpoint=PosixPath('.'), checkpoint_interval_s=20.0, resume=False)."""
+    def __init__(self, *, preset: str = ..., layout: BackboneLayout = ..., form: OutputForm = ..., reads_velocity: bool = ..., hidden_units: list[int] = ..., scaling: Scaling = ..., reduction: LossReduction = ..., stages: list[TrainingStage] = ..., optimiser: Optimiser = ..., learning_rate: float = ..., cosine_decay: bool = ..., gradient_norm_limit: float = ..., growth_limit: float = ..., average_decay: float = ..., input_noise: float = ..., shift_windows: bool = ..., family_size: int = ..., ensemble: int = ..., replay_share: float = ..., seed: int = ..., jobs: int = ..., time_limit_s: float = ..., validation_interval: int = ..., checkpoint: str | os.PathLike[str] = ..., checkpoint_interval_s: float = ..., resume: bool = ...) -> None:
+        """Fields are keyword arguments, all optional. The defaults: TrainingSettings(preset='best', layout=<BackboneLayout.gap_poses: 1>, form=<OutputForm.gated_change: 1>, reads_velocity=True, hidden_units=[100, 100, 100], scaling=<Scaling.unit_spread: 1>, reduction=<LossReduction.mean_over_batch: 1>, stages=[], optimiser=<Optimiser.adam: 1>, learning_rate=0.003, cosine_decay=True, gradient_norm_limit=0.0, growth_limit=0.0, average_decay=0.0, input_noise=0.0, shift_windows=True, family_size=0, ensemble=1, replay_share=0.25, seed=1, jobs=0, time_limit_s=0.0, validation_interval=1, checkpoint=PosixPath('.'), checkpoint_interval_s=20.0, resume=False)."""
 
 class TrainingStage:
     """A part of training, windows of one length."""
@@ -2101,6 +2159,9 @@ class WindowsTried:
     def window_600_cm(self) -> float:
         """The same over 600 frames [cm]. What decides: sqrt(window_32_cm * window_600_cm)."""
 
+def adapt(arm: ArmDescription, family: CompensationModel, episodes: Iterable[Episode], train_weights: bool = True, seed: int = 1, jobs: int = 0) -> Adaptation:
+    """Makes a family's network that of the arm in these episodes, of which a minute is enough: an Adaptation, whose model plans like any other. train_weights: whether weights are trained too where the family does not contain the arm and that is better. jobs: threads, 0: one per core. Raises InputError where the model is of no family, or the episodes are another arm's or too short."""
+
 def arm_differences(there: ArmDescription, here: ArmDescription) -> list[str]:
     """Keys in which the arms differ, with both values; empty where they are the same arm."""
 
@@ -2182,6 +2243,9 @@ def fitted_arm(arm: ArmDescription, fit: SimpleFit, episodes: Iterable[Episode])
 def gap_bounds_of(episodes: Iterable[Episode]) -> GapBounds:
     """The bounds of a model that learnt from these episodes, for the model.bounds of an old one."""
 
+def hold_back_arms(episodes: Iterable[Episode], arms: Sequence[int], fraction: float, seed: int) -> TrainingData:
+    """TrainingData for a family: the episodes of about `fraction` of the arms are held back for validation, none of fewer than ten. arms: the arm of each episode, any numbers."""
+
 def hold_back_unseen(data: TrainingData, fraction: float, seed: int) -> None:
     """Moves about `fraction` of the frames, in [0, 1), from data.training to data.unseen, for note_unseen to measure the error on: whole episodes chosen by `seed`, or the end of the longest. `data` is changed; where it is too short, nothing is moved. Call it after hold_back_validation."""
 
@@ -2199,6 +2263,9 @@ def import_motive(logs: Sequence[str | os.PathLike[str]] | str | os.PathLike[str
 
 def inspect(recording: Recording, arm: ArmDescription | None = None, file: str = 'recording') -> str:
     """What a recording holds and what is odd about it, a text. arm: gives the limits, None: the largest set points stand for them; file: its name in messages."""
+
+def is_family(model: CompensationModel) -> bool:
+    """Whether a model is a family's, which adapt makes one arm's."""
 
 def is_within(goal: PoseGoal, error: PoseError) -> bool:
     """Whether both numbers of a PoseError are within the goal's tolerances."""

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 
+#include "limber/arm/plate_distance.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/number_text.hpp"
@@ -30,6 +31,7 @@ constexpr int kLeastFrames = 40;  // of all: less is no motion
 constexpr int kMinHeldBackFrames = 40;
 constexpr int kHeldBackPieceFrames = 600;
 constexpr double kTooWrong = 1.5;  // times the error of the family's own arms: it is none of them
+constexpr double kMovedM = 0.001;  // in a frame: less is a tracker's noise, or rest
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Of all episodes together, the end.
@@ -63,6 +65,18 @@ Halves split(const std::vector<Episode>& episodes) {
   return halves;
 }
 
+int moving_frames(const Episode& episode) {
+  int count = 0;
+  for (int t = 1; t < episode.frame_count(); ++t) {
+    count += episode.was_tracked(t) && episode.was_tracked(t - 1) &&
+                     largest_plate_distance_m(backbone_at(episode.backbone, t),
+                                              backbone_at(episode.backbone, t - 1)) > kMovedM
+                 ? 1
+                 : 0;
+  }
+  return count;
+}
+
 /// The error of its own arms that a family's record gives.
 double family_error_m(const CompensationModel& family) {
   const auto found = family.training.find("validation_position_error_cm");
@@ -87,6 +101,7 @@ class Adapter {
     note_uncertainty(result);
     for (const Episode& episode : episodes) {
       result.seconds += episode.frame_count() * arm_.frame_period_s();
+      result.moving_s += moving_frames(episode) * arm_.frame_period_s();
     }
     result.family_error_m = family_error_m(family_);
     result.middle_error_m = result.fitted_error_m = result.trained_error_m = kUnknown;

@@ -28,6 +28,7 @@ struct AdaptationSettings {
 struct Adaptation {
   CompensationModel model;           ///< of this arm, an ordinary one
   double seconds = 0.0;              ///< recorded, tracked or not
+  double moving_s = 0.0;             ///< … in which a plate moved by over 1 mm a frame
   double held_back_s = 0.0;          ///< 0: too little was recorded to hold some back
   double middle_error_m = 0.0;       ///< of the family's middle; these three NaN without held back
   double fitted_error_m = 0.0;       ///< of e alone
@@ -39,10 +40,13 @@ struct Adaptation {
   double largest_uncertainty = 0.0;  ///< … of what the recording tells least about
   bool has_trained_weights = false;  ///< `model` has weights of its own
   bool is_of_family() const { return distance <= kFarFromFamily && !has_trained_weights; }
-  /// The motions told too little: some direction of e is hardly better known than before.
-  bool tells_too_little() const { return largest_uncertainty > kHardlyKnown; }
+  /// The arm hardly moved, or some direction of e is hardly better known than before.
+  bool tells_too_little() const {
+    return moving_s < kLeastMovingS || largest_uncertainty > kHardlyKnown;
+  }
 
   static constexpr double kFarFromFamily = 2.0;
+  static constexpr double kLeastMovingS = 4.0;
   static constexpr double kHardlyKnown = 0.7;
 };
 
