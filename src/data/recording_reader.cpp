@@ -209,6 +209,21 @@ class Reader {
     return count;
   }
 
+  /// Integers and IEEE's floats of the usual sizes. A damaged type may be larger than its chunks
+  /// hold, and HDF5 reads beyond them without a check.
+  static bool is_number_of_machines(const H5::DataType& type) {
+    const H5T_class_t kind = type.getClass();
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
+      return false;
+    }
+    static const std::vector<hid_t> known = {
+        H5T_STD_I8LE,  H5T_STD_I16LE,  H5T_STD_I32LE,  H5T_STD_I64LE,  H5T_STD_I8BE,
+        H5T_STD_I16BE, H5T_STD_I32BE,  H5T_STD_I64BE,  H5T_STD_U8LE,   H5T_STD_U16LE,
+        H5T_STD_U32LE, H5T_STD_U64LE,  H5T_STD_U8BE,   H5T_STD_U16BE,  H5T_STD_U32BE,
+        H5T_STD_U64BE, H5T_IEEE_F32LE, H5T_IEEE_F64LE, H5T_IEEE_F32BE, H5T_IEEE_F64BE};
+    return std::ranges::any_of(known, [&](hid_t one) { return H5Tequal(type.getId(), one) > 0; });
+  }
+
   /// A data set that exists, holds numbers and has the dimensions wanted (0: any).
   H5::DataSet data_set(const std::string& path, const Shape& wanted, const char* meaning,
                        const char* unit) const {
@@ -216,9 +231,8 @@ class Reader {
       refuse(path, fmt::format("data set missing; expected {}", meaning));
     }
     H5::DataSet found = file_.openDataSet(path);
-    const H5T_class_t kind = found.getTypeClass();
-    if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
-      refuse(path, fmt::format("holds no numbers; expected {}", meaning));
+    if (!is_number_of_machines(found.getDataType())) {
+      refuse(path, fmt::format("holds no numbers that a machine has; expected {}", meaning));
     }
     const H5::DataSpace space = found.getSpace();
     const int rank = space.getSimpleExtentNdims();
