@@ -10,7 +10,6 @@
 #include "limber/common/units.hpp"
 #include "limber/network/arm_family.hpp"
 #include "limber/training/adaptation.hpp"
-#include "limber/training/unseen_error.hpp"
 #include "recording_kinds.hpp"
 #include "verbs.hpp"
 

@@ -6,8 +6,6 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
-#include "limber/common/units.hpp"
-#include "limber/report/training_report.hpp"
 #include "limber/sim/related_arms.hpp"
 #include "limber/training/trainer.hpp"
 #include "limber/training/unseen_error.hpp"

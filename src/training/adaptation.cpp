@@ -40,12 +40,16 @@ struct Halves {
   std::vector<Episode> held_back;
 };
 
-Halves split(const std::vector<Episode>& episodes) {
+int frames_in(const std::vector<Episode>& episodes) {
   int frames = 0;
   for (const Episode& episode : episodes) {
     frames += episode.frame_count();
   }
-  int left = static_cast<int>(std::lround(kHeldBackShare * frames));
+  return frames;
+}
+
+Halves split(const std::vector<Episode>& episodes) {
+  int left = static_cast<int>(std::lround(kHeldBackShare * frames_in(episodes)));
   Halves halves{episodes, {}};
   if (left < kMinHeldBackFrames) {
     return halves;
@@ -99,8 +103,8 @@ class Adapter {
     result.distance = whole.distance;
     result.distance_to_nearest = whole.distance_to_nearest;
     note_uncertainty(result);
+    result.seconds = frames_in(episodes) * arm_.frame_period_s();
     for (const Episode& episode : episodes) {
-      result.seconds += episode.frame_count() * arm_.frame_period_s();
       result.moving_s += moving_frames(episode) * arm_.frame_period_s();
     }
     result.family_error_m = family_error_m(family_);
@@ -117,9 +121,7 @@ class Adapter {
 
  private:
   ArmFit fitted_to(const std::vector<Episode>& episodes) const {
-    ArmFitSettings settings;
-    settings.jobs = settings_.jobs;
-    return fit_arm(arm_, family_, episodes, settings);
+    return fit_arm(arm_, family_, episodes, settings_.jobs);
   }
 
   double error_on(const CompensationModel& model, const std::vector<Episode>& episodes) const {
@@ -139,9 +141,7 @@ class Adapter {
   /// What the seconds held back say, and the weights that they ask for.
   void judge(const Halves& halves, const std::vector<Episode>& episodes,
              const IdentifiedValves& valves, Adaptation& result) const {
-    for (const Episode& episode : halves.held_back) {
-      result.held_back_s += episode.frame_count() * arm_.frame_period_s();
-    }
+    result.held_back_s = frames_in(halves.held_back) * arm_.frame_period_s();
     CompensationModel before = fitted_to(halves.seen).model;
     result.middle_error_m = error_on(family_, halves.held_back);
     result.fitted_error_m = error_on(before, halves.held_back);
@@ -198,10 +198,7 @@ class Adapter {
 
 Adaptation adapt(const ArmDescription& arm, const CompensationModel& family,
                  const std::vector<Episode>& episodes, const AdaptationSettings& settings) {
-  int frames = 0;
-  for (const Episode& episode : episodes) {
-    frames += episode.frame_count();
-  }
+  const int frames = frames_in(episodes);
   if (frames < kLeastFrames) {
     throw InputError(fmt::format(
         "{} frames in {} episodes are too few to tell which arm it is; expected {} at least, "

@@ -23,6 +23,7 @@ namespace limber {
 
 namespace {
 
+constexpr int kFitWindowFrames = 64;  // that are predicted without correction
 constexpr int kStarts = 32;  // of the family's arms, from which the best one is gone on from
 constexpr int kMaxIterations = 12;
 constexpr double kMinGain = 1e-3;            // of the cost, relative: less is the end
@@ -40,12 +41,12 @@ constexpr int kMinRestFrames = 20;
 class Windows {
  public:
   Windows(const ArmDescription& arm, const CompensationModel& family,
-          const std::vector<Episode>& episodes, const ArmFitSettings& settings)
+          const std::vector<Episode>& episodes, int jobs)
       : arm_(arm),
         family_(family_of(family)),
         episodes_(episodes),
-        pieces_(pieces_of_length(episodes, settings.window_frames)),
-        jobs_(settings.jobs) {
+        pieces_(pieces_of_length(episodes, kFitWindowFrames)),
+        jobs_(jobs) {
     for (const RolloutPiece& piece : pieces_) {
       const Episode& episode = episodes_[static_cast<std::size_t>(piece.episode)];
       for (int t = piece.first + 1; t <= piece.first + piece.frames; ++t) {
@@ -61,7 +62,6 @@ class Windows {
   }
 
   int size() const { return family_.family->size(); }
-  Eigen::Index frames() const { return frames_; }
   Eigen::Index plates() const { return arm_.point_count() - 1; }
   const CompensationModel& family() const { return family_; }
 
@@ -92,14 +92,6 @@ class Windows {
     return result.array().isFinite().select(result, static_cast<float>(kLostM));
   }
 
-  double mean_tip_error_m(const Eigen::Matrix2Xf& offsets) const {
-    double sum = 0.0;
-    for (Eigen::Index tip = plates() - 1; tip < offsets.cols(); tip += plates()) {
-      sum += static_cast<double>(offsets.col(tip).norm());
-    }
-    return sum / static_cast<double>(frames_);
-  }
-
  private:
   const ArmDescription& arm_;
   CompensationModel family_;
@@ -116,7 +108,6 @@ class Fit {
       : windows_(windows), e_(std::move(e)), offsets_(windows.offsets(e_)) {}
 
   const Eigen::VectorXf& e() const { return e_; }
-  const Eigen::Matrix2Xf& offsets() const { return offsets_; }
   double cost() const { return cost_of(e_, offsets_); }
 
   /// One step downhill. False where there is none, or hardly any.
@@ -197,12 +188,10 @@ class Fit {
 };
 
 /// The best of the family's middle and some of its arms.
-Eigen::VectorXf best_start(const Windows& windows, double& middle_error_m) {
+Eigen::VectorXf best_start(const Windows& windows) {
   const Eigen::MatrixXf& arms = windows.family().family->arms;
   Eigen::VectorXf best = Eigen::VectorXf::Zero(windows.size());
-  const Eigen::Matrix2Xf middle = windows.offsets(best);
-  middle_error_m = windows.mean_tip_error_m(middle);
-  float least = middle.colwise().norm().mean();
+  float least = windows.offsets(best).colwise().norm().mean();
   const Eigen::Index stride = std::max<Eigen::Index>(arms.cols() / kStarts, 1);
   for (Eigen::Index arm = 0; arm < arms.cols(); arm += stride) {
     const float error = windows.offsets(arms.col(arm)).colwise().norm().mean();
@@ -217,20 +206,15 @@ Eigen::VectorXf best_start(const Windows& windows, double& middle_error_m) {
 }  // namespace
 
 ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
-               const std::vector<Episode>& episodes, const ArmFitSettings& settings) {
+               const std::vector<Episode>& episodes, int jobs) {
   require_family(family, "the family");
   require_model_of(family, arm, "the family");
   require_kind_learnt(family, episodes);
-  const Windows windows(arm, family, episodes, settings);
-  ArmFit result;
-  Fit fit(windows, best_start(windows, result.middle_error_m));
-  while (result.iterations < kMaxIterations) {
-    ++result.iterations;
-    if (!fit.improve()) {
-      break;
-    }
+  const Windows windows(arm, family, episodes, jobs);
+  Fit fit(windows, best_start(windows));
+  for (int k = 0; k < kMaxIterations && fit.improve(); ++k) {
   }
-  result.error_m = windows.mean_tip_error_m(fit.offsets());
+  ArmFit result;
   result.model = model_of_arm(family, {"", fit.e(), fit.covariance()});
   const float root = std::sqrt(static_cast<float>(windows.size()));
   result.distance = static_cast<double>(fit.e().norm() / root);
@@ -252,10 +236,8 @@ double error_on_other_arms_m(const ArmDescription& arm, const CompensationModel&
       }
       const std::vector<Episode> first = {slice(episode, 0, seen)};
       const std::vector<Episode> rest = {slice(episode, seen, episode.frame_count() - seen)};
-      ArmFitSettings settings;
-      settings.jobs = 1;
-      const ForwardModel forward(
-          arm, is_family(model) ? fit_arm(arm, model, first, settings).model : model);
+      const ForwardModel forward(arm,
+                                 is_family(model) ? fit_arm(arm, model, first, 1).model : model);
       const std::vector<RolloutPiece> pieces = pieces_of_length(rest, kPieceFrames);
       errors[i] = mean_tip_error_m(roll_out(forward, rest, pieces, 1), rest, pieces);
     });

@@ -9,20 +9,12 @@
 
 namespace limber {
 
-struct ArmFitSettings {
-  int window_frames = 64;  ///< that are predicted without correction, ≥ 1
-  int jobs = 0;            ///< threads, 0: one per core; never changes a result
-};
-
 /// Which arm of a family was recorded: e with the smallest error of predictions over windows of
 /// frames, and how sure that is (docs/families.md).
 struct ArmFit {
   CompensationModel model;           ///< of that arm, without a record of this fit
-  double middle_error_m = 0.0;       ///< mean tip error over the windows, of the family's middle
-  double error_m = 0.0;              ///< … and of `model`
   double distance = 0.0;             ///< |e| / √k: about 1 for an arm of the family
   double distance_to_nearest = 0.0;  ///< the same from the nearest arm that it learnt from
-  int iterations = 0;
 };
 
 /// Least squares with a prior that is the family's own spread, by Gauss–Newton; errors beyond a few
@@ -31,7 +23,7 @@ struct ArmFit {
 /// @throws InputError if the model is of no family, the episodes are another arm's or hold no
 /// tracked window.
 ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
-               const std::vector<Episode>& episodes, const ArmFitSettings& settings = {});
+               const std::vector<Episode>& episodes, int jobs = 0);
 
 /// How well a family does on arms that it did not learn from: each episode's arm is fitted to its
 /// first kFitFrames frames, or its first half where it is shorter; the error is that of the tip
