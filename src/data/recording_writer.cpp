@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,26 @@ H5::StrType text_type(const std::string& text) {
   return type;
 }
 
+/// Without times of day, equal recordings are equal bytes.
+template <class Properties>
+Properties without_times(Properties properties) {
+  H5Pset_obj_track_times(properties.getId(), false);
+  return properties;
+}
+
+/// C++ has no way to say how a group is made.
+H5::Group make_group(const H5::H5File& file, const std::string& path) {
+  const H5::PropList how = without_times(H5::PropList(H5P_GROUP_CREATE));
+  const hid_t made =
+      H5Gcreate2(file.getId(), path.c_str(), H5P_DEFAULT, how.getId(), H5P_DEFAULT);
+  if (made < 0) {
+    throw H5::GroupIException("make_group", "H5Gcreate2 failed");
+  }
+  H5::Group group(made);
+  H5Idec_ref(made);  // the group holds it
+  return group;
+}
+
 void write_attribute(const H5::H5Object& object, const char* name, const std::string& text) {
   const H5::StrType type = text_type(text);
   object.createAttribute(name, type, H5::DataSpace()).write(type, text);
@@ -36,13 +57,11 @@ void write_attribute(const H5::H5Object& object, const char* name, const std::st
 
 /// Data set properties: in chunks that are deflated, with checksums.
 H5::DSetCreatPropList compressed(const Shape& chunk) {
-  H5::DSetCreatPropList properties;
+  H5::DSetCreatPropList properties = without_times(H5::DSetCreatPropList());
   properties.setChunk(static_cast<int>(chunk.size()), chunk.data());
   properties.setShuffle();
   properties.setDeflate(kDeflateLevel);
   properties.setFletcher32();
-  // Without times of day, equal recordings are equal bytes.
-  H5Pset_obj_track_times(properties.getId(), false);
   return properties;
 }
 
@@ -99,12 +118,7 @@ void write_episode(const H5::Group& group, const Episode& episode, const Recordi
   }
 }
 
-/// The whole file, made in memory, so that HDF5 never meets a full disk. After one it can neither
-/// close its file nor end the process properly.
-std::string file_image(const Recording& recording) {
-  H5::FileAccPropList in_memory;
-  in_memory.setCore(kMemoryStep, false);
-  H5::H5File file(kNoFile, H5F_ACC_TRUNC, H5::FileCreatPropList::DEFAULT, in_memory);
+void write_all(const H5::H5File& file, const Recording& recording) {
   write_text(file, "schema", kRecordingSchema);
   write_text(file, "arm_name", recording.arm_name);
   write_text(file, "arm_hash", recording.arm_hash);
@@ -125,17 +139,58 @@ std::string file_image(const Recording& recording) {
   write_number(file, "segments", H5::PredType::NATIVE_INT, recording.segment_count);
   write_number(file, "points", H5::PredType::NATIVE_INT, recording.point_count);
   write_number(file, "seed", H5::PredType::NATIVE_UINT64, recording.seed);
-  file.createGroup("episodes");
+  make_group(file, "episodes");
   for (std::size_t i = 0; i < recording.episodes.size(); ++i) {
-    write_episode(file.createGroup(episode_path(i)), recording.episodes[i], recording);
+    write_episode(make_group(file, episode_path(i)), recording.episodes[i], recording);
   }
+}
+
+/// Gives HDF5 the memory of a text to keep its file in. @return null where there is no more
+void* resize_image(void* /*old*/, std::size_t size, H5FD_file_image_op_t /*why*/, void* image) {
+  auto& bytes = *static_cast<std::string*>(image);
+  try {
+    bytes.resize(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+  return bytes.data();
+}
+
+herr_t keep_image(void* /*memory*/, H5FD_file_image_op_t /*why*/, void* /*image*/) { return 0; }
+void* same_image(void* image) { return image; }
+herr_t nothing_to_free(void* /*image*/) { return 0; }
+
+/// The whole file, made in memory, so that HDF5 never meets a full disk. After one it can neither
+/// close its file nor end the process properly.
+std::string file_image(const Recording& recording) {
+  std::string image;
+  H5FD_file_image_callbacks_t memory{};
+  memory.image_realloc = resize_image;
+  memory.image_free = keep_image;  // the text outlives the file that is closed in it
+  memory.udata_copy = same_image;
+  memory.udata_free = nothing_to_free;
+  memory.udata = &image;
+  H5::FileAccPropList in_memory;
+  in_memory.setCore(kMemoryStep, false);
+  if (H5Pset_file_image_callbacks(in_memory.getId(), &memory) < 0) {
+    throw H5::FileIException("file_image", "H5Pset_file_image_callbacks failed");
+  }
+  // HDF5 believes what a file says of its own structure, and crashes where that is damaged. In this
+  // format every piece of it has a checksum.
+  in_memory.setLibverBounds(H5F_LIBVER_V110, H5F_LIBVER_V110);
+  // No space is set aside: what HDF5 gives back as it closes the file would be left behind its end.
+  H5Pset_meta_block_size(in_memory.getId(), 0);
+  H5Pset_small_data_block_size(in_memory.getId(), 0);
+  const auto how = without_times(H5::FileCreatPropList());
+  H5::H5File file(kNoFile, H5F_ACC_TRUNC, how, in_memory);
+  write_all(file, recording);
   file.flush(H5F_SCOPE_GLOBAL);
   const ssize_t size = H5Fget_file_image(file.getId(), nullptr, 0);
-  std::string image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
-  if (size <= 0 || H5Fget_file_image(file.getId(), image.data(), image.size()) != size) {
+  if (size <= 0) {
     throw H5::FileIException("file_image", "H5Fget_file_image failed");
   }
   file.close();
+  image.resize(static_cast<std::size_t>(size));  // HDF5 took its memory by steps
   return image;
 }
 
