@@ -28,7 +28,7 @@ def build_with_cmake():
 
 
 class BuildWithModule(build_py):
-    """The package with its compiled module, and the arms and environments that limber comes with."""
+    """The package with its compiled module, and the arms, environments and families that limber comes with."""
 
     def run(self):
         super().run()
@@ -41,7 +41,7 @@ class BuildWithModule(build_py):
                 shutil.copy2(module, package)
         if not list(package.glob("_limber*.so")):
             raise SystemExit(f"{folder} holds no Python module; it needs pybind11-dev, python3-dev")
-        for data in ("arms", "environments"):
+        for data in ("arms", "environments", "families"):
             shutil.copytree(ROOT / data, package / "data" / data, dirs_exist_ok=True)
 
 

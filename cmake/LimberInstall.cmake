@@ -13,7 +13,7 @@ foreach(module IN LISTS LIMBER_MODULES)
             COMPONENT dev)
   endif()
 endforeach()
-install(DIRECTORY arms environments DESTINATION ${CMAKE_INSTALL_DATADIR}/limber COMPONENT runtime)
+install(DIRECTORY arms environments families DESTINATION ${CMAKE_INSTALL_DATADIR}/limber COMPONENT runtime)
 install(FILES LICENSE README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(EXPORT limberTargets NAMESPACE limber:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/limber
         COMPONENT dev)

@@ -23,9 +23,7 @@ std::vector<Episode> episodes_of(const BoundModelRequest& request, const ArmDesc
       Recording recording = read_recording(path);
       require_recording_of(recording, arm, path);
       std::move(recording.episodes.begin(), recording.episodes.end(), std::back_inserter(episodes));
-      sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ",
-                             std::filesystem::path(path).filename().string(),
-                             content_hash(read_file(path)));
+      add_source(sources, path);
     }
   }
   return episodes;

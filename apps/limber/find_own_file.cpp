@@ -1,5 +1,7 @@
 #include <filesystem>
 
+#include "limber/common/atomic_file.hpp"
+#include "limber/common/content_hash.hpp"
 #include "limber/common/data_folder.hpp"
 #include "limber/common/error.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
@@ -11,13 +13,13 @@ namespace {
 
 /// The file given, or limber's own file of this name in `folder`.
 std::string find_own_file(const std::string& name_or_path, const char* folder,
-                          const char* complaint) {
+                          const char* ending, const char* complaint) {
   namespace fs = std::filesystem;
   std::error_code error;  // of a name that is too long, or in a folder that is closed to us
   if (fs::is_regular_file(name_or_path, error)) {
     return name_or_path;
   }
-  const fs::path own = data_folder() / folder / (name_or_path + ".yaml");
+  const fs::path own = data_folder() / folder / (name_or_path + ending);
   if (name_or_path.find('/') == std::string::npos && fs::exists(own, error)) {
     return own.string();
   }
@@ -27,7 +29,7 @@ std::string find_own_file(const std::string& name_or_path, const char* folder,
 }  // namespace
 
 std::string find_arm_file(const std::string& name_or_path) {
-  return find_own_file(name_or_path, "arms",
+  return find_own_file(name_or_path, "arms", ".yaml",
                        "--arm {}: no such file, and none of limber's own arms has that name "
                        "(three_segment, two_segment, five_segment, motor_driven, uneven_limits)");
 }
@@ -40,8 +42,19 @@ ArmDescription load_asked_arm(const std::string& name_or_path, PolynomialsOf pol
 
 std::string find_environment_file(const std::string& name_or_path) {
   return find_own_file(
-      name_or_path, "environments",
+      name_or_path, "environments", ".yaml",
       "--environment {}: no such file, and none of limber's own environments has that name");
+}
+
+void add_source(std::string& sources, const std::filesystem::path& path) {
+  sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ", path.filename().string(),
+                         content_hash(read_file(path)));
+}
+
+std::string find_family_file(const std::string& name_or_path) {
+  return find_own_file(name_or_path, "families", ".safetensors",
+                       "--model {}: no such file, and none of limber's own families has that name "
+                       "(three_segment, two_segment)");
 }
 
 }  // namespace limber

@@ -69,5 +69,9 @@ ArmDescription load_asked_arm(const std::string& name_or_path,
 
 /// Path of an environment file, found the same way ("01_pillar" in environments/).
 std::string find_environment_file(const std::string& name_or_path);
+std::string find_family_file(const std::string& name_or_path);
+
+/// Adds "FILE HASH" to what a model says that it learnt from.
+void add_source(std::string& sources, const std::filesystem::path& path);
 
 }  // namespace limber

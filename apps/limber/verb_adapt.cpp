@@ -37,8 +37,8 @@ class AdaptVerb final : public Verb {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
     app.add_option("--model", family_file_,
-                   "Family, as limber family or train --family makes it; or a model of adapt's, "
-                   "whose family it is then")
+                   "Family, as limber family or train --family makes it, or the name of one of limber's "
+                   "own; or a model of adapt's, whose family it is then")
         ->required();
     app.add_option("--recording", recordings_, "Motions of the arm; repeat for more")->required();
     app.add_option("--weights", settings_.weights,
@@ -52,6 +52,7 @@ class AdaptVerb final : public Verb {
 
   int run(const CommonFlags& flags) override {
     refuse_to_overwrite(out_, flags.force);
+    family_file_ = find_family_file(family_file_);
     const ArmDescription arm = load_asked_arm(arm_);
     const CompensationModel family = read_model(family_file_);
     require_family(family, family_file_);
@@ -61,9 +62,7 @@ class AdaptVerb final : public Verb {
     for (const std::string& path : recordings_) {
       Recording recording = kinds.read(path, arm, family.learnt_from_setpoints);
       std::ranges::move(recording.episodes, std::back_inserter(episodes));
-      sources += fmt::format("{}{} {}", sources.empty() ? "" : ", ",
-                             std::filesystem::path(path).filename().string(),
-                             content_hash(read_file(path)));
+      add_source(sources, path);
     }
     settings_.seed = flags.seed;
     settings_.jobs = flags.jobs;

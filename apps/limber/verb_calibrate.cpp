@@ -4,6 +4,7 @@
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
 #include "limber/lab/tube_calibration.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "model_flags.hpp"
 #include "verbs.hpp"
@@ -28,7 +29,7 @@ class CalibrateVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
-    app.add_option("--model", model_file_, "Network model to calibrate")->required();
+    app.add_option("--model", model_file_, "Network model to calibrate, or a family: its tube holds for arms adapted to it")->required();
     model_.add_valves_to(app);
     ensemble_.add_to(app);
     app.add_option("--out", out_, "The model with its tube (safetensors)");
@@ -61,12 +62,13 @@ class CalibrateVerb final : public Verb {
     app.add_option("--folder", folder_,
                    "Folder of finished runs and evidence; by default OUT.calibration");
     app.add_flag("--resume", settings_.resume, "Go on with the finished runs in --folder");
+    add_family_flags(app);
     add_check_flags(app);
   }
 
   int run(const CommonFlags& flags) override {
     const ArmDescription arm = load_asked_arm(arm_);
-    CompensationModel model = ensemble_.read(model_file_);
+    CompensationModel model = read();
     require_model_of(model, arm, model_file_);
     if (check_runs_ > 0) {
       return check(arm, std::move(model), flags);
@@ -83,6 +85,15 @@ class CalibrateVerb final : public Verb {
   }
 
  private:
+  void add_family_flags(CLI::App& app) {
+    app.add_option("--vary-physics", variation_,
+                   "Of a family: how the arms differ that it is calibrated on; else as those that "
+                   "it learnt from");
+    app.add_option("--identify-s", seconds_,
+                   "Of a family: seconds of motion that each arm is known by; else 60")
+        ->check(CLI::Range(2.0, 60.0));
+  }
+
   void add_check_flags(CLI::App& app) {
     app.add_option("--check", check_runs_,
                    "Calibrate nothing: measure the coverage of the model's own tube on so many "
@@ -97,11 +108,37 @@ class CalibrateVerb final : public Verb {
         ->check(CLI::Range(0.1, 10.0));
   }
 
+  /// A family is calibrated over arms that it has not seen.
+  CompensationModel read() {
+    CompensationModel model = read_model(model_file_);
+    if (!is_family(model)) {
+      if (variation_ || seconds_) {
+        throw InputError(fmt::format("--vary-physics and --identify-s are for families; {} is one "
+                                     "arm's",
+                                     model_file_));
+      }
+      return ensemble_.read(model_file_);
+    }
+    if (!recordings_.empty() || disturbed()) {
+      throw InputError(
+          fmt::format("{}: a family's tube is calibrated on virtual arms that vary; --recordings "
+                      "and disturbances are for one arm's",
+                      model_file_));
+    }
+    const auto learnt = model.training.find("physics");
+    settings_.runs.unseen.emplace();
+    settings_.runs.unseen->variation = parse_physics_variation(
+        variation_.value_or(learnt == model.training.end() ? "wide" : learnt->second));
+    settings_.runs.unseen->seconds = seconds_.value_or(settings_.runs.unseen->seconds);
+    return model;
+  }
+
   bool disturbed() const { return friction_ != 1.0 || load_kg_ != 0.0 || strength_ != 1.0; }
 
   TubeRunSettings run_settings(const ArmDescription& arm, CompensationModel model,
                                const CommonFlags& flags) const {
     TubeRunSettings runs;
+    runs.unseen = settings_.runs.unseen;
     runs.arm = arm;
     runs.executed_arm = arm;
     if (disturbed()) {
@@ -111,7 +148,9 @@ class CalibrateVerb final : public Verb {
         parameters.actuator_gain *= strength_;
       });
     }
-    runs.valves = model_.valves(arm, &model);
+    if (!runs.unseen) {
+      runs.valves = model_.valves(arm, &model);
+    }
     runs.model = std::move(model);
     runs.limits = limits_;
     if (!limits_.queries && !limits_.time_s) {
@@ -173,7 +212,8 @@ class CalibrateVerb final : public Verb {
           fmt::format("--tube {}: {} carries {}", *level_, model_file_, names_of_levels(tube)));
     }
     const TubeRunSettings settings = run_settings(arm, std::move(model), flags);
-    const TubePhase phase{"check", check_runs_, &tube, level->factor};
+    const TubePhase phase{"check", check_runs_, &tube, level->factor,
+                          settings.unseen ? expected_error_of_tube_m(settings.model) : 0.0};
     nlohmann::ordered_json json = {{"level", level->level}, {"seed", flags.seed}};
     json.update(to_json(run_tube_phase(settings, phase, nullptr), level->factor));
     const auto& coverage = json["coverage"];
@@ -203,6 +243,8 @@ class CalibrateVerb final : public Verb {
   CalibrationSettings settings_;
   int check_runs_ = 0;
   std::optional<double> level_;
+  std::optional<std::string> variation_;
+  std::optional<double> seconds_;
   double friction_ = 1.0;
   double load_kg_ = 0.0;
   double strength_ = 1.0;

@@ -56,8 +56,12 @@ class FamilyVerb final : public Verb {
     app.add_option("--family-size", size_, "Numbers that say which of its arms it is")
         ->check(CLI::Range(1, ArmFamily::kMaxSize))
         ->capture_default_str();
+    app.add_option("--hidden", hidden_,
+                   "Units of each hidden layer; more tell more arms apart, and predict slower")
+        ->check(CLI::Range(1, 4096))
+        ->default_str("100 100 100");
     app.add_option("--epochs", epochs_, "Epochs of training in all")
-        ->check(CLI::Range(3, 10'000'000))
+        ->check(CLI::Range(1, 10'000'000))
         ->capture_default_str();
     app.add_option("--vary-physics", variation_,
                    "How arms differ, as of limber collect: wide, or a factor")
@@ -132,9 +136,13 @@ class FamilyVerb final : public Verb {
 
   TrainingSettings settings(const CommonFlags& flags) const {
     TrainingSettings settings = best_preset();
+    set_window_frames(settings, {kWindowFrames});
     set_epoch_count(settings, epochs_);
     settings.family_size = size_;
-    settings.validation_interval = 10;
+    if (!hidden_.empty()) {
+      settings.hidden_units = hidden_;
+    }
+    settings.validation_interval = kValidationInterval;
     settings.seed = flags.seed;
     settings.jobs = flags.jobs;
     settings.progress = flags.progress();
@@ -163,12 +171,15 @@ class FamilyVerb final : public Verb {
                              result.best_validation_position_error_cm, out_));
   }
 
-  static constexpr double kHeldBackShare = 0.05;
+  static constexpr double kHeldBackShare = 0.03;
+  static constexpr int kValidationInterval = 25;  // epochs: every arm held back is fitted each time
+  static constexpr int kWindowFrames = 32;        // shorter ones don't tell arms apart
 
   std::string arm_ = "three_segment";
   std::string out_;
-  double hours_ = 12.0;
+  double hours_ = 18.0;
   int size_ = 16;
+  std::vector<int> hidden_;
   int epochs_ = 300;
   std::string variation_ = "wide";
   bool resume_ = false;

@@ -298,8 +298,7 @@ class TrainVerb final : public Verb {
         add_arms_of(recording, *arms);
       }
       all.add(file, std::move(recording.episodes));
-      sources +=
-          fmt::format("{}{} {}", sources.empty() ? "" : ", ", file, content_hash(read_file(path)));
+      add_source(sources, path);
     }
     return all;
   }

@@ -1,13 +1,19 @@
 #include "limber/network/arm_family.hpp"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "limber/common/error.hpp"
+#include "limber/common/number_text.hpp"
+#include "limber/common/units.hpp"
 #include "refusal.hpp"
 
 namespace limber {
 
 namespace {
+
+constexpr const char* kTubeErrorKey = "tube_error_cm";
 
 void add_share(CompensationModel& model, const Eigen::VectorXf& e, float sign) {
   model.layers.front().bias += sign * (model.family->columns * e);
@@ -61,6 +67,26 @@ CompensationModel family_of(CompensationModel model) {
     model.tube.reset();
   }
   return model;
+}
+
+Tube scaled(Tube tube, double times) {
+  for (double& scale_m : tube.plate_scale_m) {
+    scale_m *= times;
+  }
+  tube.end_scale_m *= times;
+  tube.end_heading_scale_rad *= times;
+  return tube;
+}
+
+double expected_error_of_tube_m(const CompensationModel& family) {
+  const auto found = family.training.find(kTubeErrorKey);
+  const std::optional<double> error_cm =
+      found == family.training.end() ? std::nullopt : number_in<double>(found->second);
+  return error_cm ? *error_cm / kCmPerM : std::numeric_limits<double>::quiet_NaN();
+}
+
+void note_expected_error_of_tube(CompensationModel& family, double error_m) {
+  family.training[kTubeErrorKey] = fmt::format("{}", kCmPerM * error_m);
 }
 
 void require_family(const CompensationModel& model, const std::string& where) {

@@ -25,12 +25,6 @@ constexpr std::uint64_t kPhysicsStream = 0x706879ULL << 32;
 constexpr std::uint32_t kStrengthSeeds = 1'000'000'000;
 constexpr const char* kWide = "wide";
 
-/// For what a recording says of its settings.
-std::string describe(const PhysicsVariation& variation) {
-  const auto* by = std::get_if<PhysicsFactor>(&variation);
-  return by == nullptr ? kWide : fmt::format("by up to {}", by->factor);
-}
-
 // Powers of the factor: how little is known of each.
 constexpr double kFriction = 1.0;
 constexpr double kMaterial = 0.6;
@@ -123,6 +117,11 @@ PhysicsVariation parse_physics_variation(const std::string& text) {
   return PhysicsFactor{*factor};
 }
 
+std::string describe(const PhysicsVariation& variation) {
+  const auto* by = std::get_if<PhysicsFactor>(&variation);
+  return by == nullptr ? kWide : fmt::format("by up to {}", by->factor);
+}
+
 VirtualArmParameters related_physics(const VirtualArmParameters& of,
                                      const PhysicsVariation& variation, std::uint64_t seed,
                                      std::uint64_t number) {
@@ -133,14 +132,20 @@ VirtualArmParameters related_physics(const VirtualArmParameters& of,
   return physics;
 }
 
+ArmDescription with_related_physics(const ArmDescription& arm, const PhysicsVariation& variation,
+                                    std::uint64_t seed, std::uint64_t number) {
+  ArmDescription relative = arm;
+  change_virtual_arm(relative, [&](VirtualArmParameters& physics) {
+    physics = related_physics(physics, variation, seed, number);
+  });
+  return relative;
+}
+
 DriverFactory related_arm_factory(const ArmDescription& arm, const VirtualArmOptions& options,
                                   const PhysicsVariation& variation) {
   return [arm, options, variation](int index) {
     const auto number = static_cast<std::uint64_t>(index);
-    ArmDescription relative = arm;
-    change_virtual_arm(relative, [&](VirtualArmParameters& physics) {
-      physics = related_physics(physics, variation, options.seed, number);
-    });
+    const ArmDescription relative = with_related_physics(arm, variation, options.seed, number);
     VirtualArmOptions own = options;
     own.stream = number;
     return std::make_unique<VirtualArm>(relative, own);

@@ -101,6 +101,7 @@ class Adapter {
     Adaptation result;
     result.model = whole.model;
     result.distance = whole.distance;
+    result.expected_error_m = whole.expected_error_m;
     result.distance_to_nearest = whole.distance_to_nearest;
     note_uncertainty(result);
     result.seconds = frames_in(episodes) * arm_.frame_period_s();
@@ -115,6 +116,10 @@ class Adapter {
     }
     if (!result.model.learnt_from_setpoints) {
       result.model.set_valves(valves);
+    }
+    if (const double usual_m = expected_error_of_tube_m(family_);
+        family_.tube && usual_m > 0.0 && !result.has_trained_weights) {
+      result.model.tube = scaled(*family_.tube, result.expected_error_m / usual_m);
     }
     return result;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -24,7 +26,8 @@ namespace limber {
 namespace {
 
 constexpr int kFitWindowFrames = 64;  // that are predicted without correction
-constexpr int kStarts = 32;  // of the family's arms, from which the best one is gone on from
+constexpr int kStarts = 32;    // of the family's arms
+constexpr int kGoneOnFrom = 4;  // of those and the middle, the best: the cost has several minima
 constexpr int kMaxIterations = 12;
 constexpr double kMinGain = 1e-3;            // of the cost, relative: less is the end
 constexpr float kStep = 0.05F;               // of e, for derivatives
@@ -105,10 +108,12 @@ class Windows {
 class Fit {
  public:
   Fit(const Windows& windows, Eigen::VectorXf e)
-      : windows_(windows), e_(std::move(e)), offsets_(windows.offsets(e_)) {}
+      : windows_(&windows), e_(std::move(e)), offsets_(windows.offsets(e_)) {}
 
   const Eigen::VectorXf& e() const { return e_; }
   double cost() const { return cost_of(e_, offsets_); }
+  /// With fits from other starts: their costs are measured by errors of their own.
+  double comparable_cost() const { return offsets_.colwise().norm().mean(); }
 
   /// One step downhill. False where there is none, or hardly any.
   bool improve() {
@@ -117,9 +122,9 @@ class Fit {
     const double before = cost();
     for (double damping = damping_; damping < kMaxDamping; damping *= 10.0) {
       const Eigen::VectorXf next =
-          e_ - damped_solve(precision_, gradient_, damping * precision_.trace() / windows_.size())
+          e_ - damped_solve(precision_, gradient_, damping * precision_.trace() / windows_->size())
                    .cast<float>();
-      Eigen::Matrix2Xf offsets = windows_.offsets(next);
+      Eigen::Matrix2Xf offsets = windows_->offsets(next);
       const double after = cost_of(next, offsets);
       if (after < before) {
         e_ = next;
@@ -136,14 +141,30 @@ class Fit {
     scale_m_ = mean_length_m();
     linearise();
     return precision_.ldlt()
-        .solve(Eigen::MatrixXd::Identity(windows_.size(), windows_.size()))
+        .solve(Eigen::MatrixXd::Identity(windows_->size(), windows_->size()))
         .cast<float>();
+  }
+
+  /// ArmFit::expected_error_m. @pre covariance() was asked last
+  double expected_error_m(const Eigen::MatrixXf& covariance) const {
+    const Eigen::Index plates = windows_->plates();
+    const Eigen::Index frames = offsets_.cols() / plates;
+    double left_m = 0.0;
+    double variance_m2 = 0.0;
+    for (Eigen::Index frame = 0; frame < frames; ++frame) {
+      const Eigen::Index tip = (frame + 1) * plates - 1;
+      const auto slope = slope_.middleRows<2>(2 * tip);
+      left_m += static_cast<double>(offsets_.col(tip).norm());
+      variance_m2 += static_cast<double>((slope * covariance).cwiseProduct(slope).sum());
+    }
+    const auto count = static_cast<double>(frames);
+    return std::hypot(left_m / count, std::sqrt(variance_m2 / count));
   }
 
  private:
   /// Of one frame, as its plates' mean, beside the prior's |e|² / 2.
   double share() const {
-    return 1.0 / (kIndependentFrames * scale_m_ * static_cast<double>(windows_.plates()));
+    return 1.0 / (kIndependentFrames * scale_m_ * static_cast<double>(windows_->plates()));
   }
 
   double cost_of(const Eigen::VectorXf& e, const Eigen::Matrix2Xf& offsets) const {
@@ -160,47 +181,72 @@ class Fit {
   }
 
   void linearise() {
-    const int size = windows_.size();
+    const int size = windows_->size();
     const Eigen::Index numbers = offsets_.size();
-    Eigen::MatrixXf slope(numbers, size);
+    slope_.resize(numbers, size);
     for (int i = 0; i < size; ++i) {
       const Eigen::VectorXf shifted = e_ + kStep * Eigen::VectorXf::Unit(size, i);
-      slope.col(i) = (windows_.offsets(shifted) - offsets_).reshaped() / kStep;
+      slope_.col(i) = (windows_->offsets(shifted) - offsets_).reshaped() / kStep;
     }
     const Eigen::ArrayXf length = offsets_.colwise().norm();
     const Eigen::ArrayXf weight =
         static_cast<float>(share()) / length.max(static_cast<float>(kSquareUpToM));
     Eigen::VectorXf weights(numbers);
     weights.reshaped(2, length.size()).rowwise() = weight.matrix().transpose();
-    const Eigen::MatrixXf weighted = weights.asDiagonal() * slope;
+    const Eigen::MatrixXf weighted = weights.asDiagonal() * slope_;
     precision_ =
-        (slope.transpose() * weighted).cast<double>() + Eigen::MatrixXd::Identity(size, size);
+        (slope_.transpose() * weighted).cast<double>() + Eigen::MatrixXd::Identity(size, size);
     gradient_ = (weighted.transpose() * offsets_.reshaped() + e_).cast<double>();
   }
 
-  const Windows& windows_;
+  const Windows* windows_;
   Eigen::VectorXf e_;
   Eigen::Matrix2Xf offsets_;
   double scale_m_ = kLeastErrorM;  // mean error: what an error is measured by
   double damping_ = kFirstDamping;
+  Eigen::MatrixXf slope_;  // of the offsets, in e
   Eigen::MatrixXd precision_;
   Eigen::VectorXd gradient_;
 };
 
 /// The best of the family's middle and some of its arms.
-Eigen::VectorXf best_start(const Windows& windows) {
+std::vector<Eigen::VectorXf> best_starts(const Windows& windows) {
   const Eigen::MatrixXf& arms = windows.family().family->arms;
-  Eigen::VectorXf best = Eigen::VectorXf::Zero(windows.size());
-  float least = windows.offsets(best).colwise().norm().mean();
+  std::vector<std::pair<float, Eigen::VectorXf>> starts;
+  const auto add = [&](const Eigen::VectorXf& e) {
+    starts.emplace_back(windows.offsets(e).colwise().norm().mean(), e);
+  };
+  add(Eigen::VectorXf::Zero(windows.size()));
   const Eigen::Index stride = std::max<Eigen::Index>(arms.cols() / kStarts, 1);
   for (Eigen::Index arm = 0; arm < arms.cols(); arm += stride) {
-    const float error = windows.offsets(arms.col(arm)).colwise().norm().mean();
-    if (error < least) {
-      least = error;
-      best = arms.col(arm);
-    }
+    add(arms.col(arm));
+  }
+  std::ranges::stable_sort(starts, {}, &std::pair<float, Eigen::VectorXf>::first);
+  starts.resize(std::min<std::size_t>(starts.size(), kGoneOnFrom));
+  std::vector<Eigen::VectorXf> best;
+  for (auto& [error, e] : starts) {
+    best.push_back(std::move(e));
   }
   return best;
+}
+
+Fit fitted_from(const Windows& windows, Eigen::VectorXf start) {
+  Fit fit(windows, std::move(start));
+  for (int k = 0; k < kMaxIterations && fit.improve(); ++k) {
+  }
+  return fit;
+}
+
+/// The lowest minimum that was found.
+Fit best_fit(const Windows& windows) {
+  std::optional<Fit> best;
+  for (Eigen::VectorXf& start : best_starts(windows)) {
+    Fit fit = fitted_from(windows, std::move(start));
+    if (!best || fit.comparable_cost() < best->comparable_cost()) {
+      best.emplace(std::move(fit));
+    }
+  }
+  return std::move(*best);
 }
 
 }  // namespace
@@ -211,11 +257,11 @@ ArmFit fit_arm(const ArmDescription& arm, const CompensationModel& family,
   require_model_of(family, arm, "the family");
   require_kind_learnt(family, episodes);
   const Windows windows(arm, family, episodes, jobs);
-  Fit fit(windows, best_start(windows));
-  for (int k = 0; k < kMaxIterations && fit.improve(); ++k) {
-  }
+  Fit fit = best_fit(windows);
   ArmFit result;
-  result.model = model_of_arm(family, {"", fit.e(), fit.covariance()});
+  const Eigen::MatrixXf covariance = fit.covariance();
+  result.expected_error_m = fit.expected_error_m(covariance);
+  result.model = model_of_arm(family, {"", fit.e(), covariance});
   const float root = std::sqrt(static_cast<float>(windows.size()));
   result.distance = static_cast<double>(fit.e().norm() / root);
   result.distance_to_nearest = static_cast<double>(

@@ -74,6 +74,15 @@ class Family(InFolder):
                                 "--out", "x.safetensors", code=2).stderr
         self.assertIn("one.safetensors: a network of one arm", error)
 
+    def test_limbers_own_is_found_by_its_name(self):
+        found = self.run_json("adapt", *ARM, "--model", "two_segment", "--recording", "minute.h5",
+                              "--out", "mine.safetensors")
+        self.assertLess(found["error_cm"]["e_alone"], 1.0)
+        self.assertTrue(found["of_family"])
+        error = self.run_limber("adapt", *ARM, "--model", "six_segment", "--recording", "minute.h5",
+                                "--out", "x.safetensors", code=2).stderr
+        self.assertIn("--model six_segment: no such file, and none of limber's own families", error)
+
     def test_recordings_of_five_builds_make_one_too(self):
         for build in range(5):
             self.run_limber("collect", *ARM, "--vary-physics", 1.5, "--schedule", "identify", "--seed",

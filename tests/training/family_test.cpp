@@ -134,6 +134,31 @@ TEST_F(FamilyOfPlays, AdaptIsTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(one.model.prediction_error);
 }
 
+TEST_F(FamilyOfPlays, ItsTubeIsWiderForAnArmThatItPredictsWorse) {
+  CompensationModel with_tube = family();
+  with_tube.tube.emplace();
+  with_tube.tube->plate_scale_m.assign(static_cast<std::size_t>(arm().point_count()), 0.01);
+  with_tube.tube->end_scale_m = 0.02;
+  with_tube.tube->end_heading_scale_rad = 0.1;
+  with_tube.tube->levels.push_back({0.95, 1.2, 100, 1, 0.95});
+  constexpr double kUsualM = 0.005;
+  note_expected_error_of_tube(with_tube, kUsualM);
+  AdaptationSettings settings;
+  settings.weights = AdaptWeights::never;
+  const Adaptation inside = adapt(arm(), with_tube, motions_of(20.0F, 30, 700), settings);
+  std::vector<Episode> weak = motions_of(20.0F, 30, 700);
+  weak.front().pressure_kpa *= 1.5F;  // as if it bent less than any arm of the family
+  const Adaptation outside = adapt(arm(), with_tube, weak, settings);
+  EXPECT_GT(outside.expected_error_m, 1.5 * inside.expected_error_m);
+  EXPECT_GE(inside.expected_error_m, 0.5 * inside.fitted_error_m);
+  for (const Adaptation& done : {inside, outside}) {
+    ASSERT_TRUE(done.model.tube);
+    EXPECT_NEAR(done.model.tube->end_scale_m, 0.02 * done.expected_error_m / kUsualM, 1e-12);
+    EXPECT_NEAR(done.model.tube->plate_scale_m[3], 0.01 * done.expected_error_m / kUsualM, 1e-12);
+  }
+  EXPECT_FALSE(adapt(arm(), family(), motions_of(20.0F, 2, 700), settings).model.tube);
+}
+
 TEST_F(FamilyOfPlays, AnArmOutsideGetsWeightsOfItsOwnWhereThatIsBetter) {
   const Adaptation done = adapt(arm(), family(), motions_of(90.0F, 30, 600));
   EXPECT_FALSE(done.is_of_family());

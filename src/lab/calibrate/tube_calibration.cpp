@@ -15,6 +15,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/json_reader.hpp"
 #include "limber/common/version.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/report/evidence_page.hpp"
 #include "limber/sim/virtual_arm_parameters.hpp"
 #include "optional_json.hpp"
@@ -39,7 +40,7 @@ constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
 /// What has to be the same for runs of two starts to be one calibration.
 Json identity(const CalibrationSettings& settings) {
   const TubeRunSettings& runs = settings.runs;
-  return {{"schema", "limber/calibration/3"},
+  Json json = {{"schema", "limber/calibration/3"},
           {"ensemble", to_string(runs.model.answer)},
           {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
           {"virtual_arm", content_hash(virtual_arm_to_yaml(runs.executed_arm))},
@@ -54,6 +55,11 @@ Json identity(const CalibrationSettings& settings) {
           {"screen_runs", settings.screen_runs},
           {"test_runs", settings.test_runs},
           {"audit_runs", settings.audit_runs}};
+  if (runs.unseen) {
+    json["unseen_arms"] = {{"physics", describe(runs.unseen->variation)},
+                           {"seconds", runs.unseen->seconds}};
+  }
+  return json;
 }
 
 class Calibration {
@@ -76,6 +82,9 @@ class Calibration {
     if (!shape_.levels.empty()) {
       result_.model.tube = shape_;
       evidence_["tube"] = to_json(shape_);
+      if (expected_error_m_ > 0.0) {
+        note_expected_error_of_tube(result_.model, expected_error_m_);
+      }
     }
     evidence_["failures"] = result_.failures;
     result_.evidence = evidence_;
@@ -125,8 +134,8 @@ class Calibration {
 
   TubeRuns run_phase(const std::string& name, int runs, const Tube* shape, double factor,
                      bool may_fall_short = false) {
-    const TubeRuns done =
-        run_tube_phase(settings_.runs, {name, runs, shape, factor, may_fall_short}, &*folder_);
+    const TubeRuns done = run_tube_phase(
+        settings_.runs, {name, runs, shape, factor, expected_error_m_, may_fall_short}, &*folder_);
     Json json = {{"phase", name}, {"factor", factor}};
     json.update(to_json(done, factor));
     if (shape == nullptr) {
@@ -138,8 +147,9 @@ class Calibration {
   }
 
   void find_shape() {
-    shape_ = tube_shape(run_phase("shape", settings_.scale_runs, nullptr, 0.0).errors(),
-                        usual_growth(settings_.runs.arm.length_m()));
+    const TubeRuns runs = run_phase("shape", settings_.scale_runs, nullptr, 0.0);
+    expected_error_m_ = runs.expected_error_m();
+    shape_ = tube_shape(runs.errors(), usual_growth(settings_.runs.arm.length_m()));
     shape_.answer = settings_.runs.model.answer;
     shape_.source = "virtual arm";
   }
@@ -247,6 +257,7 @@ class Calibration {
   const Json identity_;
   std::optional<OutputFolder> folder_;
   Tube shape_;
+  double expected_error_m_ = 0.0;  // of the arm whose tube is the shape; 0: of no family
   std::vector<std::optional<std::size_t>> candidates_;
   std::optional<std::size_t> widest_with_plans_;
   Json evidence_;

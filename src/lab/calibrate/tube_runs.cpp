@@ -3,6 +3,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,6 +19,7 @@
 #include "limber/common/units.hpp"
 #include "limber/lab/planning_experiment.hpp"
 #include "limber/lab/random_environment.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/sim/virtual_arm.hpp"
 
 namespace limber {
@@ -44,6 +47,9 @@ Json to_json(const TubeRun& run) {
                {"cost", run.cost_kpa},     {"first_solution_s", run.first_solution_s},
                {"tip_m", run.tip_m},       {"tip_radius_m", run.tip_radius_m},
                {"collided", run.collided}, {"reached", run.reached}};
+  if (run.expected_error_m > 0.0) {
+    json["expected_error_m"] = run.expected_error_m;
+  }
   if (run.errors) {
     json["plate_m"] = run.errors->plate_m;
     json["end_m"] = run.errors->end_m;
@@ -64,6 +70,9 @@ TubeRun read_tube_run(const JsonReader& json) {
   run.tip_radius_m = json.at("tip_radius_m").number(0.0);
   run.collided = json.at("collided").boolean();
   run.reached = json.at("reached").boolean();
+  if (json.has("expected_error_m")) {
+    run.expected_error_m = json.at("expected_error_m").number(0.0);
+  }
   if (json.has("plate_m")) {
     constexpr std::size_t kAny = std::string::npos;
     run.errors = MotionErrors{json.at("plate_m").numbers(kAny, "distances in metres", 0.0),
@@ -73,10 +82,11 @@ TubeRun read_tube_run(const JsonReader& json) {
 }
 
 /// The model that carries the tube under test, at a level of its own.
-CompensationModel with_tube(CompensationModel model, const TubePhase& phase) {
+/// @param width  of its tube beside the phase's
+CompensationModel with_tube(CompensationModel model, const TubePhase& phase, double width) {
   model.tube.reset();
   if (phase.shape != nullptr) {
-    model.tube = *phase.shape;
+    model.tube = scaled(*phase.shape, width);
     TubeLevel level;
     level.level = Tube::kDefaultLevel;
     level.factor = phase.factor;
@@ -86,19 +96,38 @@ CompensationModel with_tube(CompensationModel model, const TubePhase& phase) {
   return model;
 }
 
+/// What one run is made with: who plans, and who moves.
+struct RunModel {
+  RunModel(const ArmDescription& arm, ArmDescription executed, CompensationModel model,
+           const ValveParameters& valves)
+      : executed_arm(std::move(executed)),
+        forward(arm, std::move(model)),
+        motion(forward, ValveModel(arm, valves)) {}
+  RunModel(const RunModel&) = delete;  // motion refers to forward
+  RunModel& operator=(const RunModel&) = delete;
+
+  ArmDescription executed_arm;
+  ForwardModel forward;
+  MotionModel motion;
+  double expected_error_m = 0.0;
+};
+
 class PhaseRunner {
  public:
   PhaseRunner(const TubeRunSettings& settings, const TubePhase& phase, OutputFolder* folder)
       : settings_(settings),
         phase_(phase),
         folder_(folder),
-        forward_(settings.arm, with_tube(settings.model, phase)),
-        model_(forward_, ValveModel(settings.arm, settings.valves)),
         seed_(seed_of(phase.name, settings.seed)),
         block_size_(std::min(kBlock, phase.runs)) {
     trial_.limits = settings.limits;
     if (phase.shape != nullptr) {
       trial_.room.tube_level = Tube::kDefaultLevel;
+    }
+    if (!settings.unseen) {
+      same_for_all_ = std::make_unique<RunModel>(settings.arm, settings.executed_arm,
+                                                 with_tube(settings.model, phase, 1.0),
+                                                 settings.valves);
     }
   }
 
@@ -183,27 +212,49 @@ class PhaseRunner {
     return runs;
   }
 
+  std::unique_ptr<RunModel> adapted(std::uint64_t number) const {
+    UnseenArm unseen =
+        unseen_arm(settings_.arm, settings_.model, *settings_.unseen, seed_, number);
+    const double expected_m = unseen.adaptation.expected_error_m;
+    const double width =
+        phase_.expected_error_m > 0.0 ? expected_m / phase_.expected_error_m : 1.0;
+    const CompensationModel& model = unseen.adaptation.model;
+    auto result = std::make_unique<RunModel>(settings_.arm, std::move(unseen.arm),
+                                             with_tube(model, phase_, width),
+                                             model.identified_valves().parameters);
+    result->expected_error_m = expected_m;
+    return result;
+  }
+
   TubeRun make_run(std::uint64_t number) const {
+    if (same_for_all_) {
+      return make_run(*same_for_all_, number);
+    }
+    return make_run(*adapted(number), number);
+  }
+
+  TubeRun make_run(const RunModel& with, std::uint64_t number) const {
     TubeRun run;
     run.number = number;
+    run.expected_error_m = with.expected_error_m;
     const std::optional<RandomEnvironment> sampled =
-        random_environment(settings_.arm, model_, seed_, number);
+        random_environment(settings_.arm, with.motion, seed_, number);
     if (!sampled) {
       run.status = "no_environment";
       return run;
     }
     const EnvironmentCase item{std::to_string(number), sampled->environment};
-    PlanTrial trial = plan_trial(settings_.arm, model_, item, trial_, seed_ + number);
+    PlanTrial trial = plan_trial(settings_.arm, with.motion, item, trial_, seed_ + number);
     run.status = to_string(trial.planning.status);
     if (trial.solved()) {
-      execute_trial(settings_.executed_arm, item.environment, trial);
-      note_execution(trial, run);
+      execute_trial(with.executed_arm, item.environment, trial);
+      note_execution(trial, with, run);
     }
     return run;
   }
 
   /// A run that collides goes on to its end: the virtual arm feels no obstacle.
-  void note_execution(const PlanTrial& trial, TubeRun& run) const {
+  void note_execution(const PlanTrial& trial, const RunModel& with, TubeRun& run) const {
     const Plan& plan = *trial.planning.plan;
     const ExecutionResult& execution = *trial.execution;
     run.cost_kpa = plan.cost_kpa;
@@ -216,8 +267,8 @@ class PhaseRunner {
     run.reached = has_arrived(execution);
     run.tip_m = motion_errors(plan, execution.episode).plate_m.back();
     if (phase_.shape != nullptr) {
-      run.score = tube_score(plan, execution.episode, *phase_.shape);
-      const Tube& tube = *forward_.compensation().tube;
+      const Tube& tube = *with.forward.compensation().tube;
+      run.score = tube_score(plan, execution.episode, tube);
       run.tip_radius_m = mean_tip_radius_m(plan, tube, tube.levels.front());
     } else {
       run.errors = motion_errors(plan, execution.episode, usual_growth(settings_.arm.length_m()));
@@ -227,11 +278,10 @@ class PhaseRunner {
   const TubeRunSettings& settings_;
   const TubePhase& phase_;
   OutputFolder* folder_;
-  ForwardModel forward_;
-  MotionModel model_;
   std::uint64_t seed_;
   int block_size_;
   PlanTrialSettings trial_;
+  std::unique_ptr<RunModel> same_for_all_;  // null: each has its own
 };
 
 std::vector<double> of_executed(const std::vector<TubeRun>& runs, double TubeRun::*member) {
@@ -247,6 +297,16 @@ std::vector<double> of_executed(const std::vector<TubeRun>& runs, double TubeRun
 double mean_of(const std::vector<TubeRun>& runs, double TubeRun::*member) {
   const std::vector<double> values = of_executed(runs, member);
   return values.empty() ? 0.0 : mean(values);
+}
+
+/// Of an arm that is expected to be off by `times` as much.
+MotionErrors scaled(MotionErrors errors, double times) {
+  for (double& error_m : errors.plate_m) {
+    error_m *= times;
+  }
+  errors.end_m *= times;
+  errors.end_heading_rad *= times;
+  return errors;
 }
 
 int count_of(const std::vector<TubeRun>& runs, bool TubeRun::*member) {
@@ -273,13 +333,20 @@ int TubeRuns::outside(double factor) const {
 }
 
 std::vector<MotionErrors> TubeRuns::errors() const {
+  const double usual_m = expected_error_m();
   std::vector<MotionErrors> result;
   for (const TubeRun& run : all) {
     if (run.errors) {
-      result.push_back(*run.errors);
+      result.push_back(
+          scaled(*run.errors, usual_m > 0.0 ? usual_m / run.expected_error_m : 1.0));
     }
   }
   return result;
+}
+
+double TubeRuns::expected_error_m() const {
+  const std::vector<double> values = of_executed(all, &TubeRun::expected_error_m);
+  return values.empty() ? 0.0 : median(values);
 }
 
 TubeRuns run_tube_phase(const TubeRunSettings& settings, const TubePhase& phase,
@@ -304,6 +371,9 @@ Json to_json(const TubeRuns& runs, double factor) {
   const std::vector<double> first_s = of_executed(runs.all, &TubeRun::first_solution_s);
   json["first_solution_s_median"] = first_s.empty() ? 0.0 : median(first_s);
   json["mean_tip_radius_cm"] = kCmPerM * mean_of(runs.all, &TubeRun::tip_radius_m);
+  if (const double expected_m = runs.expected_error_m(); expected_m > 0.0) {
+    json["expected_error_cm_median"] = kCmPerM * expected_m;
+  }
   json["mean_largest_tip_error_cm"] = kCmPerM * mean_of(runs.all, &TubeRun::tip_m);
   json["collided"] = count_of(runs.all, &TubeRun::collided);
   json["reached"] = count_of(runs.all, &TubeRun::reached);

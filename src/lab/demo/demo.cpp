@@ -26,6 +26,7 @@ constexpr Stage kStages[] = {
     {"plan", "motions through obstacles with both models", plan_stage},
     {"execute", "the plans on the virtual arm", execute_stage},
     {"arrive", "plans and executions over planning time", arrival_stage},
+    {"adapt", "another arm in a minute: limber's family of arms", another_arm_stage},
 };
 
 // Written for every arm, so an existing file of this name is found before the work begins.

@@ -74,6 +74,7 @@ DemoRecipe full_recipe(const ArmDescription& arm) {
   recipe.validation_schedule = one_episode(60);
   recipe.unseen_schedule = unseen_motions(300);
   recipe.test_schedule = one_episode(100);
+  recipe.other_arm_test_schedule = one_episode(28);  // 100 s
   recipe.training = training_for(best_preset().epoch_count() / kNetworks);
   recipe.training.ensemble = kNetworks;
   // Those that leave room for the error of a network trained on three hours (docs/planning.md).
@@ -91,6 +92,7 @@ DemoRecipe quick_recipe(const ArmDescription& arm) {
   recipe.plans_per_environment = 1;
   recipe.arrival_times_s = {kFirstPlan, 0.1};
   recipe.arrival_random_environments = 0;
+  recipe.other_arms = 1;
   return recipe;
 }
 

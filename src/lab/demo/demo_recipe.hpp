@@ -32,6 +32,8 @@ struct DemoRecipe {
   /// Limits of plans that show what more time is good for [s], kFirstPlan: to the first plan.
   std::vector<double> arrival_times_s = {kFirstPlan, 0.1, 1.0, 10.0};
   int arrival_random_environments = 20;  ///< beside limber's own
+  int other_arms = 5;                    ///< that limber's family is adapted to
+  ScheduleSettings other_arm_test_schedule;
 };
 
 /// Everything, in under six minutes on two cores.

@@ -222,6 +222,33 @@ void planning(ReportPage& page, const DemoResults& results) {
       .figures(results.plan_pictures);
 }
 
+void other_arms(ReportPage& page, const DemoResults& results) {
+  if (results.other_arms.empty()) {
+    return;
+  }
+  page.heading("Another arm in a minute")
+      .paragraph(
+          "Arms of other friction, load, strength, valves and table, drawn by chance. The network "
+          "above learnt another arm, and is worth little on them. limber's family learnt from many "
+          "virtual arms; a minute of motion says which of them an arm is like (docs/families.md). "
+          "Mean tip error over other motions, open loop; then a plan in each of limber's own "
+          "environments with the adapted model, executed on that arm.");
+  ReportTable table;
+  table.header = {"arm",           "network above [cm]", "family, after 20 s [cm]",
+                  "after 60 s [cm]", "solved",           "arrived",
+                  "collided"};
+  int number = 0;
+  for (const OtherArmFigures& arm : results.other_arms) {
+    table.rows.push_back({std::to_string(++number), fmt::format("{:.1f}", arm.own_network_cm),
+                          fmt::format("{:.1f}", arm.after_20_s_cm),
+                          fmt::format("{:.1f}", arm.after_60_s_cm),
+                          fmt::format("{}/{}", arm.solved, arm.plans),
+                          fmt::format("{}/{}", arm.arrived, arm.solved),
+                          fmt::format("{}/{}", arm.collided, arm.solved)});
+  }
+  page.table(table);
+}
+
 ReportTable speed_table(const SpeedReport& speed) {
   ReportTable table;
   table.caption = fmt::format("Forward-model queries per second on {}", speed.cpu);
@@ -322,6 +349,7 @@ std::string demo_report(const DemoResults& results) {
   what_was_done(page, results);
   learning(page, results);
   planning(page, results);
+  other_arms(page, results);
   times(page, results);
   whats_next(page);
   return page.html();
@@ -340,6 +368,10 @@ nlohmann::ordered_json demo_summary(const DemoResults& results) {
   json["bench"] = to_json(results.speed);
   json["comparison"] = to_json(results.trials);
   json["arrivals"] = arrivals_to_json(results.arrivals);
+  json["other_arms"] = nlohmann::ordered_json::array();
+  for (const OtherArmFigures& arm : results.other_arms) {
+    json["other_arms"].push_back(to_json(arm));
+  }
   json["plans"] = nlohmann::ordered_json::array();
   json["executions"] = nlohmann::ordered_json::array();
   for (const PlanTrial& trial : results.trials) {

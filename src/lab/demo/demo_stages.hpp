@@ -33,6 +33,19 @@ struct Arrivals {
   SampleFigures distance_cm;  ///< of all runs, to the goal's centre
 };
 
+/// What limber's family comes to on an arm that nobody has recorded: errors of the tip over other
+/// motions, open loop, and what became of plans with the adapted model.
+struct OtherArmFigures {
+  double own_network_cm = 0.0;  ///< of the network that the demo trained on its own arm
+  double after_20_s_cm = 0.0;   ///< of the family, adapted to so much of that arm's motion
+  double after_60_s_cm = 0.0;
+  int plans = 0;  ///< after 60 s
+  int solved = 0;
+  int arrived = 0;
+  int collided = 0;
+};
+nlohmann::ordered_json to_json(const OtherArmFigures& figures);
+
 /// What the stages leave behind for each other and for the report. A stage reads what earlier ones
 /// have set.
 struct DemoResults {
@@ -67,6 +80,8 @@ struct DemoResults {
 
   std::vector<Arrivals> arrivals;  ///< group by group, over planning time
 
+  std::vector<OtherArmFigures> other_arms;  ///< none where limber has no family for the arm
+
   /// What motions are predicted with: the no-load model or the network, after the network's valves.
   MotionModel motion_model(const ForwardModel& forward) const;
   const Environment& environment(const std::string& id) const;
@@ -84,6 +99,8 @@ void plan_stage(DemoResults& results);
 void execute_stage(DemoResults& results);
 /// Plans and executes in limber's own and in random environments, over planning time.
 void arrival_stage(DemoResults& results);
+/// Adapts limber's family to other arms from a minute of their motion.
+void another_arm_stage(DemoResults& results);
 
 /// The page and the summary of a finished run.
 std::string demo_report(const DemoResults& results);

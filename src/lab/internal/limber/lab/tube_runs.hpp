@@ -11,6 +11,7 @@
 #include "limber/common/progress.hpp"
 #include "limber/lab/output_folder.hpp"
 #include "limber/lab/tube_score.hpp"
+#include "limber/lab/unseen_arm.hpp"
 #include "limber/planning/planner.hpp"
 
 namespace limber {
@@ -25,9 +26,11 @@ struct TubeRun {
   double first_solution_s = 0.0;
   double tip_m = 0.0;         ///< largest error of the tip
   double tip_radius_m = 0.0;  ///< of the tube that its plan kept, on average over its frames
+  /// Of a family's run: what its adaptation expected the tip to be off by; 0: of no family.
+  double expected_error_m = 0.0;
   bool collided = false;
   bool reached = false;  ///< ended in the goal, without collision
-  /// Kept where they give a tube its shape, which grows as usual_growth has it.
+  /// Kept where they give a tube its shape, which grows as usual_growth has it; as measured.
   std::optional<MotionErrors> errors;
 };
 
@@ -39,7 +42,10 @@ struct TubeRuns {
   int solved() const;
   /// Runs whose score exceeds the factor.
   int outside(double factor) const;
+  /// Of a family's runs, as if each arm were expected to be off by expected_error_m().
   std::vector<MotionErrors> errors() const;
+  /// The median over executed runs; 0: they are of no family.
+  double expected_error_m() const;
 };
 
 /// What a phase asks for.
@@ -48,6 +54,8 @@ struct TubePhase {
   int runs = 0;      ///< executed runs wanted, ≥ 1
   const Tube* shape = nullptr;  ///< null: plans keep what they keep without a tube
   double factor = 0.0;
+  /// Of a family's `shape`: what an arm is expected to be off by whose tube is the shape itself.
+  double expected_error_m = 0.0;
   /// Whether it may end with fewer runs where hardly any environment has a plan.
   bool may_fall_short = false;
 };
@@ -57,6 +65,9 @@ struct TubeRunSettings {
   ArmDescription executed_arm;  ///< the same, or with other friction, load or strength
   CompensationModel model;
   ValveParameters valves;
+  /// For a family: each run has an arm of its own, to which the model is adapted first; scales of
+  /// the tube are then those of an arm of a typical expected error (`Adaptation`).
+  std::optional<UnseenArms> unseen;
   PlannerLimits limits;
   std::uint64_t seed = 1;
   int jobs = 0;  ///< runs at once, 0: one per core

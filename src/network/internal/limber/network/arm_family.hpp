@@ -23,6 +23,14 @@ CompensationModel model_of_arm(CompensationModel model, const FamilyMember& memb
 /// The family again, without an arm. @pre model.family
 CompensationModel family_of(CompensationModel model);
 
+/// The tube of an arm that predictions are expected to be off by so many times as much.
+Tube scaled(Tube tube, double times);
+
+/// A family's tube is that of an arm whose fit expects the tip to be off by this much; the tubes of
+/// other arms are in proportion. @return NaN for a family that does not say
+double expected_error_of_tube_m(const CompensationModel& family);
+void note_expected_error_of_tube(CompensationModel& family, double error_m);
+
 /// @throws InputError, its message beginning with `where`, if the model is of no family.
 void require_family(const CompensationModel& model, const std::string& where);
 

@@ -27,10 +27,17 @@ using PhysicsVariation = std::variant<PhysicsFactor, WidePhysics>;
 /// A factor, or "wide". @throws InputError if `text` is neither.
 PhysicsVariation parse_physics_variation(const std::string& text);
 
+/// "wide", or "by up to 1.5".
+std::string describe(const PhysicsVariation& variation);
+
 /// Physics of a related arm. @param number  of the relative among those of `seed`
 VirtualArmParameters related_physics(const VirtualArmParameters& of,
                                      const PhysicsVariation& variation, std::uint64_t seed,
                                      std::uint64_t number);
+
+/// `arm` with that physics among its virtual arm's parameters.
+ArmDescription with_related_physics(const ArmDescription& arm, const PhysicsVariation& variation,
+                                    std::uint64_t seed, std::uint64_t number);
 
 /// A virtual arm of other physics for each episode; its dimensions are those of `arm`.
 DriverFactory related_arm_factory(const ArmDescription& arm, const VirtualArmOptions& options,

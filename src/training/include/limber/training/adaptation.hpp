@@ -38,6 +38,9 @@ struct Adaptation {
   double distance_to_nearest = 0.0;  ///< the same from the nearest arm that it learnt from
   double uncertainty = 0.0;          ///< share of the family's spread that is left, 0 to 1
   double largest_uncertainty = 0.0;  ///< … of what the recording tells least about
+  /// Of the tip, as far as the fit can tell: what it left, and what e's uncertainty makes of it. The
+  /// width of the model's tube, where the family has one, is in proportion.
+  double expected_error_m = 0.0;
   bool has_trained_weights = false;  ///< `model` has weights of its own
   bool is_of_family() const { return distance <= kFarFromFamily && !has_trained_weights; }
   /// The arm hardly moved, or some direction of e is hardly better known than before.
@@ -52,6 +55,7 @@ struct Adaptation {
 
 /// Makes a family's network one arm's, from seconds of that arm's motion (docs/families.md): e by
 /// least squares, the valves between set points and pressures, and the error on seconds held back.
+/// Of a family with a tube, the model has one, unless its weights were trained.
 /// @throws InputError if the model is of no family, or the episodes are another arm's, too short,
 /// or without a tracked frame; Interrupted on Ctrl-C.
 [[nodiscard]] Adaptation adapt(const ArmDescription& arm, const CompensationModel& family,

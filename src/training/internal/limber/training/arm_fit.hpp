@@ -15,6 +15,9 @@ struct ArmFit {
   CompensationModel model;           ///< of that arm, without a record of this fit
   double distance = 0.0;             ///< |e| / √k: about 1 for an arm of the family
   double distance_to_nearest = 0.0;  ///< the same from the nearest arm that it learnt from
+  /// What predictions of the tip are off by, as far as the fit can say: what it left in its own
+  /// windows, and what e's uncertainty makes of the tip in them (root of the sum of squares).
+  double expected_error_m = 0.0;
 };
 
 /// Least squares with a prior that is the family's own spread, by Gauss–Newton; errors beyond a few

@@ -1,0 +1,48 @@
+#include "limber/lab/unseen_arm.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limber/common/data_folder.hpp"
+#include "limber/data/episode_slice.hpp"
+#include "limber/run/collection.hpp"
+#include "limber/sim/virtual_arm.hpp"
+
+namespace limber {
+
+std::filesystem::path own_family_file(const ArmDescription& arm) {
+  std::filesystem::path file = data_folder() / "families" / (arm.name + ".safetensors");
+  std::error_code error;
+  return std::filesystem::exists(file, error) && read_model(file).arm_hash == arm.hash()
+             ? file
+             : std::filesystem::path();
+}
+
+Episode first_seconds(const ArmDescription& arm, const Episode& run, double seconds) {
+  const int frames = static_cast<int>(std::lround(seconds / arm.frame_period_s()));
+  return slice(run, 0, std::min(frames, run.frame_count()));
+}
+
+Episode identifying_run(const ArmDescription& arm, double seconds, std::uint64_t seed,
+                        std::uint64_t stream) {
+  VirtualArmOptions options;
+  options.seed = seed;
+  options.stream = stream;
+  VirtualArm driver(arm, options);
+  const EpisodeSchedule schedule =
+      make_schedule(arm, identifying_schedule(), seed + stream).front();
+  return first_seconds(arm, record_episode(arm, driver, schedule, {}), seconds);
+}
+
+UnseenArm unseen_arm(const ArmDescription& arm, const CompensationModel& family,
+                     const UnseenArms& of, std::uint64_t seed, std::uint64_t number) {
+  UnseenArm result{with_related_physics(arm, of.variation, seed, number), {}};
+  AdaptationSettings settings;
+  settings.weights = AdaptWeights::never;
+  settings.jobs = 1;
+  result.adaptation =
+      adapt(arm, family, {identifying_run(result.arm, of.seconds, seed, number)}, settings);
+  return result;
+}
+
+}  // namespace limber

@@ -1,0 +1,128 @@
+// What a minute of motion makes of limber's family: arms that nobody has recorded before.
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "demo_environments.hpp"
+#include "demo_stages.hpp"
+#include "limber/common/data_folder.hpp"
+#include "limber/common/interrupt.hpp"
+#include "limber/common/units.hpp"
+#include "limber/lab/unseen_arm.hpp"
+#include "limber/sim/virtual_arm.hpp"
+#include "limber/sim/virtual_arm_parameters.hpp"
+#include "optional_json.hpp"
+
+namespace limber {
+
+namespace {
+
+constexpr std::uint64_t kOtherArmSeed = 320;
+constexpr double kMinuteS = 60.0;
+constexpr double kShortS = 20.0;
+
+/// An arm with physics of its own, and what was recorded of it.
+struct OtherArm {
+  ArmDescription arm;
+  Episode minute;
+  Episode test;
+};
+
+OtherArm draw(const DemoResults& results, int number) {
+  const std::uint64_t seed = derived_seed(results.settings->seed, kOtherArmSeed);
+  OtherArm other{with_related_physics(results.settings->arm, WidePhysics{}, seed,
+                                      static_cast<std::uint64_t>(number)),
+                 {},
+                 {}};
+  other.minute = identifying_run(other.arm, kMinuteS, seed, static_cast<std::uint64_t>(number));
+  VirtualArm driver(other.arm);
+  other.test = record_episode(
+      other.arm, driver,
+      make_schedule(other.arm, results.recipe.other_arm_test_schedule, seed + number).front(), {});
+  return other;
+}
+
+double open_loop_cm(const ArmDescription& arm, const CompensationModel& model,
+                    const Episode& test, int jobs) {
+  const ForwardModel forward(arm, model);
+  return evaluate(ForwardModel(arm), &forward, {test}, jobs).network->open_loop.position_cm.mean;
+}
+
+/// One plan in each of limber's own environments, for the adapted model, executed open loop.
+void plan_and_execute(const DemoResults& results, const OtherArm& other,
+                      const CompensationModel& model, OtherArmFigures& figures) {
+  const ArmDescription& arm = results.settings->arm;
+  const ForwardModel forward(arm, model);
+  const MotionModel motion(forward, ValveModel(arm, model.identified_valves().parameters));
+  PlanTrialSettings settings;
+  settings.limits.time_s = results.recipe.planning_time_limit_s;
+  for (const EnvironmentCase& item : own_environments(arm)) {
+    throw_if_interrupted();
+    PlanTrial trial =
+        plan_trial(arm, motion, item, settings, derived_seed(results.settings->seed, kOtherArmSeed));
+    execute_trial(other.arm, item.environment, trial);
+    ++figures.plans;
+    figures.solved += trial.solved() ? 1 : 0;
+    if (trial.execution) {
+      figures.arrived += has_arrived(*trial.execution) ? 1 : 0;
+      figures.collided += trial.execution->collided ? 1 : 0;
+    }
+  }
+}
+
+OtherArmFigures other_arm_figures(const DemoResults& results, const CompensationModel& family,
+                           int number) {
+  const ArmDescription& arm = results.settings->arm;
+  const int jobs = results.settings->jobs;
+  const OtherArm other = draw(results, number);
+  OtherArmFigures figures;
+  const auto fitted_to = [&](double seconds) {
+    AdaptationSettings settings;
+    settings.jobs = jobs;
+    return adapt(arm, family, {first_seconds(arm, other.minute, seconds)}, settings).model;
+  };
+  figures.own_network_cm =
+      open_loop_cm(results.arm(), results.training.model, other.test, jobs);
+  figures.after_20_s_cm = open_loop_cm(arm, fitted_to(kShortS), other.test, jobs);
+  const CompensationModel adapted = fitted_to(kMinuteS);
+  figures.after_60_s_cm = open_loop_cm(arm, adapted, other.test, jobs);
+  plan_and_execute(results, other, adapted, figures);
+  return figures;
+}
+
+}  // namespace
+
+void another_arm_stage(DemoResults& results) {
+  const ArmDescription& arm = results.settings->arm;
+  const std::filesystem::path file = own_family_file(arm);
+  if (file.empty()) {
+    results.settings->say(fmt::format(
+        "  limber has no family for {}; limber family --arm FILE --out FAMILY makes one",
+        arm.name));
+    return;
+  }
+  const CompensationModel family = read_model(file);
+  for (int number = 0; number < results.recipe.other_arms; ++number) {
+    throw_if_interrupted();
+    results.other_arms.push_back(other_arm_figures(results, family, number));
+    const OtherArmFigures& figures = results.other_arms.back();
+    results.settings->say(fmt::format(
+        "  arm {} of {}: {:.1f} cm off with the network above; adapted, after 20 s {:.1f}, after a "
+        "minute {:.1f}; {} of {} plans arrive",
+        number + 1, results.recipe.other_arms, figures.own_network_cm, figures.after_20_s_cm,
+        figures.after_60_s_cm, figures.arrived, figures.plans));
+  }
+}
+
+nlohmann::ordered_json to_json(const OtherArmFigures& figures) {
+  return {{"own_network_cm", figures.own_network_cm},
+          {"after_20_s_cm", figures.after_20_s_cm},
+          {"after_60_s_cm", figures.after_60_s_cm},
+          {"plans", figures.plans},
+          {"solved", figures.solved},
+          {"arrived", figures.arrived},
+          {"collided", figures.collided}};
+}
+
+}  // namespace limber

@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""Figures of docs/families.md: what a minute of motion makes of a family, on arms it has not seen.
+
+    PYTHONPATH=build/release/python tools/family_figures.py --family F.safetensors --out OUT
+
+Parts, each kept in OUT and not measured twice:
+  open    virtual arms of --vary-physics 1.5 and wide: mean tip error over the next 100 s, open loop, after
+          0, 20 and 60 s, and of a network trained on the same minute from nothing
+  arms    the nominal arm, friction 30 % more and less, 50 g at the tip, a side 20 % weaker: the same, and
+          plans in limber's own eight environments, executed open loop
+  unseen  plans on unseen arms, each in random environments that the arm itself has moved through
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import sys
+
+import numpy as np
+
+import limber
+from kept_parts import KeptParts
+
+MOTIONS_OF_100_S = 30
+OTHER_SEED = 500_000_000  # test motions share arms with the minute, but not its schedule
+NAMED_ARMS = {
+    "nominal": {},
+    "friction +30 %": {"friction_coefficient": 0.325},
+    "friction -30 %": {"friction_coefficient": 0.175},
+    "50 g at the tip": {"tip_load_kg": 0.05},
+    "a side 20 % weaker": {"weak_side_loss": 0.2, "weak_side": 1},
+}
+
+
+def arm_text(text, physics):
+    """An arm file with other physics."""
+    for key, value in physics.items():
+        line = f"  {key}: {value}"
+        text, count = re.subn(rf"^  {key}:.*$", line, text, flags=re.MULTILINE)
+        if count == 0:
+            text = re.sub(r"^virtual_arm:.*$", lambda found, line=line: found[0] + "\n" + line, text,
+                          flags=re.MULTILINE)
+    return text
+
+
+def piece(episode, first, last):
+    last = min(last, len(episode.time_s))
+    return limber.Episode(episode.time_s[first:last] - episode.time_s[first],
+                          episode.pressure_kpa[first:last], episode.setpoint_kpa[first:last],
+                          episode.backbone[first:last],
+                          episode.motion_index[first:last] - episode.motion_index[first],
+                          episode.tracked[first:last])
+
+
+class Family:
+    def __init__(self, options):
+        self.options = options
+        self.arm_file = limber.data_folder() / "arms" / f"{options.arm}.yaml"
+        self.arm = limber.load_arm(self.arm_file)
+        self.family = limber.read_model(options.family)
+        self.parts = KeptParts(options.limber, options.out)
+
+    def error_cm(self, model, episode):
+        predicted = limber.predict(limber.ForwardModel(self.arm, model), episode,
+                                   limber.Restart.at_the_start_only)
+        off = np.asarray(predicted)[1:, -1, :2] - np.asarray(episode.backbone)[1:, -1, :2]
+        return float(100 * np.linalg.norm(off, axis=1).mean())
+
+    def from_nothing(self, minute):
+        """The default network, trained on the minute alone."""
+        split = int(0.8 * len(minute.time_s))
+        data = limber.TrainingData([piece(minute, 0, split)], [piece(minute, split, len(minute.time_s))])
+        return limber.train(self.arm, data, limber.best_preset()).model
+
+    def errors(self, minute, test, with_weights):
+        """Of one arm."""
+        rate = 20
+        found = {"0 s": self.error_cm(self.family, test)}
+        for seconds in (20, 60):
+            done = limber.adapt(self.arm, self.family, [piece(minute, 0, rate * seconds)],
+                                train_weights=with_weights)
+            found[f"{seconds} s"] = self.error_cm(done.model, test)
+            found[f"weights {seconds} s"] = done.has_trained_weights
+        if not self.options.no_training:
+            found["from nothing"] = self.error_cm(self.from_nothing(minute), test)
+        return found
+
+    def record(self, name, seed, *arguments):
+        path = self.options.out / name
+        if not path.exists():
+            self.parts.limber("collect", "--json", "--seed", seed, "--out", path, *arguments)
+        return [piece(episode, 0, 10**9) for episode in limber.read_recording(path).episodes]
+
+    def minute_and_test(self, name, seed, count, *arguments):
+        minutes = self.record(f"{name}_minute.h5", seed, "--schedule", "identify", "--episodes", count,
+                              *arguments)
+        tests = self.record(f"{name}_test.h5", seed, "--schedule", "random", "--hold-s", 3, "--count",
+                            MOTIONS_OF_100_S, "--episodes", count, *arguments)
+        return zip(minutes, tests, strict=True)
+
+    def open(self):
+        print("| arms | 0 s | 20 s | 60 s | the same minute, from nothing |\n|---|---|---|---|---|")
+        for variation in ("1.5", "wide"):
+            rows = self.parts.kept(f"open_{variation}", lambda variation=variation: [
+                self.errors(minute, piece(test, 0, 2000), True) for minute, test in self.minute_and_test(
+                    f"open_{variation}", self.options.seed, self.options.arms, "--arm", self.options.arm,
+                    "--vary-physics", variation)])
+            cells = [both([row[key] for row in rows]) for key in ("0 s", "20 s", "60 s", "from nothing")
+                     if key in rows[0]]
+            print(f"| {variation} | " + " | ".join(cells) + " |", flush=True)
+
+    def adapted(self, name, arm_file, seed):
+        """Recorded and adapted by the program, as a user would."""
+        minute = self.options.out / f"{name}.h5"
+        model = self.options.out / f"{name}.safetensors"
+        if not model.exists():
+            if not minute.exists():
+                self.parts.limber("collect", "--json", "--arm", arm_file, "--schedule", "identify",
+                                  "--seed", seed, "--out", minute)
+            self.parts.limber("adapt", "--json", "--arm", arm_file, "--model", self.options.family,
+                              "--recording", minute, "--out", model)
+        return model
+
+    def plans(self, folder, arm_file, model, trials, *arguments):
+        rows = self.parts.trials(self.options.out / folder, "--arm", arm_file, "--model", model, "--network-only",
+                                 "--trials", trials, "--max-queries", self.options.max_queries,
+                                 "--seed", self.options.seed, *arguments)
+        runs = [row["execution"] for row in rows if row.get("execution")]
+        return {"plans": len(rows), "solved": len(runs),
+                "arrived": sum(run["goal_reached"] for run in runs),
+                "collided": sum(run["collided"] for run in runs)}
+
+    def write_arm(self, name, physics):
+        path = self.options.out / name / f"{self.options.arm}.yaml"
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(arm_text(self.arm_file.read_text(encoding="utf-8"), physics), encoding="utf-8")
+        return path
+
+    def arms_named(self):
+        print("| arm | 0 s | 20 s | 60 s | from nothing | solved | arrive | collide |\n|---|---|---|---|---|---|---|---|")
+        for number, (name, physics) in enumerate(NAMED_ARMS.items()):
+            folder = f"arm_{number}"
+            arm_file = self.write_arm(folder, physics)
+            seed = self.options.seed + number
+            row = self.parts.kept(f"errors_{number}", lambda f=folder, a=arm_file, s=seed: [
+                self.errors(minute, piece(test, 0, 2000), True)
+                for minute, test in self.minute_and_test(f, s, 1, "--arm", a)])[0]
+            model = self.adapted(f"{folder}/mine", arm_file, seed)
+            done = self.plans(f"{folder}/plans", arm_file, model, self.options.trials)
+            cells = [f"{row[key]:.2f}" if key in row else "–" for key in ("0 s", "20 s", "60 s", "from nothing")]
+            print(f"| {name} | {' | '.join(cells)} | {done['solved']} of {done['plans']} | {done['arrived']} "
+                  f"| {done['collided']} |", flush=True)
+
+    def unseen(self):
+        drawn = self.record("unseen_physics.h5", self.options.seed + 1, "--schedule", "identify", "--count", 1,
+                            "--episodes", self.options.unseen, "--arm", self.options.arm,
+                            "--vary-physics", "wide")
+        physics = [json.loads(episode.physics) for episode in
+                   limber.read_recording(self.options.out / "unseen_physics.h5").episodes]
+        total = {}
+        for number in range(len(drawn)):
+            folder = f"unseen_{number}"
+            arm_file = self.write_arm(folder, physics[number])
+            seed = self.options.seed + 1000 + number
+            model = self.adapted(f"{folder}/mine", arm_file, seed)
+            environments = self.parts.random_environments(seed, 5, f"{folder}/environments", arm=arm_file)
+            done = self.plans(f"{folder}/plans", arm_file, model, 1, "--environments", environments)
+            total = {key: total.get(key, 0) + value for key, value in done.items()}
+            print(number, done, flush=True)
+        print("all", total, flush=True)
+
+
+def both(values):
+    return f"{np.median(values):.2f}; {np.quantile(values, 0.9):.2f}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--limber", type=pathlib.Path, default="build/release/bin/limber")
+    parser.add_argument("--family", type=pathlib.Path, required=True)
+    parser.add_argument("--out", type=pathlib.Path, required=True)
+    parser.add_argument("--arm", default="three_segment")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--arms", type=int, default=40, help="unseen ones of part open")
+    parser.add_argument("--unseen", type=int, default=20, help="unseen ones of part unseen")
+    parser.add_argument("--trials", type=int, default=20, help="of each environment, part arms")
+    parser.add_argument("--max-queries", type=int, default=20000, help="of each plan")
+    parser.add_argument("--no-training", action="store_true", help="no networks from nothing")
+    parser.add_argument("parts", nargs="*", default=["open", "arms", "unseen"])
+    options = parser.parse_args()
+    family = Family(options)
+    parts = {"open": family.open, "arms": family.arms_named, "unseen": family.unseen}
+    if unknown := [part for part in options.parts if part not in parts]:
+        sys.exit(f"{unknown[0]}: expected {', '.join(parts)}")
+    for part in options.parts:
+        parts[part]()
+
+
+if __name__ == "__main__":
+    main()
