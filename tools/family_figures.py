@@ -106,8 +106,8 @@ class Family:
                 self.errors(minute, piece(test, 0, 2000), True) for minute, test in self.minute_and_test(
                     f"open_{variation}", self.options.seed, self.options.arms, "--arm", self.options.arm,
                     "--vary-physics", variation)])
-            cells = [both([row[key] for row in rows]) for key in ("0 s", "20 s", "60 s", "from nothing")
-                     if key in rows[0]]
+            cells = [both([row[key] for row in rows]) if key in rows[0] else "–"
+                     for key in ("0 s", "20 s", "60 s", "from nothing")]
             print(f"| {variation} | " + " | ".join(cells) + " |", flush=True)
 
     def adapted(self, name, arm_file, seed):

@@ -12,8 +12,8 @@ namespace limber {
 namespace {
 
 /// The file given, or limber's own file of this name in `folder`.
-std::string find_own_file(const std::string& name_or_path, const char* folder,
-                          const char* ending, const char* complaint) {
+std::string find_own_file(const std::string& name_or_path, const char* folder, const char* ending,
+                          const char* complaint) {
   namespace fs = std::filesystem;
   std::error_code error;  // of a name that is too long, or in a folder that is closed to us
   if (fs::is_regular_file(name_or_path, error)) {

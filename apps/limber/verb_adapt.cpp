@@ -36,9 +36,10 @@ class AdaptVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
-    app.add_option("--model", family_file_,
-                   "Family, as limber family or train --family makes it, or the name of one of limber's "
-                   "own; or a model of adapt's, whose family it is then")
+    app.add_option(
+           "--model", family_file_,
+           "Family, as limber family or train --family makes it, or the name of one of limber's "
+           "own; or a model of adapt's, whose family it is then")
         ->required();
     app.add_option("--recording", recordings_, "Motions of the arm; repeat for more")->required();
     app.add_option("--weights", settings_.weights,
@@ -104,6 +105,7 @@ class AdaptVerb final : public Verb {
     }
     json["distance_from_family"] = done.distance;
     json["distance_to_nearest_arm"] = done.distance_to_nearest;
+    json["expected_error_cm"] = kCmPerM * done.expected_error_m;
     json["uncertainty"] = {{"mean", done.uncertainty}, {"largest", done.largest_uncertainty}};
     json["of_family"] = done.is_of_family();
     json["trained_weights"] = done.has_trained_weights;

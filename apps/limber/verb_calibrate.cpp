@@ -29,7 +29,9 @@ class CalibrateVerb final : public Verb {
   void add_flags(CLI::App& app) override {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own")
         ->capture_default_str();
-    app.add_option("--model", model_file_, "Network model to calibrate, or a family: its tube holds for arms adapted to it")->required();
+    app.add_option("--model", model_file_,
+                   "Network model to calibrate, or a family: its tube holds for arms adapted to it")
+        ->required();
     model_.add_valves_to(app);
     ensemble_.add_to(app);
     app.add_option("--out", out_, "The model with its tube (safetensors)");
@@ -113,9 +115,10 @@ class CalibrateVerb final : public Verb {
     CompensationModel model = read_model(model_file_);
     if (!is_family(model)) {
       if (variation_ || seconds_) {
-        throw InputError(fmt::format("--vary-physics and --identify-s are for families; {} is one "
-                                     "arm's",
-                                     model_file_));
+        throw InputError(
+            fmt::format("--vary-physics and --identify-s are for families; {} is one "
+                        "arm's",
+                        model_file_));
       }
       return ensemble_.read(model_file_);
     }

@@ -35,6 +35,8 @@ void bind_adaptation(py::module_& module) {
       .read_only("uncertainty", &A::uncertainty, "Share of the family's spread that is left.")
       .read_only("largest_uncertainty", &A::largest_uncertainty,
                  "The same of what the recording tells least about.")
+      .read_only("expected_error_m", &A::expected_error_m,
+                 "Of the tip, as far as the fit can tell [m]; a tube's width is in proportion.")
       .read_only("has_trained_weights", &A::has_trained_weights,
                  "Whether `model` has weights of its own.")
       .property("is_of_family", &A::is_of_family, "Whether the family contains the arm.")

@@ -46,6 +46,9 @@ class Adaptation:
     def largest_uncertainty(self) -> float:
         """The same of what the recording tells least about."""
     @property
+    def expected_error_m(self) -> float:
+        """Of the tip, as far as the fit can tell [m]; a tube's width is in proportion."""
+    @property
     def has_trained_weights(self) -> bool:
         """Whether `model` has weights of its own."""
     @property

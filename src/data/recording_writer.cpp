@@ -40,8 +40,7 @@ Properties without_times(Properties properties) {
 /// C++ has no way to say how a group is made.
 H5::Group make_group(const H5::H5File& file, const std::string& path) {
   const H5::PropList how = without_times(H5::PropList(H5P_GROUP_CREATE));
-  const hid_t made =
-      H5Gcreate2(file.getId(), path.c_str(), H5P_DEFAULT, how.getId(), H5P_DEFAULT);
+  const hid_t made = H5Gcreate2(file.getId(), path.c_str(), H5P_DEFAULT, how.getId(), H5P_DEFAULT);
   if (made < 0) {
     throw H5::GroupIException("make_group", "H5Gcreate2 failed");
   }
@@ -156,9 +155,15 @@ void* resize_image(void* /*old*/, std::size_t size, H5FD_file_image_op_t /*why*/
   return bytes.data();
 }
 
-herr_t keep_image(void* /*memory*/, H5FD_file_image_op_t /*why*/, void* /*image*/) { return 0; }
-void* same_image(void* image) { return image; }
-herr_t nothing_to_free(void* /*image*/) { return 0; }
+herr_t keep_image(void* /*memory*/, H5FD_file_image_op_t /*why*/, void* /*image*/) {
+  return 0;
+}
+void* same_image(void* image) {
+  return image;
+}
+herr_t nothing_to_free(void* /*image*/) {
+  return 0;
+}
 
 /// The whole file, made in memory, so that HDF5 never meets a full disk. After one it can neither
 /// close its file nor end the process properly.

@@ -26,7 +26,7 @@ namespace limber {
 namespace {
 
 constexpr int kFitWindowFrames = 64;  // that are predicted without correction
-constexpr int kStarts = 32;    // of the family's arms
+constexpr int kStarts = 32;           // of the family's arms
 constexpr int kGoneOnFrom = 4;  // of those and the middle, the best: the cost has several minima
 constexpr int kMaxIterations = 12;
 constexpr double kMinGain = 1e-3;            // of the cost, relative: less is the end

@@ -41,20 +41,20 @@ constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
 Json identity(const CalibrationSettings& settings) {
   const TubeRunSettings& runs = settings.runs;
   Json json = {{"schema", "limber/calibration/3"},
-          {"ensemble", to_string(runs.model.answer)},
-          {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
-          {"virtual_arm", content_hash(virtual_arm_to_yaml(runs.executed_arm))},
-          {"model", content_hash(read_file(settings.model_file))},
-          {"valves", runs.valves.hash()},
-          {"seed", runs.seed},
-          {"max_queries", optional_json(runs.limits.queries)},
-          {"time_limit_s", optional_json(runs.limits.time_s)},
-          {"levels", settings.levels},
-          {"confidence", settings.confidence},
-          {"scale_runs", settings.scale_runs},
-          {"screen_runs", settings.screen_runs},
-          {"test_runs", settings.test_runs},
-          {"audit_runs", settings.audit_runs}};
+               {"ensemble", to_string(runs.model.answer)},
+               {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
+               {"virtual_arm", content_hash(virtual_arm_to_yaml(runs.executed_arm))},
+               {"model", content_hash(read_file(settings.model_file))},
+               {"valves", runs.valves.hash()},
+               {"seed", runs.seed},
+               {"max_queries", optional_json(runs.limits.queries)},
+               {"time_limit_s", optional_json(runs.limits.time_s)},
+               {"levels", settings.levels},
+               {"confidence", settings.confidence},
+               {"scale_runs", settings.scale_runs},
+               {"screen_runs", settings.screen_runs},
+               {"test_runs", settings.test_runs},
+               {"audit_runs", settings.audit_runs}};
   if (runs.unseen) {
     json["unseen_arms"] = {{"physics", describe(runs.unseen->variation)},
                            {"seconds", runs.unseen->seconds}};

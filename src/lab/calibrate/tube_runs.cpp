@@ -125,9 +125,9 @@ class PhaseRunner {
       trial_.room.tube_level = Tube::kDefaultLevel;
     }
     if (!settings.unseen) {
-      same_for_all_ = std::make_unique<RunModel>(settings.arm, settings.executed_arm,
-                                                 with_tube(settings.model, phase, 1.0),
-                                                 settings.valves);
+      same_for_all_ =
+          std::make_unique<RunModel>(settings.arm, settings.executed_arm,
+                                     with_tube(settings.model, phase, 1.0), settings.valves);
     }
   }
 
@@ -213,11 +213,9 @@ class PhaseRunner {
   }
 
   std::unique_ptr<RunModel> adapted(std::uint64_t number) const {
-    UnseenArm unseen =
-        unseen_arm(settings_.arm, settings_.model, *settings_.unseen, seed_, number);
+    UnseenArm unseen = unseen_arm(settings_.arm, settings_.model, *settings_.unseen, seed_, number);
     const double expected_m = unseen.adaptation.expected_error_m;
-    const double width =
-        phase_.expected_error_m > 0.0 ? expected_m / phase_.expected_error_m : 1.0;
+    const double width = phase_.expected_error_m > 0.0 ? expected_m / phase_.expected_error_m : 1.0;
     const CompensationModel& model = unseen.adaptation.model;
     auto result = std::make_unique<RunModel>(settings_.arm, std::move(unseen.arm),
                                              with_tube(model, phase_, width),
@@ -337,8 +335,7 @@ std::vector<MotionErrors> TubeRuns::errors() const {
   std::vector<MotionErrors> result;
   for (const TubeRun& run : all) {
     if (run.errors) {
-      result.push_back(
-          scaled(*run.errors, usual_m > 0.0 ? usual_m / run.expected_error_m : 1.0));
+      result.push_back(scaled(*run.errors, usual_m > 0.0 ? usual_m / run.expected_error_m : 1.0));
     }
   }
   return result;

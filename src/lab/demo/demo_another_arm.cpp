@@ -43,8 +43,8 @@ OtherArm draw(const DemoResults& results, int number) {
   return other;
 }
 
-double open_loop_cm(const ArmDescription& arm, const CompensationModel& model,
-                    const Episode& test, int jobs) {
+double open_loop_cm(const ArmDescription& arm, const CompensationModel& model, const Episode& test,
+                    int jobs) {
   const ForwardModel forward(arm, model);
   return evaluate(ForwardModel(arm), &forward, {test}, jobs).network->open_loop.position_cm.mean;
 }
@@ -59,8 +59,8 @@ void plan_and_execute(const DemoResults& results, const OtherArm& other,
   settings.limits.time_s = results.recipe.planning_time_limit_s;
   for (const EnvironmentCase& item : own_environments(arm)) {
     throw_if_interrupted();
-    PlanTrial trial =
-        plan_trial(arm, motion, item, settings, derived_seed(results.settings->seed, kOtherArmSeed));
+    PlanTrial trial = plan_trial(arm, motion, item, settings,
+                                 derived_seed(results.settings->seed, kOtherArmSeed));
     execute_trial(other.arm, item.environment, trial);
     ++figures.plans;
     figures.solved += trial.solved() ? 1 : 0;
@@ -72,7 +72,7 @@ void plan_and_execute(const DemoResults& results, const OtherArm& other,
 }
 
 OtherArmFigures other_arm_figures(const DemoResults& results, const CompensationModel& family,
-                           int number) {
+                                  int number) {
   const ArmDescription& arm = results.settings->arm;
   const int jobs = results.settings->jobs;
   const OtherArm other = draw(results, number);
@@ -82,8 +82,7 @@ OtherArmFigures other_arm_figures(const DemoResults& results, const Compensation
     settings.jobs = jobs;
     return adapt(arm, family, {first_seconds(arm, other.minute, seconds)}, settings).model;
   };
-  figures.own_network_cm =
-      open_loop_cm(results.arm(), results.training.model, other.test, jobs);
+  figures.own_network_cm = open_loop_cm(results.arm(), results.training.model, other.test, jobs);
   figures.after_20_s_cm = open_loop_cm(arm, fitted_to(kShortS), other.test, jobs);
   const CompensationModel adapted = fitted_to(kMinuteS);
   figures.after_60_s_cm = open_loop_cm(arm, adapted, other.test, jobs);

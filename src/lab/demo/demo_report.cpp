@@ -234,17 +234,20 @@ void other_arms(ReportPage& page, const DemoResults& results) {
           "Mean tip error over other motions, open loop; then a plan in each of limber's own "
           "environments with the adapted model, executed on that arm.");
   ReportTable table;
-  table.header = {"arm",           "network above [cm]", "family, after 20 s [cm]",
-                  "after 60 s [cm]", "solved",           "arrived",
+  table.header = {"arm",
+                  "network above [cm]",
+                  "family, after 20 s [cm]",
+                  "after 60 s [cm]",
+                  "solved",
+                  "arrived",
                   "collided"};
   int number = 0;
   for (const OtherArmFigures& arm : results.other_arms) {
-    table.rows.push_back({std::to_string(++number), fmt::format("{:.1f}", arm.own_network_cm),
-                          fmt::format("{:.1f}", arm.after_20_s_cm),
-                          fmt::format("{:.1f}", arm.after_60_s_cm),
-                          fmt::format("{}/{}", arm.solved, arm.plans),
-                          fmt::format("{}/{}", arm.arrived, arm.solved),
-                          fmt::format("{}/{}", arm.collided, arm.solved)});
+    table.rows.push_back(
+        {std::to_string(++number), fmt::format("{:.1f}", arm.own_network_cm),
+         fmt::format("{:.1f}", arm.after_20_s_cm), fmt::format("{:.1f}", arm.after_60_s_cm),
+         fmt::format("{}/{}", arm.solved, arm.plans), fmt::format("{}/{}", arm.arrived, arm.solved),
+         fmt::format("{}/{}", arm.collided, arm.solved)});
   }
   page.table(table);
 }

@@ -38,8 +38,8 @@ struct Adaptation {
   double distance_to_nearest = 0.0;  ///< the same from the nearest arm that it learnt from
   double uncertainty = 0.0;          ///< share of the family's spread that is left, 0 to 1
   double largest_uncertainty = 0.0;  ///< … of what the recording tells least about
-  /// Of the tip, as far as the fit can tell: what it left, and what e's uncertainty makes of it. The
-  /// width of the model's tube, where the family has one, is in proportion.
+  /// Of the tip, as far as the fit can tell: what it left, and what e's uncertainty makes of it.
+  /// The width of the model's tube, where the family has one, is in proportion.
   double expected_error_m = 0.0;
   bool has_trained_weights = false;  ///< `model` has weights of its own
   bool is_of_family() const { return distance <= kFarFromFamily && !has_trained_weights; }
