@@ -43,7 +43,7 @@ ELSEWHERE = {
     ("docs/importing.md", "cp -r examples/six_motors"): "test_six_motors.py",
     ("docs/formats.md", "commands:"): "an excerpt; tests/arm/arm_commands_test.cpp",
     ("docs/importing.md", "command:"): "an excerpt; test_import.py has such arms",
-    ("docs/families.md", "limber family"): "hours; test_family.py runs a small one",
+    ("docs/families.md", "limber collect"): "test_family.py adapts, and plans with what it made",
     ("docs/improving.md", "limber improve"): "an hour; test_improve.py runs a small one",
     ("docs/tube.md", "limber calibrate"): "hours; test_calibrate.py runs small ones",
     ("docs/tube.md", "limber plan --model model.safetensors"):
