@@ -23,7 +23,10 @@ import limber
 from kept_parts import KeptParts
 
 MOTIONS_OF_100_S = 30
-OTHER_SEED = 500_000_000  # test motions share arms with the minute, but not its schedule
+# A seed gives arm and motions alike. By so many motions the minute's random numbers are spent: only what
+# comes after goes to set points that the minute has not been at.
+SPENT_MOTIONS = 54
+FRAME_RATE_HZ = 20
 NAMED_ARMS = {
     "nominal": {},
     "friction +30 %": {"friction_coefficient": 0.325},
@@ -73,13 +76,11 @@ class Family:
         data = limber.TrainingData([piece(minute, 0, split)], [piece(minute, split, len(minute.time_s))])
         return limber.train(self.arm, data, limber.best_preset()).model
 
-    def errors(self, minute, test, with_weights):
+    def errors(self, minute, test):
         """Of one arm."""
-        rate = 20
         found = {"0 s": self.error_cm(self.family, test)}
         for seconds in (20, 60):
-            done = limber.adapt(self.arm, self.family, [piece(minute, 0, rate * seconds)],
-                                train_weights=with_weights)
+            done = limber.adapt(self.arm, self.family, [piece(minute, 0, FRAME_RATE_HZ * seconds)])
             found[f"{seconds} s"] = self.error_cm(done.model, test)
             found[f"weights {seconds} s"] = done.has_trained_weights
         if not self.options.no_training:
@@ -96,14 +97,16 @@ class Family:
         minutes = self.record(f"{name}_minute.h5", seed, "--schedule", "identify", "--episodes", count,
                               *arguments)
         tests = self.record(f"{name}_test.h5", seed, "--schedule", "random", "--hold-s", 3, "--count",
-                            MOTIONS_OF_100_S, "--episodes", count, *arguments)
+                            SPENT_MOTIONS + MOTIONS_OF_100_S, "--episodes", count, *arguments)
+        tests = [piece(test, int(np.argmax(np.asarray(test.motion_index) >= SPENT_MOTIONS)), 10**9)
+                 for test in tests]
         return zip(minutes, tests, strict=True)
 
     def open(self):
         print("| arms | 0 s | 20 s | 60 s | the same minute, from nothing |\n|---|---|---|---|---|")
         for variation in ("1.5", "wide"):
             rows = self.parts.kept(f"open_{variation}", lambda variation=variation: [
-                self.errors(minute, piece(test, 0, 2000), True) for minute, test in self.minute_and_test(
+                self.errors(minute, piece(test, 0, 2000)) for minute, test in self.minute_and_test(
                     f"open_{variation}", self.options.seed, self.options.arms, "--arm", self.options.arm,
                     "--vary-physics", variation)])
             cells = [both([row[key] for row in rows]) if key in rows[0] else "–"
@@ -144,7 +147,7 @@ class Family:
             arm_file = self.write_arm(folder, physics)
             seed = self.options.seed + number
             row = self.parts.kept(f"errors_{number}", lambda f=folder, a=arm_file, s=seed: [
-                self.errors(minute, piece(test, 0, 2000), True)
+                self.errors(minute, piece(test, 0, 2000))
                 for minute, test in self.minute_and_test(f, s, 1, "--arm", a)])[0]
             model = self.adapted(f"{folder}/mine", arm_file, seed)
             done = self.plans(f"{folder}/plans", arm_file, model, self.options.trials)
@@ -153,15 +156,15 @@ class Family:
                   f"| {done['collided']} |", flush=True)
 
     def unseen(self):
-        drawn = self.record("unseen_physics.h5", self.options.seed + 1, "--schedule", "identify", "--count", 1,
+        self.record("unseen_physics.h5", self.options.seed + 1, "--schedule", "identify", "--count", 1,
                             "--episodes", self.options.unseen, "--arm", self.options.arm,
                             "--vary-physics", "wide")
         physics = [json.loads(episode.physics) for episode in
                    limber.read_recording(self.options.out / "unseen_physics.h5").episodes]
         total = {}
-        for number in range(len(drawn)):
+        for number, of_arm in enumerate(physics):
             folder = f"unseen_{number}"
-            arm_file = self.write_arm(folder, physics[number])
+            arm_file = self.write_arm(folder, of_arm)
             seed = self.options.seed + 1000 + number
             model = self.adapted(f"{folder}/mine", arm_file, seed)
             environments = self.parts.random_environments(seed, 5, f"{folder}/environments", arm=arm_file)
