@@ -139,6 +139,7 @@ class FamilyVerb final : public Verb {
     set_window_frames(settings, {kWindowFrames});
     set_epoch_count(settings, epochs_);
     settings.family_size = size_;
+    settings.optimiser = Optimiser::soap;
     if (!hidden_.empty()) {
       settings.hidden_units = hidden_;
     }

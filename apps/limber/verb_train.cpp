@@ -266,6 +266,7 @@ class TrainVerb final : public Verb {
     settings.ensemble = ensemble_.value_or(settings.ensemble);
     if (family_) {
       settings.family_size = family_size_;
+      settings.optimiser = Optimiser::soap;
       settings.validation_interval = kFamilyValidationInterval;
     }
     settings.replay_share = replay_share_.value_or(settings.replay_share);

@@ -48,7 +48,9 @@ void bind_choices(py::module_& module) {
              "how much each number changes, through a gate, docs/model.md (16)");
   py::enum_<Optimiser>(module, "Optimiser", "How weights are changed.")
       .value("sgd", Optimiser::sgd, "stochastic gradient descent, the paper's")
-      .value("adam", Optimiser::adam, "Kingma and Ba, 2015");
+      .value("adam", Optimiser::adam, "Kingma and Ba, 2015")
+      .value("soap", Optimiser::soap,
+             "Adam in the directions in which gradients vary, Vyas et al., 2024");
   py::enum_<LossReduction>(module, "LossReduction", "How windows' errors become one number.")
       .value("sum_over_batch", LossReduction::sum_over_batch,
              "the paper's: the step grows with the batch")

@@ -78,11 +78,15 @@ Tube scaled(Tube tube, double times) {
   return tube;
 }
 
-double expected_error_of_tube_m(const CompensationModel& family) {
-  const auto found = family.training.find(kTubeErrorKey);
+double noted_error_m(const CompensationModel& family, const std::string& key) {
+  const auto found = family.training.find(key);
   const std::optional<double> error_cm =
       found == family.training.end() ? std::nullopt : number_in<double>(found->second);
   return error_cm ? *error_cm / kCmPerM : std::numeric_limits<double>::quiet_NaN();
+}
+
+double expected_error_of_tube_m(const CompensationModel& family) {
+  return noted_error_m(family, kTubeErrorKey);
 }
 
 void note_expected_error_of_tube(CompensationModel& family, double error_m) {

@@ -10,8 +10,6 @@
 #include "limber/arm/plate_distance.hpp"
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
-#include "limber/common/number_text.hpp"
-#include "limber/common/units.hpp"
 #include "limber/data/episode_slice.hpp"
 #include "limber/data/valve_identification.hpp"
 #include "limber/forward/forward_model.hpp"
@@ -81,14 +79,6 @@ int moving_frames(const Episode& episode) {
   return count;
 }
 
-/// The error of its own arms that a family's record gives.
-double family_error_m(const CompensationModel& family) {
-  const auto found = family.training.find("validation_position_error_cm");
-  const std::optional<double> error_cm =
-      found == family.training.end() ? std::nullopt : number_in<double>(found->second);
-  return error_cm ? *error_cm / kCmPerM : kUnknown;
-}
-
 class Adapter {
  public:
   Adapter(const ArmDescription& arm, const CompensationModel& family,
@@ -108,7 +98,7 @@ class Adapter {
     for (const Episode& episode : episodes) {
       result.moving_s += moving_frames(episode) * arm_.frame_period_s();
     }
-    result.family_error_m = family_error_m(family_);
+    result.family_error_m = noted_error_m(family_, "validation_position_error_cm");
     result.middle_error_m = result.fitted_error_m = result.trained_error_m = kUnknown;
     const IdentifiedValves valves = identify_valves(episodes, arm_, "the recording");
     if (!halves.held_back.empty()) {
@@ -117,6 +107,7 @@ class Adapter {
     if (!result.model.learnt_from_setpoints) {
       result.model.set_valves(valves);
     }
+    note_shapes(arm_, result.model, episodes, settings_.jobs);
     if (const double usual_m = expected_error_of_tube_m(family_);
         family_.tube && usual_m > 0.0 && !result.has_trained_weights) {
       result.model.tube = scaled(*family_.tube, result.expected_error_m / usual_m);

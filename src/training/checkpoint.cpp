@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr const char* kSchema = "limber/checkpoint/3";
+constexpr const char* kSchema = "limber/checkpoint/4";
 constexpr int kMaxEpochs = 10'000'000;  // as --epochs; of a stage's numbers too
 constexpr double kMaxSeconds = 1e9;     // 30 years
 constexpr std::uint64_t kMaxSteps = 1'000'000'000'000;
@@ -128,6 +128,7 @@ class CheckpointReader {
     state.average = vector("average", run_.keeps_average ? run_.parameters : 0);
     state.optimiser.first_moment = vector("first_moment", moments);
     state.optimiser.second_moment = vector("second_moment", moments, 0.0F);
+    state.optimiser.rotations = vector("rotations", run_.rotations);
     state.optimiser.step = static_cast<std::int64_t>(json.at("step").count(kMaxSteps));
     read_progress(json, result.stages, state);
     read_best(json, state);
@@ -230,6 +231,7 @@ void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
   content.tensors["average"] = to_tensor(state.average);
   content.tensors["first_moment"] = to_tensor(state.optimiser.first_moment);
   content.tensors["second_moment"] = to_tensor(state.optimiser.second_moment);
+  content.tensors["rotations"] = to_tensor(state.optimiser.rotations);
   content.tensors["best"] = to_tensor(state.best);
   Json rivals = Json::array();
   for (std::size_t i = 0; i < state.rivals.size(); ++i) {

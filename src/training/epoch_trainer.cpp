@@ -145,7 +145,12 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       own = initial;
     }
   }
-  state_.optimiser = OptimiserState(settings_.optimiser, state_.parameters.size());
+  if (settings_.optimiser == Optimiser::soap) {
+    soap_ = std::make_unique<Soap>(layout_, members_, settings_.jobs);
+    state_.optimiser = soap_->first_state();
+  } else {
+    state_.optimiser = OptimiserState(settings_.optimiser, state_.parameters.size());
+  }
   if (settings_.average_decay > 0.0) {
     state_.average = state_.parameters;
   }
@@ -200,7 +205,11 @@ void EpochTrainer::step(double loss_scale, double rate) {
     limit_norm(gradient_.segment(member * layout_.size(), layout_.size()),
                settings_.gradient_norm_limit);
   }
-  optimiser_step(settings_.optimiser, gradient_, rate, state_.optimiser, state_.parameters);
+  if (soap_ != nullptr) {
+    soap_->step(gradient_, rate, state_.optimiser, state_.parameters);
+  } else {
+    optimiser_step(settings_.optimiser, gradient_, rate, state_.optimiser, state_.parameters);
+  }
   if (settings_.average_decay > 0.0) {
     // Short at first, so that the average forgets the random start.
     const auto step = static_cast<double>(state_.optimiser.step);

@@ -8,6 +8,7 @@
 #include "batch_gradient.hpp"
 #include "limber/training/trainer.hpp"
 #include "optimiser.hpp"
+#include "soap.hpp"
 #include "training_tables.hpp"
 
 namespace limber {
@@ -92,6 +93,7 @@ class EpochTrainer {
   std::size_t own_episodes_;  ///< the tables' first episodes; those behind are replayed
   bool from_setpoints_;
   TrainingState state_;
+  std::unique_ptr<Soap> soap_;  ///< null: another optimiser
   Eigen::VectorXf gradient_;
   TrainingStage gradient_stage_;
   std::unique_ptr<BatchGradient> batch_;

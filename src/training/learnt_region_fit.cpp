@@ -202,7 +202,8 @@ LearntRegion with_shapes_of(LearntRegion region, const std::vector<Episode>& epi
       }
     }
     if (!held.empty()) {
-      widen_axes(region, along_axes(region, joint(Eigen::all, held)), kAxisWidening);
+      const Eigen::MatrixXd along = along_axes(region, joint(Eigen::all, held));
+      widen_axes(region, along, needed_widening(along));
     }
   }
   return region;

@@ -21,17 +21,21 @@ OptimiserState::OptimiserState(Optimiser optimiser, Eigen::Index parameters) {
   }
 }
 
+void adam_step(std::int64_t step, double learning_rate, int count, const float* gradient,
+               float* first_moment, float* second_moment, float* parameters) {
+  const double bias1 = 1.0 - std::pow(kBeta1, static_cast<double>(step));
+  const double bias2 = 1.0 - std::pow(kBeta2, static_cast<double>(step));
+  optimiser_kernels().adam(count, gradient, static_cast<float>(learning_rate / bias1),
+                           static_cast<float>(1.0 / std::sqrt(bias2)), first_moment, second_moment,
+                           parameters);
+}
+
 void optimiser_step(Optimiser optimiser, const Eigen::VectorXf& gradient, double learning_rate,
                     OptimiserState& state, Eigen::VectorXf& parameters) {
   ++state.step;
   if (optimiser == Optimiser::adam) {
-    const auto step = static_cast<double>(state.step);
-    const double bias1 = 1.0 - std::pow(kBeta1, step);
-    const double bias2 = 1.0 - std::pow(kBeta2, step);
-    optimiser_kernels().adam(static_cast<int>(parameters.size()), gradient.data(),
-                             static_cast<float>(learning_rate / bias1),
-                             static_cast<float>(1.0 / std::sqrt(bias2)), state.first_moment.data(),
-                             state.second_moment.data(), parameters.data());
+    adam_step(state.step, learning_rate, static_cast<int>(parameters.size()), gradient.data(),
+              state.first_moment.data(), state.second_moment.data(), parameters.data());
   } else {
     parameters -= static_cast<float>(learning_rate) * gradient;
   }

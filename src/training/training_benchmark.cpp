@@ -176,9 +176,8 @@ void write_training_tables(const std::filesystem::path& path, const ArmDescripti
       content.tensors[fmt::format("layers.{}.bias", l)] = tensor_of(layers[l].bias);
     }
   }
-  const bool adam = settings.optimiser == Optimiser::adam;
   const bool mean = settings.reduction == LossReduction::mean_over_batch;
-  content.metadata = {{"optimiser", adam ? "adam" : "sgd"},
+  content.metadata = {{"optimiser", to_string(settings.optimiser)},
                       {"reduction", mean ? "mean" : "sum"},
                       {"output_form", to_string(settings.form)},
                       {"learning_rate", fmt::format("{}", settings.learning_rate)},

@@ -285,7 +285,8 @@ void TrainingRun::resume() {
   Checkpoint checkpoint =
       read_checkpoint(settings_.checkpoint, identity_,
                       {fresh.parameters.size(), trainer_.member_count(), fresh.average.size() > 0,
-                       fresh.optimiser.first_moment.size() > 0, !data_.validation.empty()});
+                       fresh.optimiser.first_moment.size() > 0, fresh.optimiser.rotations.size(),
+                       !data_.validation.empty()});
   // A time limit fixed the epochs of the run that began, and these alone.
   const bool same = settings_.time_limit_s > 0.0 ? same_windows(settings_.stages, checkpoint.stages)
                                                  : same_stages(settings_.stages, checkpoint.stages);

@@ -19,6 +19,18 @@ void require(bool usable, const char* name, double found, const char* allowed) {
 
 }  // namespace
 
+const char* to_string(Optimiser optimiser) {
+  switch (optimiser) {
+    case Optimiser::sgd:
+      return "sgd";
+    case Optimiser::adam:
+      return "adam";
+    case Optimiser::soap:
+      break;
+  }
+  return "soap";
+}
+
 int TrainingSettings::epoch_count() const {
   int count = 0;
   for (const TrainingStage& stage : stages) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "error_runs.hpp"
 #include "learnt_kind.hpp"
@@ -16,15 +17,17 @@ namespace limber {
 namespace {
 
 constexpr int kPathFrames = 8;  // before and after: a delay up to this is still the same path
-constexpr int kPathParts = 4;   // points checked from one frame to the next
+constexpr int kWholeEpisodes = std::numeric_limits<int>::max();
+constexpr int kPathParts = 4;  // points checked from one frame to the next
 
-/// The runs as episodes, their pressures those that the model's valves make of the set points.
+/// The pieces as episodes, their pressures those that the model's valves make of the set points.
 std::vector<Episode> runs_of(const ArmDescription& arm, const CompensationModel& model,
-                             const std::vector<Episode>& unseen) {
+                             const std::vector<Episode>& unseen,
+                             const std::vector<RolloutPiece>& pieces) {
   const ValveParameters valves = model.valves.value_or(ValveParameters{});
   const bool measured = setpoints_are_measured(unseen);
   std::vector<Episode> runs;
-  for (const RolloutPiece& piece : error_runs(arm, unseen)) {
+  for (const RolloutPiece& piece : pieces) {
     const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
     const int count = piece.frames + 1;
     Episode run = slice(episode, piece.first, count);
@@ -90,15 +93,17 @@ struct PredictedRuns {
   }
 };
 
+/// @param pieces_to_run  asked of the episodes, once it is known that they can be
 PredictedRuns predict_runs(const ArmDescription& arm, const CompensationModel& model,
-                           const std::vector<Episode>& unseen, int jobs) {
+                           const std::vector<Episode>& unseen, const auto& pieces_to_run,
+                           int jobs) {
   validate(model, "the model");
   require_model_of(model, arm, "the model");
   require_episodes_of(unseen, arm, "unseen data");
   const std::vector<Episode> asked =
       model.learnt_from_setpoints ? with_setpoints_only(unseen) : unseen;
   require_kind_learnt(model, asked);
-  PredictedRuns result{runs_of(arm, model, asked), {}};
+  PredictedRuns result{runs_of(arm, model, asked, pieces_to_run(asked)), {}};
   std::vector<RolloutPiece> pieces;
   for (const Episode& run : result.runs) {
     pieces.push_back({static_cast<int>(pieces.size()), 0, run.frame_count() - 1});
@@ -108,6 +113,12 @@ PredictedRuns predict_runs(const ArmDescription& arm, const CompensationModel& m
     result.predicted[i].row(0) = result.runs[i].backbone.row(0);  // where it starts is known
   }
   return result;
+}
+
+PredictedRuns predict_error_runs(const ArmDescription& arm, const CompensationModel& model,
+                                 const std::vector<Episode>& unseen, int jobs) {
+  const auto pieces = [&](const std::vector<Episode>& asked) { return error_runs(arm, asked); };
+  return predict_runs(arm, model, unseen, pieces, jobs);
 }
 
 std::optional<PredictionError> error_of(const ArmDescription& arm, const PredictedRuns& all) {
@@ -135,21 +146,9 @@ std::optional<PredictionError> error_of(const ArmDescription& arm, const Predict
   return result;
 }
 
-}  // namespace
-
-std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,
-                                                        const CompensationModel& model,
-                                                        const std::vector<Episode>& unseen,
-                                                        int jobs) {
-  const PredictedRuns all = predict_runs(arm, model, unseen, jobs);
-  return all.are_finite() ? error_of(arm, all) : std::nullopt;
-}
-
-void note_unseen(const ArmDescription& arm, CompensationModel& model,
-                 const std::vector<Episode>& unseen, int jobs) {
-  PredictedRuns all = predict_runs(arm, model, unseen, jobs);
-  model.prediction_error = all.are_finite() ? error_of(arm, all) : std::nullopt;
-  if (!model.prediction_error || !model.learnt) {
+/// Widens what the model has learnt by the shapes that it predicts.
+void hold_shapes(PredictedRuns all, CompensationModel& model) {
+  if (!model.learnt) {
     return;
   }
   for (std::size_t i = 0; i < all.runs.size(); ++i) {
@@ -157,6 +156,35 @@ void note_unseen(const ArmDescription& arm, CompensationModel& model,
     all.runs[i].tracked.clear();
   }
   model.learnt = with_shapes_of(std::move(*model.learnt), all.runs);
+}
+
+}  // namespace
+
+std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,
+                                                        const CompensationModel& model,
+                                                        const std::vector<Episode>& unseen,
+                                                        int jobs) {
+  const PredictedRuns all = predict_error_runs(arm, model, unseen, jobs);
+  return all.are_finite() ? error_of(arm, all) : std::nullopt;
+}
+
+void note_unseen(const ArmDescription& arm, CompensationModel& model,
+                 const std::vector<Episode>& unseen, int jobs) {
+  PredictedRuns all = predict_error_runs(arm, model, unseen, jobs);
+  model.prediction_error = all.are_finite() ? error_of(arm, all) : std::nullopt;
+  if (model.prediction_error) {
+    hold_shapes(std::move(all), model);
+  }
+}
+
+void note_shapes(const ArmDescription& arm, CompensationModel& model,
+                 const std::vector<Episode>& episodes, int jobs) {
+  const auto whole = [](const std::vector<Episode>& asked) {
+    return pieces_of_length(asked, kWholeEpisodes);
+  };
+  if (PredictedRuns all = predict_runs(arm, model, episodes, whole, jobs); all.are_finite()) {
+    hold_shapes(std::move(all), model);
+  }
 }
 
 }  // namespace limber

@@ -37,6 +37,7 @@ class DamagedCheckpoint : public ::testing::Test {
     settings_.hidden_units = {8};
     settings_.ensemble = 2;
     settings_.average_decay = 0.9;
+    settings_.optimiser = Optimiser::soap;
     settings_.stages = {{2, 64, 2}, {8, 32, 4}};
     settings_.checkpoint = folder_.path() / "run.checkpoint";
     settings_.stop_after_epochs = 3;
@@ -141,7 +142,8 @@ TEST_F(DamagedCheckpoint, StagesAreRefusedWithATimeLimitToo) {
 }
 
 TEST_F(DamagedCheckpoint, TensorsAreRefusedByName) {
-  for (const char* name : {"parameters", "average", "first_moment", "second_moment", "best"}) {
+  for (const char* name :
+       {"parameters", "average", "first_moment", "second_moment", "rotations", "best"}) {
     const auto expect = [&](const char* why, const std::function<void(Tensor&)>& damage) {
       EXPECT_THAT(
           refusal([&](Safetensors& content, Json&) { damage(content.tensors[name]); }),

@@ -7,7 +7,9 @@
 #include "limber/network/arm_family.hpp"
 #include "limber/training/adaptation.hpp"
 #include "limber/training/arm_fit.hpp"
+#include "limber/training/evaluation.hpp"
 #include "limber/training/trainer.hpp"
+#include "limber/training/unseen_error.hpp"
 #include "training/toy_arm.hpp"
 
 namespace limber {
@@ -132,6 +134,31 @@ TEST_F(FamilyOfPlays, AdaptIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.fitted_error_m, three.fitted_error_m);
   EXPECT_LT(one.fitted_error_m, one.middle_error_m);
   EXPECT_TRUE(one.model.prediction_error);
+}
+
+// A network's shapes are a little off those of every arm: that is no reason to warn of plans.
+TEST_F(FamilyOfPlays, ShapesThatTheAdaptedNetworkPredictsAreNotNovelToIt) {
+  CompensationModel with_region = family();
+  const Episode minute = motions_of(20.0F, 40, 710).front();
+  with_region.learnt = learnt_region_of(
+      TrainingData{{motions_of(10.0F, 100, 708).front(), motions_of(40.0F, 100, 709).front()}, {}});
+  const Episode other = motions_of(20.0F, 40, 711).front();
+  AdaptationSettings settings;
+  settings.weights = AdaptWeights::never;
+  const CompensationModel adapted = adapt(arm(), with_region, {minute}, settings).model;
+  const FrameMatrix predicted =
+      predict(ForwardModel(arm(), adapted), other, Restart::at_the_start_only);
+  const auto novel_share = [&](const LearntRegion& region) {
+    int novel = 0;
+    for (int t = 1; t < other.frame_count(); ++t) {
+      novel +=
+          region.contains(other.pressure_kpa.row(t).transpose(), backbone_at(predicted, t)) ? 0 : 1;
+    }
+    return static_cast<double>(novel) / other.frame_count();
+  };
+  const double before = novel_share(*with_region.learnt);
+  EXPECT_GT(before, 0.1);
+  EXPECT_LT(novel_share(*adapted.learnt), 0.3 * before);
 }
 
 TEST_F(FamilyOfPlays, ItsTubeIsWiderForAnArmThatItPredictsWorse) {

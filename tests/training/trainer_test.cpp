@@ -195,15 +195,18 @@ TEST(Train, RefusesEpisodesShorterThanAWindow) {
           "the longest training episode has 30 frames; preset 'best' needs windows of 32")));
 }
 
-class TrainEnsembleOf : public testing::TestWithParam<int> {};
+class TrainWith : public testing::TestWithParam<std::tuple<int, Optimiser>> {};
 
-INSTANTIATE_TEST_SUITE_P(Networks, TrainEnsembleOf, testing::Values(1, 3));
+INSTANTIATE_TEST_SUITE_P(NetworksAndOptimisers, TrainWith,
+                         testing::Combine(testing::Values(1, 3),
+                                          testing::Values(Optimiser::adam, Optimiser::soap)));
 
-TEST_P(TrainEnsembleOf, ResumesWithTheBitsOfAnUnbrokenRun) {
+TEST_P(TrainWith, ResumesWithTheBitsOfAnUnbrokenRun) {
   const ArmDescription arm = three_segment_arm();
   const TemporaryFolder folder;
   TrainingSettings settings = small_settings();
-  settings.ensemble = GetParam();
+  settings.ensemble = std::get<0>(GetParam());
+  settings.optimiser = std::get<1>(GetParam());
   settings.stages = {{2, 64, 3}, {8, 32, 3}};
   const TrainingResult unbroken = train(arm, toy_data(arm), settings);
 

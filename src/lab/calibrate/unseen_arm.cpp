@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "limber/common/data_folder.hpp"
 #include "limber/data/episode_slice.hpp"
@@ -10,12 +11,13 @@
 
 namespace limber {
 
-std::filesystem::path own_family_file(const ArmDescription& arm) {
-  std::filesystem::path file = data_folder() / "families" / (arm.name + ".safetensors");
-  std::error_code error;
-  return std::filesystem::exists(file, error) && read_model(file).arm_hash == arm.hash()
-             ? file
-             : std::filesystem::path();
+std::optional<CompensationModel> own_family(const ArmDescription& arm) {
+  const std::filesystem::path file = data_folder() / "families" / (arm.name + ".safetensors");
+  if (std::error_code error; !std::filesystem::exists(file, error)) {
+    return std::nullopt;
+  }
+  CompensationModel family = read_model(file);
+  return family.arm_hash == arm.hash() ? std::optional(std::move(family)) : std::nullopt;
 }
 
 Episode first_seconds(const ArmDescription& arm, const Episode& run, double seconds) {

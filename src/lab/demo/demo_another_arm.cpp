@@ -1,12 +1,11 @@
 // What a minute of motion makes of limber's family: arms that nobody has recorded before.
-#include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "demo_environments.hpp"
 #include "demo_stages.hpp"
-#include "limber/common/data_folder.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/common/units.hpp"
 #include "limber/lab/unseen_arm.hpp"
@@ -94,23 +93,22 @@ OtherArmFigures other_arm_figures(const DemoResults& results, const Compensation
 
 void another_arm_stage(DemoResults& results) {
   const ArmDescription& arm = results.settings->arm;
-  const std::filesystem::path file = own_family_file(arm);
-  if (file.empty()) {
+  const std::optional<CompensationModel> family = own_family(arm);
+  if (!family) {
     results.settings->say(fmt::format(
         "  limber has no family for {}; limber family --arm FILE --out FAMILY makes one",
         arm.name));
     return;
   }
-  const CompensationModel family = read_model(file);
   for (int number = 0; number < results.recipe.other_arms; ++number) {
     throw_if_interrupted();
-    results.other_arms.push_back(other_arm_figures(results, family, number));
+    results.other_arms.push_back(other_arm_figures(results, *family, number));
     const OtherArmFigures& figures = results.other_arms.back();
     results.settings->say(fmt::format(
         "  arm {} of {}: {:.1f} cm off with the network above; adapted, after 20 s {:.1f}, after a "
-        "minute {:.1f}; {} of {} plans arrive",
+        "minute {:.1f}; {} of {} plans found, {} arrive",
         number + 1, results.recipe.other_arms, figures.own_network_cm, figures.after_20_s_cm,
-        figures.after_60_s_cm, figures.arrived, figures.plans));
+        figures.after_60_s_cm, figures.solved, figures.plans, figures.arrived));
   }
 }
 

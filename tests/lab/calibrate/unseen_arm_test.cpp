@@ -14,7 +14,7 @@ class UnseenArmTest : public testing::Test {
  protected:
   UnseenArmTest()
       : arm_(load_arm(data_folder() / "arms/two_segment.yaml")),
-        family_(read_model(own_family_file(arm_))) {}
+        family_(own_family(arm_).value()) {}
 
   ArmDescription arm_;
   CompensationModel family_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
+#include <optional>
 
 #include "limber/arm/arm_description.hpp"
 #include "limber/data/recording.hpp"
@@ -29,8 +29,8 @@ struct UnseenArm {
 UnseenArm unseen_arm(const ArmDescription& arm, const CompensationModel& family,
                      const UnseenArms& of, std::uint64_t seed, std::uint64_t number);
 
-/// limber's own family for arms with these dimensions; empty where it has none.
-std::filesystem::path own_family_file(const ArmDescription& arm);
+/// limber's own family for arms with these dimensions, if it has one.
+std::optional<CompensationModel> own_family(const ArmDescription& arm);
 
 /// The first seconds of a run, all of it where it is shorter.
 Episode first_seconds(const ArmDescription& arm, const Episode& run, double seconds);

@@ -26,6 +26,9 @@ CompensationModel family_of(CompensationModel model);
 /// The tube of an arm that predictions are expected to be off by so many times as much.
 Tube scaled(Tube tube, double times);
 
+/// What a family's record says under a key that ends with _cm; NaN where it says nothing.
+double noted_error_m(const CompensationModel& family, const std::string& key);
+
 /// A family's tube is that of an arm whose fit expects the tip to be off by this much; the tubes of
 /// other arms are in proportion. @return NaN for a family that does not say
 double expected_error_of_tube_m(const CompensationModel& family);

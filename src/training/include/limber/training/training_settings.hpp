@@ -14,7 +14,12 @@ namespace limber {
 enum class Optimiser {
   sgd,   ///< plain stochastic gradient descent, the paper's
   adam,  ///< Kingma & Ba 2015
+  /// Adam in the directions in which a weight's gradients vary (Vyas et al. 2024); one step of it
+  /// teaches a family about as much as two of Adam (docs/families.md)
+  soap,
 };
+
+const char* to_string(Optimiser optimiser);
 
 /// How the errors of a batch's windows become one number. This hardly matters for Adam, but does
 /// for SGD, whose step grows with the sum (docs/training.md).

@@ -42,4 +42,8 @@ LearntRegion learnt_region_of(const TrainingData& data, const LearntRegion* star
 void note_unseen(const ArmDescription& arm, CompensationModel& model,
                  const std::vector<Episode>& unseen, int jobs = 0);
 
+/// The second half of that alone, along whole episodes of any recording of the arm.
+void note_shapes(const ArmDescription& arm, CompensationModel& model,
+                 const std::vector<Episode>& episodes, int jobs = 0);
+
 }  // namespace limber
