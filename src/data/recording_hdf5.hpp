@@ -33,6 +33,10 @@ class Hdf5Section {
   Hdf5Section(const Hdf5Section&) = delete;
   Hdf5Section& operator=(const Hdf5Section&) = delete;
 
+  /// From now on its printing stays off: when the process ends, libhdf5 would complain once more of
+  /// a damaged file, parts of which it never lets go.
+  void stay_quiet() { print_ = nullptr; }
+
  private:
   static std::mutex& mutex() {
     static std::mutex instance;

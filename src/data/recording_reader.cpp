@@ -362,11 +362,16 @@ class Reader {
 };
 
 Recording read(const std::filesystem::path& path) {
+  Hdf5Section section;
   try {
     return Reader(path).read();
-  } catch (const H5::Exception& failure) {
-    throw InputError(fmt::format("{}: can't be read: {} ({}); the file is damaged or cut short",
-                                 path.string(), failure.getDetailMsg(), failure.getFuncName()));
+  } catch (const H5::Exception&) {
+    section.stay_quiet();
+    throw InputError(fmt::format(
+        "{}: can't be read: damaged or cut short; expected a whole recording", path.string()));
+  } catch (const InputError&) {
+    section.stay_quiet();
+    throw;
   }
 }
 
@@ -383,7 +388,6 @@ Recording read_recording(const std::filesystem::path& path) {
   require_plain_file(path);
   Recording recording;
   try {
-    const Hdf5Section section;
     recording = read(path);
   } catch (const InputError&) {
     (void)read_file(path);  // tells a failing disk from a damaged file; HDF5 does not

@@ -29,8 +29,9 @@ struct Valley {
   static constexpr int kColumns = 6;
 
   static MatrixXf stretched(int size, std::uint64_t stream) {
-    const VectorXf lengths =
-        VectorXf::LinSpaced(size, 0.0F, 1.0F).unaryExpr([](float v) { return std::pow(10.0F, -v); });
+    const VectorXf lengths = VectorXf::LinSpaced(size, 0.0F, 1.0F).unaryExpr([](float v) {
+      return std::pow(10.0F, -v);
+    });
     return random_rotation(size, stream) * lengths.asDiagonal() *
            random_rotation(size, stream + 1).transpose();
   }
@@ -84,8 +85,8 @@ TEST(Soap, StepsTurnWithTheCoordinates) {
   VectorXf turned = plain;
   for (int k = 0; k < 60; ++k) {  // more than one set of eigenvectors
     // Whole in every direction: what no gradient has is moved by rounding alone.
-    const MatrixXf g = Valley().a * random_matrix(Valley::kRows, Valley::kColumns, 100 + k) *
-                       Valley().b;
+    const MatrixXf g =
+        Valley().a * random_matrix(Valley::kRows, Valley::kColumns, 100 + k) * Valley().b;
     soap.step(parameters_of(g), 0.01, plain_state, plain);
     soap.step(parameters_of(p * g * q), 0.01, turned_state, turned);
   }
