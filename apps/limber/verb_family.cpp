@@ -59,7 +59,7 @@ class FamilyVerb final : public Verb {
     app.add_option("--hidden", hidden_,
                    "Units of each hidden layer; more tell more arms apart, and predict slower")
         ->check(CLI::Range(1, 4096))
-        ->default_str("100 100 100");
+        ->capture_default_str();
     app.add_option("--epochs", epochs_, "Epochs of training in all")
         ->check(CLI::Range(1, 10'000'000))
         ->capture_default_str();
@@ -140,9 +140,7 @@ class FamilyVerb final : public Verb {
     set_epoch_count(settings, epochs_);
     settings.family_size = size_;
     settings.optimiser = Optimiser::soap;
-    if (!hidden_.empty()) {
-      settings.hidden_units = hidden_;
-    }
+    settings.hidden_units = hidden_;
     settings.validation_interval = kValidationInterval;
     settings.seed = flags.seed;
     settings.jobs = flags.jobs;
@@ -180,8 +178,8 @@ class FamilyVerb final : public Verb {
   std::string out_;
   double hours_ = 18.0;
   int size_ = 16;
-  std::vector<int> hidden_;
-  int epochs_ = 300;
+  std::vector<int> hidden_ = {160, 160, 160};  // an arm that varies in 20 ways takes more than one
+  int epochs_ = 500;
   std::string variation_ = "wide";
   bool resume_ = false;
 };
