@@ -14,7 +14,8 @@ namespace limber {
 /// SOAP (Vyas et al. 2024, "SOAP: Improving and Stabilizing Shampoo using Adam"): Adam, but the
 /// gradient G (m×k) of a weight is first turned into the directions in which its gradients vary,
 /// Uᵀ·G·V with the eigenvectors of the moving averages of G·Gᵀ and of Gᵀ·G. Biases and the vectors
-/// of a family's arms take Adam's own steps. Letters: N networks, m outputs and k inputs of a layer.
+/// of a family's arms take Adam's own steps. Letters: N networks, m outputs and k inputs of a layer
+/// each.
 ///
 /// A weight's moments lie in OptimiserState where the weight lies among the parameters, in turned
 /// directions; averages and eigenvectors lie in its `rotations`. The same bits for any number of
