@@ -20,7 +20,8 @@ LearntRegion learnt_region_of(const std::vector<Episode>& episodes);
 LearntRegion widened_by(LearntRegion region, const std::vector<Episode>& episodes);
 
 /// `region`, with its axes' ranges widened by the shapes in `episodes`, in those frames whose
-/// pressures it holds, and as much farther as learnt_region_of() does. Its pressures and rates stay, because a predicted frame teaches nothing.
+/// pressures it holds, and as much farther as learnt_region_of() does. Its pressures and rates
+/// stay, because a predicted frame teaches nothing.
 LearntRegion with_shapes_of(LearntRegion region, const std::vector<Episode>& episodes);
 
 /// Smallest share of its half range by which an axis' border lies outside of the frames.
