@@ -20,7 +20,7 @@ PlanChain::PlanChain(const ArmDescription& arm, int first, int count, double max
   tried_.reserve(static_cast<std::size_t>(count));  // so that none moves
 }
 
-const PlannedRun* PlanChain::begin() {
+const PlannedRun* PlanChain::first_plan() {
   const PlannedRun* begun = plan_from(std::nullopt);
   if (begun != nullptr) {
     executed_.push_back({tried_.size() - 1});

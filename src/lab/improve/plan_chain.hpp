@@ -31,7 +31,7 @@ class PlanChain final : public PlanController {
 
   /// The first environment that has a plan for the vented arm; null if none has. It stays where it
   /// is as long as the chain.
-  const PlannedRun* begin();
+  const PlannedRun* first_plan();
 
   /// What became of the environments, after `run`. A chain of one plan is judged as the executor
   /// judged it; the plans of a longer one each in its own environment, on the frames recorded. The

@@ -102,7 +102,7 @@ class Batch {
                     [this](int number, const std::optional<ArmStart>& start) {
                       return planned(number, start);
                     });
-    const PlannedRun* begun = chain.begin();
+    const PlannedRun* begun = chain.first_plan();
     if (begun == nullptr || interrupt_requested()) {
       return chain.ended({});
     }

@@ -73,7 +73,7 @@ class PlanChains : public ::testing::Test {
     obstacles_.resize(targets_kpa_.size());
     PlanChain chain(arm_, 0, static_cast<int>(targets_kpa_.size()), max_s,
                     [this](int number, const auto& start) { return plan_in(number, start); });
-    const PlannedRun* begun = chain.begin();
+    const PlannedRun* begun = chain.first_plan();
     if (begun == nullptr) {
       return chain.ended({});
     }
