@@ -154,8 +154,8 @@ def changed_tensors(draw, data):
     return struct.pack("<Q", said) + header + bytes(numbers)
 
 
-def make_kinds(folder):
-    """The whole files, made by limber itself, of a small arm and a small network."""
+def make_files(folder):
+    """Whole files, made by limber itself, of a small arm and a small network."""
 
     def run(*arguments):
         result = limber(*arguments, folder=folder)
@@ -183,7 +183,11 @@ def make_kinds(folder):
     (folder / "track.csv").write_text("time_s,x_m,y_m\n" + "".join(f"{0.1 * k},{0.4 - 0.001 * k},{0.05 + 0.002 * k}\n"
                                                                   for k in range(30)), encoding="utf-8")
     unfinished(folder, [*learn, "--data", "r.h5", "--epochs", 100000, "--checkpoint-interval-s", 0, "--out", "c.safetensors"])
-    on = " ".join(arm)
+
+
+def kinds_of(folder):
+    """The kinds of these files, and of some that limber comes with."""
+    on = "--arm two_segment"
     made = folder.resolve()
     quick = "--margin-m 0.001 --goal-margin-m 0.001 --max-queries 1000"
     text, tensors, data = changed_text, changed_tensors, changed_bytes
@@ -232,7 +236,9 @@ def make_kinds(folder):
             f"train {on} --hidden 8 --windows 2 --data {made}/r.h5 --epochs 100000 --checkpoint-interval-s 1 --resume "
             "--out {o}/c.safetensors"], tensors),
     ]
-    return [kind for kind in kinds if all(path.exists() for path in kind.files)]
+    if missing := [path for kind in kinds for path in kind.files if not path.exists()]:
+        sys.exit(f"{missing[0]}: not made")
+    return kinds
 
 
 def unfinished(folder, arguments):
@@ -250,7 +256,8 @@ class Campaign:
         self.options = options
         self.folder = folder
         (folder / "whole").mkdir()
-        self.kinds = make_kinds(folder / "whole")
+        make_files(folder / "whole")
+        self.kinds = kinds_of(folder / "whole")
 
     def problem(self, number):
         """What went wrong with file `number`; empty: nothing."""

@@ -1,5 +1,7 @@
 #include "src/training/soap.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <Eigen/QR>
 
