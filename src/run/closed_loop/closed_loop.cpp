@@ -125,6 +125,7 @@ struct ClosedLoop::Motion {
   PoseGoal goal;                  // of the environment
   PoseGoal next_aim;              // of the last answer to `next`, and whether that corrects
   bool next_is_correction = false;
+  RestMiss next_missed;
   /// It starts at rest, and its goal is shifted by what the model has a held arm do: that is not
   /// missed once more.
   bool is_correction = false;
@@ -252,8 +253,10 @@ PlanController::NextPlan ClosedLoop::next(const PlanProgress& at, const ArmEstim
   // Where it rests, free of most of the tracker's noise.
   const std::optional<Backbone> mean = arm.rest();
   const std::optional<Backbone> rest = mean ? mean : arm.measured().backbone;
-  return [&motion, &plan = at.plan, frame = at.frame, held_kpa = at.sent_kpa, rest] {
-    std::optional<Plan> found = motion.corrections->next(plan, frame, held_kpa, rest);
+  return [&motion, &plan = at.plan, frame = at.frame, held_kpa = at.sent_kpa, rest,
+          missed = arm.rest_miss()] {
+    std::optional<Plan> found = motion.corrections->next(plan, frame, held_kpa, rest, missed);
+    motion.next_missed = motion.corrections->missed();
     motion.next_aim = motion.corrections->aim();  // an obstacle that appears now has another
     motion.next_is_correction = motion.corrections->is_correction();
     return found;
@@ -269,6 +272,7 @@ void ClosedLoop::take_next(const Plan* /*found*/, ArmEstimate& arm) {
   motion_->is_correction = motion_->next_is_correction;
   motion_->times_led_on = 0;
   motion_->followed = nullptr;
+  arm.take(motion_->next_missed);
   arm.forget_miss();
 }
 

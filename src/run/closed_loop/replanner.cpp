@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "goal_lengths.hpp"
@@ -50,9 +49,6 @@ constexpr double kOfNowNear = 1.3;
 constexpr double kLeastEffort = 0.05;
 constexpr double kHardlyMoved = 0.25;
 constexpr int kMaxDoublings = 3;
-/// By that share of the creep, and of what was missed, is the goal shifted. Arms that are
-/// hardly moved show all of the creep, others next to none.
-constexpr double kShiftShare = 0.5;
 constexpr double kNearObstacleM = 0.01;
 /// Of the distance that is left, where no plan ends in the goal.
 constexpr double kNearerShare = 0.8;
@@ -66,11 +62,6 @@ constexpr double kLeastMargin = 0.25;
 constexpr std::array kAsked = {Asked{0.1, 1.0}, Asked{0.1, kLeastMargin}, Asked{1.0, kLeastMargin}};
 /// Of an arm that was halted: its way is long again.
 constexpr std::array kAskedOfHalted = {Asked{0.1, 1.0}, Asked{1.0, 1.0}};
-
-Eigen::Vector3d difference(const Pose& pose, const Pose& other) {
-  return {pose.x_m - other.x_m, pose.y_m - other.y_m,
-          std::remainder(pose.theta_rad - other.theta_rad, 2.0 * std::numbers::pi)};
-}
 
 }  // namespace
 
@@ -121,48 +112,24 @@ std::vector<PressureLimits> limits_after(const Plan& plan,
 }
 
 void Replanner::learn_from(const Plan& ended, const Pose& measured) {
-  constexpr double kShare = 0.5;
-  constexpr double kMaxBiasM = 0.1;
   if (!is_correction_) {
     return;  // a long way, on which the arm was led
   }
   const Pose expected = tip_pose(ended.frames.back().backbone);
   const Pose start = tip_pose(ended.frames.front().backbone);
   const double moved_m = difference(measured, start).head<2>().norm();
-  const double wanted_m = (difference(expected, start) - creep()).head<2>().norm();
+  const double wanted_m = (difference(expected, start) - missed_.creep()).head<2>().norm();
   stuck_ = moved_m < kHardlyMoved * wanted_m ? stuck_ + 1 : 0;
-  const Eigen::Vector3d missed = difference(measured, expected) + creep();
-  bias_ += kShare * (missed - bias_);
-  const double size_m = bias_.head<2>().norm();
-  if (size_m > kMaxBiasM) {
-    bias_ *= kMaxBiasM / size_m;
-  }
-}
-
-/// Under a load, or with more friction than it learnt, a model has an arm that is just held drift
-/// away. The arm does not, so that drift is taken off what the model says of plans from there.
-void Replanner::note_creep(const Pressures& held_kpa, int frames, const Backbone& measured) {
-  creep_.clear();
-  MotionState state = model_.settled_state(held_kpa, measured);
-  MotionModel::Workspace workspace;
-  for (int k = 0; k < frames; ++k) {
-    model_.step(held_kpa, state, workspace);
-    creep_.push_back(difference(tip_pose(state.backbone), tip_pose(measured)));
-  }
-}
-
-Eigen::Vector3d Replanner::creep(std::size_t frame) const {
-  return creep_.empty() || frame == 0 ? Eigen::Vector3d(0.0, 0.0, 0.0)
-                                      : creep_[std::min(frame, creep_.size()) - 1];
+  missed_.learn(expected, measured);
 }
 
 PoseGoal Replanner::shifted_goal() const {
-  const Eigen::Vector3d shift = kShiftShare * (creep() - bias_);
+  const Eigen::Vector3d missed = missed_.expected();
   PoseGoal goal = environment_.goal;
-  goal.x_m += shift.x();
-  goal.y_m += shift.y();
+  goal.x_m -= missed.x();
+  goal.y_m -= missed.y();
   if (goal.theta_rad) {
-    *goal.theta_rad += shift.z();
+    *goal.theta_rad -= missed.z();
   }
   return goal;
 }
@@ -170,7 +137,7 @@ PoseGoal Replanner::shifted_goal() const {
 /// As the arm will go, and not as the model has it: without creep.
 bool Replanner::stays_in_goal(const Plan& plan) const {
   for (std::size_t k = 1; k < plan.frames.size(); ++k) {
-    const Eigen::Vector3d off = creep(k);
+    const Eigen::Vector3d off = missed_.creep(k);
     Pose tip = tip_pose(plan.frames[k].backbone);
     tip.x_m -= off.x();
     tip.y_m -= off.y();
@@ -197,7 +164,8 @@ std::optional<Plan> Replanner::search(const Plan& before, const Environment& fro
 }
 
 std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const Pressures& held_kpa,
-                                    const std::optional<Backbone>& rest) {
+                                    const std::optional<Backbone>& rest, const RestMiss& missed) {
+  missed_ = missed;
   if (!rest || replans_ >= settings_.max_replans) {
     return std::nullopt;
   }
@@ -213,9 +181,9 @@ std::optional<Plan> Replanner::next(const Plan& plan, std::size_t frame, const P
   // Millimetres are not worth a collision: an arm in the goal keeps all of the room.
   const double kept_m = has_arrived ? room_.margin_m : -std::numeric_limits<double>::infinity();
   if (halted) {
-    creep_.clear();
+    missed_.forget_creep();
   } else if (has_more_to_gain(error_m, has_arrived) && clearance_m(*rest) >= kept_m) {
-    note_creep(held_kpa, plan.hold_frame_count, *rest);
+    missed_.note_creep(model_, held_kpa, plan.hold_frame_count, *rest);
   } else {
     return std::nullopt;
   }

@@ -1,11 +1,13 @@
 #include "limber/run/arm_estimate.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <utility>
 
 #include "forecast_check.hpp"
 #include "limber/arm/plate_distance.hpp"
 #include "limber/run/rest_average.hpp"
+#include "limber/run/rest_miss.hpp"
 #include "limber/run/state_lag.hpp"
 #include "pressure_lag.hpp"
 #include "shape_filter.hpp"
@@ -22,6 +24,8 @@ constexpr double kMovingShare = 0.00284;
 /// it. 2 mm of the arm of the paper, four times a tracker's noise: with 0.5 and 1 mm a noise of
 /// 0.5 mm still moved the arm (docs/experiments.md, Disturbances).
 constexpr double kMeasuredShare = 0.00284;
+constexpr double kTipForecastS = 0.25;  // whose misses of the tip are low-passed
+constexpr double kMaxFarther = 2.0;     // times that: the farthest they are extrapolated
 
 Eigen::VectorXd gap_lengths_m(const ArmDescription& arm) {
   Eigen::VectorXd lengths_m(arm.point_count() - 1);
@@ -41,7 +45,8 @@ class PredictedState {
       : model_(*with.model),
         pressure_lag_(model_.valves()),
         start_(with.filter_from),
-        check_(static_cast<std::size_t>(arm.frames_in(kForecastS))) {
+        check_(static_cast<std::size_t>(arm.frames_in(kForecastS)),
+               static_cast<std::size_t>(arm.frames_in(kTipForecastS))) {
     if (start_) {
       filter_.emplace(gap_lengths_m(arm), kMeasuredShare * arm.length_m());
     }
@@ -72,7 +77,12 @@ class PredictedState {
   const std::optional<MotionState>& ahead() const { return ahead_; }
   double moved_m() const { return moved_m_; }
   const ModelMiss& miss() const { return miss_; }
-  const ForecastCheck& check() const { return check_; }
+  /// A network starts from the measured shape, and errs more the farther ahead; the no-load model
+  /// errs as much in the next frame.
+  Eigen::Vector2d missed_ahead_m(int frames) const {
+    const double times = std::min(double(frames) / double(check_.tip_frames()), kMaxFarther);
+    return (model_.has_network() ? times : 1.0) * check_.missed_tip_m();
+  }
   void forget_miss() {
     miss_ = {};
     check_.forget();
@@ -172,6 +182,7 @@ struct ArmEstimate::Parts {
   ArmState measured;
   StateLag said_lag;
   RestAverage rest;
+  RestMiss rest_miss;
   std::optional<PredictedState> predicted;
 };
 
@@ -240,10 +251,16 @@ const ModelMiss& ArmEstimate::miss() const {
   return parts_->predicted ? parts_->predicted->miss() : kNone;
 }
 
-std::optional<Eigen::Vector2d> ArmEstimate::missed_tip_m(int frames) const {
-  return parts_->predicted && parts_->measured.backbone
-             ? parts_->predicted->check().missed_tip_m(static_cast<std::size_t>(frames))
-             : std::nullopt;
+Eigen::Vector2d ArmEstimate::missed_ahead_m(int frames) const {
+  return parts_->predicted ? parts_->predicted->missed_ahead_m(frames) : Eigen::Vector2d(0.0, 0.0);
+}
+
+const RestMiss& ArmEstimate::rest_miss() const {
+  return parts_->rest_miss;
+}
+
+void ArmEstimate::take(const RestMiss& found) {
+  parts_->rest_miss = found;
 }
 
 void ArmEstimate::forget_miss() {

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <deque>
-#include <optional>
 
 #include "limber/forward/motion_model.hpp"
 
@@ -16,8 +15,10 @@ namespace limber {
 /// Threads: one check, one thread. One query per frame and forecast.
 class ForecastCheck {
  public:
-  /// @param frames  the oldest that a forecast becomes, ≥ 1
-  explicit ForecastCheck(std::size_t frames) : frames_(frames) {}
+  /// @param frames      the oldest that a forecast becomes, ≥ 1
+  /// @param tip_frames  the age of those whose tips are compared, at most `frames`
+  ForecastCheck(std::size_t frames, std::size_t tip_frames)
+      : frames_(frames), tip_frames_(tip_frames) {}
 
   /// All forecasts go on by a frame, in which the pressures change from one to the other.
   void step(const MotionModel& model, const Pressures& before_kpa, const Pressures& pressure_kpa,
@@ -29,9 +30,9 @@ class ForecastCheck {
   /// Per plate, the most that was seen recently: it counts a tenth less with every frame. Empty
   /// before anything was compared. [m]
   const Eigen::VectorXd& missed_m() const { return missed_m_; }
-  /// Where the tip is that was compared last, less where the forecast of that age had it; none if
-  /// no forecast has that age.
-  std::optional<Eigen::Vector2d> missed_tip_m(std::size_t age) const;
+  /// Where tips were, less where forecasts of `tip_frames` had them: low-passed, at most 5 cm.
+  const Eigen::Vector2d& missed_tip_m() const { return missed_tip_m_; }
+  std::size_t tip_frames() const { return tip_frames_; }
 
  private:
   struct Forecast {
@@ -41,8 +42,10 @@ class ForecastCheck {
   };
 
   std::size_t frames_;
+  std::size_t tip_frames_;
   std::deque<Forecast> forecasts_;  // the oldest first
   Eigen::VectorXd missed_m_;
+  Eigen::Vector2d missed_tip_m_ = Eigen::Vector2d::Zero();
 };
 
 }  // namespace limber

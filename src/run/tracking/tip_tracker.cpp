@@ -18,11 +18,8 @@ namespace {
 
 constexpr double kApproachHoldS = 1.0;
 constexpr double kFirstPointS = 2.0;  // for the path's first point before its time 0
-constexpr int kBiasFrames = 5;
-constexpr double kBiasShare = 0.2;      // of the low-pass, in each frame
-constexpr double kMaxBiasFactor = 2.0;  // farthest extrapolation of the bias
-constexpr int kRounds = 2;              // of sampling and fitting, in each frame
-constexpr double kRidge = 1e-3;         // of the fit, over the samples' own variance
+constexpr int kRounds = 2;            // of sampling and fitting, in each frame
+constexpr double kRidge = 1e-3;       // of the fit, over the samples' own variance
 constexpr double kStepShares[] = {0.25, 0.5, 0.75, 1.0};
 constexpr int kMinSamples = 8;
 
@@ -87,14 +84,10 @@ std::string TipTracker::why_stopped(const ArmEstimate& arm) const {
              : "";
 }
 
-/// Where the arm is, what the model misses, and what this lap's measured frame teaches the next.
+/// Where the arm is, where it was asked to be, and what this lap's frame teaches the next.
 void TipTracker::take_in(const ArmEstimate& arm) {
   state_ = arm.state();
   queries_ += std::uint64_t(1 + arm.lag_frames());
-  if (const std::optional<Eigen::Vector2d> missed = arm.missed_tip_m(kBiasFrames)) {
-    bias_m_ += kBiasShare * (*missed - bias_m_);
-    bias_m_ *= std::min(1.0, settings_.max_bias_m / std::max(bias_m_.norm(), 1e-12));
-  }
   const int seen = frame_ - arm.lag_frames();
   const int since = seen - path_start_frame_;
   if (since > 0 && arm.measured().backbone) {  // the lap's first frame is the approach's
@@ -102,19 +95,11 @@ void TipTracker::take_in(const ArmEstimate& arm) {
   }
 }
 
-/// A network starts from the measured shape, and errs more the farther ahead; the no-load model
-/// errs as much in the next frame.
-Eigen::Vector2d TipTracker::bias_ahead_m(int frames) const {
-  if (!model_.has_network()) {
-    return bias_m_;
-  }
-  return std::min(double(frames) / kBiasFrames, kMaxBiasFactor) * bias_m_;
-}
-
-Eigen::VectorXd TipTracker::wanted_tips() const {
+Eigen::VectorXd TipTracker::wanted_tips(const ArmEstimate& arm) const {
   Eigen::VectorXd wanted(2 * horizon());
   for (int h = 1; h <= horizon(); ++h) {
-    wanted.segment<2>(2 * (h - 1)) = path_.at(path_time_s(frame_ + h)) - bias_ahead_m(h) +
+    wanted.segment<2>(2 * (h - 1)) = path_.at(path_time_s(frame_ + h)) -
+                                     settings_.missed_share * arm.missed_ahead_m(h) +
                                      laps_.shift_m(frame_ + h - path_start_frame_);
   }
   return wanted;
@@ -217,8 +202,8 @@ Eigen::VectorXd TipTracker::knots_one_frame_on() const {
   return knots_kpa_ + slope;
 }
 
-void TipTracker::search() {
-  const Eigen::VectorXd wanted = wanted_tips();
+void TipTracker::search(const ArmEstimate& arm) {
+  const Eigen::VectorXd wanted = wanted_tips(arm);
   const int samples =
       std::max(kMinSamples, settings_.queries / horizon() / kRounds - int(std::size(kStepShares)));
   RandomStream random(seed_, static_cast<std::uint64_t>(frame_));
@@ -255,11 +240,11 @@ void TipTracker::search() {
 }
 
 /// The first frame of the way to the first knot.
-Pressures TipTracker::decide() {
+Pressures TipTracker::decide(const ArmEstimate& arm) {
   if (frame_ < static_cast<int>(approach_.size())) {
     return approach_[static_cast<std::size_t>(frame_)];
   }
-  search();
+  search(arm);
   const Eigen::VectorXd now = state_.setpoint_kpa().cast<double>();
   const Eigen::VectorXd next =
       now + (knots_kpa_.head(channels()) - now) / settings_.frames_per_knot;
@@ -274,7 +259,7 @@ Decision TipTracker::step(const Moment& now) {
     return decision;
   }
   take_in(now.arm);
-  decision.setpoint_kpa = decide();
+  decision.setpoint_kpa = decide(now.arm);
   ++frame_;
   return decision;
 }

@@ -43,12 +43,13 @@ class ReplannerCreepTest : public ::testing::Test {
 
   /// At rest where it was, whatever the plan had in mind.
   std::optional<Plan> next(Replanner& source, const Plan& plan, std::size_t frame) const {
-    return source.next(plan, frame, plan.frames[frame].setpoint_kpa, resting_);
+    return source.next(plan, frame, plan.frames[frame].setpoint_kpa, resting_, source.missed());
   }
 
   std::optional<Plan> plan_from(const Backbone& shape) const {
     Replanner source(arm_, model_, environment_, ErrorRoom{}, ReplannerSettings{}, 1);
-    return source.next(ended_, ended_.frames.size() - 1, ended_.frames.back().setpoint_kpa, shape);
+    return source.next(ended_, ended_.frames.size() - 1, ended_.frames.back().setpoint_kpa, shape,
+                       {});
   }
 
   const ArmDescription arm_ = small_arm();

@@ -98,7 +98,7 @@ TEST_F(ReplannerTest, PlansWithinTheLimitsInForceAndThoseOfThePlan) {
   const ArmState state = driver.state();  // beside the goal, as the model is not the arm's
   Replanner source = replanner(settings);
   const std::optional<Plan> next =
-      source.next(plan, plan.frames.size() - 1, end_kpa, state.backbone);
+      source.next(plan, plan.frames.size() - 1, end_kpa, state.backbone, {});
   ASSERT_TRUE(next.has_value());
   EXPECT_EQ(next->limits[0], PressureLimits(lower_kpa, upper_kpa));
   for (const PlanFrame& frame : next->frames) {
@@ -164,7 +164,7 @@ TEST_F(ReplannerTest, AHaltedArmThatFoundNoWaySearchesOnceMoreWithMoreQueries) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     Replanner source(known_, model_, environment_, ErrorRoom{}, settings, seed);
     const auto ask = [&] {
-      return source.next(plan, 1, halt.setpoint_kpa, halt.backbone).has_value();
+      return source.next(plan, 1, halt.setpoint_kpa, halt.backbone, {}).has_value();
     };
     if (ask()) {
       ++found_at_once;

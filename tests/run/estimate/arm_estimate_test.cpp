@@ -98,6 +98,32 @@ TEST(ArmEstimate, TakesWhatIsMeasuredAndSumsWhatTheModelMisses) {
   EXPECT_EQ(estimate.miss().plate_m.size(), 0);
 }
 
+/// Frames whose tips come 1 mm aside of what the frame before led to.
+TEST(ArmEstimate, ExpectsTheTipWhereForecastsHaveMissedIt) {
+  EstimateSetting s;
+  ArmEstimate estimate(s.arm, {&s.model, std::nullopt});
+  estimate.observe(s.rest.pressures_kpa,
+                   {0.0, s.rest.pressures_kpa, std::nullopt, s.rest.backbone});
+  EXPECT_EQ(estimate.missed_ahead_m(1).norm(), 0.0);
+  for (int k = 1; k < 30; ++k) {
+    ArmState aside = s.after(s.setpoint(k));
+    MotionState expected = estimate.state();
+    s.model.step(s.setpoint(k), expected, s.workspace);
+    aside.backbone = expected.backbone;
+    aside.backbone->col(1).array() += 0.001F;
+    estimate.observe(s.setpoint(k), aside);
+  }
+  const int quarter = s.arm.frames_in(0.25);
+  const Eigen::Vector2d missed_m = estimate.missed_ahead_m(quarter);
+  EXPECT_GT(missed_m.y(), 0.0005);
+  EXPECT_LE(missed_m.norm(), 0.05);
+  const double per_frame = s.model.has_network() ? 1.0 / quarter : 1.0;
+  EXPECT_NEAR(estimate.missed_ahead_m(1).y(), per_frame * missed_m.y(), 1e-12);
+  EXPECT_EQ(estimate.missed_ahead_m(2 * quarter), estimate.missed_ahead_m(9 * quarter));
+  estimate.forget_miss();
+  EXPECT_EQ(estimate.missed_ahead_m(quarter).norm(), 0.0);
+}
+
 TEST(ArmEstimate, HasNoStateBeforeTheArmWasSeenButKnowsItsValvesThen) {
   EstimateSetting s;
   ArmEstimate estimate(s.arm, {&s.model, std::nullopt});

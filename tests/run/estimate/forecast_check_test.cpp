@@ -20,7 +20,7 @@ struct CheckSetting {
   ArmStart rest = start_state(Environment{}, arm);
   MotionState state = state_of(rest, model);
   MotionModel::Workspace workspace;
-  ForecastCheck check{kFrames};
+  ForecastCheck check{kFrames, kFrames};
 
   CheckSetting() { check.compare(state); }
 

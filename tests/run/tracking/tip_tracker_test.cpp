@@ -95,7 +95,7 @@ TEST_F(TipTrackerTest, KeepsLimitsAndFrameRuleOnAPathFarOutOfReach) {
 
 TEST_F(TipTrackerTest, ItsDisturbanceEstimateHelpsWithAnArmThatTheModelDoesNotKnow) {
   TipTrackerSettings without;
-  without.max_bias_m = 0.0;
+  without.missed_share = 0.0;
   (void)run(bending(arm_, 0.85), without);
   const double before_m = errors_.later_laps->rms_m;
   (void)run(bending(arm_, 0.85));
@@ -133,7 +133,7 @@ TEST_F(TipTrackerTest, ADriverThatAnswersAtOnceIsTrackedAsWell) {
 
 TEST_F(TipTrackerTest, LapsTeach) {
   TipTrackerSettings without;
-  without.max_bias_m = 0.0;
+  without.missed_share = 0.0;
   without.lap_share = 0.0;
   (void)run(bending(arm_, 0.85), without);
   const double before_m = errors_.later_laps->rms_m;

@@ -17,6 +17,8 @@ namespace limber {
 /// Where a start in motion is: what MotionState holds, as an environment says it.
 ArmStart start_at(const MotionState& state);
 
+class RestMiss;
+
 /// What a model has missed since a motion began, as far as it was measured: measured beside
 /// predicted from the frame before. Zero where nothing was measured.
 struct ModelMiss {
@@ -86,11 +88,17 @@ class ArmEstimate {
 
   /// Of the frames since the last `forget_miss`.
   const ModelMiss& miss() const;
-  /// Where the tip is measured, less where a forecast from so many frames before had it; none if
-  /// the arm was not seen both times. @param frames  1 to 0.5 s
-  std::optional<Eigen::Vector2d> missed_tip_m(int frames) const;
-  /// A motion begins: what was missed before it does not count any more.
+  /// Where the tip is likely to be so many frames ahead, less where the model has it: what
+  /// forecasts of 0.25 s have missed, low-passed, at most 5 cm, in proportion to how far ahead it
+  /// is, twice as much at most. Without a network it is the same in the next frame. Zero without a
+  /// model.
+  Eigen::Vector2d missed_ahead_m(int frames) const;
+  /// A motion begins: what was missed before it does not count any more, but for what is missed of
+  /// an arm at rest.
   void forget_miss();
+  /// Of an arm at rest, as those who plan from there have found it.
+  const RestMiss& rest_miss() const;
+  void take(const RestMiss& found);
 
  private:
   struct Parts;

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "limber/forward/motion_model.hpp"
 #include "limber/planning/planner.hpp"
 #include "limber/run/arm_driver.hpp"
+#include "limber/run/rest_miss.hpp"
 #include "limber/world/collision.hpp"
 
 namespace limber {
@@ -53,22 +53,22 @@ class Replanner {
   bool may_go_on(const Plan& plan, std::size_t frame, const std::optional<Backbone>& seen);
   /// The plan to follow from where the arm rests after that frame of a plan.
   /// @param held_kpa  set points that it has
+  /// @param missed    by the model, of an arm at rest, as far as it is known
   std::optional<Plan> next(const Plan& plan, std::size_t frame, const Pressures& held_kpa,
-                           const std::optional<Backbone>& rest);
+                           const std::optional<Backbone>& rest, const RestMiss& missed);
 
   double clearance_m(const Backbone& shape) const { return near_.clearance(shape).value_m; }
   /// The goal that the last plan was made for: shifted by what the model misses.
   const PoseGoal& aim() const { return aim_; }
   /// Whether the last plan was for an arm whose plan had ended, or that stood in the goal.
   bool is_correction() const { return is_correction_; }
+  /// What is known of it since.
+  const RestMiss& missed() const { return missed_; }
 
  private:
   std::uint64_t seed_of_next() const { return seed_ + static_cast<std::uint64_t>(replans_); }
   bool has_more_to_gain(double error_m, bool has_arrived) const;
   void learn_from(const Plan& ended, const Pose& measured);
-  void note_creep(const Pressures& held_kpa, int frames, const Backbone& measured);
-  /// After so many frames; it has ended with a plan's hold.
-  Eigen::Vector3d creep(std::size_t frame = std::numeric_limits<std::size_t>::max()) const;
   PoseGoal shifted_goal() const;
   bool stays_in_goal(const Plan& plan) const;
   std::optional<Plan> search(const Plan& before, const Environment& from_here, double margin_m);
@@ -96,9 +96,7 @@ class Replanner {
   bool has_halted_in_vain_ = false;  // the arm, halted, asked and found no plan
   bool is_correction_ = false;       // what the arm follows
   int stuck_ = 0;                    // corrections in a row that hardly moved the arm
-  // Of the tip, x, y, theta.
-  Eigen::Vector3d bias_ = Eigen::Vector3d::Zero();  // measured beside predicted ends
-  std::vector<Eigen::Vector3d> creep_;  // of a held arm after each frame, as the model has it
+  RestMiss missed_;
 };
 
 }  // namespace limber

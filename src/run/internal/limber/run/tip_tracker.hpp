@@ -46,8 +46,8 @@ struct TipTrackerSettings {
   double posture_m = 3e-2;
   /// Of what a lap missed, what the next one is asked for less; 0: nothing is learnt from laps.
   double lap_share = 0.25;
-  double max_bias_m = 0.05;  ///< bound of the disturbance estimate
-  double blind_s = 0.5;      ///< bridged by prediction, then the run stops
+  double missed_share = 1.0;  ///< of what the estimate has the model miss: allowed for
+  double blind_s = 0.5;       ///< bridged by prediction, then the run stops
 };
 
 /// Keeps the tip on a path over time by receding horizon (docs/tracking.md). In
@@ -58,10 +58,9 @@ struct TipTrackerSettings {
 /// 2. The knots of least squared error by that fit, at several lengths of the step, are rolled out
 ///    beside the best samples; the best of all are kept, and their first set points commanded.
 ///
-/// What the model misses within 0.25 s, measured minus predicted tip, is low-passed, bounded, and
-/// added to predictions in proportion to how far ahead they are. Chance comes from a stream of
-/// (seed, frame): simulated runs repeat. A path that is run several times teaches: where the tip
-/// was beside it, the next lap is asked for that much less (LapMemory).
+/// What the model misses ahead, by the estimate, is added to predictions. Chance comes from a
+/// stream of (seed, frame): simulated runs repeat. A path that is run several times teaches: where
+/// the tip was beside it, the next lap is asked for that much less (LapMemory).
 ///
 /// Starts with an approach: straight to the start's set points, then the path's first point for
 /// 2 s; the path's time 0 is `path_start_frame`.
@@ -92,9 +91,8 @@ class TipTracker final : public Controller {
   double path_time_s(int frame) const;
   std::string why_stopped(const ArmEstimate& arm) const;
   void take_in(const ArmEstimate& arm);
-  Eigen::Vector2d bias_ahead_m(int frames) const;
   void roll_out(Candidates& candidates);
-  Eigen::VectorXd wanted_tips() const;
+  Eigen::VectorXd wanted_tips(const ArmEstimate& arm) const;
   double cost(const Eigen::Ref<const Eigen::VectorXd>& knots_kpa,
               const Eigen::Ref<const Eigen::VectorXd>& tips_m, const Eigen::VectorXd& wanted) const;
   Eigen::VectorXd posture_of_knots() const;
@@ -103,8 +101,8 @@ class TipTracker final : public Controller {
   Eigen::VectorXd within_rule(Eigen::VectorXd knots_kpa) const;
   Eigen::VectorXd fitted_step(const Candidates& samples, const Eigen::VectorXd& wanted) const;
   Eigen::VectorXd knots_one_frame_on() const;
-  void search();
-  Pressures decide();
+  void search(const ArmEstimate& arm);
+  Pressures decide(const ArmEstimate& arm);
 
   ArmDescription arm_;
   MotionModel model_;
@@ -121,7 +119,6 @@ class TipTracker final : public Controller {
   int frame_ = 0;      // set points commanded
   MotionState state_;  // after them, as the estimate has it
   Eigen::VectorXd knots_kpa_;
-  Eigen::Vector2d bias_m_ = Eigen::Vector2d::Zero();  // missed within kBiasFrames
   std::uint64_t queries_ = 0;
 };
 
