@@ -9,6 +9,8 @@ Parts, each kept in OUT and not measured twice:
   arms    the nominal arm, friction 30 % more and less, 50 g at the tip, a side 20 % weaker: the same, and
           plans in limber's own eight environments, executed open loop
   unseen  plans on unseen arms, each in random environments that the arm itself has moved through
+  stranger  arms that no family holds, as another simulator has them: other tension curves, strengths, friction
+          and valves; 60 s and five minutes
 """
 
 import argparse
@@ -34,6 +36,19 @@ NAMED_ARMS = {
     "50 g at the tip": {"tip_load_kg": 0.05},
     "a side 20 % weaker": {"weak_side_loss": 0.2, "weak_side": 1},
 }
+# Beyond what `wide` draws in at least two of these: bladders of another kind, worn, on another table.
+STRANGERS = [
+    {"actuator_threshold_kpa": "[-520, -300, 9000, 52000]", "actuator_gain": 0.85, "strength_spread": 0.15,
+     "strength_seed": 11, "friction_coefficient": 0.35, "inflate_time_constant_s": 0.22,
+     "vent_time_constant_s": 0.08},
+    {"actuator_threshold_kpa": "[-330, -1500, 4000, 30000]", "actuator_gain": 1.2, "strength_spread": 0.2,
+     "strength_seed": 12, "friction_coefficient": 0.18, "inflate_time_constant_s": 0.06,
+     "vent_time_constant_s": 0.3},
+    {"actuator_strain_offset": 0.45, "actuator_gain": 1.3, "actuator_extension_n": "[90, 600, 60000, 0]",
+     "strength_spread": 0.15, "strength_seed": 13, "friction_coefficient": 0.5,
+     "inflate_time_constant_s": 0.15, "vent_time_constant_s": 0.15},
+]
+MINUTES_OF_A_STRANGER = 5
 
 
 def arm_text(text, physics):
@@ -155,6 +170,35 @@ class Family:
             print(f"| {name} | {' | '.join(cells)} | {done['solved']} of {done['plans']} | {done['arrived']} "
                   f"| {done['collided']} |", flush=True)
 
+    def stranger_errors(self, minutes, test):
+        first = piece(minutes[0], 0, 10**9)
+        found = {"0 s": self.error_cm(self.family, test)}
+        for name, minutes_known, weights in (("60 s, e alone", [first], False), ("60 s", [first], True),
+                                             ("5 min", minutes, True)):
+            done = limber.adapt(self.arm, self.family, minutes_known, train_weights=weights)
+            found[name] = self.error_cm(done.model, test)
+            found[name + ", weights"] = done.has_trained_weights
+        if not self.options.no_training:
+            found["from nothing"] = self.error_cm(self.from_nothing(first), test)
+            found["5 min from nothing"] = self.error_cm(limber.train(
+                self.arm, limber.TrainingData(minutes[:-1], minutes[-1:]), limber.best_preset()).model, test)
+        return found
+
+    def strangers(self):
+        rows = []
+        for number, physics in enumerate(STRANGERS):
+            arm_file = self.write_arm(f"stranger_{number}", physics)
+            seed = self.options.seed + 100 + number
+            minutes = self.record(f"stranger_{number}_minutes.h5", seed, "--schedule", "identify", "--episodes",
+                                  MINUTES_OF_A_STRANGER, "--arm", arm_file)
+            _, test = next(iter(self.minute_and_test(f"stranger_{number}", seed, 1, "--arm", arm_file)))
+            rows.append(self.parts.kept(f"stranger_{number}", lambda m=minutes, t=test: [
+                self.stranger_errors(m, piece(t, 0, 2000))])[0])
+            print(number, " ".join(f"{key} {value:.2f}" if isinstance(value, float) else f"{key} {value}"
+                                   for key, value in rows[-1].items()), flush=True)
+        for key in ("0 s", "60 s, e alone", "60 s", "5 min"):
+            print(f"{key}: mean {np.mean([row[key] for row in rows]):.2f}")
+
     def unseen(self):
         self.record("unseen_physics.h5", self.options.seed + 1, "--schedule", "identify", "--count", 1,
                             "--episodes", self.options.unseen, "--arm", self.options.arm,
@@ -194,7 +238,8 @@ def main():
     parser.add_argument("parts", nargs="*", default=["open", "arms", "unseen"])
     options = parser.parse_args()
     family = Family(options)
-    parts = {"open": family.open, "arms": family.arms_named, "unseen": family.unseen}
+    parts = {"open": family.open, "arms": family.arms_named, "unseen": family.unseen,
+             "stranger": family.strangers}
     if unknown := [part for part in options.parts if part not in parts]:
         sys.exit(f"{unknown[0]}: expected {', '.join(parts)}")
     for part in options.parts:

@@ -66,7 +66,6 @@ OMPL = {
     "ompl:SST": [f"frames={f},selection_radius={s},pruning_radius={p}" for f, s, p in
                  [(5, 0.2, 0.1), (10, 0.2, 0.1), (20, 0.2, 0.1), (10, 0.1, 0.03), (20, 0.4, 0.2)]],
 }
-OMPL["ompl:SST-pruned"] = OMPL["ompl:SST"]
 OMPL_TRIAL_S, OMPL_LIMIT_S, OMPL_TRIALS = 2, 10, 5
 
 

@@ -136,12 +136,9 @@ class FamilyVerb final : public Verb {
 
   TrainingSettings settings(const CommonFlags& flags) const {
     TrainingSettings settings = best_preset();
-    set_window_frames(settings, {kWindowFrames});
+    set_family_size(settings, size_);
     set_epoch_count(settings, epochs_);
-    settings.family_size = size_;
-    settings.optimiser = Optimiser::soap;
     settings.hidden_units = hidden_;
-    settings.validation_interval = kValidationInterval;
     settings.seed = flags.seed;
     settings.jobs = flags.jobs;
     settings.progress = flags.progress();
@@ -171,8 +168,6 @@ class FamilyVerb final : public Verb {
   }
 
   static constexpr double kHeldBackShare = 0.03;
-  static constexpr int kValidationInterval = 25;  // epochs: every arm held back is fitted each time
-  static constexpr int kWindowFrames = 32;        // shorter ones don't tell arms apart
 
   std::string arm_ = "three_segment";
   std::string out_;

@@ -251,6 +251,9 @@ class TrainVerb final : public Verb {
     if (tuning) {
       settings = fine_tuning_of(std::move(settings));
     }
+    if (family_) {
+      set_family_size(settings, family_size_);
+    }
     if (!windows_.empty()) {
       set_window_frames(settings, windows_);
     }
@@ -264,11 +267,6 @@ class TrainVerb final : public Verb {
     }
     settings.reads_velocity = velocity_.value_or(settings.reads_velocity);
     settings.ensemble = ensemble_.value_or(settings.ensemble);
-    if (family_) {
-      settings.family_size = family_size_;
-      settings.optimiser = Optimiser::soap;
-      settings.validation_interval = kFamilyValidationInterval;
-    }
     settings.replay_share = replay_share_.value_or(settings.replay_share);
     settings.checkpoint = checkpoint_path();
     settings.checkpoint_interval_s = checkpoint_interval_s_;
@@ -391,7 +389,6 @@ class TrainVerb final : public Verb {
     write_file_atomically(curve_path(".curve.svg"), learning_curve_svg(result.curve));
   }
 
-  static constexpr int kFamilyValidationInterval = 10;
   static constexpr int kFamilySize = 8;
   static constexpr double kValidationShare = 0.1;
   static constexpr double kUnseenShare = 0.1;

@@ -159,6 +159,9 @@ void bind_training_presets(py::module_& module) {
              "Replaces the stages of `settings` by windows of these lengths [frames], in "
              "this order, which share the epochs. Raises InputError where there is none or "
              "one is < 1.");
+  module.def("set_family_size", &set_family_size, py::arg("settings"), py::arg("size"),
+             "Settings for a family of arms that so many numbers tell apart, 1 to 64: trained by "
+             "SOAP in windows of 32 frames.");
   module.def("fine_tuning_of", &fine_tuning_of, py::arg("preset"),
              "Settings for fine_tune, to go on with a model that has learnt: the last stage "
              "of `preset` with half its epochs and a tenth of its learning_rate.");

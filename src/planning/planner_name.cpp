@@ -15,8 +15,7 @@ struct Renamed {
 };
 
 constexpr Renamed kRenamed[] = {{"goal_shots", "goal_steering_share"},
-                                {"dearest", "max_cost_ratio"},
-                                {"ompl:SST-mended", "ompl:SST-pruned"}};
+                                {"dearest", "max_cost_ratio"}};
 
 /// Today's name of what may be called as before.
 std::string todays_name(const std::string& name, std::vector<std::string>& notes) {

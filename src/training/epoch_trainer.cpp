@@ -12,6 +12,7 @@
 #include "limber/common/random_stream.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/training/gap_bounds_fit.hpp"
+#include "shuffle.hpp"
 
 namespace limber {
 
@@ -101,12 +102,6 @@ GapBounds bounds_for(const TrainingData& data, const CompensationModel* start) {
   return start != nullptr && start->bounds ? joined(*start->bounds, recorded) : recorded;
 }
 
-void shuffle(RandomStream& random, std::vector<int>& values) {
-  for (std::size_t i = values.size(); i > 1; --i) {
-    std::swap(values[i - 1], values[random.index(static_cast<std::uint32_t>(i))]);
-  }
-}
-
 }  // namespace
 
 EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
@@ -117,6 +112,7 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       tables_(tables_for(arm, data, settings, start)),
       bounds_(bounds_for(data, start)),
       layout_(layout_for(tables_, settings)),
+      optimiser_(make_optimiser(settings.optimiser, layout_, members_, settings.jobs)),
       own_episodes_(data.training.size()),
       from_setpoints_(learns_from_setpoints(data)) {
   set_bounds(tables_, settings_, bounds_);
@@ -145,12 +141,7 @@ EpochTrainer::EpochTrainer(const ArmDescription& arm, const TrainingData& data,
       own = initial;
     }
   }
-  if (settings_.optimiser == Optimiser::soap) {
-    soap_ = std::make_unique<Soap>(layout_, members_, settings_.jobs);
-    state_.optimiser = soap_->first_state();
-  } else {
-    state_.optimiser = OptimiserState(settings_.optimiser, state_.parameters.size());
-  }
+  state_.optimiser = optimiser_->first_state();
   if (settings_.average_decay > 0.0) {
     state_.average = state_.parameters;
   }
@@ -205,11 +196,7 @@ void EpochTrainer::step(double loss_scale, double rate) {
     limit_norm(gradient_.segment(member * layout_.size(), layout_.size()),
                settings_.gradient_norm_limit);
   }
-  if (soap_ != nullptr) {
-    soap_->step(gradient_, rate, state_.optimiser, state_.parameters);
-  } else {
-    optimiser_step(settings_.optimiser, gradient_, rate, state_.optimiser, state_.parameters);
-  }
+  optimiser_->step(gradient_, rate, state_.optimiser, state_.parameters);
   if (settings_.average_decay > 0.0) {
     // Short at first, so that the average forgets the random start.
     const auto step = static_cast<double>(state_.optimiser.step);
@@ -270,6 +257,8 @@ void EpochTrainer::rehearse(const TrainingStage& stage, std::span<const int> sta
   gradient_for(stage).compute(starts, state_.parameters, 0.0, 0, 0, gradient_);
   const OptimiserState before = state_.optimiser;
   const Eigen::VectorXf average = state_.average;
+  // The first step alone begins SOAP's averages: it costs many of the others.
+  state_.optimiser.step = std::max<std::int64_t>(state_.optimiser.step, 1);
   step(0.0, 0.0);
   state_.optimiser = before;
   state_.average = average;

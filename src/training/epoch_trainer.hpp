@@ -8,7 +8,6 @@
 #include "batch_gradient.hpp"
 #include "limber/training/trainer.hpp"
 #include "optimiser.hpp"
-#include "soap.hpp"
 #include "training_tables.hpp"
 
 namespace limber {
@@ -90,10 +89,10 @@ class EpochTrainer {
   TrainingTables tables_;
   GapBounds bounds_;
   ParameterLayout layout_;
+  std::unique_ptr<OptimiserSteps> optimiser_;
   std::size_t own_episodes_;  ///< the tables' first episodes; those behind are replayed
   bool from_setpoints_;
   TrainingState state_;
-  std::unique_ptr<Soap> soap_;  ///< null: another optimiser
   Eigen::VectorXf gradient_;
   TrainingStage gradient_stage_;
   std::unique_ptr<BatchGradient> batch_;

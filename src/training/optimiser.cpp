@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "soap.hpp"
 #include "training_kernels.hpp"
 
 namespace limber {
@@ -12,13 +13,51 @@ namespace {
 constexpr double kBeta1 = 0.9;
 constexpr double kBeta2 = 0.999;
 
+/// θ ← θ − η g.
+class Sgd final : public OptimiserSteps {
+ public:
+  OptimiserState first_state() const override { return {}; }
+  void step(const Eigen::VectorXf& gradient, double learning_rate, OptimiserState& state,
+            Eigen::VectorXf& parameters) override {
+    ++state.step;
+    parameters -= static_cast<float>(learning_rate) * gradient;
+  }
+};
+
+class Adam final : public OptimiserSteps {
+ public:
+  explicit Adam(Eigen::Index parameters) : parameters_(parameters) {}
+
+  OptimiserState first_state() const override {
+    OptimiserState state;
+    state.first_moment.setZero(parameters_);
+    state.second_moment.setZero(parameters_);
+    return state;
+  }
+  void step(const Eigen::VectorXf& gradient, double learning_rate, OptimiserState& state,
+            Eigen::VectorXf& parameters) override {
+    ++state.step;
+    adam_step(state.step, learning_rate, static_cast<int>(parameters.size()), gradient.data(),
+              state.first_moment.data(), state.second_moment.data(), parameters.data());
+  }
+
+ private:
+  Eigen::Index parameters_;
+};
+
 }  // namespace
 
-OptimiserState::OptimiserState(Optimiser optimiser, Eigen::Index parameters) {
-  if (optimiser == Optimiser::adam) {
-    first_moment.setZero(parameters);
-    second_moment.setZero(parameters);
+std::unique_ptr<OptimiserSteps> make_optimiser(Optimiser optimiser, const ParameterLayout& layout,
+                                               int networks, int jobs) {
+  switch (optimiser) {
+    case Optimiser::sgd:
+      return std::make_unique<Sgd>();
+    case Optimiser::adam:
+      return std::make_unique<Adam>(layout.size() * networks);
+    case Optimiser::soap:
+      break;
   }
+  return std::make_unique<Soap>(layout, networks, jobs);
 }
 
 void adam_step(std::int64_t step, double learning_rate, int count, const float* gradient,
@@ -28,17 +67,6 @@ void adam_step(std::int64_t step, double learning_rate, int count, const float* 
   optimiser_kernels().adam(count, gradient, static_cast<float>(learning_rate / bias1),
                            static_cast<float>(1.0 / std::sqrt(bias2)), first_moment, second_moment,
                            parameters);
-}
-
-void optimiser_step(Optimiser optimiser, const Eigen::VectorXf& gradient, double learning_rate,
-                    OptimiserState& state, Eigen::VectorXf& parameters) {
-  ++state.step;
-  if (optimiser == Optimiser::adam) {
-    adam_step(state.step, learning_rate, static_cast<int>(parameters.size()), gradient.data(),
-              state.first_moment.data(), state.second_moment.data(), parameters.data());
-  } else {
-    parameters -= static_cast<float>(learning_rate) * gradient;
-  }
 }
 
 double limit_norm(Eigen::Ref<Eigen::VectorXf> gradient, double limit) {

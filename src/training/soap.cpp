@@ -131,7 +131,9 @@ Soap::Soap(const ParameterLayout& layout, int networks, int jobs)
 }
 
 OptimiserState Soap::first_state() const {
-  OptimiserState state(Optimiser::adam, parameters_);
+  OptimiserState state;
+  state.first_moment.setZero(parameters_);
+  state.second_moment.setZero(parameters_);
   state.rotations.setZero(rotations_);
   return state;
 }

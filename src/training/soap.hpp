@@ -20,17 +20,16 @@ namespace limber {
 /// A weight's moments lie in OptimiserState where the weight lies among the parameters, in turned
 /// directions; averages and eigenvectors lie in its `rotations`. The same bits for any number of
 /// threads.
-class Soap {
+class Soap final : public OptimiserSteps {
  public:
   /// @param networks  N ≥ 1, of this layout, one behind the other among the parameters
   /// @param jobs      threads, 0: one per core
   Soap(const ParameterLayout& layout, int networks, int jobs);
 
-  /// No step taken: all zero.
-  OptimiserState first_state() const;
+  OptimiserState first_state() const override;
   /// The first step leaves the weights as they are, and begins the averages.
   void step(const Eigen::VectorXf& gradient, double learning_rate, OptimiserState& state,
-            Eigen::VectorXf& parameters);
+            Eigen::VectorXf& parameters) override;
 
  private:
   /// One network's weight of a layer.

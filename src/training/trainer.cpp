@@ -13,6 +13,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/random_stream.hpp"
 #include "limber/data/episode_slice.hpp"
+#include "shuffle.hpp"
 #include "training_run.hpp"
 
 namespace limber {
@@ -32,14 +33,6 @@ std::int64_t frame_count(const std::vector<Episode>& episodes) {
   return frames;
 }
 
-template <class Number>
-void reorder(std::vector<Number>& order, std::uint64_t seed, std::uint64_t stream) {
-  RandomStream random(seed, stream);
-  for (std::size_t i = order.size(); i > 1; --i) {
-    std::swap(order[i - 1], order[random.index(static_cast<std::uint32_t>(i))]);
-  }
-}
-
 /// Moves whole episodes from `from` to `to`, in an order sampled by (seed, stream), until `frames`
 /// would be exceeded: one at least goes, and one at least stays. Gives the numbers of those that
 /// went. @pre two episodes or more
@@ -47,7 +40,8 @@ std::vector<int> hold_back(std::vector<Episode>& from, std::vector<Episode>& to,
                            std::uint64_t seed, std::uint64_t stream) {
   std::vector<std::size_t> order(from.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  reorder(order, seed, stream);
+  RandomStream random(seed, stream);
+  shuffle(random, order);
   std::int64_t held = 0;
   std::vector<bool> is_held(from.size(), false);
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
@@ -155,7 +149,8 @@ TrainingData hold_back_arms(std::vector<Episode> episodes, const std::vector<int
   std::vector<int> order = arms;
   std::ranges::sort(order);
   order.erase(std::ranges::unique(order).begin(), order.end());
-  reorder(order, seed, kValidationStream);
+  RandomStream random(seed, kValidationStream);
+  shuffle(random, order);
   const std::size_t held =
       order.size() < kMinArmsToHoldBack
           ? 0

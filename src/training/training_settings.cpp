@@ -111,6 +111,15 @@ void set_window_frames(TrainingSettings& settings, const std::vector<int>& windo
   set_epoch_count(settings, epochs);
 }
 
+void set_family_size(TrainingSettings& settings, int size) {
+  constexpr int kWindowFrames = 32;
+  constexpr int kValidationInterval = 25;
+  set_window_frames(settings, {kWindowFrames});
+  settings.family_size = size;
+  settings.optimiser = Optimiser::soap;
+  settings.validation_interval = kValidationInterval;
+}
+
 TrainingSettings in_form_of(const CompensationModel& model, TrainingSettings settings) {
   settings.layout = model.layout;
   settings.form = model.form;

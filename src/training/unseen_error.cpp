@@ -179,6 +179,9 @@ void note_unseen(const ArmDescription& arm, CompensationModel& model,
 
 void note_shapes(const ArmDescription& arm, CompensationModel& model,
                  const std::vector<Episode>& episodes, int jobs) {
+  if (!model.learnt) {
+    return;
+  }
   const auto whole = [](const std::vector<Episode>& asked) {
     return pieces_of_length(asked, kWholeEpisodes);
   };

@@ -30,7 +30,6 @@ TEST(PlannerName, NamesOfBeforeAreUnderstoodAndSaidSo) {
               ElementsAre(Pair("goal_steering_share", "0.1"), Pair("max_cost_ratio", "3")));
   EXPECT_THAT(old.notes, ElementsAre("goal_shots is called goal_steering_share now",
                                      "dearest is called max_cost_ratio now"));
-  EXPECT_EQ(PlannerName::parse("ompl:SST-mended").name, "ompl:SST-pruned");
 }
 
 TEST(PlannerName, WhatIsNoSettingIsRefused) {

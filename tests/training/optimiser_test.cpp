@@ -1,5 +1,7 @@
 #include "src/training/optimiser.hpp"
 
+#include <memory>
+
 #include <gtest/gtest.h>
 
 namespace limber {
@@ -7,42 +9,55 @@ namespace {
 
 constexpr float kRounding = 1e-6F;
 
+/// One optimiser's steps over four parameters: 1, 2, 3, 4 at first.
+struct Steps {
+  explicit Steps(Optimiser kind)
+      : optimiser(make_optimiser(kind, ParameterLayout({1, 2}), 1, 1)),
+        state(optimiser->first_state()) {}
+
+  void step(const Eigen::Vector4f& gradient, double learning_rate) {
+    optimiser->step(gradient, learning_rate, state, parameters);
+  }
+
+  std::unique_ptr<OptimiserSteps> optimiser;
+  OptimiserState state;
+  Eigen::VectorXf parameters = Eigen::Vector4f(1.0F, 2.0F, 3.0F, 4.0F);
+};
+
 TEST(Optimiser, SgdGoesAgainstTheGradientInProportion) {
-  Eigen::VectorXf parameters = Eigen::Vector2f(1.0F, 2.0F);
-  OptimiserState state(Optimiser::sgd, 2);
-  optimiser_step(Optimiser::sgd, Eigen::Vector2f(10.0F, -4.0F), 0.1, state, parameters);
-  EXPECT_TRUE(parameters.isApprox(Eigen::Vector2f(0.0F, 2.4F), kRounding));
+  Steps sgd(Optimiser::sgd);
+  sgd.step({10.0F, -4.0F, 0.0F, 1.0F}, 0.1);
+  EXPECT_TRUE(sgd.parameters.isApprox(Eigen::Vector4f(0.0F, 2.4F, 3.0F, 3.9F), kRounding));
 }
 
 // Kingma & Ba 2015: with bias correction the first step is the learning rate, whatever the
 // gradient.
 TEST(Optimiser, AdamsFirstStepIsTheLearningRateInEachParameter) {
-  Eigen::VectorXf parameters = Eigen::Vector3f(1.0F, 1.0F, 1.0F);
-  OptimiserState state(Optimiser::adam, 3);
-  optimiser_step(Optimiser::adam, Eigen::Vector3f(1e-3F, -20.0F, 0.0F), 0.01, state, parameters);
-  EXPECT_TRUE(parameters.isApprox(Eigen::Vector3f(0.99F, 1.01F, 1.0F), 1e-4F)) << parameters;
+  Steps adam(Optimiser::adam);
+  adam.step({1e-3F, -20.0F, 0.0F, 1.0F}, 0.01);
+  EXPECT_TRUE(adam.parameters.isApprox(Eigen::Vector4f(0.99F, 2.01F, 3.0F, 3.99F), 1e-4F))
+      << adam.parameters;
 }
 
 // Second step by hand: m = 0.19 g, v = 0.001999 g² of a constant gradient, both corrected to g, g².
 TEST(Optimiser, AdamsStepStaysTheLearningRateUnderAConstantGradient) {
-  Eigen::VectorXf parameters = Eigen::VectorXf::Zero(1);
-  OptimiserState state(Optimiser::adam, 1);
+  Steps adam(Optimiser::adam);
   for (int k = 0; k < 10; ++k) {
-    optimiser_step(Optimiser::adam, Eigen::VectorXf::Constant(1, 3.0F), 0.01, state, parameters);
+    adam.step(Eigen::Vector4f::Constant(3.0F), 0.01);
   }
-  EXPECT_NEAR(parameters[0], -0.1F, 1e-4F);
-  EXPECT_EQ(state.step, 10);
+  EXPECT_NEAR(adam.parameters[0], 0.9F, 1e-4F);
+  EXPECT_EQ(adam.state.step, 10);
 }
 
-TEST(Optimiser, FindsTheMinimumOfAParabola) {
-  const Eigen::Vector2f goal(3.0F, -1.0F);
-  Eigen::VectorXf parameters = Eigen::VectorXf::Zero(2);
-  OptimiserState state(Optimiser::adam, 2);
-  for (int k = 0; k < 2000; ++k) {
-    const Eigen::VectorXf gradient = 2.0F * (parameters - goal);
-    optimiser_step(Optimiser::adam, gradient, cosine_decayed(0.05, k / 2000.0), state, parameters);
+TEST(Optimiser, EveryKindFindsTheMinimumOfAParabola) {
+  const Eigen::Vector4f goal(3.0F, -1.0F, 0.5F, 2.0F);
+  for (const Optimiser kind : {Optimiser::sgd, Optimiser::adam, Optimiser::soap}) {
+    Steps run(kind);
+    for (int k = 0; k < 2000; ++k) {
+      run.step(2.0F * (run.parameters - goal), cosine_decayed(0.05, k / 2000.0));
+    }
+    EXPECT_TRUE(run.parameters.isApprox(goal, 1e-3F)) << int(kind) << ": " << run.parameters;
   }
-  EXPECT_TRUE(parameters.isApprox(goal, 1e-3F)) << parameters;
 }
 
 TEST(LimitNorm, ShortensLongGradientsAndLeavesShortOnes) {

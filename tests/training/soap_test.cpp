@@ -1,6 +1,7 @@
 #include "src/training/soap.hpp"
 
 #include <cmath>
+#include <memory>
 
 #include <gtest/gtest.h>
 #include <Eigen/QR>
@@ -64,13 +65,13 @@ TEST(Soap, DescendsAValleyThatAdamCreepsAlong) {
   const Valley valley;
   VectorXf by_adam = VectorXf::Zero(kLayout.size());
   VectorXf by_soap = by_adam;
-  OptimiserState adam(Optimiser::adam, by_adam.size());
+  const std::unique_ptr<OptimiserSteps> adam = make_optimiser(Optimiser::adam, kLayout, 1, 1);
+  OptimiserState adam_state = adam->first_state();
   Soap soap(kLayout, 1, 1);
   OptimiserState state = soap.first_state();
   for (int k = 0; k < kSteps; ++k) {
     const double rate = cosine_decayed(0.02, double(k) / kSteps);
-    optimiser_step(Optimiser::adam, parameters_of(valley.gradient(weight_of(by_adam))), rate, adam,
-                   by_adam);
+    adam->step(parameters_of(valley.gradient(weight_of(by_adam))), rate, adam_state, by_adam);
     soap.step(parameters_of(valley.gradient(weight_of(by_soap))), rate, state, by_soap);
   }
   EXPECT_LT(valley.left(weight_of(by_soap)), 0.5F * valley.left(weight_of(by_adam)));
@@ -103,11 +104,12 @@ TEST(Soap, BiasesAndArmsTakeAdamsSteps) {
   OptimiserState state = soap.first_state();
   VectorXf by_soap = VectorXf::Zero(layout.size());
   VectorXf by_adam = by_soap;
-  OptimiserState adam(Optimiser::adam, by_adam.size());
+  const std::unique_ptr<OptimiserSteps> adam = make_optimiser(Optimiser::adam, layout, 1, 1);
+  OptimiserState adam_state = adam->first_state();
   for (int k = 0; k < 5; ++k) {
     const VectorXf gradient = random_matrix(int(layout.size()), 1, 300 + k);
     soap.step(gradient, 0.01, state, by_soap);
-    optimiser_step(Optimiser::adam, gradient, 0.01, adam, by_adam);
+    adam->step(gradient, 0.01, adam_state, by_adam);
   }
   for (const int layer : {0, 1}) {
     const auto bias = [&](const VectorXf& parameters) {

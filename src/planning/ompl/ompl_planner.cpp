@@ -18,13 +18,13 @@
 #include <fmt/ranges.h>
 
 #include "arm_space.hpp"
+#include "counted_sst.hpp"
 #include "limber/common/error.hpp"
 #include "limber/planning/problem_check.hpp"
 #include "limber/world/inverse_kinematics.hpp"
 #include "plan_ladder.hpp"
 #include "plan_result.hpp"
 #include "planner_name.hpp"
-#include "pruned_sst.hpp"
 
 namespace limber {
 
@@ -45,9 +45,11 @@ ob::PlannerPtr make(const oc::SpaceInformationPtr& si) {
 }
 
 const std::map<std::string, ob::PlannerPtr (*)(const oc::SpaceInformationPtr&)> kPlanners{
-    {"ompl:RRT", make<oc::RRT>},          {"ompl:SST", make<CountedSst>},
-    {"ompl:SST-pruned", make<PrunedSst>}, {"ompl:KPIECE1", make<oc::KPIECE1>},
-    {"ompl:EST", make<oc::EST>},          {"ompl:PDST", make<oc::PDST>}};
+    {"ompl:RRT", make<oc::RRT>},
+    {"ompl:SST", make<CountedSst>},
+    {"ompl:KPIECE1", make<oc::KPIECE1>},
+    {"ompl:EST", make<oc::EST>},
+    {"ompl:PDST", make<oc::PDST>}};
 
 OmplSettings take_settings(PlannerName& name) {
   OmplSettings settings;

@@ -9,7 +9,7 @@
 namespace limber {
 
 /// Planners of the Open Motion Planning Library on limber's forward model and collision checks, to
-/// compare with (docs/planning.md, OMPL): "ompl:RRT", "ompl:SST", "ompl:SST-pruned",
+/// compare with (docs/planning.md, OMPL): "ompl:RRT", "ompl:SST",
 /// "ompl:KPIECE1", "ompl:EST", "ompl:PDST". Empty if limber was built without OMPL.
 std::vector<std::string> ompl_planner_names();
 

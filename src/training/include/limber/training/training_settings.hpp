@@ -118,6 +118,11 @@ void set_epoch_count(TrainingSettings& settings, int epochs);
 /// @throws InputError if there is none, one is < 1, or there are fewer epochs than stages.
 void set_window_frames(TrainingSettings& settings, const std::vector<int>& window_frames);
 
+/// For a family of arms (docs/families.md) that so many numbers tell apart: trained by SOAP, in
+/// windows of 32 frames, since shorter ones don't tell arms apart, and validated every 25 epochs,
+/// since every arm held back is fitted then.
+void set_family_size(TrainingSettings& settings, int size);
+
 /// The settings with layout, output, hidden units and number of networks of `model`.
 TrainingSettings in_form_of(const CompensationModel& model, TrainingSettings settings);
 
