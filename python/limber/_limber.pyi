@@ -2364,6 +2364,9 @@ def segment_commands(arm: ArmDescription, commands: npt.ArrayLike) -> npt.NDArra
 def set_epoch_count(settings: TrainingSettings, epochs: int) -> None:
     """Scales the stages of `settings` to so many epochs in all, keeping their proportions. Raises InputError where there are fewer epochs than stages."""
 
+def set_family_size(settings: TrainingSettings, size: int) -> None:
+    """Settings for a family of arms that so many numbers tell apart, 1 to 64: trained by SOAP in windows of 32 frames."""
+
 def set_window_frames(settings: TrainingSettings, window_frames: Sequence[int]) -> None:
     """Replaces the stages of `settings` by windows of these lengths [frames], in this order, which share the epochs. Raises InputError where there is none or one is < 1."""
 

@@ -155,8 +155,8 @@ class Adapter {
     if (!before.learnt_from_setpoints) {
       before.set_valves(valves);
     }
-    note_unseen(arm_, before, halves.held_back, settings_.jobs);
-    result.model.prediction_error = before.prediction_error;
+    result.model.prediction_error =
+        measure_prediction_error(arm_, before, episodes, settings_.jobs, frames_in(halves.seen));
   }
 
   /// Weights trained further. What validates only says which epoch is the best.

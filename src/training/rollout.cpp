@@ -16,11 +16,6 @@ namespace {
 
 constexpr std::size_t kPiecesPerBatch = 64;
 
-/// The frame that tells how the arm moves in frame `first`; itself where nobody saw that.
-int before_start(const Episode& episode, int first) {
-  return first > 0 && episode.was_tracked(first - 1) ? first - 1 : first;
-}
-
 /// Rolls out pieces of a batch; they are sorted, longest first, so that those still running are the
 /// first columns.
 void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episodes,
@@ -71,6 +66,10 @@ void roll_out_batch(const ForwardModel& model, const std::vector<Episode>& episo
 }
 
 }  // namespace
+
+int before_start(const Episode& episode, int first) {
+  return first > 0 && episode.was_tracked(first - 1) ? first - 1 : first;
+}
 
 std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes, int frames) {
   std::vector<RolloutPiece> pieces;

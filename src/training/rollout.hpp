@@ -23,6 +23,9 @@ std::vector<RolloutPiece> pieces_of_length(const std::vector<Episode>& episodes,
 /// after that in which the arm was tracked.
 std::vector<RolloutPiece> pieces_of_motions(const std::vector<Episode>& episodes);
 
+/// The frame that tells how the arm moves in frame `first`; itself where nobody saw that.
+int before_start(const Episode& episode, int first);
+
 /// What a rollout does on Ctrl-C: training needs the whole validation.
 enum class OnInterrupt { finish, stop };
 

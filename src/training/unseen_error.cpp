@@ -11,6 +11,7 @@
 #include "limber/data/valve_identification.hpp"
 #include "limber/data/valve_simulation.hpp"
 #include "limber/training/learnt_region_fit.hpp"
+#include "rollout.hpp"
 
 namespace limber {
 
@@ -21,18 +22,22 @@ constexpr int kWholeEpisodes = std::numeric_limits<int>::max();
 constexpr int kPathParts = 4;  // points checked from one frame to the next
 
 /// The pieces as episodes, their pressures those that the model's valves make of the set points.
+/// @param leads  for each, 1 if it begins with the frame before the piece, which says how fast the
+///               arm moves at first; 0 where there is none
 std::vector<Episode> runs_of(const ArmDescription& arm, const CompensationModel& model,
                              const std::vector<Episode>& unseen,
-                             const std::vector<RolloutPiece>& pieces) {
+                             const std::vector<RolloutPiece>& pieces, std::vector<int>& leads) {
   const ValveParameters valves = model.valves.value_or(ValveParameters{});
   const bool measured = setpoints_are_measured(unseen);
   std::vector<Episode> runs;
   for (const RolloutPiece& piece : pieces) {
     const Episode& episode = unseen[static_cast<std::size_t>(piece.episode)];
-    const int count = piece.frames + 1;
-    Episode run = slice(episode, piece.first, count);
+    const int first = before_start(episode, piece.first);
+    leads.push_back(piece.first - first);
+    const int count = leads.back() + piece.frames + 1;
+    Episode run = slice(episode, first, count);
     if (!measured) {
-      run.pressure_kpa = simulate_valves(valves, arm.frame_rate_hz, episode, piece.first, count);
+      run.pressure_kpa = simulate_valves(valves, arm.frame_rate_hz, episode, first, count);
     }
     runs.push_back(std::move(run));
   }
@@ -103,21 +108,36 @@ PredictedRuns predict_runs(const ArmDescription& arm, const CompensationModel& m
   const std::vector<Episode> asked =
       model.learnt_from_setpoints ? with_setpoints_only(unseen) : unseen;
   require_kind_learnt(model, asked);
-  PredictedRuns result{runs_of(arm, model, asked, pieces_to_run(asked)), {}};
+  std::vector<int> leads;
+  PredictedRuns result{runs_of(arm, model, asked, pieces_to_run(asked), leads), {}};
   std::vector<RolloutPiece> pieces;
-  for (const Episode& run : result.runs) {
-    pieces.push_back({static_cast<int>(pieces.size()), 0, run.frame_count() - 1});
+  for (std::size_t i = 0; i < leads.size(); ++i) {
+    pieces.push_back({static_cast<int>(i), leads[i], result.runs[i].frame_count() - 1 - leads[i]});
   }
   result.predicted = roll_out(ForwardModel(arm, model), result.runs, pieces, jobs);
-  for (std::size_t i = 0; i < result.runs.size(); ++i) {
-    result.predicted[i].row(0) = result.runs[i].backbone.row(0);  // where it starts is known
+  for (std::size_t i = 0; i < leads.size(); ++i) {
+    Episode& run = result.runs[i];
+    const int count = run.frame_count() - leads[i];
+    run = slice(run, leads[i], count);
+    result.predicted[i] = FrameMatrix(result.predicted[i].bottomRows(count));
+    result.predicted[i].row(0) = run.backbone.row(0);  // where it starts is known
   }
   return result;
 }
 
 PredictedRuns predict_error_runs(const ArmDescription& arm, const CompensationModel& model,
-                                 const std::vector<Episode>& unseen, int jobs) {
-  const auto pieces = [&](const std::vector<Episode>& asked) { return error_runs(arm, asked); };
+                                 const std::vector<Episode>& unseen, int jobs, int first) {
+  const auto pieces = [&](const std::vector<Episode>& asked) {
+    std::vector<RolloutPiece> runs = error_runs(arm, asked);
+    std::erase_if(runs, [&](const RolloutPiece& run) {
+      int start = run.first;
+      for (int i = 0; i < run.episode; ++i) {
+        start += asked[static_cast<std::size_t>(i)].frame_count();
+      }
+      return start < first;
+    });
+    return runs;
+  };
   return predict_runs(arm, model, unseen, pieces, jobs);
 }
 
@@ -163,14 +183,14 @@ void hold_shapes(PredictedRuns all, CompensationModel& model) {
 std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,
                                                         const CompensationModel& model,
                                                         const std::vector<Episode>& unseen,
-                                                        int jobs) {
-  const PredictedRuns all = predict_error_runs(arm, model, unseen, jobs);
+                                                        int jobs, int first) {
+  const PredictedRuns all = predict_error_runs(arm, model, unseen, jobs, first);
   return all.are_finite() ? error_of(arm, all) : std::nullopt;
 }
 
 void note_unseen(const ArmDescription& arm, CompensationModel& model,
                  const std::vector<Episode>& unseen, int jobs) {
-  PredictedRuns all = predict_error_runs(arm, model, unseen, jobs);
+  PredictedRuns all = predict_error_runs(arm, model, unseen, jobs, 0);
   model.prediction_error = all.are_finite() ? error_of(arm, all) : std::nullopt;
   if (model.prediction_error) {
     hold_shapes(std::move(all), model);

@@ -68,6 +68,15 @@ class Execute(InFolder):
         self.assertEqual(
             self.execute_with_a_network(*REPLAN, "--out", "run.h5", *queries, "--force"), found)
 
+    def test_an_arm_that_touches_something_is_not_held_for_ever(self):
+        # The model has it strike whether it goes on or stays: it stood for 26 900 frames.
+        found = self.run_execution("--plan", RUNS / "overshoot_006.plan.json", "--environment", "06_overshoot",
+                                   *REPLAN, "--motion-queries", 2000, "--disturbance", "weak_actuator",
+                                   "--seed", 172712329)
+        self.assertTrue(found["collided"])
+        self.assertLess(found["frames"], 200)
+        self.assertIn("halted on its way", found["message"])
+
     def test_the_closed_loop_needs_a_network(self):
         for model, word in (((), "--model"), (("--no-load", "--no-valves"), "needs a network")):
             message = self.run_limber("execute", *ARM, "--plan", "p.json", "--environment", "e.yaml",

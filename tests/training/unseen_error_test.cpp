@@ -16,8 +16,9 @@ namespace {
 
 constexpr double kMicrometre = 1e-6;  // [m], [rad]; float32 along a run, side by side or alone
 
-CompensationModel model_with_valves(const ArmDescription& arm) {
-  CompensationModel model = untrained_model(arm, BackboneLayout::gap_poses, {8}, 1);
+CompensationModel model_with_valves(const ArmDescription& arm, bool reads_velocity = false) {
+  CompensationModel model = untrained_model(arm, BackboneLayout::gap_poses, {8}, 1,
+                                            OutputForm::compensation, reads_velocity);
   const SegmentValves valves{{0.1, 80.0}, {0.3, 80.0}, 0.07, 0.2};
   model.valves = ValveParameters{true, {valves, valves, valves}};
   return model;
@@ -61,10 +62,12 @@ ErrorByHand error_by_hand(const ArmDescription& arm, const CompensationModel& co
     return shape;
   };
   std::vector<Backbone> predicted{seen(0)};
+  Backbone before = seen(first > 0 ? -1 : 0);  // it may have moved before the run
   for (int k = 1; k <= count; ++k) {
     Backbone next(arm.point_count(), 3);
-    model.step(kpa.row(k - 1).transpose(), kpa.row(k).transpose(), predicted.back(), next,
+    model.step(kpa.row(k - 1).transpose(), kpa.row(k).transpose(), before, predicted.back(), next,
                workspace);
+    before = predicted.back();
     predicted.push_back(next);
   }
   ErrorByHand error;
@@ -80,9 +83,13 @@ ErrorByHand error_by_hand(const ArmDescription& arm, const CompensationModel& co
   return error;
 }
 
-TEST(UnseenError, IsThatOfMotionsFromSetPoints) {
+class UnseenErrorByHand : public ::testing::TestWithParam<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(Models, UnseenErrorByHand, ::testing::Bool());
+
+TEST_P(UnseenErrorByHand, IsThatOfMotionsFromSetPoints) {
   const ArmDescription arm = three_segment_arm();
-  const CompensationModel model = model_with_valves(arm);
+  const CompensationModel model = model_with_valves(arm, GetParam());
   const Episode episode = toy_episode(arm, 5, 40, 3);
   std::vector<double> largest, off_path, end, turn;
   for (int first = 0; first < 200; first += 40) {
@@ -104,6 +111,11 @@ TEST(UnseenError, IsThatOfMotionsFromSetPoints) {
     EXPECT_NEAR(error->end_orientation_rad, *std::ranges::max_element(turn), kMicrometre);
     EXPECT_LE(error->off_path_m, error->max_position_m);
   }
+  // The last motion alone, with what is known of the arm before it.
+  const auto last = measure_prediction_error(arm, model, {episode}, 1, 160);
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->runs, 1);
+  EXPECT_NEAR(last->max_position_m, largest.back(), kMicrometre);
 }
 
 TEST(UnseenError, LongMotionsAreCutAndWhatStandsDoesNotCount) {

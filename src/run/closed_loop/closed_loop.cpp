@@ -20,7 +20,8 @@ constexpr double kWellInside = 0.05;    // of the tolerance: left alone
 constexpr double kStillS = 0.5;         // at a hold's end, for the arm to come to rest
 constexpr double kRoomOfLeading = 1.0;  // of the room for the model's error: kept from obstacles
 constexpr double kRoomOfFrames = 0.25;  // of the room for the model's error: kept in every frame
-constexpr double kLongestWaitS = 0.5;   // in mid-motion; then the plan is left
+constexpr double kLongestWaitS = 0.5;   // in mid-motion; then the plan is left …
+constexpr double kStandsAfterS = 2.0;   // … at last also where the model has a held arm strike
 constexpr int kLedOn = 3;               // times that an arm short of its goal is led on
 
 /// The hold of a plan, once more.
@@ -239,6 +240,9 @@ std::function<MotionAdvice()> ClosedLoop::advise(const PlanProgress& at, const A
 }
 
 bool ClosedLoop::may_go_on(const Plan& plan, std::size_t seen, const ArmEstimate& arm) {
+  if (motion_->waited > motion_->arm.frames_in(kStandsAfterS)) {
+    return false;
+  }
   return (motion_->waited <= motion_->arm.frames_in(kLongestWaitS) &&
           motion_->corrections->may_go_on(plan, seen, arm.measured().backbone)) ||
          !motion_->may_stop(arm);

@@ -25,10 +25,12 @@ inline constexpr double kLongestErrorRun_s = 5.0;
 /// count as pressures, as in plans. If the recording holds no set points of its own, measured
 /// pressures are used. Untracked frames don't count; a run ends with its last tracked frame. None
 /// if there is no run, or a prediction is not finite. The same for any `jobs`.
+/// @param first  frame, counted through all episodes, before which no run begins: what is before it
+///               only says how the arm moves there, and what its valves do
 std::optional<PredictionError> measure_prediction_error(const ArmDescription& arm,
                                                         const CompensationModel& model,
                                                         const std::vector<Episode>& unseen,
-                                                        int jobs = 0);
+                                                        int jobs = 0, int first = 0);
 
 /// What a model has learnt that was trained on `data`, for CompensationModel::learnt: of its
 /// training and its replayed episodes, and the region of the model that it started from.
