@@ -2,6 +2,7 @@
 
 #include "limber/arm/valve_findings.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
 
 namespace limber {
@@ -27,21 +28,12 @@ void ModelFlags::require_named() const {
   }
 }
 
-ForwardModel ModelFlags::planning_model(const ArmDescription& arm,
-                                        const EnsembleFlag& ensemble) const {
+ForwardModel ModelFlags::planning_model(const ArmDescription& arm) const {
   require_named();
-  ensemble.require_model(model_);
-  return model_.empty() ? ForwardModel(arm) : bounded(arm, ensemble.read(model_));
-}
-
-ForwardModel ModelFlags::planning_model(const ArmDescription& arm, const Plan& plan,
-                                        const std::string& plan_file) const {
-  require_named();
-  return model_.empty() ? ForwardModel(arm)
-                        : bounded(arm, read_model_of_plan(model_, plan, plan_file));
-}
-
-ForwardModel ModelFlags::bounded(const ArmDescription& arm, CompensationModel network) const {
+  if (model_.empty()) {
+    return ForwardModel(arm);
+  }
+  CompensationModel network = read_model_of_one_arm(model_);
   require_bounded(network, model_);
   return ForwardModel(arm, std::move(network));
 }

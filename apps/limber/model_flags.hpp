@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "ensemble_flag.hpp"
 #include "limber/arm/valve_parameters.hpp"
 #include "limber/forward/motion_model.hpp"
 #include "verb.hpp"
@@ -24,11 +23,8 @@ class ModelFlags {
   const std::string& model_file() const { return model_; }
 
   /// @throws InputError if neither --model nor --no-load is given, or if a file does not fit.
-  /// For searching motions with: a network needs bounds (require_bounded). An ensemble's networks
-  /// answer as `ensemble` asks, or as they did for `plan`.
-  ForwardModel planning_model(const ArmDescription& arm, const EnsembleFlag& ensemble) const;
-  ForwardModel planning_model(const ArmDescription& arm, const Plan& plan,
-                              const std::string& plan_file) const;
+  /// For searching motions with: a network needs bounds (require_bounded).
+  ForwardModel planning_model(const ArmDescription& arm) const;
 
   /// Those of --valves FILE, else those that `network` was trained with; none with --no-valves, and
   /// none before a network that learnt from set points.
@@ -41,7 +37,6 @@ class ModelFlags {
   void warn_without_valves(const MotionModel& model, const CommonFlags& flags) const;
 
  private:
-  ForwardModel bounded(const ArmDescription& arm, CompensationModel network) const;
   void refuse_valves_before_setpoints() const;
   void require_named() const;
 

@@ -29,7 +29,7 @@ void TrackFlags::prepare(const ArmDescription& arm, const ModelFlags& model,
                     1000.0 * (tip_path_.point_m.back() - tip_path_.point_m.front()).norm(), laps_));
   }
   tip_path_.laps = laps_;
-  forward_ = std::make_unique<ForwardModel>(model.planning_model(arm, EnsembleFlag{}));
+  forward_ = std::make_unique<ForwardModel>(model.planning_model(arm));
   motion_ = std::make_unique<MotionModel>(model.motion_model(arm, *forward_));
   model.warn_without_valves(*motion_, flags);
 }

@@ -33,7 +33,6 @@ class CalibrateVerb final : public Verb {
                    "Network model to calibrate, or a family: its tube holds for arms adapted to it")
         ->required();
     model_.add_valves_to(app);
-    ensemble_.add_to(app);
     app.add_option("--out", out_, "The model with its tube (safetensors)");
     app.add_option("--levels", settings_.levels, "Shares of runs, rising")->capture_default_str();
     app.add_option("--confidence", settings_.confidence, "How sure each level has to be")
@@ -120,7 +119,7 @@ class CalibrateVerb final : public Verb {
                         "arm's",
                         model_file_));
       }
-      return ensemble_.read(model_file_);
+      return model;
     }
     if (!recordings_.empty() || disturbed()) {
       throw InputError(
@@ -236,7 +235,6 @@ class CalibrateVerb final : public Verb {
   std::string arm_ = "three_segment";
   std::string model_file_;
   ModelFlags model_;
-  EnsembleFlag ensemble_;
   std::string out_;
   std::string driver_ = "virtual";
   std::vector<std::string> recordings_;

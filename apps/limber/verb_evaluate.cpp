@@ -2,11 +2,11 @@
 #include <filesystem>
 #include <iterator>
 
-#include "ensemble_flag.hpp"
 #include "limber/arm/names.hpp"
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/report/evaluation_plots.hpp"
 #include "limber/report/training_report.hpp"
 #include "limber/report/yardstick_report.hpp"
@@ -36,7 +36,6 @@ class EvaluateVerb final : public Verb {
         ->capture_default_str();
     CLI::Option* model =
         app.add_option("--model", model_, "Network model; without it, the no-load model alone");
-    ensemble_.add_to(app);
     app.add_option("--data", data_, "Recording that the model was not trained on")->required();
     app.add_option("--out", out_,
                    "Write the model here, with its error on this recording: plans then keep "
@@ -56,10 +55,9 @@ class EvaluateVerb final : public Verb {
     require_free_paths(flags);
     const ArmDescription arm = load_asked_arm(arm_);
     const ForwardModel no_load(arm);
-    ensemble_.require_model(model_);
     std::optional<ForwardModel> network;
     if (!model_.empty()) {
-      network.emplace(arm, ensemble_.read(model_));
+      network.emplace(arm, read_model_of_one_arm(model_));
     }
     const std::string data_hash = content_hash(read_file(data_));  // names why it can't be read
     const Recording recording = asked_with(read_usable(arm, data_), network, data_);
@@ -86,13 +84,8 @@ class EvaluateVerb final : public Verb {
   }
 
  private:
-  /// @throws InputError where a file is in the way, or --out can't hold what is measured.
+  /// @throws InputError where a file is in the way.
   void require_free_paths(const CommonFlags& flags) const {
-    if (!out_.empty() && ensemble_.asks_for_mean()) {
-      throw InputError(
-          "--out: a model stores the error of its first network; leave --ensemble mean out, or "
-          "give the mean's error to limber plan (--margin-m, --goal-margin-m)");
-    }
     if (!plots_.empty()) {
       for (const auto& path : evaluation_plot_paths(plots_)) {
         refuse_to_overwrite(path, flags.force);
@@ -154,11 +147,7 @@ class EvaluateVerb final : public Verb {
     const EnsembleForward ensemble(arm, network.compensation());
     const EnsembleEvaluation errors = evaluate_ensemble(ensemble, recording.episodes, jobs);
     json["ensemble"] = to_json(errors);
-    text += (network.compensation().answer == EnsembleAnswer::mean
-                 ? "network: the mean with one backbone for all, as used by plan --ensemble mean; "
-                   "below: each with a backbone of its own\n"
-                 : "network: the member that validated best, as used for planning\n") +
-            to_text(errors);
+    text += "network: the member that validated best, as used for planning\n" + to_text(errors);
   }
 
   /// The model's error on this recording, which is stored with --out.
@@ -166,9 +155,6 @@ class EvaluateVerb final : public Verb {
                         const Recording& recording, int jobs, nlohmann::ordered_json& json,
                         std::string& text) const {
     CompensationModel model = network.compensation();
-    if (!out_.empty()) {
-      model.answer = EnsembleAnswer::first;  // whose error a model stores
-    }
     note_unseen(arm, model, recording.episodes, jobs);
     const std::optional<PredictionError>& error = model.prediction_error;
     json["prediction_error"] = nullptr;
@@ -245,7 +231,6 @@ class EvaluateVerb final : public Verb {
 
   std::string arm_ = "three_segment";
   std::string model_;
-  EnsembleFlag ensemble_;
   std::string data_;
   std::string out_;
   std::string plots_;

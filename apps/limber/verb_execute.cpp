@@ -226,7 +226,7 @@ class ExecuteVerb final : public Verb {
     if (!replan_.is_asked_for()) {
       return execute(arm, environment, plan, driver, settings_);
     }
-    const ForwardModel forward = model_.planning_model(arm, plan, plan_);
+    const ForwardModel forward = model_.planning_model(arm);
     const MotionModel model = model_.motion_model(arm, forward);
     model_.warn_without_valves(model, flags);
     replan_.choose_motion_queries(arm, model, std::nullopt, flags);

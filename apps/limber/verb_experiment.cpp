@@ -7,6 +7,7 @@
 #include "limber/common/error.hpp"
 #include "limber/common/interrupt.hpp"
 #include "limber/lab/planning_experiment.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/network/gap_bounds.hpp"
 #include "limber/planning/planner_factory.hpp"
 #include "model_flags.hpp"
@@ -65,7 +66,6 @@ class ExperimentVerb final : public Verb {
     replan_.add_motion_queries_to(app);
     room_.add_to(app);
     valves_.add_valves_to(app);
-    ensemble_.add_to(app);
     forest_.add_to(app);
     app.add_option("--out", settings_.folder, "Folder for tables, figures, trials and plans")
         ->capture_default_str();
@@ -93,9 +93,8 @@ class ExperimentVerb final : public Verb {
     settings_.disturbances = runs_.disturbances();
     settings_.with_no_load = !network_only_;
     require_writable_folder(settings_.folder);
-    const ForwardModel network(settings_.arm, ensemble_.read(settings_.model_file.string()));
+    const ForwardModel network(settings_.arm, read_model_of_one_arm(settings_.model_file.string()));
     require_bounded(network.compensation(), settings_.model_file.string());
-    settings_.ensemble = network.compensation().answer;
     const MotionModel model = valves_.motion_model(settings_.arm, network);
     valves_.warn_without_valves(model, flags);
     settings_.valves = model.valves().parameters();
@@ -130,7 +129,6 @@ class ExperimentVerb final : public Verb {
   std::string environments_;
   bool network_only_ = false;
   ModelFlags valves_;
-  EnsembleFlag ensemble_;
   RoomFlags room_;
   ReplanFlags replan_;
   RunFlags runs_;

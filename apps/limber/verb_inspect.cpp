@@ -300,9 +300,6 @@ Finding inspect_plan(const std::string& file, const std::optional<ArmDescription
     finding.json[quantity_key(plan.command, "limits")].push_back(to_json(limits));
     within += (within.empty() ? "\n  planned within " : ", ") + to_string(limits);
   }
-  if (!plan.ensemble.empty()) {
-    finding.json["ensemble"] = plan.ensemble;
-  }
   std::string clearance = "no obstacles";
   finding.json["clearance_cm"] = nullptr;
   if (std::isfinite(plan.clearance_m)) {
@@ -310,12 +307,11 @@ Finding inspect_plan(const std::string& file, const std::optional<ArmDescription
     clearance = fmt::format("clearance {:.1f} cm", 100.0 * plan.clearance_m);
   }
   finding.text = fmt::format(
-      "plan for arm '{}' in '{}' by {} with the {} model{}, seed {}\n  {} frames ({:.1f} s), {} "
+      "plan for arm '{}' in '{}' by {} with the {} model, seed {}\n  {} frames ({:.1f} s), {} "
       "waypoints, {:.1f} {}; predicted: {:.1f} cm from the goal, {}{}",
-      plan.arm_name, plan.environment_name, plan.planner, plan.model,
-      plan.ensemble.empty() ? "" : " (" + plan.ensemble + " of an ensemble)", plan.seed,
-      plan.frame_count(), plan.duration_s(), plan.waypoints_kpa.size(), plan.cost_kpa,
-      plan.command.unit, 100.0 * plan.goal_distance_m, clearance,
+      plan.arm_name, plan.environment_name, plan.planner, plan.model, plan.seed, plan.frame_count(),
+      plan.duration_s(), plan.waypoints_kpa.size(), plan.cost_kpa, plan.command.unit,
+      100.0 * plan.goal_distance_m, clearance,
       within.empty() ? "" : fmt::format("{} {}", within, plan.command.unit));
   finding.json["tube"] = nullptr;
   if (plan.tube) {

@@ -83,7 +83,6 @@ class PlanVerb final : public Verb {
     app.add_option("--arm", arm_, "Arm file, or the name of one of limber's own arms")
         ->capture_default_str();
     model_.add_to(app, " to plan with");
-    ensemble_.add_to(app);
     app.add_option("--environment", environment_,
                    "Environment file, or the name of one of "
                    "limber's own; not needed to --build-forest alone");
@@ -129,7 +128,7 @@ class PlanVerb final : public Verb {
   int run(const CommonFlags& flags) override {
     const std::string arm_file = find_arm_file(arm_);
     const ArmDescription arm = load_asked_arm(arm_file);
-    const ForwardModel forward = model_.planning_model(arm, ensemble_);
+    const ForwardModel forward = model_.planning_model(arm);
     const MotionModel model = model_.motion_model(arm, forward);
     model_.warn_without_valves(model, flags);
     if (environment_.empty()) {
@@ -172,7 +171,6 @@ class PlanVerb final : public Verb {
     if (!forward.has_network() || forward.compensation().member_count() == 1) {
       return;
     }
-    json["ensemble"] = to_string(forward.compensation().answer);
     json["spread"] = nullptr;
     if (!result.plan) {
       return;
@@ -279,7 +277,6 @@ class PlanVerb final : public Verb {
 
   std::string arm_ = "three_segment";
   ModelFlags model_;
-  EnsembleFlag ensemble_;
   std::string environment_;
   std::string planner_ = "default";
   PlannerLimits limits_;

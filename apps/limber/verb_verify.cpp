@@ -6,6 +6,7 @@
 #include "limber/common/atomic_file.hpp"
 #include "limber/common/content_hash.hpp"
 #include "limber/common/error.hpp"
+#include "limber/network/arm_family.hpp"
 #include "limber/network/compensation_model.hpp"
 #include "limber/report/plan_report.hpp"
 #include "model_flags.hpp"
@@ -120,7 +121,7 @@ class VerifyVerb final : public Verb {
       throw InputError(fmt::format("{}: made with another model (hash {}; {} has {})", plan_,
                                    plan.model_hash, model_.model_file(), hash));
     }
-    return read_model_of_plan(model_.model_file(), plan, plan_);
+    return read_model_of_one_arm(model_.model_file());
   }
 
   std::string plan_;

@@ -119,16 +119,6 @@ void bind_network(py::module_& module) {
           "List of Layer of the leading network; no copies.")
       .def_property_readonly("member_count", &CompensationModel::member_count,
                              "Networks of the ensemble, 1 where it is none.")
-      .def_property(
-          "answer", [](const CompensationModel& model) { return to_string(model.answer); },
-          [](CompensationModel& model, const std::string& answer) {
-            if (answer != "first" && answer != "mean") {
-              throw InputError("answer = '" + answer + "'; expected 'first' or 'mean'");
-            }
-            model.answer = answer == "mean" ? EnsembleAnswer::mean : EnsembleAnswer::first;
-          },
-          "Of an ensemble: \"first\", its first network's, "
-          "or \"mean\" of all. No part of the file.")
       .def_property_readonly("shape", &CompensationModel::shape,
                              "Sizes of the layers, inputs first: \"102-100-100-100-48\".")
       .def_readonly("arm_name", &CompensationModel::arm_name,

@@ -52,8 +52,6 @@ void bind_plan_origin(py::class_<Plan>& binding) {
   binding
       .def_readwrite("model_hash", &Plan::model_hash,
                      "content_hash of the model's file; empty for the no-load model.")
-      .def_readonly("ensemble", &Plan::ensemble,
-                    "\"mean\": predicted by all of an ensemble's networks; empty: by one.")
       .def_readonly("arm_hash", &Plan::arm_hash, "ArmDescription.hash() of the arm.")
       .def_readonly("valves_hash", &Plan::valves_hash,
                     "ValveParameters.hash() of the valves; empty: planned without valves.")

@@ -378,9 +378,6 @@ void Certifier::require_plan_of_problem(const Plan& plan) const {
         problem.environment_hash));
   }
   require_same("kind of model", plan.model, problem.network != nullptr ? "network" : "no_load");
-  const bool mean = problem.network != nullptr && problem.network->answer == EnsembleAnswer::mean;
-  require_same("use of an ensemble", plan.ensemble.empty() ? "first" : plan.ensemble,
-               mean ? "mean" : "first");
   if (!problem.network_refusal.empty()) {
     throw InputError(problem.network_refusal);
   }

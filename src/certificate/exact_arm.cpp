@@ -160,20 +160,6 @@ std::vector<double> bounded(const GapBounds& bounds, const std::vector<double>& 
   return result;
 }
 
-/// (21): plate by plate, about the base; of one shape that shape.
-ExactArm::Shape mean_of(const std::vector<ExactArm::Shape>& shapes) {
-  const double count = static_cast<double>(shapes.size());
-  ExactArm::Shape mean = shapes.front();
-  for (std::size_t i = 0; i < mean.size() && shapes.size() > 1; ++i) {
-    Pose sum{};
-    for (const ExactArm::Shape& shape : shapes) {
-      sum = {sum.x_m + shape[i].x_m, sum.y_m + shape[i].y_m, sum.theta_rad + shape[i].theta_rad};
-    }
-    mean[i] = {sum.x_m / count, sum.y_m / count, sum.theta_rad / count};
-  }
-  return mean;
-}
-
 }  // namespace
 
 ExactArm::Shape ExactArm::no_load(const std::vector<double>& pressures_kpa) const {
@@ -193,9 +179,7 @@ ExactArm::ExactArm(const ArmDescription& arm, const CompensationModel* network) 
     form_ = network->form;
     reads_velocity_ = network->reads_velocity;
     bounds_ = network->bounds;
-    for (int member = 0; member < network->asked_count(); ++member) {
-      networks_.emplace_back(network->member(member));
-    }
+    network_.emplace(*network);
   }
 }
 
@@ -203,7 +187,7 @@ std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& pre
                                                   const std::vector<double>& current_kpa,
                                                   const std::array<Past, 2>& past,
                                                   ExactNetwork::Workspace& workspace) const {
-  if (networks_.empty()) {
+  if (!network_) {
     const Shape free = no_load(current_kpa);
     return {free, free};
   }
@@ -238,18 +222,16 @@ std::array<ExactArm::Shape, 2> ExactArm::next_two(const std::vector<double>& pre
       }
     }
   }
-  std::array<std::vector<Shape>, 2> answers;
-  for (const ExactNetwork& network : networks_) {
-    network.run(workspace);
-    for (std::size_t c = 0; c < 2; ++c) {
-      std::vector<double> next = combined(form_, before[c], unloaded, workspace.output[c]);
-      if (bounds_) {
-        next = bounded(*bounds_, next, layout_);
-      }
-      answers[c].push_back(shape_of(next, layout_));
+  network_->run(workspace);
+  std::array<Shape, 2> answers;
+  for (std::size_t c = 0; c < 2; ++c) {
+    std::vector<double> next = combined(form_, before[c], unloaded, workspace.output[c]);
+    if (bounds_) {
+      next = bounded(*bounds_, next, layout_);
     }
+    answers[c] = shape_of(next, layout_);
   }
-  return {mean_of(answers[0]), mean_of(answers[1])};
+  return answers;
 }
 
 ExactArm::Shape ExactArm::next(const std::vector<double>& previous_kpa,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "exact_network.hpp"
@@ -46,7 +47,7 @@ class ExactArm {
   OutputForm form_ = OutputForm::compensation;
   bool reads_velocity_ = false;
   std::optional<GapBounds> bounds_;
-  std::vector<ExactNetwork> networks_;  // none: no load; several: their mean, (21)
+  std::optional<ExactNetwork> network_;  // none: no load
 };
 
 }  // namespace limber

@@ -40,16 +40,11 @@ std::string why_no_radii(const PlanTube& tube, const ArmDescription& arm) {
 }
 
 /// Why the network does not promise that; empty: it does.
-std::string why_not_promised(const PlanTube& tube, EnsembleAnswer plan_answer,
-                             const CompensationModel* network) {
+std::string why_not_promised(const PlanTube& tube, const CompensationModel* network) {
   const TubeLevel* promised =
       network != nullptr && network->tube ? network->tube->find(tube.level) : nullptr;
   if (promised == nullptr) {
     return fmt::format("the model promises no tube of {:.6g} % of runs", 100.0 * tube.level);
-  }
-  if (plan_answer != network->tube->answer) {
-    return fmt::format("it is that of {} predictions; the plan has {}",
-                       to_string(network->tube->answer), to_string(plan_answer));
   }
   const auto is_narrower = [&](double radius, double scale) {
     return radius < promised->factor * scale - kRounding;
@@ -86,8 +81,7 @@ void check_tube(const Plan& plan, const CompensationModel* network, const ArmDes
   }
   std::string why = why_no_radii(*plan.tube, arm);
   if (why.empty()) {
-    why = why_not_promised(
-        *plan.tube, plan.ensemble.empty() ? EnsembleAnswer::first : EnsembleAnswer::mean, network);
+    why = why_not_promised(*plan.tube, network);
   }
   if (!why.empty()) {
     certificate.failures.push_back({"tube", -1, std::move(why)});

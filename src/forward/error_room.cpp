@@ -45,20 +45,14 @@ ErrorRoom default_room(const ForwardModel& model) {
 const TubeLevel* level_of(const ForwardModel& model, const AskedRoom& asked) {
   const Tube* tube =
       model.has_network() && model.compensation().tube ? &*model.compensation().tube : nullptr;
-  const bool is_its_own = tube != nullptr && tube->answer == model.compensation().answer;
   if (!asked.tube_level) {
-    return !is_its_own || asked.margin_m ? nullptr : &tube->default_level();
+    return tube == nullptr || asked.margin_m ? nullptr : &tube->default_level();
   }
   if (tube == nullptr) {
     throw InputError(
         fmt::format("a tube of {} is asked for; the model carries none: limber "
                     "calibrate measures one",
                     *asked.tube_level));
-  }
-  if (!is_its_own) {
-    throw InputError(
-        fmt::format("a tube of {} is asked for; the model's was calibrated with --ensemble {}",
-                    *asked.tube_level, to_string(tube->answer)));
   }
   const TubeLevel* level = tube->find(*asked.tube_level);
   if (level == nullptr) {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "ensemble_pipeline.hpp"
+#include "forward_pipeline.hpp"
 #include "limber/common/error.hpp"
 
 namespace limber {
@@ -60,13 +60,13 @@ void require_backbone(const char* name, const Backbone& backbone, int points) {
 }  // namespace
 
 ForwardModel::ForwardModel(const ArmDescription& arm, CpuLevel level)
-    : no_load_(arm), pipeline_(std::make_unique<EnsemblePipeline>(arm, nullptr, level)) {}
+    : no_load_(arm), pipeline_(std::make_unique<ForwardPipeline>(arm, nullptr, level)) {}
 
 ForwardModel::ForwardModel(const ArmDescription& arm, CompensationModel compensation,
                            CpuLevel level)
     : no_load_(arm),
       compensation_(checked(std::move(compensation), arm)),
-      pipeline_(std::make_unique<EnsemblePipeline>(arm, &*compensation_, level)) {}
+      pipeline_(std::make_unique<ForwardPipeline>(arm, &*compensation_, level)) {}
 
 ForwardModel::ForwardModel(ForwardModel&&) noexcept = default;
 ForwardModel& ForwardModel::operator=(ForwardModel&&) noexcept = default;

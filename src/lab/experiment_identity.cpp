@@ -45,9 +45,6 @@ nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
   json["cost_threshold_kpa"] = optional_json(settings.limits.cost_threshold_kpa);
   json["forest"] = settings.forest ? Json(forest_hash(*settings.forest)) : Json(nullptr);
   json["planner_jobs"] = settings.planner_jobs;
-  if (settings.ensemble == EnsembleAnswer::mean) {
-    json["ensemble"] = to_string(settings.ensemble);
-  }
   json["environments"] = Json::object();
   for (const EnvironmentCase& item : settings.environments) {
     json["environments"][item.id] = environment_hash(item.environment);
@@ -58,9 +55,7 @@ nlohmann::ordered_json experiment_identity(const ExperimentSettings& settings,
 void require_same_experiment(const std::filesystem::path& file, const nlohmann::json& wanted) {
   const nlohmann::json root = read_json_object(file);
   nlohmann::json all = wanted;
-  for (const char* asked : {"ensemble", "tube"}) {
-    all.emplace(asked, nullptr);  // written where it is asked for alone
-  }
+  all.emplace("tube", nullptr);  // written where it is asked for alone
   for (const auto& [key, value] : all.items()) {
     const nlohmann::json there = root.value(key, nlohmann::json(nullptr));
     if (there != value) {

@@ -44,12 +44,6 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kTrialSeed = 128;  // as the demo's plans
 constexpr const char* kExperimentFile = "experiment.json";
 
-CompensationModel model_of(const ExperimentSettings& settings) {
-  CompensationModel model = read_model_of_one_arm(settings.model_file);
-  model.answer = settings.ensemble;
-  return model;
-}
-
 /// "ompl:SST,frames=5" → "ompl-SST-frames-5".
 std::string as_file_name(std::string text) {
   for (char& c : text) {
@@ -79,7 +73,7 @@ class Experiment {
       : settings_(settings),
         model_bytes_hash_(content_hash(read_file(settings.model_file))),
         no_load_forward_(settings.arm),
-        network_forward_(settings.arm, model_of(settings)),
+        network_forward_(settings.arm, read_model_of_one_arm(settings.model_file)),
         no_load_(no_load_forward_, ValveModel(settings.arm, settings.valves)),
         network_(network_forward_, ValveModel(settings.arm, settings.valves)),
         identity_(experiment_identity(settings, model_bytes_hash_)) {}

@@ -117,10 +117,6 @@ const char* to_string(BackboneLayout layout) {
   return layout == BackboneLayout::base_poses ? "base_poses" : "gap_poses";
 }
 
-const char* to_string(EnsembleAnswer answer) {
-  return answer == EnsembleAnswer::mean ? "mean" : "first";
-}
-
 CompensationModel CompensationModel::member(int index) const {
   CompensationModel one;
   one.layout = layout;
@@ -140,9 +136,7 @@ CompensationModel CompensationModel::member(int index) const {
   one.valve_findings = valve_findings;
   if (index == 0) {
     one.prediction_error = prediction_error;
-    if (tube && tube->answer == EnsembleAnswer::first) {
-      one.tube = tube;
-    }
+    one.tube = tube;
   }
   one.family = family;
   one.member_of_family = member_of_family;
@@ -198,11 +192,6 @@ void validate(const CompensationModel& model, const std::string& where) {
   const Sizes sizes = expected_sizes(model);
   validate_layers(where, "layers.", model.layers, sizes);
   validate_members(where, model, sizes);
-  if (model.answer == EnsembleAnswer::mean && model.member_count() == 1) {
-    refuse(where,
-           "holds one network, so there is no mean to answer "
-           "with; limber train --ensemble N makes an ensemble");
-  }
   validate_normalisation(where, "normalisation.input", model.input, sizes.input);
   validate_normalisation(where, "normalisation.output", model.output, sizes.backbone);
   if (model.form == OutputForm::gated_change && !model.output.offset.isZero(0.0F)) {
@@ -222,9 +211,6 @@ void validate(const CompensationModel& model, const std::string& where) {
   }
   if (model.tube) {
     validate(*model.tube, where + ": metadata");
-    if (model.tube->answer == EnsembleAnswer::mean && model.member_count() == 1) {
-      refuse(where, "metadata tube.ensemble is mean; it holds one network");
-    }
     if (static_cast<int>(model.tube->plate_scale_m.size()) != model.point_count) {
       refuse(where, fmt::format("metadata tube.plate_scale_m has {} "
                                 "numbers; expected {}, one per plate",

@@ -209,7 +209,6 @@ void read_tube_into(CompensationModel& model, const Safetensors& content,
   const auto found = content.metadata.find(kTubeKey);
   if (found != content.metadata.end()) {
     model.tube = read_tube(YamlReader::from_text(found->second, where + ": metadata tube"));
-    model.answer = model.tube->answer;
   }
 }
 

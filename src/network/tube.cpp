@@ -146,7 +146,6 @@ std::string tube_to_metadata(const Tube& tube) {
                                  {"end_heading_scale_rad", tube.end_heading_scale_rad},
                                  {"start_share", tube.growth.start_share},
                                  {"full_after_m", tube.growth.full_after_m},
-                                 {"ensemble", to_string(tube.answer)},
                                  {"source", tube.source},
                                  {"levels", levels}})
       .dump();
@@ -154,7 +153,7 @@ std::string tube_to_metadata(const Tube& tube) {
 
 Tube read_tube(const YamlReader& root) {
   root.refuse_unknown_keys({"plate_scale_m", "end_scale_m", "end_heading_scale_rad", "start_share",
-                            "full_after_m", "ensemble", "source", "levels"});
+                            "full_after_m", "source", "levels"});
   Tube tube;
   tube.plate_scale_m = root.at("plate_scale_m").numbers("lengths in metres");
   tube.end_scale_m = root.at("end_scale_m").positive("a length in metres");
@@ -162,14 +161,6 @@ Tube read_tube(const YamlReader& root) {
   if (root.has("start_share")) {  // else it is of before tubes grew
     tube.growth.start_share = root.at("start_share").positive("a share");
     tube.growth.full_after_m = root.at("full_after_m").number("a length in metres", 0.0);
-  }
-  if (root.has("ensemble")) {  // the same
-    const std::string answer = root.at("ensemble").text();
-    tube.answer =
-        answer == to_string(EnsembleAnswer::mean) ? EnsembleAnswer::mean : EnsembleAnswer::first;
-    if (answer != to_string(tube.answer)) {
-      root.at("ensemble").refuse(fmt::format("'{}'; expected first or mean", answer));
-    }
   }
   tube.source = root.at("source").text();
   for (const YamlReader& level : root.at("levels").elements()) {

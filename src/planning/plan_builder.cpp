@@ -38,9 +38,6 @@ Plan build_partial_plan(const PlanningProblem& problem, MotionSimulator& simulat
   plan.arm_description = arm.description;
   plan.command = problem.arm.command;
   plan.model = problem.model.has_network() ? "network" : "no_load";
-  if (problem.model.has_network() && problem.model.compensation().answer == EnsembleAnswer::mean) {
-    plan.ensemble = to_string(EnsembleAnswer::mean);
-  }
   plan.valves_hash = problem.model.valves().parameters().hash();
   plan.environment_name = problem.environment.name;
   if (problem.judge == nullptr) {

@@ -237,12 +237,6 @@ Plan read_fields(const JsonReader& root, bool has_valves) {
   if (plan.model != "no_load" && plan.model != "network") {
     root.at("model").at("kind").refuse_found("expected no_load or network");
   }
-  if (root.at("model").has("ensemble")) {
-    plan.ensemble = root.at("model").at("ensemble").text();
-    if (plan.ensemble != "mean") {
-      root.at("model").at("ensemble").refuse_found("expected mean, or no such key");
-    }
-  }
   plan.valves_hash = has_valves ? root.at("valves").at("hash").text() : "";
   plan.is_older_than_valves = !has_valves;
   plan.environment_name = root.at("environment").at("name").text();
@@ -291,9 +285,6 @@ void write_plan(const std::filesystem::path& path, const Plan& plan) {
     root["command"] = {{"name", plan.command.name}, {"unit", plan.command.unit}};
   }
   root["model"] = {{"kind", plan.model}, {"hash", plan.model_hash}};
-  if (!plan.ensemble.empty()) {
-    root["model"]["ensemble"] = plan.ensemble;
-  }
   root["valves"] = {{"hash", plan.valves_hash}};
   root["environment"] = {{"name", plan.environment_name}, {"hash", plan.environment_hash}};
   root["planner"] = plan.planner;

@@ -274,27 +274,6 @@ TEST(Certificate, OtherArmsEnvironmentsAndModelsAreBadInput) {
               ThrowsMessage<InputError>(HasSubstr("another kind of model")));
 }
 
-TEST(Certificate, APlanOfAMeanHoldsForTheMeanAlone) {
-  const Solved& s = solved();
-  CompensationModel ensemble = play_network(s.arm, 0.01F);
-  ensemble.more_members = {play_network(s.arm, 0.011F).layers, play_network(s.arm, 0.012F).layers};
-  ensemble.answer = EnsembleAnswer::mean;
-  const ForwardModel mean(s.arm, ensemble);
-  PlannerLimits limits;
-  limits.iterations = 1500;
-  const PlanResult result = make_planner("default")->plan({s.arm, mean, s.environment}, limits, 3);
-  ASSERT_TRUE(result.plan) << result.reason;
-  EXPECT_EQ(result.plan->ensemble, "mean");
-  EXPECT_THAT(failed_checks(certify(*result.plan, s.arm, &ensemble, {}, s.environment)), IsEmpty());
-  ensemble.answer = EnsembleAnswer::first;
-  EXPECT_THAT([&] { (void)certify(*result.plan, s.arm, &ensemble, {}, s.environment); },
-              ThrowsMessage<InputError>(HasSubstr("another use of an ensemble")));
-  Plan as_first = *result.plan;
-  as_first.ensemble.clear();
-  EXPECT_THAT(failed_checks(certify(as_first, s.arm, &ensemble, {}, s.environment)),
-              Contains("model"));
-}
-
 TEST(Certificate, TheSealBreaksWhateverIsChangedInTheFile) {
   const Solved& s = solved();
   ASSERT_FALSE(s.plan.frames.empty());

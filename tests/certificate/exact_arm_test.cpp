@@ -70,39 +70,6 @@ TEST_P(ExactArmOfKind, AgreesWithTheForwardModelInEveryLayoutAndForm) {
 INSTANTIATE_TEST_SUITE_P(BoundsAndChange, ExactArmOfKind,
                          testing::Combine(testing::Bool(), testing::Bool()));
 
-TEST(ExactArm, AgreesWithTheForwardModelAboutAnEnsemblesMean) {
-  const ArmDescription arm = three_segment_arm();
-  CompensationModel model =
-      untrained_model(arm, BackboneLayout::gap_poses, {30, 30}, 5, OutputForm::gated_change);
-  for (const std::uint64_t seed : {6U, 7U, 8U}) {
-    model.more_members.push_back(
-        untrained_model(arm, BackboneLayout::gap_poses, {30, 30}, seed, OutputForm::gated_change)
-            .layers);
-  }
-  const ExactArm first(arm, &model);
-  model.answer = EnsembleAnswer::mean;
-  const ForwardModel fast(arm, model);
-  const ExactArm exact(arm, &model);
-  ForwardModel::Workspace workspace;
-  RandomStream random(3, 0);
-  double apart_m = 0.0;
-  for (int trial = 0; trial < 100; ++trial) {
-    const Pressures before = random_pressures(arm, random);
-    const Pressures now = random_pressures(arm, random);
-    const Backbone from = no_load_backbone(fast.no_load(), random_pressures(arm, random));
-    Backbone to(arm.point_count(), 3);
-    fast.step(before, now, from, to, workspace);
-    const ExactArm::Shape shape = exact.next(doubles(before), doubles(now), shape_of(from));
-    const Deviation found = deviation(shape, shape_of(to));
-    EXPECT_LT(found.apart_m, kFloatModelM) << trial;
-    EXPECT_LT(found.turned_rad, kFloatModelRad) << trial;
-    apart_m = std::max(
-        apart_m,
-        deviation(first.next(doubles(before), doubles(now), shape_of(from)), shape).apart_m);
-  }
-  EXPECT_GT(apart_m, 100 * kFloatModelM) << "the networks differ";
-}
-
 // Row by row and number by number, as docs/model.md has it.
 TEST(ExactNetwork, AgreesWithPlainLoopsAndToTheBitOnEveryCpu) {
   constexpr double kRounding = 1e-13;

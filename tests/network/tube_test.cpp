@@ -71,24 +71,6 @@ TEST(Tube, GrowsFromItsShareAtTheStartToItsFullWidth) {
   EXPECT_DOUBLE_EQ(tube.radius_m(tube.levels[1], 1, 7.0), full_m);
 }
 
-// A mean's tube makes the mean the default; one network has none.
-TEST(TubeText, OfAMeanMakesTheNetworksAnswerTogether) {
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "model.safetensors";
-  CompensationModel model = untrained_model(sample_arm(3), BackboneLayout::gap_poses, {7}, 1);
-  model.tube = awkward_tube(16);
-  model.more_members = {model.layers};
-  write_model(path, model);
-  EXPECT_EQ(read_model(path).answer, EnsembleAnswer::first);
-  model.tube->answer = EnsembleAnswer::mean;
-  write_model(path, model);
-  EXPECT_EQ(read_model(path).answer, EnsembleAnswer::mean);
-  EXPECT_FALSE(read_model(path).member(0).tube);
-  model.more_members.clear();
-  EXPECT_THAT([&] { write_model(path, model); },
-              ThrowsMessage<InputError>(HasSubstr("tube.ensemble is mean; it holds one network")));
-}
-
 TEST(Tube, HasADefaultLevelOfNinetyFivePercentOrWhatIsBelow) {
   Tube tube = awkward_tube(2);
   EXPECT_EQ(tube.default_level().level, 0.95);

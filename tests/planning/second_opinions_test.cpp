@@ -56,24 +56,6 @@ TEST(SecondOpinions, OfOneNetworkOrNoneThereIsNobodyToAsk) {
   }
 }
 
-TEST(SecondOpinions, AboutAMeanEveryNetworkIsAsked) {
-  Opinions some({0.005F, 0.008F});
-  CompensationModel ensemble = some.model.compensation();
-  ensemble.answer = EnsembleAnswer::mean;
-  const ForwardModel mean(some.arm, ensemble);
-  const PlanningProblem problem{some.arm, mean, some.environment};
-  SecondOpinions opinions(some.problem, some.checker);
-  SecondOpinions about_mean(problem, some.checker);
-  const std::vector<Pressures> still{Pressures::Zero(3)};
-  (void)opinions.agree(still);
-  const std::uint64_t of_one = opinions.queries();
-  EXPECT_GT(of_one, 0U);
-  some.environment.goal.position_tolerance_m = 10.0;  // all are asked where all agree
-  some.environment.goal.theta_rad.reset();
-  (void)about_mean.agree(still);
-  EXPECT_EQ(about_mean.queries(), 2 * of_one);
-}
-
 TEST(SecondOpinions, AgreeWhereEveryOtherMemberEndsInTheGoalFreely) {
   Opinions some({0.005F, 0.008F, 0.015F});
   SecondOpinions opinions(some.problem, some.checker);

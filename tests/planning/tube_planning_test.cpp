@@ -93,20 +93,6 @@ TEST(TubeRoom, OfALevelThatIsNotThereNamesThoseThatAre) {
               ThrowsMessage<InputError>(HasSubstr("the model carries none: limber calibrate")));
 }
 
-TEST(TubeRoom, IsForThePredictionsThatItWasCalibratedWith) {
-  const ArmDescription arm = three_segment_arm();
-  CompensationModel model = model_with_tube(arm);
-  model.more_members = {model.layers};
-  model.answer = EnsembleAnswer::mean;
-  EXPECT_FALSE(error_room(ForwardModel(arm, model)).tube);
-  AskedRoom asked;
-  asked.tube_level = 0.95;
-  EXPECT_THAT([&] { (void)error_room(ForwardModel(arm, model), asked); },
-              ThrowsMessage<InputError>(HasSubstr("calibrated with --ensemble first")));
-  model.tube->answer = EnsembleAnswer::mean;
-  EXPECT_TRUE(error_room(ForwardModel(arm, model)).tube);
-}
-
 TEST(TubePlanning, PlansKeepTheInflatedArmFreeAndTheGoalInside) {
   const TubeSetting& s = setting();
   const PlanResult result = s.plan();
@@ -163,15 +149,6 @@ TEST(TubePlanning, TheCertificateRefusesATubeThatTouchesOrIsNotTheModels) {
     cases[i].change(*changed.tube);
     EXPECT_THAT(failed_checks(s.certificate(changed)), Contains(cases[i].check)) << "case " << i;
   }
-}
-
-TEST(TubePlanning, TheCertificateRefusesTheTubeOfOtherPredictions) {
-  const TubeSetting& s = setting();
-  CompensationModel ensemble = s.model.compensation();
-  ensemble.more_members = {ensemble.layers};
-  ensemble.tube->answer = EnsembleAnswer::mean;
-  const Certificate certificate = certify(*s.plan().plan, s.arm, &ensemble, {}, s.environment);
-  EXPECT_THAT(failed_checks(certificate), Contains("tube"));
 }
 
 TEST(TubePlanning, AStartInsideTheTubeIsRefusedWhereItIsAskedForAndYieldsWhereNot) {

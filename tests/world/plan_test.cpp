@@ -141,22 +141,6 @@ TEST(PlanFile, KeepsTheLimitsThatThePlanWasMadeWithin) {
               ThrowsMessage<InputError>(HasSubstr("limits_kpa: 2 pairs found")));
 }
 
-TEST(PlanFile, NamesAnEnsemblesMeanAndUnderstandsNothingElse) {
-  const TemporaryFolder folder;
-  const auto path = folder.path() / "p.json";
-  Plan plan = small_plan(three_segment_arm());
-  write_plan(path, plan);
-  EXPECT_EQ(read_file(path).find("ensemble"), std::string::npos) << "as before it could be chosen";
-  plan.ensemble = "mean";
-  write_plan(path, plan);
-  EXPECT_EQ(read_plan(path).ensemble, "mean");
-  std::string text = read_file(path);
-  text.replace(text.find("\"mean\""), 6, "\"best\"");
-  write_file_atomically(path, text);
-  EXPECT_THAT([&] { (void)read_plan(path); },
-              ThrowsMessage<InputError>(HasSubstr("expected mean, or no such key")));
-}
-
 TEST(PlanFile, InfiniteClearanceIsNull) {
   const TemporaryFolder folder;
   Plan plan = small_plan(three_segment_arm());

@@ -63,12 +63,6 @@ double score_of(const RecordedCalibration& settings, std::size_t i, const Tube& 
     throw InputError(fmt::format("{}: made with another model (hash {}; --model has {})",
                                  settings.plans[i].string(), plan.model_hash, settings.model_hash));
   }
-  const EnsembleAnswer answer =
-      plan.ensemble.empty() ? EnsembleAnswer::first : EnsembleAnswer::mean;
-  if (answer != settings.model.answer) {
-    throw InputError(fmt::format("{}: made with --ensemble {}; calibrate with the same",
-                                 settings.plans[i].string(), to_string(answer)));
-  }
   const Recording recording = read_recording(file);
   require_sizes_of(recording, settings.arm, file);
   if (recording.episodes.size() != 1) {
@@ -113,7 +107,6 @@ Tube tube_from_recordings(const RecordedCalibration& settings) {
   Tube tube =
       settings.model.tube ? *settings.model.tube : plain_shape(settings.arm, settings.model);
   tube.levels.clear();
-  tube.answer = settings.model.answer;
   std::vector<double> scores;
   for (std::size_t i = 0; i < settings.recordings.size(); ++i) {
     scores.push_back(score_of(settings, i, tube, tube.source));

@@ -41,7 +41,6 @@ constexpr double kAuditConfidence = 0.99;  // that an audit contradicts
 Json identity(const CalibrationSettings& settings) {
   const TubeRunSettings& runs = settings.runs;
   Json json = {{"schema", "limber/calibration/3"},
-               {"ensemble", to_string(runs.model.answer)},
                {"arm", {{"name", runs.arm.name}, {"hash", runs.arm.hash()}}},
                {"virtual_arm", content_hash(virtual_arm_to_yaml(runs.executed_arm))},
                {"model", content_hash(read_file(settings.model_file))},
@@ -150,7 +149,6 @@ class Calibration {
     const TubeRuns runs = run_phase("shape", settings_.scale_runs, nullptr, 0.0);
     expected_error_m_ = runs.expected_error_m();
     shape_ = tube_shape(runs.errors(), usual_growth(settings_.runs.arm.length_m()));
-    shape_.answer = settings_.runs.model.answer;
     shape_.source = "virtual arm";
   }
 

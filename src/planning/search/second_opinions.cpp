@@ -12,9 +12,7 @@ SecondOpinions::Other::Other(const PlanningProblem& problem, int member,
 SecondOpinions::SecondOpinions(const PlanningProblem& problem, const CollisionChecker& checker)
     : problem_(problem), start_(start_of(problem)) {
   const int members = problem.model.has_network() ? problem.model.compensation().member_count() : 1;
-  const bool one_leads =
-      members == 1 || problem.model.compensation().answer == EnsembleAnswer::first;
-  for (int member = one_leads ? 1 : 0; member < members; ++member) {
+  for (int member = 1; member < members; ++member) {
     others_.push_back(std::make_unique<Other>(problem, member, checker));
   }
 }

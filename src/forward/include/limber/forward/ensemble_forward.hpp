@@ -11,7 +11,7 @@ namespace limber {
 /// initial weights. Each member carries its own backbone, so members that have drifted apart stay
 /// apart, and the spread grows along a rollout as the uncertainty does. Where a pure function of
 /// one backbone is needed (planning, execution), ForwardModel on the same file is the member with
-/// the smallest validation error or, if asked for, the mean with one backbone for all (21).
+/// the smallest validation error.
 ///
 /// Sizes: N members, n segments, m backbone points.
 /// Threads: constant after construction.

@@ -14,12 +14,11 @@
 
 namespace limber {
 
-class EnsemblePipeline;
+class ForwardPipeline;
 
 /// The forward model B_t = F(q_{t−1}, q_t, B_{t−1}) (docs/model.md, (1) and (5)): the no-load
 /// model, or the no-load model compensated by a network. It is a pure function: the whole state is
-/// in its arguments. So it is where an ensemble answers with its mean, (21): all networks are asked
-/// about the same backbone, and the mean of their answers is the next one.
+/// in its arguments. Of an ensemble, the first network answers.
 ///
 /// Sizes:   n segments, m backbone points; batches of k queries, one per column, a backbone's 3m
 ///          numbers in row order.
@@ -97,7 +96,7 @@ class ForwardModel {
 
   NoLoadModel no_load_;
   std::optional<CompensationModel> compensation_;
-  std::unique_ptr<const EnsemblePipeline> pipeline_;
+  std::unique_ptr<const ForwardPipeline> pipeline_;
 };
 
 }  // namespace limber

@@ -24,7 +24,6 @@ struct ExperimentSettings {
   std::filesystem::path folder = "experiment";
   ArmDescription arm;
   std::filesystem::path model_file;  ///< network; the no-load model is always the other one
-  EnsembleAnswer ensemble = EnsembleAnswer::first;  ///< of an ensemble's networks
   /// Valves in every prediction, whatever its model; with ideal ones, pressures are the set points.
   ValveParameters valves;
   std::vector<EnvironmentCase> environments;

@@ -93,9 +93,6 @@ struct CompensationModel {
   /// An ensemble's other networks, of the same shape and normalisation, in the order of their
   /// validation errors: `layers` is the best. For a single prediction, `layers` is enough.
   std::vector<std::vector<Layer>> more_members;
-  /// Chosen by whoever asks the model, and no part of its file: that of its tube, where a file has
-  /// one. `mean` needs an ensemble.
-  EnsembleAnswer answer = EnsembleAnswer::first;
   Normalisation input;
   Normalisation output;
   std::string arm_name;
@@ -129,8 +126,6 @@ struct CompensationModel {
   std::optional<FamilyMember> member_of_family;
 
   int member_count() const { return 1 + static_cast<int>(more_members.size()); }
-  /// Networks that every answer asks: all of them for their mean, else 1.
-  int asked_count() const { return answer == EnsembleAnswer::mean ? member_count() : 1; }
   /// Member `index` as a model of its own, without the training record. @pre index < member_count()
   CompensationModel member(int index) const;
 

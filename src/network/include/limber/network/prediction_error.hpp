@@ -12,15 +12,6 @@ namespace limber {
 
 class YamlReader;
 
-/// What an ensemble's networks answer together.
-enum class EnsembleAnswer {
-  first,  ///< what the first one says, the best by validation
-  mean,   ///< (21): the mean of what all of them say, at the cost of all of them
-};
-
-/// "first" or "mean", as the flag --ensemble and plans have it.
-const char* to_string(EnsembleAnswer answer);
-
 /// How far predictions were from the arm on motions used neither for training nor for choosing the
 /// model. Predictions are open loop from set points, through the model's valves and its (leading)
 /// network, in runs that start from measured states (docs/training.md).
@@ -57,10 +48,8 @@ struct Tube {
   double end_scale_m = 0.0;            ///< of the tip after the hold, > 0
   double end_heading_scale_rad = 0.0;  ///< > 0
   RoomGrowth growth;                   ///< of the scales of plates, from where they start
-  /// Whose predictions it is about.
-  EnsembleAnswer answer = EnsembleAnswer::first;
-  std::string source;             ///< "virtual arm", or what the recordings say
-  std::vector<TubeLevel> levels;  ///< rising levels, at least one
+  std::string source;                  ///< "virtual arm", or what the recordings say
+  std::vector<TubeLevel> levels;       ///< rising levels, at least one
 
   /// The tube of a level, in metres, of plate i where it is `moved_m` from where it started.
   double radius_m(const TubeLevel& level, std::size_t plate, double moved_m) const {

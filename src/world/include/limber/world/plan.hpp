@@ -58,7 +58,6 @@ struct Plan {
   Command command;              ///< the arm's: what "kpa" stands for in the names below
   std::string model;            ///< "no_load" or "network"
   std::string model_hash;       ///< content hash of the model file; empty for "no_load"
-  std::string ensemble;         ///< "mean": of an ensemble's networks, (21); empty: one network
   std::string valves_hash;      ///< ValveParameters::hash(); empty: planned without valves
   /// Read from schema limber/plan/1, which had no valves.
   bool is_older_than_valves = false;
