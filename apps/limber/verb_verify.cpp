@@ -88,9 +88,6 @@ class VerifyVerb final : public Verb {
   /// The valves that the certificate uses; they never come from the plan itself.
   ValveParameters valves_of(const Plan& plan, const ArmDescription& arm,
                             const CompensationModel* network) const {
-    if (plan.is_older_than_valves) {
-      return {};
-    }
     ValveParameters valves = model_.valves(arm, network);
     if (valves.is_ideal() && !plan.valves_hash.empty()) {
       throw InputError(

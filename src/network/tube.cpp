@@ -158,10 +158,8 @@ Tube read_tube(const YamlReader& root) {
   tube.plate_scale_m = root.at("plate_scale_m").numbers("lengths in metres");
   tube.end_scale_m = root.at("end_scale_m").positive("a length in metres");
   tube.end_heading_scale_rad = root.at("end_heading_scale_rad").positive("an angle in radians");
-  if (root.has("start_share")) {  // else it is of before tubes grew
-    tube.growth.start_share = root.at("start_share").positive("a share");
-    tube.growth.full_after_m = root.at("full_after_m").number("a length in metres", 0.0);
-  }
+  tube.growth.start_share = root.at("start_share").positive("a share");
+  tube.growth.full_after_m = root.at("full_after_m").number("a length in metres", 0.0);
   tube.source = root.at("source").text();
   for (const YamlReader& level : root.at("levels").elements()) {
     tube.levels.push_back(read_level(level));

@@ -21,7 +21,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kPlanSchema = "limber/plan/2";
-constexpr const char* kSchemaWithoutValves = "limber/plan/1";  // of older programs
 constexpr double kCostToleranceKpa = 1e-6;
 constexpr double kMax = 1e6;  // of any number in a plan; nothing real comes near
 
@@ -114,14 +113,13 @@ std::vector<PressureLimits> read_limits(const JsonReader& root, const Command& c
 }
 
 /// @param has_pressures  of the file's schema; else pressures are the set points
-std::vector<PlanFrame> read_frames(const JsonReader& field, const Command& command,
-                                   bool has_pressures) {
+std::vector<PlanFrame> read_frames(const JsonReader& field, const Command& command) {
   const std::vector<JsonReader> items = field.elements("a list of frames");
   if (items.empty()) {
     field.refuse("no frame found; expected at least the start");
   }
   const std::string setpoint = quantity_key(command, "setpoint");
-  const std::string followed = has_pressures ? followed_key(command) : setpoint;
+  const std::string followed = followed_key(command);
   const std::size_t segments =
       items.front().at(setpoint.c_str()).elements("a list of " + command.name + "s").size();
   const std::size_t points = items.front().at("backbone").elements("a list of poses").size();
@@ -191,10 +189,8 @@ std::optional<PlanTube> read_tube(const JsonReader& root) {
   tube.level = field.at("level").number(0.0, 1.0);
   tube.plate_radius_m =
       field.at("plate_radius_m").numbers(std::string::npos, "lengths in metres", 0.0, kMax);
-  if (field.has("start_share")) {  // else it is of before tubes grew
-    tube.growth.start_share = number_at(field, "start_share", 0.0);
-    tube.growth.full_after_m = number_at(field, "full_after_m", 0.0);
-  }
+  tube.growth.start_share = number_at(field, "start_share", 0.0);
+  tube.growth.full_after_m = number_at(field, "full_after_m", 0.0);
   tube.end_radius_m = number_at(field, "end_radius_m", 0.0);
   tube.end_heading_rad = number_at(field, "end_heading_rad", 0.0);
   tube.goal_inside = field.at("goal_inside").boolean();
@@ -223,7 +219,7 @@ std::optional<CertifiedFigures> read_certificate(const JsonReader& root) {
   return figures;
 }
 
-Plan read_fields(const JsonReader& root, bool has_valves) {
+Plan read_fields(const JsonReader& root) {
   Plan plan;
   plan.program_version = root.at("program_version").text();
   plan.arm_name = root.at("arm").at("name").text();
@@ -237,8 +233,7 @@ Plan read_fields(const JsonReader& root, bool has_valves) {
   if (plan.model != "no_load" && plan.model != "network") {
     root.at("model").at("kind").refuse_found("expected no_load or network");
   }
-  plan.valves_hash = has_valves ? root.at("valves").at("hash").text() : "";
-  plan.is_older_than_valves = !has_valves;
+  plan.valves_hash = root.at("valves").at("hash").text();
   plan.environment_name = root.at("environment").at("name").text();
   plan.environment_hash = root.at("environment").at("hash").text();
   plan.planner = root.at("planner").text();
@@ -252,7 +247,7 @@ Plan read_fields(const JsonReader& root, bool has_valves) {
   plan.goal_orientation_rad = number_at(root, "goal_orientation_rad", 0.0);
   plan.limits = read_limits(root, plan.command);
   plan.hold_frame_count = static_cast<int>(root.at("hold_frame_count").count(1000000));
-  plan.frames = read_frames(root.at("frames"), plan.command, has_valves);
+  plan.frames = read_frames(root.at("frames"), plan.command);
   const Eigen::Index segments = plan.frames.front().setpoint_kpa.size();
   const std::string waypoints = quantity_key(plan.command, "waypoints");
   for (const JsonReader& point : root.at(waypoints.c_str()).elements("a list of configurations")) {
@@ -262,11 +257,8 @@ Plan read_fields(const JsonReader& root, bool has_valves) {
 }
 
 Plan read_root(const JsonReader& root) {
-  const bool has_valves = root.at("schema").text() != kSchemaWithoutValves;
-  if (has_valves) {
-    root.require_schema(kPlanSchema);
-  }
-  Plan plan = read_fields(root, has_valves);
+  root.require_schema(kPlanSchema);
+  Plan plan = read_fields(root);
   plan.certified = read_certificate(root);
   return plan;
 }

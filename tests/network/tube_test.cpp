@@ -35,17 +35,6 @@ TEST(TubeText, SurvivesTheRoundTripExactly) {
   EXPECT_EQ(read_tube(YamlReader::from_text(tube_to_metadata(tube), "m")), tube);
 }
 
-// As files of before tubes grew have it.
-TEST(TubeText, WithoutGrowthIsAsWideEverywhere) {
-  Tube tube = awkward_tube(3);
-  tube.growth = {};
-  std::string text = tube_to_metadata(tube);
-  const std::string growth = R"("start_share":1.0,"full_after_m":0.0,)";
-  const std::size_t at = text.find(growth);
-  ASSERT_NE(at, std::string::npos) << text;
-  EXPECT_EQ(read_tube(YamlReader::from_text(text.erase(at, growth.size()), "m")), tube);
-}
-
 TEST(TubeText, IsKeptByModelFilesAndAbsentFromOthers) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "model.safetensors";

@@ -59,8 +59,6 @@ struct Plan {
   std::string model;            ///< "no_load" or "network"
   std::string model_hash;       ///< content hash of the model file; empty for "no_load"
   std::string valves_hash;      ///< ValveParameters::hash(); empty: planned without valves
-  /// Read from schema limber/plan/1, which had no valves.
-  bool is_older_than_valves = false;
   std::string environment_name;
   std::string environment_hash;  ///< environment_hash()
   std::string planner;
@@ -93,9 +91,8 @@ struct Plan {
 /// plan is sealed with a hash of everything in the file.
 void write_plan(const std::filesystem::path& path, const Plan& plan);
 
-/// Reads and validates; a plan of schema limber/plan/1 is one without valves. Sizes agree, numbers
-/// are finite, the cost is Σ|Δp|, frames start and end at the waypoints, the hold stands still,
-/// nothing was changed since it was certified.
+/// Reads and validates. Sizes agree, numbers are finite, the cost is Σ|Δp|, frames start and end at
+/// the waypoints, the hold stands still, nothing was changed since it was certified.
 /// @throws InputError naming file and field.
 Plan read_plan(const std::filesystem::path& path);
 
